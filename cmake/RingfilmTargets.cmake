@@ -1,0 +1,44 @@
+# ringfilm_library(<folder> [libraries...]): the static library ringfilm_<folder> of all sources in src/ringfilm/<folder>.
+# A name of another folder stands for its library.
+function(ringfilm_library folder)
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/ringfilm/${folder}/*.cpp")
+  set(target ringfilm_${folder})
+  if(sources)
+    add_library(${target} STATIC ${sources})
+    set(scope PUBLIC)
+    ringfilm_warnings(${target})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope} "${CMAKE_SOURCE_DIR}/src")
+  foreach(library IN LISTS ARGN)
+    if(TARGET ringfilm_${library})
+      target_link_libraries(${target} ${scope} ringfilm_${library})
+    else()
+      target_link_libraries(${target} ${scope} ${library})
+    endif()
+  endforeach()
+endfunction()
+
+function(ringfilm_warnings target)
+  # -ffp-contract=off: the same case gives the same bits with and without fused multiply-add.
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                           -ffp-contract=off $<$<BOOL:${RINGFILM_WERROR}>:-Werror>)
+endfunction()
+
+# ringfilm_unit_tests(<folder> [libraries...]): the program unit_<folder> of tests/unit/<folder>/*.cpp.
+function(ringfilm_unit_tests folder)
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/unit/${folder}/*.cpp")
+  if(sources)
+    ringfilm_test_program(unit_${folder} "${sources}" ringfilm_${folder} ${ARGN})
+  endif()
+endfunction()
+
+function(ringfilm_test_program target sources)
+  add_executable(${target} ${sources})
+  ringfilm_warnings(${target})
+  target_link_libraries(${target} PRIVATE ${ARGN} GTest::gtest_main GTest::gmock)
+  target_compile_definitions(${target} PRIVATE RINGFILM_SOURCE_FOLDER="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,50 @@
+#include "ringfilm/base/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace ringfilm {
+namespace {
+
+/// A line of over this many characters is shown as a window around the mark.
+constexpr int kShownColumns = 100;
+
+std::string with_caret(const SourceMark& mark, const std::string& remedy) {
+  const std::string number = std::to_string(mark.line);
+  const int first = std::max(0, mark.column - 1 - kShownColumns / 2);
+  std::string shown = mark.line_text.substr(std::min<std::size_t>(first, mark.line_text.size()), kShownColumns);
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
+  const int caret = std::max(0, mark.column - 1 - first);
+  const std::string margin = "    " + std::string(number.size(), ' ') + " | ";
+  return "    " + number + " | " + shown + "\n" + margin + std::string(caret, ' ') + "^" +
+         (remedy.empty() ? "" : " " + remedy) + "\n";
+}
+
+}  // namespace
+
+std::string describe(const std::vector<Fault>& faults) {
+  std::string text;
+  for (const auto& [mark, message, remedy] : faults) {
+    if (!mark.file.empty()) {
+      text += mark.file + ":";
+      if (mark.line > 0) text += std::to_string(mark.line) + ":";
+      if (mark.line > 0 && mark.column > 0) text += std::to_string(mark.column) + ":";
+      text += " ";
+    }
+    text += message + "\n";
+    if (mark.line > 0 && !mark.line_text.empty()) {
+      text += with_caret(mark, remedy);
+    } else if (!remedy.empty()) {
+      text += "    " + remedy + "\n";
+    }
+  }
+  return text;
+}
+
+InputError::InputError(std::vector<Fault> faults) : std::runtime_error(describe(faults)), faults_(std::move(faults)) {}
+
+InputError::InputError(const std::string& message, const std::string& remedy)
+    : InputError(std::vector<Fault>{{{}, message, remedy}}) {}
+
+}  // namespace ringfilm

@@ -1,0 +1,58 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// The ways in which ringfilm says no. Each maps to one exit code of the program (docs/manual/command-line.md).
+namespace ringfilm {
+
+/// Where in the user's text a fault lies. `line` and `column` count from 1; 0 means "the file as a whole".
+struct SourceMark {
+  std::string file;       ///< as the user named it; "--set" for the command line
+  int line = 0;
+  int column = 0;
+  std::string line_text;  ///< the line itself, without its end; empty if not known
+};
+
+/// One thing that is wrong with the input: where, what rule was broken with which value, what to write instead.
+struct Fault {
+  SourceMark mark;
+  std::string message;  ///< value and rule, e.g. "ring.tangential_force = 12.5 has no unit"
+  std::string remedy;   ///< next step, e.g. "a force is wanted here, for example \"12.5 N\""; may be empty
+};
+
+/// The input cannot be used (exit code 2). Carries every fault that was found, not only the first.
+class InputError : public std::runtime_error {
+ public:
+  explicit InputError(std::vector<Fault> faults);
+  explicit InputError(const std::string& message, const std::string& remedy = "");
+
+  const std::vector<Fault>& faults() const noexcept { return faults_; }
+
+ private:
+  std::vector<Fault> faults_;
+};
+
+/// No film and no asperity contact was found that balances the load, all remedies spent (exit code 3).
+class ConvergenceError : public std::runtime_error {
+ public:
+  /// @param crank_angle_deg where the march stopped [degree], 0 = firing TDC
+  ConvergenceError(const std::string& message, double crank_angle_deg)
+      : std::runtime_error(message), crank_angle_deg_(crank_angle_deg) {}
+
+  double crank_angle_deg() const noexcept { return crank_angle_deg_; }
+
+ private:
+  double crank_angle_deg_;
+};
+
+/// A file could not be written; what stood there before is untouched (exit code 5).
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The faults as a person reads them: "file:line:column: message", the line, a caret, the remedy; one after the other.
+std::string describe(const std::vector<Fault>& faults);
+
+}  // namespace ringfilm

@@ -1,0 +1,200 @@
+#pragma once
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+/// The input of one engine cycle as one plain value: SI units, complete, checked. Crank angles alone are in degrees
+/// (suffix `_deg`, 0 = firing TDC), because that is the grid on which everything is asked for and stored
+/// (docs/decisions/0002-crank-angle-in-degrees.md).
+///
+/// A default is written here and nowhere else. A member without a default belongs to a key that must be stated;
+/// `cycle/case_fields.hpp` has the one table of keys, units, ranges and meanings.
+namespace ringfilm::cycle {
+
+struct TemperatureValue {
+  double temperature = 0;  ///< [K]
+  double value = 0;        ///< [SI unit of the quantity]
+};
+
+/// A quantity sampled over crank angle, as its file gives it (any range within one cycle, any spacing, increasing).
+struct SampledTrace {
+  std::vector<double> crank_angle_deg;
+  std::vector<double> value;  ///< [SI]
+};
+
+/// Viscosity and density of an oil of one's own on a rectangular grid; index [i_temperature * n_pressure + i_pressure].
+struct OilTable {
+  std::vector<double> temperature;  ///< [K], increasing
+  std::vector<double> pressure;     ///< [Pa] absolute, increasing
+  std::vector<double> viscosity;    ///< [Pa s]
+  std::vector<double> density;      ///< [kg/m3]
+};
+
+enum class GasModel { kTrace, kWiebe };
+enum class PressureReference { kAbsolute, kGauge };
+enum class AngleZero { kFiringTdc, kGasExchangeTdc };
+enum class TraceOrigin { kNotStated, kMeasured, kComputed, kSynthetic };
+enum class FaceForm { kPolynomial, kParabola, kPoints };
+enum class HeightZero { kMinimum, kAsGiven };
+enum class Orientation { kX0Chamber, kX0Crankcase, kLeadingEdge };
+enum class RoughnessMeasure { kAsGiven, kRaToRq };
+enum class ContactIntegrals { kExact, kPolynomial4Digit, kPolynomialAsPrinted };
+enum class FilmParameter { kLocal, kNominal };
+enum class ViscosityTemperature { kWalther, kHoupert };
+enum class ViscosityPressure { kRoelands, kNone };
+enum class DensityTemperature { kTable, kThermalExpansivity };
+enum class Compressibility { kDowsonHigginson, kNone };
+enum class Cavitation { kReynoldsExit, kMassConserving };
+enum class StepControl { kAdaptive, kFixed };
+enum class Method { kCoupledNewton };
+enum class FieldsWanted { kNone, kListed, kAll };
+
+struct Engine {
+  double bore = 0;                   ///< [m]
+  double stroke = 0;                 ///< [m]
+  double connecting_rod_length = 0;  ///< [m]
+};
+
+struct Operating {
+  double speed = 0;            ///< [rad/s]
+  double oil_temperature = 0;  ///< [K]
+};
+
+struct Gas {
+  GasModel model = GasModel::kTrace;
+  // model = "trace"
+  std::string cylinder_pressure_file;
+  SampledTrace cylinder_pressure;  ///< [Pa] as the file gives it: absolute or gauge, zero as stated below
+  PressureReference pressure_reference{};
+  AngleZero angle_zero{};
+  TraceOrigin trace_origin = TraceOrigin::kNotStated;  ///< shown wherever the trace appears
+  std::optional<std::string> pressure_column, angle_column;  ///< default: the only ones of their kind in the file
+  std::optional<std::string> pressure_unit, angle_unit;      ///< for a header that does not carry them
+  // model = "wiebe"; angles 0 = firing TDC
+  double compression_ratio = 10.5;
+  double peak_pressure = 62e5;               ///< [Pa] absolute
+  double peak_angle_deg = 20;                ///< [degree]
+  double burn_duration_deg = 60;             ///< [degree]
+  double exhaust_valve_opening_deg = 130;    ///< [degree]
+  double exhaust_valve_closing_deg = 375;    ///< [degree]
+  double intake_valve_opening_deg = 345;     ///< [degree]
+  double intake_valve_closing_deg = 590;     ///< [degree]
+  // wiebe, and a trace that covers only a part of the cycle (there without default)
+  std::optional<double> intake_pressure, exhaust_pressure;  ///< [Pa] absolute; wiebe: 0.95 and 1.05 bar
+  // always
+  double crankcase_pressure = 101325;  ///< [Pa] absolute; not used where a trace is given
+  std::optional<std::string> crankcase_pressure_file;
+  std::optional<SampledTrace> crankcase_trace;
+  double pressure_behind_ring = 1.0;  ///< share of the absolute gas pressure that acts behind the ring [-]
+};
+
+struct RingFace {
+  FaceForm form{};
+  HeightZero height_zero = HeightZero::kMinimum;
+  Orientation orientation = Orientation::kX0Chamber;
+  // form = "polynomial": height [height_unit] = sum of coefficients[k] x^(n-1-k), x in [length_unit]
+  std::vector<double> coefficients;  ///< highest power first
+  double length_unit = 0;            ///< [m]
+  double height_unit = 0;            ///< [m]
+  // form = "parabola"
+  double crown_height = 0;  ///< rise at the farther edge [m]
+  double apex = 0.5;        ///< place of the lowest point, fraction of the width from x = 0 [-]
+  // form = "points"
+  std::string points_file;
+  std::vector<double> x;       ///< [m], increasing, covers 0 to the face width
+  std::vector<double> height;  ///< [m]
+};
+
+struct Ring {
+  double face_width = 0;          ///< [m]
+  double youngs_modulus = 203e9;  ///< [Pa]
+  double poissons_ratio = 0.3;    ///< [-]
+  // exactly one of: elastic_pressure | tangential_force | (free_gap and radial_thickness)
+  std::optional<double> elastic_pressure;  ///< [Pa]
+  std::optional<double> tangential_force;  ///< [N]
+  std::optional<double> free_gap;          ///< [m]
+  std::optional<double> radial_thickness;  ///< [m]
+  RingFace face;
+};
+
+struct Liner {
+  double youngs_modulus = 92.3e9;  ///< [Pa]
+  double poissons_ratio = 0.211;   ///< [-]
+};
+
+struct Contact {
+  double asperity_density = 0;  ///< N [1/m2]
+  double asperity_radius = 0;   ///< beta [m]
+  double roughness = 0;         ///< sigma [m]
+  RoughnessMeasure roughness_measure = RoughnessMeasure::kAsGiven;
+  double boundary_shear_strength_coefficient = 0;  ///< zeta [-]
+  double eyring_shear_stress = 2e6;                ///< tau_0 [Pa]
+  std::optional<double> composite_modulus;         ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
+  ContactIntegrals integrals = ContactIntegrals::kExact;
+  FilmParameter film_parameter = FilmParameter::kLocal;
+};
+
+struct Lubricant {
+  std::optional<std::string> file;                      ///< where the keys of this table were read from
+  std::string name;                                     ///< for people; empty if the case states the values itself
+  std::vector<TemperatureValue> kinematic_viscosity;    ///< [m2/s]
+  std::vector<TemperatureValue> density;                ///< [kg/m3] at atmospheric pressure
+  std::optional<std::string> table_file;                ///< viscosity and density against T and p, instead of all laws
+  OilTable table;
+  double pressure_viscosity_coefficient = 1e-8;         ///< alpha_0 [1/Pa]
+  double temperature_viscosity_coefficient = 0.04;      ///< beta_0 [1/K], houpert
+  double reference_temperature = 313.15;                ///< theta_0 [K], houpert and thermal-expansivity
+  double thermal_expansivity = 7.5e-4;                  ///< gamma [1/K]
+  ViscosityTemperature viscosity_temperature = ViscosityTemperature::kWalther;
+  ViscosityPressure viscosity_pressure = ViscosityPressure::kRoelands;
+  DensityTemperature density_temperature = DensityTemperature::kTable;
+  Compressibility compressibility = Compressibility::kDowsonHigginson;
+};
+
+struct Film {
+  Cavitation cavitation = Cavitation::kMassConserving;
+  double cavitation_pressure = 101325;  ///< [Pa] absolute
+};
+
+struct Solver {
+  int cells = 200;
+  double crank_step_deg = 1.0;  ///< [degree]
+  StepControl crank_step_control = StepControl::kAdaptive;
+  double tolerance = 1e-8;  ///< relative error left by the Newton iteration in film and pressure [-]
+  Method method = Method::kCoupledNewton;
+};
+
+struct Output {
+  double crank_angle_step_deg = 1.0;             ///< used where the list is empty [degree]
+  std::vector<double> crank_angles_deg;          ///< explicit list, increasing, within [0, 720)
+  FieldsWanted fields = FieldsWanted::kNone;
+  std::vector<double> field_angles_deg;          ///< fields = [angles]
+};
+
+/// A file that the case was read from, for the record.
+struct InputFile {
+  std::string role;    ///< "case", "include", "gas.cylinder_pressure", ...
+  std::string path;    ///< as named
+  std::string sha256;  ///< of its bytes
+};
+
+struct Case {
+  std::string title;
+  Engine engine;
+  Operating operating;
+  Gas gas;
+  Ring ring;
+  Liner liner;
+  Contact contact;
+  Lubricant lubricant;
+  Film film;
+  Solver solver;
+  Output output;
+
+  std::set<std::string> stated;   ///< keys that the user gave; every other active key is an assumption
+  std::vector<InputFile> files;   ///< everything that was read
+  std::vector<std::string> notes; ///< what the reader had to say about the input (byte-order mark, synthetic trace, ...)
+};
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,118 @@
+#pragma once
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+/// What one engine cycle gives. Two tables name every quantity once: `curve_quantities` over crank angle and
+/// `cycle_quantities` for the cycle as a whole; CSV, JSON, NetCDF, report and Python walk them.
+namespace ringfilm::cycle {
+
+/// Everything at one crank angle. SI; loads, friction and flow for the whole circumference (pi x bore).
+/// Signs: velocity and signed friction positive towards TDC, oil flow positive from chamber to crankcase.
+struct Sample {
+  double crank_angle_deg = 0;
+  double piston_position = 0, piston_velocity = 0, sliding_distance = 0;
+  double gas_pressure = 0, crankcase_pressure = 0;
+  double applied_load = 0, hydrodynamic_load = 0, asperity_load = 0;
+  double min_film_thickness = 0, film_parameter = 0, asperity_contact_area = 0;
+  double boundary_friction = 0, viscous_friction = 0, viscous_friction_liner = 0, viscous_friction_ring = 0;
+  double total_friction = 0, friction_on_liner = 0, friction_coefficient = 0, power_loss = 0;
+  double wear_drive = 0;  ///< asperity load x speed
+  double oil_flow_middle = 0, oil_flow_chamber_edge = 0, oil_flow_crankcase_edge = 0;
+  double stribeck_number = 0, peak_film_pressure = 0, cavitated_fraction = 0;
+  double rupture_position = 0, reformation_position = 0;  ///< along the face; NaN where the film is full
+  double newton_iterations = 0, crank_sub_steps = 0, fallbacks = 0, load_residual = 0;
+};
+
+/// Name, unit and meaning of one quantity; `name` is the word used everywhere, from the CSV header to the caption.
+struct Quantity {
+  std::string name;
+  std::string unit;          ///< SI, UDUNITS spelling; "degree" for crank angles, "1" dimensionless
+  std::string display_unit;  ///< engineer's unit, e.g. "um"
+  std::string long_name;     ///< plain words, e.g. "minimum film thickness"
+  std::string symbol;        ///< as in docs/theory, e.g. "h_m"
+  std::string equation;      ///< label in docs/theory, e.g. "eq-power-loss"
+};
+
+struct CurveQuantity : Quantity {
+  double Sample::*value;
+};
+
+/// In the order of the CSV columns. The first is the crank angle.
+const std::vector<CurveQuantity>& curve_quantities();
+
+/// Values of the cycle as a whole, SI, in the order of `cycle_quantities()`.
+struct CycleValues {
+  double energy_per_cycle = 0, mean_power_loss = 0, fmep = 0;
+  double mean_boundary_power = 0, mean_viscous_power = 0;
+  double mean_boundary_friction = 0, peak_boundary_friction = 0, peak_boundary_friction_angle = 0;
+  double mean_viscous_friction = 0, peak_viscous_friction = 0, peak_viscous_friction_angle = 0;
+  double mean_total_friction = 0, peak_total_friction = 0, peak_total_friction_angle = 0;
+  double peak_friction_coefficient = 0, peak_friction_coefficient_angle = 0;
+  double peak_friction_coefficient_firing = 0;  ///< within +-60 degree of firing TDC
+  double min_film_thickness = 0, min_film_thickness_angle = 0, max_film_thickness = 0;
+  double peak_gas_pressure = 0, peak_gas_pressure_angle = 0;
+  double film_parameter_at_peak_pressure = 0, min_film_parameter = 0;
+  double mixed_share = 0;
+  double net_oil_flow = 0, mean_absolute_oil_flow = 0;
+  double peak_film_pressure = 0, mean_cavitated_fraction = 0;
+  double wear_drive_energy = 0;  ///< integral of asperity load x speed over the cycle
+  double power_stroke_energy = 0, exhaust_stroke_energy = 0, intake_stroke_energy = 0, compression_stroke_energy = 0;
+};
+
+struct CycleQuantity : Quantity {
+  double CycleValues::*value;
+};
+const std::vector<CycleQuantity>& cycle_quantities();
+
+/// Fields along the face at some crank angles; row-major [angle][node]. x from the chamber edge.
+struct FaceFields {
+  std::vector<double> x;                ///< [m]
+  std::vector<double> face_height;      ///< h_s as installed [m]
+  std::vector<double> crank_angle_deg;  ///< may be empty
+  std::vector<double> film_thickness;   ///< [m]
+  std::vector<double> film_pressure;    ///< [Pa] absolute
+  std::vector<double> fill;             ///< theta, liquid share of the gap [-]
+  std::vector<double> film_parameter;   ///< h(x)/sigma [-]
+  std::vector<double> asperity_pressure;///< [Pa]
+};
+
+/// Where on the stroke asperities rub: contact work per liner length over one cycle.
+struct StrokeProfile {
+  std::vector<double> liner_position;   ///< distance below the ring's TDC position, bin centres [m]
+  std::vector<double> wear_drive_density;  ///< contact work per length of liner [J/m] (= N summed over the passes)
+};
+
+/// Something the user must know about this result: a law outside its range, a remedy that was used.
+struct Note {
+  std::string topic;    ///< short, stable word, e.g. "density-extrapolated"
+  std::string message;  ///< a sentence with figures and units
+  long count = 1;       ///< crank steps or evaluations concerned
+};
+
+struct Effort {
+  double cycles_marched = 0;       ///< until periodic
+  double periodicity_error = 0;    ///< largest relative difference of the state one cycle apart [-]
+  long crank_steps = 0, newton_iterations = 0, sub_steps = 0;
+  long fallback_secant = 0, fallback_sub_step = 0;
+  double max_load_residual = 0;    ///< |W_h + W_a - W|/W [-]
+  double max_newton_step = 0;      ///< last relative Newton step accepted, worst of the cycle [-]
+  double max_mass_residual = 0;    ///< mass balance of the film per step, relative to the larger edge flux scale [-]
+};
+
+struct CycleResult {
+  std::vector<Sample> samples;     ///< at the crank angles asked for
+  CycleValues values;              ///< from the whole march, whatever was asked for
+  FaceFields fields;
+  StrokeProfile stroke;
+  std::map<std::string, double> derived;  ///< E_prime, elastic_pressure, viscosity, ... [SI]; see derived_quantities()
+  std::vector<Note> notes;
+  Effort effort;
+  bool complete = true;            ///< false: the march stopped early and `samples` end at the last good angle
+};
+
+/// Constants that follow from the case before anything is marched (keys of CycleResult::derived).
+const std::vector<Quantity>& derived_quantities();
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/io/result_file.hpp"
+
+namespace ringfilm::io {
+
+/// `--set key=value` of the command line: the value is read as TOML, else as text.
+struct Override {
+  std::string key;
+  std::string value;
+};
+
+/// Reads a case with its includes, oil file, traces and points; overrides come last and replace.
+/// Throws one InputError with every fault found in all files. File names are relative to the file that names them,
+/// those of an override to the working folder; `data/lubricants/...` falls back to the shipped folder.
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
+
+/// The active keys with the values in use, in table order.
+std::vector<CaseEntry> case_entries(const cycle::Case& c);
+
+/// A complete case file in SI; traces and tables are named by path.
+std::string resolved_case(const cycle::Case& c);
+
+/// The shipped folder that holds `cases/` and `data/` (beside the program or in ../share/ringfilm); throws InputError.
+std::string shipped_folder();
+
+}  // namespace ringfilm::io

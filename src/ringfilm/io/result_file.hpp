@@ -1,0 +1,50 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/comparison.hpp"
+#include "ringfilm/study/ledger.hpp"
+
+namespace ringfilm::io {
+
+/// One active key of the case as the run used it.
+struct CaseEntry {
+  std::string key;      ///< "engine.bore"
+  std::string value;    ///< TOML right-hand side in SI, exact
+  std::string shown;    ///< in the unit people use, e.g. "89 mm"
+  bool assumed = false; ///< the user did not state it
+  std::string help;
+};
+
+/// What computed the result.
+struct Provenance {
+  std::string program;   ///< "ringfilm 0.1.0"
+  std::string commit;    ///< of the sources, "unknown" outside a checkout
+  std::string compiler;  ///< name, version, build type
+};
+Provenance this_program();
+
+/// All that a result file holds; a report can be drawn again from it alone.
+struct ResultDocument {
+  std::string title;
+  std::vector<CaseEntry> inputs;
+  std::string resolved_case;             ///< a complete case file in SI that gives the same bits again
+  std::vector<cycle::InputFile> files;
+  std::vector<std::string> input_notes;  ///< Case::notes
+  Provenance provenance;
+  cycle::CycleResult result;
+  std::vector<study::LedgerEntry> ledger;
+  bool ledger_computed = false;          ///< were the variants run?
+  std::vector<study::ComparisonRow> comparison;
+};
+
+/// Writes NetCDF-4 with named dimensions crank_angle, x, ...; aside first, flushed, then renamed, so that a kill or a
+/// full disk leaves what stood there before. Same document, same bytes. Throws OutputError.
+void write_result(const std::string& path, const ResultDocument& document);
+
+/// Throws InputError if the file cannot be read or is not one of ours (another program's NetCDF, newer schema, truncated).
+ResultDocument read_result(const std::string& path);
+
+}  // namespace ringfilm::io

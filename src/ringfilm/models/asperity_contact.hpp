@@ -1,0 +1,53 @@
+#pragma once
+#include <vector>
+
+namespace ringfilm::models {
+
+enum class ContactIntegralForm { kExact, kPolynomial4Digit, kPolynomialAsPrinted };
+
+/// Exact Gaussian integral F_n(lambda) = 1/sqrt(2 pi) int_lambda^inf (s - lambda)^n exp(-s^2/2) ds, eq-gaussian-integral,
+/// by quadrature to rounding; n = 3/2, 2, 5/2 are what contact needs. lambda >= 0.
+double gaussian_integral(double n, double lambda);
+
+/// Contact of two rough surfaces after Greenwood and Tripp @cite greenwood1971, eqs eq-asperity-load, eq-asperity-area.
+/// Convention: 2/E_prime = sum (1 - nu^2)/E goes with 8 sqrt(2)/15.
+class GreenwoodTripp {
+ public:
+  struct Parameters {
+    double N;        ///< density of asperity peaks [1/m2]
+    double beta;     ///< mean radius of asperity summits [m]
+    double sigma;    ///< composite roughness [m]
+    double E_prime;  ///< [Pa]
+    ContactIntegralForm form = ContactIntegralForm::kExact;
+  };
+
+  explicit GreenwoodTripp(const Parameters& parameters);
+
+  /// Pressure on the nominal area at the separation h [m], its slope and the real contact area per nominal area.
+  struct Contact {
+    double pressure;        ///< p_a [Pa]; for the exact form positive and strictly falling in h
+    double pressure_slope;  ///< dp_a/dh [Pa/m]
+    double area_share;      ///< A_a/A [-]
+  };
+  Contact contact(double h) const;
+
+  /// p_a and dp_a/dh alone, for the inner loop.
+  void pressure(double h, double& p_a, double& dp_a_dh) const;
+
+  const Parameters& parameters() const { return parameters_; }
+
+  /// Beyond this separation the contact pressure is taken as zero (exact form: lambda = 8, share below 1e-16) [m].
+  double reach() const { return reach_; }
+
+ private:
+  Parameters parameters_;
+  double pressure_scale_;  ///< 8 sqrt(2)/15 pi (N beta sigma)^2 sqrt(sigma/beta) E' [Pa]
+  double area_scale_;      ///< pi^2 (N beta sigma)^2 [-]
+  double reach_;
+  std::vector<double> ln_g52_, ln_g32_, ln_g2_;  ///< Chebyshev coefficients of the scaled integrals
+};
+
+/// E' of 2/E' = sum (1 - nu^2)/E, eq-composite-modulus [Pa].
+double composite_modulus(double E_1, double nu_1, double E_2, double nu_2);
+
+}  // namespace ringfilm::models

@@ -1,0 +1,20 @@
+#pragma once
+
+namespace ringfilm::models {
+
+/// Kinematics of the piston; eq-piston-velocity. Crank angle phi [rad], 0 = TDC. Velocity is positive towards TDC.
+struct CrankSlider {
+  double crank_radius;           ///< r [m]
+  double connecting_rod_length;  ///< l [m], longer than r
+
+  /// Distance below the TDC position [m].
+  double position(double phi) const;
+
+  /// U_p [m/s] at the engine speed omega [rad/s].
+  double velocity(double phi, double omega) const;
+
+  /// Distance between the dead centres [m].
+  double stroke() const { return 2 * crank_radius; }
+};
+
+}  // namespace ringfilm::models

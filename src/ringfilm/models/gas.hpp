@@ -1,0 +1,52 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/models/crank_slider.hpp"
+
+namespace ringfilm::models {
+
+/// A pressure over the 720 degree cycle: absolute [Pa], linear between samples, periodic. Angles in degrees,
+/// 0 = firing TDC (docs/decisions/0002-crank-angle-in-degrees.md).
+class CyclePressure {
+ public:
+  /// Constant.
+  explicit CyclePressure(double pressure);
+  /// Samples in increasing order spanning at most 720 degrees, any first angle; the last may repeat the first one
+  /// cycle later. Positive pressures.
+  CyclePressure(std::vector<double> crank_angle_deg, std::vector<double> pressure);
+
+  double pressure(double crank_angle_deg) const;
+  /// Largest sample and its angle in [0, 720).
+  double peak() const;
+  double peak_angle_deg() const;
+
+ private:
+  std::vector<double> angle_, pressure_;
+};
+
+/// Does the trace cover the whole cycle? True if no gap between neighbouring samples, wrap included, exceeds
+/// `largest_gap_deg`.
+bool covers_cycle(const std::vector<double>& crank_angle_deg, double largest_gap_deg = 10.0);
+
+/// Joins a trace over part of the cycle (around firing TDC) with constant exhaust and intake pressures by smooth
+/// (C1, monotone) blends: trace end -> exhaust pressure at bottom dead centre or 40 degree later if the trace reaches
+/// beyond it; exhaust -> intake around gas-exchange TDC (+-20 degree); intake -> trace start.
+/// Throws InputError if the trace leaves no room for that.
+CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vector<double> pressure,
+                                 double intake_pressure, double exhaust_pressure);
+
+/// Single-zone cycle with Wiebe heat release, eq-wiebe. Heat and start of combustion are found so that peak pressure and
+/// peak angle are met; throws InputError where that cannot be.
+struct WiebeCycle {
+  CrankSlider crank;
+  double bore;               ///< [m]
+  double compression_ratio;  ///< [-]
+  double peak_pressure;      ///< [Pa] absolute
+  double peak_angle_deg;
+  double burn_duration_deg;
+  double intake_pressure, exhaust_pressure;  ///< [Pa] absolute
+  double exhaust_valve_opening_deg, exhaust_valve_closing_deg, intake_valve_opening_deg, intake_valve_closing_deg;
+};
+CyclePressure wiebe_pressure(const WiebeCycle& cycle);
+
+}  // namespace ringfilm::models

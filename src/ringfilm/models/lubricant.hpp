@@ -1,0 +1,83 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ringfilm::models {
+
+/// Density and viscosity with their slopes in pressure, one value per point; all spans of one length.
+struct OilProperties {
+  std::span<double> rho;      ///< [kg/m3]
+  std::span<double> drho_dp;  ///< [kg/(m3 Pa)]
+  std::span<double> eta;      ///< [Pa s]
+  std::span<double> deta_dp;  ///< [Pa s/Pa]
+};
+
+/// A law of density and viscosity of pressure, at one temperature: what the film solver asks for.
+/// Immutable; may be used from several threads.
+class OilAtTemperature {
+ public:
+  virtual ~OilAtTemperature() = default;
+
+  /// Properties at absolute pressures p [Pa].
+  virtual void properties(std::span<const double> p, OilProperties out) const = 0;
+
+  double density(double p) const;
+  double viscosity(double p) const;
+};
+
+/// Density at atmospheric pressure against temperature.
+struct DensityLaw {
+  std::vector<double> temperature;  ///< [K], increasing, one or more
+  std::vector<double> density;      ///< [kg/m3]
+  bool use_thermal_expansivity = false;
+  double thermal_expansivity = 0;     ///< gamma [1/K]
+  double reference_temperature = 0;   ///< [K]
+
+  /// Linear between and beyond the points, or rho(theta_0) [1 - gamma (T - theta_0)]; eq-density-temperature [kg/m3].
+  double density(double T) const;
+  bool extrapolates(double T) const;
+};
+
+/// Kinematic viscosity against temperature after ASTM D341 (Walther) through two points (least squares through more):
+/// log10 log10(nu + 0.7) = A - B log10 T, nu in mm2/s, T in K; eq-walther.
+struct Walther {
+  double A, B;
+
+  /// Fits temperature [K] and kinematic viscosity [m2/s].
+  static Walther fit(std::span<const double> temperature, std::span<const double> kinematic_viscosity);
+
+  double kinematic_viscosity(double T) const;  ///< [m2/s]
+};
+
+/// Pressure rise of density, eq-density-pressure: 1 + a (p - p_atm)/(1 + b (p - p_atm)); a = b = 0 is incompressible.
+struct DowsonHigginson {
+  double a = 6.0e-10;  ///< [1/Pa]
+  double b = 1.7e-9;   ///< [1/Pa]
+};
+
+/// Houpert's form of Roelands' law, eqs eq-roelands, eq-roelands-index; pressure absolute.
+/// eta = exp{ (ln eta_T + 9.67) [(1 + p/1.98e8)^Z - 1] } eta_T with eta_T the viscosity at T and p = 0 and
+/// Z = alpha_0/(5.1e-9 (ln eta_0 + 9.67)).
+struct Roelands {
+  double Z;  ///< pressure-viscosity index [-]
+
+  /// @param alpha_0 pressure-viscosity coefficient [1/Pa]; @param eta_0 viscosity to which it belongs [Pa s]
+  static Roelands from_coefficient(double alpha_0, double eta_0);
+};
+
+/// Houpert's temperature term, eq-houpert: viscosity at T and p = 0 from eta_0 at theta_0 [Pa s].
+double houpert_viscosity(double eta_0, double theta_0, double beta_0, double T);
+
+/// Closed-form oil at one temperature.
+/// @param eta_T [Pa s] and rho_T [kg/m3] at atmospheric pressure; Z = 0 switches the pressure dependence of eta off.
+std::shared_ptr<const OilAtTemperature> closed_form_oil(double eta_T, double rho_T, double Z, DowsonHigginson law);
+
+/// Oil from a measured table, already interpolated to one temperature: monotone cubic in pressure (ln eta, rho),
+/// held constant in slope beyond its ends.
+/// @param pressure [Pa] absolute, increasing, at least two
+std::shared_ptr<const OilAtTemperature> tabulated_oil(std::vector<double> pressure, std::vector<double> viscosity,
+                                                      std::vector<double> density);
+
+}  // namespace ringfilm::models

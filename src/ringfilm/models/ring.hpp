@@ -1,0 +1,42 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+namespace ringfilm::models {
+
+/// Height of the ring face above its lowest point, h_s(x), 0 <= x <= b; a gap, so the land is low and the edges are high.
+class RingFace {
+ public:
+  /// h_s(x) = height_unit * sum_k coefficients[k] (x/length_unit)^(n-1-k), eq-face-polynomial.
+  static RingFace polynomial(std::vector<double> coefficients, double length_unit, double height_unit, double face_width);
+  /// Parabola with its lowest point at apex * b and height `crown_height` at the edge farther from it.
+  static RingFace parabola(double crown_height, double apex, double face_width);
+  /// Measured points, linear between them: no shape is invented. x [m] increasing, covers 0 to b.
+  static RingFace points(std::vector<double> x, std::vector<double> height, double face_width);
+
+  double height(double x) const;  ///< as given, without taking the minimum off [m]
+  double face_width() const { return face_width_; }
+
+  /// True minimum over the face (not only over sample points) and where it lies.
+  struct Minimum {
+    double x;       ///< [m]
+    double height;  ///< [m]
+  };
+  Minimum minimum() const;
+
+  /// x -> b - x.
+  RingFace turned() const;
+
+ private:
+  std::function<double(double)> height_;
+  double face_width_ = 0;
+  std::vector<double> break_points_;  ///< where the slope may jump
+};
+
+/// Ring pressing on the bore: p_e = 2 F_t/(b B), eq-elastic-pressure [Pa].
+double elastic_pressure_from_tangential_force(double F_t, double face_width, double bore);
+double tangential_force_from_elastic_pressure(double p_e, double face_width, double bore);
+/// p_e = E t^3 s/(36 pi r^4), r = bore/2, eq-elastic-pressure-gap [Pa].
+double elastic_pressure_from_free_gap(double free_gap, double radial_thickness, double E, double bore);
+
+}  // namespace ringfilm::models

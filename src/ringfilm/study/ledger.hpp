@@ -1,0 +1,39 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+
+/// The assumption ledger: what a cycle takes for granted, and what it would change to take something else.
+namespace ringfilm::study {
+
+/// One other choice for an assumption, run through the same solver.
+struct LedgerVariant {
+  std::string setting;             ///< as one would write it, e.g. "film.cavitation = \"mass-conserving\""
+  cycle::CycleValues values;       ///< of the run with this setting alone changed
+  bool solved = true;
+  std::string reason;              ///< why not, if not solved
+};
+
+/// One simplification or unstated input.
+struct LedgerEntry {
+  std::string topic;               ///< stable word, e.g. "flooded-inlet"
+  std::string statement;           ///< what is assumed in this very case, a sentence with its figures
+  std::string consequence;         ///< what it is known or expected to do; empty if the variants tell
+  std::string source;              ///< where the decision is argued, e.g. "docs/theory/assumptions.md#flooded-inlet"
+  bool can_be_lifted = false;      ///< does this program offer another choice?
+  std::vector<LedgerVariant> variants;  ///< empty if it cannot be lifted, or the ledger was not computed
+};
+
+/// Told as each variant finishes: done, total.
+using Progress = std::function<void(int, int)>;
+
+/// The simplifications active in `c`, without running anything.
+std::vector<LedgerEntry> assumptions(const cycle::Case& c);
+
+/// The same with every variant run that this program can run.
+std::vector<LedgerEntry> ledger(const cycle::Case& c, const Progress& progress = {});
+
+}  // namespace ringfilm::study
