@@ -30,7 +30,7 @@ class OilAtTemperature {
 /// Density at atmospheric pressure against temperature.
 struct DensityLaw {
   std::vector<double> temperature;  ///< [K], increasing, one or more
-  std::vector<double> density;      ///< [kg/m3]
+  std::vector<double> value;        ///< [kg/m3]
   bool use_thermal_expansivity = false;
   double thermal_expansivity = 0;     ///< gamma [1/K]
   double reference_temperature = 0;   ///< [K]
