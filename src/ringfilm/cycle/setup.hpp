@@ -1,0 +1,37 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/models/asperity_contact.hpp"
+#include "ringfilm/models/crank_slider.hpp"
+#include "ringfilm/models/gas.hpp"
+#include "ringfilm/models/lubricant.hpp"
+#include "ringfilm/models/ring.hpp"
+
+namespace ringfilm::cycle {
+
+/// A case made ready to march: models built, trace joined, grid laid. Immutable; may be used from several threads.
+struct Setup {
+  Case input;
+  models::CrankSlider crank;
+  models::CyclePressure cylinder_pressure;   ///< absolute [Pa], 0 = firing TDC
+  models::CyclePressure crankcase_pressure;  ///< absolute [Pa]
+  models::RingFace face;                     ///< as given, before turning and before its minimum is taken off
+  double elastic_pressure;                   ///< p_e [Pa]
+  double E_prime;                            ///< [Pa]
+  double sigma;                              ///< composite roughness as the contact model uses it [m]
+  models::GreenwoodTripp contact;
+  std::shared_ptr<const models::OilAtTemperature> oil;
+  std::vector<Note> notes;                   ///< what was found out on the way (extrapolated density, ...)
+
+  double circumference() const;              ///< pi x bore [m]
+};
+
+/// Builds the models of a checked case. Throws InputError where a value that is fine by itself cannot be used with the
+/// others (partial trace without intake pressure, peak that the Wiebe cycle cannot reach).
+Setup prepare(const Case& c);
+
+}  // namespace ringfilm::cycle

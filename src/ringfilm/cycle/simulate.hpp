@@ -1,0 +1,28 @@
+#pragma once
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/setup.hpp"
+
+namespace ringfilm::cycle {
+
+/// Told how far the march is; may be slow, must not throw.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// @param cycle 1 for the first; @param crank_angle_deg of the step just accepted
+  virtual void advanced(int cycle, double crank_angle_deg) = 0;
+};
+
+/// The march stopped at a crank angle where nothing balances the load; `result` holds all up to the last good one.
+class StoppedCycle : public ConvergenceError {
+ public:
+  StoppedCycle(const std::string& message, double crank_angle_deg, CycleResult result_so_far)
+      : ConvergenceError(message, crank_angle_deg), result(std::move(result_so_far)) {}
+  CycleResult result;
+};
+
+/// Marches the engine cycle until its state repeats and returns every quantity at the angles asked for.
+/// Same setup, same bits. Throws StoppedCycle.
+CycleResult simulate(const Setup& setup, Observer* observer = nullptr);
+
+}  // namespace ringfilm::cycle
