@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "source_tree.hpp"
+
+namespace ringfilm::architecture {
+namespace {
+
+TEST(Architecture, NoFileIsLongerThan600Lines) {
+  for (const SourceFile& file : all_sources()) {
+    EXPECT_LE(file.lines.size(), 600u) << file.path << ": split it by what its parts are about";
+  }
+}
+
+TEST(Architecture, NoFileHasAnAtticName) {
+  static const std::regex attic(R"((^|[_/.-])(utils?|commons?|helpers?|misc|managers?|old|v2)([_/.-]|$))");
+  for (const SourceFile& file : product_sources()) {
+    EXPECT_FALSE(std::regex_search(file.path, attic)) << file.path << ": name it after what it holds";
+  }
+}
+
+TEST(Architecture, EverySourceImplementsAHeaderOfItsFolder) {
+  for (const SourceFile& file : product_sources()) {
+    if (file.path.rfind("src/", 0) != 0 || file.path.substr(file.path.size() - 4) != ".cpp") continue;
+    EXPECT_TRUE(std::any_of(file.includes.begin(), file.includes.end(), [&](const Include& include) {
+      return room_of_include(include.target) == file.room;
+    })) << file.path;
+  }
+}
+
+/// Does a line of code declare state that outlives a call and can be written?
+bool declares_writable_state(const std::string& code) {
+  static const std::regex of_a_function(
+      R"(^\s*((inline|static|thread_local)\s+)+(?!const\b|constexpr\b)[^()]*(=|;|\{).*)");
+  static const std::regex across_files(R"(^\s*extern\s+(?!const\b|template\b)[^(){]*;.*)");
+  return std::regex_match(code, of_a_function) || std::regex_match(code, across_files);
+}
+
+TEST(Architecture, NoWritableStaticsOrGlobals) {
+  for (const SourceFile& file : product_sources()) {
+    for (std::size_t i = 0; i < file.code.size(); ++i) {
+      EXPECT_FALSE(declares_writable_state(file.code[i]))
+          << file.at(static_cast<int>(i) + 1) << ": two solves at once would share this";
+    }
+  }
+}
+
+TEST(SourceTree, WritableStateIsTold) {
+  EXPECT_TRUE(declares_writable_state("  static int calls = 0;"));
+  EXPECT_TRUE(declares_writable_state("static std::map<int, double> cache;"));
+  EXPECT_TRUE(declares_writable_state("thread_local Workspace work{};"));
+  EXPECT_TRUE(declares_writable_state("extern int verbosity;"));
+  EXPECT_FALSE(declares_writable_state("  static const std::vector<int> table = {1};"));
+  EXPECT_FALSE(declares_writable_state("static constexpr double kLimit = 2;"));
+  EXPECT_FALSE(declares_writable_state("  static RingFace points(std::vector<double> x);"));
+  EXPECT_FALSE(declares_writable_state("inline double square(double x) { return x * x; }"));
+}
+
+TEST(Architecture, TheSolverUsesNothingThatAnOlderLibraryLacks) {
+  static const std::regex lacking(
+      R"(std::(bit_cast|views|ranges|format|print|cout|cerr|clog|fopen|printf|from_chars)\b)");
+  for (const SourceFile& file : product_sources()) {
+    if (!ranks().count(file.room) || ranks().at(file.room) > 5) continue;
+    for (std::size_t i = 0; i < file.code.size(); ++i) {
+      EXPECT_FALSE(std::regex_search(file.code[i], lacking))
+          << file.at(static_cast<int>(i) + 1) << ": " << file.lines[i];
+    }
+  }
+}
+
+TEST(Architecture, HeadersGuardThemselves) {
+  for (const SourceFile& file : all_sources()) {
+    if (file.path.substr(file.path.size() - 4) != ".hpp" || file.lines.empty()) continue;
+    EXPECT_EQ(file.lines.front(), "#pragma once") << file.path;
+  }
+}
+
+// The reader of sources itself.
+
+TEST(SourceTree, CommentsAndTextAreNoCode) {
+  const auto file = parse_source("src/ringfilm/film/a.cpp",
+                                 "int a; // static int b;\nf(\"static \\\" int\"); /* x\nstatic int y;\n*/ z\n");
+  EXPECT_EQ(file.code[0], "int a; ");
+  EXPECT_EQ(file.code[1], "f(\"\"); ");
+  EXPECT_EQ(file.code[2], "");
+  EXPECT_EQ(file.code[3], " z");
+  EXPECT_EQ(file.room, "film");
+}
+
+TEST(SourceTree, IncludesAreFoundHoweverTheyAreSpaced) {
+  const auto file =
+      parse_source("apps/ringfilm/main.cpp", "#include <vector>\n  # include \"ringfilm/io/units.hpp\" // why\n");
+  ASSERT_EQ(file.includes.size(), 2u);
+  EXPECT_FALSE(file.includes[0].quoted);
+  EXPECT_EQ(file.includes[1].target, "ringfilm/io/units.hpp");
+  EXPECT_EQ(room_of_include(file.includes[1].target), "io");
+  EXPECT_EQ(file.room, "apps");
+}
+
+}  // namespace
+}  // namespace ringfilm::architecture

@@ -1,0 +1,118 @@
+#include "source_tree.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace ringfilm::architecture {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string room_of_path(const std::string& path) {
+  static const std::regex in_library("^src/ringfilm/([^/]+)/.*");
+  std::smatch match;
+  if (std::regex_match(path, match, in_library)) return match[1];
+  if (path.rfind("src/ringfilm/", 0) == 0) return "ringfilm";
+  return path.substr(0, path.find('/'));
+}
+
+/// Blanks comments and the inside of literals; carries the state of a block comment from line to line.
+class CodeOnly {
+ public:
+  std::string strip(const std::string& line) {
+    std::string code;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (in_block_) {
+        if (line.compare(i, 2, "*/") == 0) {
+          in_block_ = false;
+          ++i;
+        }
+      } else if (line.compare(i, 2, "//") == 0) {
+        break;
+      } else if (line.compare(i, 2, "/*") == 0) {
+        in_block_ = true;
+        ++i;
+      } else if (line[i] == '"' || is_character_literal(line, i)) {
+        const char quote = line[i];
+        code += quote;
+        for (++i; i < line.size() && line[i] != quote; ++i) {
+          if (line[i] == '\\') ++i;
+        }
+        code += quote;
+      } else {
+        code += line[i];
+      }
+    }
+    return code;
+  }
+
+ private:
+  /// A ' that does not separate digits.
+  static bool is_character_literal(const std::string& line, std::size_t i) {
+    return line[i] == '\'' && (i == 0 || !std::isalnum(static_cast<unsigned char>(line[i - 1])));
+  }
+
+  bool in_block_ = false;
+};
+
+std::vector<SourceFile> read_below(const std::vector<std::string>& folders) {
+  const fs::path root = RINGFILM_SOURCE_FOLDER;
+  std::vector<SourceFile> files;
+  for (const std::string& folder : folders) {
+    if (!fs::is_directory(root / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string extension = entry.path().extension();
+      if (extension != ".cpp" && extension != ".hpp") continue;
+      const std::string path = fs::relative(entry.path(), root).generic_string();
+      if (path.find("node_modules") != std::string::npos) continue;
+      std::stringstream text;
+      text << std::ifstream(entry.path()).rdbuf();
+      files.push_back(parse_source(path, text.str()));
+    }
+  }
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+  return files;
+}
+
+}  // namespace
+
+const std::map<std::string, int>& ranks() {
+  static const std::map<std::string, int> ranks = {{"base", 0},   {"surface", 1}, {"models", 2},   {"film", 3},
+                                                   {"cycle", 4},  {"life", 5},    {"study", 6},    {"io", 7},
+                                                   {"report", 8}, {"apps", 9},    {"ringfilm", 9}, {"python", 9}};
+  return ranks;
+}
+
+SourceFile parse_source(const std::string& path, const std::string& text) {
+  static const std::regex include(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+  SourceFile file;
+  file.path = path;
+  file.room = room_of_path(path);
+  CodeOnly code_only;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    file.lines.push_back(line);
+    file.code.push_back(code_only.strip(line));
+    std::smatch match;
+    if (std::regex_match(line, match, include)) {
+      file.includes.push_back({match[2], match[1] == "\"", static_cast<int>(file.lines.size())});
+    }
+  }
+  return file;
+}
+
+std::vector<SourceFile> product_sources() { return read_below({"src", "apps", "python"}); }
+
+std::vector<SourceFile> all_sources() { return read_below({"src", "apps", "python", "tests", "benchmarks"}); }
+
+std::string room_of_include(const std::string& target) {
+  if (target.rfind("ringfilm/", 0) != 0) return "";
+  const std::string rest = target.substr(9);
+  const std::size_t slash = rest.find('/');
+  return slash == std::string::npos ? "ringfilm" : rest.substr(0, slash);
+}
+
+}  // namespace ringfilm::architecture

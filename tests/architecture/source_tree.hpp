@@ -1,0 +1,40 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+/// What the architecture tests read: the sources of the project as text.
+namespace ringfilm::architecture {
+
+struct Include {
+  std::string target;  ///< between the quotes or angle brackets
+  bool quoted;
+  int line;
+};
+
+struct SourceFile {
+  std::string path;                ///< from the project's folder, e.g. "src/ringfilm/io/units.cpp"
+  std::string room;                ///< "io"; "ringfilm" for src/ringfilm itself, "apps", "python"
+  std::vector<std::string> lines;  ///< as written
+  std::vector<std::string> code;   ///< the same without comments and text literals
+  std::vector<Include> includes;
+
+  std::string at(int line) const { return path + ":" + std::to_string(line); }
+};
+
+/// Ranks of the rooms; an include goes to a lower rank or stays in its room.
+const std::map<std::string, int>& ranks();
+
+/// All .cpp and .hpp below src/, apps/ and python/ (read once a call).
+std::vector<SourceFile> product_sources();
+
+/// All sources including tests and benchmarks.
+std::vector<SourceFile> all_sources();
+
+/// The room that an include such as "ringfilm/io/units.hpp" names; empty for anything outside the project.
+std::string room_of_include(const std::string& target);
+
+/// Reads one text as if it stood at `path`.
+SourceFile parse_source(const std::string& path, const std::string& text);
+
+}  // namespace ringfilm::architecture
