@@ -5,8 +5,8 @@ namespace ringfilm::models {
 
 enum class ContactIntegralForm { kExact, kPolynomial4Digit, kPolynomialAsPrinted };
 
-/// Exact Gaussian integral F_n(lambda) = 1/sqrt(2 pi) int_lambda^inf (s - lambda)^n exp(-s^2/2) ds, eq-gaussian-integral,
-/// by quadrature to rounding; n = 3/2, 2, 5/2 are what contact needs. lambda >= 0.
+/// Exact Gaussian integral F_n(lambda) = 1/sqrt(2 pi) int_lambda^inf (s - lambda)^n exp(-s^2/2) ds,
+/// eq-gaussian-integral, by quadrature to rounding; n = 3/2, 2, 5/2 are what contact needs. n >= 1, 0 <= lambda <= 30.
 double gaussian_integral(double n, double lambda);
 
 /// Contact of two rough surfaces after Greenwood and Tripp @cite greenwood1971, eqs eq-asperity-load, eq-asperity-area.
@@ -31,7 +31,7 @@ class GreenwoodTripp {
   };
   Contact contact(double h) const;
 
-  /// p_a and dp_a/dh alone, for the inner loop.
+  /// p_a and dp_a/dh alone, for the inner loop. Below h = 0 both continue along the tangent.
   void pressure(double h, double& p_a, double& dp_a_dh) const;
 
   const Parameters& parameters() const { return parameters_; }
@@ -41,10 +41,11 @@ class GreenwoodTripp {
 
  private:
   Parameters parameters_;
-  double pressure_scale_;  ///< 8 sqrt(2)/15 pi (N beta sigma)^2 sqrt(sigma/beta) E' [Pa]
-  double area_scale_;      ///< pi^2 (N beta sigma)^2 [-]
-  double reach_;
-  std::vector<double> ln_g52_, ln_g32_, ln_g2_;  ///< Chebyshev coefficients of the scaled integrals
+  double pressure_scale_;     ///< 8 sqrt(2)/15 pi (N beta sigma)^2 sqrt(sigma/beta) E' [Pa]
+  double area_scale_;         ///< pi^2 (N beta sigma)^2 [-]
+  double reach_;              ///< [m]
+  std::vector<double> F_52_;  ///< coefficients of F_5/2(lambda) for the inner loop
+  std::vector<double> F_2_;   ///< coefficients of F_2(lambda)
 };
 
 /// E' of 2/E' = sum (1 - nu^2)/E, eq-composite-modulus [Pa].

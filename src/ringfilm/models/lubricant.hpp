@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,8 +33,8 @@ struct DensityLaw {
   std::vector<double> temperature;  ///< [K], increasing, one or more
   std::vector<double> value;        ///< [kg/m3]
   bool use_thermal_expansivity = false;
-  double thermal_expansivity = 0;     ///< gamma [1/K]
-  double reference_temperature = 0;   ///< [K]
+  double thermal_expansivity = 0;    ///< gamma [1/K]
+  double reference_temperature = 0;  ///< [K]
 
   /// Linear between and beyond the points, or rho(theta_0) [1 - gamma (T - theta_0)]; eq-density-temperature [kg/m3].
   double density(double T) const;
@@ -45,7 +46,8 @@ struct DensityLaw {
 struct Walther {
   double A, B;
 
-  /// Fits temperature [K] and kinematic viscosity [m2/s].
+  /// Fits temperature [K] and kinematic viscosity [m2/s]. Throws InputError unless there are two temperatures or more,
+  /// each viscosity is above the 0.3 mm2/s below which the law has no value, and the fit falls with temperature.
   static Walther fit(std::span<const double> temperature, std::span<const double> kinematic_viscosity);
 
   double kinematic_viscosity(double T) const;  ///< [m2/s]
@@ -70,14 +72,56 @@ struct Roelands {
 /// Houpert's temperature term, eq-houpert: viscosity at T and p = 0 from eta_0 at theta_0 [Pa s].
 double houpert_viscosity(double eta_0, double theta_0, double beta_0, double T);
 
+enum class ViscosityTemperatureLaw { kWalther, kHoupert };
+enum class ViscosityPressureLaw { kRoelands, kNone };
+
+/// An oil as its laws describe it, at all temperatures.
+struct OilLaws {
+  std::vector<double> viscosity_temperature;  ///< [K]
+  std::vector<double> kinematic_viscosity;    ///< [m2/s], as many
+  DensityLaw density;
+  ViscosityTemperatureLaw viscosity_temperature_law = ViscosityTemperatureLaw::kWalther;
+  ViscosityPressureLaw viscosity_pressure_law = ViscosityPressureLaw::kRoelands;
+  double alpha_0 = 0;                          ///< pressure-viscosity coefficient [1/Pa]
+  double beta_0 = 0;                           ///< temperature-viscosity coefficient, Houpert [1/K]
+  double theta_0 = 0;                          ///< reference temperature, Houpert [K]
+  std::optional<DowsonHigginson> compression;  ///< absent: density does not depend on pressure
+};
+
+/// What the laws give at one temperature and atmospheric pressure.
+struct OilState {
+  double eta_T;  ///< [Pa s]
+  double rho_T;  ///< [kg/m3]
+  double Z;      ///< Roelands' index [-]; 0 for a viscosity that does not depend on pressure
+};
+
+/// Walther: eta_T = nu(T) rho(T), and Z belongs to eta_T. Houpert: eta_0 = nu(theta_0) rho(theta_0) with nu after
+/// Walther, eta_T after Houpert, and Z belongs to eta_0. Throws InputError where a law has no value at T [K].
+OilState oil_state(const OilLaws& laws, double T);
+
 /// Closed-form oil at one temperature.
 /// @param eta_T [Pa s] and rho_T [kg/m3] at atmospheric pressure; Z = 0 switches the pressure dependence of eta off.
 std::shared_ptr<const OilAtTemperature> closed_form_oil(double eta_T, double rho_T, double Z, DowsonHigginson law);
+
+/// The same from its laws.
+std::shared_ptr<const OilAtTemperature> closed_form_oil(const OilLaws& laws, double T);
 
 /// Oil from a measured table, already interpolated to one temperature: monotone cubic in pressure (ln eta, rho),
 /// held constant in slope beyond its ends.
 /// @param pressure [Pa] absolute, increasing, at least two
 std::shared_ptr<const OilAtTemperature> tabulated_oil(std::vector<double> pressure, std::vector<double> viscosity,
                                                       std::vector<double> density);
+
+/// Measured viscosity and density on a grid; index [i_temperature * n_pressure + i_pressure].
+struct OilTable {
+  std::vector<double> temperature;  ///< [K], increasing
+  std::vector<double> pressure;     ///< [Pa] absolute, increasing, at least two
+  std::vector<double> viscosity;    ///< [Pa s]
+  std::vector<double> density;      ///< [kg/m3]
+};
+
+/// Oil of a table at T [K]: between the temperatures ln ln of the viscosity (in uPa s) is linear in ln T, as Walther's
+/// law has it, and density is linear in T. Throws InputError for a T outside the table.
+std::shared_ptr<const OilAtTemperature> tabulated_oil(const OilTable& table, double T);
 
 }  // namespace ringfilm::models

@@ -1,0 +1,66 @@
+#include "ringfilm/base/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace ringfilm {
+namespace {
+
+/// Number of the interval of increasing x in which `at` lies, the end intervals reaching to infinity.
+std::size_t interval(std::span<const double> x, double at) {
+  const auto inner = std::upper_bound(x.begin() + 1, x.end() - 1, at);
+  return static_cast<std::size_t>(inner - x.begin()) - 1;
+}
+
+/// Slope at the end of three samples that does not spoil monotony; width and secant of the end interval and the next.
+double end_slope(double h_0, double h_1, double d_0, double d_1) {
+  const double parabola = ((2 * h_0 + h_1) * d_0 - h_0 * d_1) / (h_0 + h_1);
+  if (parabola * d_0 <= 0) return 0;
+  return d_0 * d_1 <= 0 && std::abs(parabola) > 3 * std::abs(d_0) ? 3 * d_0 : parabola;
+}
+
+}  // namespace
+
+double interpolate_linear(std::span<const double> x, std::span<const double> y, double at) {
+  if (x.size() == 1) return y[0];
+  const std::size_t i = interval(x, at);
+  const double share = (at - x[i]) / (x[i + 1] - x[i]);
+  return y[i] + share * (y[i + 1] - y[i]);
+}
+
+MonotoneCubic::MonotoneCubic(std::vector<double> x, std::vector<double> y)
+    : x_(std::move(x)), y_(std::move(y)), slope_(x_.size()) {
+  const std::size_t n = x_.size();
+  std::vector<double> width(n - 1), secant(n - 1);
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    width[i] = x_[i + 1] - x_[i];
+    secant[i] = (y_[i + 1] - y_[i]) / width[i];
+  }
+  if (n == 2) {
+    slope_ = {secant[0], secant[0]};
+    return;
+  }
+  slope_.front() = end_slope(width[0], width[1], secant[0], secant[1]);
+  slope_.back() = end_slope(width[n - 2], width[n - 3], secant[n - 2], secant[n - 3]);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    if (secant[i - 1] * secant[i] <= 0) continue;  // a turning point stays one: slope zero
+    const double w_0 = 2 * width[i] + width[i - 1], w_1 = width[i] + 2 * width[i - 1];
+    slope_[i] = (w_0 + w_1) / (w_0 / secant[i - 1] + w_1 / secant[i]);
+  }
+}
+
+MonotoneCubic::ValueAndSlope MonotoneCubic::at(double x) const {
+  if (x <= x_.front()) return {y_.front() + slope_.front() * (x - x_.front()), slope_.front()};
+  if (x >= x_.back()) return {y_.back() + slope_.back() * (x - x_.back()), slope_.back()};
+  const std::size_t i = interval(x_, x);
+  const double width = x_[i + 1] - x_[i], t = (x - x_[i]) / width;
+  const double secant = (y_[i + 1] - y_[i]) / width;
+  // y = y_i + width t (m_0 + t (b + t a))
+  const double a = slope_[i] + slope_[i + 1] - 2 * secant;
+  const double b = 3 * secant - 2 * slope_[i] - slope_[i + 1];
+  return {y_[i] + width * t * (slope_[i] + t * (b + t * a)), slope_[i] + t * (2 * b + t * 3 * a)};
+}
+
+}  // namespace ringfilm

@@ -1,0 +1,21 @@
+#include "ringfilm/models/crank_slider.hpp"
+
+#include <cmath>
+
+namespace ringfilm::models {
+
+double CrankSlider::position(double phi) const {
+  // Written without differences of nearly equal numbers, so that it stays exact near TDC.
+  const double r = crank_radius, l = connecting_rod_length;
+  const double sin_half = std::sin(phi / 2);
+  const double offset = r * std::sin(phi);  // of the crank pin from the bore's axis
+  return 2 * r * sin_half * sin_half + offset * offset / (l + std::sqrt(l * l - offset * offset));
+}
+
+double CrankSlider::velocity(double phi, double omega) const {
+  const double rod_ratio = connecting_rod_length / crank_radius;
+  const double s = std::sin(phi);
+  return -crank_radius * omega * s * (1 + std::cos(phi) / std::sqrt(rod_ratio * rod_ratio - s * s));
+}
+
+}  // namespace ringfilm::models
