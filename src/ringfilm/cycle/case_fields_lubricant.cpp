@@ -1,0 +1,84 @@
+#include "ringfilm/cycle/case_fields_table.hpp"
+
+namespace ringfilm::cycle::table {
+namespace {
+
+bool has_laws(const Case& c) { return !c.lubricant.table_file; }
+
+constexpr When kLaws{has_laws, "no lubricant.table"};
+constexpr When kHoupert{
+    [](const Case& c) { return has_laws(c) && c.lubricant.viscosity_temperature == ViscosityTemperature::kHoupert; },
+    "lubricant.viscosity_temperature = \"houpert\""};
+constexpr When kRoelands{
+    [](const Case& c) { return has_laws(c) && c.lubricant.viscosity_pressure == ViscosityPressure::kRoelands; },
+    "lubricant.viscosity_pressure = \"roelands\""};
+constexpr When kThermalExpansivity{[](const Case& c) {
+                                     return has_laws(c) &&
+                                            c.lubricant.density_temperature == DensityTemperature::kThermalExpansivity;
+                                   },
+                                   "lubricant.density_temperature = \"thermal-expansivity\""};
+constexpr When kReferenceTemperature{
+    [](const Case& c) { return kHoupert.holds(c) || kThermalExpansivity.holds(c); },
+    "lubricant.viscosity_temperature = \"houpert\" or lubricant.density_temperature = \"thermal-expansivity\""};
+
+}  // namespace
+
+void append_lubricant_fields(std::vector<Field>& fields) {
+  fields.insert(
+      fields.end(),
+      {
+          field("lubricant.file", OptionalTextKind{member<&Case::lubricant, &Lubricant::file>}, kNoUnit, {},
+                Need::kOptional, {},
+                {"TOML file with the keys of this section; a key given in both is an error",
+                 "\"data/lubricants/styles2014.toml\""}),
+          field("lubricant.name", TextKind{member<&Case::lubricant, &Lubricant::name>}, kNoUnit, {}, Need::kDefault, {},
+                {"what the oil is called, for people", "\"SAE 5W-30, typical\""}),
+          field(
+              "lubricant.kinematic_viscosity",
+              TemperatureValuesKind{member<&Case::lubricant, &Lubricant::kinematic_viscosity>}, {"m2/s", "mm2/s"},
+              above(0, 1), Need::kRequired, kLaws,
+              {"kinematic viscosity nu at two or more temperatures (houpert: one at the reference temperature will do)",
+               "[{ temperature = \"40 degC\", value = \"59.99 mm2/s\" }, "
+               "{ temperature = \"100 degC\", value = \"9.590 mm2/s\" }]"}),
+          field("lubricant.density", TemperatureValuesKind{member<&Case::lubricant, &Lubricant::density>},
+                {"kg/m3", "kg/m3"}, strictly_between(100, 5000), Need::kRequired, kLaws,
+                {"density rho at atmospheric pressure at one or more temperatures",
+                 "[{ temperature = \"15 degC\", value = \"849.7 kg/m3\" }, "
+                 "{ temperature = \"40 degC\", value = \"833.8 kg/m3\" }]"}),
+          field("lubricant.table", OptionalFileKind{member<&Case::lubricant, &Lubricant::table_file>}, kNoUnit, {},
+                Need::kOptional, {},
+                {"CSV file temperature [degC],pressure [Pa],viscosity [Pa s],density [kg/m3], instead of all laws",
+                 "\"oil_table.csv\""}),
+          field("lubricant.viscosity_temperature",
+                choice<&Case::lubricant, &Lubricant::viscosity_temperature>({"walther", "houpert"}), kNoUnit, {},
+                Need::kDefault, kLaws,
+                {"viscosity against temperature: ASTM D341 through the points, or Houpert's term", "\"walther\""}),
+          field("lubricant.viscosity_pressure",
+                choice<&Case::lubricant, &Lubricant::viscosity_pressure>({"roelands", "none"}), kNoUnit, {},
+                Need::kDefault, kLaws, {"viscosity against pressure", "\"roelands\""}),
+          field("lubricant.pressure_viscosity_coefficient",
+                NumberKind{member<&Case::lubricant, &Lubricant::pressure_viscosity_coefficient>}, {"Pa-1", "Pa-1"},
+                between(0, 1e-6), Need::kDefault, kRoelands,
+                {"pressure-viscosity coefficient, alpha_0", "\"1e-8 m2/N\""}),
+          field("lubricant.temperature_viscosity_coefficient",
+                NumberKind{member<&Case::lubricant, &Lubricant::temperature_viscosity_coefficient>}, {"K-1", "K-1"},
+                between(0, 1), Need::kDefault, kHoupert, {"temperature-viscosity coefficient, beta_0", "\"0.04 K-1\""}),
+          field("lubricant.reference_temperature",
+                NumberKind{member<&Case::lubricant, &Lubricant::reference_temperature>}, {"K", "degC"},
+                strictly_between(200, 600), Need::kDefault, kReferenceTemperature,
+                {"where eta_0 and rho_0 are taken, theta_0", "\"40 degC\""}),
+          field("lubricant.density_temperature",
+                choice<&Case::lubricant, &Lubricant::density_temperature>({"table", "thermal-expansivity"}), kNoUnit,
+                {}, Need::kDefault, kLaws,
+                {"density against temperature: linear through the points and beyond, or by the expansivity",
+                 "\"table\""}),
+          field("lubricant.thermal_expansivity", NumberKind{member<&Case::lubricant, &Lubricant::thermal_expansivity>},
+                {"K-1", "K-1"}, between(0, 1e-2), Need::kDefault, kThermalExpansivity,
+                {"thermal expansivity, gamma", "\"7.5e-4 K-1\""}),
+          field("lubricant.compressibility",
+                choice<&Case::lubricant, &Lubricant::compressibility>({"dowson-higginson", "none"}), kNoUnit, {},
+                Need::kDefault, kLaws, {"density against pressure", "\"dowson-higginson\""}),
+      });
+}
+
+}  // namespace ringfilm::cycle::table

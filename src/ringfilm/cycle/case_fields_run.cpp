@@ -1,0 +1,37 @@
+#include "ringfilm/cycle/case_fields_table.hpp"
+
+namespace ringfilm::cycle::table {
+
+void append_run_fields(std::vector<Field>& fields) {
+  const Unit degree{"degree", "degree"};
+  fields.insert(
+      fields.end(),
+      {
+          field("film.cavitation", choice<&Case::film, &Film::cavitation>({"reynolds-exit", "mass-conserving"}),
+                kNoUnit, {}, Need::kDefault, {},
+                {"where the film ruptures: pressure never below p_c (Reynolds), or also mass kept (JFO)",
+                 "\"mass-conserving\""}),
+          field("film.cavitation_pressure", NumberKind{member<&Case::film, &Film::cavitation_pressure>}, {"Pa", "bar"},
+                between(0, 1e7), Need::kDefault, {},
+                {"absolute pressure at which the film ruptures, p_c; never above the pressures at the edges",
+                 "\"1.01325 bar\""}),
+          field("solver.cells", CountKind{member<&Case::solver, &Solver::cells>}, kPlainNumber, between(8, 100000),
+                Need::kDefault, {}, {"cells across the face", "200"}),
+          field("solver.crank_step", NumberKind{member<&Case::solver, &Solver::crank_step_deg>}, degree, above(0, 10),
+                Need::kDefault, {}, {"crank step of the march; whole steps must make 720 degrees", "\"1 degree\""}),
+          field("solver.crank_step_control", choice<&Case::solver, &Solver::crank_step_control>({"adaptive", "fixed"}),
+                kNoUnit, {}, Need::kDefault, {},
+                {"refine the crank step where the film needs it, or march with the stated step alone", "\"adaptive\""}),
+          field("solver.tolerance", NumberKind{member<&Case::solver, &Solver::tolerance>}, kPlainNumber,
+                between(1e-14, 1e-2), Need::kDefault, {},
+                {"relative error that the iteration may leave in film and pressure", "1e-8"}),
+          field("solver.method", choice<&Case::solver, &Solver::method>({"coupled-newton"}), kNoUnit, {},
+                Need::kDefault, {}, {"how film and load balance are solved", "\"coupled-newton\""}),
+          field("output.crank_angles", AnglesKind{}, degree, above(0, 90), Need::kDefault, {},
+                {"crank angles of the result: a step, or a list of angles counted from firing TDC", "\"1 degree\""}),
+          field("output.fields", FieldAnglesKind{}, degree, {}, Need::kDefault, {},
+                {"pressure and film along the face: \"none\", \"all\", or a list of crank angles", "\"none\""}),
+      });
+}
+
+}  // namespace ringfilm::cycle::table

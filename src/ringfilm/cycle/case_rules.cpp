@@ -1,0 +1,176 @@
+#include <cmath>
+#include <cstdio>
+
+#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/models/gas.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+constexpr double kCycleDeg = 720;
+
+using Breaches = std::vector<RuleBreach>;
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+/// Do whole steps make one cycle? A step typed with few digits ("0.333333 degree") does not.
+bool divides_cycle(double step_deg) {
+  const double steps = kCycleDeg / step_deg;
+  return std::abs(steps - std::round(steps)) <= 1e-9 * steps;
+}
+
+void check_engine(const Case& c, Breaches& breaches) {
+  if (c.engine.connecting_rod_length > c.engine.stroke / 2) return;
+  breaches.push_back({"engine.connecting_rod_length",
+                      "engine.connecting_rod_length = " + number(c.engine.connecting_rod_length * 1e3) +
+                          " mm is not longer than the crank radius, " + number(c.engine.stroke * 500) + " mm",
+                      "the crank could not turn; check engine.stroke and engine.connecting_rod_length"});
+}
+
+void check_wiebe(const Gas& gas, Breaches& breaches) {
+  if (gas.peak_angle_deg >= gas.exhaust_valve_opening_deg) {
+    breaches.push_back({"gas.exhaust_valve_opening", "the exhaust valve opens before the peak of the pressure",
+                        "gas.exhaust_valve_opening must be later than gas.peak_angle"});
+  }
+  if (gas.exhaust_valve_opening_deg >= gas.exhaust_valve_closing_deg) {
+    breaches.push_back({"gas.exhaust_valve_closing", "the exhaust valve closes before it opens",
+                        "count both angles from firing TDC, for example 130 and 375 degree"});
+  }
+  if (gas.intake_valve_opening_deg >= gas.intake_valve_closing_deg) {
+    breaches.push_back({"gas.intake_valve_closing", "the intake valve closes before it opens",
+                        "count both angles from firing TDC, for example 345 and 590 degree"});
+  }
+}
+
+void check_trace(const Gas& gas, Breaches& breaches) {
+  const auto& angles = gas.cylinder_pressure.crank_angle_deg;
+  if (angles.empty() || models::covers_cycle(angles)) return;
+  const std::string span =
+      "the trace covers only " + number(angles.front()) + " to " + number(angles.back()) + " degree of the cycle, and ";
+  const std::string remedy = " is wanted to join the rest smoothly, for example ";
+  if (!gas.intake_pressure) {
+    breaches.push_back({"gas.intake_pressure", span + "gas.intake_pressure is not stated",
+                        "an absolute pressure" + remedy + "intake_pressure = \"0.95 bar\" in [gas]"});
+  }
+  if (!gas.exhaust_pressure) {
+    breaches.push_back({"gas.exhaust_pressure", span + "gas.exhaust_pressure is not stated",
+                        "an absolute pressure" + remedy + "exhaust_pressure = \"1.05 bar\" in [gas]"});
+  }
+}
+
+void check_crankcase(const Gas& gas, Breaches& breaches) {
+  if (!gas.crankcase_trace || models::covers_cycle(gas.crankcase_trace->crank_angle_deg)) return;
+  breaches.push_back({"gas.crankcase_pressure", "the crankcase trace covers only a part of the cycle",
+                      "give samples over all 720 degrees, none more than 10 degrees apart, or one pressure"});
+}
+
+void check_tension(const Ring& ring, Breaches& breaches) {
+  const bool gap = ring.free_gap || ring.radial_thickness;
+  const int stated = (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (gap ? 1 : 0);
+  const std::string ways =
+      "state one of ring.elastic_pressure, ring.tangential_force, or ring.free_gap with ring.radial_thickness";
+  if (stated == 0) {
+    breaches.push_back({"ring.elastic_pressure", "the tension of the ring is missing", ways});
+  } else if (stated > 1) {
+    std::string names = ring.elastic_pressure ? "ring.elastic_pressure" : "";
+    if (ring.tangential_force) names += (names.empty() ? "" : " and ") + std::string("ring.tangential_force");
+    if (gap) names += " and ring.free_gap";
+    breaches.push_back({ring.tangential_force ? "ring.tangential_force"
+                        : gap                 ? "ring.free_gap"
+                                              : "ring.elastic_pressure",
+                        "the tension of the ring is stated twice: " + names, ways});
+  } else if (gap && !ring.free_gap) {
+    breaches.push_back({"ring.free_gap", "ring.radial_thickness is stated without ring.free_gap", ways});
+  } else if (gap && !ring.radial_thickness) {
+    breaches.push_back({"ring.radial_thickness", "ring.free_gap is stated without ring.radial_thickness", ways});
+  }
+}
+
+void check_face_points(const Ring& ring, Breaches& breaches) {
+  const RingFace& face = ring.face;
+  if (face.x.empty() || (face.x.front() <= 0 && face.x.back() >= ring.face_width)) return;
+  breaches.push_back({"ring.face.file",
+                      "the points of the face run from x = " + number(face.x.front() * 1e3) + " to " +
+                          number(face.x.back() * 1e3) + " mm and do not cover the face width of " +
+                          number(ring.face_width * 1e3) + " mm",
+                      "points are wanted from x = 0 to ring.face_width; no height is invented beyond them"});
+}
+
+/// Increasing temperatures; `falling`: values that fall with them.
+enum class Trend { kAny, kFalling };
+
+void check_points(const std::string& key, const std::vector<TemperatureValue>& points, Trend trend,
+                  Breaches& breaches) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i].temperature == points[i - 1].temperature) {
+      breaches.push_back(
+          {key, key + " has two values at " + number(points[i].temperature - 273.15) + " degC", "keep one of them"});
+    } else if (trend == Trend::kFalling && points[i].value >= points[i - 1].value) {
+      breaches.push_back({key,
+                          key + " does not fall from " + number(points[i - 1].temperature - 273.15) + " to " +
+                              number(points[i].temperature - 273.15) + " degC",
+                          "the viscosity of an oil falls with temperature; are two values exchanged?"});
+    }
+  }
+}
+
+void check_laws(const Lubricant& oil, Breaches& breaches) {
+  const auto& nu = oil.kinematic_viscosity;
+  const bool houpert = oil.viscosity_temperature == ViscosityTemperature::kHoupert;
+  if (nu.size() == 1 && !houpert) {
+    breaches.push_back({"lubricant.kinematic_viscosity",
+                        "lubricant.kinematic_viscosity has one value; the Walther line needs two or more",
+                        "add the viscosity at another temperature, for example 100 degC"});
+  } else if (nu.size() == 1 && nu.front().temperature != oil.reference_temperature) {
+    breaches.push_back({"lubricant.kinematic_viscosity",
+                        "lubricant.kinematic_viscosity has one value, and it is not at lubricant.reference_temperature",
+                        "state the value at the reference temperature, or two values"});
+  }
+  check_points("lubricant.kinematic_viscosity", nu, Trend::kFalling, breaches);
+  check_points("lubricant.density", oil.density, Trend::kAny, breaches);
+}
+
+void check_angles(const Case& c, Breaches& breaches) {
+  const auto refuse_step = [&breaches](const std::string& key, double step_deg) {
+    breaches.push_back({key, key + " = " + number(step_deg) + " degree does not divide the cycle of 720 degrees",
+                        "whole steps must make a cycle, for example \"1 degree\" or \"0.5 degree\""});
+  };
+  if (!divides_cycle(c.solver.crank_step_deg)) refuse_step("solver.crank_step", c.solver.crank_step_deg);
+  const bool by_step = c.output.crank_angles_deg.empty();
+  if (by_step && !divides_cycle(c.output.crank_angle_step_deg)) {
+    refuse_step("output.crank_angles", c.output.crank_angle_step_deg);
+  }
+  constexpr double kFinestDeg = 0.01;  // 72 000 rows
+  if (by_step && c.output.crank_angle_step_deg < kFinestDeg) {
+    breaches.push_back({"output.crank_angles", "output.crank_angles asks for more than 72000 angles",
+                        "the finest step is \"0.01 degree\""});
+  }
+  if (c.solver.crank_step_deg < kFinestDeg) {
+    breaches.push_back({"solver.crank_step", "solver.crank_step asks for more than 72000 steps",
+                        "the finest step is \"0.01 degree\""});
+  }
+}
+
+}  // namespace
+
+std::vector<RuleBreach> broken_rules(const Case& c) {
+  Breaches breaches;
+  check_engine(c, breaches);
+  if (c.gas.model == GasModel::kWiebe) {
+    check_wiebe(c.gas, breaches);
+  } else {
+    check_trace(c.gas, breaches);
+  }
+  check_crankcase(c.gas, breaches);
+  check_tension(c.ring, breaches);
+  if (c.ring.face.form == FaceForm::kPoints) check_face_points(c.ring, breaches);
+  if (!c.lubricant.table_file) check_laws(c.lubricant, breaches);
+  check_angles(c, breaches);
+  return breaches;
+}
+
+}  // namespace ringfilm::cycle
