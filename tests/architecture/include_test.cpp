@@ -86,8 +86,8 @@ const std::map<std::string, int>& owners() {
   static const std::map<std::string, int> owners = {
       {"thread", 6},  {"mutex", 6},      {"shared_mutex", 6}, {"future", 6},  {"condition_variable", 6},
       {"atomic", 6},  {"stop_token", 6}, {"chrono", 6},       {"ctime", 6},   {"time.h", 6},
-      {"fstream", 7}, {"filesystem", 7}, {"cstdio", 7},       {"stdio.h", 7}, {"iostream", 9},
-      {"ranges", 10}, {"format", 10},    {"random", 10},      {"print", 10},  {"locale", 7}};
+      {"fstream", 7}, {"filesystem", 7}, {"iostream", 9},     {"ranges", 10}, {"format", 10},
+      {"random", 10}, {"print", 10},     {"locale", 7}};
   return owners;
 }
 

@@ -60,7 +60,7 @@ TEST(SourceTree, WritableStateIsTold) {
 
 TEST(Architecture, TheSolverUsesNothingThatAnOlderLibraryLacks) {
   static const std::regex lacking(
-      R"(std::(bit_cast|views|ranges|format|print|cout|cerr|clog|fopen|printf|from_chars)\b)");
+      R"(std::(bit_cast|views|ranges|format|print|cout|cerr|clog|fopen|printf|puts|FILE|from_chars)\b)");
   for (const SourceFile& file : product_sources()) {
     if (!ranks().count(file.room) || ranks().at(file.room) > 5) continue;
     for (std::size_t i = 0; i < file.code.size(); ++i) {
