@@ -21,6 +21,15 @@ double end_slope(double h_0, double h_1, double d_0, double d_1) {
   return d_0 * d_1 <= 0 && std::abs(parabola) > 3 * std::abs(d_0) ? 3 * d_0 : parabola;
 }
 
+/// The cubic with values y and slopes m at the ends of an interval, at the share t of its width.
+MonotoneCubic::ValueAndSlope cubic(double width, double t, double y_0, double y_1, double m_0, double m_1) {
+  const double secant = (y_1 - y_0) / width;
+  // y = y_0 + width t (m_0 + t (b + t a))
+  const double a = m_0 + m_1 - 2 * secant;
+  const double b = 3 * secant - 2 * m_0 - m_1;
+  return {y_0 + width * t * (m_0 + t * (b + t * a)), m_0 + t * (2 * b + t * 3 * a)};
+}
+
 }  // namespace
 
 double interpolate_linear(std::span<const double> x, std::span<const double> y, double at) {
@@ -55,12 +64,23 @@ MonotoneCubic::ValueAndSlope MonotoneCubic::at(double x) const {
   if (x <= x_.front()) return {y_.front() + slope_.front() * (x - x_.front()), slope_.front()};
   if (x >= x_.back()) return {y_.back() + slope_.back() * (x - x_.back()), slope_.back()};
   const std::size_t i = interval(x_, x);
-  const double width = x_[i + 1] - x_[i], t = (x - x_[i]) / width;
-  const double secant = (y_[i + 1] - y_[i]) / width;
-  // y = y_i + width t (m_0 + t (b + t a))
-  const double a = slope_[i] + slope_[i + 1] - 2 * secant;
-  const double b = 3 * secant - 2 * slope_[i] - slope_[i + 1];
-  return {y_[i] + width * t * (slope_[i] + t * (b + t * a)), slope_[i] + t * (2 * b + t * 3 * a)};
+  return cubic(x_[i + 1] - x_[i], (x - x_[i]) / (x_[i + 1] - x_[i]), y_[i], y_[i + 1], slope_[i], slope_[i + 1]);
+}
+
+MonotoneBlend::MonotoneBlend(const End& from, const End& to) : from_(from), to_(to) {
+  const double secant = (to.y - from.y) / (to.x - from.x);
+  for (double* slope : {&from_.slope, &to_.slope}) {
+    if (*slope * secant <= 0) {
+      *slope = 0;
+    } else if (std::abs(*slope) > 3 * std::abs(secant)) {
+      *slope = 3 * secant;
+    }
+  }
+}
+
+double MonotoneBlend::at(double x) const {
+  const double width = to_.x - from_.x;
+  return cubic(width, (x - from_.x) / width, from_.y, to_.y, from_.slope, to_.slope).value;
 }
 
 }  // namespace ringfilm

@@ -24,4 +24,20 @@ class MonotoneCubic {
   std::vector<double> x_, y_, slope_;
 };
 
+/// Cubic from one point to another that leaves and arrives with given slopes, as far as it stays monotone with them:
+/// a slope against the way is taken as zero, one of over three times the secant as three times the secant.
+class MonotoneBlend {
+ public:
+  struct End {
+    double x, y, slope;
+  };
+  /// @param from, to with from.x < to.x
+  MonotoneBlend(const End& from, const End& to);
+
+  double at(double x) const;  ///< within the two ends
+
+ private:
+  End from_, to_;
+};
+
 }  // namespace ringfilm

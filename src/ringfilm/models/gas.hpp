@@ -35,8 +35,8 @@ bool covers_cycle(const std::vector<double>& crank_angle_deg, double largest_gap
 CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vector<double> pressure,
                                  double intake_pressure, double exhaust_pressure);
 
-/// Single-zone cycle with Wiebe heat release, eq-wiebe. Heat and start of combustion are found so that peak pressure and
-/// peak angle are met; throws InputError where that cannot be.
+/// Single-zone cycle with Wiebe heat release, eq-wiebe. Heat and start of combustion are found so that peak pressure
+/// and peak angle are met; throws InputError where that cannot be.
 struct WiebeCycle {
   CrankSlider crank;
   double bore;               ///< [m]

@@ -4,14 +4,16 @@
 
 namespace ringfilm::models {
 
-/// Height of the ring face above its lowest point, h_s(x), 0 <= x <= b; a gap, so the land is low and the edges are high.
+/// Height of the ring face above its lowest point, h_s(x), 0 <= x <= b; a gap, so the land is low and the edges are
+/// high.
 class RingFace {
  public:
   /// h_s(x) = height_unit * sum_k coefficients[k] (x/length_unit)^(n-1-k), eq-face-polynomial.
-  static RingFace polynomial(std::vector<double> coefficients, double length_unit, double height_unit, double face_width);
+  static RingFace polynomial(std::vector<double> coefficients, double length_unit, double height_unit,
+                             double face_width);
   /// Parabola with its lowest point at apex * b and height `crown_height` at the edge farther from it.
   static RingFace parabola(double crown_height, double apex, double face_width);
-  /// Measured points, linear between them: no shape is invented. x [m] increasing, covers 0 to b.
+  /// Measured points, linear between them: no shape is invented. x [m] increasing, covers 0 to b; else InputError.
   static RingFace points(std::vector<double> x, std::vector<double> height, double face_width);
 
   double height(double x) const;  ///< as given, without taking the minimum off [m]
@@ -28,9 +30,11 @@ class RingFace {
   RingFace turned() const;
 
  private:
+  RingFace(std::function<double(double)> height, double face_width, std::vector<double> break_points);
+
   std::function<double(double)> height_;
-  double face_width_ = 0;
-  std::vector<double> break_points_;  ///< where the slope may jump
+  double face_width_;
+  std::vector<double> break_points_;  ///< increasing from 0 to b; the slope may jump at the inner ones
 };
 
 /// Ring pressing on the bore: p_e = 2 F_t/(b B), eq-elastic-pressure [Pa].
