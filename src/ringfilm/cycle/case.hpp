@@ -68,20 +68,22 @@ struct Gas {
   SampledTrace cylinder_pressure;  ///< [Pa] as the file gives it: absolute or gauge, zero as stated below
   PressureReference pressure_reference{};
   AngleZero angle_zero{};
-  TraceOrigin trace_origin = TraceOrigin::kNotStated;  ///< shown wherever the trace appears
+  TraceOrigin trace_origin = TraceOrigin::kNotStated;        ///< shown wherever the trace appears
   std::optional<std::string> pressure_column, angle_column;  ///< default: the only ones of their kind in the file
   std::optional<std::string> pressure_unit, angle_unit;      ///< for a header that does not carry them
   // model = "wiebe"; angles 0 = firing TDC
   double compression_ratio = 10.5;
-  double peak_pressure = 62e5;               ///< [Pa] absolute
-  double peak_angle_deg = 20;                ///< [degree]
-  double burn_duration_deg = 60;             ///< [degree]
-  double exhaust_valve_opening_deg = 130;    ///< [degree]
-  double exhaust_valve_closing_deg = 375;    ///< [degree]
-  double intake_valve_opening_deg = 345;     ///< [degree]
-  double intake_valve_closing_deg = 590;     ///< [degree]
+  double peak_pressure = 62e5;             ///< [Pa] absolute
+  double peak_angle_deg = 20;              ///< [degree]
+  double burn_duration_deg = 60;           ///< [degree]
+  double exhaust_valve_opening_deg = 130;  ///< [degree]
+  double exhaust_valve_closing_deg = 375;  ///< [degree]
+  double intake_valve_opening_deg = 345;   ///< [degree]
+  double intake_valve_closing_deg = 590;   ///< [degree]
   // wiebe, and a trace that covers only a part of the cycle (there without default)
-  std::optional<double> intake_pressure, exhaust_pressure;  ///< [Pa] absolute; wiebe: 0.95 and 1.05 bar
+  std::optional<double> intake_pressure, exhaust_pressure;  ///< [Pa] absolute
+  static constexpr double kWiebeIntakePressure = 0.95e5;    ///< where the wiebe model is not told otherwise [Pa]
+  static constexpr double kWiebeExhaustPressure = 1.05e5;   ///< [Pa]
   // always
   double crankcase_pressure = 101325;  ///< [Pa] absolute; not used where a trace is given
   std::optional<std::string> crankcase_pressure_file;
@@ -136,16 +138,16 @@ struct Contact {
 };
 
 struct Lubricant {
-  std::optional<std::string> file;                      ///< where the keys of this table were read from
-  std::string name;                                     ///< for people; empty if the case states the values itself
-  std::vector<TemperatureValue> kinematic_viscosity;    ///< [m2/s]
-  std::vector<TemperatureValue> density;                ///< [kg/m3] at atmospheric pressure
-  std::optional<std::string> table_file;                ///< viscosity and density against T and p, instead of all laws
+  std::optional<std::string> file;                    ///< where the keys of this table were read from
+  std::string name;                                   ///< for people; empty if the case states the values itself
+  std::vector<TemperatureValue> kinematic_viscosity;  ///< [m2/s]
+  std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure
+  std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws
   OilTable table;
-  double pressure_viscosity_coefficient = 1e-8;         ///< alpha_0 [1/Pa]
-  double temperature_viscosity_coefficient = 0.04;      ///< beta_0 [1/K], houpert
-  double reference_temperature = 313.15;                ///< theta_0 [K], houpert and thermal-expansivity
-  double thermal_expansivity = 7.5e-4;                  ///< gamma [1/K]
+  double pressure_viscosity_coefficient = 1e-8;     ///< alpha_0 [1/Pa]
+  double temperature_viscosity_coefficient = 0.04;  ///< beta_0 [1/K], houpert
+  double reference_temperature = 313.15;            ///< theta_0 [K], houpert and thermal-expansivity
+  double thermal_expansivity = 7.5e-4;              ///< gamma [1/K]
   ViscosityTemperature viscosity_temperature = ViscosityTemperature::kWalther;
   ViscosityPressure viscosity_pressure = ViscosityPressure::kRoelands;
   DensityTemperature density_temperature = DensityTemperature::kTable;
@@ -166,10 +168,10 @@ struct Solver {
 };
 
 struct Output {
-  double crank_angle_step_deg = 1.0;             ///< used where the list is empty [degree]
-  std::vector<double> crank_angles_deg;          ///< explicit list, increasing, within [0, 720)
+  double crank_angle_step_deg = 1.0;     ///< used where the list is empty [degree]
+  std::vector<double> crank_angles_deg;  ///< explicit list, increasing, within [0, 720)
   FieldsWanted fields = FieldsWanted::kNone;
-  std::vector<double> field_angles_deg;          ///< fields = [angles]
+  std::vector<double> field_angles_deg;  ///< fields = [angles]
 };
 
 /// A file that the case was read from, for the record.
@@ -192,9 +194,10 @@ struct Case {
   Solver solver;
   Output output;
 
-  std::set<std::string> stated;   ///< keys that the user gave; every other active key is an assumption
-  std::vector<InputFile> files;   ///< everything that was read
-  std::vector<std::string> notes; ///< what the reader had to say about the input (byte-order mark, synthetic trace, ...)
+  std::set<std::string> stated;  ///< keys that the user gave; every other active key is an assumption
+  std::vector<InputFile> files;  ///< everything that was read
+  std::vector<std::string>
+      notes;  ///< what the reader had to say about the input (byte-order mark, synthetic trace, ...)
 };
 
 }  // namespace ringfilm::cycle

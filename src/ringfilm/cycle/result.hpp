@@ -68,19 +68,19 @@ const std::vector<CycleQuantity>& cycle_quantities();
 
 /// Fields along the face at some crank angles; row-major [angle][node]. x from the chamber edge.
 struct FaceFields {
-  std::vector<double> x;                ///< [m]
-  std::vector<double> face_height;      ///< h_s as installed [m]
-  std::vector<double> crank_angle_deg;  ///< may be empty
-  std::vector<double> film_thickness;   ///< [m]
-  std::vector<double> film_pressure;    ///< [Pa] absolute
-  std::vector<double> fill;             ///< theta, liquid share of the gap [-]
-  std::vector<double> film_parameter;   ///< h(x)/sigma [-]
-  std::vector<double> asperity_pressure;///< [Pa]
+  std::vector<double> x;                  ///< [m]
+  std::vector<double> face_height;        ///< h_s as installed [m]
+  std::vector<double> crank_angle_deg;    ///< may be empty
+  std::vector<double> film_thickness;     ///< [m]
+  std::vector<double> film_pressure;      ///< [Pa] absolute
+  std::vector<double> fill;               ///< theta, liquid share of the gap [-]
+  std::vector<double> film_parameter;     ///< h(x)/sigma [-]
+  std::vector<double> asperity_pressure;  ///< [Pa]
 };
 
 /// Where on the stroke asperities rub: contact work per liner length over one cycle.
 struct StrokeProfile {
-  std::vector<double> liner_position;   ///< distance below the ring's TDC position, bin centres [m]
+  std::vector<double> liner_position;      ///< distance below the ring's TDC position, bin centres [m]
   std::vector<double> wear_drive_density;  ///< contact work per length of liner [J/m] (= N summed over the passes)
 };
 
@@ -92,24 +92,24 @@ struct Note {
 };
 
 struct Effort {
-  double cycles_marched = 0;       ///< until periodic
-  double periodicity_error = 0;    ///< largest relative difference of the state one cycle apart [-]
+  double cycles_marched = 0;     ///< until periodic
+  double periodicity_error = 0;  ///< largest relative difference of the state one cycle apart [-]
   long crank_steps = 0, newton_iterations = 0, sub_steps = 0;
   long fallback_secant = 0, fallback_sub_step = 0;
-  double max_load_residual = 0;    ///< |W_h + W_a - W|/W [-]
-  double max_newton_step = 0;      ///< last relative Newton step accepted, worst of the cycle [-]
-  double max_mass_residual = 0;    ///< mass balance of the film per step, relative to the larger edge flux scale [-]
+  double max_load_residual = 0;  ///< |W_h + W_a - W|/W [-]
+  double max_newton_step = 0;    ///< last relative Newton step accepted, worst of the cycle [-]
+  double max_mass_residual = 0;  ///< mass balance of the film per step, relative to the larger edge flux scale [-]
 };
 
 struct CycleResult {
-  std::vector<Sample> samples;     ///< at the crank angles asked for
-  CycleValues values;              ///< from the whole march, whatever was asked for
+  std::vector<Sample> samples;  ///< at the crank angles asked for
+  CycleValues values;           ///< from the whole march, whatever was asked for
   FaceFields fields;
   StrokeProfile stroke;
   std::map<std::string, double> derived;  ///< E_prime, elastic_pressure, viscosity, ... [SI]; see derived_quantities()
   std::vector<Note> notes;
   Effort effort;
-  bool complete = true;            ///< false: the march stopped early and `samples` end at the last good angle
+  bool complete = true;  ///< false: the march stopped early and `samples` end at the last good angle
 };
 
 /// Constants that follow from the case before anything is marched (keys of CycleResult::derived).

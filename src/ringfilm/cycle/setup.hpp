@@ -25,9 +25,11 @@ struct Setup {
   double sigma;                              ///< composite roughness as the contact model uses it [m]
   models::GreenwoodTripp contact;
   std::shared_ptr<const models::OilAtTemperature> oil;
-  std::vector<Note> notes;                   ///< what was found out on the way (extrapolated density, ...)
+  double oil_viscosity;     ///< at the oil temperature and 1 atm [Pa s]
+  double oil_density;       ///< [kg/m3]
+  std::vector<Note> notes;  ///< what was found out on the way (extrapolated density, ...)
 
-  double circumference() const;              ///< pi x bore [m]
+  double circumference() const;  ///< pi x bore [m]
 };
 
 /// Builds the models of a checked case. Throws InputError where a value that is fine by itself cannot be used with the

@@ -21,9 +21,9 @@ struct PublishedValue {
 /// One row of the comparison table.
 struct ComparisonRow {
   PublishedValue published;
-  double computed = 0;               ///< [SI]
-  double deviation = 0;              ///< (computed - published)/published [-]
-  std::string strongest_setting;     ///< ledger variant that comes closest to the published value, empty without ledger
+  double computed = 0;            ///< [SI]
+  double deviation = 0;           ///< (computed - published)/published [-]
+  std::string strongest_setting;  ///< ledger variant that comes closest to the published value, empty without ledger
   std::optional<double> with_strongest_setting;  ///< the value with it [SI]
 };
 

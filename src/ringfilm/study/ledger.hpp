@@ -11,19 +11,19 @@ namespace ringfilm::study {
 
 /// One other choice for an assumption, run through the same solver.
 struct LedgerVariant {
-  std::string setting;             ///< as one would write it, e.g. "film.cavitation = \"mass-conserving\""
-  cycle::CycleValues values;       ///< of the run with this setting alone changed
+  std::string setting;        ///< as one would write it, e.g. "film.cavitation = \"mass-conserving\""
+  cycle::CycleValues values;  ///< of the run with this setting alone changed
   bool solved = true;
-  std::string reason;              ///< why not, if not solved
+  std::string reason;  ///< why not, if not solved
 };
 
 /// One simplification or unstated input.
 struct LedgerEntry {
-  std::string topic;               ///< stable word, e.g. "flooded-inlet"
-  std::string statement;           ///< what is assumed in this very case, a sentence with its figures
-  std::string consequence;         ///< what it is known or expected to do; empty if the variants tell
-  std::string source;              ///< where the decision is argued, e.g. "docs/theory/assumptions.md#flooded-inlet"
-  bool can_be_lifted = false;      ///< does this program offer another choice?
+  std::string topic;           ///< stable word, e.g. "flooded-inlet"
+  std::string statement;       ///< what is assumed in this very case, a sentence with its figures
+  std::string consequence;     ///< what it is known or expected to do; empty if the variants tell
+  std::string source;          ///< where the decision is argued, e.g. "docs/theory/assumptions.md#flooded-inlet"
+  bool can_be_lifted = false;  ///< does this program offer another choice?
   std::vector<LedgerVariant> variants;  ///< empty if it cannot be lifted, or the ledger was not computed
 };
 

@@ -1,0 +1,166 @@
+#include "ringfilm/cycle/cycle_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "ringfilm/cycle/kinematics.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// Below this film parameter lubrication counts as mixed.
+constexpr double kMixedBelow = 3;
+constexpr double kFiringWindowDeg = 60;
+constexpr int kStrokeBins = 100;
+
+double swept_volume(const Engine& e) { return std::numbers::pi / 4 * e.bore * e.bore * e.stroke; }
+
+double cycle_time(const Setup& setup) { return 4 * std::numbers::pi / setup.input.operating.speed; }
+
+template <typename Value>
+double mean(const std::vector<Sample>& samples, Value value) {
+  double sum = 0;
+  for (const Sample& s : samples) sum += value(s);
+  return sum / static_cast<double>(samples.size());
+}
+
+struct Peak {
+  double value;
+  double angle_deg;
+  const Sample* sample;
+};
+
+Peak largest(const std::vector<Sample>& samples, double Sample::*member) {
+  const auto it = std::max_element(samples.begin(), samples.end(),
+                                   [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
+  return {(*it).*member, it->crank_angle_deg, &*it};
+}
+
+Peak smallest(const std::vector<Sample>& samples, double Sample::*member) {
+  const auto it = std::min_element(samples.begin(), samples.end(),
+                                   [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
+  return {(*it).*member, it->crank_angle_deg, &*it};
+}
+
+/// Trapezoidal rule over the samples between two angles that are base angles, ends included.
+double stroke_energy(const Setup& setup, const std::vector<Sample>& base, int stroke) {
+  const double step_deg = kCycleDeg / static_cast<double>(base.size());
+  double energy = 0;
+  for (std::size_t k = 0; k < base.size(); ++k) {
+    // A crank step that a dead centre divides goes to the stroke that holds its middle.
+    const double middle = (static_cast<double>(k) + 0.5) * step_deg;
+    if (static_cast<int>(middle / 180) != stroke) continue;
+    energy += 0.5 * (base[k].power_loss + base[(k + 1) % base.size()].power_loss);
+  }
+  return energy * cycle_time(setup) / static_cast<double>(base.size());
+}
+
+}  // namespace
+
+CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
+  const double duration = cycle_time(setup);
+  CycleValues v;
+  v.mean_power_loss = mean(base, [](const Sample& s) { return s.power_loss; });
+  v.energy_per_cycle = v.mean_power_loss * duration;
+  v.fmep = v.energy_per_cycle / swept_volume(setup.input.engine);
+  v.mean_boundary_power = mean(base, [](const Sample& s) { return s.boundary_friction * std::abs(s.piston_velocity); });
+  v.mean_viscous_power = mean(base, [](const Sample& s) { return s.viscous_friction * std::abs(s.piston_velocity); });
+  v.wear_drive_energy = mean(base, [](const Sample& s) { return s.wear_drive; }) * duration;
+
+  const auto fill = [&](double Sample::*part, double& average, double& peak, double& angle) {
+    average = mean(base, [&](const Sample& s) { return s.*part; });
+    const Peak p = largest(base, part);
+    peak = p.value;
+    angle = p.angle_deg;
+  };
+  fill(&Sample::boundary_friction, v.mean_boundary_friction, v.peak_boundary_friction, v.peak_boundary_friction_angle);
+  fill(&Sample::viscous_friction, v.mean_viscous_friction, v.peak_viscous_friction, v.peak_viscous_friction_angle);
+  fill(&Sample::total_friction, v.mean_total_friction, v.peak_total_friction, v.peak_total_friction_angle);
+
+  const Peak mu = largest(base, &Sample::friction_coefficient);
+  v.peak_friction_coefficient = mu.value;
+  v.peak_friction_coefficient_angle = mu.angle_deg;
+  for (const Sample& s : base) {
+    if (std::abs(std::remainder(s.crank_angle_deg, kCycleDeg)) <= kFiringWindowDeg) {
+      v.peak_friction_coefficient_firing = std::max(v.peak_friction_coefficient_firing, s.friction_coefficient);
+    }
+  }
+
+  const Peak thinnest = smallest(base, &Sample::min_film_thickness);
+  v.min_film_thickness = thinnest.value;
+  v.min_film_thickness_angle = thinnest.angle_deg;
+  v.max_film_thickness = largest(base, &Sample::min_film_thickness).value;
+  v.min_film_parameter = smallest(base, &Sample::film_parameter).value;
+  const Peak gas = largest(base, &Sample::gas_pressure);
+  v.peak_gas_pressure = gas.value;
+  v.peak_gas_pressure_angle = gas.angle_deg;
+  v.film_parameter_at_peak_pressure = gas.sample->film_parameter;
+  v.mixed_share = mean(base, [](const Sample& s) { return s.film_parameter < kMixedBelow ? 1.0 : 0.0; });
+
+  v.net_oil_flow = mean(base, [](const Sample& s) { return s.oil_flow_middle; });
+  v.mean_absolute_oil_flow = mean(base, [](const Sample& s) { return std::abs(s.oil_flow_middle); });
+  v.peak_film_pressure = largest(base, &Sample::peak_film_pressure).value;
+  v.mean_cavitated_fraction = mean(base, [](const Sample& s) { return s.cavitated_fraction; });
+
+  v.power_stroke_energy = stroke_energy(setup, base, 0);
+  v.exhaust_stroke_energy = stroke_energy(setup, base, 1);
+  v.intake_stroke_energy = stroke_energy(setup, base, 2);
+  v.compression_stroke_energy = stroke_energy(setup, base, 3);
+  return v;
+}
+
+CycleValues no_cycle_values() {
+  CycleValues v;
+  for (const CycleQuantity& quantity : cycle_quantities()) {
+    v.*quantity.value = std::numeric_limits<double>::quiet_NaN();
+  }
+  return v;
+}
+
+StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base) {
+  const double stroke = setup.crank.stroke();
+  const double bin = stroke / kStrokeBins;
+  const double step_time = cycle_time(setup) / static_cast<double>(base.size());
+  StrokeProfile profile;
+  for (int b = 0; b < kStrokeBins; ++b) profile.liner_position.push_back((b + 0.5) * bin);
+  profile.wear_drive_density.assign(kStrokeBins, 0.0);
+  for (std::size_t k = 0; k < base.size(); ++k) {
+    const Sample& a = base[k];
+    const Sample& b = base[(k + 1) % base.size()];
+    const double low = std::min(a.piston_position, b.piston_position);
+    const double high = std::max(a.piston_position, b.piston_position);
+    const double work = 0.5 * (a.wear_drive + b.wear_drive) * step_time;
+    const int first = std::clamp(static_cast<int>(low / bin), 0, kStrokeBins - 1);
+    const int last = std::clamp(static_cast<int>(high / bin), 0, kStrokeBins - 1);
+    for (int i = first; i <= last; ++i) {
+      const double overlap = std::min(high, (i + 1) * bin) - std::max(low, i * bin);
+      const double share = first == last ? 1.0 : std::max(overlap, 0.0) / (high - low);
+      profile.wear_drive_density[i] += work * share / bin;
+    }
+  }
+  return profile;
+}
+
+std::map<std::string, double> derived_values(const Setup& setup, const film::FilmGrid& grid) {
+  const Case& c = setup.input;
+  return {
+      {"elastic_pressure", setup.elastic_pressure},
+      {"tangential_force",
+       models::tangential_force_from_elastic_pressure(setup.elastic_pressure, c.ring.face_width, c.engine.bore)},
+      {"composite_modulus", setup.E_prime},
+      {"roughness", setup.sigma},
+      {"roughness_parameter", c.contact.asperity_density * c.contact.asperity_radius * setup.sigma},
+      {"oil_viscosity", setup.oil_viscosity},
+      {"oil_density", setup.oil_density},
+      {"face_height_minimum", setup.face.minimum().height},
+      {"face_height_chamber_edge", grid.node_height.front()},
+      {"face_height_crankcase_edge", grid.node_height.back()},
+      {"nominal_contact_area", setup.circumference() * c.ring.face_width},
+      {"swept_volume", swept_volume(c.engine)},
+      {"mean_piston_speed", 2 * c.engine.stroke * c.operating.speed / (2 * std::numbers::pi)},
+  };
+}
+
+}  // namespace ringfilm::cycle

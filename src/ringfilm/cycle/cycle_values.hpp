@@ -1,0 +1,24 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/setup.hpp"
+#include "ringfilm/film/film_state.hpp"
+
+namespace ringfilm::cycle {
+
+/// Values of the cycle from samples at all base angles, equally spaced; eqs eq-mean, eq-energy-per-cycle, eq-fmep.
+CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base);
+
+/// What stands in their place when the march stopped: every value NaN.
+CycleValues no_cycle_values();
+
+/// Contact work along the stroke from the same samples, shared out over the liner that each crank step sweeps.
+StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base);
+
+/// Values of `derived_quantities()`.
+std::map<std::string, double> derived_values(const Setup& setup, const film::FilmGrid& grid);
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,25 @@
+#pragma once
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/models/crank_slider.hpp"
+
+/// The four-stroke cycle in time: angles in degrees, 0 = firing TDC.
+namespace ringfilm::cycle {
+
+inline constexpr double kCycleDeg = 720;
+
+double radians(double angle_deg);
+
+/// The angle brought into [0, 720).
+double wrapped(double crank_angle_deg);
+
+/// Crank steps in one cycle; the case's step divides it (checked by `broken_rules`).
+int steps_per_cycle(const Solver& solver);
+
+/// Sense of the piston's motion; at a dead centre that of the stroke that ends there.
+enum class Motion { kTowardsTdc, kTowardsCrankcase };
+Motion motion(double crank_angle_deg);
+
+/// Path of the ring on the liner since firing TDC [m]; eq-sliding-distance.
+double sliding_distance(const models::CrankSlider& crank, double crank_angle_deg);
+
+}  // namespace ringfilm::cycle

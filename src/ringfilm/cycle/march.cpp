@@ -1,0 +1,181 @@
+#include "ringfilm/cycle/march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ringfilm/base/error.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// A base step may be cut into 2^6 = 64 at the finest.
+constexpr int kFinestLevel = 6;
+constexpr int kTicks = 1 << kFinestLevel;
+/// Errors that adaptive control allows per step: in ln h_m, and in the oil on the face as a share of it.
+constexpr double kFilmError = 2e-3;
+constexpr double kContentError = 5e-4;
+/// A step twice as long makes four times the error; it is tried only with something to spare.
+constexpr double kCoarsenBelow = 0.15;
+
+film::FilmProblem film_problem(const Setup& setup) {
+  const auto& input = setup.input;
+  const models::RingFace face =
+      input.ring.face.orientation == Orientation::kX0Crankcase ? setup.face.turned() : setup.face;
+  const double lowest = input.ring.face.height_zero == HeightZero::kMinimum ? face.minimum().height : 0.0;
+  film::FilmProblem problem;
+  problem.grid =
+      film::uniform_grid(input.solver.cells, input.ring.face_width, [&](double x) { return face.height(x) - lowest; });
+  problem.oil = setup.oil.get();
+  problem.contact = &setup.contact;
+  problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving
+                                                                            : film::Cavitation::kReynoldsExit;
+  problem.contact_spread = input.contact.film_parameter == FilmParameter::kLocal ? film::ContactSpread::kLocal
+                                                                                 : film::ContactSpread::kNominal;
+  problem.tolerance = input.solver.tolerance;
+  return problem;
+}
+
+}  // namespace
+
+March::March(const Setup& setup) : setup_(setup), problem_(film_problem(setup)), workspace_(problem_) {}
+
+March::Boundary March::boundary(double crank_angle_deg, double time_step) const {
+  const double angle = wrapped(crank_angle_deg);
+  const double p_ic = setup_.cylinder_pressure.pressure(angle);
+  const double p_cc = setup_.crankcase_pressure.pressure(angle);
+  const double U = setup_.crank.velocity(radians(angle), setup_.input.operating.speed);
+  const bool turned =
+      setup_.input.ring.face.orientation == Orientation::kLeadingEdge && motion(angle) == Motion::kTowardsCrankcase;
+
+  Boundary b;
+  b.axis = turned ? Axis::kFromCrankcase : Axis::kFromChamber;
+  b.inputs.U = turned ? -U : U;
+  b.inputs.p_left = turned ? p_cc : p_ic;
+  b.inputs.p_right = turned ? p_ic : p_cc;
+  b.inputs.p_cavitation = std::min({setup_.input.film.cavitation_pressure, p_ic, p_cc});
+  b.inputs.load = (setup_.elastic_pressure + setup_.input.gas.pressure_behind_ring * p_ic) * problem_.grid.width;
+  b.inputs.time_step = time_step;
+  return b;
+}
+
+void March::count(const film::FilmReport& report) {
+  totals_.newton_iterations += report.iterations;
+  effort_.newton_iterations += report.iterations;
+  if (report.converged && report.route == film::Route::kSecant) {
+    ++totals_.fallback_secant;
+    ++effort_.fallbacks;
+  }
+}
+
+film::FilmReport March::step_to(double crank_angle_deg, double time_step, film::FilmState& to, Boundary& at) {
+  at = boundary(crank_angle_deg, time_step);
+  to = extrapolated(time_step);
+  const film::FilmReport report = film::solve_film(problem_, at.inputs, state_, to, workspace_);
+  count(report);
+  return report;
+}
+
+film::FilmState March::extrapolated(double time_step) const {
+  film::FilmState guess = state_;
+  if (time_step_before_ > 0) {
+    const double growth = std::log(state_.h_m / before_.h_m) * time_step / time_step_before_;
+    guess.h_m *= std::exp(std::clamp(growth, -0.5, 0.5));
+  }
+  return guess;
+}
+
+double March::time_error(const film::FilmState& to, double time_step) const {
+  if (time_step_before_ == 0) return 0;
+  // Backward Euler errs by half the second difference in time (docs/theory/film.md, "step control").
+  const double ratio = time_step / time_step_before_;
+  const double share = time_step / (time_step + time_step_before_);
+  const double film = std::abs(std::log(to.h_m / state_.h_m) - ratio * std::log(state_.h_m / before_.h_m));
+  double content = 0;
+  double total = 0;
+  for (std::size_t i = 0; i < to.content.size(); ++i) {
+    const double predicted = state_.content[i] + ratio * (state_.content[i] - before_.content[i]);
+    content += std::abs(to.content[i] - predicted);
+    total += to.content[i];
+  }
+  return share * std::max(film / kFilmError, content / total / kContentError);
+}
+
+void March::start(int k) {
+  k_ = k;
+  angle_deg_ = k * setup_.input.solver.crank_step_deg;
+  time_step_before_ = 0;
+  level_ = 0;
+  const Boundary at = boundary(angle_deg_, film::kSteady);
+  state_ = film::first_guess(problem_, at.inputs);
+  before_ = state_;
+  const film::FilmReport report = film::solve_film(problem_, at.inputs, before_, state_, workspace_);
+  count(report);
+  if (!report.converged) throw ConvergenceError("no steady film to start from", angle_deg_);
+  instant_ = {wrapped(angle_deg_), at.axis, at.inputs, &before_, &state_, effort_};
+}
+
+void March::advance(const Interval& before_commit) {
+  const double base_deg = setup_.input.solver.crank_step_deg;
+  const double omega = setup_.input.operating.speed;
+  const bool adaptive = setup_.input.solver.crank_step_control == StepControl::kAdaptive;
+  effort_ = {};
+  if (!adaptive) level_ = 0;
+  for (int tick = 0; tick < kTicks;) {
+    const int ticks = kTicks >> level_;
+    const double from = angle_deg_;
+    const double to = k_ * base_deg + base_deg * (tick + ticks) / kTicks;
+    const double time_step = radians(base_deg * ticks / kTicks) / omega;
+    Boundary at;
+    const film::FilmReport report = step_to(to, time_step, candidate_, at);
+    const double error = report.converged ? time_error(candidate_, time_step) : 0;
+    const bool too_coarse = adaptive && error > 1 && level_ < kFinestLevel;
+    if (!report.converged || too_coarse) {
+      if (level_ == kFinestLevel) {
+        throw ConvergenceError("film, contact and load do not balance, with a step of 1/64 of the crank step either",
+                               wrapped(to));
+      }
+      if (!report.converged) {
+        ++totals_.fallback_sub_step;
+        ++effort_.fallbacks;
+      }
+      ++level_;
+      continue;
+    }
+    before_commit(from, to);
+    before_ = std::exchange(state_, candidate_);
+    time_step_before_ = time_step;
+    angle_deg_ = to;
+    tick += ticks;
+    ++effort_.steps;
+    ++totals_.crank_steps;
+    totals_.sub_steps += ticks < kTicks;
+    totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
+    instant_ = {wrapped(to), at.axis, at.inputs, &before_, &state_, effort_};
+    if (adaptive && level_ > 0 && error < kCoarsenBelow && tick % (2 * ticks) == 0) --level_;
+  }
+  k_ = (k_ + 1) % steps_per_cycle(setup_.input.solver);
+  angle_deg_ = k_ * base_deg;
+}
+
+Instant March::side_step(double crank_angle_deg, film::FilmState& to) {
+  const double time_step = radians(crank_angle_deg - angle_deg_) / setup_.input.operating.speed;
+  Boundary at;
+  const film::FilmReport report = step_to(crank_angle_deg, time_step, to, at);
+  if (!report.converged) throw ConvergenceError("film, contact and load do not balance", wrapped(crank_angle_deg));
+  return {wrapped(crank_angle_deg), at.axis, at.inputs, &state_, &to, {1, report.iterations, 0}};
+}
+
+double March::distance(const film::FilmState& other) const {
+  const double scale = instant_.inputs.mean_pressure(problem_.grid);
+  double largest = std::abs(std::log(state_.h_m / other.h_m));
+  for (std::size_t i = 0; i < state_.p.size(); ++i) {
+    largest = std::max(largest, std::abs(state_.p[i] - other.p[i]) / scale);
+    if (problem_.cavitation == film::Cavitation::kMassConserving) {
+      largest = std::max(largest, std::abs(state_.deficit[i] - other.deficit[i]));
+    }
+  }
+  return largest;
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,86 @@
+#include "ringfilm/cycle/oil.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+namespace ringfilm::cycle {
+namespace {
+
+constexpr double kAtmosphere = 101325;  // [Pa]
+constexpr double kZeroCelsius = 273.15;
+
+std::string celsius(double temperature) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f degC", temperature - kZeroCelsius);
+  return text;
+}
+
+std::vector<double> temperatures(const std::vector<TemperatureValue>& points) {
+  std::vector<double> out;
+  for (const auto& point : points) out.push_back(point.temperature);
+  return out;
+}
+
+std::vector<double> values(const std::vector<TemperatureValue>& points) {
+  std::vector<double> out;
+  for (const auto& point : points) out.push_back(point.value);
+  return out;
+}
+
+models::OilLaws oil_laws(const Lubricant& oil) {
+  models::OilLaws laws;
+  laws.viscosity_temperature = temperatures(oil.kinematic_viscosity);
+  laws.kinematic_viscosity = values(oil.kinematic_viscosity);
+  laws.density = {temperatures(oil.density), values(oil.density),
+                  oil.density_temperature == DensityTemperature::kThermalExpansivity, oil.thermal_expansivity,
+                  oil.reference_temperature};
+  laws.viscosity_temperature_law = oil.viscosity_temperature == ViscosityTemperature::kWalther
+                                       ? models::ViscosityTemperatureLaw::kWalther
+                                       : models::ViscosityTemperatureLaw::kHoupert;
+  laws.viscosity_pressure_law = oil.viscosity_pressure == ViscosityPressure::kRoelands
+                                    ? models::ViscosityPressureLaw::kRoelands
+                                    : models::ViscosityPressureLaw::kNone;
+  laws.alpha_0 = oil.pressure_viscosity_coefficient;
+  laws.beta_0 = oil.temperature_viscosity_coefficient;
+  laws.theta_0 = oil.reference_temperature;
+  if (oil.compressibility == Compressibility::kDowsonHigginson) laws.compression = models::DowsonHigginson{};
+  return laws;
+}
+
+std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaws& laws, double temperature) {
+  std::vector<Note> notes;
+  if (oil.density_temperature == DensityTemperature::kTable && laws.density.extrapolates(temperature)) {
+    const auto [low, high] = std::minmax_element(laws.density.temperature.begin(), laws.density.temperature.end());
+    notes.push_back({"density-extrapolated",
+                     "oil density is asked for at " + celsius(temperature) + ", outside its measured points (" +
+                         celsius(*low) + " to " + celsius(*high) + "): the straight line through them is continued",
+                     1});
+  }
+  const auto& measured = laws.viscosity_temperature;
+  const auto [low, high] = std::minmax_element(measured.begin(), measured.end());
+  if (temperature < *low || temperature > *high) {
+    notes.push_back({"viscosity-extrapolated",
+                     "oil viscosity is asked for at " + celsius(temperature) + ", outside its measured points (" +
+                         celsius(*low) + " to " + celsius(*high) + "): the temperature law is continued",
+                     1});
+  }
+  return notes;
+}
+
+}  // namespace
+
+PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
+  if (lubricant.table_file) {
+    const OilTable& t = lubricant.table;
+    auto oil = models::tabulated_oil({t.temperature, t.pressure, t.viscosity, t.density}, temperature);
+    return {oil, oil->viscosity(kAtmosphere), oil->density(kAtmosphere), {}};
+  }
+  const models::OilLaws laws = oil_laws(lubricant);
+  const models::OilState at = models::oil_state(laws, temperature);
+  return {models::closed_form_oil(laws, temperature), at.eta_T, at.rho_T,
+          extrapolation_notes(lubricant, laws, temperature)};
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,21 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/models/lubricant.hpp"
+
+namespace ringfilm::cycle {
+
+struct PreparedOil {
+  std::shared_ptr<const models::OilAtTemperature> oil;
+  double viscosity;         ///< at 1 atm [Pa s]
+  double density;           ///< at 1 atm [kg/m3]
+  std::vector<Note> notes;  ///< extrapolations, in a reader's units
+};
+
+/// The oil of a case at one temperature [K], by the laws that the case names.
+PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature);
+
+}  // namespace ringfilm::cycle

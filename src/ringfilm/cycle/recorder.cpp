@@ -1,0 +1,139 @@
+#include "ringfilm/cycle/recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ringfilm/cycle/cycle_values.hpp"
+#include "ringfilm/cycle/sampling.hpp"
+#include "ringfilm/cycle/validity.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// Angles closer than this are the same [degree].
+constexpr double kSameAngle = 1e-9;
+
+std::vector<double> wanted_angles(const Output& output) {
+  if (!output.crank_angles_deg.empty()) return output.crank_angles_deg;
+  std::vector<double> angles;
+  const int n = static_cast<int>(std::lround(kCycleDeg / output.crank_angle_step_deg));
+  for (int i = 0; i < n; ++i) angles.push_back(kCycleDeg * i / n);
+  return angles;
+}
+
+bool is_multiple(double angle, double step) { return std::abs(std::remainder(angle, step)) < kSameAngle; }
+
+}  // namespace
+
+Recorder::Recorder(const Setup& setup)
+    : setup_(setup),
+      step_deg_(setup.input.solver.crank_step_deg),
+      base_(steps_per_cycle(setup.input.solver)),
+      wanted_deg_(wanted_angles(setup.input.output)) {
+  std::vector<double> angles = wanted_deg_;
+  if (setup.input.output.fields == FieldsWanted::kListed) {
+    angles.insert(angles.end(), setup.input.output.field_angles_deg.begin(), setup.input.output.field_angles_deg.end());
+  }
+  for (const double angle : angles) {
+    if (!is_multiple(angle, step_deg_)) between_[angle] = std::nullopt;
+  }
+}
+
+bool Recorder::wants_fields(double crank_angle_deg) const {
+  const Output& output = setup_.input.output;
+  if (output.fields == FieldsWanted::kNone) return false;
+  const auto& angles = output.fields == FieldsWanted::kAll ? wanted_deg_ : output.field_angles_deg;
+  return std::any_of(angles.begin(), angles.end(),
+                     [&](double angle) { return std::abs(angle - crank_angle_deg) < kSameAngle; });
+}
+
+void Recorder::keep(const March& march, const Instant& instant, std::optional<Sample>& slot) {
+  const film::FilmIntegrals integrals =
+      film::film_integrals(march.problem(), instant.inputs, *instant.previous, *instant.state);
+  slot = sample(setup_, march, instant, integrals);
+  max_load_residual_ = std::max(max_load_residual_, slot->load_residual);
+  if (march.problem().cavitation == film::Cavitation::kMassConserving) {
+    const double through = std::abs(integrals.flow_left) + std::abs(integrals.flow_right) +
+                           std::abs(integrals.flow_middle) + std::numeric_limits<double>::min();
+    max_mass_residual_ = std::max(max_mass_residual_, std::abs(integrals.mass_defect) / through);
+  }
+  const double beyond = integrals.asperity_load_beyond_polynomial;
+  if (setup_.input.contact.integrals == ContactIntegrals::kPolynomialAsPrinted && beyond > 0) {
+    ++polynomial_steps_;
+    polynomial_share_ = std::max(polynomial_share_, beyond / integrals.asperity_load);
+  }
+  if (wants_fields(instant.crank_angle_deg)) {
+    FaceFields fields;
+    append_fields(setup_, march, instant, fields);
+    fields_[instant.crank_angle_deg] = std::move(fields);
+  }
+}
+
+void Recorder::record_base(const March& march) {
+  const auto k = static_cast<std::size_t>(std::lround(march.instant().crank_angle_deg / step_deg_)) % base_.size();
+  Instant instant = march.instant();
+  instant.crank_angle_deg = static_cast<double>(k) * step_deg_;
+  keep(march, instant, base_[k]);
+}
+
+void Recorder::record_between(March& march, double from_deg, double to_deg) {
+  if (between_.empty()) return;
+  const double turn = kCycleDeg * std::floor(from_deg / kCycleDeg);
+  for (auto it = between_.upper_bound(from_deg - turn); it != between_.end() && it->first < to_deg - turn; ++it) {
+    film::FilmState state;
+    Instant instant = march.side_step(turn + it->first, state);
+    instant.crank_angle_deg = it->first;
+    keep(march, instant, it->second);
+  }
+}
+
+CycleResult Recorder::result(const March& march, double periodicity_error, int steps_marched,
+                             Completeness completeness) const {
+  CycleResult result;
+  result.complete = completeness == Completeness::kComplete;
+  for (const double angle : wanted_deg_) {
+    const auto between = between_.find(angle);
+    const auto& slot = between != between_.end()
+                           ? between->second
+                           : base_[static_cast<std::size_t>(std::lround(angle / step_deg_)) % base_.size()];
+    if (slot) result.samples.push_back(*slot);
+  }
+  result.fields = empty_fields(march);
+  for (const auto& [angle, f] : fields_) {
+    const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    result.fields.crank_angle_deg.push_back(angle);
+    append(result.fields.film_thickness, f.film_thickness);
+    append(result.fields.film_pressure, f.film_pressure);
+    append(result.fields.fill, f.fill);
+    append(result.fields.film_parameter, f.film_parameter);
+    append(result.fields.asperity_pressure, f.asperity_pressure);
+  }
+  std::vector<Sample> base;
+  for (const auto& slot : base_) {
+    if (slot) base.push_back(*slot);
+  }
+  result.values = result.complete ? cycle_values(setup_, base) : no_cycle_values();
+  if (result.complete) result.stroke = stroke_profile(setup_, base);
+  result.derived = derived_values(setup_, march.problem().grid);
+
+  const March::Totals& totals = march.totals();
+  result.effort = {static_cast<double>(steps_marched) / static_cast<double>(base_.size()),
+                   periodicity_error,
+                   totals.crank_steps,
+                   totals.newton_iterations,
+                   totals.sub_steps,
+                   totals.fallback_secant,
+                   totals.fallback_sub_step,
+                   max_load_residual_,
+                   totals.max_newton_step,
+                   max_mass_residual_};
+  result.notes = setup_.notes;
+  append_validity_notes(setup_, base, {polynomial_steps_, polynomial_share_}, result.notes);
+  append_effort_notes(result.effort, result.notes);
+  return result;
+}
+
+}  // namespace ringfilm::cycle

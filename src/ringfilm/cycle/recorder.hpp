@@ -1,0 +1,43 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "ringfilm/cycle/march.hpp"
+#include "ringfilm/cycle/result.hpp"
+
+namespace ringfilm::cycle {
+
+enum class Completeness { kComplete, kStopped };
+
+/// Keeps what the march passes: all base angles for the cycle values, the angles asked for, the fields asked for.
+/// An angle that is passed again replaces what was kept.
+class Recorder {
+ public:
+  explicit Recorder(const Setup& setup);
+
+  /// The march stands at a base angle.
+  void record_base(const March& march);
+
+  /// The march is about to go from one angle to the next: angles asked for in between are solved on the side.
+  void record_between(March& march, double from_deg, double to_deg);
+
+  /// What one cycle gave; `steps_marched` base steps were needed.
+  CycleResult result(const March& march, double periodicity_error, int steps_marched, Completeness completeness) const;
+
+ private:
+  void keep(const March& march, const Instant& instant, std::optional<Sample>& slot);
+  bool wants_fields(double crank_angle_deg) const;
+
+  const Setup& setup_;
+  double step_deg_;
+  std::vector<std::optional<Sample>> base_;
+  std::map<double, std::optional<Sample>> between_;  ///< angles asked for that are no base angles
+  std::vector<double> wanted_deg_;                   ///< of the samples that go out
+  std::map<double, FaceFields> fields_;              ///< one angle each
+  double max_load_residual_ = 0, max_mass_residual_ = 0;
+  long polynomial_steps_ = 0;
+  double polynomial_share_ = 0;
+};
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,109 @@
+#include "ringfilm/cycle/sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ringfilm/film/cavitation.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// Quantities that turn with the film's axis, brought to x from the chamber edge.
+struct FromChamber {
+  double shear_couette, shear_poiseuille;
+  double flow_chamber, flow_middle, flow_crankcase;
+  double cavity_begin, cavity_end;
+};
+
+FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) {
+  constexpr double kFull = std::numeric_limits<double>::quiet_NaN();  // documented: no cavity
+  const double begin = f.cavity_begin.value_or(kFull);
+  const double end = f.cavity_end.value_or(kFull);
+  if (axis == Axis::kFromChamber) {
+    return {f.shear_couette, f.shear_poiseuille, f.flow_left, f.flow_middle, f.flow_right, begin, end};
+  }
+  return {-f.shear_couette, -f.shear_poiseuille, -f.flow_right, -f.flow_middle,
+          -f.flow_left,     width - end,         width - begin};
+}
+
+double boundary_friction(const Contact& contact, const film::FilmIntegrals& f) {
+  return contact.eyring_shear_stress * f.asperity_area + contact.boundary_shear_strength_coefficient * f.asperity_load;
+}
+
+}  // namespace
+
+Sample sample(const Setup& setup, const March& march, const Instant& instant, const film::FilmIntegrals& integrals) {
+  const double circumference = setup.circumference();
+  const double angle = instant.crank_angle_deg;
+  const film::FilmInputs& in = instant.inputs;
+  const FromChamber f = from_chamber(integrals, instant.axis, march.problem().grid.width);
+  const Motion sense = motion(angle);
+  const double sign = sense == Motion::kTowardsTdc ? 1 : -1;
+  const double mean_pressure = in.mean_pressure(march.problem().grid);
+
+  Sample s;
+  s.crank_angle_deg = angle;
+  s.piston_position = setup.crank.position(radians(angle));
+  s.piston_velocity = setup.crank.velocity(radians(angle), setup.input.operating.speed);
+  s.sliding_distance = sliding_distance(setup.crank, angle);
+  s.gas_pressure = setup.cylinder_pressure.pressure(angle);
+  s.crankcase_pressure = setup.crankcase_pressure.pressure(angle);
+  s.applied_load = in.load * circumference;
+  s.hydrodynamic_load = integrals.hydrodynamic_load * circumference;
+  s.asperity_load = integrals.asperity_load * circumference;
+  s.min_film_thickness = instant.state->h_m;
+  s.film_parameter = instant.state->h_m / setup.sigma;
+  s.asperity_contact_area = integrals.asperity_area * circumference;
+  s.boundary_friction = boundary_friction(setup.input.contact, integrals) * circumference;
+  s.viscous_friction_liner = (f.shear_couette + f.shear_poiseuille) * circumference;
+  s.viscous_friction_ring = (f.shear_couette - f.shear_poiseuille) * circumference;
+  s.viscous_friction = std::abs(s.viscous_friction_liner);
+  s.total_friction = s.boundary_friction + s.viscous_friction;
+  s.friction_on_liner = sign * s.boundary_friction + s.viscous_friction_liner;
+  s.friction_coefficient = s.total_friction / s.applied_load;
+  const double speed = std::abs(s.piston_velocity);
+  s.power_loss = s.total_friction * speed;
+  s.wear_drive = s.asperity_load * speed;
+  s.oil_flow_middle = f.flow_middle * circumference;
+  s.oil_flow_chamber_edge = f.flow_chamber * circumference;
+  s.oil_flow_crankcase_edge = f.flow_crankcase * circumference;
+  s.stribeck_number = setup.oil_viscosity * speed / (mean_pressure * setup.sigma);
+  s.peak_film_pressure = integrals.peak_pressure;
+  s.cavitated_fraction = integrals.cavitated_fraction;
+  s.rupture_position = sense == Motion::kTowardsTdc ? f.cavity_begin : f.cavity_end;
+  s.reformation_position = sense == Motion::kTowardsTdc ? f.cavity_end : f.cavity_begin;
+  s.newton_iterations = instant.effort.newton_iterations;
+  s.crank_sub_steps = instant.effort.steps;
+  s.fallbacks = instant.effort.fallbacks;
+  s.load_residual = std::abs(integrals.hydrodynamic_load + integrals.asperity_load - in.load) / in.load;
+  return s;
+}
+
+FaceFields empty_fields(const March& march) {
+  const film::FilmGrid& grid = march.problem().grid;
+  FaceFields fields;
+  for (int i = 0; i <= grid.n_cells(); ++i) fields.x.push_back(grid.x(i));
+  fields.face_height = grid.node_height;
+  return fields;
+}
+
+void append_fields(const Setup& setup, const March& march, const Instant& instant, FaceFields& fields) {
+  const film::FilmProblem& problem = march.problem();
+  const film::FilmState& state = *instant.state;
+  const int n = problem.grid.n_cells();
+  fields.crank_angle_deg.push_back(instant.crank_angle_deg);
+  for (int k = 0; k <= n; ++k) {
+    const int i = instant.axis == Axis::kFromChamber ? k : n - k;
+    const double h = state.h_m + problem.grid.node_height[i];
+    const bool local = problem.contact_spread == film::ContactSpread::kLocal;
+    fields.film_thickness.push_back(h);
+    fields.film_pressure.push_back(state.p[i]);
+    fields.fill.push_back(film::fill(problem.cavitation, state.deficit[i]));
+    fields.film_parameter.push_back(h / setup.sigma);
+    fields.asperity_pressure.push_back(setup.contact.contact(local ? h : state.h_m).pressure);
+  }
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,19 @@
+#pragma once
+#include "ringfilm/cycle/march.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/film/film_integrals.hpp"
+
+namespace ringfilm::cycle {
+
+/// Every quantity of one solved instant, for the whole circumference.
+/// @param integrals of the instant's state
+Sample sample(const Setup& setup, const March& march, const Instant& instant, const film::FilmIntegrals& integrals);
+
+/// Film, pressure, fill, film parameter and asperity pressure along the face, x from the chamber edge; appended to
+/// `fields`.
+void append_fields(const Setup& setup, const March& march, const Instant& instant, FaceFields& fields);
+
+/// x and the face as installed (orientation "leading-edge": as given).
+FaceFields empty_fields(const March& march);
+
+}  // namespace ringfilm::cycle

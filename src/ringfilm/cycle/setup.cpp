@@ -1,0 +1,105 @@
+#include "ringfilm/cycle/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/oil.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+constexpr double kAtmosphere = 101325;  // [Pa]
+/// Rq/Ra of a Gaussian surface, sqrt(pi/2).
+const double kRqOverRa = std::sqrt(std::numbers::pi / 2);
+
+models::CyclePressure absolute_trace(const Case& c, SampledTrace trace) {
+  for (double& angle : trace.crank_angle_deg) angle += c.gas.angle_zero == AngleZero::kGasExchangeTdc ? 360.0 : 0.0;
+  for (double& p : trace.value) p += c.gas.pressure_reference == PressureReference::kGauge ? kAtmosphere : 0.0;
+  if (models::covers_cycle(trace.crank_angle_deg)) return {trace.crank_angle_deg, trace.value};
+  if (!c.gas.intake_pressure || !c.gas.exhaust_pressure) {
+    throw InputError("the pressure trace covers only a part of the cycle",
+                     "state gas.intake_pressure and gas.exhaust_pressure; the rest is then joined smoothly");
+  }
+  return models::join_partial_trace(trace.crank_angle_deg, trace.value, *c.gas.intake_pressure,
+                                    *c.gas.exhaust_pressure);
+}
+
+models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c.engine.connecting_rod_length}; }
+
+models::CyclePressure cylinder_pressure(const Case& c) {
+  if (c.gas.model == GasModel::kTrace) return absolute_trace(c, c.gas.cylinder_pressure);
+  const Gas& g = c.gas;
+  return models::wiebe_pressure({crank_slider(c), c.engine.bore, g.compression_ratio, g.peak_pressure, g.peak_angle_deg,
+                                 g.burn_duration_deg, g.intake_pressure.value_or(Gas::kWiebeIntakePressure),
+                                 g.exhaust_pressure.value_or(Gas::kWiebeExhaustPressure), g.exhaust_valve_opening_deg,
+                                 g.exhaust_valve_closing_deg, g.intake_valve_opening_deg, g.intake_valve_closing_deg});
+}
+
+models::RingFace ring_face(const Case& c) {
+  const RingFace& f = c.ring.face;
+  switch (f.form) {
+    case FaceForm::kPolynomial:
+      return models::RingFace::polynomial(f.coefficients, f.length_unit, f.height_unit, c.ring.face_width);
+    case FaceForm::kParabola:
+      return models::RingFace::parabola(f.crown_height, f.apex, c.ring.face_width);
+    case FaceForm::kPoints:
+      return models::RingFace::points(f.x, f.height, c.ring.face_width);
+  }
+  throw std::logic_error("face form without a model");
+}
+
+double elastic_pressure(const Case& c) {
+  const Ring& r = c.ring;
+  if (r.elastic_pressure) return *r.elastic_pressure;
+  if (r.tangential_force) {
+    return models::elastic_pressure_from_tangential_force(*r.tangential_force, r.face_width, c.engine.bore);
+  }
+  return models::elastic_pressure_from_free_gap(r.free_gap.value(), r.radial_thickness.value(), r.youngs_modulus,
+                                                c.engine.bore);
+}
+
+double composite_modulus(const Case& c) {
+  if (c.contact.composite_modulus) return *c.contact.composite_modulus;
+  return models::composite_modulus(c.ring.youngs_modulus, c.ring.poissons_ratio, c.liner.youngs_modulus,
+                                   c.liner.poissons_ratio);
+}
+
+double roughness(const Case& c) {
+  return c.contact.roughness * (c.contact.roughness_measure == RoughnessMeasure::kRaToRq ? kRqOverRa : 1.0);
+}
+
+models::GreenwoodTripp asperity_contact(const Case& c) {
+  using Form = models::ContactIntegralForm;
+  const Form form = c.contact.integrals == ContactIntegrals::kExact              ? Form::kExact
+                    : c.contact.integrals == ContactIntegrals::kPolynomial4Digit ? Form::kPolynomial4Digit
+                                                                                 : Form::kPolynomialAsPrinted;
+  return models::GreenwoodTripp(
+      {c.contact.asperity_density, c.contact.asperity_radius, roughness(c), composite_modulus(c), form});
+}
+
+}  // namespace
+
+double Setup::circumference() const { return std::numbers::pi * input.engine.bore; }
+
+Setup prepare(const Case& c) {
+  PreparedOil oil = oil_at_temperature(c.lubricant, c.operating.oil_temperature);
+  models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, *c.gas.crankcase_trace)
+                                                          : models::CyclePressure(c.gas.crankcase_pressure);
+  return {c,
+          crank_slider(c),
+          cylinder_pressure(c),
+          std::move(crankcase),
+          ring_face(c),
+          elastic_pressure(c),
+          composite_modulus(c),
+          roughness(c),
+          asperity_contact(c),
+          std::move(oil.oil),
+          oil.viscosity,
+          oil.density,
+          std::move(oil.notes)};
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,87 @@
+#include "ringfilm/cycle/validity.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+namespace ringfilm::cycle {
+namespace {
+
+/// Below this film parameter asperities carry most of the load, their contact spots grow together and the flow between
+/// them is no longer that of a smooth gap: Greenwood-Tripp and Reynolds are both outside what they were made for.
+constexpr double kContactModelNeeds = 0.5;
+/// Below this one the smooth-gap Reynolds equation is off by flow factors that are not in the model.
+constexpr double kSmoothGapNeeds = 1.0;
+/// Newtonian flow is an assumption above this shear rate (docs/theory/assumptions.md).
+constexpr double kNewtonianUpTo = 1e6;  // [1/s]
+
+template <typename... Values>
+std::string text(const char* format, Values... values) {
+  char buffer[512];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+template <typename Condition>
+long count(const std::vector<Sample>& base, Condition condition) {
+  return std::count_if(base.begin(), base.end(), condition);
+}
+
+double shear_rate(const Sample& s) {
+  return (s.piston_velocity < 0 ? -s.piston_velocity : s.piston_velocity) / s.min_film_thickness;
+}
+
+}  // namespace
+
+void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, const PolynomialUse& polynomial,
+                           std::vector<Note>& notes) {
+  if (base.empty()) return;
+  const auto lowest = std::min_element(
+      base.begin(), base.end(), [](const Sample& a, const Sample& b) { return a.film_parameter < b.film_parameter; });
+  const auto below = [&](double limit) {
+    return count(base, [&](const Sample& s) { return s.film_parameter < limit; });
+  };
+  if (lowest->film_parameter < kContactModelNeeds) {
+    notes.push_back({"film-parameter-too-low",
+                     text("film parameter down to %.2f (at %.0f degree): below %.1f neither the contact model nor the "
+                          "smooth-gap film holds",
+                          lowest->film_parameter, lowest->crank_angle_deg, kContactModelNeeds),
+                     below(kContactModelNeeds)});
+  } else if (lowest->film_parameter < kSmoothGapNeeds) {
+    notes.push_back({"film-parameter-low",
+                     text("film parameter down to %.2f (at %.0f degree): below %.1f the flow through the roughness "
+                          "differs from that of a smooth gap",
+                          lowest->film_parameter, lowest->crank_angle_deg, kSmoothGapNeeds),
+                     below(kSmoothGapNeeds)});
+  }
+  const auto fastest = std::max_element(base.begin(), base.end(),
+                                        [](const Sample& a, const Sample& b) { return shear_rate(a) < shear_rate(b); });
+  if (shear_rate(*fastest) > kNewtonianUpTo) {
+    notes.push_back({"shear-rate-high",
+                     text("shear rate U/h up to %.1e 1/s (at %.0f degree) while the oil is taken as Newtonian",
+                          shear_rate(*fastest), fastest->crank_angle_deg),
+                     count(base, [](const Sample& s) { return shear_rate(s) > kNewtonianUpTo; })});
+  }
+  if (setup.input.gas.model == GasModel::kTrace && setup.input.gas.trace_origin == TraceOrigin::kSynthetic) {
+    notes.push_back({"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
+  }
+  if (polynomial.steps > 0) {
+    notes.push_back({"polynomial-beyond-range",
+                     text("the F5/2 polynomial as printed rises again beyond a film parameter of 1.911: up to %.0f %% "
+                          "of the asperity load comes from there",
+                          100 * polynomial.largest_share),
+                     polynomial.steps});
+  }
+}
+
+void append_effort_notes(const Effort& effort, std::vector<Note>& notes) {
+  if (effort.fallback_secant > 0) {
+    notes.push_back({"bracketed-search", "steps on which Newton's method failed and a bracketed search solved the film",
+                     effort.fallback_secant});
+  }
+  if (effort.fallback_sub_step > 0) {
+    notes.push_back({"shorter-steps", "steps that were solved only after they were cut", effort.fallback_sub_step});
+  }
+}
+
+}  // namespace ringfilm::cycle

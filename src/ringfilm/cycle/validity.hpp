@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/setup.hpp"
+
+namespace ringfilm::cycle {
+
+/// Where the printed F5/2 polynomial was used beyond its turning point.
+struct PolynomialUse {
+  long steps = 0;            ///< crank steps with asperity load from there
+  double largest_share = 0;  ///< of the asperity load [-]
+};
+
+/// Notes on models used outside the range in which they were made.
+void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, const PolynomialUse& polynomial,
+                           std::vector<Note>& notes);
+
+/// Notes on remedies that the solver had to use.
+void append_effort_notes(const Effort& effort, std::vector<Note>& notes);
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+
+#include "ringfilm/film/film_state.hpp"
+
+namespace ringfilm::film {
+
+/// What a solved film does to its surroundings, per unit length around the ring.
+struct FilmIntegrals {
+  double hydrodynamic_load = 0;                ///< int p dx [N/m]
+  double asperity_load = 0;                    ///< int p_a dx [N/m]
+  double asperity_load_beyond_polynomial = 0;  ///< of it, from lambda > 1.911 where the printed F5/2 rises again [N/m]
+  double asperity_area = 0;                    ///< int A_a/A dx [m]
+  double shear_couette = 0;     ///< int eta U/h dx [N/m], in the cavity weighted by theta if mass is conserved
+  double shear_poiseuille = 0;  ///< int h/2 dp/dx dx [N/m]
+  double flow_left = 0;         ///< mass flux in +x through x = 0 [kg/(m s)]
+  double flow_middle = 0;       ///< through x = b/2
+  double flow_right = 0;        ///< through x = b
+  double mass_defect = 0;  ///< storage + outflow - inflow of the whole film [kg/(m s)]; round-off if mass is conserved
+  double peak_pressure = 0;       ///< [Pa]
+  double cavitated_fraction = 0;  ///< share of the width that is a cavity [-]
+  std::optional<double> cavity_begin,
+      cavity_end;  ///< where the first cavity from x = 0 starts and the last one ends [m]
+};
+
+/// Integrals of `state`, solved with `inputs` from `previous`.
+FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
+                             const FilmState& state);
+
+}  // namespace ringfilm::film

@@ -1,0 +1,196 @@
+#include "ringfilm/film/film_solver.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+namespace ringfilm::film {
+namespace {
+
+constexpr int kMaxIterations = 40;          // of the coupled Newton, and of the film alone in the fallback
+const double kLargestFall = std::log(0.4);  // trust region in ln h_m
+const double kLargestRise = std::log(2.5);
+constexpr double kBlindStep = 0.2;   // in ln h_m, where the load seems to rise with the film
+constexpr int kBracketSteps = 40;    // factors of 1.5 in h_m that the fallback searches
+constexpr double kThinnest = 1e-12;  // [m], below any film that a continuum describes
+constexpr double kThickest = 1e-1;   // [m]
+
+}  // namespace
+
+FilmWorkspace::FilmWorkspace(const FilmProblem& problem) : system_(problem.grid.n_cells() - 1) {}
+
+/// One step's Newton iteration over the workspace.
+class CoupledNewton {
+ public:
+  CoupledNewton(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous, FilmState& state,
+                FilmWorkspace& workspace)
+      : problem_(problem),
+        inputs_(inputs),
+        previous_(previous),
+        state_(state),
+        work_(workspace),
+        scale_(inputs.mean_pressure(problem.grid)) {
+    impose_edges();
+    z_from_state(state_, inputs_.p_cavitation, scale_, work_.z_);
+    work_.oil_.update(*problem_.oil, state_.p);
+    cavity_multiplier(problem_, state_, work_.oil_, work_.multiplier_);
+  }
+
+  enum class Unknowns { kFilmAndSeparation, kFilmAlone };
+
+  /// Iterates until the stop test holds; true if it did.
+  bool solve(Unknowns unknowns, FilmReport& report) {
+    work_.update_.start();
+    for (int iteration = 1; iteration <= kMaxIterations; ++iteration) {
+      const double excess = assemble();
+      auto& system = work_.system_;
+      double d_ln_h = 0;
+      if (unknowns == Unknowns::kFilmAndSeparation) {
+        system.eliminate();
+        // The load carried must fall with h_m; where the linearisation says otherwise, only its sign is believed.
+        d_ln_h = system.corner < 0 ? system.corner_rhs / system.corner : std::copysign(kBlindStep, excess);
+        d_ln_h = std::clamp(d_ln_h, kLargestFall, kLargestRise);
+      } else {
+        system.eliminate();
+      }
+      system.back_substitute(d_ln_h);
+      const auto outcome = work_.update_.apply(work_.z_, system.rhs, scale_, iteration);
+      state_.h_m *= std::exp(d_ln_h);
+      state_from_z(work_.z_, inputs_.p_cavitation, scale_, state_);
+      ++report.iterations;
+      report.last_step = std::max(outcome.largest, std::abs(d_ln_h));
+      if (!std::isfinite(report.last_step) || state_.h_m < kThinnest || state_.h_m > kThickest) return false;
+      if (outcome.to_film + outcome.to_cavity == 0 && report.last_step <= std::sqrt(problem_.tolerance)) {
+        finish();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The fallback: the load carried falls with h_m, so that a bracket can be closed on it.
+  bool solve_by_search(const FilmState& guess, FilmReport& report) {
+    report.route = Route::kSecant;
+    bool solved = true;
+    const auto excess_at = [&](double ln_h) {
+      const FilmState start = state_;
+      state_.h_m = std::exp(ln_h);
+      if (!solve(Unknowns::kFilmAlone, report)) {
+        restore(guess);
+        state_.h_m = std::exp(ln_h);
+        solved = solved && solve(Unknowns::kFilmAlone, report);
+      }
+      return solved ? load_excess() : 0.0;
+    };
+    restore(guess);
+    double a = std::log(guess.h_m);
+    double excess_a = excess_at(a);
+    if (!solved) return false;
+    const double stride = std::copysign(std::log(1.5), excess_a);
+    double b = a;
+    double excess_b = excess_a;
+    for (int i = 0; i < kBracketSteps && excess_a * excess_b > 0; ++i) {
+      a = b;
+      excess_a = excess_b;
+      b = a + stride;
+      excess_b = excess_at(b);
+      if (!solved) return false;
+    }
+    if (excess_a * excess_b > 0) return false;
+    if (a > b) {
+      std::swap(a, b);
+      std::swap(excess_a, excess_b);
+    }
+    boost::uintmax_t evaluations = 60;
+    const auto close_enough = [&](double low, double high) { return high - low < 0.1 * problem_.tolerance; };
+    const auto [low, high] =
+        boost::math::tools::toms748_solve(excess_at, a, b, excess_a, excess_b, close_enough, evaluations);
+    if (!solved) return false;
+    excess_at(0.5 * (low + high));
+    report.last_step = high - low;
+    return solved && close_enough(low, high);
+  }
+
+ private:
+  void impose_edges() {
+    state_.p.front() = inputs_.p_left;
+    state_.p.back() = inputs_.p_right;
+    state_.deficit.front() = state_.deficit.back() = 0;
+  }
+
+  void restore(const FilmState& guess) {
+    state_ = guess;
+    impose_edges();
+    z_from_state(state_, inputs_.p_cavitation, scale_, work_.z_);
+    state_from_z(work_.z_, inputs_.p_cavitation, scale_, state_);
+  }
+
+  /// Balance of mass and load row; returns W_h + W_a - W per length [N/m].
+  double assemble() {
+    work_.oil_.update(*problem_.oil, state_.p);
+    assemble_balance(problem_, inputs_, previous_, state_, work_.oil_, scale_, work_.multiplier_, work_.system_);
+    const int n = problem_.grid.n_cells();
+    for (int i = 1; i < n; ++i) work_.system_.row[i - 1] = state_.deficit[i] == 0 ? problem_.grid.dx : 0.0;
+    double d_load = 0;
+    const double excess = load_excess(&d_load);
+    work_.system_.corner = d_load * state_.h_m;
+    work_.system_.corner_rhs = -excess;
+    return excess;
+  }
+
+  double load_excess(double* d_load_dh = nullptr) const {
+    const FilmGrid& grid = problem_.grid;
+    const int n = grid.n_cells();
+    double p_a = 0;
+    double dp_a = 0;
+    double sum = 0;
+    double slope = 0;
+    if (problem_.contact_spread == ContactSpread::kNominal) problem_.contact->pressure(state_.h_m, p_a, dp_a);
+    for (int i = 0; i <= n; ++i) {
+      if (problem_.contact_spread == ContactSpread::kLocal) {
+        problem_.contact->pressure(state_.h_m + grid.node_height[i], p_a, dp_a);
+      }
+      const double weight = i == 0 || i == n ? 0.5 : 1.0;
+      sum += weight * (state_.p[i] + p_a);
+      slope += weight * dp_a;
+    }
+    if (d_load_dh != nullptr) *d_load_dh = slope * grid.dx;
+    return sum * grid.dx - inputs_.load;
+  }
+
+  void finish() {
+    work_.oil_.update(*problem_.oil, state_.p);
+    update_content(problem_, work_.oil_, state_);
+  }
+
+  const FilmProblem& problem_;
+  const FilmInputs& inputs_;
+  const FilmState& previous_;
+  FilmState& state_;
+  FilmWorkspace& work_;
+  double scale_;
+};
+
+FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous, FilmState& state,
+                      FilmWorkspace& workspace) {
+  FilmReport report;
+  const FilmState guess = state;
+  CoupledNewton newton(problem, inputs, previous, state, workspace);
+  report.converged =
+      newton.solve(CoupledNewton::Unknowns::kFilmAndSeparation, report) || newton.solve_by_search(guess, report);
+  return report;
+}
+
+FilmState first_guess(const FilmProblem& problem, const FilmInputs& inputs) {
+  const int n = problem.grid.n_cells();
+  FilmState state;
+  state.h_m = 2 * problem.contact->parameters().sigma;
+  for (int i = 0; i <= n; ++i) {
+    state.p.push_back(std::max(inputs.p_left + (inputs.p_right - inputs.p_left) * i / n, inputs.p_cavitation));
+  }
+  state.deficit.assign(n + 1, 0.0);
+  state.content.assign(n + 1, 0.0);
+  return state;
+}
+
+}  // namespace ringfilm::film
