@@ -11,10 +11,10 @@ namespace ringfilm::io {
 
 /// One active key of the case as the run used it.
 struct CaseEntry {
-  std::string key;      ///< "engine.bore"
-  std::string value;    ///< TOML right-hand side in SI, exact
-  std::string shown;    ///< in the unit people use, e.g. "89 mm"
-  bool assumed = false; ///< the user did not state it
+  std::string key;       ///< "engine.bore"
+  std::string value;     ///< TOML right-hand side in SI, exact
+  std::string shown;     ///< in the unit people use, e.g. "89 mm"
+  bool assumed = false;  ///< the user did not state it
   std::string help;
 };
 
@@ -30,13 +30,13 @@ Provenance this_program();
 struct ResultDocument {
   std::string title;
   std::vector<CaseEntry> inputs;
-  std::string resolved_case;             ///< a complete case file in SI that gives the same bits again
+  std::string resolved_case;  ///< a complete case file in SI that gives the same bits again
   std::vector<cycle::InputFile> files;
   std::vector<std::string> input_notes;  ///< Case::notes
   Provenance provenance;
   cycle::CycleResult result;
   std::vector<study::LedgerEntry> ledger;
-  bool ledger_computed = false;          ///< were the variants run?
+  bool ledger_computed = false;  ///< were the variants run?
   std::vector<study::ComparisonRow> comparison;
 };
 
@@ -44,7 +44,8 @@ struct ResultDocument {
 /// full disk leaves what stood there before. Same document, same bytes. Throws OutputError.
 void write_result(const std::string& path, const ResultDocument& document);
 
-/// Throws InputError if the file cannot be read or is not one of ours (another program's NetCDF, newer schema, truncated).
+/// Throws InputError if the file cannot be read or is not one of ours (another program's NetCDF, newer schema,
+/// truncated).
 ResultDocument read_result(const std::string& path);
 
 }  // namespace ringfilm::io

@@ -1,0 +1,46 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace ringfilm::io {
+
+/// What may stand under the name of an output.
+enum class Sink {
+  kFile,         ///< a file or nothing yet
+  kFileOrDevice  ///< also a device or a pipe, e.g. /dev/stdout
+};
+
+/// Can it be written there? Throws InputError if the folder does not exist or is not writable, or if `path` is a folder
+/// or otherwise not what `sink` says: the program asks this before it computes. Changes nothing on the disk.
+void check_can_write(const std::string& path, Sink sink);
+
+/// A file that appears under its name all at once: filled aside in the same folder (`target`.partial-<process>),
+/// flushed to the disk and renamed over what stood there before. A kill leaves the old file and at most the partial
+/// one, which the next AsideFile of the same target removes. A symbolic link is followed.
+class AsideFile {
+ public:
+  /// Creates the empty file aside; throws OutputError with path and reason.
+  explicit AsideFile(const std::string& target);
+  AsideFile(const AsideFile&) = delete;
+  AsideFile& operator=(const AsideFile&) = delete;
+  /// Removes the file aside if it was not put in place.
+  ~AsideFile();
+
+  /// The name to write to.
+  const std::string& path() const { return path_; }
+
+  /// Flushes and renames; throws OutputError, what stood there before is then untouched.
+  void put_in_place();
+
+ private:
+  std::string target_;
+  std::string path_;
+};
+
+/// Puts `bytes` into the file `path` through an AsideFile; a device or a pipe is written directly. Throws OutputError.
+void write_atomically(const std::string& path, std::string_view bytes);
+
+/// The error of a file that could not be written, with the reason of an errno value.
+[[noreturn]] void fail_to_write(const std::string& path, int error_number);
+
+}  // namespace ringfilm::io

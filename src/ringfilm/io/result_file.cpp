@@ -1,0 +1,105 @@
+#include "ringfilm/io/result_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/result_file_layout.hpp"
+#include "ringfilm/io/result_file_reader.hpp"
+#include "ringfilm/io/result_file_writer.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+const char* const kConventions = "CF-1.10";
+
+std::string bytes_of(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    throw InputError(path + ": there is no such file", "name a result that ringfilm run --output has written");
+  }
+  if (std::filesystem::is_directory(path, error)) throw InputError(path + ": this is a folder, not a result file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(path + ": cannot be opened", "is it yours to read?");
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+bool starts_with(const std::string& bytes, const std::string& start) {
+  return bytes.compare(0, start.size(), start) == 0;
+}
+
+void refuse_what_is_not_ours(const std::string& path, const ResultFileReader& file) {
+  if (!file.has_attribute("ringfilm_schema")) {
+    throw InputError(path + ": a NetCDF file, but not one of ringfilm (it has no attribute ringfilm_schema)",
+                     "name a result that ringfilm run --output has written");
+  }
+  long schema = 0;
+  file.attribute("ringfilm_schema", schema);
+  if (schema != kResultSchema) {
+    throw InputError(path + ": ringfilm_schema = " + std::to_string(schema) + ", this program reads " +
+                         std::to_string(kResultSchema),
+                     schema > kResultSchema ? "read it with the newer ringfilm that wrote it" : "run its case again");
+  }
+}
+
+/// The variants of all ledger entries one after the other, and their cycle values row by row.
+struct VariantTable {
+  std::vector<VariantRow> rows;
+  std::vector<double> values;
+};
+
+VariantTable variant_table(const std::vector<study::LedgerEntry>& ledger) {
+  VariantTable table;
+  for (std::size_t i = 0; i < ledger.size(); ++i) {
+    for (const study::LedgerVariant& variant : ledger[i].variants) {
+      table.rows.push_back({static_cast<long>(i), variant.setting, variant.solved, variant.reason});
+      for (const auto& quantity : cycle::cycle_quantities()) table.values.push_back(variant.values.*quantity.value);
+    }
+  }
+  return table;
+}
+
+void give_back(const std::string& path, const VariantTable& table, std::vector<study::LedgerEntry>& ledger) {
+  auto value = table.values.begin();
+  for (const VariantRow& row : table.rows) {
+    if (row.entry < 0 || row.entry >= static_cast<long>(ledger.size())) {
+      throw InputError(path + ": cannot be read as a result: a ledger variant belongs to no entry");
+    }
+    study::LedgerVariant variant{row.setting, {}, row.solved, row.reason};
+    for (const auto& quantity : cycle::cycle_quantities()) variant.values.*quantity.value = *value++;
+    ledger[static_cast<std::size_t>(row.entry)].variants.push_back(variant);
+  }
+}
+
+}  // namespace
+
+void write_result(const std::string& path, const ResultDocument& document) {
+  AsideFile aside(path);
+  {
+    ResultFileWriter file(aside.path(), path);
+    file.attribute("Conventions", kConventions);
+    file.attribute("ringfilm_schema", kResultSchema);
+    const VariantTable variants = variant_table(document.ledger);
+    exchange(file, document, variants.rows, variants.values);
+    file.close();
+  }
+  aside.put_in_place();
+}
+
+ResultDocument read_result(const std::string& path) {
+  const std::string bytes = bytes_of(path);
+  if (!starts_with(bytes, "\x89HDF\r\n\x1a\n") && !starts_with(bytes, "CDF")) {
+    throw InputError(path + ": this is not a NetCDF file", "name a result that ringfilm run --output has written");
+  }
+  const ResultFileReader file(path, bytes);
+  refuse_what_is_not_ours(path, file);
+  ResultDocument document;
+  VariantTable variants;
+  exchange(file, document, variants.rows, variants.values);
+  give_back(path, variants, document.ledger);
+  return document;
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,168 @@
+#include "ringfilm/io/result_file_writer.hpp"
+
+#include <netcdf.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/result_file_netcdf.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+/// Below this many values a compressed variable is larger than a plain one.
+constexpr std::size_t kCompressedFrom = 1024;
+/// Higher levels cost ten times the time for 2 % of the size.
+constexpr int kDeflateLevel = 4;
+
+}  // namespace
+
+std::mutex& netcdf_in_use() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+ResultFileWriter::ResultFileWriter(const std::string& path, const std::string& shown_path)
+    : shown_path_(shown_path), lock_(netcdf_in_use()) {
+  int previous = 0;
+  check(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "the file");
+  check(nc_set_fill(file_, NC_NOFILL, &previous), "the file");  // every variable is written as a whole
+}
+
+ResultFileWriter::~ResultFileWriter() {
+  if (file_ >= 0) nc_abort(file_);
+}
+
+void ResultFileWriter::check(int status, const std::string& what) const {
+  if (status == NC_NOERR) return;
+  // The library says "HDF error" for a full disk; what the operating system said last is nearer to the cause.
+  if (errno == ENOSPC || errno == EDQUOT || errno == EIO || errno == EFBIG) fail_to_write(shown_path_, errno);
+  throw OutputError(shown_path_ + ": could not be written: " + what + ": " + nc_strerror(status));
+}
+
+void ResultFileWriter::attribute(const char* name, const std::string& text) {
+  check(nc_put_att_text(file_, NC_GLOBAL, name, text.size(), text.c_str()), name);
+}
+
+void ResultFileWriter::attribute(const char* name, double value) {
+  check(nc_put_att_double(file_, NC_GLOBAL, name, NC_DOUBLE, 1, &value), name);
+}
+
+void ResultFileWriter::attribute(const char* name, long value) {
+  check(nc_put_att_long(file_, NC_GLOBAL, name, NC_INT64, 1, &value), name);
+}
+
+void ResultFileWriter::define_dimension(const char* name, std::size_t size) {
+  if (size == 0) return;
+  int dimension = 0;
+  check(nc_def_dim(file_, name, size, &dimension), name);
+}
+
+std::optional<int> ResultFileWriter::define_variable(const cycle::Quantity& quantity,
+                                                     const std::vector<const char*>& dimensions, int type) {
+  std::vector<int> numbers;
+  std::size_t count = 1;
+  for (const char* name : dimensions) {
+    int number = 0;
+    std::size_t length = 0;
+    if (nc_inq_dimid(file_, name, &number) != NC_NOERR) return std::nullopt;
+    check(nc_inq_dimlen(file_, number, &length), name);
+    numbers.push_back(number);
+    count *= length;
+  }
+  int variable = 0;
+  check(nc_def_var(file_, quantity.name.c_str(), type, static_cast<int>(numbers.size()), numbers.data(), &variable),
+        quantity.name);
+  if (type == NC_DOUBLE && count >= kCompressedFrom) {
+    check(nc_def_var_deflate(file_, variable, 1, 1, kDeflateLevel), quantity.name);
+  }
+  const auto describe = [&](const char* attribute, const std::string& text) {
+    if (!text.empty()) check(nc_put_att_text(file_, variable, attribute, text.size(), text.c_str()), quantity.name);
+  };
+  describe("units", quantity.unit);
+  describe("long_name", quantity.long_name);
+  describe("symbol", quantity.symbol);
+  describe("source_equation", quantity.equation);
+  return variable;
+}
+
+void ResultFileWriter::put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+                           const std::vector<double>& values) {
+  const auto variable = define_variable(quantity, dimensions, NC_DOUBLE);
+  if (!variable) return;
+  if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); })) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    check(nc_put_att_double(file_, *variable, "_FillValue", NC_DOUBLE, 1, &none), quantity.name);
+  }
+  check(nc_put_var_double(file_, *variable, values.data()), quantity.name);
+}
+
+void ResultFileWriter::put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+                           const std::vector<long>& values) {
+  if (const auto variable = define_variable(quantity, dimensions, NC_INT64)) {
+    check(nc_put_var_long(file_, *variable, values.data()), quantity.name);
+  }
+}
+
+void ResultFileWriter::put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+                           const std::vector<signed char>& values) {
+  if (const auto variable = define_variable(quantity, dimensions, NC_BYTE)) {
+    check(nc_put_var_schar(file_, *variable, values.data()), quantity.name);
+  }
+}
+
+void ResultFileWriter::put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+                           const std::vector<std::string>& values) {
+  const auto variable = define_variable(quantity, dimensions, NC_STRING);
+  if (!variable) return;
+  std::vector<const char*> pointers;
+  for (const std::string& value : values) pointers.push_back(value.c_str());
+  check(nc_put_var_string(file_, *variable, pointers.data()), quantity.name);
+}
+
+void ResultFileWriter::texts(const char* dimension, const cycle::Quantity& quantity,
+                             const std::vector<std::string>& values) {
+  int number = 0;
+  if (nc_inq_dimid(file_, dimension, &number) != NC_NOERR) define_dimension(dimension, values.size());
+  put(quantity, {dimension}, values);
+}
+
+void ResultFileWriter::numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+                               const std::vector<double>& values) {
+  std::size_t expected = 1;
+  int number = 0;
+  if (dimensions.size() == 1 && nc_inq_dimid(file_, dimensions.front(), &number) != NC_NOERR) {
+    define_dimension(dimensions.front(), values.size());
+  }
+  for (const char* name : dimensions) {
+    std::size_t length = 0;
+    if (nc_inq_dimid(file_, name, &number) == NC_NOERR) check(nc_inq_dimlen(file_, number, &length), name);
+    expected *= length;
+  }
+  if (values.size() != expected) {
+    throw std::logic_error(quantity.name + " has " + std::to_string(values.size()) + " values on a grid of " +
+                           std::to_string(expected));
+  }
+  put(quantity, dimensions, values);
+}
+
+void ResultFileWriter::scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
+                               const std::map<std::string, double>& values) {
+  for (const auto& [name, value] : values) {
+    const auto match =
+        std::find_if(known.begin(), known.end(), [&](const auto& quantity) { return quantity.name == name; });
+    cycle::Quantity variable = match == known.end() ? cycle::Quantity{} : *match;
+    variable.name = prefix + name;
+    scalar(variable, value);
+  }
+}
+
+void ResultFileWriter::close() {
+  errno = 0;
+  check(nc_close(std::exchange(file_, -1)), "the file");
+}
+
+}  // namespace ringfilm::io

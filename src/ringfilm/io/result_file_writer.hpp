@@ -1,0 +1,93 @@
+#pragma once
+#include <functional>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "ringfilm/cycle/result.hpp"
+
+namespace ringfilm::io {
+
+/// Fills a NetCDF-4 file. One half of the pair with ResultFileReader: `exchange` in result_file_layout.hpp calls
+/// either. Throws OutputError.
+class ResultFileWriter {
+ public:
+  static constexpr bool kReads = false;
+
+  /// @param path of the file to fill; @param shown_path how errors name it
+  ResultFileWriter(const std::string& path, const std::string& shown_path);
+  ResultFileWriter(const ResultFileWriter&) = delete;
+  ResultFileWriter& operator=(const ResultFileWriter&) = delete;
+  ~ResultFileWriter();
+
+  void attribute(const char* name, const std::string& text);
+  void attribute(const char* name, double value);
+  void attribute(const char* name, long value);
+  void attribute(const char* name, bool value) { attribute(name, static_cast<long>(value)); }
+
+  /// A dimension of as many rows; none at all where there are no rows (NetCDF takes length 0 for "unlimited").
+  template <class Row>
+  void rows(const char* dimension, const std::vector<Row>& rows) {
+    define_dimension(dimension, rows.size());
+  }
+
+  /// One variable over the rows: a member of each, or of a part of each.
+  template <class Row, class Base, class Value, class Part = std::identity>
+  void column(const char* dimension, const cycle::Quantity& quantity, const std::vector<Row>& rows, Value Base::*member,
+              Part part = {}) {
+    std::vector<std::decay_t<decltype(stored(std::declval<const Value&>()))>> values;
+    for (const Row& row : rows) values.push_back(stored(part(row).*member));
+    put(quantity, {dimension}, values);
+  }
+
+  /// One variable of texts over a dimension of its own, or over one of the same length.
+  void texts(const char* dimension, const cycle::Quantity& quantity, const std::vector<std::string>& values);
+
+  /// An array over dimensions that exist by now (nothing if one of them is empty); defines a single missing one.
+  void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+               const std::vector<double>& values);
+
+  void scalar(const cycle::Quantity& quantity, double value) { put(quantity, {}, std::vector<double>{value}); }
+
+  /// Every entry as a scalar variable `prefix`key, described where `known` has its name.
+  void scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
+               const std::map<std::string, double>& values);
+
+  /// Hands everything to the operating system. Call once, at the end.
+  void close();
+
+ private:
+  // What stands in the file for a value of that type.
+  static const std::string& stored(const std::string& text) { return text; }
+  static signed char stored(const bool& value) { return value ? 1 : 0; }
+  static long stored(const long& value) { return value; }
+  static double stored(const double& value) { return value; }
+  static double stored(const std::optional<double>& value) {
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  void define_dimension(const char* name, std::size_t size);
+  /// @returns its number, or nothing where one of the dimensions is empty
+  std::optional<int> define_variable(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+                                     int type);
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<double>& values);
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<long>& values);
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<signed char>& values);
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<std::string>& values);
+  void check(int status, const std::string& what) const;
+
+  std::string shown_path_;
+  std::unique_lock<std::mutex> lock_;
+  int file_ = -1;
+};
+
+}  // namespace ringfilm::io

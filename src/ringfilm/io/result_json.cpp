@@ -1,0 +1,63 @@
+#include "ringfilm/io/result_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace ringfilm::io {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json effort_object(const cycle::Effort& effort) {
+  return {{"cycles_marched", effort.cycles_marched},
+          {"periodicity_error", effort.periodicity_error},
+          {"crank_steps", effort.crank_steps},
+          {"newton_iterations", effort.newton_iterations},
+          {"sub_steps", effort.sub_steps},
+          {"fallback_secant", effort.fallback_secant},
+          {"fallback_sub_step", effort.fallback_sub_step},
+          {"max_load_residual", effort.max_load_residual},
+          {"max_newton_step", effort.max_newton_step},
+          {"max_mass_residual", effort.max_mass_residual}};
+}
+
+ordered_json notes_array(const ResultDocument& document) {
+  ordered_json notes = ordered_json::array();
+  for (const std::string& message : document.input_notes) notes.push_back({{"topic", "input"}, {"message", message}});
+  for (const auto& [topic, message, count] : document.result.notes) {
+    notes.push_back({{"topic", topic}, {"message", message}, {"count", count}});
+  }
+  return notes;
+}
+
+}  // namespace
+
+std::string result_json(const ResultDocument& document) {
+  const cycle::CycleResult& result = document.result;
+  ordered_json units = ordered_json::object();
+  ordered_json object = {{"title", document.title}};
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    object[quantity.name] = result.values.*quantity.value;
+    units[quantity.name] = quantity.unit;
+  }
+  for (const auto& quantity : cycle::derived_quantities()) {
+    if (const auto entry = result.derived.find(quantity.name); entry != result.derived.end()) {
+      object[quantity.name] = entry->second;
+      units[quantity.name] = quantity.unit;
+    }
+  }
+  object["units"] = units;
+  object["notes"] = notes_array(document);
+  ordered_json assumed = ordered_json::object();
+  for (const CaseEntry& entry : document.inputs) {
+    if (entry.assumed) assumed[entry.key] = entry.shown;
+  }
+  object["assumed"] = assumed;
+  object["effort"] = effort_object(result.effort);
+  object["program"] = document.provenance.program;
+  object["commit"] = document.provenance.commit;
+  object["complete"] = result.complete;
+  // A title in another encoding than UTF-8 must not lose the result.
+  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ringfilm::io

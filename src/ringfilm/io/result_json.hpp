@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "ringfilm/io/result_file.hpp"
+
+namespace ringfilm::io {
+
+/// The values of the cycle as one flat JSON object, SI with angles in degrees: title, every entry of
+/// cycle::cycle_quantities() and every derived constant by its name, then `units`, `notes`, `assumed`, `effort`,
+/// `program`, `commit` and `complete`. JSON knows no NaN: such a value is null.
+std::string result_json(const ResultDocument& document);
+
+}  // namespace ringfilm::io

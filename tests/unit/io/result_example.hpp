@@ -1,0 +1,65 @@
+#pragma once
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "ringfilm/io/result_file.hpp"
+
+namespace ringfilm::io {
+
+/// A document in which no two numbers are equal and nothing is left out, so that a mix-up of two fields shows.
+inline ResultDocument example_document(int n_samples = 5) {
+  double next = 0;
+  const auto number = [&next] { return std::sqrt(next += 1.0) * 1e-7; };
+
+  ResultDocument document;
+  document.title = "Example, \"quoted\" \xC2\xB5m";
+  document.inputs = {{"engine.bore", "0.089", "89 mm", false, "cylinder bore"},
+                     {"film.cavitation", "\"mass-conserving\"", "mass-conserving", true, "cavitation model"}};
+  document.resolved_case = "title = \"Example\"\n[engine]\nbore = 0.089\n";
+  document.files = {{"case", "example.toml", std::string(64, 'a')},
+                    {"gas.cylinder_pressure", "p.csv", std::string(64, 'b')}};
+  document.input_notes = {"p.csv begins with a byte-order mark"};
+  document.provenance = {"ringfilm 9.9", "0123abc", "GNU 12"};
+
+  cycle::CycleResult& result = document.result;
+  for (int k = 0; k < n_samples; ++k) {
+    cycle::Sample sample;
+    for (const auto& quantity : cycle::curve_quantities()) sample.*quantity.value = number();
+    sample.crank_angle_deg = k;
+    if (k % 2 == 0) sample.rupture_position = std::numeric_limits<double>::quiet_NaN();
+    result.samples.push_back(sample);
+  }
+  for (const auto& quantity : cycle::cycle_quantities()) result.values.*quantity.value = number();
+  result.fields.x = {0, 1e-4, 2e-4};
+  result.fields.face_height = {3e-6, 0, 4e-6};
+  result.fields.crank_angle_deg = {0, 20};
+  for (int i = 0; i < 6; ++i) {
+    result.fields.film_thickness.push_back(number());
+    result.fields.film_pressure.push_back(number());
+    result.fields.fill.push_back(number());
+    result.fields.film_parameter.push_back(number());
+    result.fields.asperity_pressure.push_back(number());
+  }
+  result.stroke.liner_position = {1e-3, 2e-3};
+  result.stroke.wear_drive_density = {number(), number()};
+  for (const auto& quantity : cycle::derived_quantities()) result.derived[quantity.name] = number();
+  result.derived["not_in_the_table"] = number();
+  result.notes = {{"density-extrapolated", "the density table ends at 40 degC", 1}, {"lambda-low", "below 0.5", 17}};
+  result.effort = {3.5, 1e-9, 720, 2900, 4, 2, 1, 1e-15, 2e-9, 3e-14};
+  result.complete = true;
+
+  study::LedgerEntry lifted{"cavitation", "the film ruptures", "", "docs/theory", true, {}};
+  study::LedgerVariant variant{"film.cavitation = \"reynolds-exit\"", {}, true, ""};
+  for (const auto& quantity : cycle::cycle_quantities()) variant.values.*quantity.value = number();
+  lifted.variants = {variant, {"contact.integrals = \"polynomial-as-printed\"", {}, false, "no balance at 12 degree"}};
+  document.ledger = {{"flooded-inlet", "oil at 62 bar", "too much flow", "docs/theory", false, {}}, lifted};
+  document.ledger_computed = true;
+  study::ComparisonRow row{
+      {"paper", "fmep", "FMEP", number(), "ring.elastic_pressure"}, number(), number(), "a = 1", number()};
+  study::ComparisonRow plain{{"paper", "mean_power_loss", "power", number(), ""}, number(), number(), "", std::nullopt};
+  document.comparison = {row, plain};
+  return document;
+}
+
+}  // namespace ringfilm::io

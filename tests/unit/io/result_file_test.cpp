@@ -1,0 +1,248 @@
+#include "ringfilm/io/result_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netcdf.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "result_example.hpp"
+#include "ringfilm/base/error.hpp"
+#include "scratch_folder.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using testing::HasSubstr;
+
+/// Equal to the bit: NaN equals NaN.
+void expect_same(double a, double b, const std::string& what) {
+  EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0) << what << ": " << a << " against " << b;
+}
+
+void expect_same(const std::vector<double>& a, const std::vector<double>& b, const std::string& what) {
+  ASSERT_EQ(a.size(), b.size()) << what;
+  for (std::size_t i = 0; i < a.size(); ++i) expect_same(a[i], b[i], what);
+}
+
+void expect_same(const cycle::CycleValues& a, const cycle::CycleValues& b) {
+  for (const auto& quantity : cycle::cycle_quantities())
+    expect_same(a.*quantity.value, b.*quantity.value, quantity.name);
+}
+
+void expect_same(const cycle::CycleResult& a, const cycle::CycleResult& b) {
+  ASSERT_EQ(a.samples.size(), b.samples.size());
+  for (std::size_t k = 0; k < a.samples.size(); ++k) {
+    for (const auto& q : cycle::curve_quantities()) expect_same(a.samples[k].*q.value, b.samples[k].*q.value, q.name);
+  }
+  expect_same(a.values, b.values);
+  expect_same(a.fields.x, b.fields.x, "x");
+  expect_same(a.fields.face_height, b.fields.face_height, "face_height");
+  expect_same(a.fields.crank_angle_deg, b.fields.crank_angle_deg, "field_crank_angle");
+  expect_same(a.fields.film_thickness, b.fields.film_thickness, "film_thickness");
+  expect_same(a.fields.film_pressure, b.fields.film_pressure, "film_pressure");
+  expect_same(a.fields.fill, b.fields.fill, "fill");
+  expect_same(a.fields.film_parameter, b.fields.film_parameter, "film_parameter");
+  expect_same(a.fields.asperity_pressure, b.fields.asperity_pressure, "asperity_pressure");
+  expect_same(a.stroke.liner_position, b.stroke.liner_position, "liner_position");
+  expect_same(a.stroke.wear_drive_density, b.stroke.wear_drive_density, "wear_drive_density");
+  EXPECT_EQ(a.derived, b.derived);
+  ASSERT_EQ(a.notes.size(), b.notes.size());
+  for (std::size_t i = 0; i < a.notes.size(); ++i) {
+    EXPECT_EQ(a.notes[i].topic, b.notes[i].topic);
+    EXPECT_EQ(a.notes[i].message, b.notes[i].message);
+    EXPECT_EQ(a.notes[i].count, b.notes[i].count);
+  }
+  EXPECT_EQ(a.effort.cycles_marched, b.effort.cycles_marched);
+  EXPECT_EQ(a.effort.periodicity_error, b.effort.periodicity_error);
+  EXPECT_EQ(a.effort.crank_steps, b.effort.crank_steps);
+  EXPECT_EQ(a.effort.newton_iterations, b.effort.newton_iterations);
+  EXPECT_EQ(a.effort.sub_steps, b.effort.sub_steps);
+  EXPECT_EQ(a.effort.fallback_secant, b.effort.fallback_secant);
+  EXPECT_EQ(a.effort.fallback_sub_step, b.effort.fallback_sub_step);
+  EXPECT_EQ(a.effort.max_load_residual, b.effort.max_load_residual);
+  EXPECT_EQ(a.effort.max_newton_step, b.effort.max_newton_step);
+  EXPECT_EQ(a.effort.max_mass_residual, b.effort.max_mass_residual);
+  EXPECT_EQ(a.complete, b.complete);
+}
+
+void expect_same_ledger(const std::vector<study::LedgerEntry>& a, const std::vector<study::LedgerEntry>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].topic, b[i].topic);
+    EXPECT_EQ(a[i].statement, b[i].statement);
+    EXPECT_EQ(a[i].consequence, b[i].consequence);
+    EXPECT_EQ(a[i].source, b[i].source);
+    EXPECT_EQ(a[i].can_be_lifted, b[i].can_be_lifted);
+    ASSERT_EQ(a[i].variants.size(), b[i].variants.size());
+    for (std::size_t j = 0; j < a[i].variants.size(); ++j) {
+      EXPECT_EQ(a[i].variants[j].setting, b[i].variants[j].setting);
+      EXPECT_EQ(a[i].variants[j].solved, b[i].variants[j].solved);
+      EXPECT_EQ(a[i].variants[j].reason, b[i].variants[j].reason);
+      expect_same(a[i].variants[j].values, b[i].variants[j].values);
+    }
+  }
+}
+
+void expect_same_comparison(const std::vector<study::ComparisonRow>& a, const std::vector<study::ComparisonRow>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].published.source, b[i].published.source);
+    EXPECT_EQ(a[i].published.quantity, b[i].published.quantity);
+    EXPECT_EQ(a[i].published.statement, b[i].published.statement);
+    EXPECT_EQ(a[i].published.value, b[i].published.value);
+    EXPECT_EQ(a[i].published.decided_by, b[i].published.decided_by);
+    EXPECT_EQ(a[i].computed, b[i].computed);
+    EXPECT_EQ(a[i].deviation, b[i].deviation);
+    EXPECT_EQ(a[i].strongest_setting, b[i].strongest_setting);
+    EXPECT_EQ(a[i].with_strongest_setting, b[i].with_strongest_setting);
+  }
+}
+
+void expect_same(const ResultDocument& a, const ResultDocument& b) {
+  EXPECT_EQ(a.title, b.title);
+  ASSERT_EQ(a.inputs.size(), b.inputs.size());
+  for (std::size_t i = 0; i < a.inputs.size(); ++i) {
+    EXPECT_EQ(a.inputs[i].key, b.inputs[i].key);
+    EXPECT_EQ(a.inputs[i].value, b.inputs[i].value);
+    EXPECT_EQ(a.inputs[i].shown, b.inputs[i].shown);
+    EXPECT_EQ(a.inputs[i].assumed, b.inputs[i].assumed);
+    EXPECT_EQ(a.inputs[i].help, b.inputs[i].help);
+  }
+  EXPECT_EQ(a.resolved_case, b.resolved_case);
+  ASSERT_EQ(a.files.size(), b.files.size());
+  for (std::size_t i = 0; i < a.files.size(); ++i) {
+    EXPECT_EQ(a.files[i].role, b.files[i].role);
+    EXPECT_EQ(a.files[i].path, b.files[i].path);
+    EXPECT_EQ(a.files[i].sha256, b.files[i].sha256);
+  }
+  EXPECT_EQ(a.input_notes, b.input_notes);
+  EXPECT_EQ(a.provenance.program, b.provenance.program);
+  EXPECT_EQ(a.provenance.commit, b.provenance.commit);
+  EXPECT_EQ(a.provenance.compiler, b.provenance.compiler);
+  expect_same(a.result, b.result);
+  expect_same_ledger(a.ledger, b.ledger);
+  EXPECT_EQ(a.ledger_computed, b.ledger_computed);
+  expect_same_comparison(a.comparison, b.comparison);
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void put_bytes(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+std::string refusal(const std::string& path) {
+  try {
+    read_result(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+TEST(ResultFile, GivesEveryFieldBackToTheBit) {
+  const ScratchFolder folder;
+  const ResultDocument document = example_document();
+  write_result(folder / "a.nc", document);
+  expect_same(document, read_result(folder / "a.nc"));
+}
+
+TEST(ResultFile, GivesAnEmptyStoppedResultBack) {
+  const ScratchFolder folder;
+  ResultDocument document;
+  document.result.complete = false;
+  write_result(folder / "a.nc", document);
+  expect_same(document, read_result(folder / "a.nc"));
+}
+
+TEST(ResultFile, GivesCompressedFieldsAndALongCaseBack) {
+  const ScratchFolder folder;
+  ResultDocument document = example_document(3000);
+  document.resolved_case = std::string(200000, 'c');  // beyond the 64 KiB of an attribute in the older format
+  write_result(folder / "a.nc", document);
+  expect_same(document, read_result(folder / "a.nc"));
+}
+
+TEST(ResultFile, SameDocumentGivesSameBytes) {
+  const ScratchFolder folder;
+  write_result(folder / "a.nc", example_document(1500));
+  write_result(folder / "b.nc", example_document(1500));
+  EXPECT_EQ(bytes_of(folder / "a.nc"), bytes_of(folder / "b.nc"));
+}
+
+TEST(ResultFile, IsRefusedWhereverItIsCutOff) {
+  const ScratchFolder folder;
+  write_result(folder / "a.nc", example_document(1500));
+  const std::string whole = bytes_of(folder / "a.nc");
+  for (const double share : {0.0, 0.001, 0.1, 0.5, 0.9, 0.999}) {
+    put_bytes(folder / "cut.nc", whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
+    EXPECT_THAT(refusal(folder / "cut.nc"), HasSubstr("cut.nc")) << share;
+  }
+}
+
+TEST(ResultFile, ForeignFilesAreRefusedWithTheirName) {
+  const ScratchFolder folder;
+  EXPECT_THAT(refusal(folder / "none.nc"), HasSubstr("no such file"));
+  EXPECT_THAT(refusal(folder.path()), HasSubstr("folder"));
+  put_bytes(folder / "text.nc", "title = \"a case\"\n");
+  EXPECT_THAT(refusal(folder / "text.nc"), HasSubstr("not a NetCDF file"));
+
+  int file = 0, variable = 0;
+  ASSERT_EQ(nc_create((folder / "other.nc").c_str(), NC_NETCDF4, &file), NC_NOERR);
+  ASSERT_EQ(nc_def_var(file, "temperature", NC_DOUBLE, 0, nullptr, &variable), NC_NOERR);
+  ASSERT_EQ(nc_close(file), NC_NOERR);
+  EXPECT_THAT(refusal(folder / "other.nc"), HasSubstr("not one of ringfilm"));
+}
+
+TEST(ResultFile, NewerSchemaAndMissingVariablesAreRefused) {
+  const ScratchFolder folder;
+  write_result(folder / "a.nc", example_document());
+  int file = 0, variable = 0;
+  ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_WRITE, &file), NC_NOERR);
+  ASSERT_EQ(nc_inq_varid(file, "power_loss", &variable), NC_NOERR);
+  ASSERT_EQ(nc_rename_var(file, variable, "lost"), NC_NOERR);
+  ASSERT_EQ(nc_close(file), NC_NOERR);
+  EXPECT_THAT(refusal(folder / "a.nc"), HasSubstr("power_loss"));
+
+  write_result(folder / "a.nc", example_document());
+  const long newer = 2;
+  ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_WRITE, &file), NC_NOERR);
+  ASSERT_EQ(nc_put_att_long(file, NC_GLOBAL, "ringfilm_schema", NC_INT64, 1, &newer), NC_NOERR);
+  ASSERT_EQ(nc_close(file), NC_NOERR);
+  EXPECT_THAT(refusal(folder / "a.nc"), HasSubstr("newer ringfilm"));
+}
+
+TEST(ResultFile, CurvesCarryUnitsNamesAndSymbols) {
+  const ScratchFolder folder;
+  write_result(folder / "a.nc", example_document());
+  int file = 0, variable = 0, dimension = 0;
+  ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
+  ASSERT_EQ(nc_inq_varid(file, "min_film_thickness", &variable), NC_NOERR);
+  ASSERT_EQ(nc_inq_vardimid(file, variable, &dimension), NC_NOERR);
+  char name[NC_MAX_NAME + 1] = {};
+  ASSERT_EQ(nc_inq_dimname(file, dimension, name), NC_NOERR);
+  EXPECT_STREQ(name, "crank_angle");
+  const auto attribute = [&](const char* key) {
+    std::size_t size = 0;
+    EXPECT_EQ(nc_inq_attlen(file, variable, key, &size), NC_NOERR) << key;
+    std::string value(size, '\0');
+    EXPECT_EQ(nc_get_att_text(file, variable, key, value.data()), NC_NOERR) << key;
+    return value;
+  };
+  EXPECT_EQ(attribute("units"), "m");
+  EXPECT_EQ(attribute("long_name"), "minimum film thickness");
+  EXPECT_FALSE(attribute("symbol").empty());
+  EXPECT_FALSE(attribute("source_equation").empty());
+  ASSERT_EQ(nc_inq_varid(file, "crank_angle", &variable), NC_NOERR);
+  EXPECT_EQ(attribute("units"), "degree");
+  nc_close(file);
+}
+
+}  // namespace
+}  // namespace ringfilm::io

@@ -1,0 +1,35 @@
+#include "ringfilm/io/result_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "result_example.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+TEST(ResultJson, HoldsEveryCycleValueByNameWithItsUnit) {
+  const ResultDocument document = example_document();
+  const auto object = nlohmann::json::parse(result_json(document));
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    EXPECT_EQ(object.at(quantity.name).get<double>(), document.result.values.*quantity.value) << quantity.name;
+    EXPECT_EQ(object.at("units").at(quantity.name), quantity.unit);
+  }
+  const std::string derived = cycle::derived_quantities().front().name;
+  EXPECT_EQ(object.at(derived).get<double>(), document.result.derived.at(derived));
+  EXPECT_EQ(object.at("title"), document.title);
+  EXPECT_EQ(object.at("assumed").size(), 1u);
+  EXPECT_EQ(object.at("notes").size(), 3u);
+  EXPECT_EQ(object.at("complete"), true);
+}
+
+TEST(ResultJson, NumberThatIsNoneIsNull) {
+  ResultDocument document = example_document();
+  document.result.values.fmep = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(nlohmann::json::parse(result_json(document)).at("fmep").is_null());
+}
+
+}  // namespace
+}  // namespace ringfilm::io
