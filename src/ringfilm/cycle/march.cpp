@@ -13,7 +13,7 @@ namespace {
 constexpr int kFinestLevel = 6;
 constexpr int kTicks = 1 << kFinestLevel;
 /// Errors that adaptive control allows per step: in ln h_m, and in the oil on the face as a share of it.
-constexpr double kFilmError = 2e-3;
+constexpr double kFilmError = 1e-3;
 constexpr double kContentError = 5e-4;
 /// A step twice as long makes four times the error; it is tried only with something to spare.
 constexpr double kCoarsenBelow = 0.15;
@@ -22,7 +22,7 @@ film::FilmProblem film_problem(const Setup& setup) {
   const auto& input = setup.input;
   const models::RingFace face =
       input.ring.face.orientation == Orientation::kX0Crankcase ? setup.face.turned() : setup.face;
-  const double lowest = input.ring.face.height_zero == HeightZero::kMinimum ? face.minimum().height : 0.0;
+  const double lowest = face.minimum().height;  // so that h_m is the true minimum film
   film::FilmProblem problem;
   problem.grid =
       film::uniform_grid(input.solver.cells, input.ring.face_width, [&](double x) { return face.height(x) - lowest; });

@@ -99,7 +99,7 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
                            : base_[static_cast<std::size_t>(std::lround(angle / step_deg_)) % base_.size()];
     if (slot) result.samples.push_back(*slot);
   }
-  result.fields = empty_fields(march);
+  result.fields = empty_fields(setup_, march);
   for (const auto& [angle, f] : fields_) {
     const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
       to.insert(to.end(), from.begin(), from.end());

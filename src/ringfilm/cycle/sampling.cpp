@@ -81,11 +81,14 @@ Sample sample(const Setup& setup, const March& march, const Instant& instant, co
   return s;
 }
 
-FaceFields empty_fields(const March& march) {
+FaceFields empty_fields(const Setup& setup, const March& march) {
   const film::FilmGrid& grid = march.problem().grid;
   FaceFields fields;
   for (int i = 0; i <= grid.n_cells(); ++i) fields.x.push_back(grid.x(i));
   fields.face_height = grid.node_height;
+  if (setup.input.ring.face.height_zero == HeightZero::kAsGiven) {
+    for (double& height : fields.face_height) height += setup.face.minimum().height;
+  }
   return fields;
 }
 

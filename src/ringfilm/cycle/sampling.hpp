@@ -13,7 +13,8 @@ Sample sample(const Setup& setup, const March& march, const Instant& instant, co
 /// `fields`.
 void append_fields(const Setup& setup, const March& march, const Instant& instant, FaceFields& fields);
 
-/// x and the face as installed (orientation "leading-edge": as given).
-FaceFields empty_fields(const March& march);
+/// x and the face as installed (orientation "leading-edge": as given), from its lowest point or from the zero of the
+/// input, as the case asks.
+FaceFields empty_fields(const Setup& setup, const March& march);
 
 }  // namespace ringfilm::cycle

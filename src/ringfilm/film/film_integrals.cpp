@@ -28,12 +28,11 @@ void add_contact(const FilmProblem& problem, const FilmState& state, FilmIntegra
   }
 }
 
-void add_shear(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, const NodalOil& oil,
-               FilmIntegrals& sums) {
+void add_shear(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, FilmIntegrals& sums) {
   const FilmGrid& grid = problem.grid;
   for (int i = 0; i < grid.n_cells(); ++i) {
     const double h = state.h_m + grid.face_height[i];
-    const double eta = 0.5 * (oil.eta[i] + oil.eta[i + 1]);
+    const double eta = 0.5 * (state.eta[i] + state.eta[i + 1]);
     const double theta =
         0.5 * (fill(problem.cavitation, state.deficit[i]) + fill(problem.cavitation, state.deficit[i + 1]));
     sums.shear_couette += grid.dx * theta * eta * inputs.U / h;
@@ -42,17 +41,16 @@ void add_shear(const FilmProblem& problem, const FilmInputs& inputs, const FilmS
 }
 
 void add_flow(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous, const FilmState& state,
-              const NodalOil& oil, FilmIntegrals& sums) {
+              FilmIntegrals& sums) {
   const int n = problem.grid.n_cells();
   const auto storage = [&](int i) {
     return problem.grid.dx / inputs.time_step * (state.content[i] - previous.content[i]);
   };
-  sums.flow_left = mass_flux(problem, inputs, state, oil, 0) + 0.5 * storage(0);
-  sums.flow_right = mass_flux(problem, inputs, state, oil, n - 1) - 0.5 * storage(n);
+  sums.flow_left = mass_flux(problem, inputs, state, 0) + 0.5 * storage(0);
+  sums.flow_right = mass_flux(problem, inputs, state, n - 1) - 0.5 * storage(n);
   sums.flow_middle =
-      n % 2 == 1
-          ? mass_flux(problem, inputs, state, oil, n / 2)
-          : 0.5 * (mass_flux(problem, inputs, state, oil, n / 2 - 1) + mass_flux(problem, inputs, state, oil, n / 2));
+      n % 2 == 1 ? mass_flux(problem, inputs, state, n / 2)
+                 : 0.5 * (mass_flux(problem, inputs, state, n / 2 - 1) + mass_flux(problem, inputs, state, n / 2));
   sums.mass_defect = sums.flow_right - sums.flow_left + 0.5 * (storage(0) + storage(n));
   for (int i = 1; i < n; ++i) sums.mass_defect += storage(i);
 }
@@ -72,12 +70,10 @@ void add_cavities(const FilmProblem& problem, const FilmState& state, FilmIntegr
 
 FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                              const FilmState& state) {
-  NodalOil oil;
-  oil.update(*problem.oil, state.p);
   FilmIntegrals sums;
   add_contact(problem, state, sums);
-  add_shear(problem, inputs, state, oil, sums);
-  add_flow(problem, inputs, previous, state, oil, sums);
+  add_shear(problem, inputs, state, sums);
+  add_flow(problem, inputs, previous, state, sums);
   add_cavities(problem, state, sums);
   return sums;
 }

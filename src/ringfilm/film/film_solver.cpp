@@ -160,7 +160,7 @@ class CoupledNewton {
 
   void finish() {
     work_.oil_.update(*problem_.oil, state_.p);
-    update_content(problem_, work_.oil_, state_);
+    complete_state(problem_, work_.oil_, state_);
   }
 
   const FilmProblem& problem_;

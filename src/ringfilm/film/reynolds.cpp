@@ -53,11 +53,16 @@ void NodalOil::update(const models::OilAtTemperature& oil, const std::vector<dou
   oil.properties(p, {rho, drho_dp, eta, deta_dp});
 }
 
-double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, const NodalOil& oil,
-                 int i) {
-  return face_flux(inputs.U, state.h_m + problem.grid.face_height[i], problem.grid.dx,
-                   node_view(problem, state, oil, i), node_view(problem, state, oil, i + 1))
-      .value;
+double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i) {
+  const auto view = [&](int node) -> NodeView {
+    return {state.p[node],
+            fill(problem.cavitation, state.deficit[node]),
+            state.rho[node],
+            0,
+            state.rho[node] / state.eta[node],
+            0};
+  };
+  return face_flux(inputs.U, state.h_m + problem.grid.face_height[i], problem.grid.dx, view(i), view(i + 1)).value;
 }
 
 void assemble_balance(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
@@ -111,7 +116,9 @@ void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const
   }
 }
 
-void update_content(const FilmProblem& problem, const NodalOil& oil, FilmState& state) {
+void complete_state(const FilmProblem& problem, const NodalOil& oil, FilmState& state) {
+  state.rho = oil.rho;
+  state.eta = oil.eta;
   state.content.resize(state.p.size());
   for (std::size_t i = 0; i < state.p.size(); ++i) {
     state.content[i] =

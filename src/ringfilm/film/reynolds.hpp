@@ -14,9 +14,8 @@ struct NodalOil {
   void update(const models::OilAtTemperature& oil, const std::vector<double>& p);
 };
 
-/// Mass flux through the face between nodes i and i+1, positive in +x [kg/(m s)].
-double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, const NodalOil& oil,
-                 int i);
+/// Mass flux of a solved film through the face between nodes i and i+1, positive in +x [kg/(m s)].
+double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i);
 
 /// Fills rows 1..n-1 of the linear system for (z, ln h_m): minus the residual on the right-hand side, its derivatives
 /// on the left. `multiplier[i]` weighs z in the cavity of Reynolds exit.
@@ -28,7 +27,7 @@ void assemble_balance(const FilmProblem& problem, const FilmInputs& inputs, cons
 void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const NodalOil& oil,
                        std::vector<double>& multiplier);
 
-/// rho theta h at every node of a solved state.
-void update_content(const FilmProblem& problem, const NodalOil& oil, FilmState& state);
+/// Oil and rho theta h at every node of a state whose pressure, fill and h_m are solved.
+void complete_state(const FilmProblem& problem, const NodalOil& oil, FilmState& state);
 
 }  // namespace ringfilm::film

@@ -39,6 +39,12 @@ double roelands_logarithm(double eta) {
   return logarithm;
 }
 
+/// Is theta_0 the one temperature at which the kinematic viscosity is known?
+bool stated_at(const OilLaws& laws, double theta_0) {
+  constexpr double kRounding = 1e-6;  // [K], what converting units may add
+  return laws.viscosity_temperature.size() == 1 && std::abs(laws.viscosity_temperature[0] - theta_0) <= kRounding;
+}
+
 class ClosedFormOil final : public OilAtTemperature {
  public:
   ClosedFormOil(double eta_T, double rho_T, double Z, DowsonHigginson law)
@@ -57,7 +63,13 @@ class ClosedFormOil final : public OilAtTemperature {
       return;
     }
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const double rise = std::expm1(Z_ * std::log1p(p[i] / kRoelandsPressure));
+      if (i > 0 && p[i] == p[i - 1]) {  // a cavity: one pressure at many nodes
+        out.eta[i] = out.eta[i - 1];
+        out.deta_dp[i] = out.deta_dp[i - 1];
+        continue;
+      }
+      // Only the absolute error of the exponent matters, so that plain log and exp lose nothing against log1p, expm1.
+      const double rise = std::exp(Z_ * std::log(1 + p[i] / kRoelandsPressure)) - 1;
       out.eta[i] = eta_T_ * std::exp(logarithm_ * rise);
       out.deta_dp[i] = out.eta[i] * logarithm_ * Z_ * (1 + rise) / (kRoelandsPressure + p[i]);
     }
@@ -151,8 +163,10 @@ OilState oil_state(const OilLaws& laws, double T) {
     throw InputError("the oil's density at " + in_degC(at) + " comes out as " + number(rho) + " kg/m3",
                      "check lubricant.density, lubricant.thermal_expansivity and the oil temperature");
   };
-  const auto walther = Walther::fit(laws.viscosity_temperature, laws.kinematic_viscosity);
-  const auto after_walther = [&](double at) { return walther.kinematic_viscosity(at) * density(at); };
+  const auto after_walther = [&](double at) {
+    const auto walther = Walther::fit(laws.viscosity_temperature, laws.kinematic_viscosity);
+    return walther.kinematic_viscosity(at) * density(at);
+  };
 
   OilState state{.eta_T = 0, .rho_T = density(T), .Z = 0};
   double eta_0 = 0;
@@ -161,7 +175,8 @@ OilState oil_state(const OilLaws& laws, double T) {
       eta_0 = state.eta_T = after_walther(T);
       break;
     case ViscosityTemperatureLaw::kHoupert:
-      eta_0 = after_walther(laws.theta_0);
+      eta_0 = stated_at(laws, laws.theta_0) ? laws.kinematic_viscosity.front() * density(laws.theta_0)
+                                            : after_walther(laws.theta_0);
       state.eta_T = houpert_viscosity(eta_0, laws.theta_0, laws.beta_0, T);
       break;
   }
