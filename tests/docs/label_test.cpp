@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 
 #include "document_tree.hpp"
 
@@ -92,6 +93,19 @@ TEST(Docs, EveryDocumentThatCodePointsToExists) {
     if (hash == std::string::npos || text.empty()) continue;
     EXPECT_TRUE(anchors(text).count(target.substr(hash + 1))) << target << " is named at " << places(where);
   }
+}
+
+/// The ledger links each topic to the page of assumptions.
+TEST(Docs, EveryTopicOfTheLedgerIsArgued) {
+  const std::set<std::string> argued = anchors(text_of("docs/theory/assumptions.md"));
+  const std::string ledger = text_of("src/ringfilm/study/assumptions.cpp");
+  const std::regex topic(R"re((?:assumption\(|topic =)\s*"([a-z-]+)")re");
+  int topics = 0;
+  for (auto it = std::sregex_iterator(ledger.begin(), ledger.end(), topic); it != std::sregex_iterator(); ++it) {
+    ++topics;
+    EXPECT_TRUE(argued.count((*it)[1])) << (*it)[1];
+  }
+  EXPECT_GT(topics, 10);
 }
 
 }  // namespace
