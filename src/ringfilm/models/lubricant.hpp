@@ -96,7 +96,8 @@ struct OilState {
 };
 
 /// Walther: eta_T = nu(T) rho(T), and Z belongs to eta_T. Houpert: eta_0 = nu(theta_0) rho(theta_0) with nu after
-/// Walther, eta_T after Houpert, and Z belongs to eta_0. Throws InputError where a law has no value at T [K].
+/// Walther or the one value stated there, eta_T after Houpert, and Z belongs to eta_0. Throws InputError where a law
+/// has no value at T [K].
 OilState oil_state(const OilLaws& laws, double T);
 
 /// Closed-form oil at one temperature.
@@ -120,8 +121,8 @@ struct OilTable {
   std::vector<double> density;      ///< [kg/m3]
 };
 
-/// Oil of a table at T [K]: between the temperatures ln ln of the viscosity (in uPa s) is linear in ln T, as Walther's
-/// law has it, and density is linear in T. Throws InputError for a T outside the table.
+/// Oil of a table at T [K]. Between the temperatures, at each pressure, nu = eta/rho follows Walther's law and density
+/// is linear in T. Throws InputError for a T outside the table, and between temperatures for nu of 0.3 mm2/s or less.
 std::shared_ptr<const OilAtTemperature> tabulated_oil(const OilTable& table, double T);
 
 }  // namespace ringfilm::models

@@ -96,10 +96,12 @@ RingFace::Minimum RingFace::minimum() const {
     for (int k = 1; k < samples; ++k) {
       const std::array<double, 3> h{height_(x(k - 1)), height_(x(k)), height_(x(k + 1))};
       if (h[1] > h[0] || h[1] > h[2]) continue;
-      // Half the digits of x are all that the value of a minimum can tell.
-      const auto [at, height] =
-          boost::math::tools::brent_find_minima(height_, x(k - 1), x(k + 1), std::numeric_limits<double>::digits / 2);
-      consider(at, height);
+      // In shares of the width, because the search's tolerance has an absolute part; half the digits are all that the
+      // value of a minimum can tell.
+      const auto [share, height] = boost::math::tools::brent_find_minima(
+          [&](double s) { return height_(s * face_width_); }, x(k - 1) / face_width_, x(k + 1) / face_width_,
+          std::numeric_limits<double>::digits / 2);
+      consider(share * face_width_, height);
       consider(x(k), h[1]);
     }
   }

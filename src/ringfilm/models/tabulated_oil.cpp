@@ -38,13 +38,27 @@ class TabulatedOil final : public OilAtTemperature {
   MonotoneCubic ln_eta_, rho_;
 };
 
-constexpr double kMicroPascalSecond = 1e-6;  // [Pa s]
+constexpr double kMm2PerSecond = 1e-6;  // [m2/s]
+constexpr double kWaltherOffset = 0.7;  // [mm2/s]
 
 std::string in_degC(double T) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g degC", T - 273.15);
   return text;
 }
+
+/// Walther's ordinate, straight in ln T, of a kinematic viscosity.
+double walther_ordinate(double nu) {
+  const double argument = nu / kMm2PerSecond + kWaltherOffset;
+  if (!(argument > 1)) {
+    throw InputError(
+        "the oil table has a viscosity over density that is not above 0.3 mm2/s, where Walther's law begins",
+        "check the units of viscosity and density in the file of lubricant.table");
+  }
+  return std::log(std::log(argument));
+}
+
+double kinematic_viscosity(double ordinate) { return kMm2PerSecond * (std::exp(std::exp(ordinate)) - kWaltherOffset); }
 
 /// Linear between two numbers; exact at both ends.
 double between(double low, double high, double share) { return share == 1 ? high : low + share * (high - low); }
@@ -87,11 +101,11 @@ std::shared_ptr<const OilAtTemperature> tabulated_oil(const OilTable& table, dou
     const double share = (T - temperature[low]) / (temperature[high] - temperature[low]);
     const double share_of_ln = std::log(T / temperature[low]) / std::log(temperature[high] / temperature[low]);
     for (std::size_t i = 0; i < n; ++i) {
-      const auto ln_ln = [&](double eta) { return std::log(std::log(eta / kMicroPascalSecond)); };
-      density[i] = between(density[i], table.density[high * n + i], share);
-      viscosity[i] =
-          kMicroPascalSecond *
-          std::exp(std::exp(between(ln_ln(viscosity[i]), ln_ln(table.viscosity[high * n + i]), share_of_ln)));
+      const double rho_high = table.density[high * n + i], nu_high = table.viscosity[high * n + i] / rho_high;
+      const double ordinate =
+          between(walther_ordinate(viscosity[i] / density[i]), walther_ordinate(nu_high), share_of_ln);
+      density[i] = between(density[i], rho_high, share);
+      viscosity[i] = kinematic_viscosity(ordinate) * density[i];
     }
   }
   return tabulated_oil(table.pressure, std::move(viscosity), std::move(density));
