@@ -19,7 +19,7 @@ std::vector<Field> all_fields() {
             {"m", "mm"}, above(0, 10), Need::kRequired, {},
             {"connecting rod between the centres of its bearings, l", "\"138.1 mm\""}),
       field("operating.speed", NumberKind{member<&Case::operating, &Operating::speed>}, {"rad/s", "rpm"},
-            above(0, 2100), Need::kRequired, {}, {"speed of the crankshaft, omega", "\"1500 rpm\""}),
+            above(0, 2094.39510239320), Need::kRequired, {}, {"speed of the crankshaft, omega", "\"1500 rpm\""}),
       field("operating.oil_temperature", NumberKind{member<&Case::operating, &Operating::oil_temperature>},
             {"K", "degC"}, strictly_between(200, 600), Need::kRequired, {},
             {"temperature of the oil film, T; one value for the whole stroke", "\"120 degC\""}),

@@ -16,29 +16,52 @@ using TextRef = std::string& (*)(Case&);
 using OptionalTextRef = std::optional<std::string>& (*)(Case&);
 
 /// A dimensional (or dimensionless, unit "1") number.
-struct NumberKind { NumberRef ref; };
+struct NumberKind {
+  NumberRef ref;
+};
 /// The same, absent by default.
-struct OptionalNumberKind { OptionalNumberRef ref; };
-struct CountKind { int& (*ref)(Case&); };
+struct OptionalNumberKind {
+  OptionalNumberRef ref;
+};
+struct CountKind {
+  int& (*ref)(Case&);
+};
 /// One of a few names; `index` and `choose` translate to the enumerator's position.
 struct ChoiceKind {
   std::vector<std::string> names;
   int (*index)(const Case&);
   void (*choose)(Case&, int);
 };
-struct TextKind { TextRef ref; };
-struct OptionalTextKind { OptionalTextRef ref; };
+struct TextKind {
+  TextRef ref;
+};
+struct OptionalTextKind {
+  OptionalTextRef ref;
+};
 /// A file name, relative to the file that names it; `role` tells the reader what to load from it.
-struct FileKind { TextRef ref; };
-struct OptionalFileKind { OptionalTextRef ref; };
+struct FileKind {
+  TextRef ref;
+};
+struct OptionalFileKind {
+  OptionalTextRef ref;
+};
 /// A quantity or the name of a trace file (`gas.crankcase_pressure`).
-struct NumberOrFileKind { NumberRef number; OptionalTextRef file; };
+struct NumberOrFileKind {
+  NumberRef number;
+  OptionalTextRef file;
+};
 /// A unit written as text, kept as its size in SI (`ring.face.length_unit = "mm"` is 1e-3).
-struct UnitNameKind { NumberRef ref; };
+struct UnitNameKind {
+  NumberRef ref;
+};
 /// Bare numbers.
-struct NumberListKind { std::vector<double>& (*ref)(Case&); };
+struct NumberListKind {
+  std::vector<double>& (*ref)(Case&);
+};
 /// An array of { temperature = "40 degC", value = "59.99 mm2/s" }.
-struct TemperatureValuesKind { std::vector<TemperatureValue>& (*ref)(Case&); };
+struct TemperatureValuesKind {
+  std::vector<TemperatureValue>& (*ref)(Case&);
+};
 /// `output.crank_angles`: a step or a list of angles.
 struct AnglesKind {};
 /// `output.fields`: "none", "all" or a list of angles.
@@ -60,7 +83,7 @@ struct Range {
 };
 
 struct Field {
-  std::string key;           ///< "engine.bore"
+  std::string key;  ///< "engine.bore"
   Kind kind;
   std::string unit;          ///< SI unit in UDUNITS spelling; "1" dimensionless; "" for text, choices and files
   std::string display_unit;  ///< the unit in which people write and read it, e.g. "mm"

@@ -32,12 +32,12 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                 {"TOML file with the keys of this section; a key given in both is an error",
                  "\"data/lubricants/styles2014.toml\""}),
           field("lubricant.name", TextKind{member<&Case::lubricant, &Lubricant::name>}, kNoUnit, {}, Need::kDefault, {},
-                {"what the oil is called, for people", "\"SAE 5W-30, typical\""}),
+                {"what the oil is called, for people", "\"my oil\""}),
           field(
               "lubricant.kinematic_viscosity",
               TemperatureValuesKind{member<&Case::lubricant, &Lubricant::kinematic_viscosity>}, {"m2/s", "mm2/s"},
               above(0, 1), Need::kRequired, kLaws,
-              {"kinematic viscosity nu at two or more temperatures (houpert: one at the reference temperature will do)",
+              {"kinematic viscosity nu at two or more temperatures; houpert: one at the reference temperature will do",
                "[{ temperature = \"40 degC\", value = \"59.99 mm2/s\" }, "
                "{ temperature = \"100 degC\", value = \"9.590 mm2/s\" }]"}),
           field("lubricant.density", TemperatureValuesKind{member<&Case::lubricant, &Lubricant::density>},

@@ -1,0 +1,275 @@
+#include "ringfilm/io/case_tree.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/io/suggestion.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kDeepestInclude = 8;
+const char* const kOilSection = "lubricant.";
+
+std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
+
+bool is_section(const std::string& name) {
+  const auto& fields = cycle::case_fields();
+  return std::any_of(fields.begin(), fields.end(),
+                     [&name](const cycle::Field& field) { return field.key.rfind(name + ".", 0) == 0; });
+}
+
+std::vector<std::string> known_keys() {
+  std::vector<std::string> keys{"include"};
+  for (const cycle::Field& field : cycle::case_fields()) keys.push_back(field.key);
+  return keys;
+}
+
+std::vector<std::string> known_sections() {
+  std::vector<std::string> sections;
+  for (const cycle::Field& field : cycle::case_fields()) {
+    const std::string section = field.key.substr(0, std::min(field.key.rfind('.'), field.key.size()));
+    if (section != field.key && std::find(sections.begin(), sections.end(), section) == sections.end()) {
+      sections.push_back(section);
+    }
+  }
+  return sections;
+}
+
+std::string place(const SourceMark& mark) {
+  if (mark.line == 0) return mark.file;
+  return mark.file + ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column);
+}
+
+bool is_text_key(const cycle::Field& field) {
+  return std::holds_alternative<cycle::TextKind>(field.kind) ||
+         std::holds_alternative<cycle::OptionalTextKind>(field.kind) ||
+         std::holds_alternative<cycle::FileKind>(field.kind) ||
+         std::holds_alternative<cycle::OptionalFileKind>(field.kind) ||
+         std::holds_alternative<cycle::ChoiceKind>(field.kind) ||
+         std::holds_alternative<cycle::UnitNameKind>(field.kind);
+}
+
+class Gatherer {
+ public:
+  explicit Gatherer(const std::string& path) { tree_.path = path; }
+
+  CaseTree gather(const std::vector<Override>& overrides) {
+    const SourceText source = read_source_text(tree_.path, tree_.path, kLargestToml);
+    const TomlValue root = parse_toml(source);
+    record(source, "case");
+    open_.push_back(identity(tree_.path));
+    add_file(root, tree_.path);
+    const std::vector<TomlEntry> stated = read_overrides(overrides);
+    add_oil_file(stated);
+    for (const TomlEntry& entry : stated) replace(entry);
+    for (auto& [key, entry] : entries_) tree_.entries.push_back(entry);
+    return std::move(tree_);
+  }
+
+ private:
+  static std::string identity(const std::string& path) {
+    std::error_code error;
+    const fs::path canonical = fs::weakly_canonical(path, error);
+    return error ? path : canonical.string();
+  }
+
+  void record(const SourceText& source, const std::string& role) {
+    tree_.files.push_back({role, source.path, source.sha256});
+    if (source.has_byte_order_mark) {
+      tree_.notes.push_back(source.path + " starts with a byte-order mark, which was skipped");
+    }
+  }
+
+  void fault(const SourceMark& mark, const std::string& message, const std::string& remedy) {
+    tree_.faults.push_back({mark, message, remedy});
+  }
+
+  void add_file(const TomlValue& root, const std::string& path) {
+    FlatToml flat = flatten(root, folder_of(path));
+    drop_unknown_sections(flat);
+    for (const TomlEntry& entry : flat.entries) {
+      if (entry.key == "include") {
+        add_includes(entry);
+      } else {
+        add(entry);
+      }
+    }
+  }
+
+  /// Tells an unknown section once and leaves its keys out.
+  void drop_unknown_sections(FlatToml& flat) {
+    for (const TomlEntry& section : flat.sections) {
+      if (is_section(section.key)) continue;
+      const bool inside_told = std::any_of(flat.sections.begin(), flat.sections.end(), [&](const TomlEntry& outer) {
+        return section.key.rfind(outer.key + ".", 0) == 0 && !is_section(outer.key);
+      });
+      if (!inside_told) {
+        const bool is_key = cycle::find_field(section.key) != nullptr;
+        const std::string near = is_key ? "" : nearest_word(section.key, known_sections());
+        if (is_key) tree_.faulty.insert(section.key);
+        if (!near.empty()) tree_.faulty.insert(near + ".");
+        fault(
+            section.value.key_mark,
+            is_key ? section.key + " is a section here" : "unknown section [" + section.key + "]" + did_you_mean(near),
+            is_key ? "it wants one value, for example " + cycle::find_field(section.key)->example : "");
+      }
+      std::erase_if(flat.entries, [&](const TomlEntry& e) { return e.key.rfind(section.key + ".", 0) == 0; });
+    }
+  }
+
+  static std::string did_you_mean(const std::string& near) {
+    return near.empty() ? "" : "; did you mean " + near + "?";
+  }
+
+  /// @returns whether the key is known
+  bool check_known(const TomlEntry& entry) {
+    if (cycle::find_field(entry.key) != nullptr) return true;
+    if (is_section(entry.key)) {
+      fault(entry.value.key_mark, entry.key + " is a section, not a key",
+            "write [" + entry.key + "] and its keys below");
+      tree_.faulty.insert(entry.key + ".");
+      return false;
+    }
+    const std::string near = nearest_word(entry.key, known_keys());
+    if (!near.empty()) tree_.faulty.insert(near);
+    fault(entry.value.key_mark, "unknown key " + entry.key + did_you_mean(near),
+          near.empty() ? "`ringfilm fields` lists all keys" : "");
+    return false;
+  }
+
+  void add(const TomlEntry& entry) {
+    if (!check_known(entry)) return;
+    const auto [found, inserted] = entries_.emplace(entry.key, entry);
+    if (inserted) return;
+    tree_.faulty.insert(entry.key);
+    fault(entry.value.key_mark, entry.key + " is given twice",
+          "it is given at " + place(found->second.value.key_mark) + " too; keep one of them");
+  }
+
+  void add_includes(const TomlEntry& entry) {
+    const TomlValue& value = entry.value;
+    const std::vector<TomlValue> names = value.kind == TomlValue::Kind::kList ? value.items : std::vector{value};
+    for (const TomlValue& name : names) {
+      if (name.kind != TomlValue::Kind::kText || name.text.empty()) {
+        tree_.complete = false;
+        fault(name.mark, "include = " + name.as_written() + " is not a file name",
+              "write include = [\"surfaces.toml\"]");
+        continue;
+      }
+      add_include(name, locate(name.text, entry.folder));
+    }
+  }
+
+  void add_include(const TomlValue& name, const NamedFile& file) {
+    const std::string id = identity(file.path);
+    if (std::find(open_.begin(), open_.end(), id) != open_.end()) {
+      fault(name.mark, file.shown + " includes itself", "take this include out");
+      return;
+    }
+    if (open_.size() > kDeepestInclude) {
+      tree_.complete = false;
+      fault(name.mark, "files are included more than " + std::to_string(kDeepestInclude) + " deep", "");
+      return;
+    }
+    read_named(name.mark, "include", file, "include", [&](const TomlValue& root) {
+      open_.push_back(id);
+      add_file(root, file.shown);
+      open_.pop_back();
+    });
+  }
+
+  /// Reads a TOML file that `mark` names; `use` gets its tree. A file that cannot be read is a fault at `mark`.
+  template <typename Use>
+  void read_named(const SourceMark& mark, const std::string& key, const NamedFile& file, const std::string& role,
+                  const Use& use) {
+    try {
+      const SourceText source = read_source_text(file.path, file.shown, kLargestToml);
+      const TomlValue root = parse_toml(source);
+      record(source, role);
+      use(root);
+    } catch (const InputError& error) {
+      tree_.complete = false;
+      for (const Fault& f : error.faults()) {
+        const bool in_file = f.mark.line > 0;
+        tree_.faults.push_back(in_file ? f : Fault{mark, key + " = \"" + file.shown + "\": " + f.message, f.remedy});
+      }
+    }
+  }
+
+  void add_oil_file(const std::vector<TomlEntry>& stated) {
+    const std::string key = "lubricant.file";
+    const TomlEntry* named = entries_.contains(key) ? &entries_.at(key) : nullptr;
+    for (const TomlEntry& entry : stated) {
+      if (entry.key == key) named = &entry;
+    }
+    if (named == nullptr || named->value.kind != TomlValue::Kind::kText || named->value.text.empty()) return;
+    const NamedFile file = locate(named->value.text, named->folder);
+    const SourceMark mark = named->value.mark;
+    read_named(mark, key, file, key, [&](const TomlValue& root) {
+      for (const auto& [name, value] : root.members) {
+        if (name == "file" || value.kind == TomlValue::Kind::kTable) {
+          fault(value.key_mark, name + " has no place in an oil file",
+                "it holds the keys of [lubricant], without sections");
+        } else {
+          tree_.from_oil_file.insert(kOilSection + name);
+          add({kOilSection + name, value, folder_of(file.shown)});
+        }
+      }
+    });
+  }
+
+  std::vector<TomlEntry> read_overrides(const std::vector<Override>& overrides) {
+    std::vector<TomlEntry> stated;
+    for (const auto& [key, text] : overrides) {
+      TomlEntry entry{key, {}, ""};
+      entry.value.key_mark = entry.value.mark = {"--set", 0, 0, ""};
+      if (!check_known(entry)) continue;
+      if (text.empty()) {
+        entries_.erase(key);
+        continue;
+      }
+      try {
+        entry.value = parse_toml_value(text);
+      } catch (const InputError&) {
+        entry.value.kind = TomlValue::Kind::kText;
+      }
+      if (is_text_key(*cycle::find_field(key)) && entry.value.kind != TomlValue::Kind::kText) {
+        entry.value = {};
+        entry.value.kind = TomlValue::Kind::kText;
+      }
+      if (entry.value.kind == TomlValue::Kind::kText && entry.value.text.empty()) entry.value.text = text;
+      from_command_line(entry.value);
+      stated.push_back(entry);
+    }
+    return stated;
+  }
+
+  static void from_command_line(TomlValue& value) {
+    value.key_mark = value.mark = {"--set", 0, 0, ""};
+    for (TomlValue& item : value.items) from_command_line(item);
+    for (auto& [name, member] : value.members) from_command_line(member);
+  }
+
+  void replace(const TomlEntry& entry) {
+    entries_.insert_or_assign(entry.key, entry);
+    tree_.faulty.erase(entry.key);
+    tree_.from_oil_file.erase(entry.key);
+  }
+
+  CaseTree tree_;
+  std::map<std::string, TomlEntry> entries_;
+  std::vector<std::string> open_;  ///< files being read, for include loops
+};
+
+}  // namespace
+
+CaseTree read_case_tree(const std::string& path, const std::vector<Override>& overrides) {
+  return Gatherer(path).gather(overrides);
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,182 @@
+#include "ringfilm/io/csv_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace ringfilm::io {
+namespace {
+
+constexpr std::size_t kMostFaults = 10;
+
+struct Cell {
+  std::string text;  ///< without blanks and quotes around it
+  int column;        ///< counts from 1
+};
+
+std::vector<Cell> split(const std::string& line, char separator) {
+  std::vector<Cell> cells;
+  std::size_t start = 0;
+  while (true) {
+    const std::size_t end = std::min(line.find(separator, start), line.size());
+    std::size_t first = start, last = end;
+    while (first < last && (line[first] == ' ' || line[first] == '\t')) ++first;
+    while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t')) --last;
+    if (last - first >= 2 && line[first] == '"' && line[last - 1] == '"') ++first, --last;
+    cells.push_back({line.substr(first, last - first), static_cast<int>(first) + 1});
+    if (end == line.size()) return cells;
+    start = end + 1;
+  }
+}
+
+bool is_number(const std::string& text) {
+  double value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && rest == text.data() + text.size();
+}
+
+char separator_of(const std::string& header) {
+  if (header.find(';') != std::string::npos) return ';';
+  if (header.find(',') != std::string::npos) return ',';
+  return header.find('\t') != std::string::npos ? '\t' : ',';
+}
+
+bool is_blank(const std::string& line) { return line.find_first_not_of(" \t") == std::string::npos; }
+bool is_comment(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string::npos && line[first] == '#';
+}
+
+CsvColumn column_of(const std::string& header) {
+  const std::size_t open = header.find('['), close = header.rfind(']');
+  if (open == std::string::npos || close == std::string::npos || close < open) return {header, std::nullopt, {}};
+  const std::size_t end = header.find_last_not_of(" \t", open == 0 ? 0 : open - 1);
+  return {open == 0 ? "" : header.substr(0, end + 1), header.substr(open + 1, close - open - 1), {}};
+}
+
+class Reader {
+ public:
+  explicit Reader(const NamedFile& file) { csv_.source = read_source_text(file.path, file.shown, kLargestCsv); }
+
+  CsvFile read() {
+    const std::size_t first_row = read_header();
+    for (std::size_t i = first_row; i < csv_.source.lines.size() && faults_.size() < kMostFaults; ++i) {
+      const std::string& line = csv_.source.lines[i];
+      if (!is_blank(line) && !is_comment(line)) read_row(line, static_cast<int>(i) + 1);
+    }
+    if (faults_.empty() && csv_.row_lines.size() < 2) {
+      const std::string n_rows = csv_.row_lines.empty() ? "no row" : "only one row";
+      faults_.push_back({csv_.source.mark(0), "the file has " + n_rows + " of numbers", "two or more are wanted"});
+    }
+    if (!faults_.empty()) throw InputError(faults_);
+    write_notes();
+    return std::move(csv_);
+  }
+
+ private:
+  /// @returns index of the line after the header
+  std::size_t read_header() {
+    const auto& lines = csv_.source.lines;
+    std::size_t i = 0;
+    while (i < lines.size() && (is_blank(lines[i]) || is_comment(lines[i]))) {
+      if (is_comment(lines[i])) csv_.notes.push_back(csv_.source.path + " says: " + lines[i]);
+      ++i;
+    }
+    if (i == lines.size()) refuse(csv_.source.mark(0), "the file has no row of numbers", "");
+    csv_.header_line = static_cast<int>(i) + 1;
+    csv_.separator = separator_of(lines[i]);
+    std::vector<Cell> cells = split(lines[i], csv_.separator);
+    if (cells.size() > 1 && cells.back().text.empty()) cells.pop_back();
+    if (std::all_of(cells.begin(), cells.end(), [](const Cell& cell) { return is_number(cell.text); })) {
+      refuse(csv_.source.mark(csv_.header_line, 1), "the first line must name the columns and their units",
+             "for example: crank_angle [degree],cylinder_pressure [Pa]");
+    }
+    for (const Cell& cell : cells) {
+      if (cell.text.empty()) refuse(csv_.source.mark(csv_.header_line, cell.column), "a column has no name", "");
+      csv_.columns.push_back(column_of(cell.text));
+    }
+    return i + 1;
+  }
+
+  void read_row(const std::string& line, int number) {
+    std::vector<Cell> cells = split(line, csv_.separator);
+    const std::size_t n = csv_.columns.size();
+    if (cells.size() == n + 1 && cells.back().text.empty()) cells.pop_back();
+    if (cells.size() != n) {
+      const bool doubled = csv_.separator == ',' && cells.size() == 2 * n;
+      faults_.push_back({csv_.source.mark(number, 1),
+                         "the row has " + std::to_string(cells.size()) + " values, the header names " +
+                             std::to_string(n) + " columns",
+                         doubled ? "with decimal commas, separate the columns by semicolons" : ""});
+      return;
+    }
+    csv_.row_lines.push_back(number);
+    for (std::size_t i = 0; i < n; ++i) csv_.columns[i].values.push_back(value_of(cells[i], number));
+  }
+
+  double value_of(const Cell& cell, int line) {
+    std::string text = cell.text.rfind('+', 0) == 0 ? cell.text.substr(1) : cell.text;
+    if (csv_.separator != ',' && std::count(text.begin(), text.end(), ',') == 1 &&
+        text.find('.') == std::string::npos) {
+      text[text.find(',')] = '.';
+      has_decimal_commas_ = true;
+    }
+    double value = 0;
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    std::string wrong;
+    if (text.empty()) {
+      wrong = "a value is missing";
+    } else if (error != std::errc{} || rest != text.data() + text.size()) {
+      wrong = "\"" + cell.text + "\" is not a number";
+    } else if (!std::isfinite(value)) {
+      wrong = cell.text + " is not a finite number";
+    }
+    if (!wrong.empty()) faults_.push_back({csv_.source.mark(line, cell.column), wrong, "a number is wanted here"});
+    return value;
+  }
+
+  void write_notes() {
+    const std::string& path = csv_.source.path;
+    if (csv_.source.has_byte_order_mark)
+      csv_.notes.push_back(path + " starts with a byte-order mark, which was skipped");
+    if (has_decimal_commas_) csv_.notes.push_back(path + " is written with decimal commas and was read so");
+  }
+
+  [[noreturn]] static void refuse(const SourceMark& mark, const std::string& message, const std::string& remedy) {
+    throw InputError(std::vector<Fault>{{mark, message, remedy}});
+  }
+
+  CsvFile csv_;
+  std::vector<Fault> faults_;
+  bool has_decimal_commas_ = false;
+};
+
+}  // namespace
+
+SourceMark CsvFile::header_mark(std::size_t i_column) const {
+  const auto cells = split(source.lines[header_line - 1], separator);
+  return source.mark(header_line, cells[i_column].column);
+}
+
+SourceMark CsvFile::cell_mark(std::size_t i_row, std::size_t i_column) const {
+  const int line = row_lines[i_row];
+  return source.mark(line, split(source.lines[line - 1], separator)[i_column].column);
+}
+
+std::optional<std::size_t> CsvFile::find(const std::string& name) const {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const CsvColumn& column = columns[i];
+    if (column.name == name || (column.unit && column.name + " [" + *column.unit + "]" == name)) return i;
+  }
+  return std::nullopt;
+}
+
+std::string CsvFile::names() const {
+  std::string all;
+  for (const CsvColumn& column : columns) all += (all.empty() ? "" : ", ") + column.name;
+  return all;
+}
+
+CsvFile read_csv(const NamedFile& file) { return Reader(file).read(); }
+
+}  // namespace ringfilm::io

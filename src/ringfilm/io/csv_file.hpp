@@ -1,0 +1,39 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/io/source_text.hpp"
+
+/// Tables of numbers whose first line names the columns and their units: `crank_angle [degree],cylinder_pressure [Pa]`.
+namespace ringfilm::io {
+
+struct CsvColumn {
+  std::string name;                 ///< without the unit
+  std::optional<std::string> unit;  ///< as written in brackets; nothing if the header has none
+  std::vector<double> values;       ///< as written
+};
+
+struct CsvFile {
+  SourceText source;
+  char separator = ',';
+  int header_line = 0;  ///< counts from 1
+  std::vector<CsvColumn> columns;
+  std::vector<int> row_lines;      ///< line of each row in the file
+  std::vector<std::string> notes;  ///< comments in front of the header, byte-order mark, decimal commas
+
+  SourceMark header_mark(std::size_t i_column) const;
+  SourceMark cell_mark(std::size_t i_row, std::size_t i_column) const;
+
+  /// The column of that name (with or without its unit); nothing if there is none.
+  std::optional<std::size_t> find(const std::string& name) const;
+  /// All names, for messages: `a, b`.
+  std::string names() const;
+};
+
+/// Reads values separated by comma, semicolon or tabulator; decimal commas where they cannot be separators. Lines that
+/// start with '#' and blank lines are skipped. Throws InputError with the faults of the file (at most ten): no header,
+/// no or one row, cells missing, text, NaN or infinity in a cell.
+CsvFile read_csv(const NamedFile& file);
+
+}  // namespace ringfilm::io

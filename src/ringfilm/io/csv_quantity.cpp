@@ -1,0 +1,32 @@
+#include "ringfilm/io/csv_quantity.hpp"
+
+#include <algorithm>
+
+namespace ringfilm::io {
+
+std::vector<double> quantity_column(const CsvFile& csv, const std::string& name, const std::string& si_unit,
+                                    const std::string& example, const Units& units, std::vector<Fault>& faults) {
+  const auto i_column = csv.find(name);
+  if (!i_column) {
+    faults.push_back({csv.source.mark(csv.header_line, 1), "the file has no column " + name,
+                      "a column " + example + " is wanted; it has: " + csv.names()});
+    return {};
+  }
+  const CsvColumn& column = csv.columns[*i_column];
+  if (!column.unit) {
+    faults.push_back({csv.header_mark(*i_column), "the column " + name + " has no unit", "write it as " + example});
+    return {};
+  }
+  try {
+    const Scale scale = units.scale(*column.unit, si_unit);
+    std::vector<double> si(column.values.size());
+    std::transform(column.values.begin(), column.values.end(), si.begin(), [&](double v) { return scale.to_si(v); });
+    return si;
+  } catch (const UnitError& problem) {
+    faults.push_back({csv.header_mark(*i_column), "the column " + name + " " + problem.what(),
+                      problem.remedy.empty() ? "for example " + example : problem.remedy});
+    return {};
+  }
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,41 @@
+#include "ringfilm/io/shipped.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/case_file.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> candidates() {
+  // Stated by the user: nothing else is looked at, so that a wrong name is seen and not papered over.
+  if (const char* stated = std::getenv("RINGFILM_DATA"); stated != nullptr && *stated != '\0') return {stated};
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return {};
+  const fs::path above = program.parent_path().parent_path();
+  return {above / "share" / "ringfilm", above};
+}
+
+}  // namespace
+
+std::optional<std::string> find_shipped_folder() {
+  for (const fs::path& folder : candidates()) {
+    std::error_code error;
+    if (fs::is_directory(folder / "cases", error) && fs::is_directory(folder / "data", error)) return folder.string();
+  }
+  return std::nullopt;
+}
+
+std::string shipped_folder() {
+  if (const auto folder = find_shipped_folder()) return *folder;
+  throw InputError("the shipped cases and data are not found",
+                   "set the environment variable RINGFILM_DATA to the folder that holds cases/ and data/");
+}
+
+}  // namespace ringfilm::io

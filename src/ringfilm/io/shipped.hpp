@@ -1,0 +1,11 @@
+#pragma once
+#include <optional>
+#include <string>
+
+namespace ringfilm::io {
+
+/// The folder that holds the shipped `cases/` and `data/`: $RINGFILM_DATA, else <program>/../share/ringfilm, else
+/// <program>/.. (a build folder inside the checkout); nothing if none of them does. See also shipped_folder().
+std::optional<std::string> find_shipped_folder();
+
+}  // namespace ringfilm::io

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace ringfilm::io {
+
+/// The word of `known` that `written` most likely stands for; empty if none is near. Counts exchanged, missing,
+/// superfluous and wrong letters (Damerau-Levenshtein, restricted); a key in the wrong section counts as near.
+std::string nearest_word(const std::string& written, const std::vector<std::string>& known);
+
+}  // namespace ringfilm::io

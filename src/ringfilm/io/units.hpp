@@ -1,0 +1,61 @@
+#pragma once
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+/// "82.5 mm" to SI and back, by UDUNITS-2 and a few names of engineers: cP, deg, degCA, rev, bara, psia.
+namespace ringfilm::io {
+
+/// What is wrong with a quantity, as the end of a sentence ("has no unit"), and what to write instead.
+class UnitError : public std::runtime_error {
+ public:
+  UnitError(const std::string& predicate, const std::string& what_to_write)
+      : std::runtime_error(predicate), remedy(what_to_write) {}
+  std::string remedy;  ///< may be empty
+};
+
+/// The line from a unit to SI: SI = value * factor / divisor + offset. One of factor and divisor is 1, so that decimal
+/// prefixes round once: "82.5 mm" is the double nearest to 0.0825.
+struct Scale {
+  double factor = 1;
+  double divisor = 1;
+  double offset = 0;
+
+  double to_si(double value) const { return value * factor / divisor + offset; }
+  double from_si(double value) const { return (value - offset) * divisor / factor; }
+};
+
+/// Reads units. Holds the unit system, so building one takes some milliseconds; each thread may have its own.
+class Units {
+ public:
+  Units();
+  ~Units();
+  Units(Units&&) noexcept;
+  Units& operator=(Units&&) noexcept;
+
+  /// The value in `si_unit` of a text such as "82.5 mm". Throws UnitError for: no number, comma decimal, NaN, infinity,
+  /// no unit, unknown unit, gauge pressure, another dimension, a speed without rpm or rad, a temperature in other than
+  /// degC, K, degF. @param example what one could have written
+  double quantity(const std::string& text, const std::string& si_unit, const std::string& example) const;
+
+  /// The scale of a unit alone ("mm", or "0.001 m") to `si_unit`. Throws UnitError.
+  Scale scale(const std::string& unit, const std::string& si_unit) const;
+
+  /// Is `unit` a unit of the dimension of `si_unit`? False also where it is no unit at all.
+  bool measures(const std::string& unit, const std::string& si_unit) const;
+
+  /// The value [si_unit] in the unit that people read, with up to 8 digits: "89 mm".
+  std::string shown(double si_value, const std::string& si_unit, const std::string& display_unit) const;
+
+ private:
+  struct System;
+  std::unique_ptr<System> system_;
+};
+
+/// What `si_unit` measures, in words: "a force" for "N".
+std::string dimension_words(const std::string& si_unit);
+
+/// The shortest decimal text that reads back as the same double.
+std::string exact_text(double value);
+
+}  // namespace ringfilm::io
