@@ -1,0 +1,196 @@
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "commands.hpp"
+#include "exit_codes.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/result_file.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  ringfilm new my_engine.toml
+  ringfilm check my_engine.toml
+  ringfilm run my_engine.toml --output my_engine.nc
+  ringfilm run my_engine.toml --set operating.speed='3000 rpm' --json
+  ringfilm report my_engine.nc --output my_engine.html
+  ringfilm reproduce styles2014
+
+Exit codes: 0 done, 1 internal error, 2 bad input, 3 no balance found, 5 could not write.
+)";
+
+constexpr const char* kRunFooter = R"(Examples:
+  ringfilm run case.toml
+  ringfilm run case.toml --output result.nc --csv curves.csv
+  ringfilm run case.toml --set operating.speed='3000 rpm' --set solver.cells=400 --json
+  ringfilm run case.toml --ledger --output result.nc
+
+An output that exists is replaced at once when the new one is complete; a kill or a full disk leaves the old one.
+)";
+
+constexpr const char* kReportFooter = R"(Examples:
+  ringfilm report new.nc worn.nc --output comparison.html
+  ringfilm report new.nc --overlay floating_liner.csv --output measured.html
+
+The overlay has a column crank_angle [degree] (0 at firing TDC) and columns named like the curves of a result, with
+their units: friction_on_liner [N], min_film_thickness [um], ...
+)";
+
+std::string version_text() {
+  const io::Provenance provenance = io::this_program();
+  return provenance.program + " (commit " + provenance.commit + "; " + provenance.compiler + ")";
+}
+
+/// Splits "key=value"; the value may hold further equal signs.
+io::Override override_of(const std::string& text) {
+  const std::size_t equal_sign = text.find('=');
+  if (equal_sign == std::string::npos || equal_sign == 0) {
+    throw InputError("--set " + text + ": this is not key=value", "for example --set operating.speed='3000 rpm'");
+  }
+  return {text.substr(0, equal_sign), text.substr(equal_sign + 1)};
+}
+
+/// The case and the settings on the command line of `run` and `check`. A setting may follow --set or the one before it,
+/// so the words that stand alone are told apart by their equal sign.
+struct CaseWords {
+  std::vector<std::string> alone, set;
+
+  void add_to(CLI::App& command) {
+    command.add_option("CASE.toml", alone, "the case file")->required()->type_name("");
+    command.add_option("--set", set, "a key of the case to replace; read as TOML, else as text; may be repeated")
+        ->allow_extra_args(false)
+        ->type_name("key=value ...");
+  }
+
+  std::string case_path() const {
+    std::string path;
+    for (const std::string& word : alone) {
+      if (is_setting(word)) continue;
+      if (!path.empty()) throw InputError("two case files are named: " + path + " and " + word, "run them one by one");
+      path = word;
+    }
+    if (path.empty()) throw InputError("no case file is named", "for example ringfilm run case.toml");
+    return path;
+  }
+
+  std::vector<io::Override> overrides() const {
+    std::vector<io::Override> overrides;
+    for (const std::string& word : set) overrides.push_back(override_of(word));
+    for (const std::string& word : alone) {
+      if (is_setting(word)) overrides.push_back(override_of(word));
+    }
+    return overrides;
+  }
+
+ private:
+  bool is_setting(const std::string& word) const { return !set.empty() && word.find('=') != std::string::npos; }
+};
+
+/// One command: its own help and, once the words are read, what it does.
+class Commands {
+ public:
+  explicit Commands(CLI::App& program) : program_(program) {}
+
+  void add_run() {
+    auto& command = add("run", "Compute one engine cycle and print its summary", [this] {
+      run({run_words_.case_path(), run_words_.overrides(), output_, csv_,
+           json_ ? SummaryForm::kJson : SummaryForm::kTable,
+           ledger_ ? LedgerWanted::kComputed : LedgerWanted::kStatements});
+    });
+    run_words_.add_to(command);
+    command.add_option("--output", output_, "write the whole result as NetCDF-4")->type_name("X.nc");
+    command.add_option("--csv", csv_, "write the curves over crank angle as CSV, SI units")->type_name("X.csv");
+    command.add_flag("--json", json_, "print the values of the cycle as JSON, SI units, instead of the table");
+    command.add_flag("--ledger", ledger_, "run the other choice for every assumption that can be lifted");
+    command.footer(kRunFooter);
+  }
+
+  void add_check() {
+    auto& command = add("check", "Read a case, tell everything that is wrong with it, run nothing", [this] {
+      check({check_words_.case_path(), check_words_.overrides()});
+    });
+    check_words_.add_to(command);
+  }
+
+  void add_fields() { add("fields", "Print all keys of a case with unit, default, range and meaning", &fields); }
+
+  void add_new() {
+    auto& command = add("new", "Write a commented case to start from", [this] { start_case(start_path_); });
+    command.add_option("CASE.toml", start_path_, "the file to write; must not exist yet")->required()->type_name("");
+  }
+
+  void add_report() {
+    auto& command = add("report", "Draw results as one self-contained web page", [this] { report(report_); });
+    command.add_option("X.nc", report_.results, "results of ringfilm run --output")->required()->type_name("...");
+    command.add_option("--overlay", report_.overlays, "measured curves to lay over; may be repeated")
+        ->allow_extra_args(false)
+        ->type_name("X.csv");
+    command.add_option("--output", report_.output, "the page to write")->required()->type_name("X.html");
+    command.footer(kReportFooter);
+  }
+
+  void add_reproduce() {
+    auto& command =
+        add("reproduce", "Compute a publication anew and compare with it", [this] { reproduce(reproduce_); });
+    command.add_option("publication", reproduce_.publication, "styles2014: three rings, new, run-in and embedded")
+        ->required()
+        ->type_name("");
+    command.add_option("--output", reproduce_.folder, "folder for results and report (default ./<publication>)")
+        ->type_name("DIR");
+  }
+
+  /// What the chosen command does.
+  std::function<void()> chosen() const {
+    for (const auto& [command, action] : actions_) {
+      if (command->parsed()) return action;
+    }
+    return {};
+  }
+
+ private:
+  CLI::App& add(const char* name, const char* description, std::function<void()> action) {
+    CLI::App* command = program_.add_subcommand(name, description);
+    actions_.emplace_back(command, std::move(action));
+    return *command;
+  }
+
+  CLI::App& program_;
+  std::vector<std::pair<CLI::App*, std::function<void()>>> actions_;
+  CaseWords run_words_, check_words_;
+  std::optional<std::string> output_, csv_;
+  bool json_ = false, ledger_ = false;
+  std::string start_path_;
+  ReportOptions report_;
+  ReproduceOptions reproduce_;
+};
+
+}  // namespace
+
+Request read_command_line(int argc, const char* const* argv) {
+  CLI::App program("Friction, film and oil flow of a piston ring over one engine cycle, from measured surfaces.",
+                   "ringfilm");
+  program.set_version_flag("--version", version_text());
+  program.require_subcommand(1);
+  program.footer(kFooter);
+  const auto commands = std::make_shared<Commands>(program);
+  commands->add_run();
+  commands->add_check();
+  commands->add_report();
+  commands->add_reproduce();
+  commands->add_fields();
+  commands->add_new();
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& refusal) {
+    return {{}, program.exit(refusal) == 0 ? kFine : kBadInput};
+  }
+  const std::function<void()> chosen = commands->chosen();
+  return {[commands, chosen] { chosen(); }, kFine};
+}
+
+}  // namespace ringfilm::app

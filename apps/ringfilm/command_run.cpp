@@ -1,0 +1,79 @@
+#include <filesystem>
+#include <functional>
+#include <iostream>
+
+#include "commands.hpp"
+#include "computation.hpp"
+#include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/result_csv.hpp"
+#include "ringfilm/io/result_json.hpp"
+#include "summary.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+/// Runs a check and keeps its faults, so that all are told at once.
+void collect(std::vector<Fault>& faults, const std::function<void()>& check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+  }
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}
+
+/// A result must not replace what it was computed from, nor another output.
+void check_outputs_apart(const RunOptions& options, const cycle::Case& input) {
+  std::vector<Fault> faults;
+  for (const auto& output : {options.output, options.csv}) {
+    if (!output) continue;
+    for (const cycle::InputFile& file : input.files) {
+      if (is_same_file(*output, file.path)) {
+        faults.push_back({{}, *output + ": the output is a file that the case is read from", "name another file"});
+      }
+    }
+  }
+  if (options.output && options.csv && is_same_file(*options.output, *options.csv)) {
+    faults.push_back({{}, *options.csv + ": --output and --csv name the same file", "name two files"});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+cycle::Case checked_case(const RunOptions& options) {
+  std::vector<Fault> faults;
+  cycle::Case input;
+  collect(faults, [&] { input = io::read_case(options.case_path, options.overrides); });
+  collect(faults, [&] {
+    if (options.output) io::check_can_write(*options.output, io::Sink::kFile);
+  });
+  collect(faults, [&] {
+    if (options.csv) io::check_can_write(*options.csv, io::Sink::kFileOrDevice);
+  });
+  if (!faults.empty()) throw InputError(std::move(faults));
+  check_outputs_apart(options, input);
+  return input;
+}
+
+}  // namespace
+
+void run(const RunOptions& options) {
+  const cycle::Case input = checked_case(options);
+  const Computation done = computation(input, options.ledger, options.case_path);
+  if (options.output) io::write_result(*options.output, done.document);
+  if (options.csv) io::write_atomically(*options.csv, io::result_csv(done.document.result.samples));
+  if (options.summary == SummaryForm::kJson) {
+    std::cout << io::result_json(done.document);
+  } else {
+    std::cout << summary(input, done.document);
+    if (done.document.ledger_computed) std::cout << "\n" << ledger_table(done.document);
+    if (options.output) std::cout << "wrote " << *options.output << "\n";
+    if (options.csv) std::cout << "wrote " << *options.csv << "\n";
+  }
+  if (done.stopped) throw *done.stopped;
+}
+
+}  // namespace ringfilm::app

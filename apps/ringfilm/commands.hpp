@@ -1,0 +1,50 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/io/case_file.hpp"
+
+/// The commands of the program: words in, words and files out. Each returns normally or throws one of the errors of
+/// ringfilm/base/error.hpp; main turns those into exit codes.
+namespace ringfilm::app {
+
+enum class SummaryForm { kTable, kJson };
+enum class LedgerWanted { kStatements, kComputed };
+
+struct RunOptions {
+  std::string case_path;
+  std::vector<io::Override> overrides;
+  std::optional<std::string> output;  ///< NetCDF
+  std::optional<std::string> csv;
+  SummaryForm summary = SummaryForm::kTable;
+  LedgerWanted ledger = LedgerWanted::kStatements;
+};
+void run(const RunOptions& options);
+
+struct CheckOptions {
+  std::string case_path;
+  std::vector<io::Override> overrides;
+};
+void check(const CheckOptions& options);
+
+struct ReportOptions {
+  std::vector<std::string> results;
+  std::vector<std::string> overlays;
+  std::string output;
+};
+void report(const ReportOptions& options);
+
+struct ReproduceOptions {
+  std::string publication;
+  std::string folder;
+};
+void reproduce(const ReproduceOptions& options);
+
+/// Prints the table of case keys.
+void fields();
+
+/// Writes a commented case to start from; refuses to replace a file.
+void start_case(const std::string& path);
+
+}  // namespace ringfilm::app

@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/units.hpp"
+
+namespace ringfilm::app {
+
+/// Numbers in the units of an engineer, as text.
+class EngineeringText {
+ public:
+  /// Four significant digits and the display unit, e.g. "19.09 kPa"; dimensionless ones bare.
+  std::string operator()(const cycle::Quantity& quantity, double si_value) const;
+
+  /// The same for a cycle value by its name.
+  std::string operator()(const std::string& cycle_quantity, double si_value) const;
+
+ private:
+  io::Units units_;
+};
+
+/// The entry of cycle::cycle_quantities() of that name; a name that is not there is a bug.
+const cycle::CycleQuantity& cycle_quantity(const std::string& name);
+
+/// What the cylinder pressure is, e.g. "SYNTHETIC trace cylinder_pressure.csv".
+std::string pressure_origin(const cycle::Gas& gas);
+
+}  // namespace ringfilm::app

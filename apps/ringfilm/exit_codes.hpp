@@ -1,0 +1,12 @@
+#pragma once
+
+/// docs/manual/command-line.md
+namespace ringfilm::app {
+
+inline constexpr int kFine = 0;
+inline constexpr int kBug = 1;
+inline constexpr int kBadInput = 2;
+inline constexpr int kNoConvergence = 3;
+inline constexpr int kCouldNotWrite = 5;
+
+}  // namespace ringfilm::app

@@ -1,0 +1,48 @@
+#include <exception>
+#include <iostream>
+
+#include "command_line.hpp"
+#include "exit_codes.hpp"
+#include "ringfilm/base/error.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+int tell(const InputError& error) {
+  const std::size_t n = error.faults().size();
+  std::cerr << error.what() << n << (n == 1 ? " error" : " errors") << "; nothing was run or written (exit code "
+            << kBadInput << ")\n";
+  return kBadInput;
+}
+
+int carry_out(const Request& request) {
+  if (!request.command) return request.exit_code;
+  try {
+    request.command();
+    std::cout.flush();
+    if (!std::cout) throw OutputError("standard output: could not be written");
+    return kFine;
+  } catch (const InputError& error) {
+    return tell(error);
+  } catch (const ConvergenceError& error) {
+    std::cerr << error.what() << "\nthe cycle was not finished (exit code " << kNoConvergence << ")\n";
+    return kNoConvergence;
+  } catch (const OutputError& error) {
+    std::cerr << error.what() << "\nwhat stood there before is unchanged (exit code " << kCouldNotWrite << ")\n";
+    return kCouldNotWrite;
+  }
+}
+
+}  // namespace
+}  // namespace ringfilm::app
+
+int main(int argc, char** argv) {
+  try {
+    return ringfilm::app::carry_out(ringfilm::app::read_command_line(argc, argv));
+  } catch (const std::exception& error) {
+    std::cerr << "ringfilm: internal error: " << error.what()
+              << "\nthis is a fault of the program; please report it with "
+              << "the case file (exit code " << ringfilm::app::kBug << ")\n";
+    return ringfilm::app::kBug;
+  }
+}

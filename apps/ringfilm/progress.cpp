@@ -1,0 +1,34 @@
+#include "progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+
+namespace ringfilm::app {
+namespace {
+
+constexpr auto kSilentFirst = std::chrono::milliseconds(500);
+constexpr auto kBetweenLines = std::chrono::milliseconds(100);
+constexpr const char* kEraseLine = "\r\x1b[K";
+
+}  // namespace
+
+ProgressLine::ProgressLine() : is_terminal_(::isatty(STDERR_FILENO) == 1), next_(Clock::now() + kSilentFirst) {}
+
+ProgressLine::~ProgressLine() {
+  if (is_shown_) std::cerr << kEraseLine << std::flush;
+}
+
+void ProgressLine::show(const std::string& text) {
+  if (!is_terminal_ || Clock::now() < next_) return;
+  next_ = Clock::now() + kBetweenLines;
+  is_shown_ = true;
+  std::cerr << kEraseLine << text << std::flush;
+}
+
+void MarchProgress::advanced(int cycle, double crank_angle_deg) {
+  line_.show(fmt::format("{}: cycle {}, {:.0f} degree", what_, cycle, crank_angle_deg));
+}
+
+}  // namespace ringfilm::app

@@ -1,0 +1,163 @@
+#include "summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engineering_text.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+using cycle::CycleValues;
+
+constexpr int kValueWidth = 12;
+
+/// The text broken into lines of at most 100 characters, all but the first indented.
+std::string wrapped(const std::string& text, const std::string& indent) {
+  constexpr std::size_t kLineLength = 100;
+  std::string lines, line;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!line.empty() && line.size() + 1 + word.size() > kLineLength) {
+      lines += line + "\n" + indent;
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  return lines + line;
+}
+
+class Table {
+ public:
+  explicit Table(const CycleValues& values) : values_(values) {}
+
+  /// A line for the cycle value of that name, with a remark.
+  void add(const std::string& name, const std::string& remark = "") {
+    const cycle::CycleQuantity& quantity = cycle_quantity(name);
+    text_ += fmt::format("{:>{}}   {}{}{}\n", shown(name), kValueWidth, quantity.long_name, remark.empty() ? "" : ": ",
+                         remark);
+  }
+  std::string shown(const std::string& name) const { return in_words_(name, values_.*cycle_quantity(name).value); }
+  std::string at(const std::string& angle_name) const { return "at " + shown(angle_name); }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  const CycleValues& values_;
+  EngineeringText in_words_;
+  std::string text_;
+};
+
+std::string percent(double part, double whole) { return fmt::format("{:.0f} %", whole > 0 ? 100 * part / whole : 0.0); }
+
+std::string values_table(const CycleValues& values) {
+  Table table(values);
+  table.add("fmep");
+  table.add("mean_power_loss", "boundary " + percent(values.mean_boundary_power, values.mean_power_loss) +
+                                   ", viscous " + percent(values.mean_viscous_power, values.mean_power_loss));
+  table.add("energy_per_cycle", fmt::format("power {}, exhaust {}, intake {}, compression {}",
+                                            percent(values.power_stroke_energy, values.energy_per_cycle),
+                                            percent(values.exhaust_stroke_energy, values.energy_per_cycle),
+                                            percent(values.intake_stroke_energy, values.energy_per_cycle),
+                                            percent(values.compression_stroke_energy, values.energy_per_cycle)));
+  table.add("mean_total_friction",
+            "boundary " + table.shown("mean_boundary_friction") + ", viscous " + table.shown("mean_viscous_friction"));
+  table.add("peak_total_friction", table.at("peak_total_friction_angle"));
+  table.add("peak_boundary_friction", table.at("peak_boundary_friction_angle"));
+  table.add("peak_viscous_friction", table.at("peak_viscous_friction_angle"));
+  table.add("peak_friction_coefficient", table.at("peak_friction_coefficient_angle") +
+                                             "; within 60 degree of firing TDC " +
+                                             table.shown("peak_friction_coefficient_firing"));
+  table.add("min_film_thickness", table.at("min_film_thickness_angle"));
+  table.add("film_parameter_at_peak_pressure", "lowest of the cycle " + table.shown("min_film_parameter"));
+  table.add("mixed_share");
+  table.add("mean_absolute_oil_flow", "net " + table.shown("net_oil_flow") + ", positive to the crankcase");
+  table.add("peak_film_pressure",
+            "peak gas pressure " + table.shown("peak_gas_pressure") + " " + table.at("peak_gas_pressure_angle"));
+  table.add("wear_drive_energy");
+  return table.text();
+}
+
+std::string solver_line(const cycle::Effort& effort) {
+  std::string text = fmt::format(
+      "solver: {:.0f} cycle{} until the state repeats (to {:.1e}), {} crank steps, {} Newton iterations; load balanced "
+      "to {:.1e}, mass to {:.1e} (relative)",
+      effort.cycles_marched, effort.cycles_marched == 1 ? "" : "s", effort.periodicity_error, effort.crank_steps,
+      effort.newton_iterations, effort.max_load_residual, effort.max_mass_residual);
+  const long n_fallbacks = effort.fallback_secant + effort.fallback_sub_step;
+  if (n_fallbacks > 0) text += fmt::format("; {} steps needed the fallback chain", n_fallbacks);
+  return wrapped(text, "    ");
+}
+
+std::string assumed_lines(const std::vector<io::CaseEntry>& inputs) {
+  std::string list;
+  int n = 0;
+  for (const io::CaseEntry& entry : inputs) {
+    if (!entry.assumed) continue;
+    list += (n++ > 0 ? ", " : "") + entry.key + " = " + entry.shown;
+  }
+  if (n == 0) return "assumed: nothing, the case states every key in use\n";
+  return wrapped(fmt::format("assumed: {} keys that the case does not state: {}", n, list), "    ") + "\n";
+}
+
+std::string simplification_line(const io::ResultDocument& document) {
+  std::string topics;
+  for (const study::LedgerEntry& entry : document.ledger) topics += (topics.empty() ? "" : ", ") + entry.topic;
+  return wrapped(fmt::format("taken for granted: {} simplifications ({})", document.ledger.size(), topics), "    ") +
+         (document.ledger_computed ? "\n" : "\n    run with --ledger to see what the other choices would change\n");
+}
+
+std::string note_lines(const io::ResultDocument& document) {
+  std::string text;
+  for (const std::string& note : document.input_notes) text += wrapped("note: " + note, "    ") + "\n";
+  for (const auto& [topic, message, count] : document.result.notes) {
+    text += wrapped("note: " + message + (count > 1 ? fmt::format(" ({} times)", count) : ""), "    ") + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary(const cycle::Case& input, const io::ResultDocument& document) {
+  constexpr double kFreezing = 273.15;  // [K]
+  std::string text = document.title + "\n";
+  text += fmt::format("{:.6g} rpm, oil at {:.6g} degC; cylinder pressure: {}\n\n",
+                      input.operating.speed * 30 / std::numbers::pi, input.operating.oil_temperature - kFreezing,
+                      pressure_origin(input.gas));
+  if (!document.result.complete) {
+    text += fmt::format("STOPPED before the cycle was complete: {} crank angles, the values below are of that part\n\n",
+                        document.result.samples.size());
+  }
+  text += values_table(document.result.values) + "\n";
+  text += solver_line(document.result.effort) + "\n";
+  text += assumed_lines(document.inputs) + simplification_line(document) + note_lines(document);
+  return text;
+}
+
+std::string ledger_table(const io::ResultDocument& document) {
+  const CycleValues& base = document.result.values;
+  const auto change = [](double with, double without) {
+    return without == 0 ? std::string("-") : fmt::format("{:+.1f} %", 100 * (with / without - 1));
+  };
+  std::string text =
+      fmt::format("{:<68}{:>12}{:>12}{:>12}\n", "the other choice alone", "min film", "mean power", "mean |flow|");
+  for (const study::LedgerEntry& entry : document.ledger) {
+    for (const study::LedgerVariant& variant : entry.variants) {
+      if (!variant.solved) {
+        text += fmt::format("  {:<66}  not solved: {}\n", variant.setting, variant.reason);
+        continue;
+      }
+      text += fmt::format("  {:<66}{:>12}{:>12}{:>12}\n", variant.setting,
+                          change(variant.values.min_film_thickness, base.min_film_thickness),
+                          change(variant.values.mean_power_loss, base.mean_power_loss),
+                          change(variant.values.mean_absolute_oil_flow, base.mean_absolute_oil_flow));
+    }
+  }
+  return text;
+}
+
+}  // namespace ringfilm::app

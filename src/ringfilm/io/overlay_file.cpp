@@ -1,0 +1,61 @@
+#include "ringfilm/io/overlay_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/csv_quantity.hpp"
+#include "ringfilm/io/suggestion.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+constexpr const char* kAngle = "crank_angle";
+
+const cycle::CurveQuantity* find_curve(const std::string& name) {
+  const auto& quantities = cycle::curve_quantities();
+  const auto found = std::find_if(quantities.begin(), quantities.end(), [&](const auto& q) { return q.name == name; });
+  return found == quantities.end() ? nullptr : &*found;
+}
+
+Fault unknown_curve(const CsvFile& csv, std::size_t i_column) {
+  std::vector<std::string> names;
+  for (const auto& quantity : cycle::curve_quantities()) names.push_back(quantity.name);
+  const std::string& written = csv.columns[i_column].name;
+  const std::string nearest = nearest_word(written, names);
+  return {csv.header_mark(i_column), "no curve of a result is called " + written,
+          nearest.empty() ? "a column such as friction_on_liner [N] or min_film_thickness [um] is wanted here"
+                          : "did you mean " + nearest + "?"};
+}
+
+}  // namespace
+
+std::vector<MeasuredCurve> read_overlay(const std::string& path) {
+  const CsvFile csv = read_csv({path, path});
+  const Units units;
+  std::vector<Fault> faults;
+  const std::vector<double> angle = quantity_column(csv, kAngle, "degree", "crank_angle [degree]", units, faults);
+  std::vector<MeasuredCurve> curves;
+  for (std::size_t i = 0; i < csv.columns.size(); ++i) {
+    const CsvColumn& column = csv.columns[i];
+    if (column.name == kAngle) continue;
+    const cycle::CurveQuantity* quantity = find_curve(column.name);
+    if (quantity == nullptr) {
+      faults.push_back(unknown_curve(csv, i));
+      continue;
+    }
+    const bool is_plain = quantity->unit == "1" && !column.unit;
+    const std::string example = quantity->name + " [" + quantity->display_unit + "]";
+    curves.push_back(
+        {std::filesystem::path(path).stem().string(), quantity->name, path, angle,
+         is_plain ? column.values : quantity_column(csv, column.name, quantity->unit, example, units, faults)});
+  }
+  if (curves.empty() && faults.empty()) {
+    faults.push_back({csv.source.mark(csv.header_line, 1), "there is no column beside the crank angle",
+                      "for example friction_on_liner [N]"});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return curves;
+}
+
+}  // namespace ringfilm::io
