@@ -10,6 +10,7 @@ namespace {
 constexpr double kBeyond = 1e-10;
 /// Fronts that only advance are helped along from this iteration on.
 constexpr int kGrowthFrom = 4;
+constexpr int kLargestReach = 1 << 20;
 /// One step may not raise a pressure by more than this many scales: the viscosity is exponential in it.
 constexpr double kLargestRise = 20;
 
@@ -30,8 +31,8 @@ void state_from_z(const std::vector<double>& z, double p_c, double scale, FilmSt
 }
 
 void KinkedUpdate::start() {
-  growth_allowed_ = true;
   reach_ = 1;
+  largest_reach_ = kLargestReach;
 }
 
 KinkedUpdate::Outcome KinkedUpdate::apply(std::vector<double>& z, const std::vector<double>& step, double scale,
@@ -56,13 +57,16 @@ KinkedUpdate::Outcome KinkedUpdate::apply(std::vector<double>& z, const std::vec
     outcome.largest = std::max(outcome.largest, std::abs(after - before) / scale);
     z[i] = after;
   }
-  if (outcome.to_cavity > 0) growth_allowed_ = false;
-  if (growth_allowed_ && iteration >= kGrowthFrom && outcome.to_film > 0) {
+  if (iteration < kGrowthFrom) return outcome;
+  if (outcome.to_cavity > 0) {  // helped too far, or the front is near its place: from now on in smaller strides
+    largest_reach_ = reach_ / 8;
+    reach_ = 1;
+  } else if (largest_reach_ > 0 && outcome.to_film > 0) {
     for (const int i : flipped_) {
       for (int k = 1; k <= reach_ && i - k > 0 && z[i - k] <= 0; ++k) z[i - k] = beyond;
       for (int k = 1; k <= reach_ && i + k < n && z[i + k] <= 0; ++k) z[i + k] = beyond;
     }
-    reach_ *= 2;
+    reach_ = std::min(2 * reach_, largest_reach_);
   }
   return outcome;
 }

@@ -36,8 +36,8 @@ class KinkedUpdate {
   void start();
 
  private:
-  bool growth_allowed_ = true;
-  int reach_ = 1;
+  int reach_ = 1;          ///< cells by which an advancing front is helped along next
+  int largest_reach_ = 0;  ///< 0: no more help
   std::vector<int> flipped_;
 };
 

@@ -7,7 +7,8 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr int kMaxIterations = 40;          // of the coupled Newton, and of the film alone in the fallback
+constexpr int kMostIterations = 40;         // of the coupled Newton
+constexpr int kCellsAnIteration = 20;       // more of them for the film alone: a front may have to cross the face
 const double kLargestFall = std::log(0.4);  // trust region in ln h_m
 const double kLargestRise = std::log(2.5);
 constexpr double kBlindStep = 0.2;   // in ln h_m, where the load seems to rise with the film
@@ -41,7 +42,10 @@ class CoupledNewton {
   /// Iterates until the stop test holds; true if it did.
   bool solve(Unknowns unknowns, FilmReport& report) {
     work_.update_.start();
-    for (int iteration = 1; iteration <= kMaxIterations; ++iteration) {
+    const int most = unknowns == Unknowns::kFilmAndSeparation
+                         ? kMostIterations
+                         : kMostIterations + problem_.grid.n_cells() / kCellsAnIteration;
+    for (int iteration = 1; iteration <= most; ++iteration) {
       const double excess = assemble();
       auto& system = work_.system_;
       double d_ln_h = 0;
@@ -59,7 +63,8 @@ class CoupledNewton {
       state_from_z(work_.z_, inputs_.p_cavitation, scale_, state_);
       ++report.iterations;
       report.last_step = std::max(outcome.largest, std::abs(d_ln_h));
-      if (!std::isfinite(report.last_step) || state_.h_m < kThinnest || state_.h_m > kThickest) return false;
+      if (!std::isfinite(report.last_step)) return false;
+      if (d_ln_h != 0 && (state_.h_m < kThinnest || state_.h_m > kThickest)) return false;
       if (outcome.to_film + outcome.to_cavity == 0 && report.last_step <= std::sqrt(problem_.tolerance)) {
         finish();
         return true;
@@ -178,6 +183,14 @@ FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, cons
   CoupledNewton newton(problem, inputs, previous, state, workspace);
   report.converged =
       newton.solve(CoupledNewton::Unknowns::kFilmAndSeparation, report) || newton.solve_by_search(guess, report);
+  return report;
+}
+
+FilmReport solve_film_at_separation(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
+                                    FilmState& state, FilmWorkspace& workspace) {
+  FilmReport report;
+  CoupledNewton newton(problem, inputs, previous, state, workspace);
+  report.converged = newton.solve(CoupledNewton::Unknowns::kFilmAlone, report);
   return report;
 }
 

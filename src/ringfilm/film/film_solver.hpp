@@ -34,6 +34,11 @@ class FilmWorkspace {
 FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous, FilmState& state,
                       FilmWorkspace& workspace);
 
+/// The same at the h_m of `state`, which stays: finds pressure and fill for a separation that is given. `inputs.load`
+/// is only the scale of pressures.
+FilmReport solve_film_at_separation(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
+                                    FilmState& state, FilmWorkspace& workspace);
+
 /// A film to start from when there is none: edge pressures joined linearly, h_m where asperities and wedge may carry.
 FilmState first_guess(const FilmProblem& problem, const FilmInputs& inputs);
 

@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "film_cases.hpp"
+
+namespace ringfilm::film::testing {
+namespace {
+
+// --- infinitely wide inclined slider, W h0^2/(eta U L^2) = 6 [ln(1+K)/K^2 - 2/(K(2+K))] (Rayleigh 1918) -------------
+
+constexpr double kLength = 0.01, kOutlet = 10e-6, kEta = 0.02, kU = 5.0;
+
+double slider_load(double K) {
+  return 6 * (std::log1p(K) / (K * K) - 2 / (K * (2 + K))) * kEta * kU * kLength * kLength / (kOutlet * kOutlet);
+}
+
+FilmInputs slider_inputs(double load) {
+  FilmInputs in;
+  in.U = kU;
+  in.load = load;
+  in.p_cavitation = -1e12;  // the closed form knows no cavity
+  return in;
+}
+
+double slider_error(int n_cells, double K) {
+  SmoothFilm film(
+      n_cells, kLength, [&](double x) { return K * kOutlet * (1 - x / kLength); }, kEta, Cavitation::kReynoldsExit);
+  const Solved solved = steady_at(film.problem, slider_inputs(slider_load(K)), kOutlet);
+  EXPECT_TRUE(solved.report.converged);
+  return std::abs(solved.integrals.hydrodynamic_load / slider_load(K) - 1);
+}
+
+TEST(Reynolds, LinearSliderMatchesClosedForm) {
+  // Second order: 3e-5 at 400 cells for the steepest gap, seen and falling by four with each doubling.
+  for (const double K : {0.3, 1.0, 1.188705, 3.0}) EXPECT_LT(slider_error(400, K), 4e-5) << "K = " << K;
+}
+
+TEST(Reynolds, LinearSliderConvergesWithSecondOrder) {
+  const double order = std::log2(slider_error(50, 1.0) / slider_error(100, 1.0));
+  EXPECT_NEAR(order, 2.0, 0.05);  // asymptotic range: the next term changes the order by less
+}
+
+TEST(Reynolds, SliderUnderItsClosedFormLoadFloatsAtItsOutletFilm) {
+  SmoothFilm film(
+      400, kLength, [](double x) { return kOutlet * (1 - x / kLength); }, kEta, Cavitation::kReynoldsExit);
+  const Solved solved = steady_under_load(film.problem, slider_inputs(slider_load(1.0)), 3e-6);
+  ASSERT_TRUE(solved.report.converged);
+  // Here h_s does not scale with h_m: the outlet film itself is the unknown.
+  EXPECT_NEAR(solved.state.h_m / kOutlet, 1, 2e-5);
+}
+
+// --- parabola, flooded, Reynolds exit (Martin 1916, numbers of docs/theory/film.md) ---------------------------------
+
+TEST(Reynolds, MartinParabolaMatchesHalfSommerfeldWithReynoldsExit) {
+  constexpr double R = 0.05, h0 = 2e-6, eta = 0.01, u = 3.0;  // u: mean entrainment velocity
+  const double s = std::sqrt(2 * R * h0);
+  const double width = 60 * s;
+  // An inlet that begins at 54 s instead of infinity lacks its tail, p = 16 eta u R^2/x^3, and all pressures lie lower
+  // by the tail's value there: 12/54^2 of the load factor together.
+  const double load_factor = 4.894968 - 12 / (54.0 * 54.0);
+  SmoothFilm film(
+      12000, width, [&](double x) { return (x - 0.9 * width) * (x - 0.9 * width) / (2 * R); }, eta,
+      Cavitation::kReynoldsExit);
+  FilmInputs in;
+  in.U = 2 * u;
+  in.load = 4.894968 * eta * u * R / h0;
+  const Solved solved = steady_at(film.problem, in, h0);
+  ASSERT_TRUE(solved.report.converged);
+  EXPECT_NEAR(solved.integrals.hydrodynamic_load / in.load, load_factor / 4.894968, 2e-5);
+  EXPECT_NEAR(solved.integrals.peak_pressure / (2.150942 * eta * u * std::sqrt(R) * std::pow(h0, -1.5)), 1, 1e-4);
+  // The rupture point is known to one cell, 1/200 s.
+  EXPECT_NEAR((*solved.integrals.cavity_begin - 0.9 * width) / s, 0.4751299, 0.006);
+}
+
+// --- parabolic pad with rupture and reformation-free exit, mass conserving (PHYSICS of docs/theory/film.md) ----------
+
+struct Pad {
+  double rupture, p_max, x_max, load, flow;
+};
+
+Pad parabolic_pad(int n_cells) {
+  constexpr double L = 0.0762, h_min = 25.4e-6, rise = 25.4e-6;
+  SmoothFilm film(
+      n_cells, L, [&](double x) { return rise * std::pow(2 * x / L - 1, 2); }, 0.039, Cavitation::kMassConserving);
+  FilmInputs in;
+  in.U = 4.57;
+  in.load = 1e5;
+  const Solved solved = steady_at(film.problem, in, h_min);
+  EXPECT_TRUE(solved.report.converged);
+  const auto& p = solved.state.p;
+  const auto top = std::max_element(p.begin(), p.end()) - p.begin();
+  return {*solved.integrals.cavity_begin, solved.integrals.peak_pressure, film.problem.grid.x(static_cast<int>(top)),
+          solved.integrals.hydrodynamic_load, solved.integrals.flow_middle};
+}
+
+TEST(MassConserving, ParabolicPadRupturesWhereTheQuadratureSays) {
+  const Pad pad = parabolic_pad(1600);
+  // The front is first order: half a cell is 0.024 mm.
+  EXPECT_NEAR(pad.rupture, 51.7348e-3, 0.05e-3);
+  EXPECT_NEAR(pad.p_max / 3.59179e6, 1, 1e-4);
+  EXPECT_NEAR(pad.x_max, 24.4652e-3, 0.05e-3);
+  EXPECT_NEAR(pad.load / 101.349e3, 1, 1e-4);
+  EXPECT_NEAR(pad.flow / 6.54721e-5, 1, 1e-4);
+}
+
+TEST(MassConserving, SteadyFlowIsTheSameThroughBothEdges) {
+  constexpr double L = 0.0762;
+  SmoothFilm film(
+      200, L, [&](double x) { return 25.4e-6 * std::pow(2 * x / L - 1, 2); }, 0.039, Cavitation::kMassConserving);
+  FilmInputs in;
+  in.U = 4.57;
+  in.load = 1e5;
+  const Solved solved = steady_at(film.problem, in, 25.4e-6);
+  ASSERT_GT(solved.integrals.cavitated_fraction, 0.2);
+  // Round-off of 200 sums; the tolerance of the iteration is quadratic, 1e-10.
+  EXPECT_NEAR(solved.integrals.flow_right / solved.integrals.flow_left, 1, 1e-9);
+}
+
+TEST(ReynoldsExit, CavityHoldsTheCavitationPressureAndNoNodeLiesBelow) {
+  constexpr double L = 0.0762;
+  SmoothFilm film(
+      200, L, [&](double x) { return 25.4e-6 * std::pow(2 * x / L - 1, 2); }, 0.039, Cavitation::kReynoldsExit);
+  FilmInputs in;
+  in.U = 4.57;
+  in.load = 1e5;
+  in.p_left = in.p_right = in.p_cavitation = 1e5;
+  const Solved solved = steady_at(film.problem, in, 25.4e-6);
+  ASSERT_TRUE(solved.report.converged);
+  for (std::size_t i = 0; i < solved.state.p.size(); ++i) {
+    EXPECT_GE(solved.state.p[i], 1e5);
+    if (solved.state.deficit[i] > 0) {
+      EXPECT_EQ(solved.state.p[i], 1e5);
+    }
+  }
+}
+
+TEST(Reynolds, TurningTheFaceAndTheMotionMirrorsTheFilm) {
+  constexpr double b = 1.2e-3;
+  const auto height = [](double x) { return 8e-6 * std::pow(x / b - 0.4, 2) / 0.36; };
+  for (const auto cavitation : {Cavitation::kReynoldsExit, Cavitation::kMassConserving}) {
+    SmoothFilm film(100, b, height, 0.005, cavitation);
+    SmoothFilm mirrored(
+        100, b, [&](double x) { return height(b - x); }, 0.005, cavitation);
+    FilmInputs in;
+    in.U = 6;
+    in.p_left = 8e5;
+    in.p_right = in.p_cavitation = 1e5;
+    in.load = 9e5 * b;
+    FilmInputs back = in;
+    back.U = -in.U;
+    std::swap(back.p_left, back.p_right);
+    const Solved a = steady_under_load(film.problem, in, 1e-6);
+    const Solved m = steady_under_load(mirrored.problem, back, 1e-6);
+    ASSERT_TRUE(a.report.converged && m.report.converged);
+    // Sums run in the other direction: rounding, amplified by the iteration's own tolerance.
+    EXPECT_NEAR(a.state.h_m / m.state.h_m, 1, 1e-9);
+    EXPECT_NEAR(a.integrals.flow_middle / -m.integrals.flow_middle, 1, 1e-8);
+  }
+}
+
+}  // namespace
+}  // namespace ringfilm::film::testing
