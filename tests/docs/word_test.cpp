@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "document_tree.hpp"
-#include "ringfilm/cycle/case_fields.hpp"
 #include "ringfilm/cycle/result.hpp"
 
 namespace ringfilm::documents {
@@ -12,11 +11,6 @@ TEST(Docs, EveryQuantityOfAResultIsInTheGlossary) {
   for (const auto& quantity : cycle::curve_quantities()) EXPECT_TRUE(words.count(quantity.name)) << quantity.name;
   for (const auto& quantity : cycle::cycle_quantities()) EXPECT_TRUE(words.count(quantity.name)) << quantity.name;
   for (const auto& quantity : cycle::derived_quantities()) EXPECT_TRUE(words.count(quantity.name)) << quantity.name;
-}
-
-TEST(Docs, EveryCaseKeyIsInTheManual) {
-  const Mentions keys = mentions({{"", text_of("docs/manual/case-file.md")}}, "`([a-z_]+(?:[.][a-z_]+)*)`");
-  for (const auto& field : cycle::case_fields()) EXPECT_TRUE(keys.count(field.key)) << field.key;
 }
 
 }  // namespace
