@@ -1,0 +1,76 @@
+#include "ringfilm/report/html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/report/page_template.hpp"
+#include "ringfilm/report/payload.hpp"
+
+namespace ringfilm::report {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (char c : text) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+void check_overlays(const std::vector<Overlay>& overlays) {
+  std::vector<Fault> faults;
+  const auto& quantities = cycle::curve_quantities();
+  for (const Overlay& o : overlays) {
+    SourceMark mark;
+    mark.file = o.source;
+    const bool known =
+        std::any_of(quantities.begin(), quantities.end(), [&](const auto& q) { return q.name == o.quantity; });
+    if (!known) {
+      faults.push_back({mark, fmt::format("\"{}\" is no quantity over crank angle", o.quantity),
+                        "name one of the columns that `ringfilm run --csv` writes, for example friction_on_liner"});
+    }
+    if (o.crank_angle_deg.size() != o.value.size()) {
+      faults.push_back({mark, fmt::format("{} crank angles, but {} values", o.crank_angle_deg.size(), o.value.size()),
+                        "give one value for each crank angle"});
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+std::string page_title(const std::vector<io::ResultDocument>& documents) {
+  if (documents.size() == 1) return documents.front().title;
+  return fmt::format("{} and {} more", documents.front().title, documents.size() - 1);
+}
+
+}  // namespace
+
+std::string report_page(const std::vector<io::ResultDocument>& documents, const std::vector<Overlay>& overlays) {
+  if (documents.empty())
+    throw InputError("a report needs at least one result", "name a result file of `ringfilm run --output`");
+  check_overlays(overlays);
+  std::string page(page_template::before_title());
+  page += escaped(page_title(documents));
+  page += page_template::before_data();
+  page += payload(documents, overlays);
+  page += page_template::after_data();
+  return page;
+}
+
+}  // namespace ringfilm::report

@@ -1,0 +1,149 @@
+// A figure on the page: heading, charts, legend with read-out, caption, files to take away.
+import { Chart } from './chart.js';
+import { spokenSummary } from './cycle_figures.js';
+import { element, svgElement } from './dom.js';
+import { fileStem, figureCsv, save, savePng } from './downloads.js';
+import { axisTitle } from './scales.js';
+import { figureSvg, swatchSvg } from './svg.js';
+import { number, withUnit } from './units.js';
+
+const kChartHeight = 250;
+
+/** Which cases are hidden, for the whole page. */
+export class Visibility {
+  constructor() {
+    this.hidden = new Set();
+    this.listeners = [];
+    this.shows = (series) => series.caseIndex === null || !this.hidden.has(series.caseIndex);
+  }
+  toggle(caseIndex) {
+    if (!this.hidden.delete(caseIndex)) this.hidden.add(caseIndex);
+    this.listeners.forEach((tell) => tell());
+  }
+  forget(view) {
+    this.listeners = this.listeners.filter((tell) => tell !== view.follow);
+  }
+}
+
+function valueAt(series, at) {
+  const xs = series.angle ?? series.x;
+  let best = -1;
+  xs.forEach((v, k) => {
+    if (v !== null && series.y[k] !== null && (best < 0 || Math.abs(v - at) < Math.abs(xs[best] - at))) best = k;
+  });
+  return best < 0 ? null : series.y[best];
+}
+
+export class FigureView {
+  /** @param context visibility, group (CycleGroup), stem of file names, subtitle for files */
+  constructor(figure, context) {
+    this.context = context;
+    this.figure = figure;
+    this.charts = [];
+    this.values = [];
+    this.node = element('figure', { id: figure.id, class: `figure ${figure.layout === 'row' ? 'row' : ''}` });
+    this.build();
+    this.follow = () => this.refresh();
+    context.visibility.listeners.push(this.follow);
+  }
+
+  build() {
+    const { figure } = this;
+    this.title = element('h3', {}, figure.title);
+    const paper = figure.paper && this.context.besidePaper ? element('span', { class: 'paper' }, `${figure.paper} of the paper`) : null;
+    this.heading = element('div', { class: 'figure-heading' }, this.title, paper, this.downloads());
+    this.body = element('div', { class: 'panels' });
+    this.caption = element('figcaption', {}, figure.caption);
+    this.print = element('div', { class: 'print-only' });
+    this.node.append(this.heading, this.body, this.caption, this.print);
+    figure.panels.forEach((panel, i) => this.body.append(panel.bars ? this.bars() : this.chartPanel(panel, i)));
+    this.refresh();
+  }
+
+  chartPanel(panel, index) {
+    const { figure, context } = this;
+    const host = element('div', { class: 'chart', role: 'img', 'aria-label': spokenSummary({ panels: [panel] }) });
+    const at = element('span', { class: 'at' });
+    const values = panel.series.map(() => element('span', { class: 'value' }));
+    const entries = panel.series.map((s, i) => this.legendEntry(s, values[i]));
+    const node = element('div', { class: 'panel' },
+      element('div', { class: 'axis-title' }, axisTitle(panel.yLabel, panel.yUnit)),
+      host,
+      element('div', { class: 'axis-title below' }, axisTitle(panel.xLabel, panel.xUnit)),
+      element('div', { class: 'legend' }, at, entries));
+    const readOut = (x) => {
+      const shown = this.figure.panels[index];
+      at.textContent = x === null ? '' : shown.crank || shown.inOrderOfTime ? `at ${number(x, 4)}°` : `at ${withUnit(x, shown.xUnit, 3)}`;
+      shown.series.forEach((s, i) => { values[i].textContent = x === null ? '' : number(valueAt(s, x), 4); });
+    };
+    // uPlot measures its host, which must stand in the page first.
+    this.charts.push({ start: () => new Chart(host, panel, { visible: context.visibility.shows, readOut, group: figure.group ? context.group : null, height: panel.height ?? kChartHeight }), entries, panel });
+    return node;
+  }
+
+  legendEntry(series, value) {
+    const { visibility } = this.context;
+    const sample = svgElement(swatchSvg(series));
+    const label = element('span', { class: 'label' }, series.label);
+    if (series.caseIndex === null) return element('span', { class: 'entry' }, sample, label, value);
+    return element('button', {
+      type: 'button', class: 'entry', 'aria-pressed': 'true', title: `Hide or show ${series.label}`, 'data-case': series.caseIndex,
+      onclick: () => visibility.toggle(series.caseIndex),
+    }, sample, label, value);
+  }
+
+  bars() {
+    // One drawing holds all bar panels of the figure.
+    if (this.barHost) return '';
+    this.barHost = element('div', { class: 'bars', role: 'img', 'aria-label': this.figure.caption });
+    return this.barHost;
+  }
+
+  drawBars() {
+    const width = Math.max(320, Math.min(1060, this.barHost.clientWidth || 760));
+    const entries = this.figure.panels[0].groups.map((g) => this.legendEntry(g, ''));
+    entries.filter((e) => e.dataset.case !== undefined).forEach((e) => e.setAttribute('aria-pressed', String(!this.context.visibility.hidden.has(Number(e.dataset.case)))));
+    this.barHost.replaceChildren(
+      svgElement(figureSvg(this.figure, this.context.visibility.shows, { width, heading: false })),
+      element('div', { class: 'legend' }, entries));
+  }
+
+  /** Draws; to be called once the node stands in the page. */
+  start() {
+    for (const entry of this.charts) entry.chart = entry.start();
+    if (this.barHost) {
+      this.drawBars();
+      new ResizeObserver(() => this.drawBars()).observe(this.node);
+    }
+  }
+
+  refresh() {
+    const { visibility } = this.context;
+    for (const { chart, entries, panel } of this.charts) {
+      chart?.refresh();
+      entries.forEach((entry, i) => {
+        if (panel.series[i].caseIndex !== null) entry.setAttribute('aria-pressed', String(visibility.shows(panel.series[i])));
+      });
+    }
+    if (this.barHost?.isConnected) this.drawBars();
+  }
+
+  svg(options) {
+    const windows = Object.fromEntries(this.charts.filter((c) => c.chart).map(({ chart }) => [chart.panel.id, chart.window]));
+    return figureSvg(this.figure, this.context.visibility.shows, { windows, subtitle: this.context.subtitle, ...options });
+  }
+
+  downloads() {
+    const name = (ending) => `${fileStem(this.context.stem, this.figure.id)}.${ending}`;
+    const button = (label, action) => element('button', { type: 'button', class: 'download', 'aria-label': `${this.figure.title} as ${label}`, onclick: action }, label);
+    return element('span', { class: 'downloads' },
+      button('PNG', () => savePng(name('png'), this.svg())),
+      button('SVG', () => save(name('svg'), 'image/svg+xml', this.svg())),
+      button('CSV', () => save(name('csv'), 'text/csv', figureCsv(this.figure))));
+  }
+
+  /** Lays a static drawing beside the charts for the printer. */
+  beforePrint() {
+    this.print.replaceChildren(svgElement(this.svg({ heading: true, subtitle: '' })));
+  }
+}

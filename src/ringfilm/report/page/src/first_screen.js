@@ -1,0 +1,84 @@
+// What was computed, the three numbers that matter, the one warning that matters.
+import { element, svgElement } from './dom.js';
+import { shownInput } from './model.js';
+import { swatchSvg } from './svg.js';
+import { angleInWords, number, wrapped } from './units.js';
+
+const kOperating = [
+  ['engine.bore', 'bore'],
+  ['engine.stroke', 'stroke'],
+  ['engine.connecting_rod_length', 'rod'],
+  ['operating.speed', 'speed'],
+  ['operating.oil_temperature', 'oil at'],
+  ['ring.face_width', 'ring width'],
+  ['film.cavitation', 'cavitation'],
+];
+
+/** "bore 89 mm, stroke 79.5 mm, ..." with every value that occurs. */
+export function operatingLine(model) {
+  return kOperating
+    .map(([key, word]) => {
+      const values = [...new Set(model.cases.map((c) => model.input(c, key)).filter(Boolean).map(shownInput))];
+      return values.length ? `${word} ${values.join(' / ')}` : null;
+    })
+    .filter(Boolean)
+    .join(', ');
+}
+
+export function reportTitle(model) {
+  if (!model.several) return model.cases[0].title || 'One engine cycle';
+  return model.sharedTitle || `${model.cases.length} engine cycles beside each other`;
+}
+
+const kLow = 'film-parameter-too-low';
+
+/** The most serious thing first. */
+function warnings(model) {
+  const list = [];
+  const whom = (cases) => (cases.length === model.cases.length ? '' : `${cases.map((c) => c.name).join(', ')}: `);
+  const broken = model.cases.filter((c) => !c.complete);
+  if (broken.length) {
+    const last = broken.map((c) => wrapped(c.curves.crank_angle[c.curves.crank_angle.length - 1] ?? null));
+    list.push(`${whom(broken)}INCOMPLETE: the march stopped early${last[0] === null ? '' : ` (last good angle ${last.map((a) => `${number(a, 4)}°`).join(', ')})`}; cycle values do not stand for a whole cycle.`);
+  }
+  const synthetic = model.cases.filter((c) => model.isSynthetic(c));
+  if (synthetic.length) list.push(`${whom(synthetic)}the cylinder pressure is SYNTHETIC: made by a formula, not measured on an engine. Levels of friction and film follow from it.`);
+  const low = model.cases.filter((c) => c.notes.some((n) => n.topic === kLow));
+  if (low.length) list.push(`${whom(low)}${low[0].notes.find((n) => n.topic === kLow).message}.`);
+  for (const c of model.cases) {
+    for (const note of c.notes) if (note.topic !== kLow && note.topic !== 'synthetic-trace') list.push(`${whom([c])}${note.message}.`);
+  }
+  return list;
+}
+
+function card(model, heading, main, detail) {
+  const rows = model.cases.map((c) => {
+    const { value, unit } = main(c);
+    return element('div', { class: 'card-row' },
+      model.several ? element('span', { class: 'card-name' }, svgElement(swatchSvg({ caseIndex: c.index, part: null })), c.name) : null,
+      element('span', { class: 'card-value' }, element('b', {}, number(value, 3)), unit ? ` ${unit}` : ''),
+      element('span', { class: 'card-detail' }, detail(c)));
+  });
+  return element('section', { class: 'card' }, element('h2', {}, heading), rows);
+}
+
+export function firstScreen(model) {
+  const found = warnings(model);
+  const several = found.length - 1;
+  const warning = found.length === 0 ? null : element('p', { class: 'warning', role: 'note' },
+    element('strong', {}, 'Mind: '), found[0],
+    several > 0 ? [' ', element('a', { href: '#validity' }, `${several} more ${several === 1 ? 'note' : 'notes'}`)] : null);
+  const shownFmep = (c) => {
+    const { value, unit } = model.value(c, 'fmep');
+    return `FMEP ${number(value, 3)} ${unit}`;
+  };
+  return element('header', { class: 'first-screen' },
+    element('p', { class: 'kind' }, 'Mixed lubrication of the piston ring and the liner over one engine cycle'),
+    element('h1', {}, reportTitle(model)),
+    element('p', { class: 'operating' }, operatingLine(model)),
+    element('div', { class: 'cards' },
+      card(model, 'Mean friction power', (c) => model.value(c, 'mean_power_loss'), shownFmep),
+      card(model, 'Thinnest film', (c) => model.value(c, 'min_film_thickness'), (c) => angleInWords(c.values.min_film_thickness_angle).replace('firing ', '')),
+      card(model, 'In mixed lubrication', (c) => model.value(c, 'mixed_share'), () => 'of the cycle')),
+    warning);
+}

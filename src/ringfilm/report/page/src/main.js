@@ -1,0 +1,114 @@
+// Puts the page together from the data that it carries.
+import { CycleGroup } from './chart.js';
+import { cycleFigures, kCycleRange, otherQuantityFigure, shownElsewhere, zoomFigure } from './cycle_figures.js';
+import { element, svgElement } from './dom.js';
+import { FaceView } from './face_view.js';
+import { FigureView, Visibility } from './figure_view.js';
+import { firstScreen, operatingLine, reportTitle } from './first_screen.js';
+import { ledgerSection } from './ledger.js';
+import { Model } from './model.js';
+import { energyFigure, faceFigure, fieldAngles, stribeckFigure, wearFigure } from './other_figures.js';
+import { swatchSvg } from './svg.js';
+import { comparisonSection, cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
+import { display } from './units.js';
+
+const kRanges = [
+  ['Whole cycle', -360, 360],
+  ['±90°', -90, 90],
+  ['Intake', -360, -180],
+  ['Compression', -180, 0],
+  ['Power', 0, 180],
+  ['Exhaust', 180, 360],
+];
+
+function toolbar(model, visibility, group) {
+  const cases = model.several
+    ? model.cases.map((c) => element('button', {
+      type: 'button', class: 'entry', 'aria-pressed': 'true', title: `Hide or show ${c.name}`, 'data-case': c.index, onclick: () => visibility.toggle(c.index),
+    }, svgElement(swatchSvg({ caseIndex: c.index, part: null })), element('span', { class: 'label' }, c.name)))
+    : [];
+  visibility.listeners.push(() => cases.forEach((button, i) => button.setAttribute('aria-pressed', String(!visibility.hidden.has(i)))));
+  const ranges = kRanges.map(([label, low, high]) => element('button', {
+    type: 'button', class: 'range', 'aria-pressed': String(low === kCycleRange[0] && high === kCycleRange[1]), onclick: () => group.zoom(low, high),
+  }, label));
+  group.listeners.push((low, high) => ranges.forEach((button, i) => {
+    button.setAttribute('aria-pressed', String(Math.abs(low - kRanges[i][1]) < 0.5 && Math.abs(high - kRanges[i][2]) < 0.5));
+  }));
+  return element('div', { class: 'toolbar', role: 'toolbar', 'aria-label': 'What the charts show' },
+    cases.length ? element('span', { class: 'tools' }, cases) : null,
+    element('span', { class: 'tools' }, ranges));
+}
+
+/** A chart of a quantity that the reader picks. */
+function otherQuantity(model, context, started) {
+  const host = element('div', {});
+  const names = model.curveQuantities.map((q) => q.name).filter((name) => !shownElsewhere().includes(name));
+  let view = null;
+  const show = (name) => {
+    if (view) {
+      view.charts.forEach(({ chart }) => chart && context.group.remove(chart));
+      context.visibility.forget(view);
+      started.splice(started.indexOf(view), 1);
+    }
+    view = new FigureView(otherQuantityFigure(model, name), context);
+    host.replaceChildren(view.node);
+    view.heading.after(choice);
+    view.start();
+    started.push(view);
+  };
+  const picker = element('select', { id: 'quantity', onchange: () => { show(picker.value); picker.focus(); } }, names.map((name) => {
+    const q = model.curveQuantity.get(name);
+    const { unit } = display(q);
+    return element('option', { value: name }, `${q.long_name}${unit ? ` [${unit}]` : ''}`);
+  }));
+  const choice = element('div', { class: 'choice' }, element('label', { for: 'quantity' }, 'Quantity'), picker);
+  const overlaid = model.payload.overlays.map((o) => o.quantity).find((name) => names.includes(name));
+  if (names.length === 0) return null;
+  picker.value = overlaid ?? (names.includes('power_loss') ? 'power_loss' : names[0]);
+  return { node: host, start: () => show(picker.value), beforePrint: () => {} };
+}
+
+function buildPage(model) {
+  const visibility = new Visibility();
+  const group = new CycleGroup();
+  const title = reportTitle(model);
+  const besidePaper = model.cases.some((c) => c.comparison.length > 0);
+  const context = { visibility, group, besidePaper, stem: title, subtitle: [title, operatingLine(model)].filter(Boolean).join(' · ').slice(0, 110) };
+  const views = [];
+  const view = (figure) => (figure ? new FigureView(figure, context) : null);
+  const started = [];
+
+  const hasCurves = model.cases.some((c) => c.curves.crank_angle.length > 1);
+  const cycle = hasCurves ? [...cycleFigures(model).map(view), otherQuantity(model, context, started)].filter(Boolean) : [];
+  const others = [
+    hasCurves ? view(zoomFigure(model)) : null,
+    hasCurves ? view(stribeckFigure(model)) : null,
+    view(energyFigure(model)),
+    view(wearFigure(model)),
+  ].filter(Boolean);
+  const faces = [view(faceFigure(model)), fieldAngles(model).length ? new FaceView(model, context) : null].filter(Boolean);
+  views.push(...cycle, ...others, ...faces);
+
+  const contents = [
+    ['cycle', 'Over the cycle', cycle.length], ['friction', 'Friction and wear', others.length], ['face', 'Along the face', faces.length],
+    ['cycle-values', 'Cycle values', 1], ['comparison', 'Published values', model.cases.some((c) => c.comparison.length)],
+    ['ledger', 'Assumptions', model.cases.some((c) => c.ledger.length)], ['validity', 'Validity', 1], ['inputs', 'Inputs', 1], ['provenance', 'Provenance', 1],
+  ].filter(([, , there]) => there);
+
+  document.getElementById('report').replaceChildren(...[
+    firstScreen(model),
+    element('nav', { class: 'contents', 'aria-label': 'Contents' }, contents.map(([id, label]) => element('a', { href: `#${id}` }, label))),
+    cycle.length ? section('cycle', 'Over the engine cycle',
+      element('p', { class: 'how' }, 'Drag across a chart to zoom all of them, double-click for the whole cycle; the thin dashed line marks the peak of the gas pressure. A name in a legend hides that case in the whole page.'),
+      toolbar(model, visibility, group), cycle.map((v) => v.node)) : null,
+    others.length ? section('friction', 'Friction and wear', others.map((v) => v.node)) : null,
+    faces.length ? section('face', 'Along the face of the ring', faces.map((v) => v.node)) : null,
+    cycleValuesSection(model), comparisonSection(model), ledgerSection(model), notesSection(model), inputsSection(model), provenanceSection(model),
+  ].filter(Boolean));
+  views.forEach((v) => v.start());
+  window.addEventListener('beforeprint', () => {
+    [...views, ...started].forEach((v) => v.beforePrint());
+  });
+}
+
+buildPage(new Model(JSON.parse(document.getElementById('result-data').textContent)));

@@ -1,0 +1,101 @@
+// The payload made handy: quantities by name, cases with short names, curves on the axis of the charts.
+import { display, wrapped } from './units.js';
+
+/** Splits titles into what they share and what tells them apart, at a comma, colon or blank. */
+export function shortNames(titles) {
+  if (titles.length < 2) return { shared: titles[0] ?? '', names: titles.map(() => 'this case') };
+  let n = 0;
+  while (titles.every((t) => n < t.length && t[n] === titles[0][n])) n++;
+  const cut = titles[0].slice(0, n).replace(/[^\s,:;–-]*$/, '');
+  const shared = cut.replace(/[\s,:;–-]+$/, '');
+  let names = titles.map((t) => t.slice(cut.length).trim());
+  if (names.some((name) => name === '') || new Set(names).size < names.length) {
+    names = new Set(titles).size === titles.length ? titles : titles.map((t, i) => `${i + 1}: ${t}`);
+    return { shared: '', names };
+  }
+  return { shared, names };
+}
+
+/** An input as people write it: no quotes around names, micro and degree signs. */
+export function shownInput(entry) {
+  return entry.shown.replace(/^"(.*)"$/, '$1').replace(/\bdegC\b/g, '°C').replace(/(\d )um\b/g, '$1µm');
+}
+
+export class Model {
+  constructor(payload) {
+    this.payload = payload;
+    this.curveQuantities = payload.curve_quantities;
+    const byName = (list) => new Map(list.map((q) => [q.name, q]));
+    this.curveQuantity = byName(payload.curve_quantities);
+    this.cycleQuantity = byName(payload.cycle_quantities);
+    this.derivedQuantity = byName(payload.derived_quantities);
+    const { shared, names } = shortNames(payload.cases.map((c) => c.title));
+    this.sharedTitle = shared;
+    this.cases = payload.cases.map((c, index) => ({ ...c, index, name: names[index] }));
+    this.several = this.cases.length > 1;
+  }
+
+  /** Name, unit and values of one cycle value of one case as shown. */
+  value(caseOrValues, name) {
+    const quantity = this.cycleQuantity.get(name);
+    if (!quantity) return { value: null, unit: '', longName: name };
+    const values = caseOrValues.values ?? caseOrValues;
+    const { unit, convert } = display(quantity);
+    let value = convert(values[name] ?? null);
+    if (quantity.unit === 'degree') value = wrapped(value);
+    return { value, unit, longName: quantity.long_name };
+  }
+
+  /** One input of a case by key, or undefined. */
+  input(oneCase, key) {
+    return oneCase.inputs.find((entry) => entry.key === key);
+  }
+
+  isSynthetic(oneCase) {
+    return this.input(oneCase, 'gas.trace_origin')?.value.replace(/"/g, '') === 'synthetic';
+  }
+
+  /** A curve over the cycle in display units: sorted from -360 to 360, null where samples are missing. */
+  curve(oneCase, name) {
+    const quantity = this.curveQuantity.get(name);
+    const { convert } = display(quantity);
+    return onCycleAxis(oneCase.curves.crank_angle, oneCase.curves[name].map(convert));
+  }
+}
+
+/** Steps wider than this many degrees, and three times the usual one, are missing samples: no line is drawn there. */
+const kWidestStep = 20;
+
+/** Turns angles to -360..360; closes a full cycle at both ends; a null stands wherever samples are missing. */
+export function onCycleAxis(angles, values) {
+  const points = angles.map((angle, k) => [wrapped(angle), values[k]]).sort((a, b) => a[0] - b[0]);
+  if (points.length === 0) return { x: [], y: [] };
+  const steps = points.slice(1).map((p, k) => p[0] - points[k][0]).filter((step) => step > 0).sort((a, b) => a - b);
+  const usual = steps.length ? steps[Math.floor(steps.length / 2)] : 0;
+  const around = points[0][0] + 720 - points[points.length - 1][0];
+  if (usual > 0 && around <= 1.5 * usual && points[points.length - 1][0] === 360) points.unshift([-360, points[points.length - 1][1]]);
+  const x = [];
+  const y = [];
+  points.forEach(([angle, value], k) => {
+    if (k > 0 && angle - points[k - 1][0] > Math.max(3 * usual, kWidestStep)) {
+      x.push((angle + points[k - 1][0]) / 2);
+      y.push(null);
+    }
+    x.push(angle);
+    y.push(value);
+  });
+  return { x, y };
+}
+
+/** The part of a curve between two angles. */
+export function window(curve, low, high) {
+  const x = [];
+  const y = [];
+  curve.x.forEach((angle, k) => {
+    if (angle >= low && angle <= high) {
+      x.push(angle);
+      y.push(curve.y[k]);
+    }
+  });
+  return { x, y };
+}

@@ -1,0 +1,117 @@
+// Ranges and ticks, the same on the screen and in the SVG.
+import { crankTicks, logTicks, ticks } from './units.js';
+
+export const kStrokeBands = [
+  { from: -360, to: -180, name: 'intake' },
+  { from: -180, to: 0, name: 'compression' },
+  { from: 0, to: 180, name: 'power' },
+  { from: 180, to: 360, name: 'exhaust' },
+];
+
+export const kPeakLabel = 'peak';
+
+export const kDeadCentres = [
+  { at: -360, name: 'TDC' },
+  { at: -180, name: 'BDC' },
+  { at: 0, name: 'firing TDC' },
+  { at: 180, name: 'BDC' },
+  { at: 360, name: 'TDC' },
+];
+
+/** The name of the dead centre at an angle, '' elsewhere. */
+export function deadCentre(panel, at) {
+  return (panel.crank && kDeadCentres.find((centre) => centre.at === at)?.name) || '';
+}
+
+function extent(lists) {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const list of lists) {
+    for (const v of list) {
+      if (v !== null && Number.isFinite(v)) {
+        if (v < low) low = v;
+        if (v > high) high = v;
+      }
+    }
+  }
+  return low <= high ? [low, high] : null;
+}
+
+export function xRange(panel) {
+  if (panel.xRange) return panel.xRange;
+  const found = extent(panel.series.map((s) => s.x)) ?? [0, 1];
+  return panel.xScale === 'log' ? [found[0] / 1.15, found[1] * 1.15] : found;
+}
+
+/** Range of y over the visible series within the x window, with some air. */
+export function yRange(panel, visible, [low, high]) {
+  if (panel.yRange) return panel.yRange;
+  const lists = panel.series.filter(visible).map((s) => s.y.filter((_, k) => s.x[k] === null || (s.x[k] >= low && s.x[k] <= high)));
+  const found = extent(lists);
+  if (!found) return panel.yScale === 'log' ? [0.1, 10] : [0, 1];
+  let [bottom, top] = found;
+  if (panel.yScale === 'log') return [bottom / 1.3, top * 1.3];
+  if (panel.fromZero && bottom >= 0) bottom = 0;
+  if (panel.zeroLine) {
+    bottom = Math.min(bottom, 0);
+    top = Math.max(top, 0);
+  }
+  const span = top - bottom || Math.abs(top) || 1;
+  return [bottom === 0 && (panel.fromZero || panel.zeroLine) && found[0] >= 0 ? 0 : bottom - 0.06 * span, top === 0 ? 0 : top + 0.08 * span];
+}
+
+export function xTicks(panel, low, high, count) {
+  if (panel.crank) return crankTicks(low, high, count);
+  return panel.xScale === 'log' ? logTicks(low, high) : ticks(low, high, count);
+}
+
+export function yTicks(panel, low, high, count) {
+  return panel.yScale === 'log' ? logTicks(low, high) : ticks(low, high, count);
+}
+
+/** Where the marks of a case stand on its line: a few, at places of its own so that they do not hide each other. */
+export function markIndices(series, low, high, nSeries) {
+  if (series.caseIndex === null || nSeries < 2) return [];
+  const kMarks = 7;
+  const found = [];
+  if (series.angle) {
+    const step = Math.max(1, Math.floor(series.x.length / kMarks));
+    for (let k = Math.floor((step * (series.caseIndex + 0.5)) / nSeries); k < series.x.length; k += step) if (series.x[k] !== null) found.push(k);
+    return found;
+  }
+  let k = 0;
+  for (let m = 0; m < kMarks; m++) {
+    const wanted = low + ((high - low) * (m + (series.caseIndex + 0.5) / nSeries)) / kMarks;
+    while (k < series.x.length && series.x[k] < wanted) k++;
+    if (k < series.x.length && series.y[k] !== null) found.push(k);
+  }
+  return found;
+}
+
+export function axisTitle(label, unit) {
+  return unit ? `${label} [${unit}]` : label;
+}
+
+/** Arrowheads along a curve in the order of time: { x, y, angle } in pixels, spaced by the length of the curve. */
+export function arrowHeads(points, count) {
+  const lengths = [0];
+  for (let k = 1; k < points.length; k++) {
+    const [a, b] = [points[k - 1], points[k]];
+    lengths.push(lengths[k - 1] + (a && b ? Math.hypot(b[0] - a[0], b[1] - a[1]) : 0));
+  }
+  const total = lengths[lengths.length - 1];
+  const heads = [];
+  let k = 1;
+  for (let n = 1; n <= count; n++) {
+    const wanted = (total * n) / (count + 1);
+    while (k < points.length - 1 && lengths[k] < wanted) k++;
+    const [a, b] = [points[k - 1], points[k]];
+    if (a && b && (a[0] !== b[0] || a[1] !== b[1])) heads.push({ x: b[0], y: b[1], angle: Math.atan2(b[1] - a[1], b[0] - a[0]) });
+  }
+  return heads;
+}
+
+export function arrowPath({ x, y, angle }, size) {
+  const at = (r, turn) => `${(x + r * Math.cos(angle + turn)).toFixed(2)} ${(y + r * Math.sin(angle + turn)).toFixed(2)}`;
+  return `M${at(size, 0)}L${at(size, 2.5)}L${at(size, -2.5)}Z`;
+}

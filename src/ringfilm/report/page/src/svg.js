@@ -1,0 +1,214 @@
+// A figure as a static SVG: to take away, and in print. Drawn from the same plain data as the charts on the screen.
+import { arrowHeads, arrowPath, axisTitle, deadCentre, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
+import { caseColour, caseMark, markPath, partDash } from './palette.js';
+import { number, tickText } from './units.js';
+
+const kMargin = { left: 58, right: 16, top: 44, bottom: 54 };
+const kPanelHeight = 262;
+const kInk = '#30343b';
+const kFaint = '#5c6470';
+
+const safe = (text) => String(text).replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;').replace(/"/g, '&quot;')
+  .replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]/g, '\ufffd');
+const px = (v) => v.toFixed(2);
+
+function text(x, y, content, { anchor = 'start', size = 12, fill = kInk, weight = 400 } = {}) {
+  return `<text x="${px(x)}" y="${px(y)}" text-anchor="${anchor}" font-size="${size}" fill="${fill}" font-weight="${weight}">${safe(content)}</text>`;
+}
+
+function rule(x1, y1, x2, y2, stroke, width = 1, dash = '') {
+  return `<line x1="${px(x1)}" y1="${px(y1)}" x2="${px(x2)}" y2="${px(y2)}" stroke="${stroke}" stroke-width="${width}"${dash ? ` stroke-dasharray="${dash}"` : ''}/>`;
+}
+
+function scaler(log, low, high, from, to) {
+  if (log) {
+    const [a, b] = [Math.log10(low), Math.log10(high)];
+    return (v) => (v > 0 ? from + ((Math.log10(v) - a) / (b - a)) * (to - from) : NaN);
+  }
+  return (v) => from + ((v - low) / (high - low)) * (to - from);
+}
+
+function linePanel(panel, box, visible, window, clip) {
+  const range = window ?? xRange(panel);
+  const [bottom, top] = yRange(panel, visible, range);
+  const [left, right] = [box.x + kMargin.left, box.x + box.width - kMargin.right];
+  const [high, low] = [box.y + kMargin.top, box.y + box.height - kMargin.bottom];
+  const x = scaler(panel.xScale === 'log', range[0], range[1], left, right);
+  const y = scaler(panel.yScale === 'log', bottom, top, low, high);
+  const out = [];
+  if (panel.crank) out.push(...crankFurniture(panel, range, x, high, low));
+  const across = xTicks(panel, range[0], range[1], (right - left) / 70);
+  const up = yTicks(panel, bottom, top, (low - high) / 36);
+  for (const v of up.values) {
+    out.push(rule(left, y(v), right, y(v), '#e3e6ea'), text(left - 6, y(v) + 4, tickText(v, up.step), { anchor: 'end' }));
+  }
+  for (const v of across.values) {
+    if (!panel.crank) out.push(rule(x(v), low, x(v), high, '#e3e6ea'));
+    out.push(rule(x(v), low, x(v), low + 5, kInk), text(x(v), low + 18, tickText(v, across.step), { anchor: 'middle' }));
+    out.push(text(x(v), low + 31, deadCentre(panel, v), { anchor: 'middle', size: 11, fill: kFaint }));
+  }
+  if (panel.zeroLine && bottom < 0 && top > 0) out.push(rule(left, y(0), right, y(0), kInk, 1));
+  for (const mark of panel.yMarks ?? []) {
+    if (mark.at < bottom || mark.at > top) continue;
+    out.push(rule(left, y(mark.at), right, y(mark.at), kFaint, 1, '2 3'), text(right - 4, y(mark.at) + 14, mark.label, { anchor: 'end', size: 11, fill: kFaint }));
+  }
+  out.push(`<g clip-path="url(#${clip})">`);
+  panel.series.filter(visible).forEach((s) => out.push(...seriesShapes(panel, s, x, y, range)));
+  out.push('</g>');
+  out.push(rule(left, low, right, low, kInk), rule(left, low, left, high, kInk));
+  out.push(text(box.x + 4, box.y + 14, axisTitle(panel.yLabel, panel.yUnit), { weight: 600 }));
+  out.push(text((left + right) / 2, low + (panel.crank ? 47 : 36), axisTitle(panel.xLabel, panel.xUnit), { anchor: 'middle', fill: kFaint }));
+  const define = `<clipPath id="${clip}"><rect x="${px(left)}" y="${px(high - 2)}" width="${px(right - left)}" height="${px(low - high + 4)}"/></clipPath>`;
+  return define + out.join('');
+}
+
+function crankFurniture(panel, [from, to], x, high, low) {
+  const out = [];
+  kStrokeBands.forEach((band, i) => {
+    const [a, b] = [Math.max(band.from, from), Math.min(band.to, to)];
+    if (b <= a) return;
+    if (i % 2 === 1) out.push(`<rect x="${px(x(a))}" y="${px(high)}" width="${px(x(b) - x(a))}" height="${px(low - high)}" fill="#f4f6f8"/>`);
+    if (x(b) - x(a) > 60) out.push(text((x(a) + x(b)) / 2, high - 8, band.name, { anchor: 'middle', size: 11, fill: kFaint }));
+  });
+  for (const centre of kDeadCentres) {
+    if (centre.at > from && centre.at < to) out.push(rule(x(centre.at), low, x(centre.at), high - (centre.at === 0 ? 6 : 0), '#aab1bb'));
+  }
+  for (const peak of panel.peaks ?? []) {
+    if (peak.at < from || peak.at > to) continue;
+    out.push(rule(x(peak.at), low, x(peak.at), high - 4, caseColour(peak.caseIndex), 1, '3 3'));
+  }
+  const [first] = panel.peaks ?? [];
+  const roomForPeak = (x(180) - x(0)) / 2 - (x(first?.at ?? 0) - x(0)) > 50;
+  if (first && first.at >= from && first.at <= to && roomForPeak) out.push(text(x(first.at) + 3, high - 8, kPeakLabel, { size: 11, fill: kFaint }));
+  return out;
+}
+
+function seriesShapes(panel, s, x, y, range) {
+  const colour = caseColour(s.caseIndex);
+  const points = s.x.map((v, k) => (v === null || s.y[k] === null ? null : [x(v), y(s.y[k])])).map((p) => (p && Number.isFinite(p[1]) ? p : null));
+  if (s.part === 'measured') {
+    return points.filter(Boolean).map(([a, b]) => `<circle cx="${px(a)}" cy="${px(b)}" r="1.8" fill="none" stroke="#000" stroke-width="0.9"/>`);
+  }
+  let path = '';
+  let pen = false;
+  for (const p of points) {
+    if (p) path += `${pen ? 'L' : 'M'}${px(p[0])} ${px(p[1])}`;
+    pen = p !== null;
+  }
+  const dash = partDash(s.part);
+  const out = [`<path d="${path}" fill="none" stroke="${colour}" stroke-width="1.8" stroke-linejoin="round"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>`];
+  const count = panel.series.filter((other) => other.caseIndex !== null).length;
+  for (const k of markIndices(s, range[0], range[1], count)) {
+    if (points[k]) out.push(`<path d="${markPath(caseMark(s.caseIndex), points[k][0], points[k][1], 3.2)}" fill="#fff" stroke="${colour}" stroke-width="1.4"/>`);
+  }
+  if (panel.inOrderOfTime) out.push(...arrowHeads(points, 6).map((head) => `<path d="${arrowPath(head, 6)}" fill="${colour}"/>`));
+  return out;
+}
+
+/** Bars with their values written on them; contributions carry the pattern of their line style. */
+function barPanel(panel, box, visible) {
+  const groups = panel.groups.filter(visible);
+  const [left, right] = [box.x + kMargin.left, box.x + box.width - kMargin.right];
+  const [high, low] = [box.y + kMargin.top, box.y + box.height - kMargin.bottom];
+  const top = 1.12 * Math.max(1e-300, ...groups.flatMap((g) => g.stacks.map((stack) => stack.reduce((sum, part) => sum + (part.value ?? 0), 0))));
+  const y = scaler(false, 0, top, low, high);
+  const out = [];
+  const up = yTicks(panel, 0, top, (low - high) / 36);
+  for (const v of up.values) out.push(rule(left, y(v), right, y(v), '#e3e6ea'), text(left - 6, y(v) + 4, tickText(v, up.step), { anchor: 'end' }));
+  const slot = (right - left) / panel.categories.length;
+  const width = Math.min(46, (0.9 * slot) / Math.max(1, groups.length));
+  const narrow = width < 30;
+  panel.categories.forEach((category, i) => {
+    const middle = left + slot * (i + 0.5);
+    out.push(text(middle, low + 18, category, { anchor: 'middle' }));
+    groups.forEach((group, g) => {
+      const x = middle + (g - groups.length / 2) * width;
+      let base = 0;
+      for (const part of group.stacks[i]) {
+        const size = Math.max(0, part.value ?? 0);
+        const colour = caseColour(group.caseIndex);
+        const look = part.part === 'viscous' ? `fill="${colour}" fill-opacity="0.35" stroke="${colour}"` : `fill="${colour}" stroke="${colour}"`;
+        out.push(`<rect x="${px(x + 1)}" y="${px(y(base + size))}" width="${px(width - 2)}" height="${px(Math.max(0, y(base) - y(base + size)))}" ${look}><title>${safe(`${group.label}, ${category}: ${number(part.value, 4)} ${panel.yUnit}`)}</title></rect>`);
+        base += size;
+      }
+      out.push(text(x + width / 2, y(base) - 4, number(base, narrow ? 2 : 3), { anchor: 'middle', size: narrow ? 9 : 11 }));
+    });
+  });
+  out.push(rule(left, low, right, low, kInk), rule(left, low, left, high, kInk));
+  out.push(text(box.x + 4, box.y + 14, axisTitle(panel.yLabel, panel.yUnit), { weight: 600 }));
+  return out.join('');
+}
+
+function legend(figure, visible, width, y) {
+  const entries = [];
+  for (const panel of figure.panels) {
+    for (const s of panel.bars ? panel.groups : panel.series) {
+      if (visible(s) && !entries.some((e) => e.label === s.label && e.part === (s.part ?? null))) {
+        entries.push({ label: s.label, caseIndex: s.caseIndex, part: s.part ?? null, bars: panel.bars });
+      }
+    }
+  }
+  const out = [];
+  let x = 8;
+  let row = y;
+  for (const e of entries) {
+    const label = e.part && e.part !== 'measured' && e.part !== 'total' && !e.label.includes(e.part) ? `${e.label}, ${e.part}` : e.label;
+    const needed = 40 + 6.6 * label.length;
+    if (x + needed > width && x > 8) {
+      x = 8;
+      row += 18;
+    }
+    out.push(swatch(e, x, row - 4), text(x + 32, row, label));
+    x += needed;
+  }
+  return { shapes: out.join(''), bottom: row + 10 };
+}
+
+/** The sample of a line (or bar) that stands beside its name. */
+function swatch({ caseIndex, part, bars }, x, y) {
+  const colour = caseColour(caseIndex);
+  if (bars) return `<rect x="${x + 8}" y="${y - 6}" width="12" height="12" fill="${colour}"/>`;
+  if (part === 'measured') return [6, 14, 22].map((dx) => `<circle cx="${x + dx}" cy="${y}" r="2" fill="none" stroke="#000"/>`).join('');
+  const dash = partDash(part);
+  const mark = caseIndex === null ? '' : `<path d="${markPath(caseMark(caseIndex), x + 14, y, 3.4)}" fill="#fff" stroke="${colour}" stroke-width="1.4"/>`;
+  return `<line x1="${x}" y1="${y}" x2="${x + 28}" y2="${y}" stroke="${colour}" stroke-width="2"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>${mark}`;
+}
+
+export function swatchSvg(entry) {
+  return `<svg xmlns="http://www.w3.org/2000/svg" width="28" height="14" viewBox="0 0 28 14" aria-hidden="true">${swatch(entry, 0, 7)}</svg>`;
+}
+
+let drawn = 0;
+
+/**
+ * The figure as an SVG document.
+ * @param visible which series are shown; @param options width, heading (title and legend inside), windows: x window by panel id
+ */
+export function figureSvg(figure, visible, { width = 760, heading = true, windows = {}, subtitle = '' } = {}) {
+  const side = figure.layout === 'row' && width >= 600;
+  const out = [];
+  let y = 4;
+  if (heading) {
+    out.push(text(8, 20, figure.title, { size: 16, weight: 600 }));
+    y = 26;
+    if (subtitle) {
+      out.push(text(8, 37, subtitle, { fill: kFaint }));
+      y = 44;
+    }
+    const drawnLegend = legend(figure, visible, width - 8, y + 14);
+    out.push(drawnLegend.shapes);
+    y = drawnLegend.bottom + 2;
+  }
+  const weights = figure.panels.map((panel) => panel.weight ?? 1);
+  const whole = weights.reduce((sum, w) => sum + w, 0);
+  let x = 0;
+  figure.panels.forEach((panel, i) => {
+    const cell = side ? (width * weights[i]) / whole : width;
+    const box = { x, y: side ? y : y + i * kPanelHeight, width: cell, height: kPanelHeight };
+    if (side) x += cell;
+    out.push(panel.bars ? barPanel(panel, box, visible) : linePanel(panel, box, visible, windows[panel.id], `clip${drawn++}`));
+  });
+  const height = y + (side ? kPanelHeight : kPanelHeight * figure.panels.length) + 4;
+  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height)}" viewBox="0 0 ${width} ${px(height)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif">` +
+    `<rect width="100%" height="100%" fill="#fff"/>${out.join('')}</svg>`;
+}

@@ -1,0 +1,162 @@
+// The tables under the figures.
+import { element } from './dom.js';
+import { save, fileStem } from './downloads.js';
+import { shownInput } from './model.js';
+import { display, inUnit, number, percent, withUnit } from './units.js';
+
+/** A cell is its text, or { text, attributes }. */
+function described(content) {
+  const { text, attributes = {} } = content && typeof content === 'object' && 'text' in content ? content : { text: content };
+  return { text, attributes };
+}
+
+/** A table that stays a table for screen readers and folds into blocks on a phone. */
+export function table(caption, heads, rows, { folds = false, classes = '' } = {}) {
+  const cells = (row) => row.map((content, i) => {
+    const { text, attributes } = described(content);
+    return element(i === 0 ? 'th' : 'td', { role: i === 0 ? 'rowheader' : 'cell', scope: i === 0 ? 'row' : null, 'data-label': described(heads[i]).text, ...attributes }, text ?? '–');
+  });
+  return element('div', { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': caption },
+    element('table', { role: 'table', class: `${folds ? 'folds' : ''} ${classes}` },
+      element('caption', {}, caption),
+      element('thead', { role: 'rowgroup' }, element('tr', { role: 'row' }, heads.map((h) => element('th', { role: 'columnheader', scope: 'col', ...described(h).attributes }, described(h).text)))),
+      element('tbody', { role: 'rowgroup' }, rows.map((row) => element('tr', { role: 'row' }, cells(row))))));
+}
+
+const figure = (text) => ({ text, attributes: { class: 'number' } });
+
+/** One column of numbers a case, heads set over their digits. */
+const numberHeads = (model) => model.cases.map((c) => ({ text: model.several ? c.name : 'value', attributes: { class: 'number' } }));
+
+/** "mean friction power [W]", the unit in soft type. */
+function named(quantity) {
+  const { unit } = display(quantity);
+  return [quantity.long_name, unit ? element('span', { class: 'unit' }, ` [${unit}]`) : null];
+}
+
+export function section(id, heading, ...content) {
+  return element('section', { id, class: 'section' }, element('h2', {}, heading), content);
+}
+
+export function cycleValuesSection(model) {
+  const heads = ['quantity', ...numberHeads(model)];
+  const rows = model.payload.cycle_quantities.map((q) => [
+    { text: named(q) },
+    ...model.cases.map((c) => { const { value, unit } = model.value(c, q.name); return figure(inUnit(value, unit)); }),
+  ]);
+  return section('cycle-values', 'Values of the whole cycle',
+    element('p', {}, 'Loads, friction and flow are those of the whole circumference. Angles count from firing TDC, negative before it.'),
+    table('Values of the whole cycle', heads, rows));
+}
+
+export function comparisonSection(model) {
+  const shown = model.cases.filter((c) => c.comparison.length > 0);
+  if (shown.length === 0) return null;
+  const rows = [];
+  for (const c of shown) {
+    for (const row of c.comparison) {
+      const quantity = model.cycleQuantity.get(row.quantity);
+      const { unit, convert } = quantity ? display(quantity) : { unit: '', convert: (v) => v };
+      const strongest = row.strongest_setting
+        ? [element('code', {}, row.strongest_setting), row.with_strongest_setting === null ? '' : ` gives ${withUnit(convert(row.with_strongest_setting), unit, 3)}`]
+        : null;
+      rows.push([
+        row.statement,
+        ...(model.several ? [c.name] : []),
+        figure(withUnit(convert(row.computed), unit, 3)),
+        figure(withUnit(convert(row.published), unit, 3)),
+        figure(percent(row.deviation)),
+        row.source,
+        row.decided_by || '–',
+        { text: strongest ?? (c.ledger_computed ? '–' : 'not computed') },
+      ]);
+    }
+  }
+  const heads = ['what', ...(model.several ? ['case'] : []), 'computed', 'published', 'deviation', 'source', 'decided by', 'setting that comes closest'];
+  return section('comparison', 'Beside the published values',
+    element('p', {}, 'Deviation is computed minus published, over published. "Decided by" names the inputs that the source leaves open; the last column is the one other choice of such an input that comes closest.'),
+    table('Computed and published values', heads, rows, { folds: true }));
+}
+
+export function notesSection(model) {
+  const merged = [];
+  const add = (topic, message, count, oneCase) => {
+    const known = merged.find((n) => n.topic === topic && n.message === message && n.count === count);
+    if (known) known.cases.push(oneCase);
+    else merged.push({ topic, message, count, cases: [oneCase] });
+  };
+  for (const c of model.cases) {
+    for (const n of c.notes) add(n.topic, n.message, n.count, c);
+    for (const n of c.input_notes) add('input', n, 1, c);
+  }
+  const whom = (cases) => (!model.several ? null : cases.length === model.cases.length ? 'all' : cases.map((c) => c.name).join(', '));
+  const content = merged.length === 0
+    ? element('p', {}, 'Every law stayed within its range, and no remedy was needed.')
+    : table('Notes on validity', ['note', ...(model.several ? ['case'] : []), 'times', 'topic'],
+      merged.map((n) => [n.message, ...(model.several ? [whom(n.cases)] : []), figure(String(n.count)), { text: element('code', {}, n.topic) }]), { folds: true });
+  return section('validity', 'Validity: what to know before using these results', content);
+}
+
+export function inputsSection(model) {
+  const keys = [...new Map(model.cases.flatMap((c) => c.inputs.map((entry) => [entry.key, entry]))).values()];
+  const shown = (entry) => (entry === undefined ? { text: 'not used' } : {
+    text: entry.assumed ? [shownInput(entry), ' ', element('span', { class: 'tag' }, 'assumed')] : shownInput(entry),
+    attributes: { class: entry.assumed ? 'assumed' : '' },
+  });
+  const rows = keys.map((first) => {
+    const entries = model.cases.map((c) => model.input(c, first.key));
+    const differs = entries.some((e) => e?.shown !== entries[0]?.shown || e?.assumed !== entries[0]?.assumed);
+    const cells = model.several && !differs
+      ? [{ ...shown(entries[0]), attributes: { ...shown(entries[0]).attributes, colspan: model.cases.length, 'data-label': 'all cases' } }]
+      : entries.map((e) => { const cell = shown(e); return { ...cell, attributes: { ...cell.attributes, class: `${cell.attributes?.class ?? ''} ${differs ? 'differs' : ''}` } }; });
+    return [{ text: [element('code', {}, first.key), element('span', { class: 'help' }, first.help)] }, ...cells];
+  });
+  const derived = model.payload.derived_quantities.filter((q) => model.cases.some((c) => q.name in c.derived));
+  const several = model.several;
+  return section('inputs', 'Inputs',
+    element('p', {}, 'Stated by the user in upright type; ', element('span', { class: 'assumed-sample' }, 'assumed, because not stated'), several ? '; values that differ between the cases in bold.' : '.'),
+    table('Inputs', ['key', ...model.cases.map((c) => (several ? c.name : 'value'))], rows, { folds: true, classes: 'inputs' }),
+    derived.length === 0 ? null : table('What follows from the inputs', ['constant', ...numberHeads(model)],
+      derived.map((q) => { const { convert } = display(q); return [{ text: named(q) }, ...model.cases.map((c) => figure(number(convert(c.derived[q.name] ?? null), 4)))]; })));
+}
+
+const kEffort = [
+  ['cycles_marched', 'cycles marched until periodic'],
+  ['periodicity_error', 'change of the state from one cycle to the next, relative'],
+  ['crank_steps', 'crank steps'],
+  ['sub_steps', 'of these, from subdivided steps'],
+  ['newton_iterations', 'Newton iterations'],
+  ['fallback_secant', 'fallbacks to the bracketed search'],
+  ['fallback_sub_step', 'fallbacks to shorter steps'],
+  ['max_load_residual', 'largest imbalance of the load, relative'],
+  ['max_newton_step', 'largest Newton step accepted as the last one, relative'],
+  ['max_mass_residual', 'largest mass left over in a step, relative'],
+];
+
+export function provenanceSection(model) {
+  const heads = ['what', ...numberHeads(model)];
+  const rows = [
+    ...['program', 'commit', 'compiler'].map((key) => [key, ...model.cases.map((c) => figure(c.provenance[key] || '–'))]),
+    ...kEffort.map(([key, label]) => [label, ...model.cases.map((c) => figure(Number.isInteger(c.effort[key]) ? String(c.effort[key]) : number(c.effort[key], 2)))]),
+  ];
+  const files = [];
+  for (const c of model.cases) {
+    for (const f of c.files) {
+      const known = files.find((g) => g.path === f.path && g.sha256 === f.sha256 && g.role === f.role);
+      if (known) known.cases.push(c.name);
+      else files.push({ ...f, cases: [c.name] });
+    }
+  }
+  const resolved = model.cases.filter((c) => c.resolved_case).map((c) => element('details', {},
+    element('summary', {}, model.several ? `Resolved case: ${c.name}` : 'Resolved case'),
+    element('p', {}, 'The complete case in SI; run again it gives the same numbers. ', element('button', {
+      type: 'button', class: 'download', onclick: () => save(`${fileStem(c.title, 'resolved')}.toml`, 'application/toml', c.resolved_case),
+    }, 'TOML')),
+    element('pre', { tabindex: '0' }, c.resolved_case)));
+  return section('provenance', 'Where this comes from',
+    table('Program and solver effort', heads, rows, { folds: true }),
+    files.length === 0 ? null : table('Files read', ['file', 'role', ...(model.several ? ['case'] : []), 'SHA-256'],
+      files.map((f) => [{ text: element('code', {}, f.path) }, f.role, ...(model.several ? [f.cases.length === model.cases.length ? 'all' : f.cases.join(', ')] : []), { text: element('code', { class: 'hash' }, f.sha256) }]), { folds: true }),
+    resolved);
+}
+

@@ -1,0 +1,149 @@
+// From SI to the units in which engineers read, and numbers as text.
+
+/** Size of each display unit in SI, exact. */
+const kSizeInSi = {
+  '1': 1, '%': 0.01, degree: 1, deg: 1,
+  m: 1, mm: 1e-3, um: 1e-6, nm: 1e-9,
+  m2: 1, mm2: 1e-6, um2: 1e-12, m3: 1, cm3: 1e-6,
+  'um-2': 1e12, 'm-2': 1, 'mm-2': 1e6,
+  Pa: 1, kPa: 1e3, MPa: 1e6, GPa: 1e9, bar: 1e5,
+  N: 1, kN: 1e3, 'N/m': 1,
+  W: 1, kW: 1e3, mW: 1e-3,
+  J: 1, mJ: 1e-3, kJ: 1e3, 'J/m': 1, 'J/mm': 1e3, 'mJ/mm': 1,
+  'kg/s': 1, 'g/s': 1e-3, 'mg/s': 1e-6, 'kg/m3': 1,
+  'm/s': 1, 's': 1, 'rad/s': 1, rpm: Math.PI / 30,
+  'Pa s': 1, 'Pa.s': 1, 'mPa s': 1e-3, 'mPa.s': 1e-3, cP: 1e-3,
+  'm2/s': 1, 'mm2/s': 1e-6, cSt: 1e-6,
+  '1/Pa': 1, 'Pa-1': 1, '1/GPa': 1e-9, 'GPa-1': 1e-9, '1/MPa': 1e-6,
+};
+
+const kShownUnit = {
+  '1': '', degree: '°', deg: '°', um: 'µm', um2: 'µm²', 'um-2': 'µm⁻²', 'm-2': 'm⁻²', 'mm-2': 'mm⁻²', m2: 'm²', mm2: 'mm²', m3: 'm³', cm3: 'cm³',
+  'mPa.s': 'mPa s', 'Pa.s': 'Pa s', 'kg/m3': 'kg/m³', 'm2/s': 'm²/s', 'mm2/s': 'mm²/s', 'Pa-1': '1/Pa', 'GPa-1': '1/GPa', degC: '°C',
+};
+
+/** The unit as it stands on an axis; '' for a plain number. */
+export function shownUnit(unit) {
+  return unit in kShownUnit ? kShownUnit[unit] : unit;
+}
+
+/** How to show a quantity: { unit, convert }. Without a known display unit the SI value stands. */
+export function display(quantity) {
+  const { unit, display_unit: wanted } = quantity;
+  if (unit === 'K' && wanted === 'degC') return { unit: '°C', convert: (v) => (v === null ? null : v - 273.15) };
+  const size = kSizeInSi[wanted];
+  if (!wanted || size === undefined) return { unit: shownUnit(unit), convert: (v) => v };
+  // Dividing by 1e-6 and multiplying by 1e6 differ in the last bit; the reader sees four digits.
+  return { unit: shownUnit(wanted), convert: (v) => (v === null ? null : v / size) };
+}
+
+const kSuperscript = { '-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹' };
+
+/** Four significant digits, powers of ten outside 0.001..100000, a true minus sign, an en dash where there is no number. */
+export function number(value, digits = 4) {
+  if (value === null || value === undefined || !Number.isFinite(value)) return '–';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  let text;
+  if (size < 1e-3 || size >= 1e6) {
+    const [mantissa, exponent] = value.toExponential(digits - 1).split('e');
+    const power = [...String(Number(exponent))].map((c) => kSuperscript[c]).join('');
+    text = `${mantissa}\u202f·\u202f10${power}`;
+  } else if (size >= 10 ** digits) {
+    text = value.toFixed(0);
+  } else {
+    text = value.toPrecision(digits);
+  }
+  return text.replace(/^-/, '−').replace(/(\s|·)-/g, '$1−');
+}
+
+/** An angle to a tenth of a degree, without idle zeros. */
+export function angle(value) {
+  return value === null || !Number.isFinite(value) ? '–' : String(Number(value.toFixed(1))).replace(/^-/, '−');
+}
+
+/** A number in the digits that suit its unit. */
+export function inUnit(value, unit, digits = 4) {
+  return unit === '°' ? angle(value) : number(value, digits);
+}
+
+/** Plain decimal text for CSV. */
+export function plain(value) {
+  return value === null || value === undefined || !Number.isFinite(value) ? '' : String(Number(value.toPrecision(8)));
+}
+
+/** "62.00 bar"; a percent sign or degree sign stands close. */
+export function withUnit(value, unit, digits = 4) {
+  const text = number(value, digits);
+  if (!unit || text === '–') return text;
+  return unit === '°' ? text + unit : `${text}\u00a0${unit}`;
+}
+
+/** A signed change in per cent. */
+export function percent(ratio, digits = 1) {
+  if (ratio === null || !Number.isFinite(ratio)) return '–';
+  const value = 100 * ratio;
+  const places = Math.abs(value) >= 100 ? 0 : digits;
+  const text = Math.abs(value).toFixed(places);
+  const sign = Number(text) === 0 ? '±' : value < 0 ? '−' : '+';
+  return `${sign}${text}\u00a0%`;
+}
+
+/** An angle on the axis of the charts: firing TDC in the middle, -360 < angle <= 360. */
+export function wrapped(angle) {
+  if (angle === null) return null;
+  const turned = ((((angle + 360) % 720) + 720) % 720) - 360;
+  return turned === -360 ? 360 : turned;
+}
+
+/** "20° after firing TDC" */
+export function angleInWords(degrees) {
+  if (degrees === null || !Number.isFinite(degrees)) return 'at no single angle';
+  const a = wrapped(degrees);
+  const size = `${angle(Math.abs(a))}°`;
+  if (a === 0) return 'at firing TDC';
+  if (Math.abs(a) === 360) return 'at gas-exchange TDC';
+  return a > 0 ? `${size} after firing TDC` : `${size} before firing TDC`;
+}
+
+/** Steps of 1, 2 or 5 times a power of ten, about `count` of them. */
+export function ticks(low, high, count) {
+  const raw = (high - low) / Math.max(1, count);
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw * 0.999);
+  return stepped(low, high, step);
+}
+
+/** Steps that divide a turn. */
+export function crankTicks(low, high, count) {
+  const raw = (high - low) / Math.max(1, count);
+  const step = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180].find((s) => s >= raw * 0.999) ?? 180;
+  return stepped(low, high, step);
+}
+
+function stepped(low, high, step) {
+  const list = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) list.push(Number((k * step).toPrecision(12)));
+  return { values: list, step };
+}
+
+export function logTicks(low, high) {
+  const decades = Math.log10(high / low);
+  const factors = decades > 2.2 ? [1] : decades > 1.2 ? [1, 3] : [1, 2, 5];
+  const values = [];
+  for (let e = Math.floor(Math.log10(low)); e <= Math.ceil(Math.log10(high)); e++) {
+    for (const f of factors) {
+      const v = f * 10 ** e;
+      if (v >= low * 0.999 && v <= high * 1.001) values.push(v);
+    }
+  }
+  return { values, step: 0 };
+}
+
+export function tickText(value, step) {
+  if (step === 0) return value >= 1e4 || value < 1e-3 ? number(value, 1) : String(Number(value.toPrecision(3)));
+  const size = Math.abs(value);
+  if (size >= 1e6 || (size > 0 && step < 1e-4)) return number(value, 3);
+  const places = Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)));
+  return value.toFixed(places).replace(/^-/, '−');
+}

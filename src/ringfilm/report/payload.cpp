@@ -1,0 +1,212 @@
+#include "ringfilm/report/payload.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace ringfilm::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kCurveDigits = 7;
+constexpr int kFieldDigits = 5;
+/// Numbers of one field that a page may carry: a phone still opens some megabytes.
+constexpr std::size_t kFieldNumbers = 60000;
+
+ordered_json rounded(double value, int digits) {
+  if (!std::isfinite(value)) return nullptr;
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), "{:.{}g}", value, digits);
+  double parsed = 0;
+  std::from_chars(text.data(), text.data() + text.size(), parsed);
+  return parsed;
+}
+
+ordered_json exact(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
+
+ordered_json numbers(const std::vector<double>& values, int digits) {
+  ordered_json list = ordered_json::array();
+  for (double value : values) list.push_back(rounded(value, digits));
+  return list;
+}
+
+ordered_json described(const cycle::Quantity& q) {
+  return {{"name", q.name},           {"unit", q.unit},     {"display_unit", q.display_unit},
+          {"long_name", q.long_name}, {"symbol", q.symbol}, {"equation", q.equation}};
+}
+
+template <class Quantities>
+ordered_json described_all(const Quantities& quantities) {
+  ordered_json list = ordered_json::array();
+  for (const cycle::Quantity& q : quantities) list.push_back(described(q));
+  return list;
+}
+
+ordered_json cycle_values(const cycle::CycleValues& values) {
+  ordered_json object = ordered_json::object();
+  for (const cycle::CycleQuantity& q : cycle::cycle_quantities()) object[q.name] = exact(values.*q.value);
+  return object;
+}
+
+ordered_json curves(const std::vector<cycle::Sample>& samples) {
+  ordered_json object = ordered_json::object();
+  for (const cycle::CurveQuantity& q : cycle::curve_quantities()) {
+    ordered_json list = ordered_json::array();
+    for (const cycle::Sample& sample : samples) list.push_back(rounded(sample.*q.value, kCurveDigits));
+    object[q.name] = std::move(list);
+  }
+  return object;
+}
+
+/// One list of node values for each crank angle that the page carries.
+ordered_json field(const std::vector<double>& values, std::size_t n_nodes, const std::vector<std::size_t>& kept) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t k : kept) {
+    if ((k + 1) * n_nodes > values.size()) return ordered_json::array();
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(k * n_nodes);
+    list.push_back(numbers({begin, begin + static_cast<std::ptrdiff_t>(n_nodes)}, kFieldDigits));
+  }
+  return list;
+}
+
+ordered_json face_fields(const cycle::FaceFields& fields) {
+  const std::size_t n_nodes = fields.x.size();
+  const std::size_t n_angles = fields.crank_angle_deg.size();
+  const std::size_t most = n_nodes == 0 ? 1 : std::max<std::size_t>(1, kFieldNumbers / n_nodes);
+  const std::size_t stride = (n_angles + most - 1) / most;
+  std::vector<std::size_t> kept;
+  std::vector<double> angles;
+  for (std::size_t k = 0; k < n_angles; k += stride) {
+    kept.push_back(k);
+    angles.push_back(fields.crank_angle_deg[k]);
+  }
+  return {{"x", numbers(fields.x, kCurveDigits)},
+          {"face_height", numbers(fields.face_height, kCurveDigits)},
+          {"stored_angles", n_angles},
+          {"crank_angle", numbers(angles, kCurveDigits)},
+          {"film_thickness", field(fields.film_thickness, n_nodes, kept)},
+          {"film_pressure", field(fields.film_pressure, n_nodes, kept)},
+          {"asperity_pressure", field(fields.asperity_pressure, n_nodes, kept)},
+          {"fill", field(fields.fill, n_nodes, kept)}};
+}
+
+ordered_json effort(const cycle::Effort& e) {
+  return {{"cycles_marched", exact(e.cycles_marched)},
+          {"periodicity_error", exact(e.periodicity_error)},
+          {"crank_steps", e.crank_steps},
+          {"newton_iterations", e.newton_iterations},
+          {"sub_steps", e.sub_steps},
+          {"fallback_secant", e.fallback_secant},
+          {"fallback_sub_step", e.fallback_sub_step},
+          {"max_load_residual", exact(e.max_load_residual)},
+          {"max_newton_step", exact(e.max_newton_step)},
+          {"max_mass_residual", exact(e.max_mass_residual)}};
+}
+
+ordered_json ledger(const std::vector<study::LedgerEntry>& entries) {
+  ordered_json list = ordered_json::array();
+  for (const study::LedgerEntry& entry : entries) {
+    ordered_json variants = ordered_json::array();
+    for (const study::LedgerVariant& v : entry.variants) {
+      variants.push_back(
+          {{"setting", v.setting}, {"solved", v.solved}, {"reason", v.reason}, {"values", cycle_values(v.values)}});
+    }
+    list.push_back({{"topic", entry.topic},
+                    {"statement", entry.statement},
+                    {"consequence", entry.consequence},
+                    {"source", entry.source},
+                    {"can_be_lifted", entry.can_be_lifted},
+                    {"variants", std::move(variants)}});
+  }
+  return list;
+}
+
+ordered_json comparison(const std::vector<study::ComparisonRow>& rows) {
+  ordered_json list = ordered_json::array();
+  for (const study::ComparisonRow& row : rows) {
+    list.push_back({{"source", row.published.source},
+                    {"quantity", row.published.quantity},
+                    {"statement", row.published.statement},
+                    {"published", exact(row.published.value)},
+                    {"decided_by", row.published.decided_by},
+                    {"computed", exact(row.computed)},
+                    {"deviation", exact(row.deviation)},
+                    {"strongest_setting", row.strongest_setting},
+                    {"with_strongest_setting",
+                     row.with_strongest_setting ? exact(*row.with_strongest_setting) : ordered_json(nullptr)}});
+  }
+  return list;
+}
+
+ordered_json document(const io::ResultDocument& d) {
+  ordered_json inputs = ordered_json::array();
+  for (const io::CaseEntry& e : d.inputs) {
+    inputs.push_back(
+        {{"key", e.key}, {"value", e.value}, {"shown", e.shown}, {"assumed", e.assumed}, {"help", e.help}});
+  }
+  ordered_json files = ordered_json::array();
+  for (const cycle::InputFile& f : d.files) files.push_back({{"role", f.role}, {"path", f.path}, {"sha256", f.sha256}});
+  ordered_json notes = ordered_json::array();
+  for (const cycle::Note& n : d.result.notes) {
+    notes.push_back({{"topic", n.topic}, {"message", n.message}, {"count", n.count}});
+  }
+  ordered_json derived = ordered_json::object();
+  for (const auto& [name, value] : d.result.derived) derived[name] = exact(value);
+  return {{"title", d.title},
+          {"complete", d.result.complete},
+          {"curves", curves(d.result.samples)},
+          {"values", cycle_values(d.result.values)},
+          {"fields", face_fields(d.result.fields)},
+          {"stroke",
+           {{"liner_position", numbers(d.result.stroke.liner_position, kCurveDigits)},
+            {"wear_drive_density", numbers(d.result.stroke.wear_drive_density, kCurveDigits)}}},
+          {"derived", std::move(derived)},
+          {"notes", std::move(notes)},
+          {"input_notes", d.input_notes},
+          {"effort", effort(d.result.effort)},
+          {"inputs", std::move(inputs)},
+          {"files", std::move(files)},
+          {"resolved_case", d.resolved_case},
+          {"provenance",
+           {{"program", d.provenance.program}, {"commit", d.provenance.commit}, {"compiler", d.provenance.compiler}}},
+          {"ledger", ledger(d.ledger)},
+          {"ledger_computed", d.ledger_computed},
+          {"comparison", comparison(d.comparison)}};
+}
+
+}  // namespace
+
+std::string payload(const std::vector<io::ResultDocument>& documents, const std::vector<Overlay>& overlays) {
+  ordered_json root;
+  root["curve_quantities"] = described_all(cycle::curve_quantities());
+  root["cycle_quantities"] = described_all(cycle::cycle_quantities());
+  root["derived_quantities"] = described_all(cycle::derived_quantities());
+  root["cases"] = ordered_json::array();
+  for (const io::ResultDocument& d : documents) root["cases"].push_back(document(d));
+  root["overlays"] = ordered_json::array();
+  for (const Overlay& o : overlays) {
+    root["overlays"].push_back({{"name", o.name},
+                                {"quantity", o.quantity},
+                                {"source", o.source},
+                                {"crank_angle", numbers(o.crank_angle_deg, kCurveDigits)},
+                                {"value", numbers(o.value, kCurveDigits)}});
+  }
+  // A file name or a title may hold bytes that are no UTF-8: they are shown as a replacement sign, not refused.
+  const std::string text = root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+}  // namespace ringfilm::report

@@ -1,0 +1,247 @@
+// The report page in a real browser: node browser_test.mjs PAGES_FOLDER PACKAGES_FOLDER
+// Exit code 77 where there is no chromium.
+import assert from 'node:assert/strict';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const [pagesFolder, packagesFolder] = process.argv.slice(2);
+const program = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((path) => existsSync(path));
+if (!program) {
+  console.log('SKIPPED: no chromium is installed (apt-get install chromium); the report page was not tested in a browser.');
+  process.exit(77);
+}
+const { chromium } = createRequire(join(packagesFolder, 'package.json'))('playwright-core');
+
+const profile = mkdtempSync(join(tmpdir(), 'report-page-'));
+const browser = await chromium.launchPersistentContext(profile, {
+  executablePath: program,
+  args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
+  acceptDownloads: true,
+});
+
+/** Opens a page at a width; `faults` collects everything that must not happen. */
+async function opened(name, width) {
+  const page = await browser.newPage();
+  await page.setViewportSize({ width, height: 900 });
+  const faults = [];
+  page.on('pageerror', (error) => faults.push(`page error: ${error.stack}`));
+  // Reading pixels back is this test's doing, not the page's.
+  const mine = /willReadFrequently/;
+  page.on('console', (message) => { if (['error', 'warning'].includes(message.type()) && !mine.test(message.text())) faults.push(`console: ${message.text()}`); });
+  await page.route('**/*', (route) => {
+    const url = route.request().url();
+    if (/^(file|data|blob):/.test(url)) return route.continue();
+    faults.push(`outside request: ${url}`);
+    return route.abort();
+  });
+  await page.goto(pathToFileURL(join(pagesFolder, name)).href);
+  await page.waitForSelector('.chart canvas, .bars svg');
+  return { page, faults };
+}
+
+/** Pixels of a chart's canvas that are neither white nor transparent nor grey: the curves. */
+function colouredPixels(page, selector) {
+  return page.$eval(`${selector} canvas`, (canvas) => {
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let n = 0;
+    for (let k = 0; k < data.length; k += 4) if (data[k + 3] > 0 && Math.max(data[k], data[k + 1], data[k + 2]) - Math.min(data[k], data[k + 1], data[k + 2]) > 40) n++;
+    return n;
+  });
+}
+
+/** Left edge of the plotting area of every chart over the cycle. */
+function plotEdges(page) {
+  return page.$$eval('#cycle .u-over', (overs) => overs.map((o) => { const b = o.getBoundingClientRect(); return [Math.round(b.left), Math.round(b.right)].join(); }));
+}
+
+async function downloaded(page, figure, label) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#${figure} .download:text-is("${label}")`)]);
+  const path = await download.path();
+  return { name: download.suggestedFilename(), bytes: readFileSync(path) };
+}
+
+const tests = [];
+const test = (name, run) => tests.push({ name, run });
+
+for (const width of [390, 1400]) {
+  for (const name of ['three.html', 'hostile.html', 'bare.html']) {
+    test(`${name} opens at ${width} px without error, outside request or sideways scroll`, async () => {
+      const { page, faults } = await opened(name, width);
+      await page.waitForTimeout(200);
+      const [wide, shown] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+      assert.ok(wide <= shown, `the page is ${wide} px wide in a window of ${shown} px`);
+      assert.deepEqual(faults, []);
+      await page.close();
+    });
+  }
+
+  test(`curves are drawn and cycle charts stand under each other at ${width} px`, async () => {
+    const { page, faults } = await opened('three.html', width);
+    for (const id of ['total-friction', 'friction-on-liner', 'friction-firing', 'stribeck', 'wear-drive-stroke', 'ring-faces', 'along-the-face']) {
+      assert.ok(await colouredPixels(page, `#${id}`) > 200, `${id} shows no curve`);
+    }
+    const edges = await plotEdges(page);
+    assert.ok(edges.length >= 7);
+    assert.equal(new Set(edges).size, 1, `plotting areas differ: ${edges}`);
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
+}
+
+test('every part of the report is there, in order', async () => {
+  const { page } = await opened('three.html', 1400);
+  const ids = await page.$$eval('main figure, main section[id]', (nodes) => nodes.map((n) => n.id));
+  assert.deepEqual(ids, ['cycle', 'cylinder-pressure', 'min-film-thickness', 'film-parameter', 'total-friction', 'friction-on-liner', 'oil-flow-middle', 'other-quantity',
+    'friction', 'friction-firing', 'stribeck', 'energy-by-stroke', 'wear-drive-stroke', 'face', 'ring-faces', 'along-the-face',
+    'cycle-values', 'comparison', 'ledger', 'validity', 'inputs', 'provenance']);
+  assert.match(await page.textContent('.warning'), /SYNTHETIC/);
+  assert.match(await page.textContent('#cylinder-pressure'), /SYNTHETIC/);
+  assert.match(await page.textContent('.cards'), /118\s*W.*19\.1\s*kPa.*0\.617\s*µm.*20° after TDC.*56\.1\s*%/s);
+  await page.close();
+});
+
+test('an incomplete result says so first and draws what there is', async () => {
+  const { page, faults } = await opened('bare.html', 1400);
+  assert.match(await page.textContent('.warning'), /INCOMPLETE/);
+  assert.equal(await page.$('#along-the-face'), null);
+  assert.equal(await page.$('#ledger'), null);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('a hostile title is text, not a program', async () => {
+  const { page } = await opened('hostile.html', 1400);
+  await page.waitForTimeout(200);
+  assert.equal(await page.evaluate(() => window.hostile), undefined);
+  assert.match(await page.textContent('h1'), /<img src=x onerror=/);
+  assert.match(await page.title(), /<\/script><img/);
+  assert.equal(await page.$('main img'), null);
+  await page.close();
+});
+
+test('the slider moves the fields along the face', async () => {
+  const { page, faults } = await opened('three.html', 1400);
+  const before = await page.textContent('#along-the-face output');
+  await page.focus('#face-angle');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowRight');
+  const after = await page.textContent('#along-the-face output');
+  assert.notEqual(after, before);
+  assert.match(await page.textContent('#along-the-face h3'), /180°/);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('a name in the legend hides its case in the whole page and brings it back', async () => {
+  const { page, faults } = await opened('three.html', 1400);
+  const counted = async () => [await colouredPixels(page, '#total-friction'), await colouredPixels(page, '#stribeck'), (await page.$$('#energy-by-stroke .bars > svg rect title')).length];
+  const all = await counted();
+  await page.click('#total-friction .entry[data-case="0"]');
+  await page.waitForTimeout(100);
+  const fewer = await counted();
+  fewer.forEach((n, i) => assert.ok(n < all[i], `chart ${i} did not change: ${all} -> ${fewer}`));
+  assert.equal(await page.getAttribute('#stribeck .entry[data-case="0"]', 'aria-pressed'), 'false');
+  await page.click('#stribeck .entry[data-case="0"]');
+  await page.waitForTimeout(100);
+  assert.deepEqual(await counted(), all);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('the cursor reads values in all cycle charts, and a drag zooms all of them', async () => {
+  const { page, faults } = await opened('three.html', 1400);
+  const over = page.locator('#total-friction .u-over');
+  await over.scrollIntoViewIfNeeded();
+  const box = await over.boundingBox();
+  await page.mouse.move(box.x + box.width / 2 + 60, box.y + 80);
+  await page.waitForTimeout(100);
+  const at = await page.textContent('#total-friction .at');
+  assert.match(at, /^at \d/);
+  assert.equal(await page.textContent('#min-film-thickness .at'), at);
+  assert.match(await page.textContent('#total-friction .entry .value'), /\d/);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 200, box.y + 80, { steps: 5 });
+  await page.mouse.up();
+  await page.waitForTimeout(100);
+  assert.equal(await page.getAttribute('.range:text-is("Whole cycle")', 'aria-pressed'), 'false');
+  await page.click('.range:text-is("Whole cycle")');
+  assert.equal(await page.getAttribute('.range:text-is("Whole cycle")', 'aria-pressed'), 'true');
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('any quantity of the result can be chosen', async () => {
+  const { page, faults } = await opened('three.html', 1400);
+  const names = await page.$$eval('#quantity option', (options) => options.map((o) => o.value));
+  assert.ok(names.includes('rupture_position') && names.includes('load_residual'));
+  for (const name of names) {
+    await page.selectOption('#quantity', name);
+    assert.match(await page.textContent('#other-quantity figcaption'), new RegExp(name));
+  }
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('every figure can be taken away as PNG, SVG and CSV', async () => {
+  const { page, faults } = await opened('three.html', 1400);
+  const ids = await page.$$eval('main figure', (nodes) => nodes.map((n) => n.id));
+  for (const id of ids) {
+    const png = await downloaded(page, id, 'PNG');
+    assert.equal(png.bytes.subarray(1, 4).toString(), 'PNG', id);
+    assert.ok(png.bytes.length > 5000, `${id}: PNG of ${png.bytes.length} bytes`);
+    const svg = (await downloaded(page, id, 'SVG')).bytes.toString();
+    assert.ok(svg.startsWith('<svg') && !svg.includes('NaN') && !svg.includes('undefined'), `${id}: a broken SVG`);
+    assert.equal(await page.evaluate((text) => new DOMParser().parseFromString(text, 'image/svg+xml').querySelectorAll('parsererror').length, svg), 0, id);
+    const csv = (await downloaded(page, id, 'CSV')).bytes.toString().trim().split('\r\n');
+    assert.ok(csv.length > 3 && csv[0].includes('['), `${id}: CSV ${csv[0]}`);
+  }
+  const csv = await downloaded(page, 'friction-on-liner', 'CSV');
+  assert.match(csv.name, /styles-et-al-2014-friction-on-liner\.csv$/);
+  assert.match(csv.bytes.toString(), /crank angle, firing TDC = 0 \[degree\]/);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('in print every figure is a drawing and no button is left', async () => {
+  const { page, faults } = await opened('three.html', 1400);
+  await page.emulateMedia({ media: 'print' });
+  await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+  const figures = await page.$$eval('main figure', (nodes) => nodes.map((n) => n.querySelector('.print-only svg')?.getBoundingClientRect().width ?? 0));
+  figures.forEach((width) => assert.ok(width > 300));
+  assert.equal(await page.$$eval('.downloads, .toolbar, .panels', (nodes) => nodes.filter((n) => n.offsetParent !== null).length), 0);
+  const pdf = await page.pdf({ format: 'A4' });
+  assert.ok(pdf.length > 20000);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('what a screen reader needs is there', async () => {
+  const { page } = await opened('three.html', 1400);
+  assert.equal(await page.$$eval('[role=img]', (nodes) => nodes.filter((n) => !n.getAttribute('aria-label')).length), 0);
+  assert.equal(await page.$$eval('table', (nodes) => nodes.filter((n) => !n.caption || n.querySelectorAll('th[scope=col]').length === 0).length), 0);
+  assert.equal(await page.$$eval('button', (nodes) => nodes.filter((n) => !n.textContent.trim()).length), 0);
+  assert.equal(await page.$$eval('h1', (nodes) => nodes.length), 1);
+  assert.equal(await page.getAttribute('html', 'lang'), 'en');
+  await page.close();
+});
+
+let failed = 0;
+try {
+  for (const { name, run } of tests) {
+    try {
+      await run();
+      console.log(`ok      ${name}`);
+    } catch (error) {
+      failed++;
+      console.log(`FAILED  ${name}\n        ${error.stack.replace(/\n/g, '\n        ')}`);
+    }
+  }
+} finally {
+  await browser.close();
+  rmSync(profile, { recursive: true, force: true });
+}
+console.log(`${tests.length - failed} of ${tests.length} browser tests passed`);
+process.exit(failed ? 1 : 0);

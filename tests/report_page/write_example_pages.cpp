@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "example_document.hpp"
+#include "ringfilm/report/html.hpp"
+
+/// Writes the pages that the browser test opens: write_example_pages FOLDER
+int main(int argc, char** argv) {
+  using namespace ringfilm;
+  if (argc != 2) {
+    std::cerr << "write_example_pages FOLDER\n";
+    return 2;
+  }
+  const std::string folder = argv[1];
+  const auto write = [&](const std::string& name, const std::string& page) {
+    std::ofstream file(fmt::format("{}/{}", folder, name), std::ios::binary);
+    file << page;
+    return file.good();
+  };
+
+  std::vector<io::ResultDocument> three = {example::document("Styles et al. 2014, new ring", 1.0),
+                                           example::document("Styles et al. 2014, run-in ring", 0.7),
+                                           example::document("Styles et al. 2014, embedded ring", 0.35)};
+  report::Overlay measured{.name = "floating liner, test 12",
+                           .quantity = "friction_on_liner",
+                           .source = "measured.csv",
+                           .crank_angle_deg = {},
+                           .value = {}};
+  for (int k = 0; k < 720; k += 6) {
+    measured.crank_angle_deg.push_back(k);
+    measured.value.push_back(0.9 * three[1].result.samples[k].friction_on_liner);
+  }
+  const bool three_written = write("three.html", report::report_page(three, {measured}));
+
+  io::ResultDocument hostile = example::document("</script><img src=x onerror=\"window.hostile=1\"> & <b>bold</b>");
+  hostile.inputs.push_back({"ring.face.file", "\"<svg onload=window.hostile=1>\"", "<svg onload=window.hostile=1>",
+                            false, "<script>window.hostile=1</script>"});
+  hostile.result.notes.push_back({"hostile", "<img src=x onerror=window.hostile=1>", 1});
+  const bool hostile_written = write("hostile.html", report::report_page({hostile}, {}));
+
+  io::ResultDocument bare;
+  bare.title = "stopped early";
+  bare.result.complete = false;
+  bare.result.samples.assign(three[0].result.samples.begin(), three[0].result.samples.begin() + 30);
+  const bool bare_written = write("bare.html", report::report_page({bare}, {}));
+  return three_written && hostile_written && bare_written ? 0 : 1;
+}
