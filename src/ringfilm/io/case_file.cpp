@@ -31,7 +31,7 @@ class Reader {
     read_data_files();
     if (tree_.complete) {
       check_missing();
-      if (choices_are_known()) check_unused();
+      check_unused();
       check_rules();
     }
     if (!tree_.faults.empty()) {
@@ -118,27 +118,40 @@ class Reader {
     if (!x.empty() && std::abs(x.front()) <= 1e-9 * width) x.front() = 0;
   }
 
-  /// Can it be told which keys are in use? Not where a choice or a file is wrong or missing.
-  bool choices_are_known() const {
+  /// Sections whose keys decide on each other's use.
+  static std::string group_of(const std::string& key) {
+    const std::string section = section_of(key);
+    return section == "liner" || section == "contact" ? "ring" : section;
+  }
+
+  /// May the key `other` decide whether `field` is in use? A trace does for the pressures that join a partial one.
+  static bool decides(const Field& other, const Field& field) {
+    if (group_of(other.key) != group_of(field.key)) return false;
+    if (std::holds_alternative<cycle::FileKind>(other.kind)) {
+      return std::holds_alternative<cycle::OptionalNumberKind>(field.kind);
+    }
+    return std::holds_alternative<cycle::ChoiceKind>(other.kind) ||
+           std::holds_alternative<cycle::NumberOrFileKind>(other.kind) || other.need == cycle::Need::kOptional;
+  }
+
+  /// Can it be told whether the key is in use? Not where a key that decides on it is wrong or missing.
+  bool use_is_known(const Field& field) const {
     const auto& fields = cycle::case_fields();
-    return std::none_of(fields.begin(), fields.end(), [&](const Field& field) {
-      const bool decides = std::holds_alternative<cycle::ChoiceKind>(field.kind) ||
-                           std::holds_alternative<cycle::FileKind>(field.kind) ||
-                           std::holds_alternative<cycle::NumberOrFileKind>(field.kind) ||
-                           field.need == cycle::Need::kOptional;
-      return decides && (is_faulty(field.key) || missing_.contains(field.key));
-    });
+    return field.active == nullptr || std::none_of(fields.begin(), fields.end(), [&](const Field& other) {
+             return decides(other, field) && (is_faulty(other.key) || missing_.contains(other.key));
+           });
   }
 
   void check_missing() {
-    // Keys that are always wanted come first: with one of the choices missing, no more can be said.
+    // Keys that are always wanted come first: where a choice among them is missing, no more can be said.
     for (const Field& field : cycle::case_fields()) {
       if (field.active == nullptr) check_missing(field);
     }
-    if (!choices_are_known()) return;
+    std::vector<const Field*> in_use;
     for (const Field& field : cycle::case_fields()) {
-      if (field.active != nullptr && cycle::is_active(field, case_)) check_missing(field);
+      if (field.active != nullptr && use_is_known(field) && cycle::is_active(field, case_)) in_use.push_back(&field);
     }
+    for (const Field* field : in_use) check_missing(*field);
   }
 
   void check_missing(const Field& field) {
@@ -156,7 +169,7 @@ class Reader {
   void check_unused() {
     for (const auto& [key, entry] : given_) {
       const Field& field = *cycle::find_field(key);
-      if (cycle::is_active(field, case_) || tree_.from_oil_file.contains(key)) continue;
+      if (!use_is_known(field) || cycle::is_active(field, case_) || tree_.from_oil_file.contains(key)) continue;
       tree_.faults.push_back({entry->value.key_mark, key + " is not used in this case",
                               "it is used where " + field.active_when + "; take it out, or change that"});
     }

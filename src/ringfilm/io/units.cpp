@@ -212,16 +212,16 @@ double Units::quantity(const std::string& text, const std::string& si_unit, cons
   if (unit.rfind(',', 0) == 0) throw UnitError("has a decimal comma", "write a decimal point; " + wanted);
   if (unit.empty()) throw UnitError("has no unit", wanted);
   try {
-    const double si_value = scale(unit, si_unit).to_si(value);
-    if (!std::isfinite(si_value)) throw UnitError("is out of the range of numbers", wanted);
-    return si_value;
+    const double value_in_si = scale(unit, si_unit).to_si(value);
+    if (!std::isfinite(value_in_si)) throw UnitError("is out of the range of numbers", wanted);
+    return value_in_si;
   } catch (const UnitError& problem) {
     throw UnitError(problem.what(), problem.remedy.empty() ? wanted : problem.remedy);
   }
 }
 
-std::string Units::shown(double si_value, const std::string& si_unit, const std::string& display_unit) const {
-  const std::string number = fmt::format("{:.8g}", scale(display_unit, si_unit).from_si(si_value));
+std::string Units::shown(double value_in_si, const std::string& si_unit, const std::string& display_unit) const {
+  const std::string number = fmt::format("{:.8g}", scale(display_unit, si_unit).from_si(value_in_si));
   return si_unit == "1" ? number : number + " " + display_unit;
 }
 

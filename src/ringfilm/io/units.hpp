@@ -14,8 +14,8 @@ class UnitError : public std::runtime_error {
   std::string remedy;  ///< may be empty
 };
 
-/// The line from a unit to SI: SI = value * factor / divisor + offset. One of factor and divisor is 1, so that decimal
-/// prefixes round once: "82.5 mm" is the double nearest to 0.0825.
+/// The line from a unit to SI: SI = value * factor / divisor + offset. Decimal prefixes are whole factors or divisors, so
+/// that they round once: "82.5 mm" is 0.0825 to the last bit or the one before.
 struct Scale {
   double factor = 1;
   double divisor = 1;
@@ -45,7 +45,7 @@ class Units {
   bool measures(const std::string& unit, const std::string& si_unit) const;
 
   /// The value [si_unit] in the unit that people read, with up to 8 digits: "89 mm".
-  std::string shown(double si_value, const std::string& si_unit, const std::string& display_unit) const;
+  std::string shown(double value_in_si, const std::string& si_unit, const std::string& display_unit) const;
 
  private:
   struct System;

@@ -1,0 +1,174 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "case_example.hpp"
+#include "ringfilm/io/shipped.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+/// What reading `path` tells; empty if it could be read.
+std::string told_of(const std::string& path) {
+  try {
+    read_case(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CaseSources, IncludesAreRelativeToTheFileThatNamesThem) {
+  CaseText text;
+  text.top += "include = [\"parts/ring.toml\"]\n";
+  text.ring = text.face = "";
+  const CaseFolder folder(text);
+  std::filesystem::create_directory(folder / "parts");
+  folder.write("parts/ring.toml",
+               "include = \"face.toml\"\n[ring]\nface_width = \"1.5 mm\"\nelastic_pressure = \"0.1 MPa\"\n");
+  folder.write("parts/face.toml", "[ring.face]\nform = \"points\"\nfile = \"face.csv\"\n");
+  folder.write("parts/face.csv", "x [mm],height [um]\n0,10\n1.5,0\n");
+  const cycle::Case c = folder.read();
+  EXPECT_EQ(c.ring.face_width, 1.5e-3);
+  EXPECT_EQ(c.ring.face.points_file, folder / "parts/face.csv");
+  ASSERT_EQ(c.files.size(), 5u);
+  EXPECT_EQ(c.files[1].role, "include");
+}
+
+TEST(CaseSources, AKeyInTwoFilesNamesBothPlaces) {
+  CaseText text;
+  text.top += "include = [\"a.toml\"]\n";
+  const CaseFolder folder(text);
+  folder.write("a.toml", "[engine]\nbore = \"90 mm\"\n");
+  const std::string told = folder.faults();
+  EXPECT_THAT(told, HasSubstr("case.toml:4:1: engine.bore is given twice"));
+  EXPECT_THAT(told, HasSubstr("it is given at a.toml:2:1 too"));
+}
+
+TEST(CaseSources, AnIncludeOfItselfIsRefused) {
+  CaseText text;
+  text.top += "include = [\"a.toml\"]\n";
+  const CaseFolder folder(text);
+  folder.write("a.toml", "include = [\"./case.toml\"]\n");
+  EXPECT_THAT(folder.faults(), HasSubstr("a.toml:1:12: case.toml includes itself"));
+}
+
+TEST(CaseSources, DeepIncludesAreRefused) {
+  CaseText text;
+  text.top += "include = [\"0.toml\"]\n";
+  const CaseFolder folder(text);
+  for (int i = 0; i < 12; ++i) {
+    folder.write(std::to_string(i) + ".toml", "include = [\"" + std::to_string(i + 1) + ".toml\"]\n");
+  }
+  EXPECT_THAT(folder.faults(), HasSubstr("files are included more than 8 deep"));
+}
+
+TEST(CaseSources, AMissingIncludeIsToldWhereItIsNamed) {
+  CaseText text;
+  text.top += "include = [\"gone.toml\"]\n";
+  text.ring = "";
+  const std::string told = faults_of(text);
+  EXPECT_THAT(told, HasSubstr("case.toml:2:12: include = \"gone.toml\": there is no such file"));
+  // With a file missing nobody knows which keys are.
+  EXPECT_THAT(told, Not(HasSubstr("is missing")));
+}
+
+TEST(CaseSources, OverridesReplaceKeysOfAllFiles) {
+  const CaseFolder folder;
+  const cycle::Case c = folder.read({{"operating.speed", "3000 rpm"},
+                                     {"contact.composite_modulus", "\"135 GPa\""},
+                                     {"solver.cells", "400"},
+                                     {"film.cavitation", "reynolds-exit"},
+                                     {"output.fields", "[\"20 degree\"]"},
+                                     {"title", "2026"}});
+  EXPECT_DOUBLE_EQ(c.operating.speed, 2 * 157.07963267948966);
+  EXPECT_EQ(c.contact.composite_modulus, 135e9);
+  EXPECT_EQ(c.solver.cells, 400);
+  EXPECT_EQ(c.film.cavitation, cycle::Cavitation::kReynoldsExit);
+  EXPECT_EQ(c.output.field_angles_deg.size(), 1u);
+  EXPECT_EQ(c.title, "2026");
+}
+
+TEST(CaseSources, AnEmptyOverrideTakesAKeyOut) {
+  const cycle::Case c = CaseFolder().read({{"ring.elastic_pressure", ""}, {"ring.tangential_force", "12 N"}});
+  EXPECT_FALSE(c.ring.elastic_pressure.has_value());
+  EXPECT_EQ(c.ring.tangential_force, 12.0);
+}
+
+TEST(CaseSources, OverridesAreCheckedLikeTheFile) {
+  const std::string told = CaseFolder().faults(
+      {{"operating.sped", "3000 rpm"}, {"engine.bore", "89"}, {"engine.stroke", "80 bar"}, {"solver.cells", "[1"}});
+  EXPECT_THAT(told, HasSubstr("--set: unknown key operating.sped; did you mean operating.speed?"));
+  EXPECT_THAT(told, HasSubstr("--set: engine.bore = 89 has no unit"));
+  EXPECT_THAT(told, HasSubstr("--set: engine.stroke = \"80 bar\" is not a length"));
+  EXPECT_THAT(told, HasSubstr("--set: solver.cells = \"[1\" is not a whole number"));
+}
+
+TEST(CaseSources, AnOverrideCanRepairAFaultyValue) {
+  CaseText text;
+  text.ring = "[ring]\nface_width = 1.2\nelastic_pressure = \"0.2 MPa\"\n";
+  EXPECT_THAT(CaseFolder(text).faults({{"ring.face_width", "1.2 mm"}}), IsEmpty());
+}
+
+TEST(CaseSources, AByteOrderMarkAndLineEndsOfOtherSystemsAreReadAndNoted) {
+  const CaseFolder folder;
+  std::string text = "\xEF\xBB\xBF";
+  for (const char c : CaseText().text()) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  folder.write("case.toml", text);
+  const cycle::Case c = folder.read();
+  ASSERT_EQ(c.notes.size(), 1u);
+  EXPECT_THAT(c.notes[0], HasSubstr("byte-order mark"));
+}
+
+TEST(CaseSources, WhatIsNoCaseFileIsRefusedBeforeItIsParsed) {
+  const CaseFolder folder;
+  EXPECT_THAT(told_of(folder / "gone.toml"), HasSubstr("gone.toml: there is no such file"));
+  EXPECT_THAT(told_of(folder / "."), HasSubstr("this is a folder, not a file"));
+  folder.write("x.toml", std::string("title = \"a\0b\"\n", 13));
+  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("x.toml:1:11: the file is binary, not text"));
+  folder.write("x.toml", "");
+  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("the file is empty"));
+  folder.write("x.toml", " \n\n");
+  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("the file is empty"));
+  folder.write("x.toml", "title = \"M\xFCller\"\n");
+  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("x.toml:1:11: the file is not UTF-8 text"));
+  folder.write("x.toml", "\xFF\xFEt\0");
+  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("UTF-16"));
+  folder.write("x.toml", std::string(5 << 20, 'a'));
+  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("the file is larger than 4 MB"));
+  folder.write("x.toml", "b\xC3\xB6r = 1\n");
+  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("x.toml:1:2: a key must be written in ASCII letters"));
+}
+
+TEST(CaseSources, TextThatBreaksTomlParsersIsRefused) {
+  const CaseFolder folder;
+  std::string deep_key = "a";
+  for (int i = 0; i < 100000; ++i) deep_key += ".a";
+  for (const std::string& text :
+       {std::string("[="), std::string("[*]"), std::string("a = [="), std::string("a = \"\"\""), std::string("a = {"),
+        "a = " + std::string(100000, '['), "a = " + std::string(100000, '{'), deep_key + " = 1", std::string("[a\n]"),
+        std::string("a = 1 b = 2"), std::string("= 1"), std::string("a"), std::string("a = 1979-05-27T"),
+        std::string("a = 9223372036854775808"), std::string("a = \"\\uD800\"")}) {
+    folder.write("x.toml", text + "\n");
+    EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("x.toml:")) << text.substr(0, 20);
+  }
+}
+
+TEST(CaseSources, TheShippedFolderIsFoundByTheEnvironment) {
+  ASSERT_EQ(::setenv("RINGFILM_DATA", RINGFILM_SOURCE_FOLDER, 1), 0);
+  EXPECT_EQ(shipped_folder(), RINGFILM_SOURCE_FOLDER);
+  CaseText text;
+  text.lubricant = "[lubricant]\nfile = \"data/lubricants/styles2014.toml\"\n";
+  EXPECT_EQ(CaseFolder(text).read().lubricant.kinematic_viscosity.size(), 2u);
+  ASSERT_EQ(::setenv("RINGFILM_DATA", "/nowhere", 1), 0);
+  EXPECT_THROW(shipped_folder(), InputError);
+  ASSERT_EQ(::unsetenv("RINGFILM_DATA"), 0);
+}
+
+}  // namespace
+}  // namespace ringfilm::io

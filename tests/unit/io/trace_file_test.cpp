@@ -1,0 +1,171 @@
+#include "ringfilm/io/trace_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "case_example.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class Trace : public ::testing::Test {
+ protected:
+  TraceFile read(const std::string& text, const TraceColumns& stated = {}) {
+    write_text(folder_ / "p.csv", text);
+    return read_trace({folder_ / "p.csv", "p.csv"}, stated, units_);
+  }
+  std::string told(const std::string& text, const TraceColumns& stated = {}) {
+    try {
+      read(text, stated);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  ScratchFolder folder_;
+  Units units_;
+};
+
+TEST_F(Trace, IsReadInAnyUnitOfItsHeader) {
+  const auto samples = read("angle [rad],p [bar]\n0,1\n3.14159265358979312,62\n").samples;
+  EXPECT_DOUBLE_EQ(samples.crank_angle_deg.at(1), 180);
+  EXPECT_THAT(samples.value, ElementsAre(1e5, 62e5));
+}
+
+TEST_F(Trace, MayRunOverAnyCycle) {
+  const auto samples = read("crank_angle [degree],p [Pa]\n-180,1e5\n0,5e6\n540,1e5\n").samples;
+  EXPECT_THAT(samples.crank_angle_deg, ElementsAre(-180, 0, 540));
+}
+
+TEST_F(Trace, IsTheSameInEveryDressOfItsText) {
+  const auto plain = read("crank_angle [degree],p [Pa]\n0,100000.5\n1,2e5\n").samples;
+  for (const char* text :
+       {"crank_angle [degree],p [Pa]\r\n0,100000.5\r\n1,2e5\r\n", "crank_angle [degree],p [Pa]\r0,100000.5\r1,2e5\r",
+        "\xEF\xBB\xBF"
+        "crank_angle [degree],p [Pa]\n0,100000.5\n1,2e5\n",
+        "# rig 7\n\n# sensor B\ncrank_angle [degree],p [Pa]\n\n0,100000.5\n  \n1,+2e5",
+        "\"crank_angle [degree]\",\"p [Pa]\"\n0,100000.5\n1,2e5\n",
+        "crank_angle [degree] , p [Pa]\n 0 ,\t100000.5\n1, 2e5 \n", "crank_angle [degree];p [Pa]\n0;100000,5\n1;2e5\n",
+        "crank_angle [degree]\tp [Pa]\n0\t100000.5\n1\t2e5\n", "crank_angle [degree],p [Pa],\n0,100000.5,\n1,2e5,\n"}) {
+    const auto samples = read(text).samples;
+    EXPECT_EQ(samples.crank_angle_deg, plain.crank_angle_deg) << text;
+    EXPECT_EQ(samples.value, plain.value) << text;
+  }
+}
+
+TEST_F(Trace, NotesCommentsByteOrderMarkAndDecimalCommas) {
+  EXPECT_THAT(read("# rig 7\ncrank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n").notes, ElementsAre(HasSubstr("# rig 7")));
+  EXPECT_THAT(read("\xEF\xBB\xBF"
+                   "crank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n")
+                  .notes,
+              ElementsAre(HasSubstr("byte-order")));
+  EXPECT_THAT(read("crank_angle [degree];p [Pa]\n0;1,5e5\n1;2e5\n").notes, ElementsAre(HasSubstr("decimal commas")));
+}
+
+TEST_F(Trace, TakesTheNamedColumnOfSeveral) {
+  const std::string text = "CAD_0=firing_TDC,p_Pa_load25,p_Pa_load50\n-143,168700,232080\n-142,169310,233920\n";
+  TraceColumns stated;
+  stated.pressure_unit = "Pa";
+  stated.angle_unit = "degree";
+  EXPECT_THAT(told(text, stated), HasSubstr("2 columns of the file may be the pressure"));
+  EXPECT_THAT(told(text, stated), HasSubstr("gas.pressure_column; the file has: CAD_0=firing_TDC, p_Pa_load25"));
+  stated.pressure_column = "p_Pa_load50";
+  EXPECT_THAT(read(text, stated).samples.value, ElementsAre(232080, 233920));
+  stated.pressure_column = "p_Pa_load75";
+  EXPECT_THAT(told(text, stated), HasSubstr("the file has no column p_Pa_load75 (gas.pressure_column)"));
+}
+
+TEST_F(Trace, AsksForUnitsOnceAndRefusesContradictions) {
+  const std::string bare = "crank_angle,p\n0,1e5\n1,2e5\n";
+  EXPECT_THAT(told(bare), HasSubstr("p.csv:1:1: the column crank_angle has no unit"));
+  EXPECT_THAT(told(bare), HasSubstr("p.csv:1:13: the column p has no unit"));
+  EXPECT_THAT(told(bare), HasSubstr("or state gas.pressure_unit"));
+  TraceColumns stated;
+  stated.pressure_unit = "bar";
+  EXPECT_THAT(told("crank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n", stated),
+              HasSubstr("p.csv:1:22: the header says Pa, gas.pressure_unit says bar"));
+  stated.pressure_unit = "Pa";
+  EXPECT_EQ(read("crank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n", stated).samples.value.size(), 2u);
+}
+
+TEST_F(Trace, RefusesWhatIsNoTraceWithLineAndColumn) {
+  const std::string head = "crank_angle [degree],p [Pa]\n";
+  EXPECT_THAT(told(head), HasSubstr("p.csv: the file has no row of numbers"));
+  EXPECT_THAT(told(head + "0,1e5\n"), HasSubstr("p.csv: the file has only one row of numbers"));
+  EXPECT_THAT(told("0,1e5\n1,2e5\n"), HasSubstr("p.csv:1:1: the first line must name the columns"));
+  EXPECT_THAT(told(head + "0,1e5\n1,2e5\n1,3e5\n"), HasSubstr("p.csv:4:1: the crank angle 1 degree comes twice"));
+  EXPECT_THAT(told(head + "0,1e5\n2,2e5\n1,3e5\n"), HasSubstr("p.csv:4:1: the crank angle falls from 2 to 1 degree"));
+  EXPECT_THAT(told(head + "0,1e5\n1,nan\n2,inf\n"), HasSubstr("p.csv:3:3: nan is not a finite number"));
+  EXPECT_THAT(told(head + "0,1e5\n1,nan\n2,inf\n"), HasSubstr("p.csv:4:3: inf is not a finite number"));
+  EXPECT_THAT(told(head + "0,1e5\n1,high\n"), HasSubstr("p.csv:3:3: \"high\" is not a number"));
+  EXPECT_THAT(told(head + "0,1e5\n1,\n"), HasSubstr("p.csv:3:3: a value is missing"));
+  EXPECT_THAT(told(head + "0,1e5\n1\n"), HasSubstr("p.csv:3:1: the row has 1 values, the header names 2 columns"));
+  EXPECT_THAT(told(head + "0,0,100000,5\n0,1,100000,6\n"), HasSubstr("separate the columns by semicolons"));
+  EXPECT_THAT(told(head + "0,1e5\n721,2e5\n"), HasSubstr("the trace spans 721 degree"));
+  EXPECT_THAT(told("crank_angle [degree],p [N]\n0,1\n1,2\n"), HasSubstr("no column of the file is a pressure"));
+  EXPECT_THAT(told("t [s],p [Pa]\n0,1e5\n1,2e5\n"), HasSubstr("no column of the file is a crank angle"));
+}
+
+TEST_F(Trace, RefusesPressuresThatCannotBe) {
+  const std::string head = "crank_angle [degree],p [Pa]\n";
+  EXPECT_THAT(told(head + "0,-500\n1,6e6\n"), HasSubstr("p.csv:2:3: the pressure is -500 Pa and below vacuum"));
+  EXPECT_THAT(told(head + "0,-500\n1,6e6\n"), HasSubstr("gas.pressure_reference = \"gauge\""));
+  TraceColumns gauge;
+  gauge.reference = cycle::PressureReference::kGauge;
+  EXPECT_THAT(read(head + "0,-500\n1,6e6\n", gauge).samples.value, ElementsAre(-500, 6e6));
+  EXPECT_THAT(told(head + "0,1\n1,62\n"), HasSubstr("the highest pressure of the trace is 0.00062 bar"));
+  EXPECT_THAT(told("crank_angle [degree],p [barg]\n0,1\n1,62\n", gauge),
+              HasSubstr("write the unit without the g, and state gas.pressure_reference"));
+  EXPECT_THAT(told("crank_angle [degree],p [bara]\n0,1\n1,62\n", gauge), HasSubstr("the unit bara is absolute"));
+}
+
+TEST(PartialTrace, WantsThePressuresThatJoinIt) {
+  const CaseFolder folder;
+  std::string text = "crank_angle [degree],p [bar]\n";
+  for (int angle = -143; angle <= 123; ++angle) text += std::to_string(angle) + ",2\n";
+  folder.write("p.csv", text);
+  EXPECT_THAT(
+      folder.faults(),
+      HasSubstr("the trace covers only -143 to 123 degree of the cycle, and gas.intake_pressure is not stated"));
+  EXPECT_THAT(folder.faults(), HasSubstr("gas.exhaust_pressure is not stated"));
+  EXPECT_EQ(folder.faults({{"gas.intake_pressure", "1.6 bar"}, {"gas.exhaust_pressure", "1.9 bar"}}), "");
+  EXPECT_THAT(CaseFolder().faults({{"gas.intake_pressure", "1.6 bar"}}),
+              HasSubstr("gas.intake_pressure is not used in this case"));
+}
+
+TEST(CrankcaseTrace, SharesReferenceAndZeroWithTheCylinder) {
+  CaseText text;
+  text.gas += "crankcase_pressure = \"crankcase.csv\"\n";
+  const CaseFolder folder(text);
+  EXPECT_THAT(folder.faults(),
+              HasSubstr("case.toml:13:22: gas.crankcase_pressure: crankcase.csv: there is no such file"));
+  std::string trace = "crank_angle [degree],p [bar]\n";
+  for (int angle = 0; angle < 720; angle += 10) trace += std::to_string(angle) + ",1.1\n";
+  folder.write("crankcase.csv", trace);
+  ASSERT_TRUE(folder.read().gas.crankcase_trace.has_value());
+  folder.write("crankcase.csv", "crank_angle [degree],p [bar]\n0,1\n100,1.1\n");
+  EXPECT_THAT(folder.faults(), HasSubstr("the crankcase trace covers only a part of the cycle"));
+}
+
+TEST(MeasuredHeavyDutyTrace, IsReadByItsColumns) {
+  const std::string path = std::string(RINGFILM_SOURCE_FOLDER) + "/../shared/data/pressure_hd_1200rpm_libicepost.csv";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no measured traces beside the checkout: " << path;
+  TraceColumns stated;
+  stated.pressure_unit = "Pa";
+  stated.angle_unit = "degree";
+  stated.pressure_column = "p_Pa_load100";
+  const auto samples = read_trace({path, path}, stated, Units()).samples;
+  // As published with the file: -143 to 123 degrees by 1 degree, peak 233 bar.
+  ASSERT_EQ(samples.value.size(), 267u);
+  EXPECT_EQ(samples.crank_angle_deg.front(), -143);
+  EXPECT_NEAR(*std::max_element(samples.value.begin(), samples.value.end()), 233e5, 0.5e5);
+}
+
+}  // namespace
+}  // namespace ringfilm::io
