@@ -23,7 +23,10 @@ void collect(std::vector<Fault>& faults, const std::function<void()>& check) {
 
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code error;
-  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+  const auto whole = [&](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  };
+  return whole(a) == whole(b);
 }
 
 /// A result must not replace what it was computed from, nor another output.

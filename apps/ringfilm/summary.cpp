@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
+#include <vector>
 
 #include "engineering_text.hpp"
 
@@ -14,21 +16,27 @@ using cycle::CycleValues;
 
 constexpr int kValueWidth = 12;
 
-/// The text broken into lines of at most 100 characters, all but the first indented.
-std::string wrapped(const std::string& text, const std::string& indent) {
+/// Pieces set one after the other in lines of at most 100 characters, all but the first line indented.
+std::string wrapped(const std::vector<std::string>& pieces) {
   constexpr std::size_t kLineLength = 100;
+  constexpr const char* kIndent = "    ";
   std::string lines, line;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (!line.empty() && line.size() + 1 + word.size() > kLineLength) {
-      lines += line + "\n" + indent;
-      line.clear();
+  for (const std::string& piece : pieces) {
+    if (!line.empty() && line.size() + 1 + piece.size() > kLineLength) {
+      lines += line + "\n";
+      line = kIndent + piece;
+    } else {
+      line += (line.empty() ? "" : " ") + piece;
     }
-    line += (line.empty() ? "" : " ") + word;
-    begin = end + 1;
   }
-  return lines + line;
+  return lines + line + "\n";
+}
+
+std::vector<std::string> words(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
 }
 
 class Table {
@@ -38,8 +46,8 @@ class Table {
   /// A line for the cycle value of that name, with a remark.
   void add(const std::string& name, const std::string& remark = "") {
     const cycle::CycleQuantity& quantity = cycle_quantity(name);
-    text_ += fmt::format("{:>{}}   {}{}{}\n", shown(name), kValueWidth, quantity.long_name, remark.empty() ? "" : ": ",
-                         remark);
+    text_ += fmt::format("{:>{}}   {}{}\n", shown(name), kValueWidth, quantity.long_name,
+                         remark.empty() ? "" : " (" + remark + ")");
   }
   std::string shown(const std::string& name) const { return in_words_(name, values_.*cycle_quantity(name).value); }
   std::string at(const std::string& angle_name) const { return "at " + shown(angle_name); }
@@ -82,40 +90,40 @@ std::string values_table(const CycleValues& values) {
   return table.text();
 }
 
-std::string solver_line(const cycle::Effort& effort) {
+std::string solver_lines(const cycle::Effort& effort) {
   std::string text = fmt::format(
-      "solver: {:.0f} cycle{} until the state repeats (to {:.1e}), {} crank steps, {} Newton iterations; load balanced "
+      "solver: {:.4g} cycles until the state repeats (to {:.1e}), {} crank steps, {} Newton iterations; load balanced "
       "to {:.1e}, mass to {:.1e} (relative)",
-      effort.cycles_marched, effort.cycles_marched == 1 ? "" : "s", effort.periodicity_error, effort.crank_steps,
-      effort.newton_iterations, effort.max_load_residual, effort.max_mass_residual);
+      effort.cycles_marched, effort.periodicity_error, effort.crank_steps, effort.newton_iterations,
+      effort.max_load_residual, effort.max_mass_residual);
   const long n_fallbacks = effort.fallback_secant + effort.fallback_sub_step;
   if (n_fallbacks > 0) text += fmt::format("; {} steps needed the fallback chain", n_fallbacks);
-  return wrapped(text, "    ");
+  return wrapped(words(text));
 }
 
 std::string assumed_lines(const std::vector<io::CaseEntry>& inputs) {
-  std::string list;
-  int n = 0;
+  std::vector<std::string> entries;
   for (const io::CaseEntry& entry : inputs) {
-    if (!entry.assumed) continue;
-    list += (n++ > 0 ? ", " : "") + entry.key + " = " + entry.shown;
+    if (entry.assumed) entries.push_back(entry.key + " = " + entry.shown);
   }
-  if (n == 0) return "assumed: nothing, the case states every key in use\n";
-  return wrapped(fmt::format("assumed: {} keys that the case does not state: {}", n, list), "    ") + "\n";
+  if (entries.empty()) return "assumed: nothing, the case states every key in use\n";
+  std::vector<std::string> pieces = {fmt::format("assumed: {} keys that the case does not state:", entries.size())};
+  for (const std::string& entry : entries) pieces.push_back(entry + (&entry == &entries.back() ? "" : ","));
+  return wrapped(pieces);
 }
 
-std::string simplification_line(const io::ResultDocument& document) {
+std::string simplification_lines(const io::ResultDocument& document) {
   std::string topics;
   for (const study::LedgerEntry& entry : document.ledger) topics += (topics.empty() ? "" : ", ") + entry.topic;
-  return wrapped(fmt::format("taken for granted: {} simplifications ({})", document.ledger.size(), topics), "    ") +
-         (document.ledger_computed ? "\n" : "\n    run with --ledger to see what the other choices would change\n");
+  return wrapped(words(fmt::format("taken for granted: {} simplifications ({})", document.ledger.size(), topics))) +
+         (document.ledger_computed ? "" : "    run with --ledger to see what the other choices would change\n");
 }
 
 std::string note_lines(const io::ResultDocument& document) {
   std::string text;
-  for (const std::string& note : document.input_notes) text += wrapped("note: " + note, "    ") + "\n";
+  for (const std::string& note : document.input_notes) text += wrapped(words("note: " + note));
   for (const auto& [topic, message, count] : document.result.notes) {
-    text += wrapped("note: " + message + (count > 1 ? fmt::format(" ({} times)", count) : ""), "    ") + "\n";
+    text += wrapped(words("note: " + message + (count > 1 ? fmt::format(" ({} times)", count) : "")));
   }
   return text;
 }
@@ -128,13 +136,14 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
   text += fmt::format("{:.6g} rpm, oil at {:.6g} degC; cylinder pressure: {}\n\n",
                       input.operating.speed * 30 / std::numbers::pi, input.operating.oil_temperature - kFreezing,
                       pressure_origin(input.gas));
-  if (!document.result.complete) {
-    text += fmt::format("STOPPED before the cycle was complete: {} crank angles, the values below are of that part\n\n",
-                        document.result.samples.size());
+  const cycle::CycleResult& result = document.result;
+  if (!result.complete) {
+    text += fmt::format("STOPPED before the cycle was complete, after {} crank angles; the values are of that part\n\n",
+                        result.samples.size());
   }
-  text += values_table(document.result.values) + "\n";
-  text += solver_line(document.result.effort) + "\n";
-  text += assumed_lines(document.inputs) + simplification_line(document) + note_lines(document);
+  if (!result.samples.empty()) text += values_table(result.values) + "\n";
+  text += solver_lines(result.effort);
+  text += assumed_lines(document.inputs) + simplification_lines(document) + note_lines(document);
   return text;
 }
 

@@ -1,0 +1,182 @@
+"""Whatever is wrong with the input: exit code 2, said where and what, and nothing written."""
+
+import os
+import unittest
+
+import program
+
+
+def replaced(old, new):
+    assert program.CASE.count(old) == 1, old
+    return program.CASE.replace(old, new)
+
+
+class BadCase(program.ProgramTest):
+    def refuse(self, *fragments, words=(), case="case.toml"):
+        before = self.names()
+        done = self.run_program("run", case, "--output", "out.nc", "--csv", "out.csv", *words)
+        self.assert_refused(done, *fragments)
+        self.assertEqual(self.names(), before, "something was written")
+
+    def refuse_case(self, text, *fragments):
+        (self.folder / "case.toml").write_text(text)
+        self.refuse("case.toml", *fragments)
+
+    def refuse_trace(self, text, *fragments):
+        (self.folder / "trace.csv").write_text(text)
+        self.refuse("trace.csv", *fragments)
+
+    def test_unknown_key_is_named_with_the_nearest(self):
+        self.refuse_case(replaced("face_width", "face_widht"), "case.toml:15:1", "ring.face_widht", "ring.face_width")
+
+    def test_missing_key(self):
+        self.refuse_case(replaced('bore = "89 mm"\n', ""), "engine.bore")
+
+    def test_wrong_unit(self):
+        self.refuse_case(replaced('"89 mm"', '"89 kg"'), "engine.bore", "case.toml:3:", "a length")
+
+    def test_number_without_unit(self):
+        self.refuse_case(replaced('"89 mm"', "0.089"), "engine.bore", "no unit", "^")
+
+    def test_nan_and_infinity(self):
+        for bad in ("nan", "inf", '"nan mm"', '"inf mm"'):
+            with self.subTest(bad):
+                self.refuse_case(replaced('"89 mm"', bad), "engine.bore")
+
+    def test_negative_length(self):
+        self.refuse_case(replaced('"89 mm"', '"-89 mm"'), "engine.bore", "-89 mm")
+
+    def test_key_given_twice(self):
+        self.refuse_case(replaced('bore = "89 mm"\n', 'bore = "89 mm"\nbore = "90 mm"\n'), "bore")
+
+    def test_two_tensions(self):
+        self.refuse_case(replaced('elastic_pressure = "0.2 MPa"', 'elastic_pressure = "0.2 MPa"\ntangential_force = "10 N"'),
+                         "ring.elastic_pressure", "ring.tangential_force")
+
+    def test_gauge_or_absolute_not_stated(self):
+        self.refuse_case(replaced('pressure_reference = "absolute"\n', ""), "gas.pressure_reference")
+
+    def test_angle_zero_not_stated(self):
+        self.refuse_case(replaced('angle_zero = "firing-tdc"\n', ""), "gas.angle_zero")
+
+    def test_all_faults_at_once(self):
+        text = replaced('"89 mm"', '"89 kg"').replace("face_width", "face_widht").replace('model = "trace"', 'model = "x"')
+        self.refuse_case(text, "engine.bore", "ring.face_widht", "gas.model")
+
+    def test_empty_and_one_line_trace(self):
+        self.refuse_trace("")
+        self.refuse_trace("crank_angle [degree],cylinder_pressure [Pa]\n")
+        self.refuse_trace("crank_angle [degree],cylinder_pressure [Pa]\n0,1e5\n")
+
+    def test_angles_out_of_order_or_twice(self):
+        lines = program.TRACE.splitlines()
+        self.refuse_trace("\n".join(lines[:5] + [lines[7], lines[6]] + lines[8:]) + "\n")
+        self.refuse_trace("\n".join(lines[:5] + [lines[5], lines[5]] + lines[6:]) + "\n")
+
+    def test_trace_without_units(self):
+        self.refuse_trace(program.TRACE.replace(" [bar]", ""), "unit")
+
+    def test_decimal_comma_and_byte_order_mark_are_read_or_told(self):
+        traces = {
+            "comma": program.TRACE.replace(",", ";").replace(".", ","),
+            "mark": "\ufeff" + program.TRACE,
+        }
+        for name, text in traces.items():
+            with self.subTest(name):
+                (self.folder / "trace.csv").write_text(text, encoding="utf-8")
+                done = self.run_program("run", "case.toml")
+                if done.returncode != 0:
+                    self.assert_refused(done, "trace.csv")
+                else:
+                    self.assertIn("peak gas pressure 41.16 bar", done.stdout)
+                    self.assertIn("note:", done.stdout)
+
+    def test_face_points_that_do_not_cover_the_width(self):
+        (self.folder / "face.csv").write_text("x [mm],height [um]\n0,5\n0.5,0\n1.0,5\n")
+        self.refuse_case(replaced('form = "parabola"\ncrown_height = "15 um"', 'form = "points"\nfile = "face.csv"'),
+                         "face.csv", "mm")
+
+    def test_missing_files(self):
+        self.refuse("nowhere.toml", case="nowhere.toml")
+        (self.folder / "trace.csv").unlink()
+        self.refuse("trace.csv")
+
+    def test_folder_given_as_file(self):
+        (self.folder / "folder.toml").mkdir()
+        self.refuse("folder.toml", case="folder.toml")
+
+    def test_binary_and_huge_case_files(self):
+        (self.folder / "binary.toml").write_bytes(bytes(range(256)) * 50)
+        self.refuse("binary.toml", case="binary.toml")
+        with open(self.folder / "huge.toml", "wb") as file:
+            file.truncate(100 << 20)
+        self.refuse("huge.toml", case="huge.toml")
+
+    def test_settings_on_the_command_line(self):
+        self.refuse("--set", "solver.cels", "solver.cells", words=("--set", "solver.cels=100"))
+        self.refuse("operating.speed", words=("--set", "operating.speed=1500"))
+        self.refuse("key=value", words=("--set", "operating.speed"))
+
+
+class BadOutput(program.ProgramTest):
+    def refuse(self, *words):
+        before = self.names()
+        done = self.run_program("run", "case.toml", *words)
+        self.assert_refused(done)
+        self.assertEqual(self.names(), before, "something was written")
+        return done.stderr
+
+    def test_folder_that_does_not_exist(self):
+        self.assertIn("nowhere does not exist", self.refuse("--output", "nowhere/out.nc"))
+        self.assertIn("nowhere does not exist", self.refuse("--csv", "nowhere/out.csv"))
+
+    def test_folder_given_as_output(self):
+        self.assertIn("folder", self.refuse("--output", "."))
+
+    def test_output_that_would_replace_its_own_input(self):
+        self.assertIn("trace.csv", self.refuse("--csv", "trace.csv"))
+        self.assertIn("case.toml", self.refuse("--output", "./case.toml"))
+        self.assertEqual((self.folder / "trace.csv").read_text(), program.TRACE)
+
+    def test_two_outputs_of_one_name(self):
+        self.refuse("--output", "out", "--csv", "./out")
+
+    def test_device_for_netcdf(self):
+        self.assertIn("/dev/null", self.refuse("--output", "/dev/null"))
+
+    def test_folder_that_is_not_writable(self):
+        how = {}
+        if os.geteuid() == 0:
+            how = {"user": 65534, "group": 65534, "extra_groups": []}
+            self.folder.chmod(0o755)
+            if not self.can_start(**how):
+                program.skip_loudly(self, "another user than root cannot start the program where it lies")
+        else:
+            self.folder.chmod(0o555)
+            self.addCleanup(self.folder.chmod, 0o755)
+        done = self.run_program("run", "case.toml", "--output", "out.nc", **how)
+        self.assert_refused(done, "not writable")
+        self.assertNotIn("out.nc", self.names())
+
+    def can_start(self, **how):
+        try:
+            return self.run_program("--version", **how).returncode == 0
+        except PermissionError:
+            return False
+
+
+class BadCommandLine(program.ProgramTest):
+    def test_usage_errors_are_exit_code_2(self):
+        for words in ((), ("run",), ("fly",), ("run", "case.toml", "--nonsense"), ("report", "a.nc"),
+                      ("report", "--output", "x.html"), ("run", "case.toml", "case.toml")):
+            with self.subTest(words):
+                done = self.run_program(*words)
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertNotEqual(done.stderr, "")
+
+    def test_unknown_publication(self):
+        self.assert_refused(self.run_program("reproduce", "smith2020"), "smith2020", "styles2014")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

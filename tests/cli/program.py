@@ -1,0 +1,85 @@
+"""The program under test, a scratch folder, and a small case that is right until a test spoils it."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ.get("RINGFILM_PROGRAM", "")
+SOURCES = pathlib.Path(__file__).resolve().parents[2]
+
+TRACE = "crank_angle [degree],cylinder_pressure [bar]\n" + "".join(
+    # A bell of 40 bar at 15 degree on 1.2 bar, all through the cycle.
+    f"{angle},{1.2 + 40 / (1 + ((angle + 180) % 720 - 195) ** 2 / 900):.6f}\n" for angle in range(0, 720, 2)
+)
+
+CASE = """\
+title = "a small case"
+[engine]
+bore = "89 mm"
+stroke = "79.5 mm"
+connecting_rod_length = "138.1 mm"
+[operating]
+speed = "1500 rpm"
+oil_temperature = "120 degC"
+[gas]
+model = "trace"
+cylinder_pressure = "trace.csv"
+pressure_reference = "absolute"
+angle_zero = "firing-tdc"
+[ring]
+face_width = "1.2 mm"
+elastic_pressure = "0.2 MPa"
+[ring.face]
+form = "parabola"
+crown_height = "15 um"
+[contact]
+asperity_density = "0.097 um-2"
+asperity_radius = "1.56 um"
+roughness = "0.48 um"
+boundary_shear_strength_coefficient = 0.3581
+[lubricant]
+kinematic_viscosity = [{ temperature = "40 degC", value = "59.99 mm2/s" }, { temperature = "100 degC", value = "9.59 mm2/s" }]
+density = [{ temperature = "15 degC", value = "849.7 kg/m3" }, { temperature = "40 degC", value = "833.8 kg/m3" }]
+[solver]
+cells = 60
+"""
+
+
+def skip_loudly(test, reason):
+    print(f"\nSKIPPED {test.id()}: {reason}", flush=True)
+    test.skipTest(reason)
+
+
+class ProgramTest(unittest.TestCase):
+    """Each test has a folder of its own with case.toml and trace.csv in it, which is the working folder of the program."""
+
+    def setUp(self):
+        if not PROGRAM:
+            self.fail("set RINGFILM_PROGRAM to the program to test")
+        scratch = tempfile.TemporaryDirectory(prefix="ringfilm-cli-")
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        (self.folder / "trace.csv").write_text(TRACE)
+        (self.folder / "case.toml").write_text(CASE)
+
+    def run_program(self, *words, **how):
+        return subprocess.run([PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, timeout=120, **how)
+
+    def run_well(self, *words):
+        done = self.run_program(*words)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(done.stderr, "")
+        return done.stdout
+
+    def names(self):
+        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
+
+    def assert_refused(self, done, *fragments):
+        """Exit code 2, every fragment said on standard error, nothing on standard output."""
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertIn("nothing was run or written (exit code 2)", done.stderr)
+        for fragment in fragments:
+            self.assertIn(fragment, done.stderr)

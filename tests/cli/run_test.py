@@ -1,0 +1,190 @@
+"""ringfilm run, check, fields, new: what they print and write."""
+
+import csv
+import json
+import os
+import pty
+import re
+import subprocess
+import unittest
+
+import program
+
+CONTRACT_COLUMNS = (
+    "crank_angle [degree],piston_velocity [m/s],gas_pressure [Pa],applied_load [N],min_film_thickness [m],"
+    "film_parameter,hydrodynamic_load [N],asperity_load [N],asperity_contact_area [m2],boundary_friction [N],"
+    "viscous_friction [N],viscous_friction_ring [N],total_friction [N],friction_on_liner [N],friction_coefficient,"
+    "power_loss [W],oil_flow_middle [kg/s],peak_film_pressure [Pa],cavitated_fraction,sliding_distance [m]"
+)
+
+
+class Run(program.ProgramTest):
+    def values(self, *words):
+        return json.loads(self.run_well("run", "case.toml", "--json", *words))
+
+    def curves(self, *words):
+        self.run_well("run", "case.toml", "--csv", "curves.csv", *words)
+        with open(self.folder / "curves.csv", newline="") as stream:
+            rows = list(csv.reader(stream))
+        return rows[0], [[float(cell) for cell in row] for row in rows[1:]]
+
+    def test_prints_a_summary_in_engineers_units_and_writes_nothing_unasked(self):
+        before = self.names()
+        said = self.run_well("run", "case.toml")
+        for fragment in ("a small case", "1500 rpm", "kPa", " W ", "um ", "mg/s", "boundary", "Newton iterations",
+                         "film.cavitation = mass-conserving", "assumed:"):
+            self.assertIn(fragment, said)
+        self.assertEqual(self.names(), before)
+
+    def test_csv_has_the_columns_of_the_contract_and_a_row_per_degree(self):
+        header, rows = self.curves()
+        self.assertEqual(",".join(header[:20]), CONTRACT_COLUMNS)
+        self.assertEqual([row[0] for row in rows], list(range(720)))
+        self.assertTrue(all(len(row) == len(header) for row in rows))
+        self.assertTrue((self.folder / "curves.csv").read_text().splitlines()[1].startswith("0,"))
+
+    def test_csv_rows_balance_the_load_and_add_up(self):
+        header, rows = self.curves()
+        column = {name.split(" [")[0]: i for i, name in enumerate(header)}
+        width, bore, p_e = 1.2e-3, 0.089, 0.2e6
+        for row in rows:
+            at = {name: row[i] for name, i in column.items()}
+            # Newton stops at 1e-8 of film and pressure; 1e-6 leaves room for the slope of the load.
+            self.assertAlmostEqual(at["hydrodynamic_load"] + at["asperity_load"], at["applied_load"],
+                                   delta=1e-6 * at["applied_load"])
+            load = (p_e + at["gas_pressure"]) * 3.141592653589793 * bore * width
+            self.assertAlmostEqual(at["applied_load"], load, delta=1e-9 * load)
+            self.assertAlmostEqual(at["total_friction"], at["boundary_friction"] + at["viscous_friction"], places=9)
+            self.assertAlmostEqual(at["power_loss"], at["total_friction"] * abs(at["piston_velocity"]), places=6)
+
+    def test_json_agrees_with_the_curves(self):
+        header, rows = self.curves()
+        column = {name.split(" [")[0]: i for i, name in enumerate(header)}
+        values = self.values()
+        power = sum(row[column["power_loss"]] for row in rows) / len(rows)
+        self.assertAlmostEqual(values["mean_power_loss"], power, delta=0.005 * power)  # 720 points against the march
+        swept = 3.141592653589793 / 4 * 0.089**2 * 0.0795
+        self.assertAlmostEqual(values["fmep"], values["energy_per_cycle"] / swept, delta=1e-6 * values["fmep"])
+        self.assertLessEqual(values["min_film_thickness"], 1.0001 * min(r[column["min_film_thickness"]] for r in rows))
+        self.assertEqual(values["units"]["fmep"], "Pa")
+        self.assertIs(values["complete"], True)
+        self.assertIn("film.cavitation", values["assumed"])
+
+    def test_set_replaces_a_key_as_toml_or_as_text(self):
+        # Mean piston speed is 2 x stroke x revolutions per second.
+        twice = self.values("--set", "operating.speed=3000 rpm", "--set", "title=as text")
+        self.assertAlmostEqual(twice["mean_piston_speed"], 2 * 0.0795 * 50, places=9)
+        self.assertEqual(twice["title"], "as text")
+        quoted = self.values("--set", 'operating.speed="3000 rpm"', "solver.cells=40")
+        self.assertAlmostEqual(quoted["mean_piston_speed"], 2 * 0.0795 * 50, places=9)
+
+    def test_output_angles_are_those_asked_for(self):
+        _, rows = self.curves("--set", 'output.crank_angles=["0 degree", "12.5 degree", "700 degree"]')
+        self.assertEqual([row[0] for row in rows], [0, 12.5, 700])
+
+    def test_same_case_gives_same_bytes(self):
+        for name in ("a.nc", "b.nc"):
+            self.run_well("run", "case.toml", "--output", name, "--set", 'output.fields="all"')
+        self.assertEqual((self.folder / "a.nc").read_bytes(), (self.folder / "b.nc").read_bytes())
+
+    def test_resolved_case_in_the_result_gives_the_same_curves_again(self):
+        try:
+            import netCDF4
+        except ImportError:
+            program.skip_loudly(self, "python3-netcdf4 is not installed")
+        self.run_well("run", "case.toml", "--output", "a.nc", "--csv", "a.csv")
+        with netCDF4.Dataset(self.folder / "a.nc") as file:
+            (self.folder / "again.toml").write_text(file.resolved_case)
+        self.run_well("run", "again.toml", "--csv", "b.csv")
+        self.assertEqual((self.folder / "a.csv").read_bytes(), (self.folder / "b.csv").read_bytes())
+
+    def test_result_opens_in_xarray(self):
+        try:
+            import netCDF4  # noqa: F401
+            import xarray
+        except ImportError:
+            program.skip_loudly(self, "python3-xarray and python3-netcdf4 are not installed")
+        self.run_well("run", "case.toml", "--output", "a.nc", "--csv", "a.csv", "--ledger",
+                      "--set", 'output.fields=["0 degree", "20 degree"]')
+        with open(self.folder / "a.csv", newline="") as stream:
+            curves = list(csv.DictReader(stream))
+        with xarray.open_dataset(self.folder / "a.nc") as data:
+            self.assertEqual(data.power_loss.dims, ("crank_angle",))
+            self.assertEqual(data.power_loss.attrs["units"], "W")
+            self.assertTrue(data.power_loss.attrs["long_name"])
+            self.assertTrue(data.power_loss.attrs["symbol"])
+            self.assertTrue(data.power_loss.attrs["source_equation"])
+            self.assertEqual(data.crank_angle.attrs["units"], "degree")
+            self.assertEqual(data.film_pressure.dims, ("field_crank_angle", "x"))
+            self.assertEqual(data.power_loss.values.tolist(), [float(row["power_loss [W]"]) for row in curves])
+            film = data.film_thickness.sel(field_crank_angle=20).min().item()
+            self.assertAlmostEqual(film * 1e6, data.min_film_thickness.sel(crank_angle=20).item() * 1e6, places=3)
+            self.assertIn("engine.bore", data.input_key.values.tolist())
+            self.assertEqual(data.attrs["title"], "a small case")
+            self.assertRegex(data.attrs["commit"], "^(unknown|[0-9a-f]{7,}.*)$")
+            self.assertGreater(data.sizes["ledger_variant"], 0)
+            trace = data.file_role.values.tolist().index("gas.cylinder_pressure")
+            self.assertRegex(data.file_sha256.values[trace], "^[0-9a-f]{64}$")
+
+    def test_cycle_without_a_balance_is_exit_code_3_with_what_was_reached(self):
+        # Asperities of a rubber-like modulus carry at most some bar, and a film that hardly moves carries nothing.
+        done = self.run_program("run", "case.toml", "--output", "a.nc", "--csv", "a.csv",
+                                "--set", "contact.composite_modulus=0.1 GPa", "--set", "operating.speed=1e-6 rpm")
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        self.assertIn("exit code 3", done.stderr)
+        self.assertIn("STOPPED", done.stdout)
+        self.assertEqual(self.names(), ["a.csv", "a.nc", "case.toml", "trace.csv"])
+        self.assertLess(len((self.folder / "a.csv").read_text().splitlines()), 721)
+
+    def test_progress_is_shown_on_a_terminal_only(self):
+        command = [program.PROGRAM, "run", "case.toml", "--ledger", "--set", "solver.cells=200"]
+        main, side = pty.openpty()
+        child = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=side)
+        os.close(side)
+        shown = b""
+        try:
+            while part := os.read(main, 4096):
+                shown += part
+        except OSError:  # the other end is closed
+            pass
+        self.assertEqual(child.wait(), 0)
+        os.close(main)
+        self.assertRegex(shown.decode(), r"ledger, \d+ of \d+")
+        self.assertTrue(shown.decode().endswith("\x1b[K"), "the line is gone at the end")
+        self.assertEqual(self.run_program(*command[1:]).stderr, "")
+
+
+class OtherCommands(program.ProgramTest):
+    def test_check_lists_what_is_assumed(self):
+        said = self.run_well("check", "case.toml")
+        self.assertIn("no errors", said)
+        self.assertIn("assumed film.cavitation = mass-conserving", said)
+
+    def test_new_writes_a_case_that_runs_and_replaces_nothing(self):
+        self.run_well("new", "mine.toml")
+        self.run_well("run", "mine.toml")
+        text = (self.folder / "mine.toml").read_text()
+        self.assert_refused(self.run_program("new", "mine.toml"), "mine.toml", "exists already")
+        self.assertEqual((self.folder / "mine.toml").read_text(), text)
+
+    def test_fields_lists_every_key_of_the_starting_case(self):
+        table = self.run_well("fields")
+        self.run_well("new", "mine.toml")
+        section = ""
+        for line in (self.folder / "mine.toml").read_text().splitlines():
+            if match := re.match(r"\[([a-z.]+)\]", line):
+                section = match[1] + "."
+            elif match := re.match(r"([a-z_]+) =", line):
+                self.assertIn(match[1], table, section + match[1])
+
+    def test_help_and_version_say_what_there_is(self):
+        said = self.run_well("--help")
+        for command in ("run", "check", "fields", "new", "report", "reproduce"):
+            self.assertIn(command, said)
+            self.assertIn("ringfilm " + command, self.run_well(command, "--help"))
+        self.assertIn("Examples:", said)
+        self.assertRegex(self.run_well("--version"), r"^ringfilm \d+\.\d+\.\d+ \(commit ")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,111 @@
+"""Outputs are whole or not there: kill, full disk, several writers."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import unittest
+
+import program
+
+# About 20 MB of fields, so that writing takes long enough to be hit.
+LARGE = ("--set", 'output.fields="all"', "--set", "solver.cells=400")
+
+
+class Writing(program.ProgramTest):
+    def partials(self):
+        return [name for name in self.names() if ".partial-" in name]
+
+    def start(self, *words):
+        return subprocess.Popen([program.PROGRAM, *words], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                stderr=subprocess.PIPE)
+
+    def killed_while_writing(self):
+        """Runs until the partial file has some size, then kill -9; False if the writing was over before."""
+        child = self.start("run", "case.toml", "--output", "out.nc", *LARGE)
+        try:
+            while child.poll() is None:
+                if any((self.folder / name).stat().st_size > 0 for name in self.partials()):
+                    child.send_signal(signal.SIGKILL)
+                    break
+        except FileNotFoundError:  # renamed between the two looks
+            pass
+        child.wait()
+        child.stderr.close()
+        return child.returncode == -signal.SIGKILL
+
+    def test_kill_leaves_the_old_file_and_the_next_run_cleans_up(self):
+        self.run_well("run", "case.toml", "--output", "out.nc")
+        old = (self.folder / "out.nc").read_bytes()
+        for _ in range(20):
+            if self.killed_while_writing() and self.partials():
+                break
+            (self.folder / "out.nc").write_bytes(old)
+        else:
+            self.fail("the program could not be hit while it wrote")
+        self.assertEqual((self.folder / "out.nc").read_bytes(), old)
+        self.run_well("report", "out.nc", "--output", "page.html")
+        self.run_well("run", "case.toml", "--output", "out.nc")
+        self.assertEqual(self.partials(), [])
+        self.assertEqual((self.folder / "out.nc").read_bytes(), old)
+
+    def test_runs_at_once_to_one_name_leave_one_whole_file(self):
+        self.run_well("run", "case.toml", "--output", "alone.nc", *LARGE)
+        children = [self.start("run", "case.toml", "--output", "out.nc", *LARGE) for _ in range(4)]
+        for child in children:
+            _, said = child.communicate()
+            self.assertEqual(child.returncode, 0, said)
+        self.assertEqual((self.folder / "out.nc").read_bytes(), (self.folder / "alone.nc").read_bytes())
+        self.assertEqual(self.partials(), [])
+
+    def test_full_disk_is_exit_code_5_and_leaves_the_old_file(self):
+        if os.geteuid() != 0:
+            program.skip_loudly(self, "only root can mount a small disk")
+        small = self.folder / "small"
+        small.mkdir()
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=600k", "tmpfs", str(small)], capture_output=True)
+        if mounted.returncode != 0:
+            program.skip_loudly(self, "no small disk can be mounted here")
+        self.addCleanup(subprocess.run, ["umount", str(small)], check=True)
+        self.run_well("run", "case.toml", "--output", "small/out.nc")
+        old = (small / "out.nc").read_bytes()
+        for words in (("--output", "small/out.nc", *LARGE), ("--csv", "small/out.csv")):
+            with self.subTest(words):
+                done = self.run_program("run", "case.toml", *words)
+                self.assertEqual(done.returncode, 5, done.stderr)
+                self.assertIn("small/out", done.stderr)
+                self.assertIn("No space left on device", done.stderr)
+                self.assertEqual((small / "out.nc").read_bytes(), old)
+                self.assertEqual([path.name for path in small.iterdir()], ["out.nc"])
+
+    def test_full_device_and_full_standard_output_are_exit_code_5(self):
+        if not pathlib.Path("/dev/full").exists():
+            program.skip_loudly(self, "there is no /dev/full")
+        done = self.run_program("run", "case.toml", "--csv", "/dev/full")
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("/dev/full", done.stderr)
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([program.PROGRAM, "fields"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, 5, done.stderr)
+
+    def test_csv_can_be_piped_on(self):
+        done = self.run_program("run", "case.toml", "--json", "--csv", "/dev/stdout")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("crank_angle [degree],"))
+
+    def test_partial_file_of_a_living_writer_stays(self):
+        alive = self.folder / f"out.nc.partial-{os.getpid()}"
+        alive.write_text("half")
+        self.run_well("run", "case.toml", "--output", "out.nc")
+        self.assertTrue(alive.exists())
+
+    def test_odd_file_names(self):
+        for name in ("with space.nc", "h#mode=zarr.nc", "h_\u00b5m.nc", "c:x.nc", "-x.nc"):
+            with self.subTest(name):
+                self.run_well("run", "case.toml", "--output=" + name)
+                self.assertTrue((self.folder / name).exists())
+                self.run_well("report", "./" + name, "--output", "page.html")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
