@@ -1,9 +1,9 @@
-#include <filesystem>
 #include <functional>
 #include <iostream>
 
 #include "commands.hpp"
 #include "computation.hpp"
+#include "output_names.hpp"
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/result_csv.hpp"
 #include "ringfilm/io/result_json.hpp"
@@ -19,14 +19,6 @@ void collect(std::vector<Fault>& faults, const std::function<void()>& check) {
   } catch (const InputError& error) {
     faults.insert(faults.end(), error.faults().begin(), error.faults().end());
   }
-}
-
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  const auto whole = [&](const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
-  };
-  return whole(a) == whole(b);
 }
 
 /// A result must not replace what it was computed from, nor another output.

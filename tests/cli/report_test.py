@@ -51,6 +51,12 @@ class Report(program.ProgramTest):
                 self.assertFalse((self.folder / "page.html").exists())
 
 
+    def test_page_never_replaces_what_it_is_drawn_from(self):
+        result = (self.folder / "a.nc").read_bytes()
+        self.assert_refused(self.run_program("report", "a.nc", "--output", "./a.nc"), "a.nc")
+        self.assertEqual((self.folder / "a.nc").read_bytes(), result)
+
+
 class Reproduce(program.ProgramTest):
     def test_three_results_and_a_report_beside_the_paper(self):
         said = self.run_well("reproduce", "styles2014", "--output", "paper")
