@@ -14,8 +14,8 @@ class UnitError : public std::runtime_error {
   std::string remedy;  ///< may be empty
 };
 
-/// The line from a unit to SI: SI = value * factor / divisor + offset. Decimal prefixes are whole factors or divisors, so
-/// that they round once: "82.5 mm" is 0.0825 to the last bit or the one before.
+/// The line from a unit to SI: SI = value * factor / divisor + offset. Decimal prefixes are whole factors or divisors,
+/// so that they round once: "82.5 mm" is 0.0825 to the last bit or the one before.
 struct Scale {
   double factor = 1;
   double divisor = 1;
