@@ -96,7 +96,7 @@ test('every part of the report is there, in order', async () => {
   const ids = await page.$$eval('main figure, main section[id]', (nodes) => nodes.map((n) => n.id));
   assert.deepEqual(ids, ['cycle', 'cylinder-pressure', 'min-film-thickness', 'film-parameter', 'total-friction', 'friction-on-liner', 'oil-flow-middle', 'other-quantity',
     'friction', 'friction-firing', 'stribeck', 'energy-by-stroke', 'wear-drive-stroke', 'face', 'ring-faces', 'along-the-face',
-    'cycle-values', 'comparison', 'ledger', 'validity', 'inputs', 'provenance']);
+    'cycle-values', 'comparison', 'ledger', 'influences', 'validity', 'inputs', 'provenance']);
   assert.match(await page.textContent('.warning'), /SYNTHETIC/);
   assert.match(await page.textContent('#cylinder-pressure'), /SYNTHETIC/);
   assert.match(await page.textContent('.cards'), /118\s*W.*19\.1\s*kPa.*0\.617\s*µm.*20° after TDC.*56\.1\s*%/s);

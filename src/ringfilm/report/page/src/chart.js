@@ -88,9 +88,9 @@ export class Chart {
           filter: (u, list) => list,
           values: (u, list) => { const { step } = xTicks(panel, ...this.window, u.bbox.width / devicePixelRatio / 70); return list.map((v) => [tickText(v, step), deadCentre(panel, v)].filter(Boolean).join('\n')); } },
         { ...axisLook, size: 54, gap: 4, grid: { show: true, stroke: '#e3e6ea', width: 1 },
-          splits: (u, i, low, high) => yTicks(panel, low, high, u.bbox.height / devicePixelRatio / 36).values,
+          splits: (u, i, low, high) => yTicks(panel, low, high, u.bbox.height / devicePixelRatio / 32).values,
           filter: (u, list) => list,
-          values: (u, list) => { const { step } = yTicks(panel, u.scales.y.min, u.scales.y.max, u.bbox.height / devicePixelRatio / 36); return list.map((v) => tickText(v, step)); } },
+          values: (u, list) => { const { step } = yTicks(panel, u.scales.y.min, u.scales.y.max, u.bbox.height / devicePixelRatio / 32); return list.map((v) => tickText(v, step)); } },
       ],
       series: [panel.inOrderOfTime ? null : {}, ...panel.series.map((s) => this.seriesOptions(s))],
       cursor: {
@@ -158,14 +158,6 @@ export class Chart {
     const { min: bottom, max: top } = plot?.scales.y ?? {};
     if (bottom === undefined) return;
     if (panel.zeroLine && bottom < 0 && top > 0) line(ctx, box.left, box.y(0), box.left + box.width, box.y(0), kInk);
-    for (const mark of panel.yMarks ?? []) {
-      if (mark.at < bottom || mark.at > top) continue;
-      line(ctx, box.left, box.y(mark.at), box.left + box.width, box.y(mark.at), kFaint, [2, 3]);
-      ctx.font = kSmallFont;
-      ctx.textAlign = 'right';
-      ctx.fillStyle = kFaint;
-      ctx.fillText(mark.label, box.left + box.width - 4, box.y(mark.at) + 14);
-    }
     ctx.setLineDash([]);
     const count = panel.series.filter((s) => s.caseIndex !== null).length;
     for (const s of panel.series.filter(this.visible)) {
@@ -177,6 +169,19 @@ export class Chart {
         ctx.strokeStyle = caseColour(s.caseIndex);
         ctx.stroke(outline);
       }
+    }
+    for (const mark of panel.yMarks ?? []) {
+      if (mark.at < bottom || mark.at > top) continue;
+      line(ctx, box.left, box.y(mark.at), box.left + box.width, box.y(mark.at), kFaint, [2, 3]);
+      ctx.font = kSmallFont;
+      ctx.textAlign = 'right';
+      ctx.fillStyle = kFaint;
+      // A white rim keeps the words legible where a curve runs behind them.
+      ctx.setLineDash([]);
+      ctx.lineWidth = 3;
+      ctx.strokeStyle = '#fff';
+      ctx.strokeText(mark.label, box.left + box.width - 4, box.y(mark.at) + 14);
+      ctx.fillText(mark.label, box.left + box.width - 4, box.y(mark.at) + 14);
     }
     if (this.marked) this.drawMarked(ctx, box);
   }

@@ -104,15 +104,18 @@ function pressureFigure(model) {
   };
 }
 
+/** How close to the peak of the pressure the thinnest film still counts as being there [degree]. */
+const kNearPeak = 15;
+
 function filmFigure(model) {
+  const nearPeak = model.cases.every((c) => Math.abs(wrapped(c.values.min_film_thickness_angle) - wrapped(c.values.peak_gas_pressure_angle)) <= kNearPeak);
   return {
     id: 'min-film-thickness',
     title: 'Minimum film thickness',
     paper: 'Fig. 8',
     panels: [cyclePanel(model, 'min_film_thickness')],
     caption: `Smallest separation of the mean planes anywhere along the face. Thinnest: ${forEachCase(model, (c) =>
-      `${valueWithUnit(model, c, 'min_film_thickness')} ${angleInWords(c.values.min_film_thickness_angle)}`)}. Look at where that is:
-      near the peak of the gas pressure the load is highest while the ring still moves slowly.${overlaySentence(model, 'min_film_thickness')}`,
+      `${valueWithUnit(model, c, 'min_film_thickness')} ${angleInWords(c.values.min_film_thickness_angle)}`)}.${nearPeak ? ' That is at the peak of the gas pressure, not at the dead centre.' : ''}${overlaySentence(model, 'min_film_thickness')}`,
   };
 }
 
@@ -120,7 +123,7 @@ function filmParameterFigure(model) {
   return {
     id: 'film-parameter',
     title: 'Film parameter',
-    panels: [cyclePanel(model, 'film_parameter', { yMarks: [{ at: 3, label: 'below: mixed lubrication' }] })],
+    panels: [cyclePanel(model, 'film_parameter', { yMarks: [{ at: 3, label: 'mixed below 3' }] })],
     caption: `Minimum film over the composite roughness of the two surfaces. Under 3 the asperities touch: that is ${forEachCase(model, (c) =>
       `${valueWithUnit(model, c, 'mixed_share')} of the cycle`)}.`,
   };

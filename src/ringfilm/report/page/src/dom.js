@@ -16,3 +16,9 @@ export function element(name, attributes = {}, ...children) {
 export function svgElement(text) {
   return document.importNode(new DOMParser().parseFromString(text, 'image/svg+xml').documentElement, true);
 }
+
+/** A key or setting in type of its own, which may break after a dot, an underscore or an equals sign only. */
+export function code(text, attributes = {}) {
+  const pieces = String(text).split(/(?<=[._=/])/);
+  return element('code', attributes, pieces.flatMap((piece, i) => (i === 0 ? [piece] : [element('wbr'), piece])));
+}

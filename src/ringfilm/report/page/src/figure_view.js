@@ -7,7 +7,7 @@ import { axisTitle } from './scales.js';
 import { figureSvg, swatchSvg } from './svg.js';
 import { number, withUnit } from './units.js';
 
-const kChartHeight = 250;
+const kChartHeight = { crank: 280, plain: 250 };
 
 /** Which cases are hidden, for the whole page. */
 export class Visibility {
@@ -55,7 +55,7 @@ export class FigureView {
     this.body = element('div', { class: 'panels' });
     this.caption = element('figcaption', {}, figure.caption);
     this.print = element('div', { class: 'print-only' });
-    this.node.append(this.heading, this.body, this.caption, this.print);
+    this.node.append(this.heading, this.body, this.print, this.caption);
     figure.panels.forEach((panel, i) => this.body.append(panel.bars ? this.bars() : this.chartPanel(panel, i)));
     this.refresh();
   }
@@ -77,7 +77,7 @@ export class FigureView {
       shown.series.forEach((s, i) => { values[i].textContent = x === null ? '' : number(valueAt(s, x), 4); });
     };
     // uPlot measures its host, which must stand in the page first.
-    this.charts.push({ start: () => new Chart(host, panel, { visible: context.visibility.shows, readOut, group: figure.group ? context.group : null, height: panel.height ?? kChartHeight }), entries, panel });
+    this.charts.push({ start: () => new Chart(host, panel, { visible: context.visibility.shows, readOut, group: figure.group ? context.group : null, height: panel.crank ? kChartHeight.crank : kChartHeight.plain }), entries, panel });
     return node;
   }
 
@@ -144,6 +144,6 @@ export class FigureView {
 
   /** Lays a static drawing beside the charts for the printer. */
   beforePrint() {
-    this.print.replaceChildren(svgElement(this.svg({ heading: true, subtitle: '' })));
+    this.print.replaceChildren(svgElement(this.svg({ width: 900, subtitle: '' })));
   }
 }

@@ -2,7 +2,8 @@
 import { element, svgElement } from './dom.js';
 import { shownInput } from './model.js';
 import { swatchSvg } from './svg.js';
-import { angleInWords, number, wrapped } from './units.js';
+import { mergedNotes } from './tables.js';
+import { angleInWords, number, typeset, wrapped } from './units.js';
 
 const kOperating = [
   ['engine.bore', 'bore'],
@@ -64,9 +65,9 @@ function card(model, heading, main, detail) {
 
 export function firstScreen(model) {
   const found = warnings(model);
-  const several = found.length - 1;
+  const several = mergedNotes(model).length - 1;
   const warning = found.length === 0 ? null : element('p', { class: 'warning', role: 'note' },
-    element('strong', {}, 'Mind: '), found[0],
+    element('strong', {}, 'Mind: '), typeset(found[0]),
     several > 0 ? [' ', element('a', { href: '#validity' }, `${several} more ${several === 1 ? 'note' : 'notes'}`)] : null);
   const shownFmep = (c) => {
     const { value, unit } = model.value(c, 'fmep');

@@ -5,7 +5,7 @@ import { element, svgElement } from './dom.js';
 import { FaceView } from './face_view.js';
 import { FigureView, Visibility } from './figure_view.js';
 import { firstScreen, operatingLine, reportTitle } from './first_screen.js';
-import { ledgerSection } from './ledger.js';
+import { influenceFigure, ledgerSection } from './ledger.js';
 import { Model } from './model.js';
 import { energyFigure, faceFigure, fieldAngles, stribeckFigure, wearFigure } from './other_figures.js';
 import { swatchSvg } from './svg.js';
@@ -87,7 +87,8 @@ function buildPage(model) {
     view(wearFigure(model)),
   ].filter(Boolean);
   const faces = [view(faceFigure(model)), fieldAngles(model).length ? new FaceView(model, context) : null].filter(Boolean);
-  views.push(...cycle, ...others, ...faces);
+  const influence = view(influenceFigure(model));
+  views.push(...cycle, ...others, ...faces, ...(influence ? [influence] : []));
 
   const contents = [
     ['cycle', 'Over the cycle', cycle.length], ['friction', 'Friction and wear', others.length], ['face', 'Along the face', faces.length],
@@ -103,10 +104,11 @@ function buildPage(model) {
       toolbar(model, visibility, group), cycle.map((v) => v.node)) : null,
     others.length ? section('friction', 'Friction and wear', others.map((v) => v.node)) : null,
     faces.length ? section('face', 'Along the face of the ring', faces.map((v) => v.node)) : null,
-    cycleValuesSection(model), comparisonSection(model), ledgerSection(model), notesSection(model), inputsSection(model), provenanceSection(model),
+    cycleValuesSection(model), comparisonSection(model), ledgerSection(model, influence?.node), notesSection(model), inputsSection(model), provenanceSection(model),
   ].filter(Boolean));
   views.forEach((v) => v.start());
   window.addEventListener('beforeprint', () => {
+    document.querySelectorAll('details.fold').forEach((fold) => { fold.open = true; });
     [...views, ...started].forEach((v) => v.beforePrint());
   });
 }

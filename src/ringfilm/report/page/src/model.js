@@ -1,5 +1,5 @@
 // The payload made handy: quantities by name, cases with short names, curves on the axis of the charts.
-import { display, wrapped } from './units.js';
+import { display, typeset, wrapped } from './units.js';
 
 /** Splits titles into what they share and what tells them apart, at a comma, colon or blank. */
 export function shortNames(titles) {
@@ -18,7 +18,7 @@ export function shortNames(titles) {
 
 /** An input as people write it: no quotes around names, micro and degree signs. */
 export function shownInput(entry) {
-  return entry.shown.replace(/^"(.*)"$/, '$1').replace(/\bdegC\b/g, '°C').replace(/(\d )um\b/g, '$1µm');
+  return typeset(entry.shown.replace(/^"(.*)"$/, '$1'));
 }
 
 export class Model {

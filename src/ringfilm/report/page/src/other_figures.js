@@ -121,15 +121,22 @@ export function fieldFigure(model, angle) {
   return {
     id: 'along-the-face',
     title: `Along the face at ${shownAngle(angle)}°`,
+    layout: 'row',
     panels: [
       { ...common, id: 'pressure', fromZero: true, yLabel: 'film pressure', yUnit: 'bar', series: series('film_pressure', 1e5) },
       { ...common, id: 'film', yScale: 'log', yLabel: 'film thickness', yUnit: 'µm', series: series('film_thickness', 1e-6) },
       { ...common, id: 'asperities', fromZero: true, yLabel: 'asperity pressure', yUnit: 'bar', series: series('asperity_pressure', 1e5, 'boundary') },
       { ...common, id: 'fill', yRange: [0, 1.05], yLabel: 'liquid share of the gap', yUnit: '', series: series('fill', 1) },
     ].filter((panel) => panel.series.length > 0),
-    caption: `Absolute pressure of the oil, film thickness (logarithmic), asperity contact pressure and how full the gap is, chamber edge on the left.
+    caption: `${thinned(model)}Absolute pressure of the oil, film thickness (logarithmic), asperity contact pressure and how full the gap is, chamber edge on the left.
       Where the oil pressure lies flat at the cavitation pressure the film has ruptured.`,
   };
+}
+
+/** Says so where the page carries only some of the angles of the result file. */
+function thinned(model) {
+  const some = model.cases.filter((c) => c.fields.stored_angles > c.fields.crank_angle.length);
+  return some.length ? `This page carries ${some[0].fields.crank_angle.length} of the ${some[0].fields.stored_angles} crank angles stored in the result file. ` : '';
 }
 
 /** Angles at which any case has fields, on the axis of the charts. */

@@ -1,32 +1,11 @@
 // A figure as a static SVG: to take away, and in print. Drawn from the same plain data as the charts on the screen.
 import { arrowHeads, arrowPath, axisTitle, deadCentre, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
 import { caseColour, caseMark, markPath, partDash } from './palette.js';
-import { number, tickText } from './units.js';
+import { barPanel, rankedHeight, rankedPanel } from './svg_bars.js';
+import { kFaint, kInk, kMargin, px, rule, scaler, text } from './svg_shapes.js';
+import { tickText } from './units.js';
 
-const kMargin = { left: 58, right: 16, top: 44, bottom: 54 };
 const kPanelHeight = 262;
-const kInk = '#30343b';
-const kFaint = '#5c6470';
-
-const safe = (text) => String(text).replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;').replace(/"/g, '&quot;')
-  .replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]/g, '\ufffd');
-const px = (v) => v.toFixed(2);
-
-function text(x, y, content, { anchor = 'start', size = 12, fill = kInk, weight = 400 } = {}) {
-  return `<text x="${px(x)}" y="${px(y)}" text-anchor="${anchor}" font-size="${size}" fill="${fill}" font-weight="${weight}">${safe(content)}</text>`;
-}
-
-function rule(x1, y1, x2, y2, stroke, width = 1, dash = '') {
-  return `<line x1="${px(x1)}" y1="${px(y1)}" x2="${px(x2)}" y2="${px(y2)}" stroke="${stroke}" stroke-width="${width}"${dash ? ` stroke-dasharray="${dash}"` : ''}/>`;
-}
-
-function scaler(log, low, high, from, to) {
-  if (log) {
-    const [a, b] = [Math.log10(low), Math.log10(high)];
-    return (v) => (v > 0 ? from + ((Math.log10(v) - a) / (b - a)) * (to - from) : NaN);
-  }
-  return (v) => from + ((v - low) / (high - low)) * (to - from);
-}
 
 function linePanel(panel, box, visible, window, clip) {
   const range = window ?? xRange(panel);
@@ -38,7 +17,7 @@ function linePanel(panel, box, visible, window, clip) {
   const out = [];
   if (panel.crank) out.push(...crankFurniture(panel, range, x, high, low));
   const across = xTicks(panel, range[0], range[1], (right - left) / 70);
-  const up = yTicks(panel, bottom, top, (low - high) / 36);
+  const up = yTicks(panel, bottom, top, (low - high) / 32);
   for (const v of up.values) {
     out.push(rule(left, y(v), right, y(v), '#e3e6ea'), text(left - 6, y(v) + 4, tickText(v, up.step), { anchor: 'end' }));
   }
@@ -50,7 +29,7 @@ function linePanel(panel, box, visible, window, clip) {
   if (panel.zeroLine && bottom < 0 && top > 0) out.push(rule(left, y(0), right, y(0), kInk, 1));
   for (const mark of panel.yMarks ?? []) {
     if (mark.at < bottom || mark.at > top) continue;
-    out.push(rule(left, y(mark.at), right, y(mark.at), kFaint, 1, '2 3'), text(right - 4, y(mark.at) + 14, mark.label, { anchor: 'end', size: 11, fill: kFaint }));
+    out.push(rule(left, y(mark.at), right, y(mark.at), kFaint, 1, '2 3'), text(right - 4, y(mark.at) + 14, mark.label, { anchor: 'end', size: 11, fill: kFaint, halo: '#fff' }));
   }
   out.push(`<g clip-path="url(#${clip})">`);
   panel.series.filter(visible).forEach((s) => out.push(...seriesShapes(panel, s, x, y, range)));
@@ -105,38 +84,14 @@ function seriesShapes(panel, s, x, y, range) {
   return out;
 }
 
-/** Bars with their values written on them; contributions carry the pattern of their line style. */
-function barPanel(panel, box, visible) {
-  const groups = panel.groups.filter(visible);
-  const [left, right] = [box.x + kMargin.left, box.x + box.width - kMargin.right];
-  const [high, low] = [box.y + kMargin.top, box.y + box.height - kMargin.bottom];
-  const top = 1.12 * Math.max(1e-300, ...groups.flatMap((g) => g.stacks.map((stack) => stack.reduce((sum, part) => sum + (part.value ?? 0), 0))));
-  const y = scaler(false, 0, top, low, high);
-  const out = [];
-  const up = yTicks(panel, 0, top, (low - high) / 36);
-  for (const v of up.values) out.push(rule(left, y(v), right, y(v), '#e3e6ea'), text(left - 6, y(v) + 4, tickText(v, up.step), { anchor: 'end' }));
-  const slot = (right - left) / panel.categories.length;
-  const width = Math.min(46, (0.9 * slot) / Math.max(1, groups.length));
-  const narrow = width < 30;
-  panel.categories.forEach((category, i) => {
-    const middle = left + slot * (i + 0.5);
-    out.push(text(middle, low + 18, category, { anchor: 'middle' }));
-    groups.forEach((group, g) => {
-      const x = middle + (g - groups.length / 2) * width;
-      let base = 0;
-      for (const part of group.stacks[i]) {
-        const size = Math.max(0, part.value ?? 0);
-        const colour = caseColour(group.caseIndex);
-        const look = part.part === 'viscous' ? `fill="${colour}" fill-opacity="0.35" stroke="${colour}"` : `fill="${colour}" stroke="${colour}"`;
-        out.push(`<rect x="${px(x + 1)}" y="${px(y(base + size))}" width="${px(width - 2)}" height="${px(Math.max(0, y(base) - y(base + size)))}" ${look}><title>${safe(`${group.label}, ${category}: ${number(part.value, 4)} ${panel.yUnit}`)}</title></rect>`);
-        base += size;
-      }
-      out.push(text(x + width / 2, y(base) - 4, number(base, narrow ? 2 : 3), { anchor: 'middle', size: narrow ? 9 : 11 }));
-    });
-  });
-  out.push(rule(left, low, right, low, kInk), rule(left, low, left, high, kInk));
-  out.push(text(box.x + 4, box.y + 14, axisTitle(panel.yLabel, panel.yUnit), { weight: 600 }));
-  return out.join('');
+function panelHeight(panel) {
+  return panel.ranked ? rankedHeight(panel) : kPanelHeight;
+}
+
+function drawnPanel(panel, box, visible, window) {
+  if (panel.ranked) return rankedPanel(panel, box, visible);
+  if (panel.bars) return barPanel(panel, box, visible);
+  return linePanel(panel, box, visible, window, `clip${drawn++}`);
 }
 
 function legend(figure, visible, width, y) {
@@ -199,16 +154,20 @@ export function figureSvg(figure, visible, { width = 760, heading = true, window
     out.push(drawnLegend.shapes);
     y = drawnLegend.bottom + 2;
   }
-  const weights = figure.panels.map((panel) => panel.weight ?? 1);
-  const whole = weights.reduce((sum, w) => sum + w, 0);
-  let x = 0;
-  figure.panels.forEach((panel, i) => {
-    const cell = side ? (width * weights[i]) / whole : width;
-    const box = { x, y: side ? y : y + i * kPanelHeight, width: cell, height: kPanelHeight };
-    if (side) x += cell;
-    out.push(panel.bars ? barPanel(panel, box, visible) : linePanel(panel, box, visible, windows[panel.id], `clip${drawn++}`));
-  });
-  const height = y + (side ? kPanelHeight : kPanelHeight * figure.panels.length) + 4;
+  const perRow = side ? Math.min(2, figure.panels.length) : 1;
+  for (let first = 0; first < figure.panels.length; first += perRow) {
+    const row = figure.panels.slice(first, first + perRow);
+    const whole = row.reduce((sum, panel) => sum + (panel.weight ?? 1), 0);
+    const tall = Math.max(...row.map(panelHeight));
+    let x = 0;
+    for (const panel of row) {
+      const box = { x, y, width: (width * (panel.weight ?? 1)) / whole, height: tall };
+      out.push(drawnPanel(panel, box, visible, windows[panel.id]));
+      x += box.width;
+    }
+    y += tall;
+  }
+  const height = y + 4;
   return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height)}" viewBox="0 0 ${width} ${px(height)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif">` +
     `<rect width="100%" height="100%" fill="#fff"/>${out.join('')}</svg>`;
 }

@@ -1,8 +1,8 @@
 // The tables under the figures.
-import { element } from './dom.js';
+import { code, element } from './dom.js';
 import { save, fileStem } from './downloads.js';
 import { shownInput } from './model.js';
-import { display, inUnit, number, percent, withUnit } from './units.js';
+import { display, inUnit, number, percent, sentence, typeset, withUnit } from './units.js';
 
 /** A cell is its text, or { text, attributes }. */
 function described(content) {
@@ -14,7 +14,10 @@ function described(content) {
 export function table(caption, heads, rows, { folds = false, classes = '' } = {}) {
   const cells = (row) => row.map((content, i) => {
     const { text, attributes } = described(content);
-    return element(i === 0 ? 'th' : 'td', { role: i === 0 ? 'rowheader' : 'cell', scope: i === 0 ? 'row' : null, 'data-label': described(heads[i]).text, ...attributes }, text ?? '–');
+    const empty = text === '–' ? 'nothing' : '';
+    return element(i === 0 ? 'th' : 'td', {
+      role: i === 0 ? 'rowheader' : 'cell', scope: i === 0 ? 'row' : null, 'data-label': described(heads[i]).text, ...attributes, class: `${attributes.class ?? ''} ${empty}`.trim() || null,
+    }, Array.isArray(text) ? element('span', {}, text) : text ?? '–');
   });
   return element('div', { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': caption },
     element('table', { role: 'table', class: `${folds ? 'folds' : ''} ${classes}` },
@@ -24,6 +27,11 @@ export function table(caption, heads, rows, { folds = false, classes = '' } = {}
 }
 
 const figure = (text) => ({ text, attributes: { class: 'number' } });
+
+/** Long tables are folded away on a phone until they are wanted. */
+function folded(summary, ...content) {
+  return element('details', { open: window.innerWidth > 760, class: 'fold' }, element('summary', {}, summary), content);
+}
 
 /** One column of numbers a case, heads set over their digits. */
 const numberHeads = (model) => model.cases.map((c) => ({ text: model.several ? c.name : 'value', attributes: { class: 'number' } }));
@@ -49,36 +57,39 @@ export function cycleValuesSection(model) {
     table('Values of the whole cycle', heads, rows));
 }
 
+/** Closer than this, nothing is left to explain by another setting. */
+const kAgrees = 0.005;
+
+function comparisonRow(model, c, row) {
+  const quantity = model.cycleQuantity.get(row.quantity);
+  const { unit, convert } = quantity ? display(quantity) : { unit: '', convert: (v) => v };
+  const told = row.strongest_setting && !(Math.abs(row.deviation) < kAgrees);
+  const strongest = told
+    ? [code(row.strongest_setting), row.with_strongest_setting === null ? '' : ` gives ${withUnit(convert(row.with_strongest_setting), unit, 3)}`]
+    : c.ledger_computed ? '–' : 'not computed';
+  return [
+    sentence(row.statement).replace(/\.$/, ''),
+    figure(withUnit(convert(row.computed), unit, 3)),
+    figure(withUnit(convert(row.published), unit, 3)),
+    figure(percent(row.deviation)),
+    row.source,
+    typeset(row.decided_by) || '–',
+    { text: strongest },
+  ];
+}
+
 export function comparisonSection(model) {
   const shown = model.cases.filter((c) => c.comparison.length > 0);
   if (shown.length === 0) return null;
-  const rows = [];
-  for (const c of shown) {
-    for (const row of c.comparison) {
-      const quantity = model.cycleQuantity.get(row.quantity);
-      const { unit, convert } = quantity ? display(quantity) : { unit: '', convert: (v) => v };
-      const strongest = row.strongest_setting
-        ? [element('code', {}, row.strongest_setting), row.with_strongest_setting === null ? '' : ` gives ${withUnit(convert(row.with_strongest_setting), unit, 3)}`]
-        : null;
-      rows.push([
-        row.statement,
-        ...(model.several ? [c.name] : []),
-        figure(withUnit(convert(row.computed), unit, 3)),
-        figure(withUnit(convert(row.published), unit, 3)),
-        figure(percent(row.deviation)),
-        row.source,
-        row.decided_by || '–',
-        { text: strongest ?? (c.ledger_computed ? '–' : 'not computed') },
-      ]);
-    }
-  }
-  const heads = ['what', ...(model.several ? ['case'] : []), 'computed', 'published', 'deviation', 'source', 'decided by', 'setting that comes closest'];
+  const right = (text) => ({ text, attributes: { class: 'number' } });
+  const heads = ['what', right('computed'), right('published'), right('deviation'), 'source', 'decided by', 'setting that comes closest'];
   return section('comparison', 'Beside the published values',
     element('p', {}, 'Deviation is computed minus published, over published. "Decided by" names the inputs that the source leaves open; the last column is the one other choice of such an input that comes closest.'),
-    table('Computed and published values', heads, rows, { folds: true }));
+    shown.map((c) => table(model.several ? c.name : 'Computed and published values', heads, c.comparison.map((row) => comparisonRow(model, c, row)), { folds: true, classes: 'comparison' })));
 }
 
-export function notesSection(model) {
+/** Notes of all cases, told once where they agree. */
+export function mergedNotes(model) {
   const merged = [];
   const add = (topic, message, count, oneCase) => {
     const known = merged.find((n) => n.topic === topic && n.message === message && n.count === count);
@@ -89,11 +100,16 @@ export function notesSection(model) {
     for (const n of c.notes) add(n.topic, n.message, n.count, c);
     for (const n of c.input_notes) add('input', n, 1, c);
   }
+  return merged;
+}
+
+export function notesSection(model) {
+  const merged = mergedNotes(model);
   const whom = (cases) => (!model.several ? null : cases.length === model.cases.length ? 'all' : cases.map((c) => c.name).join(', '));
   const content = merged.length === 0
     ? element('p', {}, 'Every law stayed within its range, and no remedy was needed.')
     : table('Notes on validity', ['note', ...(model.several ? ['case'] : []), 'times', 'topic'],
-      merged.map((n) => [n.message, ...(model.several ? [whom(n.cases)] : []), figure(String(n.count)), { text: element('code', {}, n.topic) }]), { folds: true });
+      merged.map((n) => [sentence(n.message), ...(model.several ? [whom(n.cases)] : []), figure(String(n.count)), { text: code(n.topic) }]), { folds: true });
   return section('validity', 'Validity: what to know before using these results', content);
 }
 
@@ -109,13 +125,13 @@ export function inputsSection(model) {
     const cells = model.several && !differs
       ? [{ ...shown(entries[0]), attributes: { ...shown(entries[0]).attributes, colspan: model.cases.length, 'data-label': 'all cases' } }]
       : entries.map((e) => { const cell = shown(e); return { ...cell, attributes: { ...cell.attributes, class: `${cell.attributes?.class ?? ''} ${differs ? 'differs' : ''}` } }; });
-    return [{ text: [element('code', {}, first.key), element('span', { class: 'help' }, first.help)] }, ...cells];
+    return [{ text: [code(first.key), element('span', { class: 'help' }, typeset(first.help))] }, ...cells];
   });
   const derived = model.payload.derived_quantities.filter((q) => model.cases.some((c) => q.name in c.derived));
   const several = model.several;
   return section('inputs', 'Inputs',
     element('p', {}, 'Stated by the user in upright type; ', element('span', { class: 'assumed-sample' }, 'assumed, because not stated'), several ? '; values that differ between the cases in bold.' : '.'),
-    table('Inputs', ['key', ...model.cases.map((c) => (several ? c.name : 'value'))], rows, { folds: true, classes: 'inputs' }),
+    folded(`${keys.length} inputs, ${keys.filter((first) => model.cases.some((c) => model.input(c, first.key)?.assumed)).length} of them assumed`, table('Inputs', ['key', ...model.cases.map((c) => (several ? c.name : 'value'))], rows, { folds: true, classes: 'inputs' })),
     derived.length === 0 ? null : table('What follows from the inputs', ['constant', ...numberHeads(model)],
       derived.map((q) => { const { convert } = display(q); return [{ text: named(q) }, ...model.cases.map((c) => figure(number(convert(c.derived[q.name] ?? null), 4)))]; })));
 }
@@ -154,9 +170,9 @@ export function provenanceSection(model) {
     }, 'TOML')),
     element('pre', { tabindex: '0' }, c.resolved_case)));
   return section('provenance', 'Where this comes from',
-    table('Program and solver effort', heads, rows, { folds: true }),
-    files.length === 0 ? null : table('Files read', ['file', 'role', ...(model.several ? ['case'] : []), 'SHA-256'],
-      files.map((f) => [{ text: element('code', {}, f.path) }, f.role, ...(model.several ? [f.cases.length === model.cases.length ? 'all' : f.cases.join(', ')] : []), { text: element('code', { class: 'hash' }, f.sha256) }]), { folds: true }),
+    folded('Program and solver effort', table('Program and solver effort', heads, rows, { folds: true })),
+    files.length === 0 ? null : folded(`${files.length} files read, with their hashes`, table('Files read', ['file', 'role', ...(model.several ? ['case'] : []), 'SHA-256'],
+      files.map((f) => [{ text: code(f.path) }, f.role, ...(model.several ? [f.cases.length === model.cases.length ? 'all' : f.cases.join(', ')] : []), { text: element('code', { class: 'hash' }, f.sha256) }]), { folds: true })),
     resolved);
 }
 

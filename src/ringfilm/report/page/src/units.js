@@ -147,3 +147,20 @@ export function tickText(value, step) {
   const places = Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)));
   return value.toFixed(places).replace(/^-/, '−');
 }
+
+const kTypeset = [
+  [/\bdegC\b/g, '°C'], [/(\d) degrees?\b/g, '$1°'], [/\bum-2\b/g, 'µm⁻²'], [/\bum\b/g, 'µm'], [/\bmm2\b/g, 'mm²'], [/\bm3\b/g, 'm³'], [/\bPa-1\b/g, 'Pa⁻¹'],
+];
+
+/** Units in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy into a case. */
+export function typeset(text) {
+  return kTypeset.reduce((out, [plainUnit, printed]) => out.replace(plainUnit, printed), text);
+}
+
+/** A statement as a sentence of its own. */
+export function sentence(given) {
+  if (!given) return '';
+  const text = typeset(given);
+  const begun = /^[a-z][a-z ]/.test(text) ? text[0].toUpperCase() + text.slice(1) : text;
+  return /[.!?]$/.test(begun) ? begun : `${begun}.`;
+}

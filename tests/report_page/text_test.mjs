@@ -1,0 +1,123 @@
+// What the page makes of numbers, angles, titles and gaps, without a browser: node text_test.mjs SOURCE_FOLDER_OF_THE_PAGE
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
+const { angleInWords, crankTicks, display, logTicks, number, percent, sentence, ticks, tickText, withUnit, wrapped } = await load('units.js');
+const { onCycleAxis, shortNames } = await load('model.js');
+const { figureCsv, fileStem } = await load('downloads.js');
+const { figureSvg } = await load('svg.js');
+
+const tests = [];
+const test = (name, run) => tests.push({ name, run });
+
+test('numbers carry four significant digits and a true minus sign', () => {
+  assert.equal(number(0.61732), '0.6173');
+  assert.equal(number(118.04193), '118.0');
+  assert.equal(number(12345.6), '12346');
+  assert.equal(number(-0.0005), '−5.000\u202f·\u202f10⁻⁴');
+  assert.equal(number(0), '0');
+  for (const none of [null, undefined, NaN, Infinity]) assert.equal(number(none), '–');
+});
+
+test('a quantity without number has no unit', () => {
+  assert.equal(withUnit(null, 'bar'), '–');
+  assert.equal(withUnit(62, 'bar', 3), '62.0\u00a0bar');
+});
+
+test('changes carry their sign, no change has none', () => {
+  assert.equal(percent(-0.088), '−8.8\u00a0%');
+  assert.equal(percent(0.0001), '±0.0\u00a0%');
+  assert.equal(percent(4.3), '+430\u00a0%');
+  assert.equal(percent(NaN), '–');
+});
+
+test('angles lie between -360 and 360 with firing TDC at 0', () => {
+  assert.deepEqual([0, 20, 360, 361, 540, 719, 720, -90].map(wrapped), [0, 20, 360, -359, -180, -1, 0, -90]);
+  assert.equal(angleInWords(20), '20° after firing TDC');
+  assert.equal(angleInWords(719.5), '0.5° before firing TDC');
+  assert.equal(angleInWords(360), 'at gas-exchange TDC');
+  assert.equal(angleInWords(NaN), 'at no single angle');
+});
+
+test('display units divide by their size in SI', () => {
+  const shown = (unit, displayUnit, value) => display({ unit, display_unit: displayUnit }).convert(value);
+  // One division in double precision: relative error below 2.3e-16.
+  const near = (a, b) => assert.ok(Math.abs(a - b) <= 4e-16 * Math.abs(b), `${a} is not ${b}`);
+  near(shown('m', 'um', 6.173e-7), 0.6173);
+  near(shown('Pa', 'bar', 62e5), 62);
+  near(shown('kg/s', 'mg/s', 8.687e-4), 868.7);
+  near(shown('1', '%', 0.561), 56.1);
+  near(shown('Pa', 'kPa', 19093.66), 19.09366);
+  near(shown('K', 'degC', 393.15), 120);
+  assert.equal(shown('m', 'um', null), null);
+  assert.deepEqual([display({ unit: 'furlong', display_unit: 'league' }).unit, shown('furlong', 'league', 3)], ['furlong', 3]);
+});
+
+test('statements become sentences with printed units', () => {
+  assert.equal(sentence('all oil is at 120 degC (at 20 degree)'), 'All oil is at 120 °C (at 20°).');
+  assert.equal(sentence("E' is given."), "E' is given.");
+});
+
+test('ticks are round and cover the range', () => {
+  assert.deepEqual(ticks(0, 62, 5).values, [0, 20, 40, 60]);
+  assert.deepEqual(crankTicks(-360, 360, 10).values, [-360, -270, -180, -90, 0, 90, 180, 270, 360]);
+  assert.deepEqual(logTicks(0.0007, 0.3).values, [0.001, 0.01, 0.1]);
+  assert.equal(tickText(-0.5, 0.5), '−0.5');
+  assert.equal(tickText(20, 20), '20');
+});
+
+test('a full cycle is closed at both ends', () => {
+  const angles = Array.from({ length: 720 }, (_, k) => k);
+  const curve = onCycleAxis(angles, angles);
+  assert.deepEqual([curve.x[0], curve.y[0], curve.x.at(-1), curve.y.at(-1)], [-360, 360, 360, 360]);
+  assert.ok(curve.x.every((v, k) => k === 0 || v > curve.x[k - 1]));
+});
+
+test('no line is drawn over missing samples', () => {
+  const curve = onCycleAxis([0, 1, 2, 100, 101], [1, 2, 3, 4, 5]);
+  assert.deepEqual(curve.y, [1, 2, 3, null, 4, 5]);
+  assert.deepEqual(onCycleAxis([], []), { x: [], y: [] });
+});
+
+test('titles are told apart by what differs', () => {
+  assert.deepEqual(shortNames(['Styles et al. 2014, new ring', 'Styles et al. 2014, run-in ring']), { shared: 'Styles et al. 2014', names: ['new ring', 'run-in ring'] });
+  assert.deepEqual(shortNames(['same', 'same']).names, ['1: same', '2: same']);
+  assert.deepEqual(shortNames(['engine A', 'boat']), { shared: '', names: ['engine A', 'boat'] });
+});
+
+const series = (label, x, y) => ({ caseIndex: 0, part: null, label, x, y });
+const figure = (list) => ({ id: 'f', title: 'a < b', panels: [{ id: 'p', yLabel: 'film', yUnit: 'µm', xLabel: 'x', xUnit: 'mm', series: list }] });
+
+test('a CSV has one x column where all curves share it, else a pair a curve', () => {
+  assert.equal(figureCsv(figure([series('a', [0, 1], [2, null]), series('b', [0, 1], [3, 4])])), '"x [mm]","a: film [µm]","b: film [µm]"\r\n0,2,3\r\n1,,4\r\n');
+  assert.equal(figureCsv(figure([series('a', [0], [2]), series('b', [5, 6], [3, 4])])), '"a: x [mm]","a: film [µm]","b: x [mm]","b: film [µm]"\r\n0,2,5,3\r\n,,6,4\r\n');
+});
+
+test('a spreadsheet takes no case name for a formula', () => {
+  assert.match(figureCsv(figure([series('=1+1', [0], [2]), series('b', [1], [2])])), /"'=1\+1: x \[mm\]"/);
+});
+
+test('file names hold letters, digits and dashes only', () => {
+  assert.equal(fileStem('Styles et al. 2014/../<x>', 'stribeck'), 'styles-et-al-2014-x-stribeck');
+  assert.equal(fileStem('§', 'f'), 'f');
+});
+
+test('a drawing escapes texts and survives curves without a number', () => {
+  const svg = figureSvg(figure([series('<script>', [0, 1], [null, null])]), () => true);
+  assert.ok(svg.includes('a &lt; b') && svg.includes('&lt;script&gt;') && !svg.includes('<script>'));
+  assert.ok(!svg.includes('NaN') && !svg.includes('Infinity'));
+});
+
+let failed = 0;
+for (const { name, run } of tests) {
+  try {
+    run();
+    console.log(`ok      ${name}`);
+  } catch (error) {
+    failed++;
+    console.log(`FAILED  ${name}\n        ${error.stack.replace(/\n/g, '\n        ')}`);
+  }
+}
+process.exit(failed ? 1 : 0);
