@@ -1,3 +1,5 @@
+#include <stdlib.h>
+
 #include <exception>
 #include <iostream>
 
@@ -39,6 +41,9 @@ int carry_out(const Request& request) {
 }  // namespace ringfilm::app
 
 int main(int argc, char** argv) {
+  // HDF5 refuses to write where the file system has no locks (many cluster folders); we write under names of our own.
+  constexpr int kKeepWhatTheUserSet = 0;
+  ::setenv("HDF5_USE_FILE_LOCKING", "BEST_EFFORT", kKeepWhatTheUserSet);
   try {
     return ringfilm::app::carry_out(ringfilm::app::read_command_line(argc, argv));
   } catch (const std::exception& error) {
