@@ -8,7 +8,7 @@ namespace ringfilm {
 
 /// Where in the user's text a fault lies. `line` and `column` count from 1; 0 means "the file as a whole".
 struct SourceMark {
-  std::string file;       ///< as the user named it; "--set" for the command line
+  std::string file;  ///< as the user named it; "--set" for the command line
   int line = 0;
   int column = 0;
   std::string line_text;  ///< the line itself, without its end; empty if not known
