@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/film/first_guess.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -34,6 +36,22 @@ film::FilmProblem film_problem(const Setup& setup) {
                                                                                  : film::ContactSpread::kNominal;
   problem.tolerance = input.solver.tolerance;
   return problem;
+}
+
+ConvergenceError no_balance(const film::FilmInputs& inputs, const film::FilmReport& report, double crank_angle_deg) {
+  char text[256];
+  if (report.failure == film::Failure::kOverloaded) {
+    std::snprintf(
+        text, sizeof text,
+        "at %.6g degree neither the film nor the asperities carry the load of %.4g N per mm of circumference, "
+        "at any separation",
+        wrapped(crank_angle_deg), inputs.load / 1e3);
+  } else {
+    std::snprintf(text, sizeof text,
+                  "at %.6g degree film, contact and load do not balance, with 1/%d of the crank step either",
+                  wrapped(crank_angle_deg), kTicks);
+  }
+  return {text, wrapped(crank_angle_deg)};
 }
 
 }  // namespace
@@ -111,7 +129,7 @@ void March::start(int k) {
   before_ = state_;
   const film::FilmReport report = film::solve_film(problem_, at.inputs, before_, state_, workspace_);
   count(report);
-  if (!report.converged) throw ConvergenceError("no steady film to start from", angle_deg_);
+  if (!report.converged) throw no_balance(at.inputs, report, angle_deg_);
   instant_ = {wrapped(angle_deg_), at.axis, at.inputs, &before_, &state_, effort_};
 }
 
@@ -132,8 +150,7 @@ void March::advance(const Interval& before_commit) {
     const bool too_coarse = adaptive && error > 1 && level_ < kFinestLevel;
     if (!report.converged || too_coarse) {
       if (level_ == kFinestLevel) {
-        throw ConvergenceError("film, contact and load do not balance, with a step of 1/64 of the crank step either",
-                               wrapped(to));
+        throw no_balance(at.inputs, report, to);
       }
       if (!report.converged) {
         ++totals_.fallback_sub_step;
@@ -162,7 +179,7 @@ Instant March::side_step(double crank_angle_deg, film::FilmState& to) {
   const double time_step = radians(crank_angle_deg - angle_deg_) / setup_.input.operating.speed;
   Boundary at;
   const film::FilmReport report = step_to(crank_angle_deg, time_step, to, at);
-  if (!report.converged) throw ConvergenceError("film, contact and load do not balance", wrapped(crank_angle_deg));
+  if (!report.converged) throw no_balance(at.inputs, report, crank_angle_deg);
   return {wrapped(crank_angle_deg), at.axis, at.inputs, &state_, &to, {1, report.iterations, 0}};
 }
 

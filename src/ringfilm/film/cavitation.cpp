@@ -8,9 +8,10 @@ namespace {
 
 /// How far beyond the kink a node is put, and below which a change of sides does not count; relative to the scale.
 constexpr double kBeyond = 1e-10;
-/// Fronts that only advance are helped along from this iteration on.
-constexpr int kGrowthFrom = 4;
+/// Fronts that only advanced in this many iterations in a row are helped along.
+constexpr int kGrowthAfter = 3;
 constexpr int kLargestReach = 1 << 20;
+constexpr int kRetreats = 6;
 /// One step may not raise a pressure by more than this many scales: the viscosity is exponential in it.
 constexpr double kLargestRise = 20;
 
@@ -31,19 +32,19 @@ void state_from_z(const std::vector<double>& z, double p_c, double scale, FilmSt
 }
 
 void KinkedUpdate::start() {
-  reach_ = 1;
+  reach_ = advances_ = 0;
   largest_reach_ = kLargestReach;
+  retreats_left_ = kRetreats;
 }
 
-KinkedUpdate::Outcome KinkedUpdate::apply(std::vector<double>& z, const std::vector<double>& step, double scale,
-                                          int iteration) {
+KinkedUpdate::Outcome KinkedUpdate::apply(std::vector<double>& z, const std::vector<double>& step, double scale) {
   const double beyond = kBeyond * scale;
   const int n = static_cast<int>(z.size()) - 1;
   Outcome outcome;
   flipped_.clear();
   for (int i = 1; i < n; ++i) {
     const double before = z[i];
-    double after = before + std::min(step[i - 1], kLargestRise * scale);
+    double after = before + (before > 0 ? std::min(step[i - 1], kLargestRise * scale) : step[i - 1]);
     if (before > 0 && after <= 0) {
       outcome.to_cavity += after < -beyond;
       after = -beyond;
@@ -54,21 +55,29 @@ KinkedUpdate::Outcome KinkedUpdate::apply(std::vector<double>& z, const std::vec
       }
       after = beyond;
     }
-    outcome.largest = std::max(outcome.largest, std::abs(after - before) / scale);
+    outcome.largest = std::max(outcome.largest, std::abs(after - before) / std::max(scale, -after));
     z[i] = after;
   }
-  if (iteration < kGrowthFrom) return outcome;
-  if (outcome.to_cavity > 0) {  // helped too far, or the front is near its place: from now on in smaller strides
-    largest_reach_ = reach_ / 8;
-    reach_ = 1;
-  } else if (largest_reach_ > 0 && outcome.to_film > 0) {
-    for (const int i : flipped_) {
-      for (int k = 1; k <= reach_ && i - k > 0 && z[i - k] <= 0; ++k) z[i - k] = beyond;
-      for (int k = 1; k <= reach_ && i + k < n && z[i + k] <= 0; ++k) z[i + k] = beyond;
-    }
-    reach_ = std::min(2 * reach_, largest_reach_);
-  }
+  help_along(z, outcome, beyond);
   return outcome;
+}
+
+void KinkedUpdate::help_along(std::vector<double>& z, const Outcome& outcome, double beyond) {
+  const int n = static_cast<int>(z.size()) - 1;
+  const bool only_advanced = outcome.to_film > 0 && outcome.to_cavity == 0;
+  if (!only_advanced) {
+    if (reach_ > 0) {  // helped too far: from now on in smaller strides, in the end not at all
+      largest_reach_ = --retreats_left_ > 0 ? std::max(reach_ / 2, 1) : 0;
+    }
+    reach_ = advances_ = 0;
+    return;
+  }
+  if (++advances_ < kGrowthAfter || largest_reach_ == 0) return;
+  reach_ = std::min(std::max(2 * reach_, 1), largest_reach_);
+  for (const int i : flipped_) {
+    for (int k = 1; k <= reach_ && i - k > 0 && z[i - k] <= 0; ++k) z[i - k] = beyond;
+    for (int k = 1; k <= reach_ && i + k < n && z[i + k] <= 0; ++k) z[i + k] = beyond;
+  }
 }
 
 }  // namespace ringfilm::film

@@ -20,24 +20,29 @@ inline double fill(Cavitation cavitation, double deficit) {
 }
 
 /// Moves z by the Newton step, but stops every node that would change sides just beyond the kink: beyond it the
-/// linearisation is that of the other side.
+/// linearisation is that of the other side. A front that only advances into a cavity would do so by one node an
+/// iteration; it is helped along by 1, 2, 4 ... nodes.
 class KinkedUpdate {
  public:
   struct Outcome {
     int to_film = 0;  ///< nodes that went from cavity to film
     int to_cavity = 0;
-    double largest = 0;  ///< largest change, relative to the scale
+    double largest = 0;  ///< largest change, relative to the scale or to a larger multiplier
   };
 
-  /// @param step for the inner nodes 1..n-1; @param iteration counts from 1
-  Outcome apply(std::vector<double>& z, const std::vector<double>& step, double scale, int iteration);
+  /// @param step for the inner nodes 1..n-1
+  Outcome apply(std::vector<double>& z, const std::vector<double>& step, double scale);
 
   /// To be called before the first iteration of a solve.
   void start();
 
  private:
-  int reach_ = 1;          ///< cells by which an advancing front is helped along next
+  void help_along(std::vector<double>& z, const Outcome& outcome, double beyond);
+
+  int reach_ = 0;          ///< cells by which an advancing front was helped along in the last iteration
   int largest_reach_ = 0;  ///< 0: no more help
+  int retreats_left_ = 0;
+  int advances_ = 0;  ///< iterations in a row in which fronts only advanced
   std::vector<int> flipped_;
 };
 

@@ -8,13 +8,12 @@ namespace ringfilm::film {
 namespace {
 
 constexpr int kMostIterations = 40;         // of the coupled Newton
-constexpr int kCellsAnIteration = 20;       // more of them for the film alone: a front may have to cross the face
 const double kLargestFall = std::log(0.4);  // trust region in ln h_m
 const double kLargestRise = std::log(2.5);
 constexpr double kBlindStep = 0.2;   // in ln h_m, where the load seems to rise with the film
-constexpr int kBracketSteps = 40;    // factors of 1.5 in h_m that the fallback searches
 constexpr double kThinnest = 1e-12;  // [m], below any film that a continuum describes
 constexpr double kThickest = 1e-1;   // [m]
+constexpr double kRunaway = 1e6;     // multiple of the load beyond which only the sign counts
 
 }  // namespace
 
@@ -44,7 +43,7 @@ class CoupledNewton {
     work_.update_.start();
     const int most = unknowns == Unknowns::kFilmAndSeparation
                          ? kMostIterations
-                         : kMostIterations + problem_.grid.n_cells() / kCellsAnIteration;
+                         : kMostIterations + problem_.grid.n_cells();  // a front may have to cross the face
     for (int iteration = 1; iteration <= most; ++iteration) {
       const double excess = assemble();
       auto& system = work_.system_;
@@ -58,7 +57,7 @@ class CoupledNewton {
         system.eliminate();
       }
       system.back_substitute(d_ln_h);
-      const auto outcome = work_.update_.apply(work_.z_, system.rhs, scale_, iteration);
+      const auto outcome = work_.update_.apply(work_.z_, system.rhs, scale_);
       state_.h_m *= std::exp(d_ln_h);
       state_from_z(work_.z_, inputs_.p_cavitation, scale_, state_);
       ++report.iterations;
@@ -78,30 +77,32 @@ class CoupledNewton {
     report.route = Route::kSecant;
     bool solved = true;
     const auto excess_at = [&](double ln_h) {
-      const FilmState start = state_;
       state_.h_m = std::exp(ln_h);
       if (!solve(Unknowns::kFilmAlone, report)) {
         restore(guess);
         state_.h_m = std::exp(ln_h);
-        solved = solved && solve(Unknowns::kFilmAlone, report);
+        // Pressures that run away tell enough for a bracket: the film is too thin.
+        solved = solved && (solve(Unknowns::kFilmAlone, report) || load_excess() > inputs_.load);
       }
-      return solved ? load_excess() : 0.0;
+      const double excess = load_excess();
+      solved = solved && !std::isnan(excess);
+      return solved ? std::min(excess, kRunaway * inputs_.load) : 0.0;
     };
     restore(guess);
     double a = std::log(guess.h_m);
     double excess_a = excess_at(a);
-    if (!solved) return false;
     const double stride = std::copysign(std::log(1.5), excess_a);
     double b = a;
     double excess_b = excess_a;
-    for (int i = 0; i < kBracketSteps && excess_a * excess_b > 0; ++i) {
+    while (solved && excess_a * excess_b > 0) {
+      if (b < std::log(kThinnest)) report.failure = Failure::kOverloaded;
+      if (b < std::log(kThinnest) || b > std::log(kThickest)) return false;
       a = b;
       excess_a = excess_b;
       b = a + stride;
       excess_b = excess_at(b);
-      if (!solved) return false;
     }
-    if (excess_a * excess_b > 0) return false;
+    if (!solved) return false;
     if (a > b) {
       std::swap(a, b);
       std::swap(excess_a, excess_b);
@@ -111,9 +112,9 @@ class CoupledNewton {
     const auto [low, high] =
         boost::math::tools::toms748_solve(excess_at, a, b, excess_a, excess_b, close_enough, evaluations);
     if (!solved) return false;
-    excess_at(0.5 * (low + high));
+    const double rest = excess_at(0.5 * (low + high));
     report.last_step = high - low;
-    return solved && close_enough(low, high);
+    return solved && close_enough(low, high) && std::abs(rest) < std::sqrt(problem_.tolerance) * inputs_.load;
   }
 
  private:
@@ -183,6 +184,7 @@ FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, cons
   CoupledNewton newton(problem, inputs, previous, state, workspace);
   report.converged =
       newton.solve(CoupledNewton::Unknowns::kFilmAndSeparation, report) || newton.solve_by_search(guess, report);
+  if (report.converged) report.failure = Failure::kNone;
   return report;
 }
 
@@ -191,19 +193,8 @@ FilmReport solve_film_at_separation(const FilmProblem& problem, const FilmInputs
   FilmReport report;
   CoupledNewton newton(problem, inputs, previous, state, workspace);
   report.converged = newton.solve(CoupledNewton::Unknowns::kFilmAlone, report);
+  if (report.converged) report.failure = Failure::kNone;
   return report;
-}
-
-FilmState first_guess(const FilmProblem& problem, const FilmInputs& inputs) {
-  const int n = problem.grid.n_cells();
-  FilmState state;
-  state.h_m = 2 * problem.contact->parameters().sigma;
-  for (int i = 0; i <= n; ++i) {
-    state.p.push_back(std::max(inputs.p_left + (inputs.p_right - inputs.p_left) * i / n, inputs.p_cavitation));
-  }
-  state.deficit.assign(n + 1, 0.0);
-  state.content.assign(n + 1, 0.0);
-  return state;
 }
 
 }  // namespace ringfilm::film

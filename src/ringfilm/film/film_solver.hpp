@@ -39,7 +39,4 @@ FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, cons
 FilmReport solve_film_at_separation(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                                     FilmState& state, FilmWorkspace& workspace);
 
-/// A film to start from when there is none: edge pressures joined linearly, h_m where asperities and wedge may carry.
-FilmState first_guess(const FilmProblem& problem, const FilmInputs& inputs);
-
 }  // namespace ringfilm::film

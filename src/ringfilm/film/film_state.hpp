@@ -69,9 +69,17 @@ struct FilmState {
 
 enum class Route { kNewton, kSecant };
 
+/// Why a step has no solution.
+enum class Failure {
+  kNone,
+  kOverloaded,    ///< film and asperities carry less than the load at any separation
+  kNotConverged,  ///< the iteration found none
+};
+
 /// How a step was solved.
 struct FilmReport {
   bool converged = false;
+  Failure failure = Failure::kNotConverged;  ///< kNone once converged
   Route route = Route::kNewton;
   int iterations = 0;    ///< Newton iterations, those of the fallback included
   double last_step = 0;  ///< last relative change of film or pressure [-]
