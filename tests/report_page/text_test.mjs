@@ -5,7 +5,7 @@ import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
 const { angleInWords, crankTicks, display, logTicks, number, percent, sentence, ticks, tickText, withUnit, wrapped } = await load('units.js');
-const { onCycleAxis, shortNames } = await load('model.js');
+const { namesByInputs, onCycleAxis, shortNames } = await load('model.js');
 const { figureCsv, fileStem } = await load('downloads.js');
 const { figureSvg } = await load('svg.js');
 
@@ -83,8 +83,15 @@ test('no line is drawn over missing samples', () => {
 
 test('titles are told apart by what differs', () => {
   assert.deepEqual(shortNames(['Styles et al. 2014, new ring', 'Styles et al. 2014, run-in ring']), { shared: 'Styles et al. 2014', names: ['new ring', 'run-in ring'] });
-  assert.deepEqual(shortNames(['same', 'same']).names, ['1: same', '2: same']);
+  assert.equal(shortNames(['same', 'same']), null);
   assert.deepEqual(shortNames(['engine A', 'boat']), { shared: '', names: ['engine A', 'boat'] });
+});
+
+test('cases of one title are named after the inputs in which they differ', () => {
+  const cases = (...speeds) => speeds.map((shown) => ({ inputs: [{ key: 'engine.bore', shown: '89 mm' }, { key: 'operating.speed', shown }, { key: 'output.fields', shown: `${shown}!` }] }));
+  assert.deepEqual(namesByInputs(cases('1500 rpm', '3000 rpm')), ['speed 1500 rpm', 'speed 3000 rpm']);
+  assert.deepEqual(namesByInputs(cases('1500 rpm', '1500 rpm')), ['case 1', 'case 2']);
+  assert.deepEqual(namesByInputs(cases('1500 rpm', '1500 rpm', '3000 rpm')), ['1: speed 1500 rpm', '2: speed 1500 rpm', '3: speed 3000 rpm']);
 });
 
 const series = (label, x, y) => ({ caseIndex: 0, part: null, label, x, y });

@@ -25,9 +25,9 @@ export function quantityAxis(model, name) {
 /** One series a case, or one for all where the cases do not differ. */
 export function caseSeries(model, name, { part = null, range = kCycleRange } = {}) {
   if (sameInAll(model, name) && part === null) {
-    return [{ caseIndex: null, part, label: `all ${model.cases.length} cases`, ...window(model.curve(model.cases[0], name), ...range) }];
+    return [{ caseIndex: null, part, label: model.allCases, ...window(model.curve(model.cases[0], name), ...range) }];
   }
-  return model.cases.map((c) => ({ caseIndex: c.index, part, label: c.name, ...window(model.curve(c, name), ...range) }));
+  return model.cases.map((c) => ({ caseIndex: c.series, part, label: c.name, ...window(model.curve(c, name), ...range) }));
 }
 
 function overlaySeries(model, name, range = kCycleRange) {
@@ -37,7 +37,7 @@ function overlaySeries(model, name, range = kCycleRange) {
     .map((o) => {
       const points = o.crank_angle.map((a, k) => [wrapped(a), convert(o.value[k])]).sort((a, b) => a[0] - b[0]);
       const curve = { x: points.map((p) => p[0]), y: points.map((p) => p[1]) };
-      return { caseIndex: null, part: 'measured', label: `measured: ${o.name}`, ...window(curve, ...range) };
+      return { caseIndex: null, part: 'measured', label: /measured/i.test(o.name) ? o.name : `measured: ${o.name}`, ...window(curve, ...range) };
     });
 }
 
@@ -80,7 +80,7 @@ export function cyclePanel(model, name, options = {}) {
 export function forEachCase(model, sentence) {
   const told = model.cases.map(sentence);
   if (!model.several) return told[0];
-  if (new Set(told).size === 1) return `${told[0]} in all ${model.cases.length} cases`;
+  if (new Set(told).size === 1) return `${told[0]} in ${model.allCases}`;
   return model.cases.map((c, i) => `${c.name} ${told[i]}`).join('; ');
 }
 

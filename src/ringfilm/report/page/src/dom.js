@@ -19,6 +19,6 @@ export function svgElement(text) {
 
 /** A key or setting in type of its own, which may break after a dot, an underscore or an equals sign only. */
 export function code(text, attributes = {}) {
-  const pieces = String(text).split(/(?<=[._=/])/);
+  const pieces = String(text).match(/[^._=/]*[._=/]|[^._=/]+$/g) ?? [];
   return element('code', attributes, pieces.flatMap((piece, i) => (i === 0 ? [piece] : [element('wbr'), piece])));
 }

@@ -3,9 +3,10 @@ import { Chart } from './chart.js';
 import { spokenSummary } from './cycle_figures.js';
 import { element, svgElement } from './dom.js';
 import { fileStem, figureCsv, save, savePng } from './downloads.js';
+import { isOneOfSeveral } from './palette.js';
 import { axisTitle } from './scales.js';
 import { figureSvg, swatchSvg } from './svg.js';
-import { number, withUnit } from './units.js';
+import { angle, number, withUnit } from './units.js';
 
 const kChartHeight = { crank: 280, plain: 250 };
 
@@ -25,13 +26,22 @@ export class Visibility {
   }
 }
 
-function valueAt(series, at) {
+/** Index of the sample nearest to `at`, -1 without samples. */
+function nearest(series, at) {
   const xs = series.angle ?? series.x;
   let best = -1;
   xs.forEach((v, k) => {
     if (v !== null && series.y[k] !== null && (best < 0 || Math.abs(v - at) < Math.abs(xs[best] - at))) best = k;
   });
-  return best < 0 ? null : series.y[best];
+  return best;
+}
+
+/** Where the values that are told belong: the sample nearest to the cursor, not the cursor itself. */
+function toldPlace(panel, at) {
+  const series = panel.series.find((s) => s.part !== 'measured') ?? panel.series[0];
+  const k = nearest(series, at);
+  const place = k < 0 ? at : (series.angle ?? series.x)[k];
+  return panel.crank || panel.inOrderOfTime ? `at ${angle(place)}°` : `at ${withUnit(place, panel.xUnit, 3)}`;
 }
 
 export class FigureView {
@@ -73,8 +83,8 @@ export class FigureView {
       element('div', { class: 'legend' }, at, entries));
     const readOut = (x) => {
       const shown = this.figure.panels[index];
-      at.textContent = x === null ? '' : shown.crank || shown.inOrderOfTime ? `at ${number(x, 4)}°` : `at ${withUnit(x, shown.xUnit, 3)}`;
-      shown.series.forEach((s, i) => { values[i].textContent = x === null ? '' : number(valueAt(s, x), 4); });
+      at.textContent = x === null ? '' : toldPlace(shown, x);
+      shown.series.forEach((s, i) => { values[i].textContent = x === null ? '' : number(s.y[nearest(s, x)], 4); });
     };
     // uPlot measures its host, which must stand in the page first.
     this.charts.push({ start: () => new Chart(host, panel, { visible: context.visibility.shows, readOut, group: figure.group ? context.group : null, height: panel.crank ? kChartHeight.crank : kChartHeight.plain }), entries, panel });
@@ -85,7 +95,7 @@ export class FigureView {
     const { visibility } = this.context;
     const sample = svgElement(swatchSvg(series));
     const label = element('span', { class: 'label' }, series.label);
-    if (series.caseIndex === null) return element('span', { class: 'entry' }, sample, label, value);
+    if (!isOneOfSeveral(series.caseIndex)) return element('span', { class: 'entry' }, sample, label, value);
     return element('button', {
       type: 'button', class: 'entry', 'aria-pressed': 'true', title: `Hide or show ${series.label}`, 'data-case': series.caseIndex,
       onclick: () => visibility.toggle(series.caseIndex),
@@ -122,7 +132,7 @@ export class FigureView {
     for (const { chart, entries, panel } of this.charts) {
       chart?.refresh();
       entries.forEach((entry, i) => {
-        if (panel.series[i].caseIndex !== null) entry.setAttribute('aria-pressed', String(visibility.shows(panel.series[i])));
+        if (isOneOfSeveral(panel.series[i].caseIndex)) entry.setAttribute('aria-pressed', String(visibility.shows(panel.series[i])));
       });
     }
     if (this.barHost?.isConnected) this.drawBars();

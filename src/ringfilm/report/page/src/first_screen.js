@@ -28,7 +28,7 @@ export function operatingLine(model) {
 
 export function reportTitle(model) {
   if (!model.several) return model.cases[0].title || 'One engine cycle';
-  return model.sharedTitle || `${model.cases.length} engine cycles beside each other`;
+  return model.sharedTitle || `${model.cases.length} engine cycles compared`;
 }
 
 const kLow = 'film-parameter-too-low';

@@ -82,7 +82,7 @@ export function influenceFigure(model) {
     title: 'What moves the friction most',
     panels: [{
       id: 'influences', bars: true, ranked: true, yLabel: 'change of FMEP', yUnit: '%', categories: ranked.map(([name]) => name),
-      groups: model.cases.map((c) => ({ caseIndex: c.index, label: c.name, stacks: ranked.map(([, list]) => [{ part: 'total', value: list[c.index] }]) })),
+      groups: model.cases.map((c) => ({ caseIndex: c.series, label: c.name, stacks: ranked.map(([, list]) => [{ part: 'total', value: list[c.index] }]) })),
     }],
     caption: `Each line is the same case with one other choice${settings.size > ranked.length ? `; the ${ranked.length} strongest of ${settings.size}` : ''}.
       The strongest: ${setting} moves FMEP by ${model.cases.map((c, i) => `${percent((changes[i] ?? NaN) / 100)}${model.several ? ` (${c.name})` : ''}`).join(', ')}.`,

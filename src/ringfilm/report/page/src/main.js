@@ -68,12 +68,22 @@ function otherQuantity(model, context, started) {
   return { node: host, start: () => show(picker.value), beforePrint: () => {} };
 }
 
+/** One line under the title of a figure that leaves the page: which case this is. Whole words only. */
+function subtitle(model) {
+  const kRoom = 112;
+  const synthetic = model.cases.some((c) => model.isSynthetic(c)) ? ['SYNTHETIC cylinder pressure'] : [];
+  const parts = [reportTitle(model), ...synthetic, ...operatingLine(model).split(', ').filter(Boolean)];
+  let line = parts[0].length > kRoom ? `${parts[0].slice(0, kRoom - 1)}…` : parts[0];
+  for (const part of parts.slice(1)) if (line.length + part.length + 2 <= kRoom) line += `, ${part}`;
+  return line;
+}
+
 function buildPage(model) {
   const visibility = new Visibility();
   const group = new CycleGroup();
   const title = reportTitle(model);
   const besidePaper = model.cases.some((c) => c.comparison.length > 0);
-  const context = { visibility, group, besidePaper, stem: title, subtitle: [title, operatingLine(model)].filter(Boolean).join(' · ').slice(0, 110) };
+  const context = { visibility, group, besidePaper, stem: title, subtitle: subtitle(model) };
   const views = [];
   const view = (figure) => (figure ? new FigureView(figure, context) : null);
   const started = [];

@@ -1,20 +1,42 @@
 // The payload made handy: quantities by name, cases with short names, curves on the axis of the charts.
 import { display, typeset, wrapped } from './units.js';
 
-/** Splits titles into what they share and what tells them apart, at a comma, colon or blank. */
+/** Splits titles into what they share and what tells them apart, at a comma, colon or blank; null where they do not differ. */
 export function shortNames(titles) {
-  if (titles.length < 2) return { shared: titles[0] ?? '', names: titles.map(() => 'this case') };
+  if (new Set(titles).size < titles.length) return null;
   let n = 0;
   while (titles.every((t) => n < t.length && t[n] === titles[0][n])) n++;
   const cut = titles[0].slice(0, n).replace(/[^\s,:;–-]*$/, '');
-  const shared = cut.replace(/[\s,:;–-]+$/, '');
-  let names = titles.map((t) => t.slice(cut.length).trim());
-  if (names.some((name) => name === '') || new Set(names).size < names.length) {
-    names = new Set(titles).size === titles.length ? titles : titles.map((t, i) => `${i + 1}: ${t}`);
-    return { shared: '', names };
-  }
-  return { shared, names };
+  const names = titles.map((t) => t.slice(cut.length).trim());
+  if (names.some((name) => name === '')) return { shared: '', names: titles };
+  return { shared: cut.replace(/[\s,:;–-]+$/, ''), names };
 }
+
+/** Inputs that say how or where, not what: no case is named after them. */
+const kNoName = /^(output|solver)\.|\.(file|name)$|file$/;
+
+/** Cases of one title, named after the inputs in which they differ (at most two), else by their number. */
+export function namesByInputs(cases) {
+  const shown = (c, key) => c.inputs.find((entry) => entry.key === key)?.shown;
+  const keys = [...new Set(cases.flatMap((c) => c.inputs.map((entry) => entry.key)))].filter((key) => !kNoName.test(key));
+  const differing = keys.filter((key) => new Set(cases.map((c) => shown(c, key))).size > 1).slice(0, 2);
+  const names = cases.map((c) => differing
+    .map((key) => `${key.split('.').pop().replace(/_/g, ' ')} ${shown(c, key) === undefined ? 'not used' : typeset(shown(c, key).replace(/"/g, ''))}`)
+    .join(', '));
+  const told = names.every((name) => name !== '') && new Set(names).size === names.length;
+  return told ? names : names.map((name, i) => (name ? `${i + 1}: ${name}` : `case ${i + 1}`));
+}
+
+function named(cases) {
+  if (cases.length === 1) return { shared: cases[0].title, names: ['computed'] };
+  const titles = cases.map((c) => c.title);
+  const byTitle = shortNames(titles);
+  if (byTitle) return byTitle;
+  return { shared: new Set(titles).size === 1 ? titles[0] : '', names: namesByInputs(cases) };
+}
+
+/** Stands for the only case of a page in place of its number: it needs no mark and cannot be hidden. */
+export const kOnlyCase = -1;
 
 /** An input as people write it: no quotes around names, micro and degree signs. */
 export function shownInput(entry) {
@@ -29,10 +51,11 @@ export class Model {
     this.curveQuantity = byName(payload.curve_quantities);
     this.cycleQuantity = byName(payload.cycle_quantities);
     this.derivedQuantity = byName(payload.derived_quantities);
-    const { shared, names } = shortNames(payload.cases.map((c) => c.title));
+    const { shared, names } = named(payload.cases);
     this.sharedTitle = shared;
-    this.cases = payload.cases.map((c, index) => ({ ...c, index, name: names[index] }));
-    this.several = this.cases.length > 1;
+    this.several = payload.cases.length > 1;
+    this.cases = payload.cases.map((c, index) => ({ ...c, index, series: this.several ? index : kOnlyCase, name: names[index] }));
+    this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;
   }
 
   /** Name, unit and values of one cycle value of one case as shown. */

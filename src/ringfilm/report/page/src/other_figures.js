@@ -14,7 +14,7 @@ export function stribeckFigure(model) {
       .filter((p) => Math.abs(p.angle) <= kStribeckWindow)
       .sort((a, b) => a.angle - b.angle)
       .map((p) => (p.x > 0 ? p : { ...p, x: null, y: null }));
-    return { caseIndex: c.index, part: null, label: c.name, x: points.map((p) => p.x), y: points.map((p) => p.y), angle: points.map((p) => p.angle) };
+    return { caseIndex: c.series, part: null, label: c.name, x: points.map((p) => p.x), y: points.map((p) => p.y), angle: points.map((p) => p.angle) };
   });
   return {
     id: 'stribeck',
@@ -33,7 +33,7 @@ export function stribeckFigure(model) {
 export function faceFigure(model) {
   const series = model.cases
     .filter((c) => c.fields.x.length > 1 && c.fields.face_height.length === c.fields.x.length)
-    .map((c) => ({ caseIndex: c.index, part: null, label: c.name, x: c.fields.x.map((v) => v * 1e3), y: c.fields.face_height.map((v) => v * 1e6) }));
+    .map((c) => ({ caseIndex: c.series, part: null, label: c.name, x: c.fields.x.map((v) => v * 1e3), y: c.fields.face_height.map((v) => v * 1e6) }));
   if (series.length === 0) return null;
   const edge = (s) => `${number(s.y[0], 3)} µm at the chamber edge, ${number(s.y[s.y.length - 1], 3)} µm at the crankcase edge`;
   return {
@@ -52,7 +52,7 @@ export function faceFigure(model) {
 export function wearFigure(model) {
   const series = model.cases
     .filter((c) => c.stroke.liner_position.length > 1)
-    .map((c) => ({ caseIndex: c.index, part: null, label: c.name, x: c.stroke.liner_position.map((v) => v * 1e3), y: [...c.stroke.wear_drive_density] }));
+    .map((c) => ({ caseIndex: c.series, part: null, label: c.name, x: c.stroke.liner_position.map((v) => v * 1e3), y: [...c.stroke.wear_drive_density] }));
   if (series.length === 0) return null;
   const worst = (s) => {
     const k = s.y.reduce((best, v, i) => (v > s.y[best] ? i : best), 0);
@@ -87,13 +87,13 @@ export function energyFigure(model) {
     panels: [
       {
         id: 'strokes', bars: true, weight: 1.7, yLabel: 'friction energy', yUnit: unit, categories: kStrokes.map(([, label]) => label),
-        groups: model.cases.map((c) => ({ caseIndex: c.index, label: c.name, stacks: kStrokes.map(([name]) => [{ part: 'total', value: model.value(c, name).value }]) })),
+        groups: model.cases.map((c) => ({ caseIndex: c.series, label: c.name, stacks: kStrokes.map(([name]) => [{ part: 'total', value: model.value(c, name).value }]) })),
       },
       {
         id: 'causes', bars: true, weight: 1, yLabel: 'mean friction power', yUnit: model.value(model.cases[0], 'mean_power_loss').unit,
         categories: ['boundary', 'viscous'],
         groups: model.cases.map((c) => ({
-          caseIndex: c.index, label: c.name,
+          caseIndex: c.series, label: c.name,
           stacks: [[{ part: 'boundary', value: model.value(c, 'mean_boundary_power').value }], [{ part: 'viscous', value: model.value(c, 'mean_viscous_power').value }]],
         })),
       },
@@ -115,7 +115,7 @@ export function fieldFigure(model, angle) {
   const shown = model.cases.map((c) => [c, near(c)]).filter(([, k]) => k >= 0);
   const series = (name, size, part = null) => shown
     .filter(([c]) => c.fields[name].length > 0)
-    .map(([c, k]) => ({ caseIndex: c.index, part, label: c.name + (part === 'boundary' ? ', asperities' : ''), x: c.fields.x.map((v) => v * 1e3), y: c.fields[name][k].map((v) => (v === null ? null : v / size)) }));
+    .map(([c, k]) => ({ caseIndex: c.series, part, label: c.name, x: c.fields.x.map((v) => v * 1e3), y: c.fields[name][k].map((v) => (v === null ? null : v / size)) }));
   const widest = Math.max(...shown.map(([c]) => c.fields.x[c.fields.x.length - 1] * 1e3));
   const common = { xLabel: 'distance from the chamber edge', xUnit: 'mm', xRange: [0, widest] };
   return {
@@ -126,9 +126,10 @@ export function fieldFigure(model, angle) {
       { ...common, id: 'pressure', fromZero: true, yLabel: 'film pressure', yUnit: 'bar', series: series('film_pressure', 1e5) },
       { ...common, id: 'film', yScale: 'log', yLabel: 'film thickness', yUnit: 'µm', series: series('film_thickness', 1e-6) },
       { ...common, id: 'asperities', fromZero: true, yLabel: 'asperity pressure', yUnit: 'bar', series: series('asperity_pressure', 1e5, 'boundary') },
-      { ...common, id: 'fill', yRange: [0, 1.05], yLabel: 'liquid share of the gap', yUnit: '', series: series('fill', 1) },
-    ].filter((panel) => panel.series.length > 0),
-    caption: `${thinned(model)}Absolute pressure of the oil, film thickness (logarithmic), asperity contact pressure and how full the gap is, chamber edge on the left.
+      // Where every gap is full at every angle the picture would say nothing.
+      shown.some(([c]) => c.fields.fill.some((list) => list.some((v) => v !== null && v < 1))) && { ...common, id: 'fill', yRange: [0, 1.05], yLabel: 'liquid share of the gap', yUnit: '', series: series('fill', 1) },
+    ].filter((panel) => panel && panel.series.length > 0),
+    caption: `${thinned(model)}Absolute pressure of the oil, film thickness (logarithmic), asperity contact pressure and, where the model knows gaps that are not full, the liquid share; chamber edge on the left.
       Where the oil pressure lies flat at the cavitation pressure the film has ruptured.`,
   };
 }
@@ -139,9 +140,13 @@ function thinned(model) {
   return some.length ? `This page carries ${some[0].fields.crank_angle.length} of the ${some[0].fields.stored_angles} crank angles stored in the result file. ` : '';
 }
 
-/** Angles at which any case has fields, on the axis of the charts. */
+/** So many angles that all cases share are enough to do without those that only some have. */
+const kEnoughAngles = 8;
+
+/** Angles with fields, on the axis of the charts: those that all cases share if there are enough, else all. */
 export function fieldAngles(model) {
-  const all = new Set();
-  for (const c of model.cases) for (const a of c.fields.crank_angle) all.add(wrapped(a));
-  return [...all].sort((a, b) => a - b);
+  const sets = model.cases.map((c) => new Set(c.fields.crank_angle.map(wrapped))).filter((set) => set.size > 0);
+  const all = [...new Set(sets.flatMap((set) => [...set]))].sort((a, b) => a - b);
+  const shared = all.filter((a) => sets.every((set) => set.has(a)));
+  return shared.length >= kEnoughAngles ? shared : all;
 }

@@ -6,12 +6,18 @@ const kMarks = ['circle', 'square', 'triangle', 'diamond', 'cross', 'circle', 's
 
 export const kNeutral = '#30343b';
 
+/** @param index number of the case; null for what belongs to all cases, negative for the only case of a page */
 export function caseColour(index) {
-  return index === null ? kNeutral : kColours[index % kColours.length];
+  return index === null ? kNeutral : kColours[Math.max(0, index) % kColours.length];
 }
 
 export function caseMark(index) {
-  return index === null ? null : kMarks[index % kMarks.length];
+  return isOneOfSeveral(index) ? kMarks[index % kMarks.length] : null;
+}
+
+/** Is this one of several cases, with a mark of its own, to be hidden and shown? */
+export function isOneOfSeveral(index) {
+  return index !== null && index >= 0;
 }
 
 const kPartDash = { total: [], boundary: [9, 4], viscous: [2, 3], measured: [] };

@@ -1,4 +1,5 @@
 // Ranges and ticks, the same on the screen and in the SVG.
+import { isOneOfSeveral } from './palette.js';
 import { crankTicks, logTicks, ticks } from './units.js';
 
 export const kStrokeBands = [
@@ -71,7 +72,7 @@ export function yTicks(panel, low, high, count) {
 
 /** Where the marks of a case stand on its line: a few, at places of its own so that they do not hide each other. */
 export function markIndices(series, low, high, nSeries) {
-  if (series.caseIndex === null || nSeries < 2) return [];
+  if (!isOneOfSeveral(series.caseIndex) || nSeries < 2) return [];
   const kMarks = 7;
   const found = [];
   if (series.angle) {

@@ -1,6 +1,6 @@
 // A figure as a static SVG: to take away, and in print. Drawn from the same plain data as the charts on the screen.
 import { arrowHeads, arrowPath, axisTitle, deadCentre, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
-import { caseColour, caseMark, markPath, partDash } from './palette.js';
+import { caseColour, caseMark, isOneOfSeveral, markPath, partDash } from './palette.js';
 import { barPanel, rankedHeight, rankedPanel } from './svg_bars.js';
 import { kFaint, kInk, kMargin, px, rule, scaler, text } from './svg_shapes.js';
 import { tickText } from './units.js';
@@ -11,7 +11,7 @@ function linePanel(panel, box, visible, window, clip) {
   const range = window ?? xRange(panel);
   const [bottom, top] = yRange(panel, visible, range);
   const [left, right] = [box.x + kMargin.left, box.x + box.width - kMargin.right];
-  const [high, low] = [box.y + kMargin.top, box.y + box.height - kMargin.bottom];
+  const [high, low] = [box.y + marginTop(panel), box.y + box.height - kMargin.bottom];
   const x = scaler(panel.xScale === 'log', range[0], range[1], left, right);
   const y = scaler(panel.yScale === 'log', bottom, top, low, high);
   const out = [];
@@ -84,6 +84,11 @@ function seriesShapes(panel, s, x, y, range) {
   return out;
 }
 
+/** Over the cycle the names of the strokes stand above the plot. */
+function marginTop(panel) {
+  return panel.crank ? kMargin.top : kMargin.top - 16;
+}
+
 function panelHeight(panel) {
   return panel.ranked ? rankedHeight(panel) : kPanelHeight;
 }
@@ -108,7 +113,7 @@ function legend(figure, visible, width, y) {
   let row = y;
   for (const e of entries) {
     const label = e.part && e.part !== 'measured' && e.part !== 'total' && !e.label.includes(e.part) ? `${e.label}, ${e.part}` : e.label;
-    const needed = 40 + 6.6 * label.length;
+    const needed = 50 + 7 * label.length;
     if (x + needed > width && x > 8) {
       x = 8;
       row += 18;
@@ -125,7 +130,7 @@ function swatch({ caseIndex, part, bars }, x, y) {
   if (bars) return `<rect x="${x + 8}" y="${y - 6}" width="12" height="12" fill="${colour}"/>`;
   if (part === 'measured') return [6, 14, 22].map((dx) => `<circle cx="${x + dx}" cy="${y}" r="2" fill="none" stroke="#000"/>`).join('');
   const dash = partDash(part);
-  const mark = caseIndex === null ? '' : `<path d="${markPath(caseMark(caseIndex), x + 14, y, 3.4)}" fill="#fff" stroke="${colour}" stroke-width="1.4"/>`;
+  const mark = !isOneOfSeveral(caseIndex) ? '' : `<path d="${markPath(caseMark(caseIndex), x + 14, y, 3.4)}" fill="#fff" stroke="${colour}" stroke-width="1.4"/>`;
   return `<line x1="${x}" y1="${y}" x2="${x + 28}" y2="${y}" stroke="${colour}" stroke-width="2"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>${mark}`;
 }
 

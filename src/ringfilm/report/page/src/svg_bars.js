@@ -8,7 +8,7 @@ import { number, percent, tickText } from './units.js';
 export function barPanel(panel, box, visible) {
   const groups = panel.groups.filter(visible);
   const [left, right] = [box.x + kMargin.left, box.x + box.width - kMargin.right];
-  const [high, low] = [box.y + kMargin.top, box.y + box.height - kMargin.bottom];
+  const [high, low] = [box.y + kMargin.top - 16, box.y + box.height - 28];
   const total = (stack) => stack.reduce((sum, part) => sum + (part.value ?? 0), 0);
   const top = 1.12 * Math.max(1e-300, ...groups.flatMap((g) => g.stacks.map(total)));
   const y = scaler(false, 0, top, low, high);
