@@ -93,9 +93,10 @@ std::string values_table(const CycleValues& values) {
 std::string solver_lines(const cycle::Effort& effort) {
   std::string text = fmt::format(
       "solver: {:.4g} cycles until the state repeats (to {:.1e}), {} crank steps, {} Newton iterations; load balanced "
-      "to {:.1e}, mass to {:.1e} (relative)",
+      "to {:.1e} (relative)",
       effort.cycles_marched, effort.periodicity_error, effort.crank_steps, effort.newton_iterations,
-      effort.max_load_residual, effort.max_mass_residual);
+      effort.max_load_residual);
+  if (effort.max_mass_residual > 0) text += fmt::format(", mass to {:.1e}", effort.max_mass_residual);
   const long n_fallbacks = effort.fallback_secant + effort.fallback_sub_step;
   if (n_fallbacks > 0) text += fmt::format("; {} steps needed the fallback chain", n_fallbacks);
   return wrapped(words(text));
