@@ -7,7 +7,8 @@
 
 namespace ringfilm::io {
 
-/// `--set key=value` of the command line: the value is read as TOML, else as text.
+/// `--set key=value` of the command line: the value is read as TOML, else as text; an empty value takes the key out, so
+/// that another way to state the same (a ring's tension, a gas model) can stand in its place.
 struct Override {
   std::string key;
   std::string value;
@@ -21,7 +22,8 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 /// The active keys with the values in use, in table order.
 std::vector<CaseEntry> case_entries(const cycle::Case& c);
 
-/// A complete case file in SI; traces and tables are named by path.
+/// A complete case file in SI that gives the same bits again: every active key, an oil file written out key by key.
+/// Traces and tables are named by path, as seen from the working folder of the run.
 std::string resolved_case(const cycle::Case& c);
 
 /// The shipped folder that holds `cases/` and `data/` (beside the program or in ../share/ringfilm); throws InputError.

@@ -167,6 +167,8 @@ Scale Units::scale(const std::string& written, const std::string& si_unit) const
                     "pressures are absolute here: add the atmosphere (1.01325 bar) and write bar");
   }
   if (si_unit == "K") return temperature_scale(unit);
+  constexpr std::size_t kLongestUnit = 60;
+  if (unit.size() > kLongestUnit) throw UnitError("has a text in place of its unit", "");
   if (holds_number(unit))
     throw UnitError("has a second number in its unit \"" + unit + "\"", "write one number, one unit");
 

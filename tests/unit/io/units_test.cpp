@@ -92,6 +92,10 @@ INSTANTIATE_TEST_SUITE_P(
                       // UDUNITS by itself turns um2 over into um-2.
                       Refusal{"0.097 um2", "m-2", "is not a number per area", "a number per area"}));
 
+TEST(Units, RefuseAPageInPlaceOfAUnit) {
+  EXPECT_THROW(Units().quantity("1 " + std::string(1 << 20, '('), "m", ""), UnitError);
+}
+
 TEST(Units, ShowTheUnitThatPeopleRead) {
   const Units units;
   EXPECT_EQ(units.shown(0.089, "m", "mm"), "89 mm");
