@@ -38,7 +38,7 @@ test('angles lie between -360 and 360 with firing TDC at 0', () => {
   assert.equal(angleInWords(20), '20° after firing TDC');
   assert.equal(angleInWords(719.5), '0.5° before firing TDC');
   assert.equal(angleInWords(360), 'at gas-exchange TDC');
-  assert.equal(angleInWords(NaN), 'at no single angle');
+  for (const none of [NaN, null, undefined]) assert.equal(angleInWords(none), 'at an angle not known');
 });
 
 test('display units divide by their size in SI', () => {

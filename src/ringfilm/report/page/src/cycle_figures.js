@@ -84,23 +84,39 @@ export function forEachCase(model, sentence) {
   return model.cases.map((c, i) => `${c.name} ${told[i]}`).join('; ');
 }
 
+/** The same for what a whole cycle tells. */
+export function ofEachCycle(model, sentence) {
+  return forEachCase(model, (c) => (c.complete ? sentence(c) : 'none, the march stopped early'));
+}
+
 export function valueWithUnit(model, c, name, digits = 3) {
   const { value, unit } = model.value(c, name);
   return withUnit(value, unit, digits);
 }
 
+const kOrigin = {
+  synthetic: 'SYNTHETIC: made by a formula, not measured',
+  measured: 'a measured trace',
+  computed: 'a trace computed by another program',
+};
+
+/** Where the gas pressure of a case comes from. */
+function origin(model, c) {
+  const named = (key) => model.input(c, key)?.value.replace(/"/g, '');
+  if (named('gas.model') === 'wiebe') return 'computed by the single-zone model, not measured';
+  return kOrigin[named('gas.trace_origin')] ?? 'a trace of which the case does not say whether it was measured';
+}
+
 function pressureFigure(model) {
-  const synthetic = model.cases.filter((c) => model.isSynthetic(c));
-  const warning = synthetic.length === 0 ? '' : synthetic.length === model.cases.length
-    ? ' The trace is SYNTHETIC: made by a formula, not measured.'
-    : ` SYNTHETIC, made by a formula and not measured: ${synthetic.map((c) => c.name).join(', ')}.`;
+  const synthetic = model.cases.some((c) => model.isSynthetic(c));
   return {
     id: 'cylinder-pressure',
-    title: synthetic.length ? 'Cylinder pressure (SYNTHETIC)' : 'Cylinder pressure',
+    title: synthetic ? 'Cylinder pressure (SYNTHETIC)' : 'Cylinder pressure',
     paper: 'Fig. 7',
     panels: [cyclePanel(model, 'gas_pressure')],
-    caption: `Absolute gas pressure above the ring; it also presses the ring outwards from behind. Peak: ${forEachCase(model, (c) =>
-      `${valueWithUnit(model, c, 'peak_gas_pressure')} ${angleInWords(c.values.peak_gas_pressure_angle)}`)}.${warning}`,
+    caption: `Absolute gas pressure above the ring; it also presses the ring outwards from behind. Peak: ${ofEachCycle(model, (c) =>
+      `${valueWithUnit(model, c, 'peak_gas_pressure')} ${angleInWords(c.values.peak_gas_pressure_angle)}`)}.
+      Origin: ${forEachCase(model, (c) => origin(model, c))}.${overlaySentence(model, 'gas_pressure')}`,
   };
 }
 
@@ -108,13 +124,13 @@ function pressureFigure(model) {
 const kNearPeak = 15;
 
 function filmFigure(model) {
-  const nearPeak = model.cases.every((c) => Math.abs(wrapped(c.values.min_film_thickness_angle) - wrapped(c.values.peak_gas_pressure_angle)) <= kNearPeak);
+  const nearPeak = model.cases.every((c) => c.complete && Math.abs(wrapped(c.values.min_film_thickness_angle) - wrapped(c.values.peak_gas_pressure_angle)) <= kNearPeak);
   return {
     id: 'min-film-thickness',
     title: 'Minimum film thickness',
     paper: 'Fig. 8',
     panels: [cyclePanel(model, 'min_film_thickness')],
-    caption: `Smallest separation of the mean planes anywhere along the face. Thinnest: ${forEachCase(model, (c) =>
+    caption: `Smallest separation of the mean planes anywhere along the face. Thinnest: ${ofEachCycle(model, (c) =>
       `${valueWithUnit(model, c, 'min_film_thickness')} ${angleInWords(c.values.min_film_thickness_angle)}`)}.${nearPeak ? ' That is at the peak of the gas pressure, not at the dead centre.' : ''}${overlaySentence(model, 'min_film_thickness')}`,
   };
 }
@@ -124,8 +140,7 @@ function filmParameterFigure(model) {
     id: 'film-parameter',
     title: 'Film parameter',
     panels: [cyclePanel(model, 'film_parameter', { yMarks: [{ at: 3, label: 'mixed below 3' }] })],
-    caption: `Minimum film over the composite roughness of the two surfaces. Under 3 the asperities touch: that is ${forEachCase(model, (c) =>
-      `${valueWithUnit(model, c, 'mixed_share')} of the cycle`)}.`,
+    caption: `Minimum film over the composite roughness of the two surfaces. Under 3 the asperities touch, lubrication is mixed. Share of the cycle: ${ofEachCycle(model, (c) => valueWithUnit(model, c, 'mixed_share'))}.`,
   };
 }
 
@@ -135,7 +150,7 @@ function frictionFigure(model) {
     title: 'Friction',
     paper: 'Fig. 9',
     panels: [cyclePanel(model, 'total_friction')],
-    caption: `Boundary plus viscous friction of the whole ring, without sign. Peak: ${forEachCase(model, (c) =>
+    caption: `Boundary plus viscous friction of the whole ring, without sign. Peak: ${ofEachCycle(model, (c) =>
       `${valueWithUnit(model, c, 'peak_total_friction')} ${angleInWords(c.values.peak_total_friction_angle)}`)}.${overlaySentence(model, 'total_friction')}`,
   };
 }
@@ -149,7 +164,7 @@ function frictionZoomFigure(model) {
     layout: 'row',
     panels: [zoom('boundary_friction', 'boundary'), zoom('viscous_friction', 'viscous')],
     caption: `From ${kZoom[0]}° to ${kZoom[1]}°: friction of touching asperities (dashed, left) and of the sheared oil (dotted, right).
-      Mind the two scales. Boundary peak against viscous peak: ${forEachCase(model, (c) =>
+      Mind the two scales. Boundary peak against viscous peak: ${ofEachCycle(model, (c) =>
         `${valueWithUnit(model, c, 'peak_boundary_friction')} against ${valueWithUnit(model, c, 'peak_viscous_friction')}`)}.`.replace('-', '−'),
   };
 }
@@ -170,8 +185,8 @@ function flowFigure(model) {
     paper: 'Fig. 11',
     panels: [cyclePanel(model, 'oil_flow_middle', { zeroLine: true })],
     caption: `Mass flow through the middle section of the face, whole circumference, seen from the ring; positive from chamber to crankcase.
-      Mean without sign: ${forEachCase(model, (c) => valueWithUnit(model, c, 'mean_absolute_oil_flow'))};
-      net over the cycle: ${forEachCase(model, (c) => valueWithUnit(model, c, 'net_oil_flow'))}.${overlaySentence(model, 'oil_flow_middle')}`,
+      Mean without sign: ${ofEachCycle(model, (c) => valueWithUnit(model, c, 'mean_absolute_oil_flow'))};
+      net over the cycle: ${ofEachCycle(model, (c) => valueWithUnit(model, c, 'net_oil_flow'))}.${overlaySentence(model, 'oil_flow_middle')}`,
   };
 }
 

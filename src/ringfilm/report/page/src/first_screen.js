@@ -3,7 +3,7 @@ import { element, svgElement } from './dom.js';
 import { shownInput } from './model.js';
 import { swatchSvg } from './svg.js';
 import { mergedNotes } from './tables.js';
-import { angleInWords, number, typeset, wrapped } from './units.js';
+import { angle, angleInWords, number, typeset, wrapped } from './units.js';
 
 const kOperating = [
   ['engine.bore', 'bore'],
@@ -40,7 +40,7 @@ function warnings(model) {
   const broken = model.cases.filter((c) => !c.complete);
   if (broken.length) {
     const last = broken.map((c) => wrapped(c.curves.crank_angle[c.curves.crank_angle.length - 1] ?? null));
-    list.push(`${whom(broken)}INCOMPLETE: the march stopped early${last[0] === null ? '' : ` (last good angle ${last.map((a) => `${number(a, 4)}°`).join(', ')})`}; cycle values do not stand for a whole cycle.`);
+    list.push(`${whom(broken)}INCOMPLETE: the march stopped early${last[0] === null ? '' : ` (last good angle ${last.map((a) => `${angle(a)}°`).join(', ')})`}; so there are no values of a whole cycle.`);
   }
   const synthetic = model.cases.filter((c) => model.isSynthetic(c));
   if (synthetic.length) list.push(`${whom(synthetic)}the cylinder pressure is SYNTHETIC: made by a formula, not measured on an engine. Levels of friction and film follow from it.`);
@@ -57,7 +57,7 @@ function card(model, heading, main, detail) {
     const { value, unit } = main(c);
     return element('div', { class: 'card-row' },
       model.several ? element('span', { class: 'card-name' }, svgElement(swatchSvg({ caseIndex: c.index, part: null })), c.name) : null,
-      element('span', { class: 'card-value' }, element('b', {}, number(value, 3)), unit ? ` ${unit}` : ''),
+      element('span', { class: 'card-value' }, element('b', {}, number(value, 3)), unit && value !== null ? ` ${unit}` : ''),
       element('span', { class: 'card-detail' }, detail(c)));
   });
   return element('section', { class: 'card' }, element('h2', {}, heading), rows);
@@ -71,6 +71,7 @@ export function firstScreen(model) {
     several > 0 ? [' ', element('a', { href: '#validity' }, `${several} more ${several === 1 ? 'note' : 'notes'}`)] : null);
   const shownFmep = (c) => {
     const { value, unit } = model.value(c, 'fmep');
+    if (value === null) return '';
     return `FMEP ${number(value, 3)} ${unit}`;
   };
   return element('header', { class: 'first-screen' },
@@ -79,7 +80,7 @@ export function firstScreen(model) {
     element('p', { class: 'operating' }, operatingLine(model)),
     element('div', { class: 'cards' },
       card(model, 'Mean friction power', (c) => model.value(c, 'mean_power_loss'), shownFmep),
-      card(model, 'Thinnest film', (c) => model.value(c, 'min_film_thickness'), (c) => angleInWords(c.values.min_film_thickness_angle).replace('firing ', '')),
+      card(model, 'Thinnest film', (c) => model.value(c, 'min_film_thickness'), (c) => (c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '')),
       card(model, 'In mixed lubrication', (c) => model.value(c, 'mixed_share'), () => 'of the cycle')),
     warning);
 }

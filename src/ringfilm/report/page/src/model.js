@@ -54,7 +54,11 @@ export class Model {
     const { shared, names } = named(payload.cases);
     this.sharedTitle = shared;
     this.several = payload.cases.length > 1;
-    this.cases = payload.cases.map((c, index) => ({ ...c, index, series: this.several ? index : kOnlyCase, name: names[index] }));
+    this.cases = payload.cases.map((c, index) => ({
+      ...c, index, series: this.several ? index : kOnlyCase, name: names[index],
+      // Sums and extremes of a march that stopped early stand for no cycle: better none than wrong ones.
+      values: c.complete ? c.values : {},
+    }));
     this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;
   }
 

@@ -1,6 +1,6 @@
 // The figures that are not drawn over crank angle.
 import { angle as shownAngle, display, number, wrapped } from './units.js';
-import { forEachCase, valueWithUnit } from './cycle_figures.js';
+import { ofEachCycle, valueWithUnit } from './cycle_figures.js';
 
 const kStribeckWindow = 90;
 
@@ -25,7 +25,7 @@ export function stribeckFigure(model) {
       yLabel: 'friction coefficient', yUnit: friction.unit, xLabel: 'Stribeck number η|U|/(pσ)', xUnit: stribeck.unit, series,
     }],
     caption: `From −90° to 90° around firing TDC; arrows give the direction of time, the dead centre lies far out on the left.
-      Highest within ±60° of firing TDC: ${forEachCase(model, (c) => valueWithUnit(model, c, 'peak_friction_coefficient_firing'))}.
+      Highest within ±60° of firing TDC: ${ofEachCycle(model, (c) => valueWithUnit(model, c, 'peak_friction_coefficient_firing'))}.
       High on the left is boundary lubrication, the low end on the right is the oil film.`,
   };
 }
@@ -79,6 +79,7 @@ const kStrokes = [
 ];
 
 export function energyFigure(model) {
+  if (model.cases.every((c) => !c.complete)) return null;
   const unit = model.value(model.cases[0], 'energy_per_cycle').unit;
   return {
     id: 'energy-by-stroke',
@@ -99,7 +100,7 @@ export function energyFigure(model) {
       },
     ],
     caption: `Energy lost to friction in each stroke (left) and the mean power of the cycle split into rubbing asperities and sheared oil (right).
-      Whole cycle: ${forEachCase(model, (c) => `${valueWithUnit(model, c, 'energy_per_cycle')}, ${valueWithUnit(model, c, 'mean_power_loss')}`)}.`,
+      Whole cycle: ${ofEachCycle(model, (c) => `${valueWithUnit(model, c, 'energy_per_cycle')}, ${valueWithUnit(model, c, 'mean_power_loss')}`)}.`,
   };
 }
 

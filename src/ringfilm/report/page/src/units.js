@@ -91,14 +91,14 @@ export function percent(ratio, digits = 1) {
 
 /** An angle on the axis of the charts: firing TDC in the middle, -360 < angle <= 360. */
 export function wrapped(angle) {
-  if (angle === null) return null;
+  if (angle === null || angle === undefined) return null;
   const turned = ((((angle + 360) % 720) + 720) % 720) - 360;
   return turned === -360 ? 360 : turned;
 }
 
 /** "20° after firing TDC" */
 export function angleInWords(degrees) {
-  if (degrees === null || !Number.isFinite(degrees)) return 'at no single angle';
+  if (!Number.isFinite(degrees ?? NaN)) return 'at an angle not known';
   const a = wrapped(degrees);
   const size = `${angle(Math.abs(a))}°`;
   if (a === 0) return 'at firing TDC';
