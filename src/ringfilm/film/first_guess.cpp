@@ -1,0 +1,64 @@
+#include "ringfilm/film/first_guess.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ringfilm/film/film_solver.hpp"
+
+namespace ringfilm::film {
+namespace {
+
+constexpr double kSliderLoad = 0.16;  // W h^2/(eta U b^2) of the best plane slider
+constexpr int kCoarsest = 16;         // cells of the grid on which a first guess starts
+
+/// Edge pressures joined linearly, h_m as a plane slider or the asperities would have it.
+FilmState coarse_guess(const FilmProblem& problem, const FilmInputs& inputs) {
+  const int n = problem.grid.n_cells();
+  const double p_mean = inputs.mean_pressure(problem.grid);
+  const double eta = problem.oil->viscosity(std::max(inputs.p_left, inputs.p_right));
+  FilmState state;
+  state.h_m = std::max(2 * problem.contact->parameters().sigma,
+                       std::sqrt(kSliderLoad * eta * std::abs(inputs.U) * problem.grid.width / p_mean));
+  for (int i = 0; i <= n; ++i) {
+    state.p.push_back(std::max(inputs.p_left + (inputs.p_right - inputs.p_left) * i / n, inputs.p_cavitation));
+  }
+  state.deficit.assign(n + 1, 0.0);
+  state.content.assign(n + 1, 0.0);
+  return state;
+}
+
+/// Every second cell.
+FilmProblem coarsened(const FilmProblem& problem) {
+  FilmProblem coarse = problem;
+  const int n = problem.grid.n_cells() / 2;
+  coarse.grid.dx = 2 * problem.grid.dx;
+  coarse.grid.node_height.clear();
+  coarse.grid.face_height.clear();
+  for (int i = 0; i <= n; ++i) coarse.grid.node_height.push_back(problem.grid.node_height[2 * i]);
+  for (int i = 0; i < n; ++i) coarse.grid.face_height.push_back(problem.grid.node_height[2 * i + 1]);
+  return coarse;
+}
+
+}  // namespace
+
+FilmState first_guess(const FilmProblem& problem, const FilmInputs& inputs) {
+  FilmState state = coarse_guess(problem, inputs);
+  const int n = problem.grid.n_cells();
+  if (n % 2 == 1 || n < 2 * kCoarsest) return state;
+  const FilmProblem coarse = coarsened(problem);
+  FilmWorkspace workspace(coarse);
+  FilmState solved = first_guess(coarse, inputs);
+  const FilmState before = solved;
+  if (!solve_film(coarse, inputs, before, solved, workspace).converged) return state;
+  state.h_m = solved.h_m;
+  for (int i = 0; i <= n; ++i) {
+    const int low = i / 2;
+    const int high = (i + 1) / 2;
+    state.p[i] = 0.5 * (solved.p[low] + solved.p[high]);
+    state.deficit[i] =
+        solved.deficit[low] > 0 && solved.deficit[high] > 0 ? 0.5 * (solved.deficit[low] + solved.deficit[high]) : 0.0;
+  }
+  return state;
+}
+
+}  // namespace ringfilm::film
