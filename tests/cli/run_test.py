@@ -121,6 +121,7 @@ class Run(program.ProgramTest):
             self.assertAlmostEqual(film * 1e6, data.min_film_thickness.sel(crank_angle=20).item() * 1e6, places=3)
             self.assertIn("engine.bore", data.input_key.values.tolist())
             self.assertEqual(data.attrs["title"], "a small case")
+            self.assertEqual(data.attrs["Conventions"], "CF-1.10")
             self.assertRegex(data.attrs["commit"], "^(unknown|[0-9a-f]{7,}.*)$")
             self.assertGreater(data.sizes["ledger_variant"], 0)
             trace = data.file_role.values.tolist().index("gas.cylinder_pressure")

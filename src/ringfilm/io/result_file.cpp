@@ -80,7 +80,7 @@ void write_result(const std::string& path, const ResultDocument& document) {
   AsideFile aside(path);
   {
     ResultFileWriter file(aside.path(), path);
-    file.attribute("Conventions", kConventions);
+    file.attribute("Conventions", std::string(kConventions));
     file.attribute("ringfilm_schema", kResultSchema);
     const VariantTable variants = variant_table(document.ledger);
     exchange(file, document, variants.rows, variants.values);
