@@ -112,6 +112,21 @@ TEST(Oil, UnderPressureFollowsThePapersProductForm) {
   }
 }
 
+TEST(Oil, KeepsToRoelandsLawWhereItsSeriesEndsAndBeyond) {
+  // From mild to far stiffer than any engine oil; inside, at the ends of and outside 0 to 30 MPa.
+  for (const double Z : {0.1, 0.45, 0.9, 2.0}) {
+    for (const double eta_T : {1e-3, 5e-3, 1.0}) {
+      const auto oil = closed_form_oil(eta_T, 800, Z, DowsonHigginson{});
+      for (const double p : {-1e5, -1e-3, 0.0, 1e-3, 1e5, 4e6, 1.5e7, 2.6e7, 3e7 - 1, 3e7, 3e7 + 1, 1e8, 1e9}) {
+        const double exponent = (std::log(eta_T) + 9.67) * (std::pow(1 + p / 1.98e8, Z) - 1);
+        // Rounding of exponents of up to 400, and of the series' 13 terms.
+        EXPECT_NEAR(oil->viscosity(p) / (eta_T * std::exp(exponent)), 1, 1e-14 * (2 + std::abs(exponent)))
+            << Z << " " << p;
+      }
+    }
+  }
+}
+
 TEST(Oil, WithoutPressureLawsIsConstant) {
   auto laws = paper_oil();
   laws.viscosity_pressure_law = ViscosityPressureLaw::kNone;
