@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/sampling.hpp"
@@ -53,10 +52,9 @@ void Recorder::keep(const March& march, const Instant& instant, std::optional<Sa
       film::film_integrals(march.problem(), instant.inputs, *instant.previous, *instant.state);
   slot = sample(setup_, march, instant, integrals);
   max_load_residual_ = std::max(max_load_residual_, slot->load_residual);
+  largest_flow_ = std::max(largest_flow_, std::abs(integrals.flow_middle));
   if (march.problem().cavitation == film::Cavitation::kMassConserving) {
-    const double through = std::abs(integrals.flow_left) + std::abs(integrals.flow_right) +
-                           std::abs(integrals.flow_middle) + std::numeric_limits<double>::min();
-    max_mass_residual_ = std::max(max_mass_residual_, std::abs(integrals.mass_defect) / through);
+    largest_mass_defect_ = std::max(largest_mass_defect_, std::abs(integrals.mass_defect));
   }
   const double beyond = integrals.asperity_load_beyond_polynomial;
   if (setup_.input.contact.integrals == ContactIntegrals::kPolynomialAsPrinted && beyond > 0) {
@@ -129,7 +127,7 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
                    totals.fallback_sub_step,
                    max_load_residual_,
                    totals.max_newton_step,
-                   max_mass_residual_};
+                   largest_flow_ > 0 ? largest_mass_defect_ / largest_flow_ : 0.0};
   result.notes = setup_.notes;
   append_validity_notes(setup_, base, {polynomial_steps_, polynomial_share_}, result.notes);
   append_effort_notes(result.effort, result.notes);

@@ -35,7 +35,8 @@ class Recorder {
   std::map<double, std::optional<Sample>> between_;  ///< angles asked for that are no base angles
   std::vector<double> wanted_deg_;                   ///< of the samples that go out
   std::map<double, FaceFields> fields_;              ///< one angle each
-  double max_load_residual_ = 0, max_mass_residual_ = 0;
+  double max_load_residual_ = 0;
+  double largest_mass_defect_ = 0, largest_flow_ = 0;  ///< [kg/(m s)]
   long polynomial_steps_ = 0;
   double polynomial_share_ = 0;
 };

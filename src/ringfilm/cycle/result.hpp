@@ -98,7 +98,8 @@ struct Effort {
   long fallback_secant = 0, fallback_sub_step = 0;
   double max_load_residual = 0;  ///< |W_h + W_a - W|/W [-]
   double max_newton_step = 0;    ///< last relative Newton step accepted, worst of the cycle [-]
-  double max_mass_residual = 0;  ///< mass balance of the film per step, relative to the larger edge flux scale [-]
+  double max_mass_residual =
+      0;  ///< worst mass balance of a step, relative to the largest flow at the middle section [-]
 };
 
 struct CycleResult {

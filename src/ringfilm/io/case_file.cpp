@@ -38,7 +38,6 @@ class Reader {
       sort_faults();
       throw InputError(tree_.faults);
     }
-    write_notes();
     return std::move(case_);
   }
 
@@ -199,13 +198,6 @@ class Reader {
     };
     std::stable_sort(tree_.faults.begin(), tree_.faults.end(),
                      [&](const Fault& a, const Fault& b) { return rank(a) < rank(b); });
-  }
-
-  void write_notes() {
-    if (case_.gas.model == cycle::GasModel::kTrace && case_.gas.trace_origin == cycle::TraceOrigin::kSynthetic) {
-      case_.notes.push_back("the cylinder pressure in " + case_.gas.cylinder_pressure_file +
-                            " is SYNTHETIC: computed, not measured");
-    }
   }
 
   CaseTree tree_;

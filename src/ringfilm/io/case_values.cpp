@@ -200,7 +200,9 @@ class Setter {
   std::vector<double> angles() {
     std::vector<double> angles;
     for (const TomlValue& item : list("a list of crank angles")) {
-      const auto angle = plain_quantity(item, "degree", "[\"0 degree\", \"20 degree\"]");
+      // The one place where a bare number has a unit: crank angles are degrees on every axis and in every file.
+      const auto angle = is_number(item) ? plain_quantity(item, "1", "20")
+                                         : plain_quantity(item, "degree", "[\"0 degree\", \"20 degree\"]");
       if (!angle) continue;
       if (std::abs(*angle) > 720) {
         refuse(item, "is more than a cycle", "angles from -360 to 360 or from 0 to 720 degree are wanted here");

@@ -72,16 +72,18 @@ TEST(March, AnglesOffTheStepGridAreSolvedWithoutChangingTheOthers) {
 TEST(March, MassIsKeptFromStepToStepAndOverTheCycle) {
   Case c = styles_new_ring();
   c.film.cavitation = Cavitation::kMassConserving;
-  c.solver.tolerance = 1e-14;
+  c.solver.tolerance = 1e-12;
   const CycleResult result = simulated(c);
-  // What one cycle takes in at one edge it gives at the other; seen 2e-11 of the mean absolute flow.
+  // Round-off: the storage of a step is the difference of contents 1e3 times as large. Seen 1.9e-12 a step.
+  EXPECT_LT(result.effort.max_mass_residual, 2e-11);
+  // What one cycle takes in at one edge it gives at the other. Seen 3e-15 of the mean absolute flow.
   double chamber = 0, crankcase = 0, scale = 0;
   for (const Sample& s : result.samples) {
     chamber += s.oil_flow_chamber_edge;
     crankcase += s.oil_flow_crankcase_edge;
     scale += std::abs(s.oil_flow_middle);
   }
-  EXPECT_NEAR((chamber - crankcase) / scale, 0, 1e-8);
+  EXPECT_NEAR((chamber - crankcase) / scale, 0, 1e-13);
 }
 
 TEST(March, LiteralOrientationTurnsTheRingAtEveryReversal) {

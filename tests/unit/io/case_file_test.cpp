@@ -173,8 +173,8 @@ INSTANTIATE_TEST_SUITE_P(
                 [] { return with_more(&CaseText::more, "[solver]\ncrank_step = \"0.7 degree\"\n"); },
                 {"solver.crank_step = 0.7 degree does not divide the cycle"}},
         Mistake{"AngleWithoutUnit",
-                [] { return with_more(&CaseText::more, "[output]\nfields = [20]\n"); },
-                {"case.toml:28:11: output.fields = 20 has no unit", "an angle is wanted"}},
+                [] { return with_more(&CaseText::more, "[output]\ncrank_angles = 1\n"); },
+                {"case.toml:28:16: output.crank_angles = 1 has no unit", "an angle is wanted"}},
         Mistake{"AngleTwice",
                 [] { return with_more(&CaseText::more, "[output]\nfields = [\"-20 degree\", \"700 degree\"]\n"); },
                 {"has the angle 700 degree twice"}},
@@ -318,9 +318,9 @@ TEST(CaseFile, RefusesAnOilTableWithHoles) {
   EXPECT_THAT(folder.faults(), HasSubstr("the table has 3 rows for 2 temperatures and 2 pressures"));
 }
 
-TEST(CaseFile, WrapsAnglesIntoTheCycle) {
+TEST(CaseFile, WrapsAnglesIntoTheCycleAndTakesBareOnesInListsAsDegrees) {
   CaseText text;
-  text.more = "[output]\ncrank_angles = [\"20 degree\", \"-20 degree\", \"720 degree\"]\nfields = [\"-90 degree\"]\n";
+  text.more = "[output]\ncrank_angles = [\"20 degree\", -20, \"720 degree\"]\nfields = [\"-90 degree\"]\n";
   const cycle::Case c = CaseFolder(text).read();
   EXPECT_THAT(c.output.crank_angles_deg, ::testing::ElementsAre(0, 20, 700));
   EXPECT_THAT(c.output.field_angles_deg, ::testing::ElementsAre(630));
