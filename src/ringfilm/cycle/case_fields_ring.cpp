@@ -53,7 +53,9 @@ void append_ring_fields(std::vector<Field>& fields) {
           field("ring.face.height_zero",
                 choice<&Case::ring, &Ring::face, &RingFace::height_zero>({"minimum", "as-given"}), kNoUnit, {},
                 Need::kDefault, {},
-                {"take the lowest height off, so that the film is the true minimum gap, or leave it", "\"minimum\""}),
+                {"zero of the stored face heights: their lowest point or the input's own; the film is the true gap in "
+                 "both",
+                 "\"minimum\""}),
           field(
               "ring.face.orientation",
               choice<&Case::ring, &Ring::face, &RingFace::orientation>({"x0-chamber", "x0-crankcase", "leading-edge"}),

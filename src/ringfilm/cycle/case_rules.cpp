@@ -23,6 +23,22 @@ bool divides_cycle(double step_deg) {
   return std::abs(steps - std::round(steps)) <= 1e-9 * steps;
 }
 
+/// Fields of this many values are 80 MB each, five of them in a file.
+constexpr double kMostFieldValues = 1e7;
+
+void check_field_size(const Case& c, Breaches& breaches) {
+  const Output& output = c.output;
+  if (output.fields == FieldsWanted::kNone) return;
+  const double all = output.crank_angles_deg.empty() ? kCycleDeg / output.crank_angle_step_deg
+                                                     : static_cast<double>(output.crank_angles_deg.size());
+  const double angles = output.fields == FieldsWanted::kAll ? all : static_cast<double>(output.field_angles_deg.size());
+  if (angles * c.solver.cells <= kMostFieldValues) return;
+  breaches.push_back({"output.fields",
+                      "output.fields asks for " + number(angles) + " angles on " + number(c.solver.cells) +
+                          " cells, more than " + number(kMostFieldValues) + " values a field",
+                      "list the angles that matter, for example [\"0 degree\", \"20 degree\"]"});
+}
+
 void check_engine(const Case& c, Breaches& breaches) {
   if (c.engine.connecting_rod_length > c.engine.stroke / 2) return;
   breaches.push_back({"engine.connecting_rod_length",
@@ -153,6 +169,7 @@ void check_angles(const Case& c, Breaches& breaches) {
     breaches.push_back({"solver.crank_step", "solver.crank_step asks for more than 72000 steps",
                         "the finest step is \"0.01 degree\""});
   }
+  check_field_size(c, breaches);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
@@ -116,7 +117,8 @@ double March::time_error(const film::FilmState& to, double time_step) const {
     content += std::abs(to.content[i] - predicted);
     total += to.content[i];
   }
-  return share * std::max(film / kFilmError, content / total / kContentError);
+  const double error = share * std::max(film / kFilmError, content / total / kContentError);
+  return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
 }
 
 void March::start(int k) {
@@ -133,7 +135,7 @@ void March::start(int k) {
   instant_ = {wrapped(angle_deg_), at.axis, at.inputs, &before_, &state_, effort_};
 }
 
-void March::advance(const Interval& before_commit) {
+void March::advance(Waypoints& waypoints) {
   const double base_deg = setup_.input.solver.crank_step_deg;
   const double omega = setup_.input.operating.speed;
   const bool adaptive = setup_.input.solver.crank_step_control == StepControl::kAdaptive;
@@ -159,7 +161,7 @@ void March::advance(const Interval& before_commit) {
       ++level_;
       continue;
     }
-    before_commit(from, to);
+    waypoints.before_step(*this, from, to);
     before_ = std::exchange(state_, candidate_);
     time_step_before_ = time_step;
     angle_deg_ = to;
@@ -167,8 +169,10 @@ void March::advance(const Interval& before_commit) {
     ++effort_.steps;
     ++totals_.crank_steps;
     totals_.sub_steps += ticks < kTicks;
+    totals_.uncontrolled_steps += adaptive && error > 1;
     totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
     instant_ = {wrapped(to), at.axis, at.inputs, &before_, &state_, effort_};
+    waypoints.after_step(*this);
     if (adaptive && level_ > 0 && error < kCoarsenBelow && tick % (2 * ticks) == 0) --level_;
   }
   k_ = (k_ + 1) % steps_per_cycle(setup_.input.solver);
@@ -176,11 +180,20 @@ void March::advance(const Interval& before_commit) {
 }
 
 Instant March::side_step(double crank_angle_deg, film::FilmState& to) {
-  const double time_step = radians(crank_angle_deg - angle_deg_) / setup_.input.operating.speed;
+  film::FilmReport report;
   Boundary at;
-  const film::FilmReport report = step_to(crank_angle_deg, time_step, to, at);
+  for (int parts = 1; parts <= kTicks && !report.converged; parts *= 4) {
+    const double part_deg = (crank_angle_deg - angle_deg_) / parts;
+    to = state_;
+    for (int part = 1; part <= parts; ++part) {
+      side_before_ = to;
+      at = boundary(angle_deg_ + part * part_deg, radians(part_deg) / setup_.input.operating.speed);
+      report = film::solve_film(problem_, at.inputs, side_before_, to, workspace_);
+      if (!report.converged) break;
+    }
+  }
   if (!report.converged) throw no_balance(at.inputs, report, crank_angle_deg);
-  return {wrapped(crank_angle_deg), at.axis, at.inputs, &state_, &to, {1, report.iterations, 0}};
+  return {wrapped(crank_angle_deg), at.axis, at.inputs, &side_before_, &to, {1, report.iterations, 0}};
 }
 
 double March::distance(const film::FilmState& other) const {

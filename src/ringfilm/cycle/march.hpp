@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <string>
 
 #include "ringfilm/cycle/kinematics.hpp"
@@ -31,22 +30,31 @@ struct Instant {
   StepEffort effort;
 };
 
+class March;
+
+/// Told of every accepted step.
+class Waypoints {
+ public:
+  virtual ~Waypoints() = default;
+  /// The march stands at `from_deg` and will step to `to_deg`.
+  virtual void before_step(March& march, double from_deg, double to_deg) = 0;
+  /// The march stands at the end of the step.
+  virtual void after_step(const March& march) = 0;
+};
+
 /// Advances the film from one base crank angle to the next, with shorter steps where the film asks for them.
 class March {
  public:
-  /// Called once per accepted step with its two angles, while the march still stands at the first.
-  using Interval = std::function<void(double from_deg, double to_deg)>;
-
   explicit March(const Setup& setup);
 
   /// A steady film at the base angle k. Throws ConvergenceError.
   void start(int k);
 
   /// To the next base angle. Throws ConvergenceError with the state left at the last good angle.
-  void advance(const Interval& before_commit);
+  void advance(Waypoints& waypoints);
 
-  /// A film at `crank_angle_deg`, solved from where the march stands without moving it. Throws ConvergenceError.
-  /// `to` receives the film; the Instant refers to it and to the march's own state.
+  /// A film at `crank_angle_deg`, solved from where the march stands without moving it, in up to 64 steps. Throws
+  /// ConvergenceError. `to` receives the film; the Instant refers to it and to memory of the march.
   Instant side_step(double crank_angle_deg, film::FilmState& to);
 
   /// Where the march stands.
@@ -60,6 +68,7 @@ class March {
   struct Totals {
     long crank_steps = 0, newton_iterations = 0, sub_steps = 0;
     long fallback_secant = 0, fallback_sub_step = 0;
+    long uncontrolled_steps = 0;  ///< accepted at the finest level although their error in time is over the limit
     double max_newton_step = 0;
   };
   const Totals& totals() const { return totals_; }
@@ -78,7 +87,7 @@ class March {
   const Setup& setup_;
   film::FilmProblem problem_;
   film::FilmWorkspace workspace_;
-  film::FilmState state_, before_, candidate_;
+  film::FilmState state_, before_, candidate_, side_before_;
   double time_step_before_ = 0;  ///< 0: no history
   int k_ = 0;                    ///< base angle where the march stands
   double angle_deg_ = 0;         ///< the same as an angle, within a base step too

@@ -34,8 +34,10 @@ models::OilLaws oil_laws(const Lubricant& oil) {
   laws.viscosity_temperature = temperatures(oil.kinematic_viscosity);
   laws.kinematic_viscosity = values(oil.kinematic_viscosity);
   laws.density = {temperatures(oil.density), values(oil.density),
-                  oil.density_temperature == DensityTemperature::kThermalExpansivity, oil.thermal_expansivity,
-                  oil.reference_temperature};
+                  oil.density_temperature == DensityTemperature::kTable
+                      ? models::DensityTemperatureLaw::kTable
+                      : models::DensityTemperatureLaw::kThermalExpansivity,
+                  oil.thermal_expansivity, oil.reference_temperature};
   laws.viscosity_temperature_law = oil.viscosity_temperature == ViscosityTemperature::kWalther
                                        ? models::ViscosityTemperatureLaw::kWalther
                                        : models::ViscosityTemperatureLaw::kHoupert;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/sampling.hpp"
@@ -30,21 +31,18 @@ Recorder::Recorder(const Setup& setup)
       step_deg_(setup.input.solver.crank_step_deg),
       base_(steps_per_cycle(setup.input.solver)),
       wanted_deg_(wanted_angles(setup.input.output)) {
-  std::vector<double> angles = wanted_deg_;
-  if (setup.input.output.fields == FieldsWanted::kListed) {
-    angles.insert(angles.end(), setup.input.output.field_angles_deg.begin(), setup.input.output.field_angles_deg.end());
-  }
-  for (const double angle : angles) {
-    if (!is_multiple(angle, step_deg_)) between_[angle] = std::nullopt;
+  if (setup.input.output.fields == FieldsWanted::kAll) field_deg_ = wanted_deg_;
+  if (setup.input.output.fields == FieldsWanted::kListed) field_deg_ = setup.input.output.field_angles_deg;
+  for (const auto& angles : {wanted_deg_, field_deg_}) {
+    for (const double angle : angles) {
+      if (!is_multiple(angle, step_deg_)) between_[angle] = std::nullopt;
+    }
   }
 }
 
 bool Recorder::wants_fields(double crank_angle_deg) const {
-  const Output& output = setup_.input.output;
-  if (output.fields == FieldsWanted::kNone) return false;
-  const auto& angles = output.fields == FieldsWanted::kAll ? wanted_deg_ : output.field_angles_deg;
-  return std::any_of(angles.begin(), angles.end(),
-                     [&](double angle) { return std::abs(angle - crank_angle_deg) < kSameAngle; });
+  const auto next = std::lower_bound(field_deg_.begin(), field_deg_.end(), crank_angle_deg - kSameAngle);
+  return next != field_deg_.end() && *next < crank_angle_deg + kSameAngle;
 }
 
 void Recorder::keep(const March& march, const Instant& instant, std::optional<Sample>& slot) {
@@ -68,22 +66,29 @@ void Recorder::keep(const March& march, const Instant& instant, std::optional<Sa
   }
 }
 
-void Recorder::record_base(const March& march) {
-  const auto k = static_cast<std::size_t>(std::lround(march.instant().crank_angle_deg / step_deg_)) % base_.size();
-  Instant instant = march.instant();
-  instant.crank_angle_deg = static_cast<double>(k) * step_deg_;
-  keep(march, instant, base_[k]);
-}
-
-void Recorder::record_between(March& march, double from_deg, double to_deg) {
-  if (between_.empty()) return;
+void Recorder::before_step(March& march, double from_deg, double to_deg) {
   const double turn = kCycleDeg * std::floor(from_deg / kCycleDeg);
-  for (auto it = between_.upper_bound(from_deg - turn); it != between_.end() && it->first < to_deg - turn; ++it) {
+  const double end = to_deg - turn - kSameAngle;
+  for (auto it = between_.upper_bound(from_deg - turn + kSameAngle); it != between_.end() && it->first < end; ++it) {
     film::FilmState state;
     Instant instant = march.side_step(turn + it->first, state);
     instant.crank_angle_deg = it->first;
     keep(march, instant, it->second);
   }
+}
+
+void Recorder::after_step(const March& march) {
+  Instant instant = march.instant();
+  if (is_multiple(instant.crank_angle_deg, step_deg_)) {
+    const auto k = static_cast<std::size_t>(std::lround(instant.crank_angle_deg / step_deg_)) % base_.size();
+    instant.crank_angle_deg = static_cast<double>(k) * step_deg_;
+    keep(march, instant, base_[k]);
+    return;
+  }
+  const auto asked = between_.lower_bound(instant.crank_angle_deg - kSameAngle);
+  if (asked == between_.end() || asked->first > instant.crank_angle_deg + kSameAngle) return;
+  instant.crank_angle_deg = asked->first;
+  keep(march, instant, asked->second);
 }
 
 CycleResult Recorder::result(const March& march, double periodicity_error, int steps_marched,
@@ -95,6 +100,7 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
     const auto& slot = between != between_.end()
                            ? between->second
                            : base_[static_cast<std::size_t>(std::lround(angle / step_deg_)) % base_.size()];
+    if (!slot && result.complete) throw std::logic_error("an angle asked for was never passed");
     if (slot) result.samples.push_back(*slot);
   }
   result.fields = empty_fields(setup_, march);
@@ -130,7 +136,7 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
                    largest_flow_ > 0 ? largest_mass_defect_ / largest_flow_ : 0.0};
   result.notes = setup_.notes;
   append_validity_notes(setup_, base, {polynomial_steps_, polynomial_share_}, result.notes);
-  append_effort_notes(result.effort, result.notes);
+  append_effort_notes(result.effort, totals.uncontrolled_steps, result.notes);
   return result;
 }
 

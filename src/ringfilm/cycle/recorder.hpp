@@ -12,15 +12,15 @@ enum class Completeness { kComplete, kStopped };
 
 /// Keeps what the march passes: all base angles for the cycle values, the angles asked for, the fields asked for.
 /// An angle that is passed again replaces what was kept.
-class Recorder {
+class Recorder : public Waypoints {
  public:
   explicit Recorder(const Setup& setup);
 
-  /// The march stands at a base angle.
-  void record_base(const March& march);
+  /// Angles asked for inside the step are solved on the side.
+  void before_step(March& march, double from_deg, double to_deg) override;
 
-  /// The march is about to go from one angle to the next: angles asked for in between are solved on the side.
-  void record_between(March& march, double from_deg, double to_deg);
+  /// Keeps the instant if it is a base angle or one asked for.
+  void after_step(const March& march) override;
 
   /// What one cycle gave; `steps_marched` base steps were needed.
   CycleResult result(const March& march, double periodicity_error, int steps_marched, Completeness completeness) const;
@@ -33,7 +33,8 @@ class Recorder {
   double step_deg_;
   std::vector<std::optional<Sample>> base_;
   std::map<double, std::optional<Sample>> between_;  ///< angles asked for that are no base angles
-  std::vector<double> wanted_deg_;                   ///< of the samples that go out
+  std::vector<double> wanted_deg_;                   ///< of the samples that go out, increasing
+  std::vector<double> field_deg_;                    ///< of the fields that go out, increasing
   std::map<double, FaceFields> fields_;              ///< one angle each
   double max_load_residual_ = 0;
   double largest_mass_defect_ = 0, largest_flow_ = 0;  ///< [kg/(m s)]

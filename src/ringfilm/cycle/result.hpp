@@ -9,7 +9,9 @@
 namespace ringfilm::cycle {
 
 /// Everything at one crank angle. SI; loads, friction and flow for the whole circumference (pi x bore).
-/// Signs: velocity and signed friction positive towards TDC, oil flow positive from chamber to crankcase.
+/// Signs: velocity and friction on the liner positive towards TDC; `viscous_friction_ring` is the shear at the ring in
+/// the same sense of motion, so that the force on the ring itself is its opposite; oil flow positive from chamber to
+/// crankcase.
 struct Sample {
   double crank_angle_deg = 0;
   double piston_position = 0, piston_velocity = 0, sliding_distance = 0;
@@ -107,10 +109,10 @@ struct CycleResult {
   CycleValues values;           ///< from the whole march, whatever was asked for
   FaceFields fields;
   StrokeProfile stroke;
-  std::map<std::string, double> derived;  ///< E_prime, elastic_pressure, viscosity, ... [SI]; see derived_quantities()
+  std::map<std::string, double> derived;  ///< composite_modulus, elastic_pressure, ... [SI]; see derived_quantities()
   std::vector<Note> notes;
   Effort effort;
-  bool complete = true;  ///< false: the march stopped early and `samples` end at the last good angle
+  bool complete = true;  ///< false: the march stopped; `samples` are those that it had passed
 };
 
 /// Constants that follow from the case before anything is marched (keys of CycleResult::derived).

@@ -31,7 +31,7 @@ models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c
 models::CyclePressure cylinder_pressure(const Case& c) {
   if (c.gas.model == GasModel::kTrace) return absolute_trace(c, c.gas.cylinder_pressure);
   const Gas& g = c.gas;
-  return models::wiebe_pressure({crank_slider(c), c.engine.bore, g.compression_ratio, g.peak_pressure, g.peak_angle_deg,
+  return models::wiebe_pressure({crank_slider(c), g.compression_ratio, g.peak_pressure, g.peak_angle_deg,
                                  g.burn_duration_deg, g.intake_pressure.value_or(Gas::kWiebeIntakePressure),
                                  g.exhaust_pressure.value_or(Gas::kWiebeExhaustPressure), g.exhaust_valve_opening_deg,
                                  g.exhaust_valve_closing_deg, g.intake_valve_opening_deg, g.intake_valve_closing_deg});

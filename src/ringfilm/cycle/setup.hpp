@@ -25,7 +25,7 @@ struct Setup {
   double sigma;                              ///< composite roughness as the contact model uses it [m]
   models::GreenwoodTripp contact;
   std::shared_ptr<const models::OilAtTemperature> oil;
-  double oil_viscosity;     ///< at the oil temperature and 1 atm [Pa s]
+  double oil_viscosity;     ///< at the oil temperature, no pressure [Pa s]
   double oil_density;       ///< [kg/m3]
   std::vector<Note> notes;  ///< what was found out on the way (extrapolated density, ...)
 

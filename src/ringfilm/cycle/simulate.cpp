@@ -40,8 +40,7 @@ CycleResult simulate(const Setup& setup, Observer* observer) {
     int k = static_cast<int>(std::lround(kStartAngleDeg / step_deg)) % n_steps;
     march.start(k);
     while (marched < kMostCycles * n_steps) {
-      march.advance([&](double from_deg, double to_deg) { recorder.record_between(march, from_deg, to_deg); });
-      recorder.record_base(march);
+      march.advance(recorder);
       k = (k + 1) % n_steps;
       ++marched;
       if (observer != nullptr) observer->advanced(1 + (marched - 1) / n_steps, k * step_deg);

@@ -27,6 +27,33 @@ long count(const std::vector<Sample>& base, Condition condition) {
   return std::count_if(base.begin(), base.end(), condition);
 }
 
+/// A face this steep is no ring: units are mixed up, or a polynomial is used beyond the width to which it was fitted.
+constexpr double kSteepestFace = 0.1;  // height over width
+
+void append_face_note(const Setup& setup, std::vector<Note>& notes) {
+  const double width = setup.input.ring.face_width;
+  const double rise = std::max(setup.face.height(0), setup.face.height(width)) - setup.face.minimum().height;
+  if (rise <= kSteepestFace * width) return;
+  notes.push_back({"face-too-steep",
+                   text("the face rises to %.4g mm on a width of %.4g mm: is it used beyond the width to which it was "
+                        "fitted, or with other units?",
+                        rise * 1e3, width * 1e3),
+                   1});
+}
+
+void append_oil_table_note(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
+  if (!setup.input.lubricant.table_file) return;
+  const double highest = setup.input.lubricant.table.pressure.back();
+  const auto beyond = [&](const Sample& s) { return s.peak_film_pressure > highest; };
+  const long steps = count(base, beyond);
+  if (steps == 0) return;
+  notes.push_back(
+      {"oil-table-left",
+       text("film pressures go beyond the %.4g bar at which the oil table ends: its last slopes are continued",
+            highest / 1e5),
+       steps});
+}
+
 double shear_rate(const Sample& s) {
   return (s.piston_velocity < 0 ? -s.piston_velocity : s.piston_velocity) / s.min_film_thickness;
 }
@@ -65,6 +92,8 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
   if (setup.input.gas.model == GasModel::kTrace && setup.input.gas.trace_origin == TraceOrigin::kSynthetic) {
     notes.push_back({"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
   }
+  append_face_note(setup, notes);
+  append_oil_table_note(setup, base, notes);
   if (polynomial.steps > 0) {
     notes.push_back({"polynomial-beyond-range",
                      text("the F5/2 polynomial as printed rises again beyond a film parameter of 1.911: up to %.0f %% "
@@ -74,7 +103,13 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
   }
 }
 
-void append_effort_notes(const Effort& effort, std::vector<Note>& notes) {
+void append_effort_notes(const Effort& effort, long uncontrolled_steps, std::vector<Note>& notes) {
+  if (uncontrolled_steps > 0) {
+    notes.push_back({"step-control-at-its-limit",
+                     "steps of 1/64 of the crank step whose error in time is still over the limit: a shorter "
+                     "solver.crank_step controls them",
+                     uncontrolled_steps});
+  }
   if (effort.fallback_secant > 0) {
     notes.push_back({"bracketed-search", "steps on which Newton's method failed and a bracketed search solved the film",
                      effort.fallback_secant});

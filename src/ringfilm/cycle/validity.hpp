@@ -17,6 +17,7 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
                            std::vector<Note>& notes);
 
 /// Notes on remedies that the solver had to use.
-void append_effort_notes(const Effort& effort, std::vector<Note>& notes);
+/// @param uncontrolled_steps accepted at the finest step although their error in time is over the limit
+void append_effort_notes(const Effort& effort, long uncontrolled_steps, std::vector<Note>& notes);
 
 }  // namespace ringfilm::cycle

@@ -55,7 +55,8 @@ KinkedUpdate::Outcome KinkedUpdate::apply(std::vector<double>& z, const std::vec
       }
       after = beyond;
     }
-    outcome.largest = std::max(outcome.largest, std::abs(after - before) / std::max(scale, -after));
+    const double change = std::abs(after - before) / std::max(scale, -after);
+    if (std::isnan(change) || change > outcome.largest) outcome.largest = change;  // NaN stays
     z[i] = after;
   }
   help_along(z, outcome, beyond);

@@ -62,7 +62,7 @@ class CoupledNewton {
       state_from_z(work_.z_, inputs_.p_cavitation, scale_, state_);
       ++report.iterations;
       report.last_step = std::max(outcome.largest, std::abs(d_ln_h));
-      if (!std::isfinite(report.last_step)) return false;
+      if (!std::isfinite(outcome.largest + d_ln_h + state_.h_m + excess)) return false;
       if (d_ln_h != 0 && (state_.h_m < kThinnest || state_.h_m > kThickest)) return false;
       if (outcome.to_film + outcome.to_cavity == 0 && report.last_step <= std::sqrt(problem_.tolerance)) {
         finish();
@@ -103,6 +103,7 @@ class CoupledNewton {
       excess_b = excess_at(b);
     }
     if (!solved) return false;
+    if (excess_b == 0) return true;
     if (a > b) {
       std::swap(a, b);
       std::swap(excess_a, excess_b);

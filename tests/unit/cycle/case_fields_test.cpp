@@ -218,6 +218,14 @@ TEST(CaseRules, AskForStepsThatMakeACycle) {
   EXPECT_THAT(blamed(c), Contains("solver.crank_step"));
 }
 
+TEST(CaseRules, RefuseFieldsThatWouldFillTheMemory) {
+  Case c = sound_case();
+  c.output.fields = FieldsWanted::kAll;
+  EXPECT_THAT(blamed(c), IsEmpty());
+  c.output.crank_angle_step_deg = 0.01;
+  EXPECT_THAT(blamed(c), Contains("output.fields"));
+}
+
 TEST(CaseRules, AskForValvesThatOpenBeforeTheyClose) {
   Case c = sound_case();
   c.gas.exhaust_valve_closing_deg = 100;

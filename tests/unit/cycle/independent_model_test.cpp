@@ -22,10 +22,11 @@ TEST(StylesIndependentModel, FilmFrictionAndFlowAgreeAtEveryDegree) {
     const double h = reference.at("hmin_m")[k];
     ASSERT_EQ(s.crank_angle_deg, reference.at("phi_deg")[k]);
     EXPECT_NEAR(s.min_film_thickness / h, 1, near_dead_centre(s.crank_angle_deg) ? 0.01 : 0.003) << s.crank_angle_deg;
-    EXPECT_NEAR(s.film_parameter / reference.at("lambda")[k], 1, 0.01) << s.crank_angle_deg;
+    EXPECT_NEAR(s.film_parameter / s.min_film_thickness, reference.at("lambda")[k] / h, 1e-6 / h) << s.crank_angle_deg;
     EXPECT_NEAR(s.friction_coefficient, reference.at("mu")[k], 0.001) << s.crank_angle_deg;
     EXPECT_NEAR(s.oil_flow_middle, reference.at("mdot_mid_kg_s")[k], 0.003 * peak_flow) << s.crank_angle_deg;
-    EXPECT_NEAR(s.hydrodynamic_load / reference.at("Wh_N")[k], 1, 0.01) << s.crank_angle_deg;
+    // Seen at 200 cells: loads 3e-4, viscous friction on the ring 3e-3 N.
+    EXPECT_NEAR(s.hydrodynamic_load / reference.at("Wh_N")[k], 1, 0.003) << s.crank_angle_deg;
     EXPECT_NEAR(s.viscous_friction_ring, reference.at("fv_ring_N")[k], 0.01) << s.crank_angle_deg;
   }
   EXPECT_NEAR(result.values.mean_power_loss / 118.0419, 1, 0.005);

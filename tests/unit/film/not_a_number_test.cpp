@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "film_cases.hpp"
+
+namespace ringfilm::film::testing {
+namespace {
+
+TEST(FilmSolver, NotANumberIsNeverASolution) {
+  constexpr double b = 1.2e-3;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  SmoothFilm film(
+      50, b, [](double x) { return 8e-6 * std::pow(x / b - 0.4, 2); }, 0.005, Cavitation::kMassConserving);
+  FilmInputs sound;
+  sound.U = 6;
+  sound.p_left = sound.p_right = sound.p_cavitation = 1e5;
+  sound.load = 9e5 * b;
+  sound.time_step = 1e-4;
+  FilmWorkspace workspace(film.problem);
+  const FilmState start = steady_under_load(film.problem, sound, 1e-6).state;
+  const auto converges = [&](const FilmInputs& inputs, const FilmState& previous, const FilmState& guess) {
+    FilmState state = guess;
+    FilmState fixed = guess;
+    return solve_film(film.problem, inputs, previous, state, workspace).converged ||
+           solve_film_at_separation(film.problem, inputs, previous, fixed, workspace).converged;
+  };
+  ASSERT_TRUE(converges(sound, start, start));
+
+  FilmState broken = start;
+  broken.content[10] = nan;
+  EXPECT_FALSE(converges(sound, broken, start));
+  broken = start;
+  broken.p[10] = nan;
+  EXPECT_FALSE(converges(sound, start, broken));
+  broken = start;
+  broken.h_m = nan;
+  EXPECT_FALSE(converges(sound, start, broken));
+  for (const auto member : {&FilmInputs::U, &FilmInputs::p_left, &FilmInputs::p_cavitation}) {
+    FilmInputs inputs = sound;
+    inputs.*member = nan;
+    EXPECT_FALSE(converges(inputs, start, start));
+  }
+}
+
+}  // namespace
+}  // namespace ringfilm::film::testing
