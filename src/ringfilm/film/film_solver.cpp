@@ -148,18 +148,21 @@ class CoupledNewton {
   double load_excess(double* d_load_dh = nullptr) const {
     const FilmGrid& grid = problem_.grid;
     const int n = grid.n_cells();
-    double p_a = 0;
-    double dp_a = 0;
-    double sum = 0;
+    double sum = -0.5 * (state_.p.front() + state_.p.back());
+    for (const double p : state_.p) sum += p;
     double slope = 0;
-    if (problem_.contact_spread == ContactSpread::kNominal) problem_.contact->pressure(state_.h_m, p_a, dp_a);
-    for (int i = 0; i <= n; ++i) {
-      if (problem_.contact_spread == ContactSpread::kLocal) {
-        problem_.contact->pressure(state_.h_m + grid.node_height[i], p_a, dp_a);
-      }
-      const double weight = i == 0 || i == n ? 0.5 : 1.0;
-      sum += weight * (state_.p[i] + p_a);
+    const auto add_contact = [&](double h, double weight) {
+      if (h >= problem_.contact->reach()) return;
+      double p_a;
+      double dp_a;
+      problem_.contact->pressure(h, p_a, dp_a);
+      sum += weight * p_a;
       slope += weight * dp_a;
+    };
+    if (problem_.contact_spread == ContactSpread::kNominal) {
+      add_contact(state_.h_m, n);
+    } else {
+      for (int i = 0; i <= n; ++i) add_contact(state_.h_m + grid.node_height[i], i == 0 || i == n ? 0.5 : 1.0);
     }
     if (d_load_dh != nullptr) *d_load_dh = slope * grid.dx;
     return sum * grid.dx - inputs_.load;

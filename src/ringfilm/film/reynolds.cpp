@@ -18,10 +18,7 @@ struct NodeView {
 };
 
 NodeView node_view(const FilmProblem& problem, const FilmState& state, const NodalOil& oil, int i) {
-  const double K = oil.rho[i] / oil.eta[i];
-  return {state.p[i], fill(problem.cavitation, state.deficit[i]),
-          oil.rho[i], oil.drho_dp[i],
-          K,          oil.drho_dp[i] / oil.eta[i] - K * oil.deta_dp[i] / oil.eta[i]};
+  return {state.p[i], fill(problem.cavitation, state.deficit[i]), oil.rho[i], oil.drho_dp[i], oil.K[i], oil.dK_dp[i]};
 }
 
 FaceFlux face_flux(double U, double h, double dx, const NodeView& left, const NodeView& right) {
@@ -51,6 +48,13 @@ void NodalOil::update(const models::OilAtTemperature& oil, const std::vector<dou
   eta.resize(p.size());
   deta_dp.resize(p.size());
   oil.properties(p, {rho, drho_dp, eta, deta_dp});
+  K.resize(p.size());
+  dK_dp.resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double fluidity = 1 / eta[i];
+    K[i] = rho[i] * fluidity;
+    dK_dp[i] = (drho_dp[i] - K[i] * deta_dp[i]) * fluidity;
+  }
 }
 
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i) {

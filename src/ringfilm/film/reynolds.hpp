@@ -8,9 +8,10 @@
 /// at cell faces, Couette flux with the fill taken upstream, backward Euler. Knows no load.
 namespace ringfilm::film {
 
-/// Oil at the nodes for the pressures of a state; K = rho/eta. (Arrays of n+1.)
+/// Oil at the nodes for the pressures of a state. (Arrays of n+1.)
 struct NodalOil {
   std::vector<double> rho, drho_dp, eta, deta_dp;
+  std::vector<double> K, dK_dp;  ///< rho/eta and its slope [s/m2], [s/(m2 Pa)]
   void update(const models::OilAtTemperature& oil, const std::vector<double>& p);
 };
 
