@@ -55,7 +55,6 @@ std::vector<CyclePressure> all_gases() {
   return {CyclePressure(1e5), CyclePressure({0, 20, 100, 400}, {20e5, 62e5, 8e5, 1e5}),
           join_partial_trace(angle, pressure, 1.6e5, 2e5),
           wiebe_pressure({.crank = {0.03975, 0.1381},
-                          .bore = 0.089,
                           .compression_ratio = 10.5,
                           .peak_pressure = 62e5,
                           .peak_angle_deg = 20,

@@ -116,6 +116,7 @@ ValueAndSlope polynomial(const std::vector<double>& packed, double lambda) {
 }
 
 ValueAndSlope integral(ContactIntegralForm form, const std::vector<double>& coefficients, double lambda) {
+  if (std::isnan(lambda)) return {lambda, lambda};  // else it would pick no piece, or pass for "no contact"
   const double inside = std::max(lambda, 0.0);
   auto F = form == ContactIntegralForm::kExact ? exact(coefficients, inside) : polynomial(coefficients, inside);
   F.value += F.slope * (lambda - inside);

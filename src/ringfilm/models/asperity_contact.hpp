@@ -31,7 +31,7 @@ class GreenwoodTripp {
   };
   Contact contact(double h) const;
 
-  /// p_a and dp_a/dh alone, for the inner loop. Below h = 0 both continue along the tangent.
+  /// p_a and dp_a/dh alone, for the inner loop. Below h = 0 both continue along the tangent; NaN gives NaN.
   void pressure(double h, double& p_a, double& dp_a_dh) const;
 
   const Parameters& parameters() const { return parameters_; }

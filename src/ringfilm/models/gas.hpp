@@ -39,7 +39,6 @@ CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vecto
 /// and peak angle are met; throws InputError where that cannot be.
 struct WiebeCycle {
   CrankSlider crank;
-  double bore;               ///< [m]
   double compression_ratio;  ///< [-]
   double peak_pressure;      ///< [Pa] absolute
   double peak_angle_deg;

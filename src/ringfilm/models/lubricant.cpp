@@ -141,13 +141,13 @@ double OilAtTemperature::viscosity(double p) const {
 }
 
 double DensityLaw::density(double T) const {
-  if (!use_thermal_expansivity) return interpolate_linear(temperature, value, T);
+  if (law == DensityTemperatureLaw::kTable) return interpolate_linear(temperature, value, T);
   const double rho_0 = interpolate_linear(temperature, value, reference_temperature);
   return rho_0 * (1 - thermal_expansivity * (T - reference_temperature));
 }
 
 bool DensityLaw::extrapolates(double T) const {
-  const double asked = use_thermal_expansivity ? reference_temperature : T;
+  const double asked = law == DensityTemperatureLaw::kThermalExpansivity ? reference_temperature : T;
   return asked < temperature.front() || asked > temperature.back();
 }
 

@@ -28,13 +28,15 @@ class OilAtTemperature {
   double viscosity(double p) const;
 };
 
+enum class DensityTemperatureLaw { kTable, kThermalExpansivity };
+
 /// Density at atmospheric pressure against temperature.
 struct DensityLaw {
   std::vector<double> temperature;  ///< [K], increasing, one or more
   std::vector<double> value;        ///< [kg/m3]
-  bool use_thermal_expansivity = false;
+  DensityTemperatureLaw law = DensityTemperatureLaw::kTable;
   double thermal_expansivity = 0;    ///< gamma [1/K]
-  double reference_temperature = 0;  ///< [K]
+  double reference_temperature = 0;  ///< theta_0 [K]
 
   /// Linear between and beyond the points, or rho(theta_0) [1 - gamma (T - theta_0)]; eq-density-temperature [kg/m3].
   double density(double T) const;

@@ -61,7 +61,7 @@ RingFace RingFace::points(std::vector<double> x, std::vector<double> height, dou
   if (x.size() < 2 || height.size() != x.size() ||
       std::adjacent_find(x.begin(), x.end(), std::greater_equal<>()) != x.end()) {
     throw InputError("the ring face has fewer than two points or their x does not increase",
-                     "sort the points of ring.face.points by x and give each x once");
+                     "sort the points of ring.face.file by x and give each x once");
   }
   const double rounding = 1e-9 * face_width;  // what converting units may take off the last point
   if (!(x.front() <= rounding && x.back() >= face_width - rounding)) {

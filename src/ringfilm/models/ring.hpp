@@ -4,8 +4,8 @@
 
 namespace ringfilm::models {
 
-/// Height of the ring face above its lowest point, h_s(x), 0 <= x <= b; a gap, so the land is low and the edges are
-/// high.
+/// Gap of the ring face to a straight line, h_s(x), 0 <= x <= b, counted from the zero of its source: the land is low,
+/// the edges are high. What lies above the lowest point is height(x) - minimum().height.
 class RingFace {
  public:
   /// h_s(x) = height_unit * sum_k coefficients[k] (x/length_unit)^(n-1-k), eq-face-polynomial.

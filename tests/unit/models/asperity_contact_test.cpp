@@ -164,4 +164,14 @@ TEST(CompositeModulus, IsThatOfThePaperConvention) {
   EXPECT_NEAR(composite_modulus(200e9, 0.3, 200e9, 0.3), 200e9 / 0.91, 1);
 }
 
+TEST(GreenwoodTripp, GivesNaNForASeparationThatIsNoNumber) {
+  for (const auto form : {ContactIntegralForm::kExact, ContactIntegralForm::kPolynomial4Digit,
+                          ContactIntegralForm::kPolynomialAsPrinted}) {
+    const auto c = new_ring(form).contact(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_TRUE(std::isnan(c.pressure));
+    EXPECT_TRUE(std::isnan(c.pressure_slope));
+    EXPECT_TRUE(std::isnan(c.area_share));
+  }
+}
+
 }  // namespace

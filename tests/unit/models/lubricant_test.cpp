@@ -168,7 +168,7 @@ TEST(DensityLaw, IsLinearBetweenAndBeyondItsPoints) {
 TEST(DensityLaw, ExpandsFromItsReferenceTemperature) {
   const DensityLaw law{.temperature = {288.15, 313.15},
                        .value = {849.7, 833.8},
-                       .use_thermal_expansivity = true,
+                       .law = DensityTemperatureLaw::kThermalExpansivity,
                        .thermal_expansivity = 1e-3,
                        .reference_temperature = 313.15};
   EXPECT_NEAR(law.density(393.15), 833.8 * (1 - 0.08), 1e-9);

@@ -18,7 +18,6 @@ using ringfilm::models::WiebeCycle;
 
 WiebeCycle petrol() {
   return {.crank = {.crank_radius = 0.03975, .connecting_rod_length = 0.1381},
-          .bore = 0.089,
           .compression_ratio = 10.5,
           .peak_pressure = 62e5,
           .peak_angle_deg = 20,
