@@ -58,14 +58,36 @@ class Writing(program.ProgramTest):
         self.assertEqual((self.folder / "out.nc").read_bytes(), (self.folder / "alone.nc").read_bytes())
         self.assertEqual(self.partials(), [])
 
-    def test_full_disk_is_exit_code_5_and_leaves_the_old_file(self):
+    def small_disk(self, size):
+        """A folder with room for so many bytes."""
         if os.geteuid() != 0:
             program.skip_loudly(self, "only root can mount a small disk")
         small = self.folder / "small"
-        small.mkdir()
-        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=600k", "tmpfs", str(small)], capture_output=True)
+        small.mkdir(exist_ok=True)
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(small)], capture_output=True)
         if mounted.returncode != 0:
             program.skip_loudly(self, "no small disk can be mounted here")
+        return small
+
+    def test_disk_that_is_full_anywhere_in_the_file_is_exit_code_5(self):
+        self.run_well("run", "case.toml", "--output", "room.nc")
+        size = (self.folder / "room.nc").stat().st_size
+        sizes = [4096 * n for n in range(1, 70, 8) if 4096 * (n + 1) < size]
+        self.assertGreater(len(sizes), 3, f"a result has only {size} bytes")
+        for room in sizes:
+            small = self.small_disk(room + 4096)
+            try:
+                (small / "out.nc").write_text("old")
+                done = self.run_program("run", "case.toml", "--output", "small/out.nc")
+                self.assertEqual(done.returncode, 5, (room, done.stderr))
+                self.assertIn("small/out.nc: could not be written: No space left on device", done.stderr)
+                self.assertEqual([path.name for path in small.iterdir()], ["out.nc"], room)
+                self.assertEqual((small / "out.nc").read_text(), "old")
+            finally:
+                subprocess.run(["umount", str(small)], check=True)
+
+    def test_full_disk_is_exit_code_5_and_leaves_the_old_file(self):
+        small = self.small_disk("600k")
         self.addCleanup(subprocess.run, ["umount", str(small)], check=True)
         self.run_well("run", "case.toml", "--output", "small/out.nc")
         old = (small / "out.nc").read_bytes()
@@ -73,7 +95,7 @@ class Writing(program.ProgramTest):
             with self.subTest(words):
                 done = self.run_program("run", "case.toml", *words)
                 self.assertEqual(done.returncode, 5, done.stderr)
-                self.assertIn("small/out", done.stderr)
+                self.assertIn(words[1] + ": could not be written", done.stderr)
                 self.assertIn("No space left on device", done.stderr)
                 self.assertEqual((small / "out.nc").read_bytes(), old)
                 self.assertEqual([path.name for path in small.iterdir()], ["out.nc"])
@@ -87,6 +109,23 @@ class Writing(program.ProgramTest):
         with open("/dev/full", "w") as full:
             done = subprocess.run([program.PROGRAM, "fields"], stdout=full, stderr=subprocess.PIPE, text=True)
         self.assertEqual(done.returncode, 5, done.stderr)
+
+    def test_partial_files_of_killed_writers_go_with_the_next_run(self):
+        ended = subprocess.Popen(["true"])
+        ended.wait()
+        for name in ("out.csv", "out.nc", "page.html"):
+            (self.folder / f"{name}.partial-{ended.pid}").write_text("half")
+        self.run_well("run", "case.toml", "--csv", "out.csv", "--output", "out.nc")
+        self.run_well("report", "out.nc", "--output", "page.html")
+        self.assertEqual(self.partials(), [])
+
+    def test_replaced_file_keeps_who_may_read_it(self):
+        for name in ("out.csv", "out.nc"):
+            (self.folder / name).write_text("old")
+            (self.folder / name).chmod(0o640)
+        self.run_well("run", "case.toml", "--csv", "out.csv", "--output", "out.nc")
+        for name in ("out.csv", "out.nc"):
+            self.assertEqual((self.folder / name).stat().st_mode & 0o777, 0o640, name)
 
     def test_csv_can_be_piped_on(self):
         done = self.run_program("run", "case.toml", "--json", "--csv", "/dev/stdout")

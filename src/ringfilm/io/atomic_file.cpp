@@ -97,11 +97,19 @@ int create(const std::string& path) {
   return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kReadWriteAsUmaskAllows);
 }
 
-void write_directly(const std::string& path, std::string_view bytes, int flags) {
+/// @param shown how errors name the file
+void write_directly(const std::string& path, std::string_view bytes, int flags, const std::string& shown) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags));
-  if (file.number() < 0) fail_to_write(path, errno);
+  if (file.number() < 0) fail_to_write(shown, errno);
   ::flock(file.number(), LOCK_EX | LOCK_NB);  // best effort: not every file system has locks
-  if (!write_all(file.number(), bytes) || !file.close()) fail_to_write(path, errno);
+  if (!write_all(file.number(), bytes) || !file.close()) fail_to_write(shown, errno);
+}
+
+/// Who may read and write the file that is replaced may do so with the one in its place.
+void take_over_mode(const std::string& from, int file) {
+  struct stat status {};
+  constexpr mode_t kPermissions = 0777;
+  if (::stat(from.c_str(), &status) == 0) ::fchmod(file, status.st_mode & kPermissions);
 }
 
 }  // namespace
@@ -147,6 +155,7 @@ AsideFile::AsideFile(const std::string& target) : target_(target_of(target).stri
     file = create(path_);
   }
   if (file < 0) fail_to_write(target_, errno);
+  take_over_mode(target_, file);
   ::close(file);
 }
 
@@ -167,9 +176,9 @@ void AsideFile::put_in_place() {
 }
 
 void write_atomically(const std::string& path, std::string_view bytes) {
-  if (is_device(path)) return write_directly(path, bytes, 0);
+  if (is_device(path)) return write_directly(path, bytes, 0, path);
   AsideFile file(path);
-  write_directly(file.path(), bytes, O_TRUNC);
+  write_directly(file.path(), bytes, O_TRUNC, path);
   file.put_in_place();
 }
 

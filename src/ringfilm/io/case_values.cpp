@@ -64,7 +64,14 @@ class Setter {
            kind.names.size() == 1 ? "the only choice is " + names : "choose one of " + names);
   }
   void operator()(const cycle::TextKind& kind) {
-    if (is_text()) kind.ref(case_) = value_.text;
+    constexpr std::size_t kLongest = 1000;
+    if (!is_text()) return;
+    if (value_.text.size() > kLongest) {
+      refuse(value_, "has " + std::to_string(value_.text.size()) + " characters",
+             "at the most " + std::to_string(kLongest) + " are kept with a result; a longer text can be a comment");
+    } else {
+      kind.ref(case_) = value_.text;
+    }
   }
   void operator()(const cycle::OptionalTextKind& kind) {
     if (!is_text()) return;

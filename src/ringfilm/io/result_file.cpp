@@ -1,5 +1,6 @@
 #include "ringfilm/io/result_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -48,11 +49,17 @@ void refuse_what_is_not_ours(const std::string& path, const ResultFileReader& fi
 /// The variants of all ledger entries one after the other, and their cycle values row by row.
 struct VariantTable {
   std::vector<VariantRow> rows;
+  std::vector<std::string> quantities;  ///< name of each column of `values`
+  std::vector<std::string> units;
   std::vector<double> values;
 };
 
 VariantTable variant_table(const std::vector<study::LedgerEntry>& ledger) {
   VariantTable table;
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    table.quantities.push_back(quantity.name);
+    table.units.push_back(quantity.unit);
+  }
   for (std::size_t i = 0; i < ledger.size(); ++i) {
     for (const study::LedgerVariant& variant : ledger[i].variants) {
       table.rows.push_back({static_cast<long>(i), variant.setting, variant.solved, variant.reason});
@@ -63,13 +70,31 @@ VariantTable variant_table(const std::vector<study::LedgerEntry>& ledger) {
 }
 
 void give_back(const std::string& path, const VariantTable& table, std::vector<study::LedgerEntry>& ledger) {
+  // A file of another version may have other quantities, or the same in another order.
+  const auto& known = cycle::cycle_quantities();
+  std::vector<const cycle::CycleQuantity*> columns;
+  for (std::size_t i = 0; !table.rows.empty() && i < table.quantities.size(); ++i) {
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](const auto& q) { return q.name == table.quantities[i]; });
+    if (found == known.end() || table.units[i] != found->unit) {
+      throw InputError(path + ": cannot be read as a result: variant_values has a column " + table.quantities[i] +
+                           " [" + table.units[i] + "], which this program does not know",
+                       "read it with the ringfilm that wrote it, or run its case again");
+    }
+    columns.push_back(&*found);
+  }
+  if (!table.rows.empty() && columns.size() != known.size()) {
+    throw InputError(path + ": cannot be read as a result: variant_values has " + std::to_string(columns.size()) +
+                         " columns, this program knows " + std::to_string(known.size()) + " cycle values",
+                     "read it with the ringfilm that wrote it, or run its case again");
+  }
   auto value = table.values.begin();
   for (const VariantRow& row : table.rows) {
     if (row.entry < 0 || row.entry >= static_cast<long>(ledger.size())) {
       throw InputError(path + ": cannot be read as a result: a ledger variant belongs to no entry");
     }
     study::LedgerVariant variant{row.setting, {}, row.solved, row.reason};
-    for (const auto& quantity : cycle::cycle_quantities()) variant.values.*quantity.value = *value++;
+    for (const cycle::CycleQuantity* quantity : columns) variant.values.*quantity->value = *value++;
     ledger[static_cast<std::size_t>(row.entry)].variants.push_back(variant);
   }
 }
@@ -77,16 +102,12 @@ void give_back(const std::string& path, const VariantTable& table, std::vector<s
 }  // namespace
 
 void write_result(const std::string& path, const ResultDocument& document) {
-  AsideFile aside(path);
-  {
-    ResultFileWriter file(aside.path(), path);
-    file.attribute("Conventions", std::string(kConventions));
-    file.attribute("ringfilm_schema", kResultSchema);
-    const VariantTable variants = variant_table(document.ledger);
-    exchange(file, document, variants.rows, variants.values);
-    file.close();
-  }
-  aside.put_in_place();
+  ResultFileWriter file(path);
+  file.attribute("Conventions", std::string(kConventions));
+  file.attribute("ringfilm_schema", kResultSchema);
+  const VariantTable variants = variant_table(document.ledger);
+  exchange(file, document, variants);
+  write_atomically(path, file.bytes());
 }
 
 ResultDocument read_result(const std::string& path) {
@@ -98,7 +119,7 @@ ResultDocument read_result(const std::string& path) {
   refuse_what_is_not_ours(path, file);
   ResultDocument document;
   VariantTable variants;
-  exchange(file, document, variants.rows, variants.values);
+  exchange(file, document, variants);
   give_back(path, variants, document.ledger);
   return document;
 }

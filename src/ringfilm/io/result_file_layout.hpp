@@ -51,7 +51,6 @@ void exchange_attributes(File& file, Document& document) {
   file.attribute("effort_max_load_residual", effort.max_load_residual);
   file.attribute("effort_max_newton_step", effort.max_newton_step);
   file.attribute("effort_max_mass_residual", effort.max_mass_residual);
-  file.attribute("resolved_case", document.resolved_case);
 }
 
 template <class File, class Result>
@@ -95,6 +94,8 @@ void exchange_fields(File& file, Result& result) {
 
 template <class File, class Document>
 void exchange_case(File& file, Document& document) {
+  file.scalar(text("resolved_case", "a complete case file in SI that gives the same bits again"),
+              document.resolved_case);
   file.rows("input", document.inputs);
   file.column("input", text("input_key", "key of the case"), document.inputs, &CaseEntry::key);
   file.column("input", text("input_value", "value in SI as in a case file"), document.inputs, &CaseEntry::value);
@@ -119,9 +120,9 @@ void exchange_notes(File& file, Document& document) {
   file.column("note", text("note_count", "crank steps or evaluations concerned"), notes, &cycle::Note::count);
 }
 
-/// @param variants,values the variants of all entries one after the other, a row of `values` each
-template <class File, class Ledger, class Variants, class Values>
-void exchange_ledger(File& file, Ledger& ledger, Variants& variants, Values& values) {
+/// @param table the variants of all entries one after the other, a row of `values` each
+template <class File, class Ledger, class VariantTable>
+void exchange_ledger(File& file, Ledger& ledger, VariantTable& table) {
   using study::LedgerEntry;
   file.rows("ledger_entry", ledger);
   file.column("ledger_entry", text("ledger_topic", "stable word for the assumption"), ledger, &LedgerEntry::topic);
@@ -131,21 +132,17 @@ void exchange_ledger(File& file, Ledger& ledger, Variants& variants, Values& val
   file.column("ledger_entry", text("ledger_can_be_lifted", "1 where the program offers another choice"), ledger,
               &LedgerEntry::can_be_lifted);
 
+  auto& variants = table.rows;
   file.rows("ledger_variant", variants);
   file.column("ledger_variant", text("variant_entry", "row of the ledger entry, from 0"), variants, &VariantRow::entry);
   file.column("ledger_variant", text("variant_setting", "the one setting that differs"), variants,
               &VariantRow::setting);
   file.column("ledger_variant", text("variant_solved", "1 where the cycle was solved"), variants, &VariantRow::solved);
   file.column("ledger_variant", text("variant_reason", "why it was not solved"), variants, &VariantRow::reason);
-  std::vector<std::string> names, units;
-  for (const auto& quantity : cycle::cycle_quantities()) {
-    names.push_back(quantity.name);
-    units.push_back(quantity.unit);
-  }
-  file.texts("cycle_quantity", text("cycle_quantity", "column of variant_values"), names);
-  file.texts("cycle_quantity", text("cycle_quantity_unit", "unit of that column"), units);
+  file.texts("cycle_quantity", text("cycle_quantity", "column of variant_values"), table.quantities);
+  file.texts("cycle_quantity", text("cycle_quantity_unit", "unit of that column"), table.units);
   file.numbers({"ledger_variant", "cycle_quantity"},
-               text("variant_values", "cycle values with that setting; units in cycle_quantity_unit"), values);
+               text("variant_values", "cycle values with that setting; units in cycle_quantity_unit"), table.values);
 }
 
 template <class File, class Document>
@@ -173,14 +170,14 @@ void exchange_comparison(File& file, Document& document) {
 }
 
 /// Everything, in the order of the file.
-template <class File, class Document, class Variants, class Values>
-void exchange(File& file, Document& document, Variants& variants, Values& values) {
+template <class File, class Document, class VariantTable>
+void exchange(File& file, Document& document, VariantTable& variants) {
   exchange_attributes(file, document);
   exchange_curves(file, document.result);
   exchange_fields(file, document.result);
   exchange_case(file, document);
   exchange_notes(file, document);
-  exchange_ledger(file, document.ledger, variants, values);
+  exchange_ledger(file, document.ledger, variants);
   exchange_comparison(file, document);
 }
 

@@ -145,6 +145,12 @@ void ResultFileReader::scalar(const cycle::Quantity& quantity, double& value) co
   value = one.front();
 }
 
+void ResultFileReader::scalar(const cycle::Quantity& quantity, std::string& text) const {
+  std::vector<std::string> one;
+  read({}, quantity, one);
+  text = one.front();
+}
+
 void ResultFileReader::scalars(const std::string& prefix, const std::vector<cycle::Quantity>&,
                                std::map<std::string, double>& values) const {
   int n_variables = 0;

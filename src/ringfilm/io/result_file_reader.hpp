@@ -52,6 +52,7 @@ class ResultFileReader {
     read(dimensions, quantity, values);
   }
   void scalar(const cycle::Quantity& quantity, double& value) const;
+  void scalar(const cycle::Quantity& quantity, std::string& text) const;
   void scalars(const std::string& prefix, const std::vector<cycle::Quantity>& known,
                std::map<std::string, double>& values) const;
 

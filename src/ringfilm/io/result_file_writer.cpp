@@ -1,13 +1,14 @@
 #include "ringfilm/io/result_file_writer.hpp"
 
 #include <netcdf.h>
+#include <netcdf_mem.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
+#include <cstdlib>
+#include <memory>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/result_file_netcdf.hpp"
 
 namespace ringfilm::io {
@@ -18,6 +19,17 @@ constexpr std::size_t kCompressedFrom = 1024;
 /// Higher levels cost ten times the time for 2 % of the size.
 constexpr int kDeflateLevel = 4;
 
+/// Bytes that the file needs, from its first block (HDF5 file format specification, II.A): the library pads what it
+/// makes in memory, and a padded file would not be missed its end. All of it where that block is of no known kind.
+std::size_t length_in_superblock(const unsigned char* file, std::size_t size) {
+  constexpr std::size_t kAtVersion = 8, kAtEndOfVersion0 = 40, kAtEndOfVersion2 = 28;
+  if (size < kAtEndOfVersion0 + 8) return size;
+  const std::size_t at = file[kAtVersion] < 2 ? kAtEndOfVersion0 + (file[kAtVersion] == 1 ? 4 : 0) : kAtEndOfVersion2;
+  std::size_t length = 0;
+  for (std::size_t i = 8; i-- > 0;) length = length << 8 | file[at + i];
+  return length > kAtEndOfVersion0 && length < size ? length : size;
+}
+
 }  // namespace
 
 std::mutex& netcdf_in_use() {
@@ -25,10 +37,10 @@ std::mutex& netcdf_in_use() {
   return mutex;
 }
 
-ResultFileWriter::ResultFileWriter(const std::string& path, const std::string& shown_path)
-    : shown_path_(shown_path), lock_(netcdf_in_use()) {
+ResultFileWriter::ResultFileWriter(const std::string& path) : path_(path), lock_(netcdf_in_use()) {
+  constexpr std::size_t kFirstSize = 1 << 16;  // grows as needed [bytes]
   int previous = 0;
-  check(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "the file");
+  check(nc_create_mem("ringfilm", NC_NETCDF4, kFirstSize, &file_), "the file");
   check(nc_set_fill(file_, NC_NOFILL, &previous), "the file");  // every variable is written as a whole
 }
 
@@ -38,9 +50,7 @@ ResultFileWriter::~ResultFileWriter() {
 
 void ResultFileWriter::check(int status, const std::string& what) const {
   if (status == NC_NOERR) return;
-  // The library says "HDF error" for a full disk; what the operating system said last is nearer to the cause.
-  if (errno == ENOSPC || errno == EDQUOT || errno == EIO || errno == EFBIG) fail_to_write(shown_path_, errno);
-  throw OutputError(shown_path_ + ": could not be written: " + what + ": " + nc_strerror(status));
+  throw OutputError(path_ + ": could not be written: " + what + ": " + nc_strerror(status));
 }
 
 void ResultFileWriter::attribute(const char* name, const std::string& text) {
@@ -160,9 +170,12 @@ void ResultFileWriter::scalars(const char* prefix, const std::vector<cycle::Quan
   }
 }
 
-void ResultFileWriter::close() {
-  errno = 0;
-  check(nc_close(std::exchange(file_, -1)), "the file");
+std::string ResultFileWriter::bytes() {
+  NC_memio content{};
+  check(nc_close_memio(std::exchange(file_, -1), &content), "the file");
+  const std::unique_ptr<void, decltype(&std::free)> owner(content.memory, &std::free);
+  const auto* bytes = static_cast<const unsigned char*>(content.memory);
+  return {static_cast<const char*>(content.memory), length_in_superblock(bytes, content.size)};
 }
 
 }  // namespace ringfilm::io

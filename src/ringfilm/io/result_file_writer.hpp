@@ -13,14 +13,14 @@
 
 namespace ringfilm::io {
 
-/// Fills a NetCDF-4 file. One half of the pair with ResultFileReader: `exchange` in result_file_layout.hpp calls
-/// either. Throws OutputError.
+/// Makes a NetCDF-4 file in memory: the library cannot be trusted any more once it met a full disk. One half of the
+/// pair with ResultFileReader: `exchange` in result_file_layout.hpp calls either. Throws OutputError.
 class ResultFileWriter {
  public:
   static constexpr bool kReads = false;
 
-  /// @param path of the file to fill; @param shown_path how errors name it
-  ResultFileWriter(const std::string& path, const std::string& shown_path);
+  /// @param path how errors name the file
+  explicit ResultFileWriter(const std::string& path);
   ResultFileWriter(const ResultFileWriter&) = delete;
   ResultFileWriter& operator=(const ResultFileWriter&) = delete;
   ~ResultFileWriter();
@@ -53,13 +53,17 @@ class ResultFileWriter {
                const std::vector<double>& values);
 
   void scalar(const cycle::Quantity& quantity, double value) { put(quantity, {}, std::vector<double>{value}); }
+  /// A text of any length; an attribute ends at 64 KiB.
+  void scalar(const cycle::Quantity& quantity, const std::string& text) {
+    put(quantity, {}, std::vector<std::string>{text});
+  }
 
   /// Every entry as a scalar variable `prefix`key, described where `known` has its name.
   void scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
                const std::map<std::string, double>& values);
 
-  /// Hands everything to the operating system. Call once, at the end.
-  void close();
+  /// The whole file. Call once, at the end.
+  std::string bytes();
 
  private:
   // What stands in the file for a value of that type.
@@ -85,7 +89,7 @@ class ResultFileWriter {
            const std::vector<std::string>& values);
   void check(int status, const std::string& what) const;
 
-  std::string shown_path_;
+  std::string path_;
   std::unique_lock<std::mutex> lock_;
   int file_ = -1;
 };

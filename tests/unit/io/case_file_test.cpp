@@ -42,6 +42,11 @@ TEST(CaseFile, KeepsTheDigestOfEveryFileItRead) {
   EXPECT_EQ(c.files[1].sha256, "8b28f6a31ca3e0d9c36ad3adfcd4bb4c5db7a2d2b492b910599ae4387d690837");
 }
 
+TEST(CaseFile, TitleIsNoBook) {
+  EXPECT_THAT(CaseFolder().read({{"title", std::string(1000, 'a')}}).title, testing::SizeIs(1000));
+  EXPECT_THAT(CaseFolder().faults({{"title", std::string(1001, 'a')}}), HasSubstr("has 1001 characters"));
+}
+
 struct Mistake {
   const char* name;
   std::string (*faults)();

@@ -5,6 +5,7 @@
 #include <netcdf.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -164,7 +165,7 @@ TEST(ResultFile, GivesAnEmptyStoppedResultBack) {
 TEST(ResultFile, GivesCompressedFieldsAndALongCaseBack) {
   const ScratchFolder folder;
   ResultDocument document = example_document(3000);
-  document.resolved_case = std::string(200000, 'c');  // beyond the 64 KiB of an attribute in the older format
+  document.resolved_case = std::string(200000, 'c');  // beyond the 64 KiB of an attribute
   write_result(folder / "a.nc", document);
   expect_same(document, read_result(folder / "a.nc"));
 }
@@ -200,9 +201,106 @@ TEST(ResultFile, ForeignFilesAreRefusedWithTheirName) {
   EXPECT_THAT(refusal(folder / "other.nc"), HasSubstr("not one of ringfilm"));
 }
 
+/// As nc_copy_var, which knows no texts; without attributes.
+void copy_variable(int from, int number, int to) {
+  char name[NC_MAX_NAME + 1] = {};
+  int type = 0, n_dimensions = 0, dimensions[NC_MAX_VAR_DIMS] = {}, variable = 0;
+  ASSERT_EQ(nc_inq_var(from, number, name, &type, &n_dimensions, dimensions, nullptr), NC_NOERR);
+  std::size_t count = 1;
+  for (int i = 0; i < n_dimensions; ++i) {
+    char dimension[NC_MAX_NAME + 1] = {};
+    std::size_t length = 0;
+    ASSERT_EQ(nc_inq_dim(from, dimensions[i], dimension, &length), NC_NOERR);
+    ASSERT_EQ(nc_inq_dimid(to, dimension, &dimensions[i]), NC_NOERR);
+    count *= length;
+  }
+  ASSERT_EQ(nc_def_var(to, name, type, n_dimensions, dimensions, &variable), NC_NOERR);
+  std::vector<char*> values(count, nullptr);  // each as large as the largest type in the file
+  ASSERT_EQ(nc_get_var(from, number, values.data()), NC_NOERR);
+  ASSERT_EQ(nc_put_var(to, variable, values.data()), NC_NOERR);
+  if (type == NC_STRING) nc_free_string(count, values.data());
+}
+
+/// Copies a result into a file that the library lets us change; the table of the ledger's variants may be left to the
+/// caller to write.
+enum class LedgerTable { kCopied, kLeftOut };
+void make_editable(const std::string& path, const std::string& copy, LedgerTable ledger_table) {
+  int from = 0, to = 0, n_dimensions = 0, n_variables = 0, n_attributes = 0;
+  ASSERT_EQ(nc_open(path.c_str(), NC_NOWRITE, &from), NC_NOERR);
+  ASSERT_EQ(nc_create(copy.c_str(), NC_NETCDF4, &to), NC_NOERR);
+  ASSERT_EQ(nc_inq(from, &n_dimensions, &n_variables, &n_attributes, nullptr), NC_NOERR);
+  char name[NC_MAX_NAME + 1] = {};
+  for (int i = 0; i < n_dimensions; ++i) {
+    std::size_t size = 0;
+    ASSERT_EQ(nc_inq_dim(from, i, name, &size), NC_NOERR);
+    if (ledger_table == LedgerTable::kLeftOut && name == std::string("cycle_quantity")) continue;
+    ASSERT_EQ(nc_def_dim(to, name, size, nullptr), NC_NOERR);
+  }
+  for (int i = 0; i < n_attributes; ++i) {
+    ASSERT_EQ(nc_inq_attname(from, NC_GLOBAL, i, name), NC_NOERR);
+    ASSERT_EQ(nc_copy_att(from, NC_GLOBAL, name, to, NC_GLOBAL), NC_NOERR);
+  }
+  for (int i = 0; i < n_variables; ++i) {
+    ASSERT_EQ(nc_inq_varname(from, i, name), NC_NOERR);
+    const std::string variable = name;
+    const bool is_of_table = variable == "variant_values" || variable.rfind("cycle_quantity", 0) == 0;
+    if (ledger_table == LedgerTable::kLeftOut && is_of_table) continue;
+    copy_variable(from, i, to);
+  }
+  nc_close(from);
+  ASSERT_EQ(nc_close(to), NC_NOERR);
+}
+
+/// The example as a file of another version would be: its ledger has these cycle values, valued 0, 1, 2, ...
+void write_with_ledger_of(const std::string& path, const std::vector<cycle::Quantity>& quantities) {
+  write_result(path + ".all", example_document());
+  make_editable(path + ".all", path, LedgerTable::kLeftOut);
+  int file = 0, rows = 0, columns = 0, names = 0, units = 0, table = 0;
+  std::size_t n_rows = 0;
+  ASSERT_EQ(nc_open(path.c_str(), NC_WRITE, &file), NC_NOERR);
+  ASSERT_EQ(nc_inq_dimid(file, "ledger_variant", &rows), NC_NOERR);
+  ASSERT_EQ(nc_inq_dimlen(file, rows, &n_rows), NC_NOERR);
+  ASSERT_EQ(nc_def_dim(file, "cycle_quantity", quantities.size(), &columns), NC_NOERR);
+  ASSERT_EQ(nc_def_var(file, "cycle_quantity", NC_STRING, 1, &columns, &names), NC_NOERR);
+  ASSERT_EQ(nc_def_var(file, "cycle_quantity_unit", NC_STRING, 1, &columns, &units), NC_NOERR);
+  const int both[] = {rows, columns};
+  ASSERT_EQ(nc_def_var(file, "variant_values", NC_DOUBLE, 2, both, &table), NC_NOERR);
+  std::vector<const char*> name, unit;
+  std::vector<double> values;
+  for (const auto& quantity : quantities) {
+    name.push_back(quantity.name.c_str());
+    unit.push_back(quantity.unit.c_str());
+  }
+  for (std::size_t i = 0; i < n_rows * quantities.size(); ++i) values.push_back(static_cast<double>(i));
+  ASSERT_EQ(nc_put_var_string(file, names, name.data()), NC_NOERR);
+  ASSERT_EQ(nc_put_var_string(file, units, unit.data()), NC_NOERR);
+  ASSERT_EQ(nc_put_var_double(file, table, values.data()), NC_NOERR);
+  ASSERT_EQ(nc_close(file), NC_NOERR);
+}
+
+TEST(ResultFile, LedgerOfAnotherVersionIsReadByNamesOrRefused) {
+  const ScratchFolder folder;
+  const auto& known = cycle::cycle_quantities();
+  std::vector<cycle::Quantity> quantities(known.begin(), known.end());
+  std::reverse(quantities.begin(), quantities.end());
+  write_with_ledger_of(folder / "turned.nc", quantities);
+  const ResultDocument turned = read_result(folder / "turned.nc");
+  const cycle::CycleValues& values = turned.ledger.at(1).variants.at(0).values;
+  EXPECT_EQ(values.*known.back().value, 0);
+  EXPECT_EQ(values.*known.front().value, static_cast<double>(known.size() - 1));
+
+  quantities.pop_back();
+  write_with_ledger_of(folder / "fewer.nc", quantities);
+  EXPECT_THAT(refusal(folder / "fewer.nc"), HasSubstr("variant_values has"));
+  quantities.back().name = "mean_temper";
+  write_with_ledger_of(folder / "other.nc", quantities);
+  EXPECT_THAT(refusal(folder / "other.nc"), HasSubstr("mean_temper"));
+}
+
 TEST(ResultFile, NewerSchemaAndMissingVariablesAreRefused) {
   const ScratchFolder folder;
-  write_result(folder / "a.nc", example_document());
+  write_result(folder / "whole.nc", example_document());
+  make_editable(folder / "whole.nc", folder / "a.nc", LedgerTable::kCopied);
   int file = 0, variable = 0;
   ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_WRITE, &file), NC_NOERR);
   ASSERT_EQ(nc_inq_varid(file, "power_loss", &variable), NC_NOERR);
@@ -210,7 +308,7 @@ TEST(ResultFile, NewerSchemaAndMissingVariablesAreRefused) {
   ASSERT_EQ(nc_close(file), NC_NOERR);
   EXPECT_THAT(refusal(folder / "a.nc"), HasSubstr("power_loss"));
 
-  write_result(folder / "a.nc", example_document());
+  make_editable(folder / "whole.nc", folder / "a.nc", LedgerTable::kCopied);
   const long newer = 2;
   ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_WRITE, &file), NC_NOERR);
   ASSERT_EQ(nc_put_att_long(file, NC_GLOBAL, "ringfilm_schema", NC_INT64, 1, &newer), NC_NOERR);
