@@ -27,6 +27,9 @@ async function opened(name, width) {
   const page = await browser.newPage();
   await page.setViewportSize({ width, height: 900 });
   const faults = [];
+  // "ResizeObserver loop completed ..." reaches the window only.
+  await page.exposeFunction('toldToWindow', (message) => faults.push(`window error: ${message}`));
+  await page.addInitScript(() => window.addEventListener('error', (event) => window.toldToWindow(event.message)));
   page.on('pageerror', (error) => faults.push(`page error: ${error.stack}`));
   // Reading pixels back is this test's doing, not the page's.
   const mine = /willReadFrequently/;
@@ -95,7 +98,7 @@ test('every part of the report is there, in order', async () => {
   const { page } = await opened('three.html', 1400);
   const ids = await page.$$eval('main figure, main section[id]', (nodes) => nodes.map((n) => n.id));
   assert.deepEqual(ids, ['cycle', 'cylinder-pressure', 'min-film-thickness', 'film-parameter', 'total-friction', 'friction-on-liner', 'oil-flow-middle', 'other-quantity',
-    'friction', 'friction-firing', 'stribeck', 'energy-by-stroke', 'wear-drive-stroke', 'face', 'ring-faces', 'along-the-face',
+    'friction', 'friction-firing', 'stribeck', 'wear-drive-stroke', 'energy-by-stroke', 'face', 'ring-faces', 'along-the-face',
     'cycle-values', 'comparison', 'ledger', 'influences', 'validity', 'inputs', 'provenance']);
   assert.match(await page.textContent('.warning'), /SYNTHETIC/);
   assert.match(await page.textContent('#cylinder-pressure'), /SYNTHETIC/);
@@ -103,12 +106,66 @@ test('every part of the report is there, in order', async () => {
   await page.close();
 });
 
+test('no width of the window upsets the page', async () => {
+  const { page, faults } = await opened('three.html', 1400);
+  for (let width = 320; width <= 1440; width += 35) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(40);
+    const [wide, shown] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+    assert.ok(wide <= shown, `the page is ${wide} px wide in a window of ${shown} px`);
+  }
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('on a phone every button of the bar can be reached', async () => {
+  const { page } = await opened('three.html', 390);
+  await page.$eval('#film-parameter', (node) => node.scrollIntoView());
+  const outside = await page.$$eval('.toolbar button', (buttons) => buttons.filter((b) => {
+    const box = b.getBoundingClientRect();
+    return box.left < 0 || box.right > window.innerWidth || document.elementFromPoint((box.left + box.right) / 2, (box.top + box.bottom) / 2)?.closest('button') !== b;
+  }).map((b) => b.textContent));
+  assert.deepEqual(outside, []);
+  await page.close();
+});
+
 test('an incomplete result says so first and draws what there is', async () => {
   const { page, faults } = await opened('bare.html', 1400);
-  assert.match(await page.textContent('.warning'), /INCOMPLETE/);
+  const told = await page.textContent('.stopped');
+  assert.match(told, /INCOMPLETE/);
+  assert.match(told, /in its first cycle, last solved at 29° after firing TDC/);
+  assert.match(told, /No values of a whole cycle exist/);
+  assert.equal(await page.$('.cards'), null);
+  assert.equal(await page.$('#cycle-values table'), null);
   assert.equal(await page.$('#along-the-face'), null);
   assert.equal(await page.$('#ledger'), null);
   assert.deepEqual(faults, []);
+  await page.close();
+});
+
+for (const name of ['three.html', 'hostile.html', 'bare.html']) {
+  test(`${name} shows no number that is none`, async () => {
+    const { page } = await opened(name, 1400);
+    const text = await page.evaluate(() => [...document.querySelectorAll('main, main [aria-label], main [title]')].map((n) => [n.innerText, n.getAttribute('aria-label'), n.getAttribute('title')].join(' ')).join('\n'));
+    assert.doesNotMatch(text, /\b(nan|NaN|inf|Infinity|undefined)\b/);
+    await page.close();
+  });
+}
+
+test('files stand without the folders of one machine, notes with their count in words', async () => {
+  const { page } = await opened('three.html', 1400);
+  const files = await page.textContent('#provenance');
+  assert.match(files, /cases\/styles2014\/new\.toml/);
+  assert.doesNotMatch(await page.evaluate(() => document.querySelector('main').innerText), /\/somewhere\//);
+  assert.match(await page.textContent('#validity'), /412 of 720 crank angles/);
+  await page.close();
+});
+
+test('no setting is named where computed and published agree', async () => {
+  const { page } = await opened('three.html', 1400);
+  const rows = await page.$$eval('#comparison tbody tr', (list) => list.map((r) => [r.children[3].textContent, r.children[6].textContent]));
+  assert.ok(rows.some(([, setting]) => setting.includes('190 GPa')));
+  for (const [deviation, setting] of rows) if (Math.abs(parseFloat(deviation.replace('−', '-'))) < 1) assert.equal(setting, '–');
   await page.close();
 });
 
@@ -212,6 +269,9 @@ test('in print every figure is a drawing and no button is left', async () => {
   const figures = await page.$$eval('main figure', (nodes) => nodes.map((n) => n.querySelector('.print-only svg')?.getBoundingClientRect().width ?? 0));
   figures.forEach((width) => assert.ok(width > 300));
   assert.equal(await page.$$eval('.downloads, .toolbar, .panels', (nodes) => nodes.filter((n) => n.offsetParent !== null).length), 0);
+  // Paper is narrower than the screens on which tables fold, and is no phone.
+  await page.setViewportSize({ width: 690, height: 900 });
+  assert.equal(await page.$$eval('table.folds tr', (rows) => rows.filter((r) => getComputedStyle(r).display !== 'table-row').length), 0);
   const pdf = await page.pdf({ format: 'A4' });
   assert.ok(pdf.length > 20000);
   assert.deepEqual(faults, []);

@@ -4,10 +4,11 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
-const { angleInWords, crankTicks, display, logTicks, number, percent, sentence, ticks, tickText, withUnit, wrapped } = await load('units.js');
-const { namesByInputs, onCycleAxis, shortNames } = await load('model.js');
+const { angleInWords, crankTicks, display, howOften, logTicks, number, percent, sentence, shortPath, ticks, tickText, withUnit, wrapped } = await load('units.js');
+const { namesByInputs, onCycleAxis, shortNames, stoppedAt } = await load('model.js');
 const { figureCsv, fileStem } = await load('downloads.js');
 const { figureSvg } = await load('svg.js');
+const { freePlace } = await load('scales.js');
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
@@ -66,6 +67,38 @@ test('ticks are round and cover the range', () => {
   assert.deepEqual(logTicks(0.0007, 0.3).values, [0.001, 0.01, 0.1]);
   assert.equal(tickText(-0.5, 0.5), '−0.5');
   assert.equal(tickText(20, 20), '20');
+});
+
+test('paths lose the folders of one machine and nothing is added', () => {
+  assert.equal(shortPath('/home/x/ringfilm/cases/styles2014/common.toml'), 'cases/styles2014/common.toml');
+  assert.equal(shortPath('/usr/share/ringfilm/data/lubricants/oil.toml'), 'data/lubricants/oil.toml');
+  assert.equal(shortPath('/data/customers/secret/engine/tests/one.toml'), 'tests/one.toml');
+  assert.equal(shortPath('C:\\work\\engine\\one.toml'), 'engine/one.toml');
+  for (const same of ['one.toml', 'engine/one.toml', '1/3', 'x/y N']) assert.equal(shortPath(same), same);
+});
+
+test('counts are told of the whole only where it is known', () => {
+  assert.deepEqual([howOften(634, 720), howOften(634, null), howOften(1, null)], ['634 of 720 crank angles', '634 times', 'once']);
+});
+
+test('a march stops before the gap in its samples, wherever the axis begins', () => {
+  const range = (from, to) => Array.from({ length: to - from }, (_, k) => from + k);
+  assert.equal(stoppedAt(range(0, 30)), 29);
+  // Started at 270 degree, stopped at 12: the samples are sorted from 0.
+  assert.equal(stoppedAt([...range(0, 13), ...range(271, 720)]), 12);
+  assert.equal(stoppedAt(range(0, 720)), null);
+  assert.equal(stoppedAt([0, 20, 300, 310, 700]), null);
+  assert.equal(stoppedAt([]), null);
+});
+
+test('a label keeps clear of the curves', () => {
+  const flat = { x: [0, 100, 200, 300, 400], y: [50, 50, 50, 50, 50] };
+  const panel = { series: [flat, { x: [300, 350, 400], y: [3, 2, 1] }] };
+  // One pixel a unit, y downwards: the second curve ends where a label at the right would stand.
+  const box = { left: 0, top: 0, width: 400, height: 100, x: (v) => v, y: (v) => 100 - v };
+  const place = freePlace(panel, () => true, 3, 60, box);
+  assert.ok(place.x + 60 < 300, `label at ${place.x}`);
+  assert.ok(place.y <= 97 && place.y - 11 >= 50, `base line at ${place.y}`);
 });
 
 test('a full cycle is closed at both ends', () => {

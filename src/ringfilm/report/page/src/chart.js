@@ -1,13 +1,15 @@
 // One panel as an interactive uPlot chart. The panel's plain data decide everything; this file only draws.
 import uPlot from 'uplot';
-import { arrowHeads, arrowPath, deadCentre, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
+import { onNewWidth } from './dom.js';
+import { arrowHeads, arrowPath, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
 import { caseColour, caseMark, markPath, partDash } from './palette.js';
 import { tickText } from './units.js';
 
 const kInk = '#30343b';
 const kFaint = '#5c6470';
-const kFont = "12px 'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif";
-const kSmallFont = "11px 'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif";
+const sansFont = (size) => `${size}px 'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif`;
+const kFont = sansFont(12);
+const kSmallFont = sansFont(11);
 
 /** All charts over the cycle, so that a zoom in one goes through all. */
 export class CycleGroup {
@@ -60,7 +62,7 @@ export class Chart {
     this.plot = new uPlot(this.options(), this.data(), host);
     this.listenToTouch();
     if (group) group.charts.push(this);
-    new ResizeObserver(() => this.fit()).observe(host);
+    onNewWidth(host, () => this.fit());
   }
 
   data() {
@@ -124,6 +126,8 @@ export class Chart {
     if (!panel.crank) return;
     const [from, to] = this.window;
     ctx.font = kSmallFont;
+    const widest = Math.max(...kStrokeBands.map((band) => ctx.measureText(band.name).width));
+    ctx.font = sansFont(Math.min(11, Math.max(8, (11 * (box.x(180) - box.x(0) - 4)) / widest)));
     ctx.textAlign = 'center';
     ctx.textBaseline = 'alphabetic';
     kStrokeBands.forEach((band, i) => {
@@ -135,7 +139,7 @@ export class Chart {
       }
       const room = box.x(b) - box.x(a);
       ctx.fillStyle = kFaint;
-      if (room > ctx.measureText(band.name).width + 6) ctx.fillText(band.name, (box.x(a) + box.x(b)) / 2, box.top - 7);
+      if (room > ctx.measureText(band.name).width + 3) ctx.fillText(band.name, (box.x(a) + box.x(b)) / 2, box.top - 7);
     });
     for (const centre of kDeadCentres) {
       if (centre.at > from && centre.at < to) line(ctx, box.x(centre.at), box.top + box.height, box.x(centre.at), box.top - (centre.at === 0 ? 5 : 0), '#aab1bb');
@@ -174,14 +178,15 @@ export class Chart {
       if (mark.at < bottom || mark.at > top) continue;
       line(ctx, box.left, box.y(mark.at), box.left + box.width, box.y(mark.at), kFaint, [2, 3]);
       ctx.font = kSmallFont;
-      ctx.textAlign = 'right';
+      ctx.textAlign = 'left';
       ctx.fillStyle = kFaint;
+      const place = freePlace(panel, this.visible, mark.at, ctx.measureText(mark.label).width, box);
       // A white rim keeps the words legible where a curve runs behind them.
       ctx.setLineDash([]);
       ctx.lineWidth = 3;
       ctx.strokeStyle = '#fff';
-      ctx.strokeText(mark.label, box.left + box.width - 4, box.y(mark.at) + 14);
-      ctx.fillText(mark.label, box.left + box.width - 4, box.y(mark.at) + 14);
+      ctx.strokeText(mark.label, place.x, place.y);
+      ctx.fillText(mark.label, place.x, place.y);
     }
     if (this.marked) this.drawMarked(ctx, box);
   }

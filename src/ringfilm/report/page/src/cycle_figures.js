@@ -1,5 +1,5 @@
 // The figures over the engine cycle, as plain data that the screen, the SVG and the CSV are drawn from.
-import { angleInWords, display, number, withUnit, wrapped } from './units.js';
+import { angleInWords, display, number, shortPath, withUnit, wrapped } from './units.js';
 import { window } from './model.js';
 
 export const kCycleRange = [-360, 360];
@@ -43,7 +43,7 @@ function overlaySeries(model, name, range = kCycleRange) {
 
 export function overlaySentence(model, name) {
   const laid = model.payload.overlays.filter((o) => o.quantity === name);
-  return laid.length ? ` Dots: given from outside, not computed here (${laid.map((o) => `${o.name}, ${o.source}`).join('; ')}).` : '';
+  return laid.length ? ` Dots: given from outside, not computed here (${laid.map((o) => `${o.name}, ${shortPath(o.source)}`).join('; ')}).` : '';
 }
 
 /** Where the gas pressure peaks, once for each different angle. */
@@ -163,8 +163,8 @@ function frictionZoomFigure(model) {
     paper: 'Fig. 9',
     layout: 'row',
     panels: [zoom('boundary_friction', 'boundary'), zoom('viscous_friction', 'viscous')],
-    caption: `From ${kZoom[0]}° to ${kZoom[1]}°: friction of touching asperities (dashed, left) and of the sheared oil (dotted, right).
-      Mind the two scales. Boundary peak against viscous peak: ${ofEachCycle(model, (c) =>
+    caption: `From ${kZoom[0]}° to ${kZoom[1]}°: friction of touching asperities (dashed) and of the sheared oil (dotted), each on a scale of its own.
+      Boundary peak against viscous peak: ${ofEachCycle(model, (c) =>
         `${valueWithUnit(model, c, 'peak_boundary_friction')} against ${valueWithUnit(model, c, 'peak_viscous_friction')}`)}.`.replace('-', '−'),
   };
 }

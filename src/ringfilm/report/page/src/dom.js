@@ -17,6 +17,16 @@ export function svgElement(text) {
   return document.importNode(new DOMParser().parseFromString(text, 'image/svg+xml').documentElement, true);
 }
 
+/** Acts when a node has got another width, in the next frame: within the observer it would change the sizes being told. */
+export function onNewWidth(node, act) {
+  let width = node.clientWidth;
+  new ResizeObserver(() => requestAnimationFrame(() => {
+    if (node.clientWidth === width) return;
+    width = node.clientWidth;
+    act();
+  })).observe(node);
+}
+
 /** A key or setting in type of its own, which may break after a dot, an underscore or an equals sign only. */
 export function code(text, attributes = {}) {
   const pieces = String(text).match(/[^._=/]*[._=/]|[^._=/]+$/g) ?? [];

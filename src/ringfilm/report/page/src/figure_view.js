@@ -1,12 +1,20 @@
 // A figure on the page: heading, charts, legend with read-out, caption, files to take away.
 import { Chart } from './chart.js';
 import { spokenSummary } from './cycle_figures.js';
-import { element, svgElement } from './dom.js';
+import { element, onNewWidth, svgElement } from './dom.js';
 import { fileStem, figureCsv, save, savePng } from './downloads.js';
 import { isOneOfSeveral } from './palette.js';
 import { axisTitle } from './scales.js';
 import { figureSvg, swatchSvg } from './svg.js';
 import { angle, number, withUnit } from './units.js';
+
+/** Width of a drawing for the printer, in a column and across the paper: letters come out at about 7 pt in both. */
+const kPrinted = { half: 450, whole: 900 };
+
+/** Two such figures stand side by side on paper. */
+function isHalfAPage(figure) {
+  return figure.layout !== 'row' && !figure.panels.some((panel) => panel.bars);
+}
 
 const kChartHeight = { crank: 280, plain: 250 };
 
@@ -51,7 +59,7 @@ export class FigureView {
     this.figure = figure;
     this.charts = [];
     this.values = [];
-    this.node = element('figure', { id: figure.id, class: `figure ${figure.layout === 'row' ? 'row' : ''}` });
+    this.node = element('figure', { id: figure.id, class: `figure ${figure.layout === 'row' ? 'row' : ''} ${isHalfAPage(figure) ? 'half' : ''}` });
     this.build();
     this.follow = () => this.refresh();
     context.visibility.listeners.push(this.follow);
@@ -123,7 +131,7 @@ export class FigureView {
     for (const entry of this.charts) entry.chart = entry.start();
     if (this.barHost) {
       this.drawBars();
-      new ResizeObserver(() => this.drawBars()).observe(this.node);
+      onNewWidth(this.node, () => this.drawBars());
     }
   }
 
@@ -154,6 +162,6 @@ export class FigureView {
 
   /** Lays a static drawing beside the charts for the printer. */
   beforePrint() {
-    this.print.replaceChildren(svgElement(this.svg({ width: 900, subtitle: '' })));
+    this.print.replaceChildren(svgElement(this.svg({ width: isHalfAPage(this.figure) ? kPrinted.half : kPrinted.whole, subtitle: '' })));
   }
 }

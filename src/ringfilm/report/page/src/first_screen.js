@@ -1,9 +1,9 @@
 // What was computed, the three numbers that matter, the one warning that matters.
 import { element, svgElement } from './dom.js';
-import { shownInput } from './model.js';
+import { shownInput, stoppedAt, withShortPaths } from './model.js';
 import { swatchSvg } from './svg.js';
 import { mergedNotes } from './tables.js';
-import { angle, angleInWords, number, typeset, wrapped } from './units.js';
+import { angleInWords, number, typeset } from './units.js';
 
 const kOperating = [
   ['engine.bore', 'bore'],
@@ -37,19 +37,33 @@ const kLow = 'film-parameter-too-low';
 function warnings(model) {
   const list = [];
   const whom = (cases) => (cases.length === model.cases.length ? '' : `${cases.map((c) => c.name).join(', ')}: `);
-  const broken = model.cases.filter((c) => !c.complete);
-  if (broken.length) {
-    const last = broken.map((c) => wrapped(c.curves.crank_angle[c.curves.crank_angle.length - 1] ?? null));
-    list.push(`${whom(broken)}INCOMPLETE: the march stopped early${last[0] === null ? '' : ` (last good angle ${last.map((a) => `${angle(a)}°`).join(', ')})`}; so there are no values of a whole cycle.`);
-  }
   const synthetic = model.cases.filter((c) => model.isSynthetic(c));
   if (synthetic.length) list.push(`${whom(synthetic)}the cylinder pressure is SYNTHETIC: made by a formula, not measured on an engine. Levels of friction and film follow from it.`);
   const low = model.cases.filter((c) => c.notes.some((n) => n.topic === kLow));
   if (low.length) list.push(`${whom(low)}${low[0].notes.find((n) => n.topic === kLow).message}.`);
   for (const c of model.cases) {
-    for (const note of c.notes) if (note.topic !== kLow && note.topic !== 'synthetic-trace') list.push(`${whom([c])}${note.message}.`);
+    for (const note of c.notes) if (note.topic !== kLow && note.topic !== 'synthetic-trace') list.push(`${whom([c])}${withShortPaths(c, note.message)}.`);
   }
   return list;
+}
+
+/** Where the march of a case stopped, in words. */
+function stop(c) {
+  const at = c.effort.cycles_marched >= 1 ? null : stoppedAt(c.curves.crank_angle);
+  const after = c.effort.cycles_marched > 0 ? ` after ${number(c.effort.cycles_marched, 3)} cycles` : '';
+  if (c.curves.crank_angle.length === 0) return 'before the first crank angle was solved';
+  return at === null ? after.trim() || 'at an angle that the stored samples do not tell' : `in its first cycle, last solved ${angleInWords(at).replace(/^(?=\d)/, 'at ')}${after && `,${after}`}`;
+}
+
+/** Says plainly which cases did not come to an end, before any number. */
+function stopped(model) {
+  const broken = model.cases.filter((c) => !c.complete);
+  if (broken.length === 0) return null;
+  return element('div', { class: 'warning stopped', role: 'alert' },
+    element('p', {}, element('strong', {}, 'INCOMPLETE: '), model.several
+      ? `${broken.length} of ${model.cases.length} cases did not come to the end of the cycle.` : 'the march did not come to the end of the cycle.'),
+    broken.map((c) => element('p', {}, `${model.several ? `${c.name}: s` : 'S'}topped ${stop(c)}.`)),
+    element('p', {}, 'No values of a whole cycle exist: no power, no FMEP, no thinnest film, no shares. The curves show what was solved until then.'));
 }
 
 function card(model, heading, main, detail) {
@@ -78,7 +92,8 @@ export function firstScreen(model) {
     element('p', { class: 'kind' }, 'Mixed lubrication of the piston ring and the liner over one engine cycle'),
     element('h1', {}, reportTitle(model)),
     element('p', { class: 'operating' }, operatingLine(model)),
-    element('div', { class: 'cards' },
+    stopped(model),
+    model.cases.every((c) => !c.complete) ? null : element('div', { class: 'cards' },
       card(model, 'Mean friction power', (c) => model.value(c, 'mean_power_loss'), shownFmep),
       card(model, 'Thinnest film', (c) => model.value(c, 'min_film_thickness'), (c) => (c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '')),
       card(model, 'In mixed lubrication', (c) => model.value(c, 'mixed_share'), () => 'of the cycle')),

@@ -93,8 +93,8 @@ function buildPage(model) {
   const others = [
     hasCurves ? view(zoomFigure(model)) : null,
     hasCurves ? view(stribeckFigure(model)) : null,
-    view(energyFigure(model)),
     view(wearFigure(model)),
+    view(energyFigure(model)),
   ].filter(Boolean);
   const faces = [view(faceFigure(model)), fieldAngles(model).length ? new FaceView(model, context) : null].filter(Boolean);
   const influence = view(influenceFigure(model));

@@ -1,5 +1,5 @@
 // The payload made handy: quantities by name, cases with short names, curves on the axis of the charts.
-import { display, typeset, wrapped } from './units.js';
+import { display, shortPath, typeset, wrapped } from './units.js';
 
 /** Splits titles into what they share and what tells them apart, at a comma, colon or blank; null where they do not differ. */
 export function shortNames(titles) {
@@ -38,9 +38,26 @@ function named(cases) {
 /** Stands for the only case of a page in place of its number: it needs no mark and cannot be hidden. */
 export const kOnlyCase = -1;
 
-/** An input as people write it: no quotes around names, micro and degree signs. */
+/** An input as people write it: no quotes around names, micro and degree signs, no folders of one machine. */
 export function shownInput(entry) {
-  return typeset(entry.shown.replace(/^"(.*)"$/, '$1'));
+  return typeset(shortPath(entry.shown.replace(/^"(.*)"$/, '$1')));
+}
+
+/** A text in which the files that a case read stand with their short paths. */
+export function withShortPaths(oneCase, text) {
+  return oneCase.files.filter((file) => file.path).reduce((out, { path }) => out.split(path).join(shortPath(path)), text);
+}
+
+/**
+ * The last crank angle of a march that stopped in its first cycle: that before the gap in the samples.
+ * Null where samples stand all around the cycle or too unevenly to tell.
+ */
+export function stoppedAt(angles) {
+  if (angles.length < 2) return angles[0] ?? null;
+  const sorted = [...angles].sort((a, b) => a - b);
+  const gaps = sorted.map((angle, k) => ({ angle, size: (sorted[k + 1] ?? sorted[0] + 720) - angle })).sort((a, b) => b.size - a.size);
+  const usual = gaps[Math.floor(gaps.length / 2)].size;
+  return gaps[0].size > 1.5 * usual && gaps[1].size <= 1.5 * usual ? gaps[0].angle : null;
 }
 
 export class Model {

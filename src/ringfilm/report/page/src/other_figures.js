@@ -99,7 +99,7 @@ export function energyFigure(model) {
         })),
       },
     ],
-    caption: `Energy lost to friction in each stroke (left) and the mean power of the cycle split into rubbing asperities and sheared oil (right).
+    caption: `Energy lost to friction in each stroke, and the mean power of the cycle split into rubbing asperities and sheared oil.
       Whole cycle: ${ofEachCycle(model, (c) => `${valueWithUnit(model, c, 'energy_per_cycle')}, ${valueWithUnit(model, c, 'mean_power_loss')}`)}.`,
   };
 }

@@ -89,6 +89,34 @@ export function markIndices(series, low, high, nSeries) {
   return found;
 }
 
+/** Room that a label keeps from curves, more is no better [pixel]. */
+const kRoomAround = 30;
+
+/** An upright line behind a label is as bad as so much less room [pixel]: better than a curve, worse than nothing. */
+const kCrossing = 4;
+
+/**
+ * Where a label of `width` pixels, set close above or below the level `at`, is most free of curves and upright lines.
+ * @param box the plot in pixels, with its scales x and y; @returns left end and base line of the label
+ */
+export function freePlace(panel, visible, at, width, box) {
+  const kHeight = 11;
+  const points = panel.series.filter(visible).flatMap((s) => s.x.map((v, k) => (v === null || s.y[k] === null ? null : [box.x(v), box.y(s.y[k])])).filter(Boolean));
+  const upright = panel.crank ? [...kDeadCentres, ...(panel.peaks ?? [])].map((line) => box.x(line.at)) : [];
+  const level = box.y(at);
+  let best = { x: box.left + box.width - width - 4, y: level - 5, room: -Infinity };
+  for (const y of [level - 5, level + 14]) {
+    if (y - kHeight < box.top || y > box.top + box.height) continue;
+    for (let x = box.left + box.width - width - 4; x >= box.left + 4; x -= 4) {
+      const beside = points.filter(([px]) => px > x - 8 && px < x + width + 8);
+      const crossed = upright.filter((u) => u > x - 3 && u < x + width + 3).length;
+      const room = Math.min(kRoomAround, ...beside.map(([, py]) => Math.max(y - kHeight - py, py - y, 0))) - kCrossing * crossed;
+      if (room > best.room) best = { x, y, room };
+    }
+  }
+  return best;
+}
+
 export function axisTitle(label, unit) {
   return unit ? `${label} [${unit}]` : label;
 }

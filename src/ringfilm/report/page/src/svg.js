@@ -1,11 +1,13 @@
 // A figure as a static SVG: to take away, and in print. Drawn from the same plain data as the charts on the screen.
-import { arrowHeads, arrowPath, axisTitle, deadCentre, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
+import { arrowHeads, arrowPath, axisTitle, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
 import { caseColour, caseMark, isOneOfSeveral, markPath, partDash } from './palette.js';
 import { barPanel, rankedHeight, rankedPanel } from './svg_bars.js';
 import { kFaint, kInk, kMargin, px, rule, scaler, text } from './svg_shapes.js';
 import { tickText } from './units.js';
 
 const kPanelHeight = 262;
+/** A letter of a label is at most about so wide: a drawing cannot measure its text [pixel]. */
+const kLetter = 6.6;
 
 function linePanel(panel, box, visible, window, clip) {
   const range = window ?? xRange(panel);
@@ -29,7 +31,8 @@ function linePanel(panel, box, visible, window, clip) {
   if (panel.zeroLine && bottom < 0 && top > 0) out.push(rule(left, y(0), right, y(0), kInk, 1));
   for (const mark of panel.yMarks ?? []) {
     if (mark.at < bottom || mark.at > top) continue;
-    out.push(rule(left, y(mark.at), right, y(mark.at), kFaint, 1, '2 3'), text(right - 4, y(mark.at) + 14, mark.label, { anchor: 'end', size: 11, fill: kFaint, halo: '#fff' }));
+    const place = freePlace(panel, visible, mark.at, kLetter * mark.label.length, { x, y, left, top: high, width: right - left, height: low - high });
+    out.push(rule(left, y(mark.at), right, y(mark.at), kFaint, 1, '2 3'), text(place.x, place.y, mark.label, { size: 11, fill: kFaint, halo: '#fff' }));
   }
   out.push(`<g clip-path="url(#${clip})">`);
   panel.series.filter(visible).forEach((s) => out.push(...seriesShapes(panel, s, x, y, range)));

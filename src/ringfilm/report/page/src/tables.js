@@ -1,8 +1,8 @@
 // The tables under the figures.
 import { code, element } from './dom.js';
 import { save, fileStem } from './downloads.js';
-import { shownInput } from './model.js';
-import { display, inUnit, number, percent, sentence, typeset, withUnit } from './units.js';
+import { shownInput, withShortPaths } from './model.js';
+import { display, howOften, inUnit, number, percent, sentence, shortPath, typeset, withUnit } from './units.js';
 
 /** A cell is its text, or { text, attributes }. */
 function described(content) {
@@ -52,13 +52,16 @@ export function cycleValuesSection(model) {
     { text: named(q) },
     ...model.cases.map((c) => { const { value, unit } = model.value(c, q.name); return figure(inUnit(value, unit)); }),
   ]);
+  if (model.cases.every((c) => !c.complete)) {
+    return section('cycle-values', 'Values of the whole cycle', element('p', {}, 'None: the march stopped before the cycle was complete.'));
+  }
   return section('cycle-values', 'Values of the whole cycle',
     element('p', {}, 'Loads, friction and flow are those of the whole circumference. Angles count from firing TDC, negative before it.'),
     table('Values of the whole cycle', heads, rows));
 }
 
 /** Closer than this, nothing is left to explain by another setting. */
-const kAgrees = 0.005;
+const kAgrees = 0.01;
 
 function comparisonRow(model, c, row) {
   const quantity = model.cycleQuantity.get(row.quantity);
@@ -88,6 +91,17 @@ export function comparisonSection(model) {
     shown.map((c) => table(model.several ? c.name : 'Computed and published values', heads, c.comparison.map((row) => comparisonRow(model, c, row)), { folds: true, classes: 'comparison' })));
 }
 
+/** Notes whose count is of the crank angles of one cycle, and those that count how often something was done. */
+const kOfCrankAngles = ['film-parameter-too-low', 'film-parameter-low', 'shear-rate-high'];
+const kOfActions = ['polynomial-beyond-range', 'bracketed-search', 'shorter-steps'];
+
+/** How often a note applies, in words; a dash where it is said of the case as a whole. */
+function often(model, c, { topic, count }) {
+  const step = parseFloat(model.input(c, 'solver.crank_step')?.value.replace(/"/g, '') ?? '');
+  if (kOfCrankAngles.includes(topic)) return howOften(count, c.complete && step > 0 ? Math.round(720 / step) : null);
+  return count > 1 || kOfActions.includes(topic) ? howOften(count, null) : '–';
+}
+
 /** Notes of all cases, told once where they agree. */
 export function mergedNotes(model) {
   const merged = [];
@@ -97,8 +111,8 @@ export function mergedNotes(model) {
     else merged.push({ topic, message, count, cases: [oneCase] });
   };
   for (const c of model.cases) {
-    for (const n of c.notes) add(n.topic, n.message, n.count, c);
-    for (const n of c.input_notes) add('input', n, 1, c);
+    for (const n of c.notes) add(n.topic, withShortPaths(c, n.message), often(model, c, n), c);
+    for (const n of c.input_notes) add('input', withShortPaths(c, n), '–', c);
   }
   return merged;
 }
@@ -108,8 +122,8 @@ export function notesSection(model) {
   const whom = (cases) => (!model.several ? null : cases.length === model.cases.length ? 'all' : cases.map((c) => c.name).join(', '));
   const content = merged.length === 0
     ? element('p', {}, 'Every law stayed within its range, and no remedy was needed.')
-    : table('Notes on validity', ['note', ...(model.several ? ['case'] : []), 'times', 'topic'],
-      merged.map((n) => [sentence(n.message), ...(model.several ? [whom(n.cases)] : []), figure(String(n.count)), { text: code(n.topic) }]), { folds: true });
+    : table('Notes on validity', ['note', ...(model.several ? ['case'] : []), 'how often', 'topic'],
+      merged.map((n) => [sentence(n.message), ...(model.several ? [whom(n.cases)] : []), n.count, { text: code(n.topic) }]), { folds: true });
   return section('validity', 'Validity: what to know before using these results', content);
 }
 
@@ -117,7 +131,7 @@ export function inputsSection(model) {
   const keys = [...new Map(model.cases.flatMap((c) => c.inputs.map((entry) => [entry.key, entry]))).values()];
   const shown = (entry) => (entry === undefined ? { text: 'not used' } : {
     text: entry.assumed ? [shownInput(entry), ' ', element('span', { class: 'tag' }, 'assumed')] : shownInput(entry),
-    attributes: { class: entry.assumed ? 'assumed' : '' },
+    attributes: { class: entry.assumed ? 'assumed' : '', title: shortPath(entry.shown) === entry.shown ? null : entry.shown },
   });
   const rows = keys.map((first) => {
     const entries = model.cases.map((c) => model.input(c, first.key));
@@ -172,7 +186,7 @@ export function provenanceSection(model) {
   return section('provenance', 'Where this comes from',
     folded('Program and solver effort', table('Program and solver effort', heads, rows, { folds: true })),
     files.length === 0 ? null : folded(`${files.length} files read, with their hashes`, table('Files read', ['file', 'role', ...(model.several ? ['case'] : []), 'SHA-256'],
-      files.map((f) => [{ text: code(f.path) }, f.role, ...(model.several ? [f.cases.length === model.cases.length ? 'all' : f.cases.join(', ')] : []), { text: element('code', { class: 'hash' }, f.sha256) }]), { folds: true })),
+      files.map((f) => [{ text: code(shortPath(f.path), { title: f.path }) }, f.role, ...(model.several ? [f.cases.length === model.cases.length ? 'all' : f.cases.join(', ')] : []), { text: element('code', { class: 'hash' }, f.sha256) }]), { folds: true })),
     resolved);
 }
 

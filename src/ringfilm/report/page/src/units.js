@@ -106,6 +106,25 @@ export function angleInWords(degrees) {
   return a > 0 ? `${size} after firing TDC` : `${size} before firing TDC`;
 }
 
+/** Folders from which on the path of a file that is shipped with the program says enough. */
+const kShippedIn = ['cases', 'data'];
+
+/** A path without the folders of one machine: from cases/ or data/ on, else its last two parts. A relative path stays. */
+export function shortPath(path) {
+  if (!/^([/\\]|[A-Za-z]:[/\\])/.test(path)) return path;
+  const parts = path.split(/[/\\]+/).filter(Boolean);
+  const home = Math.max(...kShippedIn.map((name) => parts.lastIndexOf(name)));
+  // Deeper down such a folder is more likely the reader's own.
+  const kept = home >= 0 && parts.length - home <= 4 ? parts.slice(home) : parts.slice(-2);
+  return kept.join('/');
+}
+
+/** "634 of 720 crank angles", "634 times", "once" */
+export function howOften(count, whole) {
+  if (whole) return `${count} of ${whole} crank angles`;
+  return count === 1 ? 'once' : `${count} times`;
+}
+
 /** Steps of 1, 2 or 5 times a power of ten, about `count` of them. */
 export function ticks(low, high, count) {
   const raw = (high - low) / Math.max(1, count);
