@@ -27,12 +27,13 @@ function(ringfilm_warnings target)
                                            -ffp-contract=off $<$<BOOL:${RINGFILM_WERROR}>:-Werror>)
 endfunction()
 
-# ringfilm_unit_tests(<folder> [libraries...]): the program unit_<folder> of tests/unit/<folder>/*.cpp.
+# ringfilm_unit_tests(<folder> [libraries...]): the program unit_<folder> of tests/unit/<folder>/*.cpp, of which there must be one.
 function(ringfilm_unit_tests folder)
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/unit/${folder}/*.cpp")
-  if(sources)
-    ringfilm_test_program(unit_${folder} "${sources}" ringfilm_${folder} ${ARGN})
+  if(NOT sources)
+    message(FATAL_ERROR "tests/unit/${folder} holds no *.cpp: write a test, or take ${folder} off tests/CMakeLists.txt")
   endif()
+  ringfilm_test_program(unit_${folder} "${sources}" ringfilm_${folder} ${ARGN})
 endfunction()
 
 function(ringfilm_test_program target sources)

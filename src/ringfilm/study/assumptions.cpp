@@ -1,7 +1,13 @@
 #include "ringfilm/study/assumptions.hpp"
 
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <initializer_list>
 #include <utility>
+#include <variant>
+
+#include "ringfilm/cycle/case_fields.hpp"
 
 namespace ringfilm::study {
 namespace {
@@ -26,131 +32,179 @@ Assumption assumption(const std::string& topic, std::string statement, std::stri
   return {std::move(entry), std::move(alternatives)};
 }
 
-template <typename Choice>
-struct Named {
-  Choice choice;
-  const char* name;
-};
+// --- other settings -----------------------------------------------------------------------------------------------
 
-/// The other choices of a key, each as an alternative; `say` receives the name of the one in use.
-template <typename Choice, std::size_t n>
-std::vector<Alternative> other_choices(const char* key, Choice in_use, const Named<Choice> (&all)[n],
-                                       Choice& (*ref)(Case&), std::string& say) {
+/// Those with which the case breaks no rule.
+std::vector<Alternative> kept_if_allowed(const Case& c, std::vector<Alternative> alternatives) {
+  std::erase_if(alternatives, [&](const Alternative& alternative) {
+    Case changed = c;
+    alternative.apply(changed);
+    return !cycle::broken_rules(changed).empty();
+  });
+  return alternatives;
+}
+
+const cycle::ChoiceKind& choice(const std::string& key) {
+  return std::get<cycle::ChoiceKind>(cycle::find_field(key)->kind);
+}
+
+std::string chosen(const std::string& key, const Case& c) { return choice(key).names.at(choice(key).index(c)); }
+
+/// The choices of a key that the case does not make.
+std::vector<Alternative> other_choices(const std::string& key, const Case& c) {
+  const cycle::ChoiceKind& kind = choice(key);
   std::vector<Alternative> others;
-  for (const auto& [choice, name] : all) {
-    if (choice == in_use) {
-      say = name;
-    } else {
-      others.push_back(
-          {std::string(key) + " = \"" + name + "\"", [ref, choice = choice](Case& c) { ref(c) = choice; }});
-    }
+  for (int i = 0; i < static_cast<int>(kind.names.size()); ++i) {
+    if (i == kind.index(c)) continue;
+    others.push_back({key + " = \"" + kind.names[i] + "\"", [choose = kind.choose, i](Case& x) { choose(x, i); }});
   }
-  return others;
+  return kept_if_allowed(c, std::move(others));
+}
+
+/// The unit in which a setting is written: SI value = number * size + zero.
+struct Unit {
+  const char* name;
+  double size;
+  double zero = 0;
+};
+constexpr Unit kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5}, kNewton{"N", 1}, kMm{"mm", 1e-3};
+constexpr Unit kCelsius{"degC", 1, 273.15}, kPlain{"", 1};
+
+void set_number(const std::string& key, Case& c, double value) {
+  const cycle::Kind& kind = cycle::find_field(key)->kind;
+  if (const auto* optional = std::get_if<cycle::OptionalNumberKind>(&kind)) {
+    optional->ref(c) = value;
+  } else if (const auto* or_file = std::get_if<cycle::NumberOrFileKind>(&kind)) {
+    or_file->number(c) = value;
+  } else {
+    std::get<cycle::NumberKind>(kind).ref(c) = value;
+  }
+}
+
+bool in_range(const std::string& key, double value) {
+  const auto& range = cycle::find_field(key)->range;
+  return !range || (value > range->low && value < range->high) || (value == range->low && !range->low_open) ||
+         (value == range->high && !range->high_open);
+}
+
+/// Other values of a key [SI], each rounded to four digits in `unit` before it is run: what a setting says is what was
+/// computed. A value within a thousandth of `in_use` is the case itself and left out.
+std::vector<Alternative> other_numbers(const std::string& key, const Case& c, double in_use, const Unit& unit,
+                                       std::initializer_list<double> values) {
+  std::vector<Alternative> others;
+  for (const double wanted : values) {
+    const std::string number = text("%.4g", (wanted - unit.zero) / unit.size);
+    const double value = std::strtod(number.c_str(), nullptr) * unit.size + unit.zero;
+    if (std::abs(value - in_use) <= 1e-3 * std::abs(in_use) || !in_range(key, value)) continue;
+    const std::string written = *unit.name ? "\"" + number + " " + unit.name + "\"" : number;
+    others.push_back({key + " = " + written, [key, value](Case& x) { set_number(key, x, value); }});
+  }
+  return kept_if_allowed(c, std::move(others));
+}
+
+/// `value`, or `instead` where the case uses `value` already.
+double other_than(double in_use, double value, double instead) {
+  return std::abs(in_use - value) <= 1e-3 * value ? instead : value;
 }
 
 // --- choices of model -------------------------------------------------------------------------------------------
 
 Assumption cavitation(const Case& c) {
-  using enum cycle::Cavitation;
-  std::string name;
-  auto others = other_choices(
-      "film.cavitation", c.film.cavitation,
-      {Named<cycle::Cavitation>{kReynoldsExit, "reynolds-exit"}, {kMassConserving, "mass-conserving"}},
-      +[](Case& x) -> cycle::Cavitation& { return x.film.cavitation; }, name);
-  return assumption("cavitation-model", "the film ruptures and forms again after the \"" + name + "\" model",
-                    "the paper gives the exit condition and nothing on how the film forms again", std::move(others));
+  const char* key = "film.cavitation";
+  return assumption("cavitation-model", "the film ruptures and forms again after the \"" + chosen(key, c) + "\" model",
+                    "the paper gives the exit condition and nothing on how the film forms again",
+                    other_choices(key, c));
 }
 
 Assumption orientation(const Case& c) {
-  using enum cycle::Orientation;
-  std::string name;
-  auto others = other_choices(
-      "ring.face.orientation", c.ring.face.orientation,
-      {Named<cycle::Orientation>{kX0Chamber, "x0-chamber"},
-       {kX0Crankcase, "x0-crankcase"},
-       {kLeadingEdge, "leading-edge"}},
-      +[](Case& x) -> cycle::Orientation& { return x.ring.face.orientation; }, name);
-  return assumption("face-orientation", "the face is installed as \"" + name + "\"",
-                    "a face trace does not tell which of its ends looks at the chamber", std::move(others));
+  const char* key = "ring.face.orientation";
+  return assumption("face-orientation", "the face is installed as \"" + chosen(key, c) + "\"",
+                    "a face trace does not tell which of its ends looks at the chamber", other_choices(key, c));
 }
 
 Assumption contact_integrals(const Case& c) {
-  using enum cycle::ContactIntegrals;
-  std::string name;
-  auto others = other_choices(
-      "contact.integrals", c.contact.integrals,
-      {Named<cycle::ContactIntegrals>{kExact, "exact"},
-       {kPolynomial4Digit, "polynomial-4-digit"},
-       {kPolynomialAsPrinted, "polynomial-as-printed"}},
-      +[](Case& x) -> cycle::ContactIntegrals& { return x.contact.integrals; }, name);
-  return assumption("contact-integrals", "the integrals of the contact model are taken as \"" + name + "\"",
-                    "the polynomial as printed rises again beyond a film parameter of 1.9", std::move(others));
+  const char* key = "contact.integrals";
+  return assumption("contact-integrals", "the integrals of the contact model are taken as \"" + chosen(key, c) + "\"",
+                    "the polynomial as printed rises again beyond a film parameter of 1.9", other_choices(key, c));
 }
 
 Assumption film_parameter(const Case& c) {
-  using enum cycle::FilmParameter;
-  std::string name;
-  auto others = other_choices(
-      "contact.film_parameter", c.contact.film_parameter,
-      {Named<cycle::FilmParameter>{kLocal, "local"}, {kNominal, "nominal"}},
-      +[](Case& x) -> cycle::FilmParameter& { return x.contact.film_parameter; }, name);
-  return assumption("film-parameter", "contact is summed over the face with the \"" + name + "\" film parameter",
-                    "nominal puts the whole face at the minimum film", std::move(others));
+  const char* key = "contact.film_parameter";
+  return assumption("film-parameter",
+                    "contact is summed over the face with the \"" + chosen(key, c) + "\" film parameter",
+                    "nominal puts the whole face at the minimum film", other_choices(key, c));
 }
 
 Assumption roughness_measure(const Case& c) {
-  using enum cycle::RoughnessMeasure;
-  std::string name;
-  auto others = other_choices(
-      "contact.roughness_measure", c.contact.roughness_measure,
-      {Named<cycle::RoughnessMeasure>{kAsGiven, "as-given"}, {kRaToRq, "ra-to-rq"}},
-      +[](Case& x) -> cycle::RoughnessMeasure& { return x.contact.roughness_measure; }, name);
-  return assumption(
-      "roughness-measure", text("the roughness %.3g um is used \"%s\"", c.contact.roughness * 1e6, name.c_str()),
-      "a root-sum-square of Ra is about 1/1.25 of the rms height that the contact model wants", std::move(others));
+  const char* key = "contact.roughness_measure";
+  return assumption("roughness-measure",
+                    text("the roughness %.3g um is used \"%s\"", c.contact.roughness * 1e6, chosen(key, c).c_str()),
+                    "a root-sum-square of Ra is about 1/1.25 of the rms height that the contact model wants",
+                    other_choices(key, c));
+}
+
+Assumption oil_laws(const Case& c) {
+  const char* topic = "oil-laws";
+  if (c.lubricant.table_file) {
+    return assumption(topic, "viscosity and density are interpolated in the table of the oil",
+                      "beyond the pressures of the table its last slopes are continued");
+  }
+  std::vector<Alternative> others;
+  const bool thickens = c.lubricant.pressure_viscosity_coefficient > 0;
+  for (const char* key : {"lubricant.viscosity_pressure", "lubricant.compressibility"}) {
+    if (std::string(key) == "lubricant.viscosity_pressure" && !thickens) continue;  // both choices are one law then
+    for (Alternative& other : other_choices(key, c)) others.push_back(std::move(other));
+  }
+  return assumption(topic,
+                    "viscosity follows \"" + chosen("lubricant.viscosity_temperature", c) + "\" in temperature and \"" +
+                        chosen("lubricant.viscosity_pressure", c) + "\" in pressure, density \"" +
+                        chosen("lubricant.density_temperature", c) + "\" and \"" +
+                        chosen("lubricant.compressibility", c) + "\"",
+                    "the laws are continued beyond the measured temperatures, and film pressures lie far below those "
+                    "for which the laws of pressure were made",
+                    std::move(others));
 }
 
 // --- inputs that sources leave open -----------------------------------------------------------------------------
 
 Assumption composite_modulus(const cycle::Setup& setup) {
-  static constexpr double kOther = 190e9;
+  const double other = other_than(setup.E_prime, 190e9, 135e9);
   return assumption(
       "composite-modulus", text("E' is %.1f GPa; the coating's own modulus is not known", setup.E_prime / 1e9),
       "contact spots are far smaller than the coating is thick, so that its modulus rules; near 190 GPa both film "
       "parameters of the paper are met",
-      {{"contact.composite_modulus = \"190 GPa\"", [](Case& c) { c.contact.composite_modulus = kOther; }}});
+      other_numbers("contact.composite_modulus", setup.input, setup.E_prime, kGPa, {other}));
+}
+
+/// 20 % to either side of whatever states the tension; the elastic pressure is proportional to each of them.
+std::vector<Alternative> other_tensions(const cycle::Ring& ring, const Case& c) {
+  const auto scaled = [&](const char* key, double value, const Unit& unit) {
+    return other_numbers(key, c, value, unit, {0.8 * value, 1.2 * value});
+  };
+  if (ring.elastic_pressure) return scaled("ring.elastic_pressure", *ring.elastic_pressure, kMPa);
+  if (ring.tangential_force) return scaled("ring.tangential_force", *ring.tangential_force, kNewton);
+  return scaled("ring.free_gap", ring.free_gap.value(), kMm);
 }
 
 Assumption elastic_pressure(const cycle::Setup& setup) {
-  const auto scaled = [&](double factor) -> Alternative {
-    const double p_e = setup.elastic_pressure * factor;
-    return {text("ring.elastic_pressure = \"%.3g MPa\"", p_e / 1e6), [p_e](Case& c) {
-              c.ring.tangential_force.reset();
-              c.ring.free_gap.reset();
-              c.ring.radial_thickness.reset();
-              c.ring.elastic_pressure = p_e;
-            }};
-  };
   return assumption("ring-tension",
                     text("the ring presses with %.3g MPa by its own tension", setup.elastic_pressure / 1e6), "",
-                    {scaled(0.8), scaled(1.2)});
+                    other_tensions(setup.input.ring, setup.input));
 }
 
 Assumption cavitation_pressure(const Case& c) {
-  static constexpr double kOther = 0.2e5;
-  return assumption(
-      "cavitation-pressure",
-      text("the film ruptures at %.3g bar absolute, or at the lower edge pressure", c.film.cavitation_pressure / 1e5),
-      "", {{"film.cavitation_pressure = \"0.2 bar\"", [](Case& x) { x.film.cavitation_pressure = kOther; }}});
+  const double p = c.film.cavitation_pressure;
+  return assumption("cavitation-pressure",
+                    text("the film ruptures at %.3g bar absolute, or at the lower edge pressure", p / 1e5), "",
+                    other_numbers("film.cavitation_pressure", c, p, kBar, {other_than(p, 0.2e5, 1.013e5)}));
 }
 
 Assumption pressure_behind_ring(const Case& c) {
-  const double other = c.gas.pressure_behind_ring == 1.0 ? 0.9 : 1.0;
-  return assumption(
-      "pressure-behind-ring",
-      text("%.0f %% of the gas pressure acts behind the ring at once", 100 * c.gas.pressure_behind_ring),
-      "the groove fills through the side clearance, with a delay and a loss",
-      {{text("gas.pressure_behind_ring = %.1f", other), [other](Case& x) { x.gas.pressure_behind_ring = other; }}});
+  const double share = c.gas.pressure_behind_ring;
+  return assumption("pressure-behind-ring",
+                    text("%.3g %% of the gas pressure acts behind the ring at once", 100 * share),
+                    "the groove fills through the side clearance, with a delay and a loss",
+                    other_numbers("gas.pressure_behind_ring", c, share, kPlain, {other_than(share, 1.0, 0.9)}));
 }
 
 Assumption pressure_under_ring(const Case& c) {
@@ -159,25 +213,19 @@ Assumption pressure_under_ring(const Case& c) {
   if (c.gas.crankcase_trace) {
     return assumption(topic, "the pressure straight under the ring is that of the crankcase trace", consequence);
   }
-  static constexpr double kOther = 3e5;
-  return assumption(
-      topic,
-      text("the pressure straight under the ring is that of the crankcase, %.3g bar", c.gas.crankcase_pressure / 1e5),
-      consequence, {{"gas.crankcase_pressure = \"3 bar\"", [](Case& x) { x.gas.crankcase_pressure = kOther; }}});
+  const double p = c.gas.crankcase_pressure;
+  return assumption(topic, text("the pressure straight under the ring is that of the crankcase, %.3g bar", p / 1e5),
+                    consequence, other_numbers("gas.crankcase_pressure", c, p, kBar, {other_than(p, 3e5, 1.013e5)}));
 }
 
 Assumption oil_temperature(const Case& c) {
-  const auto warmer = [&](double by) -> Alternative {
-    const double T = c.operating.oil_temperature + by;
-    return {text("operating.oil_temperature = \"%.4g degC\"", T - 273.15),
-            [T](Case& x) { x.operating.oil_temperature = T; }};
-  };
-  return assumption("one-oil-temperature",
-                    text("all oil is at %.4g degC; it is not heated in the film and the walls do not differ",
-                         c.operating.oil_temperature - 273.15),
-                    "shear heats the oil by a few kelvin at the most; the temperatures of ring and liner decide, and "
-                    "they vary along the stroke",
-                    {warmer(-20), warmer(+20)});
+  const double T = c.operating.oil_temperature;
+  return assumption(
+      "one-oil-temperature",
+      text("all oil is at %.4g degC; it is not heated in the film and the walls do not differ", T - 273.15),
+      "shear heats the oil by a few kelvin at the most; the temperatures of ring and liner decide, and "
+      "they vary along the stroke",
+      other_numbers("operating.oil_temperature", c, T, kCelsius, {T - 20, T + 20}));
 }
 
 // --- what this program cannot lift yet ----------------------------------------------------------------------------
@@ -218,10 +266,19 @@ std::vector<Assumption> always_open(const Case& c) {
 
 std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
   const Case& c = setup.input;
-  std::vector<Assumption> all = {
-      flooded_inlet(setup),     pressure_behind_ring(c), pressure_under_ring(c), oil_temperature(c),
-      composite_modulus(setup), elastic_pressure(setup), orientation(c),         cavitation(c),
-      cavitation_pressure(c),   contact_integrals(c),    film_parameter(c),      roughness_measure(c)};
+  std::vector<Assumption> all = {flooded_inlet(setup),
+                                 pressure_behind_ring(c),
+                                 pressure_under_ring(c),
+                                 oil_temperature(c),
+                                 composite_modulus(setup),
+                                 elastic_pressure(setup),
+                                 orientation(c),
+                                 cavitation(c),
+                                 cavitation_pressure(c),
+                                 contact_integrals(c),
+                                 film_parameter(c),
+                                 roughness_measure(c),
+                                 oil_laws(c)};
   if (c.gas.model == cycle::GasModel::kTrace && c.gas.trace_origin == cycle::TraceOrigin::kSynthetic) {
     all.insert(all.begin(), assumption("synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured",
                                        "load, film and boundary friction around firing TDC follow it"));

@@ -8,12 +8,29 @@
 namespace ringfilm::study {
 namespace {
 
+/// Closer than this, a result agrees with a publication that prints two or three digits: nothing is left to explain.
+constexpr double kAgrees = 0.01;
+
 double cycle::CycleValues::*member_of(const std::string& quantity) {
   for (const cycle::CycleQuantity& candidate : cycle::cycle_quantities()) {
     if (candidate.name == quantity) return candidate.value;
   }
   throw InputError("a published value names the quantity \"" + quantity + "\", which no cycle value has",
                    "the names are those of `ringfilm run --json`");
+}
+
+/// Names the variant that comes closer to the published value than all others and the result itself.
+void explain(ComparisonRow& row, double cycle::CycleValues::*member, const std::vector<LedgerEntry>& ledger) {
+  double closest = std::abs(row.computed - row.published.value);
+  for (const LedgerEntry& entry : ledger) {
+    for (const LedgerVariant& variant : entry.variants) {
+      const double away = std::abs(variant.values.*member - row.published.value);
+      if (!variant.solved || !(away < closest)) continue;
+      closest = away;
+      row.strongest_setting = variant.setting;
+      row.with_strongest_setting = variant.values.*member;
+    }
+  }
 }
 
 }  // namespace
@@ -27,15 +44,7 @@ std::vector<ComparisonRow> compare(const cycle::CycleResult& result, const std::
     row.published = value;
     row.computed = result.values.*member;
     row.deviation = (row.computed - value.value) / value.value;
-    double closest = std::abs(row.computed - value.value);
-    for (const LedgerEntry& entry : ledger) {
-      for (const LedgerVariant& variant : entry.variants) {
-        if (!variant.solved || std::abs(variant.values.*member - value.value) >= closest) continue;
-        closest = std::abs(variant.values.*member - value.value);
-        row.strongest_setting = variant.setting;
-        row.with_strongest_setting = variant.values.*member;
-      }
-    }
+    if (std::abs(row.deviation) > kAgrees) explain(row, member, ledger);
     rows.push_back(std::move(row));
   }
   return rows;

@@ -21,12 +21,15 @@ struct PublishedValue {
 /// One row of the comparison table.
 struct ComparisonRow {
   PublishedValue published;
-  double computed = 0;            ///< [SI]
-  double deviation = 0;           ///< (computed - published)/published [-]
-  std::string strongest_setting;  ///< ledger variant that comes closest to the published value, empty without ledger
+  double computed = 0;   ///< [SI]
+  double deviation = 0;  ///< (computed - published)/published [-]
+  /// Ledger variant that comes closest to the published value; empty without ledger, where none comes closer than the
+  /// result, and where the deviation is 1 % or less.
+  std::string strongest_setting;
   std::optional<double> with_strongest_setting;  ///< the value with it [SI]
 };
 
+/// One row per published value. Throws InputError for a quantity that is no cycle value.
 std::vector<ComparisonRow> compare(const cycle::CycleResult& result, const std::vector<PublishedValue>& published,
                                    const std::vector<LedgerEntry>& ledger);
 

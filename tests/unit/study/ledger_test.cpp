@@ -1,0 +1,94 @@
+#include "ringfilm/study/ledger.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "study_case.hpp"
+
+namespace {
+
+using namespace ringfilm;
+using cycle::Case;
+using study::LedgerEntry;
+using study::LedgerVariant;
+using study::testing::coarse_case;
+
+const LedgerVariant& variant(const std::vector<LedgerEntry>& ledger, const std::string& setting) {
+  for (const LedgerEntry& entry : ledger) {
+    for (const LedgerVariant& candidate : entry.variants) {
+      if (candidate.setting == setting) return candidate;
+    }
+  }
+  throw std::out_of_range("the ledger has no variant " + setting);
+}
+
+/// The same bits: the same solver ran the same case.
+void expect_same_values(const cycle::CycleValues& variant, const Case& changed) {
+  const auto direct = cycle::testing::simulated(changed).values;
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    EXPECT_EQ(variant.*quantity.value, direct.*quantity.value) << quantity.name;
+  }
+}
+
+TEST(Ledger, VariantsEqualADirectRunOfTheChangedCase) {
+  const Case c = coarse_case();
+  int told = 0, last_done = 0, last_total = 0;
+  const auto ledger = study::ledger(c, [&](int done, int total) {
+    ++told;
+    last_done = done;
+    last_total = total;
+  });
+
+  Case mass_conserving = c;
+  mass_conserving.film.cavitation = cycle::Cavitation::kMassConserving;
+  expect_same_values(variant(ledger, "film.cavitation = \"mass-conserving\"").values, mass_conserving);
+  Case stiffer = c;
+  stiffer.contact.composite_modulus = 190e9;
+  expect_same_values(variant(ledger, "contact.composite_modulus = \"190 GPa\"").values, stiffer);
+  Case tenser = c;
+  tenser.ring.elastic_pressure = 0.24e6;
+  expect_same_values(variant(ledger, "ring.elastic_pressure = \"0.24 MPa\"").values, tenser);
+
+  int variants = 0;
+  for (const LedgerEntry& entry : ledger) {
+    variants += static_cast<int>(entry.variants.size());
+    EXPECT_EQ(entry.can_be_lifted, !entry.variants.empty()) << entry.topic;
+  }
+  EXPECT_EQ(told, variants);
+  EXPECT_EQ(last_done, variants);
+  EXPECT_EQ(last_total, variants);
+}
+
+TEST(Ledger, AVariantThatCannotBeSolvedIsKeptWithItsReason) {
+  Case c = coarse_case();
+  c.solver.cells = 20;
+  c.lubricant.table_file = "oil.csv";  // 20 K to either side of 120 degC lie outside
+  c.lubricant.table = {{383.15, 403.15}, {1e5, 1e7}, {6e-3, 7e-3, 4e-3, 5e-3}, {790, 795, 780, 785}};
+  const auto ledger = study::ledger(c);
+  for (const char* setting : {"operating.oil_temperature = \"100 degC\"", "operating.oil_temperature = \"140 degC\""}) {
+    const LedgerVariant& outside = variant(ledger, setting);
+    EXPECT_FALSE(outside.solved);
+    EXPECT_NE(outside.reason.find("outside the oil table"), std::string::npos) << outside.reason;
+  }
+  const LedgerVariant& inside = variant(ledger, "contact.composite_modulus = \"190 GPa\"");
+  EXPECT_TRUE(inside.solved);
+  EXPECT_EQ(inside.reason, "");
+  EXPECT_GT(inside.values.mean_power_loss, 0);
+}
+
+TEST(Ledger, OutputThatTheCaseAsksForDoesNotMoveAVariant) {
+  Case c = coarse_case();
+  c.solver.cells = 20;
+  c.output.fields = cycle::FieldsWanted::kAll;
+  c.output.crank_angles_deg = {10};
+  Case plain = coarse_case();
+  plain.solver.cells = 20;
+  const auto with_fields = study::ledger(c), without = study::ledger(plain);
+  ASSERT_EQ(with_fields.size(), without.size());
+  const char* setting = "ring.face.orientation = \"x0-crankcase\"";
+  EXPECT_EQ(variant(with_fields, setting).values.mean_power_loss, variant(without, setting).values.mean_power_loss);
+}
+
+}  // namespace
