@@ -1,13 +1,7 @@
 #include "ringfilm/study/assumptions.hpp"
 
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <initializer_list>
 #include <utility>
-#include <variant>
-
-#include "ringfilm/cycle/case_fields.hpp"
 
 namespace ringfilm::study {
 namespace {
@@ -32,80 +26,8 @@ Assumption assumption(const std::string& topic, std::string statement, std::stri
   return {std::move(entry), std::move(alternatives)};
 }
 
-// --- other settings -----------------------------------------------------------------------------------------------
-
-/// Those with which the case breaks no rule.
-std::vector<Alternative> kept_if_allowed(const Case& c, std::vector<Alternative> alternatives) {
-  std::erase_if(alternatives, [&](const Alternative& alternative) {
-    Case changed = c;
-    alternative.apply(changed);
-    return !cycle::broken_rules(changed).empty();
-  });
-  return alternatives;
-}
-
-const cycle::ChoiceKind& choice(const std::string& key) {
-  return std::get<cycle::ChoiceKind>(cycle::find_field(key)->kind);
-}
-
-std::string chosen(const std::string& key, const Case& c) { return choice(key).names.at(choice(key).index(c)); }
-
-/// The choices of a key that the case does not make.
-std::vector<Alternative> other_choices(const std::string& key, const Case& c) {
-  const cycle::ChoiceKind& kind = choice(key);
-  std::vector<Alternative> others;
-  for (int i = 0; i < static_cast<int>(kind.names.size()); ++i) {
-    if (i == kind.index(c)) continue;
-    others.push_back({key + " = \"" + kind.names[i] + "\"", [choose = kind.choose, i](Case& x) { choose(x, i); }});
-  }
-  return kept_if_allowed(c, std::move(others));
-}
-
-/// The unit in which a setting is written: SI value = number * size + zero.
-struct Unit {
-  const char* name;
-  double size;
-  double zero = 0;
-};
 constexpr Unit kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5}, kNewton{"N", 1}, kMm{"mm", 1e-3};
 constexpr Unit kCelsius{"degC", 1, 273.15}, kPlain{"", 1};
-
-void set_number(const std::string& key, Case& c, double value) {
-  const cycle::Kind& kind = cycle::find_field(key)->kind;
-  if (const auto* optional = std::get_if<cycle::OptionalNumberKind>(&kind)) {
-    optional->ref(c) = value;
-  } else if (const auto* or_file = std::get_if<cycle::NumberOrFileKind>(&kind)) {
-    or_file->number(c) = value;
-  } else {
-    std::get<cycle::NumberKind>(kind).ref(c) = value;
-  }
-}
-
-bool in_range(const std::string& key, double value) {
-  const auto& range = cycle::find_field(key)->range;
-  return !range || (value > range->low && value < range->high) || (value == range->low && !range->low_open) ||
-         (value == range->high && !range->high_open);
-}
-
-/// Other values of a key [SI], each rounded to four digits in `unit` before it is run: what a setting says is what was
-/// computed. A value within a thousandth of `in_use` is the case itself and left out.
-std::vector<Alternative> other_numbers(const std::string& key, const Case& c, double in_use, const Unit& unit,
-                                       std::initializer_list<double> values) {
-  std::vector<Alternative> others;
-  for (const double wanted : values) {
-    const std::string number = text("%.4g", (wanted - unit.zero) / unit.size);
-    const double value = std::strtod(number.c_str(), nullptr) * unit.size + unit.zero;
-    if (std::abs(value - in_use) <= 1e-3 * std::abs(in_use) || !in_range(key, value)) continue;
-    const std::string written = *unit.name ? "\"" + number + " " + unit.name + "\"" : number;
-    others.push_back({key + " = " + written, [key, value](Case& x) { set_number(key, x, value); }});
-  }
-  return kept_if_allowed(c, std::move(others));
-}
-
-/// `value`, or `instead` where the case uses `value` already.
-double other_than(double in_use, double value, double instead) {
-  return std::abs(in_use - value) <= 1e-3 * value ? instead : value;
-}
 
 // --- choices of model -------------------------------------------------------------------------------------------
 
