@@ -30,7 +30,27 @@ constexpr const char* kRunFooter = R"(Examples:
   ringfilm run case.toml --set operating.speed='3000 rpm' --set solver.cells=400 --json
   ringfilm run case.toml --ledger --output result.nc
 
+--set KEY= takes a key out of the case, e.g. --set ring.elastic_pressure= --set ring.tangential_force='12.5 N'.
 An output that exists is replaced at once when the new one is complete; a kill or a full disk leaves the old one.
+)";
+
+constexpr const char* kCheckFooter = R"(Examples:
+  ringfilm check case.toml
+  ringfilm check case.toml --set operating.speed='3000 rpm'
+)";
+
+constexpr const char* kFieldsFooter = R"(Examples:
+  ringfilm fields
+  ringfilm fields | grep ring.
+)";
+
+constexpr const char* kNewFooter = R"(Examples:
+  ringfilm new my_engine.toml
+)";
+
+constexpr const char* kReproduceFooter = R"(Examples:
+  ringfilm reproduce styles2014
+  ringfilm reproduce styles2014 --output paper
 )";
 
 constexpr const char* kReportFooter = R"(Examples:
@@ -115,13 +135,17 @@ class Commands {
       check({check_words_.case_path(), check_words_.overrides()});
     });
     check_words_.add_to(command);
+    command.footer(kCheckFooter);
   }
 
-  void add_fields() { add("fields", "Print all keys of a case with unit, default, range and meaning", &fields); }
+  void add_fields() {
+    add("fields", "Print all keys of a case with unit, default, range and meaning", &fields).footer(kFieldsFooter);
+  }
 
   void add_new() {
     auto& command = add("new", "Write a commented case to start from", [this] { start_case(start_path_); });
     command.add_option("CASE.toml", start_path_, "the file to write; must not exist yet")->required()->type_name("");
+    command.footer(kNewFooter);
   }
 
   void add_report() {
@@ -142,6 +166,7 @@ class Commands {
         ->type_name("");
     command.add_option("--output", reproduce_.folder, "folder for results and report (default ./<publication>)")
         ->type_name("DIR");
+    command.footer(kReproduceFooter);
   }
 
   /// What the chosen command does.

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "computation.hpp"
 #include "engineering_text.hpp"
+#include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/published_file.hpp"
 #include "ringfilm/report/html.hpp"
@@ -41,12 +42,28 @@ std::string field_angles() {
   return "[" + list + "]";
 }
 
-io::ResultDocument computed_ring(const fs::path& cases, const std::string& ring) {
-  const cycle::Case input = io::read_case((cases / (ring + ".toml")).string(), {{"output.fields", field_angles()}});
-  Computation done = computation(input, LedgerWanted::kComputed, ring);
+/// One ring with what is published of it.
+struct RingInput {
+  std::string ring;
+  cycle::Case input;
+  std::vector<study::PublishedValue> published;
+};
+
+/// All that is read, before anything is computed or written.
+std::vector<RingInput> ring_inputs(const fs::path& cases) {
+  std::vector<RingInput> inputs;
+  for (const std::string ring : kRings) {
+    inputs.push_back({ring, io::read_case((cases / (ring + ".toml")).string(), {{"output.fields", field_angles()}}),
+                      io::read_published((cases / "published.toml").string(), ring)});
+    cycle::prepare(inputs.back().input);
+  }
+  return inputs;
+}
+
+io::ResultDocument computed_ring(const RingInput& ring) {
+  Computation done = computation(ring.input, LedgerWanted::kComputed, ring.ring);
   if (done.stopped) throw *done.stopped;
-  done.document.comparison = study::compare(
-      done.document.result, io::read_published((cases / "published.toml").string(), ring), done.document.ledger);
+  done.document.comparison = study::compare(done.document.result, ring.published, done.document.ledger);
   return done.document;
 }
 
@@ -94,6 +111,7 @@ void reproduce(const ReproduceOptions& options) {
   }
   const fs::path folder = options.folder.empty() ? fs::path(kPublication) : fs::path(options.folder);
   const fs::path cases = fs::path(io::shipped_folder()) / "cases" / kPublication;
+  const std::vector<RingInput> inputs = ring_inputs(cases);
   make_folder(folder);
   const std::string page = (folder / "report.html").string();
   io::check_can_write(page, io::Sink::kFile);
@@ -101,10 +119,10 @@ void reproduce(const ReproduceOptions& options) {
   std::cout << "Styles et al. 2014: three rings over one engine cycle at 1500 rpm and 120 degC\n"
             << "cylinder pressure: SYNTHETIC, made for this project; the paper's own trace is only a picture\n\n";
   std::vector<io::ResultDocument> documents;
-  for (const std::string ring : kRings) {
-    documents.push_back(computed_ring(cases, ring));
-    io::write_result((folder / (ring + ".nc")).string(), documents.back());
-    std::cout << comparison_table(ring, documents.back().comparison) << "\n";
+  for (const RingInput& ring : inputs) {
+    documents.push_back(computed_ring(ring));
+    io::write_result((folder / (ring.ring + ".nc")).string(), documents.back());
+    std::cout << comparison_table(ring.ring, documents.back().comparison) << "\n";
   }
   std::cout << rings_table(documents) << "\n";
   io::write_atomically(page, ringfilm::report::report_page(documents, {}));

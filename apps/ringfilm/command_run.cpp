@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <functional>
 #include <iostream>
 
@@ -53,22 +55,37 @@ cycle::Case checked_case(const RunOptions& options) {
   return input;
 }
 
+/// Why the march stopped, and what there is of it now.
+ConvergenceError stop_told(const RunOptions& options, const Computation& done) {
+  const auto& samples = done.document.result.samples;
+  std::string text = done.stopped->what();
+  if (samples.empty()) {
+    text += "\nno crank angle of those asked for was finished; nothing was written, files that exist are unchanged";
+  } else if (options.output || options.csv) {
+    text += fmt::format("\nwhat was written ends at {:.6g} degree", samples.back().crank_angle_deg);
+  }
+  return {text, done.stopped->crank_angle_deg()};
+}
+
 }  // namespace
 
 void run(const RunOptions& options) {
   const cycle::Case input = checked_case(options);
   const Computation done = computation(input, options.ledger, options.case_path);
-  if (options.output) io::write_result(*options.output, done.document);
-  if (options.csv) io::write_atomically(*options.csv, io::result_csv(done.document.result.samples));
+  const bool is_worth_writing = !done.document.result.samples.empty();
+  if (options.output && is_worth_writing) io::write_result(*options.output, done.document);
+  if (options.csv && is_worth_writing) {
+    io::write_atomically(*options.csv, io::result_csv(done.document.result.samples));
+  }
   if (options.summary == SummaryForm::kJson) {
     std::cout << io::result_json(done.document);
   } else {
     std::cout << summary(input, done.document);
     if (done.document.ledger_computed) std::cout << "\n" << ledger_table(done.document);
-    if (options.output) std::cout << "wrote " << *options.output << "\n";
-    if (options.csv) std::cout << "wrote " << *options.csv << "\n";
+    if (options.output && is_worth_writing) std::cout << "wrote " << *options.output << "\n";
+    if (options.csv && is_worth_writing) std::cout << "wrote " << *options.csv << "\n";
   }
-  if (done.stopped) throw *done.stopped;
+  if (done.stopped) throw stop_told(options, done);
 }
 
 }  // namespace ringfilm::app

@@ -22,14 +22,14 @@ int carry_out(const Request& request) {
   try {
     request.command();
     std::cout.flush();
-    if (!std::cout) throw OutputError("standard output: could not be written");
-    return kFine;
+    if (std::cout) return kFine;
+    std::cerr << "standard output: could not be written in full; is the disk full or the pipe closed? (exit code "
+              << kCouldNotWrite << ")\n";
+    return kCouldNotWrite;
   } catch (const InputError& error) {
     return tell(error);
   } catch (const ConvergenceError& error) {
-    std::cerr << error.what() << ", at a crank angle of " << error.crank_angle_deg()
-              << " degree\nthe cycle was not finished; what was asked to be written holds the part before (exit code "
-              << kNoConvergence << ")\n";
+    std::cerr << error.what() << "\nthe cycle was not finished (exit code " << kNoConvergence << ")\n";
     return kNoConvergence;
   } catch (const OutputError& error) {
     std::cerr << error.what() << "\nwhat stood there before is unchanged (exit code " << kCouldNotWrite << ")\n";

@@ -90,6 +90,11 @@ std::string values_table(const CycleValues& values) {
   return table.text();
 }
 
+std::string stopped_solver_lines(const cycle::Effort& effort) {
+  return wrapped(words(fmt::format("solver: stopped after {} crank steps and {} Newton iterations", effort.crank_steps,
+                                   effort.newton_iterations)));
+}
+
 std::string solver_lines(const cycle::Effort& effort) {
   std::string text = fmt::format(
       "solver: {:.4g} cycles until the state repeats (to {:.1e}), {} crank steps, {} Newton iterations; load balanced "
@@ -139,11 +144,12 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
                       pressure_origin(input.gas));
   const cycle::CycleResult& result = document.result;
   if (!result.complete) {
-    text += fmt::format("STOPPED before the cycle was complete, after {} crank angles; the values are of that part\n\n",
-                        result.samples.size());
+    text += fmt::format(
+        "STOPPED before the cycle was complete, after {} crank angles; there are no values of the cycle\n\n",
+        result.samples.size());
   }
-  if (!result.samples.empty()) text += values_table(result.values) + "\n";
-  text += solver_lines(result.effort);
+  if (result.complete && !result.samples.empty()) text += values_table(result.values) + "\n";
+  text += result.complete ? solver_lines(result.effort) : stopped_solver_lines(result.effort);
   text += assumed_lines(document.inputs) + simplification_lines(document) + note_lines(document);
   return text;
 }

@@ -112,6 +112,20 @@ class BadCase(program.ProgramTest):
             file.truncate(100 << 20)
         self.refuse("huge.toml", case="huge.toml")
 
+    def test_pipe_given_as_case_is_refused_at_once(self):
+        os.mkfifo(self.folder / "pipe.toml")
+        self.refuse("pipe.toml", "a device or a pipe", case="pipe.toml")
+
+    def test_every_refusal_says_what_to_do(self):
+        (self.folder / "case.toml").write_text(program.CASE + "bore == 3\n")
+        self.refuse("a line is key = value")
+        (self.folder / "case.toml").write_text("")
+        self.refuse("is it the right file?")
+        (self.folder / "case.toml").write_text(program.CASE)
+        self.refuse("include cannot be set", "into the case file", words=("--set", "include=x.toml"))
+        self.refuse("--set gas.intake_pressure= on the command line", words=("--set", "gas.intake_pressure=1 bar"))
+        self.refuse_trace("crank_angle [degree],p [bar]\n0,1\n1\n", "a value for each column")
+
     def test_settings_on_the_command_line(self):
         self.refuse("--set", "solver.cels", "solver.cells", words=("--set", "solver.cels=100"))
         self.refuse("operating.speed", words=("--set", "operating.speed=1500"))

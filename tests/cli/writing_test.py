@@ -109,6 +109,8 @@ class Writing(program.ProgramTest):
         with open("/dev/full", "w") as full:
             done = subprocess.run([program.PROGRAM, "fields"], stdout=full, stderr=subprocess.PIPE, text=True)
         self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("standard output: could not be written in full", done.stderr)
+        self.assertNotIn("unchanged", done.stderr)
 
     def test_partial_files_of_killed_writers_go_with_the_next_run(self):
         ended = subprocess.Popen(["true"])

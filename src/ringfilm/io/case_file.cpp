@@ -58,9 +58,10 @@ class Reader {
 
   void read_data_files() {
     cycle::Gas& gas = case_.gas;
-    const TraceColumns cylinder{gas.pressure_column, gas.angle_column, gas.pressure_unit, gas.angle_unit,
-                                gas.pressure_reference};
-    const TraceColumns crankcase{std::nullopt, std::nullopt, gas.pressure_unit, gas.angle_unit, gas.pressure_reference};
+    const TraceColumns cylinder{gas.pressure_column,    gas.angle_column, gas.pressure_unit,    gas.angle_unit,
+                                gas.pressure_reference, gas.angle_zero,   TracePlace::kCylinder};
+    const TraceColumns crankcase{std::nullopt,           std::nullopt,   gas.pressure_unit,     gas.angle_unit,
+                                 gas.pressure_reference, gas.angle_zero, TracePlace::kCrankcase};
     if (gas.model == cycle::GasModel::kTrace && is_good("gas.cylinder_pressure")) {
       read_data("gas.cylinder_pressure", gas.cylinder_pressure_file, [&](const NamedFile& file) {
         TraceFile trace = read_trace(file, cylinder, units_);
@@ -170,7 +171,8 @@ class Reader {
       const Field& field = *cycle::find_field(key);
       if (!use_is_known(field) || cycle::is_active(field, case_) || tree_.from_oil_file.contains(key)) continue;
       tree_.faults.push_back({entry->value.key_mark, key + " is not used in this case",
-                              "it is used where " + field.active_when + "; take it out, or change that"});
+                              "it is used where " + field.active_when + "; take it out (or add --set " + key +
+                                  "= on the command line), or change that"});
     }
   }
 

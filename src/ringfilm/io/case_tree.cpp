@@ -228,6 +228,11 @@ class Gatherer {
     for (const auto& [key, text] : overrides) {
       TomlEntry entry{key, {}, ""};
       entry.value.key_mark = entry.value.mark = {"--set", 0, 0, ""};
+      if (key == "include") {
+        fault(entry.value.mark, "include cannot be set on the command line",
+              "write it into the case file, or set the keys of that file one by one");
+        continue;
+      }
       if (!check_known(entry)) continue;
       if (text.empty()) {
         entries_.erase(key);

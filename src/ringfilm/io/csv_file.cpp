@@ -107,7 +107,8 @@ class Reader {
       faults_.push_back({csv_.source.mark(number, 1),
                          "the row has " + std::to_string(cells.size()) + " values, the header names " +
                              std::to_string(n) + " columns",
-                         doubled ? "with decimal commas, separate the columns by semicolons" : ""});
+                         doubled ? "with decimal commas, separate the columns by semicolons"
+                                 : "give every row a value for each column"});
       return;
     }
     csv_.row_lines.push_back(number);

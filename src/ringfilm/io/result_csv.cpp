@@ -21,7 +21,7 @@ std::string result_csv(const std::vector<cycle::Sample>& samples) {
     for (const auto& quantity : quantities) {
       const double value = sample.*quantity.value;
       csv += separator;
-      csv += std::isnan(value) ? "nan" : fmt::format("{}", value);  // fmt would print the sign of a NaN
+      csv += std::isnan(value) ? "nan" : fmt::format("{}", value + 0.0);  // the sign of a NaN or a zero says nothing
       separator = ",";
     }
     csv += '\n';

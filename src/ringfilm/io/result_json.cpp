@@ -29,6 +29,30 @@ ordered_json notes_array(const ResultDocument& document) {
   return notes;
 }
 
+/// What is taken for granted; of a variant the cycle values that differ, SI.
+ordered_json ledger_array(const ResultDocument& document) {
+  ordered_json ledger = ordered_json::array();
+  for (const study::LedgerEntry& entry : document.ledger) {
+    ordered_json variants = ordered_json::array();
+    for (const study::LedgerVariant& variant : entry.variants) {
+      ordered_json changed = ordered_json::object();
+      for (const auto& quantity : cycle::cycle_quantities()) {
+        const double value = variant.values.*quantity.value;
+        if (variant.solved && value != document.result.values.*quantity.value) changed[quantity.name] = value;
+      }
+      variants.push_back({{"setting", variant.setting}, {"solved", variant.solved}, {"changed", changed}});
+      if (!variant.solved) variants.back()["reason"] = variant.reason;
+    }
+    ledger.push_back({{"topic", entry.topic},
+                      {"statement", entry.statement},
+                      {"consequence", entry.consequence},
+                      {"source", entry.source},
+                      {"can_be_lifted", entry.can_be_lifted},
+                      {"variants", variants}});
+  }
+  return ledger;
+}
+
 }  // namespace
 
 std::string result_json(const ResultDocument& document) {
@@ -52,6 +76,7 @@ std::string result_json(const ResultDocument& document) {
     if (entry.assumed) assumed[entry.key] = entry.shown;
   }
   object["assumed"] = assumed;
+  if (document.ledger_computed) object["ledger"] = ledger_array(document);
   object["effort"] = effort_object(result.effort);
   object["program"] = document.provenance.program;
   object["commit"] = document.provenance.commit;

@@ -25,6 +25,10 @@ std::string read_bytes(const std::string& path, const std::string& shown, std::s
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) refuse(file, "there is no such file", "check the name and the folder");
   if (fs::is_directory(status)) refuse(file, "this is a folder, not a file", "name the file in it");
+  // To open a pipe waits for somebody who writes into it.
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    refuse(file, "this is a device or a pipe, not a file", "put its content into a file first");
+  }
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) {
@@ -124,7 +128,8 @@ SourceText read_source_text(const std::string& path, const std::string& shown, s
   source.sha256 = sha256(bytes);
   source.text = normalised(bytes, source.has_byte_order_mark);
   check_text(source);
-  if (source.text.find_first_not_of(" \t\n") == std::string::npos) refuse(file, "the file is empty", "");
+  if (source.text.find_first_not_of(" \t\n") == std::string::npos)
+    refuse(file, "the file is empty", "is it the right file?");
   source.lines = split_lines(source.text);
   return source;
 }

@@ -69,7 +69,8 @@ TomlValue parse_toml(const SourceText& source) {
     return plain(table, source);
   } catch (const toml::parse_error& error) {
     throw InputError(std::vector<Fault>{
-        {mark_of(source, error.source()), "this is not valid TOML: " + std::string(error.description()), ""}});
+        {mark_of(source, error.source()), "this is not valid TOML: " + std::string(error.description()),
+         "a line is key = value or [section]; texts and values with a unit stand in quotes"}});
   }
 }
 

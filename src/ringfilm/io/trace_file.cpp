@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "ringfilm/io/csv_file.hpp"
 
@@ -11,6 +12,9 @@ namespace ringfilm::io {
 namespace {
 
 constexpr double kCycleDeg = 720;
+constexpr double kLargestStepDeg = 10;  ///< as models::covers_cycle asks for
+/// The last sample may be the first one cycle later; beyond these relative differences it is told, or refused.
+constexpr double kToldMismatch = 1e-3, kLargestMismatch = 0.05;
 constexpr double kAtmosphere = 101325;  // [Pa]
 /// The peak of any engine's trace lies between these; outside, the unit is wrong [Pa].
 constexpr double kLeastPeak = 5e4, kHighestPeak = 1e8;
@@ -54,10 +58,13 @@ class Reader {
       trace.samples = {values(*i_angle, angle), values(*i_pressure, pressure)};
       if (faults_.empty()) check_angles(trace.samples.crank_angle_deg, *i_angle);
       if (faults_.empty()) check_pressures(trace.samples.value, *i_pressure);
+      if (faults_.empty()) check_repetition(trace.samples, *i_pressure);
+      if (faults_.empty()) check_peak(trace.samples);
     }
     if (!faults_.empty()) throw InputError(faults_);
     trace.sha256 = csv_.source.sha256;
     trace.notes = csv_.notes;
+    trace.notes.insert(trace.notes.end(), notes_.begin(), notes_.end());
     return trace;
   }
 
@@ -148,18 +155,66 @@ class Reader {
       faults_.push_back({csv_.cell_mark(angle.size() - 1, i_column),
                          fmt::format("the trace spans {:.8g} degree", angle.back() - angle.front()),
                          "one cycle of 720 degree is wanted; cut or average the cycles"});
+    } else {
+      check_holes(angle, i_column);
     }
+  }
+
+  /// A wide step in a trace that is fine elsewhere: rows were lost.
+  void check_holes(const std::vector<double>& angle, std::size_t i_column) {
+    std::vector<double> step;
+    for (std::size_t k = 1; k < angle.size(); ++k) step.push_back(angle[k] - angle[k - 1]);
+    const auto median = step.begin() + static_cast<std::ptrdiff_t>(step.size() / 2);
+    std::nth_element(step.begin(), median, step.end());
+    if (*median > kLargestStepDeg) return;
+    for (std::size_t k = 1; k < angle.size(); ++k) {
+      if (angle[k] - angle[k - 1] <= kLargestStepDeg * (1 + 1e-9)) continue;
+      faults_.push_back({csv_.cell_mark(k, i_column),
+                         fmt::format("no samples between {:.8g} and {:.8g} degree", angle[k - 1], angle[k]),
+                         "samples may be 10 degree apart at the most; fill the hole"});
+    }
+  }
+
+  double atmosphere() const { return stated_.reference == cycle::PressureReference::kGauge ? kAtmosphere : 0; }
+
+  void check_repetition(const cycle::SampledTrace& samples, std::size_t i_column) {
+    const auto& angle = samples.crank_angle_deg;
+    if (angle.back() - angle.front() < kCycleDeg * (1 - 1e-9)) return;
+    const double first = samples.value.front() + atmosphere(), last = samples.value.back() + atmosphere();
+    const double mismatch = std::abs(last - first) / std::max(first, last);
+    if (mismatch <= kToldMismatch) return;
+    const std::string message =
+        fmt::format("the pressure is {:.6g} bar at {:.8g} degree and {:.6g} bar one cycle later, at {:.8g} degree",
+                    samples.value.front() / 1e5, angle.front(), samples.value.back() / 1e5, angle.back());
+    if (mismatch > kLargestMismatch) {
+      faults_.push_back({csv_.cell_mark(angle.size() - 1, i_column), message,
+                         "a cycle repeats itself; take the last sample out, or average the cycles"});
+    } else {
+      notes_.push_back(csv_.source.path + ": " + message);
+    }
+  }
+
+  void check_peak(const cycle::SampledTrace& samples) {
+    if (stated_.place == TracePlace::kCrankcase) return;
+    const auto peak = std::max_element(samples.value.begin(), samples.value.end()) - samples.value.begin();
+    const double to_firing = stated_.angle_zero == cycle::AngleZero::kGasExchangeTdc ? kCycleDeg / 2 : 0;
+    const double turned = std::fmod(samples.crank_angle_deg[static_cast<std::size_t>(peak)] + to_firing, kCycleDeg);
+    const double angle = turned < 0 ? turned + kCycleDeg : turned;
+    if (std::abs(angle - kCycleDeg / 2) >= kCycleDeg / 4) return;
+    notes_.push_back(
+        fmt::format("{}: peak pressure lies at {:.6g} degree, near gas-exchange TDC; is gas.angle_zero right?",
+                    csv_.source.path, angle));
   }
 
   void check_pressures(const std::vector<double>& p, std::size_t i_column) {
     const bool gauge = stated_.reference == cycle::PressureReference::kGauge;
-    const double atmosphere = gauge ? kAtmosphere : 0;
     for (std::size_t k = 0; k < p.size(); ++k) {
-      if (p[k] + atmosphere > 0) continue;
+      if (p[k] + atmosphere() > 0) continue;
       faults_.push_back({csv_.cell_mark(k, i_column), fmt::format("the pressure is {:.6g} Pa and below vacuum", p[k]),
                          gauge ? "" : "is the trace a gauge pressure? Then gas.pressure_reference = \"gauge\""});
       return;
     }
+    if (stated_.place == TracePlace::kCrankcase) return;
     const auto peak = std::max_element(p.begin(), p.end());
     if (*peak < kLeastPeak || *peak > kHighestPeak) {
       faults_.push_back({csv_.cell_mark(static_cast<std::size_t>(peak - p.begin()), i_column),
@@ -172,6 +227,7 @@ class Reader {
   const TraceColumns& stated_;
   const Units& units_;
   std::vector<Fault> faults_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace

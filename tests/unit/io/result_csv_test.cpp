@@ -34,6 +34,7 @@ TEST(ResultCsv, NumbersReadBackExactlyAndAnglesStayShort) {
   sample.piston_velocity = -0.1;
   sample.gas_pressure = 2395369.6737;
   sample.min_film_thickness = std::nextafter(6.173208178341159e-7, 1.0);
+  sample.oil_flow_middle = -0.0;
   sample.rupture_position = -std::numeric_limits<double>::quiet_NaN();
   const auto lines = split(result_csv({sample}), '\n');
   ASSERT_EQ(lines.size(), 2u);
@@ -42,6 +43,7 @@ TEST(ResultCsv, NumbersReadBackExactlyAndAnglesStayShort) {
   EXPECT_EQ(row[0], "719");
   EXPECT_EQ(row[1], "-0.1");
   EXPECT_EQ(row[2], "2395369.6737");
+  EXPECT_EQ(row[16], "0") << header[16];
   EXPECT_EQ(std::strtod(row[4].c_str(), nullptr), sample.min_film_thickness);
   const auto column = std::find(header.begin(), header.end(), "rupture_position [m]") - header.begin();
   EXPECT_EQ(row.at(static_cast<std::size_t>(column)), "nan");

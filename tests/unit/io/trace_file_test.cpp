@@ -125,6 +125,38 @@ TEST_F(Trace, RefusesPressuresThatCannotBe) {
   EXPECT_THAT(told("crank_angle [degree],p [bara]\n0,1\n1,62\n", gauge), HasSubstr("the unit bara is absolute"));
 }
 
+TEST_F(Trace, CrankcaseMayBeNearTheAtmosphere) {
+  TraceColumns crankcase;
+  crankcase.reference = cycle::PressureReference::kGauge;
+  crankcase.place = TracePlace::kCrankcase;
+  EXPECT_THAT(read("crank_angle [degree],p [mbar]\n0,30\n5,-20\n", crankcase).samples.value, ElementsAre(3000, -2000));
+  EXPECT_THAT(told("crank_angle [degree],p [mbar]\n0,30\n5,-1020\n", crankcase), HasSubstr("below vacuum"));
+}
+
+TEST_F(Trace, RepeatsAfterACycleOrIsTold) {
+  const std::string head = "crank_angle [degree],p [bar]\n0,20\n360,10\n720,";
+  EXPECT_THAT(read(head + "20.01\n").notes, ::testing::IsEmpty());
+  EXPECT_THAT(read(head + "20.5\n").notes, ElementsAre(HasSubstr("20.5 bar one cycle later, at 720 degree")));
+  EXPECT_THAT(told(head + "90\n"), HasSubstr("p.csv:4:5: the pressure is 20 bar at 0 degree and 90 bar one cycle"));
+}
+
+TEST_F(Trace, HoleInsideIsToldAsTheHole) {
+  std::string text = "crank_angle [degree],p [bar]\n";
+  for (int angle = 0; angle < 720; ++angle) {
+    if (angle <= 400 || angle >= 411) text += std::to_string(angle) + "," + (angle < 90 ? "9" : "2") + "\n";
+  }
+  EXPECT_THAT(told(text), HasSubstr("no samples between 400 and 411 degree"));
+}
+
+TEST_F(Trace, PeakNearGasExchangeIsNoted) {
+  const std::string text = "crank_angle [degree],p [bar]\n0,1\n20,60\n400,1\n";
+  TraceColumns stated;
+  EXPECT_THAT(read(text, stated).notes, ::testing::IsEmpty());
+  stated.angle_zero = cycle::AngleZero::kGasExchangeTdc;
+  EXPECT_THAT(read(text, stated).notes,
+              ElementsAre(HasSubstr("peak pressure lies at 380 degree, near gas-exchange TDC")));
+}
+
 TEST(PartialTrace, WantsThePressuresThatJoinIt) {
   const CaseFolder folder;
   std::string text = "crank_angle [degree],p [bar]\n";
