@@ -12,8 +12,12 @@ namespace ringfilm::io {
 constexpr long kResultSchema = 1;
 
 /// Plain description of a variable that is no quantity of the tables in cycle/result.hpp.
-inline cycle::Quantity described(std::string name, std::string unit, std::string long_name, std::string symbol = "") {
-  return {std::move(name), std::move(unit), "", std::move(long_name), std::move(symbol), ""};
+inline cycle::Quantity described(std::string name, std::string unit, std::string long_name, std::string symbol = "",
+                                 std::string equation = "") {
+  return {std::move(name), std::move(unit), "", std::move(long_name), std::move(symbol), std::move(equation)};
+}
+inline cycle::Quantity count(std::string name, std::string long_name) {
+  return described(std::move(name), "1", std::move(long_name));
 }
 inline cycle::Quantity text(std::string name, std::string long_name) {
   return described(std::move(name), "", std::move(long_name));
@@ -70,25 +74,30 @@ template <class File, class Result>
 void exchange_fields(File& file, Result& result) {
   auto& fields = result.fields;
   file.numbers({"x"}, described("x", "m", "position along the ring face from the chamber edge", "x"), fields.x);
-  file.numbers({"x"}, described("face_height", "m", "height of the ring face as installed", "h_s"), fields.face_height);
+  file.numbers({"x"}, described("face_height", "m", "height of the ring face as installed", "h_s", "eq-film-thickness"),
+               fields.face_height);
   file.numbers({"field_crank_angle"},
                described("field_crank_angle", "degree", "crank angle of the fields, 0 = firing TDC", "phi"),
                fields.crank_angle_deg);
   const std::vector<const char*> grid = {"field_crank_angle", "x"};
-  file.numbers(grid, described("film_thickness", "m", "film thickness along the face", "h"), fields.film_thickness);
-  file.numbers(grid, described("film_pressure", "Pa", "absolute film pressure along the face", "p"),
+  file.numbers(grid, described("film_thickness", "m", "film thickness along the face", "h", "eq-film-thickness"),
+               fields.film_thickness);
+  file.numbers(grid, described("film_pressure", "Pa", "absolute film pressure along the face", "p", "eq-reynolds"),
                fields.film_pressure);
-  file.numbers(grid, described("fill", "1", "liquid share of the gap", "theta"), fields.fill);
-  file.numbers(grid, described("local_film_parameter", "1", "film parameter along the face", "lambda"),
+  file.numbers(grid, described("fill", "1", "liquid share of the gap", "theta", "eq-fill"), fields.fill);
+  file.numbers(grid,
+               described("local_film_parameter", "1", "film parameter along the face", "lambda", "eq-film-parameter"),
                fields.film_parameter);
-  file.numbers(grid, described("asperity_pressure", "Pa", "asperity contact pressure along the face", "p_a"),
-               fields.asperity_pressure);
+  file.numbers(
+      grid, described("asperity_pressure", "Pa", "asperity contact pressure along the face", "p_a", "eq-asperity-load"),
+      fields.asperity_pressure);
   auto& stroke = result.stroke;
   file.numbers({"liner_position"},
                described("liner_position", "m", "distance below the position of the ring at TDC", "s"),
                stroke.liner_position);
   file.numbers({"liner_position"},
-               described("wear_drive_density", "J m-1", "work of asperity contact per length of liner and cycle", ""),
+               described("wear_drive_density", "J m-1", "work of asperity contact per length of liner and cycle", "w",
+                         "eq-wear-drive"),
                stroke.wear_drive_density);
 }
 
@@ -100,7 +109,7 @@ void exchange_case(File& file, Document& document) {
   file.column("input", text("input_key", "key of the case"), document.inputs, &CaseEntry::key);
   file.column("input", text("input_value", "value in SI as in a case file"), document.inputs, &CaseEntry::value);
   file.column("input", text("input_shown", "value in the unit people use"), document.inputs, &CaseEntry::shown);
-  file.column("input", text("input_assumed", "1 where the case does not state the key and the default was taken"),
+  file.column("input", count("input_assumed", "1 where the case does not state the key and the default was taken"),
               document.inputs, &CaseEntry::assumed);
   file.column("input", text("input_help", "meaning of the key"), document.inputs, &CaseEntry::help);
 
@@ -117,7 +126,7 @@ void exchange_notes(File& file, Document& document) {
   file.rows("note", notes);
   file.column("note", text("note_topic", "stable word for the note"), notes, &cycle::Note::topic);
   file.column("note", text("note_message", "what the user must know about this result"), notes, &cycle::Note::message);
-  file.column("note", text("note_count", "crank steps or evaluations concerned"), notes, &cycle::Note::count);
+  file.column("note", count("note_count", "crank steps or evaluations concerned"), notes, &cycle::Note::count);
 }
 
 /// @param table the variants of all entries one after the other, a row of `values` each
@@ -129,20 +138,29 @@ void exchange_ledger(File& file, Ledger& ledger, VariantTable& table) {
   file.column("ledger_entry", text("ledger_statement", "what is assumed"), ledger, &LedgerEntry::statement);
   file.column("ledger_entry", text("ledger_consequence", "what it is known to do"), ledger, &LedgerEntry::consequence);
   file.column("ledger_entry", text("ledger_source", "where it is argued"), ledger, &LedgerEntry::source);
-  file.column("ledger_entry", text("ledger_can_be_lifted", "1 where the program offers another choice"), ledger,
+  file.column("ledger_entry", count("ledger_can_be_lifted", "1 where the program offers another choice"), ledger,
               &LedgerEntry::can_be_lifted);
 
   auto& variants = table.rows;
   file.rows("ledger_variant", variants);
-  file.column("ledger_variant", text("variant_entry", "row of the ledger entry, from 0"), variants, &VariantRow::entry);
+  file.column("ledger_variant", count("variant_entry", "row of the ledger entry, from 0"), variants,
+              &VariantRow::entry);
   file.column("ledger_variant", text("variant_setting", "the one setting that differs"), variants,
               &VariantRow::setting);
-  file.column("ledger_variant", text("variant_solved", "1 where the cycle was solved"), variants, &VariantRow::solved);
+  file.column("ledger_variant", count("variant_solved", "1 where the cycle was solved"), variants, &VariantRow::solved);
   file.column("ledger_variant", text("variant_reason", "why it was not solved"), variants, &VariantRow::reason);
   file.texts("cycle_quantity", text("cycle_quantity", "column of variant_values"), table.quantities);
   file.texts("cycle_quantity", text("cycle_quantity_unit", "unit of that column"), table.units);
   file.numbers({"ledger_variant", "cycle_quantity"},
                text("variant_values", "cycle values with that setting; units in cycle_quantity_unit"), table.values);
+}
+
+/// Unit of a cycle quantity by its name; empty if there is none of that name.
+inline std::string unit_of(const std::string& name) {
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    if (quantity.name == name) return quantity.unit;
+  }
+  return "";
 }
 
 template <class File, class Document>
@@ -155,18 +173,23 @@ void exchange_comparison(File& file, Document& document) {
   file.column("comparison", text("comparison_source", "who says so"), rows, &PublishedValue::source, published);
   file.column("comparison", text("comparison_quantity", "cycle quantity"), rows, &PublishedValue::quantity, published);
   file.column("comparison", text("comparison_statement", "statement"), rows, &PublishedValue::statement, published);
-  file.column("comparison", text("comparison_published", "published value, SI unit of the quantity"), rows,
+  std::vector<std::string> units;
+  for (const auto& row : rows) units.push_back(unit_of(row.published.quantity));
+  file.texts("comparison", text("comparison_unit", "unit of the values compared"), units);
+  file.column("comparison", text("comparison_published", "published value; unit in comparison_unit"), rows,
               &PublishedValue::value, published);
   file.column("comparison", text("comparison_decided_by", "inputs that the source leaves open"), rows,
               &PublishedValue::decided_by, published);
-  file.column("comparison", text("comparison_computed", "computed value, SI unit of the quantity"), rows,
+  file.column("comparison", text("comparison_computed", "computed value; unit in comparison_unit"), rows,
               &ComparisonRow::computed);
   file.column("comparison", described("comparison_deviation", "1", "(computed - published)/published"), rows,
               &ComparisonRow::deviation);
   file.column("comparison", text("comparison_strongest_setting", "ledger variant that comes closest"), rows,
               &ComparisonRow::strongest_setting);
-  file.column("comparison", text("comparison_with_strongest_setting", "value with it; NaN where there is none"), rows,
-              &ComparisonRow::with_strongest_setting);
+  file.column(
+      "comparison",
+      text("comparison_with_strongest_setting", "value with it, NaN where there is none; unit in comparison_unit"),
+      rows, &ComparisonRow::with_strongest_setting);
 }
 
 /// Everything, in the order of the file.

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "result_example.hpp"
 #include "ringfilm/base/error.hpp"
@@ -314,6 +315,34 @@ TEST(ResultFile, NewerSchemaAndMissingVariablesAreRefused) {
   ASSERT_EQ(nc_put_att_long(file, NC_GLOBAL, "ringfilm_schema", NC_INT64, 1, &newer), NC_NOERR);
   ASSERT_EQ(nc_close(file), NC_NOERR);
   EXPECT_THAT(refusal(folder / "a.nc"), HasSubstr("newer ringfilm"));
+}
+
+TEST(ResultFile, EveryNumberHasAUnitAndFieldsTheirEquation) {
+  const ScratchFolder folder;
+  write_result(folder / "a.nc", example_document());
+  int file = 0, n_variables = 0;
+  ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
+  ASSERT_EQ(nc_inq_nvars(file, &n_variables), NC_NOERR);
+  // Their columns or rows have units of their own, in variables beside them; the last one is in no table.
+  const std::set<std::string> mixed = {"variant_values", "comparison_published", "comparison_computed",
+                                       "comparison_with_strongest_setting", "derived_not_in_the_table"};
+  for (int i = 0; i < n_variables; ++i) {
+    char name[NC_MAX_NAME + 1] = {};
+    int type = 0;
+    ASSERT_EQ(nc_inq_var(file, i, name, &type, nullptr, nullptr, nullptr), NC_NOERR);
+    if (type == NC_STRING || mixed.contains(name)) continue;
+    EXPECT_EQ(nc_inq_att(file, i, "units", nullptr, nullptr), NC_NOERR) << name;
+  }
+  for (const char* field : {"face_height", "film_thickness", "film_pressure", "fill", "local_film_parameter",
+                            "asperity_pressure", "wear_drive_density"}) {
+    int variable = 0;
+    ASSERT_EQ(nc_inq_varid(file, field, &variable), NC_NOERR) << field;
+    EXPECT_EQ(nc_inq_att(file, variable, "symbol", nullptr, nullptr), NC_NOERR) << field;
+    EXPECT_EQ(nc_inq_att(file, variable, "source_equation", nullptr, nullptr), NC_NOERR) << field;
+  }
+  int units = 0;
+  EXPECT_EQ(nc_inq_varid(file, "comparison_unit", &units), NC_NOERR);
+  nc_close(file);
 }
 
 TEST(ResultFile, CurvesCarryUnitsNamesAndSymbols) {
