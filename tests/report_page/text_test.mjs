@@ -123,6 +123,7 @@ test('titles are told apart by what differs', () => {
 test('cases of one title are named after the inputs in which they differ', () => {
   const cases = (...speeds) => speeds.map((shown) => ({ inputs: [{ key: 'engine.bore', shown: '89 mm' }, { key: 'operating.speed', shown }, { key: 'output.fields', shown: `${shown}!` }] }));
   assert.deepEqual(namesByInputs(cases('1500 rpm', '3000 rpm')), ['speed 1500 rpm', 'speed 3000 rpm']);
+  assert.deepEqual(namesByInputs(cases('/home/x/y/a.csv', '/home/x/y/b.csv')), ['speed y/a.csv', 'speed y/b.csv']);
   assert.deepEqual(namesByInputs(cases('1500 rpm', '1500 rpm')), ['case 1', 'case 2']);
   assert.deepEqual(namesByInputs(cases('1500 rpm', '1500 rpm', '3000 rpm')), ['1: speed 1500 rpm', '2: speed 1500 rpm', '3: speed 3000 rpm']);
 });

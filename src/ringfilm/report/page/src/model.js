@@ -21,7 +21,7 @@ export function namesByInputs(cases) {
   const keys = [...new Set(cases.flatMap((c) => c.inputs.map((entry) => entry.key)))].filter((key) => !kNoName.test(key));
   const differing = keys.filter((key) => new Set(cases.map((c) => shown(c, key))).size > 1).slice(0, 2);
   const names = cases.map((c) => differing
-    .map((key) => `${key.split('.').pop().replace(/_/g, ' ')} ${shown(c, key) === undefined ? 'not used' : typeset(shown(c, key).replace(/"/g, ''))}`)
+    .map((key) => `${key.split('.').pop().replace(/_/g, ' ')} ${shown(c, key) === undefined ? 'not used' : shownInput({ shown: shown(c, key).replace(/"/g, '') })}`)
     .join(', '));
   const told = names.every((name) => name !== '') && new Set(names).size === names.length;
   return told ? names : names.map((name, i) => (name ? `${i + 1}: ${name}` : `case ${i + 1}`));

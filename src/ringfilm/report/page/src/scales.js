@@ -108,9 +108,10 @@ export function freePlace(panel, visible, at, width, box) {
   for (const y of [level - 5, level + 14]) {
     if (y - kHeight < box.top || y > box.top + box.height) continue;
     for (let x = box.left + box.width - width - 4; x >= box.left + 4; x -= 4) {
-      const beside = points.filter(([px]) => px > x - 8 && px < x + width + 8);
+      const beside = points.filter(([px]) => px > x - 4 && px < x + width + 4);
       const crossed = upright.filter((u) => u > x - 3 && u < x + width + 3).length;
-      const room = Math.min(kRoomAround, ...beside.map(([, py]) => Math.max(y - kHeight - py, py - y, 0))) - kCrossing * crossed;
+      const clear = Math.min(kRoomAround, ...beside.map(([, py]) => Math.max(y - kHeight - py, py - y)));
+      const room = (clear > 0 ? clear : -kRoomAround) - kCrossing * crossed;
       if (room > best.room) best = { x, y, room };
     }
   }

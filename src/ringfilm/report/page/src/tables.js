@@ -91,15 +91,15 @@ export function comparisonSection(model) {
     shown.map((c) => table(model.several ? c.name : 'Computed and published values', heads, c.comparison.map((row) => comparisonRow(model, c, row)), { folds: true, classes: 'comparison' })));
 }
 
-/** Notes whose count is of the crank angles of one cycle, and those that count how often something was done. */
+/** Notes whose count is of the crank angles of one cycle, and those that hold for the case as a whole. */
 const kOfCrankAngles = ['film-parameter-too-low', 'film-parameter-low', 'shear-rate-high'];
-const kOfActions = ['polynomial-beyond-range', 'bracketed-search', 'shorter-steps'];
+const kOfTheCase = ['density-extrapolated', 'viscosity-extrapolated', 'synthetic-trace'];
 
 /** How often a note applies, in words; a dash where it is said of the case as a whole. */
 function often(model, c, { topic, count }) {
   const step = parseFloat(model.input(c, 'solver.crank_step')?.value.replace(/"/g, '') ?? '');
   if (kOfCrankAngles.includes(topic)) return howOften(count, c.complete && step > 0 ? Math.round(720 / step) : null);
-  return count > 1 || kOfActions.includes(topic) ? howOften(count, null) : '–';
+  return kOfTheCase.includes(topic) ? '–' : howOften(count, null);
 }
 
 /** Notes of all cases, told once where they agree. */
