@@ -155,7 +155,6 @@ AsideFile::AsideFile(const std::string& target) : target_(target_of(target).stri
     file = create(path_);
   }
   if (file < 0) fail_to_write(target_, errno);
-  take_over_mode(target_, file);
   ::close(file);
 }
 
@@ -167,6 +166,7 @@ void AsideFile::put_in_place() {
   {
     const Descriptor file(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.number() < 0 || ::fsync(file.number()) != 0) fail_to_write(target_, errno);
+    take_over_mode(target_, file.number());  // not before: what is read-only could not be filled
   }
   if (::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(target_, errno);
   path_.clear();
