@@ -62,7 +62,7 @@ ConvergenceError stop_told(const RunOptions& options, const Computation& done) {
   if (samples.empty()) {
     text += "\nno crank angle of those asked for was finished; nothing was written, files that exist are unchanged";
   } else if (options.output || options.csv) {
-    text += fmt::format("\nwhat was written ends at {:.6g} degree", samples.back().crank_angle_deg);
+    text += fmt::format("\nwhat was written holds the {} crank angles that were solved before", samples.size());
   }
   return {text, done.stopped->crank_angle_deg()};
 }

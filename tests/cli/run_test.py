@@ -154,6 +154,20 @@ class Run(program.ProgramTest):
         self.assertEqual(self.names(), ["a.nc", "case.toml", "trace.csv"])
         self.assertEqual((self.folder / "a.nc").read_text(), "old")
 
+    def test_march_that_stops_on_its_way_writes_what_it_had_solved_and_says_that_it_is_a_part(self):
+        # So few asperities carry nothing: at 30 rpm the film holds where the ring moves and fails at a dead centre.
+        done = self.run_program("run", "case.toml", "--output", "a.nc", "--csv", "a.csv", "--set",
+                                "operating.speed=30 rpm", "--set", "contact.asperity_density=1e-4 um-2")
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        self.assertIn("neither the film nor the asperities carry", done.stderr)
+        with open(self.folder / "a.csv", newline="") as stream:
+            rows = list(csv.reader(stream))[1:]
+        self.assertGreater(len(rows), 30)
+        self.assertLess(len(rows), 720)
+        self.assertIn(f"holds the {len(rows)} crank angles", done.stderr)
+        page = self.run_well("report", "a.nc", "--output", "a.html")
+        self.assertIn("wrote", page)
+
     def test_progress_is_shown_on_a_terminal_only(self):
         command = [program.PROGRAM, "run", "case.toml", "--ledger", "--set", "solver.cells=200"]
         try:
