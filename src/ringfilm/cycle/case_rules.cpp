@@ -2,12 +2,11 @@
 #include <cstdio>
 
 #include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/models/gas.hpp"
 
 namespace ringfilm::cycle {
 namespace {
-
-constexpr double kCycleDeg = 720;
 
 using Breaches = std::vector<RuleBreach>;
 

@@ -5,10 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "ringfilm/base/constants.hpp"
+
 namespace ringfilm::cycle {
 namespace {
 
-constexpr double kAtmosphere = 101325;  // [Pa]
 constexpr double kZeroCelsius = 273.15;
 
 std::string celsius(double temperature) {
@@ -77,7 +78,7 @@ PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
   if (lubricant.table_file) {
     const OilTable& t = lubricant.table;
     auto oil = models::tabulated_oil({t.temperature, t.pressure, t.viscosity, t.density}, temperature);
-    return {oil, oil->viscosity(kAtmosphere), oil->density(kAtmosphere), {}};
+    return {oil, oil->viscosity(base::kAtmosphere), oil->density(base::kAtmosphere), {}};
   }
   const models::OilLaws laws = oil_laws(lubricant);
   const models::OilState at = models::oil_state(laws, temperature);

@@ -4,19 +4,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/oil.hpp"
 
 namespace ringfilm::cycle {
 namespace {
 
-constexpr double kAtmosphere = 101325;  // [Pa]
 /// Rq/Ra of a Gaussian surface, sqrt(pi/2).
 const double kRqOverRa = std::sqrt(std::numbers::pi / 2);
 
 models::CyclePressure absolute_trace(const Case& c, SampledTrace trace) {
   for (double& angle : trace.crank_angle_deg) angle += c.gas.angle_zero == AngleZero::kGasExchangeTdc ? 360.0 : 0.0;
-  for (double& p : trace.value) p += c.gas.pressure_reference == PressureReference::kGauge ? kAtmosphere : 0.0;
+  for (double& p : trace.value) p += c.gas.pressure_reference == PressureReference::kGauge ? base::kAtmosphere : 0.0;
   if (models::covers_cycle(trace.crank_angle_deg)) return {trace.crank_angle_deg, trace.value};
   if (!c.gas.intake_pressure || !c.gas.exhaust_pressure) {
     throw InputError("the pressure trace covers only a part of the cycle",

@@ -6,16 +6,16 @@
 #include <cctype>
 #include <cmath>
 
+#include "ringfilm/base/constants.hpp"
+#include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/io/csv_file.hpp"
 
 namespace ringfilm::io {
 namespace {
 
-constexpr double kCycleDeg = 720;
 constexpr double kLargestStepDeg = 10;  ///< as models::covers_cycle asks for
 /// The last sample may be the first one cycle later; beyond these relative differences it is told, or refused.
 constexpr double kToldMismatch = 1e-3, kLargestMismatch = 0.05;
-constexpr double kAtmosphere = 101325;  // [Pa]
 /// The peak of any engine's trace lies between these; outside, the unit is wrong [Pa].
 constexpr double kLeastPeak = 5e4, kHighestPeak = 1e8;
 
@@ -151,7 +151,7 @@ class Reader {
                          "crank angles must increase from row to row"});
       return;
     }
-    if (angle.back() - angle.front() > kCycleDeg * (1 + 1e-9)) {
+    if (angle.back() - angle.front() > cycle::kCycleDeg * (1 + 1e-9)) {
       faults_.push_back({csv_.cell_mark(angle.size() - 1, i_column),
                          fmt::format("the trace spans {:.8g} degree", angle.back() - angle.front()),
                          "one cycle of 720 degree is wanted; cut or average the cycles"});
@@ -175,11 +175,11 @@ class Reader {
     }
   }
 
-  double atmosphere() const { return stated_.reference == cycle::PressureReference::kGauge ? kAtmosphere : 0; }
+  double atmosphere() const { return stated_.reference == cycle::PressureReference::kGauge ? base::kAtmosphere : 0; }
 
   void check_repetition(const cycle::SampledTrace& samples, std::size_t i_column) {
     const auto& angle = samples.crank_angle_deg;
-    if (angle.back() - angle.front() < kCycleDeg * (1 - 1e-9)) return;
+    if (angle.back() - angle.front() < cycle::kCycleDeg * (1 - 1e-9)) return;
     const double first = samples.value.front() + atmosphere(), last = samples.value.back() + atmosphere();
     const double mismatch = std::abs(last - first) / std::max(first, last);
     if (mismatch <= kToldMismatch) return;
@@ -197,10 +197,9 @@ class Reader {
   void check_peak(const cycle::SampledTrace& samples) {
     if (stated_.place == TracePlace::kCrankcase) return;
     const auto peak = std::max_element(samples.value.begin(), samples.value.end()) - samples.value.begin();
-    const double to_firing = stated_.angle_zero == cycle::AngleZero::kGasExchangeTdc ? kCycleDeg / 2 : 0;
-    const double turned = std::fmod(samples.crank_angle_deg[static_cast<std::size_t>(peak)] + to_firing, kCycleDeg);
-    const double angle = turned < 0 ? turned + kCycleDeg : turned;
-    if (std::abs(angle - kCycleDeg / 2) >= kCycleDeg / 4) return;
+    const double to_firing = stated_.angle_zero == cycle::AngleZero::kGasExchangeTdc ? cycle::kCycleDeg / 2 : 0;
+    const double angle = cycle::wrapped(samples.crank_angle_deg[static_cast<std::size_t>(peak)] + to_firing);
+    if (std::abs(angle - cycle::kCycleDeg / 2) >= cycle::kCycleDeg / 4) return;
     notes_.push_back(
         fmt::format("{}: peak pressure lies at {:.6g} degree, near gas-exchange TDC; is gas.angle_zero right?",
                     csv_.source.path, angle));

@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/table.hpp"
 
 namespace ringfilm::models {
 namespace {
 
-constexpr double kAtmospheric = 101325;       // [Pa]
 constexpr double kRoelandsPressure = 1.98e8;  // [Pa]
 constexpr double kRoelandsOffset = 9.67;      // -ln of the viscosity, 6.3e-5 Pa s, at which Roelands' law starts
 constexpr double kHoupertPole = 138;          // [K]
@@ -107,7 +107,7 @@ class ClosedFormOil final : public OilAtTemperature {
 
   void properties(std::span<const double> p, OilProperties out) const override {
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const double over = p[i] - kAtmospheric;
+      const double over = p[i] - base::kAtmosphere;
       const double stiffening = 1 / (1 + law_.b * over);
       out.rho[i] = rho_T_ * (1 + law_.a * over * stiffening);
       out.drho_dp[i] = rho_T_ * law_.a * stiffening * stiffening;

@@ -31,28 +31,26 @@ struct Solved {
   FilmIntegrals integrals;
 };
 
-/// Steady film at a given separation.
-inline Solved steady_at(const FilmProblem& problem, const FilmInputs& inputs, double h_m) {
+/// Steady film from a first guess at `h_m`, by one of the two solvers of film_solver.hpp.
+inline Solved steady(const FilmProblem& problem, const FilmInputs& inputs, double h_m, decltype(&solve_film) solver) {
   FilmWorkspace workspace(problem);
-  FilmState previous = first_guess(problem, inputs);
+  const FilmState previous = first_guess(problem, inputs);
   Solved solved;
   solved.state = previous;
   solved.state.h_m = h_m;
-  solved.report = solve_film_at_separation(problem, inputs, previous, solved.state, workspace);
+  solved.report = solver(problem, inputs, previous, solved.state, workspace);
   solved.integrals = film_integrals(problem, inputs, previous, solved.state);
   return solved;
 }
 
+/// Steady film at a given separation.
+inline Solved steady_at(const FilmProblem& problem, const FilmInputs& inputs, double h_m) {
+  return steady(problem, inputs, h_m, solve_film_at_separation);
+}
+
 /// Steady film under a given load.
 inline Solved steady_under_load(const FilmProblem& problem, const FilmInputs& inputs, double guess_h_m) {
-  FilmWorkspace workspace(problem);
-  FilmState previous = first_guess(problem, inputs);
-  Solved solved;
-  solved.state = previous;
-  solved.state.h_m = guess_h_m;
-  solved.report = solve_film(problem, inputs, previous, solved.state, workspace);
-  solved.integrals = film_integrals(problem, inputs, previous, solved.state);
-  return solved;
+  return steady(problem, inputs, guess_h_m, solve_film);
 }
 
 }  // namespace ringfilm::film::testing
