@@ -19,8 +19,8 @@ struct FromChamber {
 
 FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) {
   constexpr double kFull = std::numeric_limits<double>::quiet_NaN();  // documented: no cavity
-  const double begin = f.cavity_begin.value_or(kFull);
-  const double end = f.cavity_end.value_or(kFull);
+  const double begin = f.cavities.empty() ? kFull : f.cavities.front().begin;
+  const double end = f.cavities.empty() ? kFull : f.cavities.back().end;
   if (axis == Axis::kFromChamber) {
     return {f.shear_couette, f.shear_poiseuille, f.flow_left, f.flow_middle, f.flow_right, begin, end};
   }
@@ -84,7 +84,7 @@ Sample sample(const Setup& setup, const March& march, const Instant& instant, co
 FaceFields empty_fields(const Setup& setup, const March& march) {
   const film::FilmGrid& grid = march.problem().grid;
   FaceFields fields;
-  for (int i = 0; i <= grid.n_cells(); ++i) fields.x.push_back(grid.x(i));
+  fields.x = grid.x;
   fields.face_height = grid.node_height;
   if (setup.input.ring.face.height_zero == HeightZero::kAsGiven) {
     for (double& height : fields.face_height) height += setup.face.minimum().height;

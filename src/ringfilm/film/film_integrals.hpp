@@ -1,9 +1,15 @@
 #pragma once
-#include <optional>
+#include <vector>
 
 #include "ringfilm/film/film_state.hpp"
 
 namespace ringfilm::film {
+
+/// A stretch of the gap that the film does not fill. Its ends lie between nodes, where the pressure of the film beside
+/// them extrapolates to p_c; a cavity that is open to an edge ends there.
+struct Cavity {
+  double begin = 0, end = 0;  ///< [m]
+};
 
 /// What a solved film does to its surroundings, per unit length around the ring.
 struct FilmIntegrals {
@@ -19,8 +25,7 @@ struct FilmIntegrals {
   double mass_defect = 0;  ///< storage + outflow - inflow of the whole film [kg/(m s)]; round-off if mass is conserved
   double peak_pressure = 0;       ///< [Pa]
   double cavitated_fraction = 0;  ///< share of the width that is a cavity [-]
-  std::optional<double> cavity_begin,
-      cavity_end;  ///< where the first cavity from x = 0 starts and the last one ends [m]
+  std::vector<Cavity> cavities;   ///< from x = 0 on
 };
 
 /// Integrals of `state`, solved with `inputs` from `previous`.

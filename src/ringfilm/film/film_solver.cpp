@@ -137,7 +137,7 @@ class CoupledNewton {
     work_.oil_.update(*problem_.oil, state_.p);
     assemble_balance(problem_, inputs_, previous_, state_, work_.oil_, scale_, work_.multiplier_, work_.system_);
     const int n = problem_.grid.n_cells();
-    for (int i = 1; i < n; ++i) work_.system_.row[i - 1] = state_.deficit[i] == 0 ? problem_.grid.dx : 0.0;
+    for (int i = 1; i < n; ++i) work_.system_.row[i - 1] = state_.deficit[i] == 0 ? problem_.grid.share[i] : 0.0;
     double d_load = 0;
     const double excess = load_excess(&d_load);
     work_.system_.corner = d_load * state_.h_m;
@@ -147,25 +147,27 @@ class CoupledNewton {
 
   double load_excess(double* d_load_dh = nullptr) const {
     const FilmGrid& grid = problem_.grid;
-    const int n = grid.n_cells();
-    double sum = -0.5 * (state_.p.front() + state_.p.back());
-    for (const double p : state_.p) sum += p;
+    const std::size_t n_nodes = grid.x.size();
+    double load = 0;
+    for (std::size_t i = 0; i < n_nodes; ++i) load += grid.share[i] * state_.p[i];
     double slope = 0;
-    const auto add_contact = [&](double h, double weight) {
+    const auto add_contact = [&](double h, double share) {
       if (h >= problem_.contact->reach()) return;
       double p_a;
       double dp_a;
       problem_.contact->pressure(h, p_a, dp_a);
-      sum += weight * p_a;
-      slope += weight * dp_a;
+      load += share * p_a;
+      slope += share * dp_a;
     };
-    if (problem_.contact_spread == ContactSpread::kNominal) {
-      add_contact(state_.h_m, n);
+    if (problem_.contact == nullptr) {
+      // smooth surfaces
+    } else if (problem_.contact_spread == ContactSpread::kNominal) {
+      add_contact(state_.h_m, grid.width);
     } else {
-      for (int i = 0; i <= n; ++i) add_contact(state_.h_m + grid.node_height[i], i == 0 || i == n ? 0.5 : 1.0);
+      for (std::size_t i = 0; i < n_nodes; ++i) add_contact(state_.h_m + grid.node_height[i], grid.share[i]);
     }
-    if (d_load_dh != nullptr) *d_load_dh = slope * grid.dx;
-    return sum * grid.dx - inputs_.load;
+    if (d_load_dh != nullptr) *d_load_dh = slope;
+    return load - inputs_.load;
   }
 
   void finish() {

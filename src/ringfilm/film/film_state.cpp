@@ -1,13 +1,46 @@
 #include "ringfilm/film/film_state.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ringfilm::film {
 
 FilmGrid uniform_grid(int n_cells, double width, const std::function<double(double)>& height) {
+  return grid_of_pieces(n_cells, {{0, width, height}});
+}
+
+FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces) {
+  constexpr int kFewest = 2;
   FilmGrid grid;
-  grid.width = width;
-  grid.dx = width / n_cells;
-  for (int i = 0; i <= n_cells; ++i) grid.node_height.push_back(height(width * i / n_cells));
-  for (int i = 0; i < n_cells; ++i) grid.face_height.push_back(height(width * (i + 0.5) / n_cells));
+  grid.width = pieces.back().end;
+  double left_height = 0;  // of the piece before, at its end
+  for (const GapPiece& piece : pieces) {
+    const double length = piece.end - piece.begin;
+    const int n = std::max(kFewest, static_cast<int>(std::lround(n_cells * length / grid.width)));
+    const auto at = [&](double i) { return piece.begin + length * i / n; };
+    const double first = piece.height(piece.begin);
+    if (grid.x.empty()) {
+      grid.x.push_back(piece.begin);
+      grid.node_height.push_back(first);
+    } else {
+      const double before = grid.spacing.back();
+      const double after = length / n;
+      grid.jumps.push_back({static_cast<int>(grid.x.size()) - 1, left_height, first});
+      grid.node_height.back() = (before * left_height + after * first) / (before + after);
+    }
+    for (int i = 1; i <= n; ++i) {
+      grid.x.push_back(at(i));
+      grid.spacing.push_back(length / n);
+      grid.face_height.push_back(piece.height(at(i - 0.5)));
+      grid.node_height.push_back(piece.height(at(i)));
+    }
+    left_height = grid.node_height.back();
+  }
+  grid.share.assign(grid.x.size(), 0.0);
+  for (int i = 0; i < grid.n_cells(); ++i) {
+    grid.share[i] += 0.5 * grid.spacing[i];
+    grid.share[i + 1] += 0.5 * grid.spacing[i];
+  }
   return grid;
 }
 

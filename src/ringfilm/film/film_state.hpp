@@ -21,23 +21,42 @@ enum class ContactSpread {
   kNominal,  ///< lambda = h_m/sigma on the whole face
 };
 
-/// Uniform cells between nodes 0..n; heights of the face above its lowest point, exact at nodes and at cell faces.
+/// A piece of the gap between two places where it jumps: heights above the lowest point of the whole gap.
+struct GapPiece {
+  double begin = 0, end = 0;             ///< [m]
+  std::function<double(double)> height;  ///< h_s(x) for begin <= x <= end [m]
+};
+
+/// A node at which the gap has two heights.
+struct GapJump {
+  int node;
+  double height_left, height_right;  ///< h_s [m]
+};
+
+/// Nodes 0..n along the gap, n cells between them, uniform in each piece; a place where the gap jumps is a node, so
+/// that between nodes it is continuous (eq-discrete-balance).
 struct FilmGrid {
   double width = 0;                 ///< b [m]
-  double dx = 0;                    ///< [m]
-  std::vector<double> node_height;  ///< h_s at x = i dx, n+1 values [m]
-  std::vector<double> face_height;  ///< h_s at x = (i + 1/2) dx, n values [m]
+  std::vector<double> x;            ///< nodes, from 0 to b, n+1 values [m]
+  std::vector<double> spacing;      ///< from node i to node i+1, n values [m]
+  std::vector<double> share;        ///< length of the gap that belongs to node i: half of each neighbouring cell [m]
+  std::vector<double> node_height;  ///< h_s at the nodes; at a jump the mean over the node's share [m]
+  std::vector<double> face_height;  ///< h_s midway between nodes i and i+1 [m]
+  std::vector<GapJump> jumps;       ///< in the order of their nodes; mostly empty
 
   int n_cells() const { return static_cast<int>(face_height.size()); }
-  double x(int i) const { return i * dx; }
 };
 FilmGrid uniform_grid(int n_cells, double width, const std::function<double(double)>& height);
+
+/// A gap with jumps. The cells are shared among the pieces by their lengths, at least two each: the grid may have a few
+/// more than asked for. @param pieces one after the other, the first from x = 0
+FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces);
 
 /// What does not change over a cycle. Referenced objects must outlive the problem.
 struct FilmProblem {
   FilmGrid grid;
   const models::OilAtTemperature* oil = nullptr;
-  const models::GreenwoodTripp* contact = nullptr;
+  const models::GreenwoodTripp* contact = nullptr;  ///< nullptr: surfaces so smooth that they never touch
   Cavitation cavitation = Cavitation::kMassConserving;
   ContactSpread contact_spread = ContactSpread::kLocal;
   double tolerance = 0;  ///< relative error that the iteration may leave in film and pressure [-]
@@ -53,6 +72,8 @@ struct FilmInputs {
   double p_cavitation = 0;     ///< not above either edge pressure [Pa]
   double load = 0;             ///< W per length [N/m]
   double time_step = kSteady;  ///< [s]
+  /// Mass that appears per length and time, at the nodes; empty: none. For manufactured solutions [kg/(m2 s)].
+  std::vector<double> source;
 
   /// Mean pressure that the film and the asperities must carry: the scale of all pressures [Pa].
   double mean_pressure(const FilmGrid& grid) const { return load / grid.width; }

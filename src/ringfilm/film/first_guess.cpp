@@ -17,25 +17,36 @@ FilmState coarse_guess(const FilmProblem& problem, const FilmInputs& inputs) {
   const double p_mean = inputs.mean_pressure(problem.grid);
   const double eta = problem.oil->viscosity(std::max(inputs.p_left, inputs.p_right));
   FilmState state;
-  state.h_m = std::max(2 * problem.contact->parameters().sigma,
-                       std::sqrt(kSliderLoad * eta * std::abs(inputs.U) * problem.grid.width / p_mean));
-  for (int i = 0; i <= n; ++i) {
-    state.p.push_back(std::max(inputs.p_left + (inputs.p_right - inputs.p_left) * i / n, inputs.p_cavitation));
+  const double rough = problem.contact == nullptr ? 0.0 : 2 * problem.contact->parameters().sigma;
+  state.h_m = std::max(rough, std::sqrt(kSliderLoad * eta * std::abs(inputs.U) * problem.grid.width / p_mean));
+  for (const double x : problem.grid.x) {
+    const double share = x / problem.grid.width;
+    state.p.push_back(std::max(inputs.p_left + (inputs.p_right - inputs.p_left) * share, inputs.p_cavitation));
   }
   state.deficit.assign(n + 1, 0.0);
   state.content.assign(n + 1, 0.0);
   return state;
 }
 
-/// Every second cell.
+/// Every second node. A jump may be lost: good enough to start from.
 FilmProblem coarsened(const FilmProblem& problem) {
+  const FilmGrid& fine = problem.grid;
   FilmProblem coarse = problem;
-  const int n = problem.grid.n_cells() / 2;
-  coarse.grid.dx = 2 * problem.grid.dx;
-  coarse.grid.node_height.clear();
-  coarse.grid.face_height.clear();
-  for (int i = 0; i <= n; ++i) coarse.grid.node_height.push_back(problem.grid.node_height[2 * i]);
-  for (int i = 0; i < n; ++i) coarse.grid.face_height.push_back(problem.grid.node_height[2 * i + 1]);
+  FilmGrid& grid = coarse.grid;
+  const int n = fine.n_cells() / 2;
+  grid = {};
+  grid.width = fine.width;
+  for (int i = 0; i <= n; ++i) {
+    grid.x.push_back(fine.x[2 * i]);
+    grid.node_height.push_back(fine.node_height[2 * i]);
+    grid.share.push_back(0);
+  }
+  for (int i = 0; i < n; ++i) {
+    grid.spacing.push_back(grid.x[i + 1] - grid.x[i]);
+    grid.face_height.push_back(fine.node_height[2 * i + 1]);
+    grid.share[i] += 0.5 * grid.spacing[i];
+    grid.share[i + 1] += 0.5 * grid.spacing[i];
+  }
   return coarse;
 }
 

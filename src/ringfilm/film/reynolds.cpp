@@ -66,7 +66,8 @@ double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const Fil
             state.rho[node] / state.eta[node],
             0};
   };
-  return face_flux(inputs.U, state.h_m + problem.grid.face_height[i], problem.grid.dx, view(i), view(i + 1)).value;
+  return face_flux(inputs.U, state.h_m + problem.grid.face_height[i], problem.grid.spacing[i], view(i), view(i + 1))
+      .value;
 }
 
 void assemble_balance(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
@@ -74,17 +75,18 @@ void assemble_balance(const FilmProblem& problem, const FilmInputs& inputs, cons
                       base::BorderedTridiagonal& system) {
   const FilmGrid& grid = problem.grid;
   const bool conserving = problem.cavitation == Cavitation::kMassConserving;
-  const double volume_rate = grid.dx / inputs.time_step;  // 0 when steady
   const int n = grid.n_cells();
 
   NodeView left = node_view(problem, state, oil, 0);
   NodeView here = node_view(problem, state, oil, 1);
-  FaceFlux in = face_flux(inputs.U, state.h_m + grid.face_height[0], grid.dx, left, here);
+  FaceFlux in = face_flux(inputs.U, state.h_m + grid.face_height[0], grid.spacing[0], left, here);
   for (int i = 1; i < n; ++i) {
     const NodeView right = node_view(problem, state, oil, i + 1);
-    const FaceFlux out = face_flux(inputs.U, state.h_m + grid.face_height[i], grid.dx, here, right);
+    const FaceFlux out = face_flux(inputs.U, state.h_m + grid.face_height[i], grid.spacing[i], here, right);
     const double h = state.h_m + grid.node_height[i];
+    const double volume_rate = grid.share[i] / inputs.time_step;  // 0 when steady
     double residual = volume_rate * (here.rho * here.theta * h - previous.content[i]) + out.value - in.value;
+    if (!inputs.source.empty()) residual -= grid.share[i] * inputs.source[i];
 
     // d/dz of a node is d/dp in the film and d/dtheta (or the multiplier) in the cavity.
     const auto slope = [&](int node, double dp, double dtheta) {
@@ -116,7 +118,7 @@ void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const
   multiplier.resize(state.p.size());
   for (std::size_t i = 0; i < state.p.size(); ++i) {
     const double h = state.h_m + problem.grid.node_height[i];
-    multiplier[i] = h * h * h / (6 * problem.grid.dx) * oil.rho[i] / oil.eta[i];
+    multiplier[i] = h * h * h / (6 * problem.grid.share[i]) * oil.rho[i] / oil.eta[i];
   }
 }
 

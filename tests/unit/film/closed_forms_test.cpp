@@ -71,7 +71,7 @@ TEST(Reynolds, MartinParabolaMatchesHalfSommerfeldWithReynoldsExit) {
   EXPECT_NEAR(solved.integrals.hydrodynamic_load / in.load, load_factor / 4.894968, 2e-5);
   EXPECT_NEAR(solved.integrals.peak_pressure / (2.150942 * eta * u * std::sqrt(R) * std::pow(h0, -1.5)), 1, 1e-4);
   // The rupture point is known to one cell, 1/200 s.
-  EXPECT_NEAR((*solved.integrals.cavity_begin - 0.9 * width) / s, 0.4751299, 0.006);
+  EXPECT_NEAR((solved.integrals.cavities.front().begin - 0.9 * width) / s, 0.4751299, 0.006);
 }
 
 // --- parabolic pad with rupture and reformation-free exit, mass conserving (PHYSICS of docs/theory/film.md) ----------
@@ -91,7 +91,7 @@ Pad parabolic_pad(int n_cells) {
   EXPECT_TRUE(solved.report.converged);
   const auto& p = solved.state.p;
   const auto top = std::max_element(p.begin(), p.end()) - p.begin();
-  return {*solved.integrals.cavity_begin, solved.integrals.peak_pressure, film.problem.grid.x(static_cast<int>(top)),
+  return {solved.integrals.cavities.front().begin, solved.integrals.peak_pressure, film.problem.grid.x[top],
           solved.integrals.hydrodynamic_load, solved.integrals.flow_middle};
 }
 
@@ -103,6 +103,36 @@ TEST(MassConserving, ParabolicPadRupturesWhereTheQuadratureSays) {
   EXPECT_NEAR(pad.x_max, 24.4652e-3, 0.05e-3);
   EXPECT_NEAR(pad.load / 101.349e3, 1, 1e-4);
   EXPECT_NEAR(pad.flow / 6.54721e-5, 1, 1e-4);
+}
+
+// Where the front lies between two nodes is told to a fraction of the cell: its error is far below the cell's width.
+TEST(MassConserving, RuptureIsLocatedWithinItsCell) {
+  for (const int n_cells : {100, 217, 400}) {
+    const double cell = 76.2e-3 / n_cells;
+    EXPECT_NEAR(parabolic_pad(n_cells).rupture, 51.7348e-3, 0.05 * cell) << n_cells << " cells";
+  }
+}
+
+// --- Rayleigh's step: the gap jumps, and no cell face lies across the jump (Rayleigh 1918) ---------------------------
+
+TEST(Reynolds, RayleighStepIsExactOnAnyGridBecauseTheJumpIsANode) {
+  constexpr double ratio = 1.866, share = 0.7182;
+  // Pressure is a straight line on both sides of the step, which linear cells represent without error.
+  const double load = 3 * share * (1 - share) * (ratio - 1) / (share + ratio * ratio * ratio * (1 - share));
+  EXPECT_NEAR(load, 0.2063, 5e-5);
+  for (const int n_cells : {5, 64, 333}) {
+    SmoothFilm film(
+        8, kLength, [](double) { return 0.0; }, kEta, Cavitation::kMassConserving);
+    film.problem.grid = grid_of_pieces(n_cells, {{0, share * kLength, [](double) { return (ratio - 1) * kOutlet; }},
+                                                 {share * kLength, kLength, [](double) { return 0.0; }}});
+    ASSERT_EQ(film.problem.grid.jumps.size(), 1u);
+    FilmInputs in;
+    in.U = kU;
+    in.load = load * kEta * kU * kLength * kLength / (kOutlet * kOutlet);
+    const Solved solved = steady_at(film.problem, in, kOutlet);
+    ASSERT_TRUE(solved.report.converged);
+    EXPECT_NEAR(solved.integrals.hydrodynamic_load / in.load, 1, 1e-10) << n_cells << " cells";
+  }
 }
 
 TEST(MassConserving, SteadyFlowIsTheSameThroughBothEdges) {
