@@ -102,8 +102,10 @@ struct FilmReport {
   bool converged = false;
   Failure failure = Failure::kNotConverged;  ///< kNone once converged
   Route route = Route::kNewton;
-  int iterations = 0;    ///< Newton iterations, those of the fallback included
-  double last_step = 0;  ///< last relative change of film or pressure [-]
+  int iterations = 0;        ///< Newton iterations, those of the fallback included
+  int outer_iterations = 0;  ///< films solved at one h_m each, by the methods that have a loop on h_m
+  long sweeps = 0;           ///< of point relaxation
+  double last_step = 0;      ///< last relative change of film or pressure [-]
 };
 
 }  // namespace ringfilm::film
