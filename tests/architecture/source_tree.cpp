@@ -80,9 +80,9 @@ std::vector<SourceFile> read_below(const std::vector<std::string>& folders) {
 }  // namespace
 
 const std::map<std::string, int>& ranks() {
-  static const std::map<std::string, int> ranks = {{"base", 0},   {"surface", 1}, {"models", 2},   {"film", 3},
-                                                   {"cycle", 4},  {"life", 5},    {"study", 6},    {"io", 7},
-                                                   {"report", 8}, {"apps", 9},    {"ringfilm", 9}, {"python", 9}};
+  static const std::map<std::string, int> ranks = {
+      {"base", 0},  {"surface", 1}, {"models", 2}, {"film", 3}, {"cycle", 4},    {"life", 5},  {"pad", 5},
+      {"study", 6}, {"io", 7},      {"report", 8}, {"apps", 9}, {"ringfilm", 9}, {"python", 9}};
   return ranks;
 }
 

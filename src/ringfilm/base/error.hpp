@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,14 +37,15 @@ class InputError : public std::runtime_error {
 /// No film and no asperity contact was found that balances the load, all remedies spent (exit code 3).
 class ConvergenceError : public std::runtime_error {
  public:
-  /// @param crank_angle_deg where the march stopped [degree], 0 = firing TDC
-  ConvergenceError(const std::string& message, double crank_angle_deg)
+  explicit ConvergenceError(const std::string& message) : std::runtime_error(message) {}
+  /// @param crank_angle_deg where a cycle stopped [degree], 0 = firing TDC; nothing where no crank turns
+  ConvergenceError(const std::string& message, std::optional<double> crank_angle_deg)
       : std::runtime_error(message), crank_angle_deg_(crank_angle_deg) {}
 
-  double crank_angle_deg() const noexcept { return crank_angle_deg_; }
+  std::optional<double> crank_angle_deg() const noexcept { return crank_angle_deg_; }
 
  private:
-  double crank_angle_deg_;
+  std::optional<double> crank_angle_deg_;
 };
 
 /// A file could not be written; what stood there before is untouched (exit code 5).

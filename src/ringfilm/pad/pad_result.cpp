@@ -1,0 +1,60 @@
+#include "ringfilm/pad/pad_result.hpp"
+
+namespace ringfilm::pad {
+
+const std::vector<PadQuantity>& pad_quantities() {
+  using S = Sample;
+  static const std::vector<PadQuantity> table = {
+      {{"load", "N/m", "kN/m", "load carried by the film", "W", "eq-pad-load"}, &S::load},
+      {{"friction_moving", "N/m", "N/m", "friction on the moving surface, positive against its motion", "F_moving",
+        "eq-pad-friction"},
+       &S::friction_moving},
+      {{"friction_fixed", "N/m", "N/m", "friction on the fixed pad, positive along the motion", "F_fixed",
+        "eq-pad-friction"},
+       &S::friction_fixed},
+      {{"friction_coefficient", "1", "1", "friction on the moving surface over load", "mu", "eq-pad-friction"},
+       &S::friction_coefficient},
+      {{"flow_left", "m2/s", "mm2/s", "volume flow through x = 0, positive in +x", "q_0", "eq-pad-flow"},
+       &S::flow_left},
+      {{"flow_right", "m2/s", "mm2/s", "volume flow through x = length, positive in +x", "q_L", "eq-pad-flow"},
+       &S::flow_right},
+      {{"mass_flow_left", "kg/(m s)", "g/(m s)", "mass flow through x = 0, positive in +x", "m_0", "eq-pad-flow"},
+       &S::mass_flow_left},
+      {{"mass_flow_right", "kg/(m s)", "g/(m s)", "mass flow through x = length, positive in +x", "m_L", "eq-pad-flow"},
+       &S::mass_flow_right},
+      {{"peak_film_pressure", "Pa", "MPa", "peak film pressure", "p_max", "eq-reynolds"}, &S::peak_film_pressure},
+      {{"peak_position", "m", "mm", "where the film pressure peaks", "x_max", "eq-reynolds"}, &S::peak_position},
+      {{"mean_film_pressure", "Pa", "MPa", "mean film pressure", "W/L", "eq-pad-load"}, &S::mean_film_pressure},
+      {{"separation", "m", "um", "separation, which adds to the gap", "s", "eq-pad-gap"}, &S::separation},
+      {{"min_film_thickness", "m", "um", "minimum film thickness", "h_m", "eq-pad-gap"}, &S::min_film_thickness},
+      {{"cavitated_fraction", "1", "%", "cavitated share of the length", "x_c", "eq-complementarity"},
+       &S::cavitated_fraction},
+      {{"mass_residual", "1", "1", "balance of mass, relative to the largest flow", "r_m", "eq-discrete-balance"},
+       &S::mass_residual},
+      {{"time", "s", "s", "time", "t", "eq-reynolds"}, &S::time},
+  };
+  return table;
+}
+
+const std::vector<FrontQuantity>& front_quantities() {
+  static const std::vector<FrontQuantity> table = {
+      {{"rupture_positions", "m", "mm", "where cavities begin, along the motion", "x_r", "eq-complementarity"},
+       &Sample::rupture_positions},
+      {{"reformation_positions", "m", "mm", "where the film forms again", "x_f", "eq-complementarity"},
+       &Sample::reformation_positions},
+  };
+  return table;
+}
+
+const std::vector<cycle::Quantity>& profile_quantities() {
+  static const std::vector<cycle::Quantity> table = {
+      {"time", "s", "s", "time", "t", "eq-reynolds"},
+      {"x", "m", "mm", "place along the pad", "x", "eq-pad-gap"},
+      {"film_thickness", "m", "um", "film thickness", "h", "eq-pad-gap"},
+      {"pressure", "Pa", "MPa", "film pressure", "p", "eq-reynolds"},
+      {"fill", "1", "1", "share of the gap that is oil", "theta", "eq-fill"},
+  };
+  return table;
+}
+
+}  // namespace ringfilm::pad

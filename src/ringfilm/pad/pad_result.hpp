@@ -1,0 +1,67 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/result.hpp"
+
+/// What a pad gives: the film between a fixed pad of stated shape and a flat surface that moves past it. Everything is
+/// per metre of width; SI. docs/theory/pad.md.
+namespace ringfilm::pad {
+
+/// Everything at one instant. x runs along the pad; flow is positive in +x, whichever way the flat surface moves.
+/// Friction is shear alone, positive where the oil brakes the moving surface and drags the pad along.
+struct Sample {
+  double time = 0;
+  double load = 0, mean_film_pressure = 0, peak_film_pressure = 0, peak_position = 0;
+  double separation = 0, min_film_thickness = 0;
+  double friction_moving = 0, friction_fixed = 0, friction_coefficient = 0;  ///< coefficient: NaN without load
+  double flow_left = 0, flow_right = 0;                                      ///< of oil at its stated density
+  double mass_flow_left = 0, mass_flow_right = 0;
+  double cavitated_fraction = 0;
+  double mass_residual = 0;  ///< balance of the whole film, relative to its largest flow; round-off if mass is kept
+  std::vector<double> rupture_positions;      ///< upstream ends of the cavities, from x = 0 on
+  std::vector<double> reformation_positions;  ///< downstream ends; a cavity open to the downstream edge has none
+};
+
+/// Name, unit and meaning of the numbers of a Sample, in the order of their importance.
+struct PadQuantity : cycle::Quantity {
+  double Sample::*value;
+};
+const std::vector<PadQuantity>& pad_quantities();
+
+/// The lists of a Sample: places along the pad.
+struct FrontQuantity : cycle::Quantity {
+  std::vector<double> Sample::*value;
+};
+const std::vector<FrontQuantity>& front_quantities();
+
+/// Film along the pad at one instant, a value per entry of PadResult::x.
+struct Profile {
+  double time = 0;                     ///< [s]
+  std::vector<double> film_thickness;  ///< [m]
+  std::vector<double> pressure;        ///< [Pa]
+  std::vector<double> fill;            ///< theta [-]
+};
+
+/// Time and the columns of a profile, named as in result files.
+const std::vector<cycle::Quantity>& profile_quantities();
+
+struct Effort {
+  long time_steps = 0;         ///< whole steps; 0 for a steady film
+  long sub_steps = 0;          ///< solved, those that were cut included
+  long newton_iterations = 0;  ///< of all solves
+  long cut_steps = 0;          ///< steps that were solved only after they were cut
+  long eased_starts = 0;       ///< steady films that were reached by raising the speed little by little
+  double max_newton_step = 0;  ///< last relative Newton step accepted, the worst of all solves [-]
+};
+
+struct PadResult {
+  std::vector<Sample> samples;    ///< one for a steady film; else one for each time of the result, the last at the end
+  std::vector<double> x;          ///< nodes, from 0 to the length; a step of the gap stands in it twice [m]
+  std::vector<Profile> profiles;  ///< at the times of `samples`
+  std::vector<cycle::Note> notes;
+  Effort effort;
+  bool complete = true;  ///< false: the film could not be solved further; `samples` are those before
+};
+
+}  // namespace ringfilm::pad

@@ -1,0 +1,28 @@
+#pragma once
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/pad/pad_result.hpp"
+
+namespace ringfilm::pad {
+
+/// The film could not be solved, or not to the end; `result` holds all up to the last good instant.
+class StoppedPad : public ConvergenceError {
+ public:
+  StoppedPad(const std::string& message, PadResult result_so_far)
+      : ConvergenceError(message), result(std::move(result_so_far)) {}
+  PadResult result;
+};
+
+/// Told how far the march in time is; may be slow, must not throw.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void advanced(double time, double end_time) = 0;  ///< [s]
+};
+
+/// The pad problem of a checked case (Problem::kPad): a steady film at a stated separation or under a stated load, or
+/// the march in time through a history of separations, backward Euler from the steady film at its first one.
+/// Same case, same bits. Throws StoppedPad.
+PadResult solve_pad(const cycle::Case& c, Observer* observer = nullptr);
+
+}  // namespace ringfilm::pad
