@@ -135,6 +135,47 @@ TEST(Reynolds, RayleighStepIsExactOnAnyGridBecauseTheJumpIsANode) {
   }
 }
 
+// Two inclined pads with a step between them: p = 6 eta U I2(x) - 12 eta q I3(x), I_n = int dx/h^n in closed form.
+struct TwoPads {
+  static constexpr double kStep = 0.37 * kLength;
+  static double left(double x) { return 30e-6 - 8e-6 * x / kStep; }
+  static double right(double x) { return 14e-6 - 4e-6 * (x - kStep) / (kLength - kStep); }
+
+  static double I2(double length, double a, double b) { return length / (a * b); }
+  static double I3(double length, double a, double b) { return length * (a + b) / (2 * a * a * b * b); }
+
+  /// Pressure just at the step.
+  static double pressure_at_step() {
+    const double before2 = I2(kStep, left(0), left(kStep));
+    const double before3 = I3(kStep, left(0), left(kStep));
+    const double after2 = I2(kLength - kStep, right(kStep), right(kLength));
+    const double after3 = I3(kLength - kStep, right(kStep), right(kLength));
+    const double q = 0.5 * kU * (before2 + after2) / (before3 + after3);
+    return 6 * kEta * kU * before2 - 12 * kEta * q * before3;
+  }
+
+  static double error(int n_cells) {
+    SmoothFilm film(
+        8, kLength, [](double) { return 0.0; }, kEta, Cavitation::kMassConserving);
+    const double lowest = right(kLength);
+    film.problem.grid = grid_of_pieces(n_cells, {{0, kStep, [=](double x) { return left(x) - lowest; }},
+                                                 {kStep, kLength, [=](double x) { return right(x) - lowest; }}});
+    const Solved solved = steady_at(film.problem, slider_inputs(1e4), lowest);
+    EXPECT_TRUE(solved.report.converged);
+    return std::abs(solved.state.p[film.problem.grid.jumps.front().node] / pressure_at_step() - 1);
+  }
+};
+
+TEST(Reynolds, GapThatJumpsKeepsTheSecondOrder) {
+  double coarse = TwoPads::error(50);
+  for (const int n_cells : {100, 200, 400}) {
+    const double fine = TwoPads::error(n_cells);
+    // The pieces get whole numbers of cells: their shares wobble, and the order with them.
+    EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.15) << n_cells << " cells";
+    coarse = fine;
+  }
+}
+
 TEST(MassConserving, SteadyFlowIsTheSameThroughBothEdges) {
   constexpr double L = 0.0762;
   SmoothFilm film(
