@@ -97,13 +97,14 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   sums.peak_pressure = *std::max_element(state.p.begin(), state.p.end());
   for (int i = 1; i < n; ++i) {
     if (state.deficit[i] == 0) continue;
-    sums.cavitated_fraction += grid.share[i] / grid.width;
     if (state.deficit[i - 1] == 0) {
       sums.cavities.push_back({front_position(problem, state, inputs.p_cavitation, i - 1, i, at_left), 0});
     }
     if (state.deficit[i + 1] == 0) {
       const double end = front_position(problem, state, inputs.p_cavitation, i + 1, i, at_right);
-      sums.cavities.back().end = std::max(end, sums.cavities.back().begin);
+      Cavity& cavity = sums.cavities.back();
+      cavity.end = std::max(end, cavity.begin);
+      sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
     }
   }
 }

@@ -77,7 +77,7 @@ TEST(Reynolds, MartinParabolaMatchesHalfSommerfeldWithReynoldsExit) {
 // --- parabolic pad with rupture and reformation-free exit, mass conserving (PHYSICS of docs/theory/film.md) ----------
 
 struct Pad {
-  double rupture, p_max, x_max, load, flow;
+  double rupture, p_max, x_max, load, flow, cavitated_fraction;
 };
 
 Pad parabolic_pad(int n_cells) {
@@ -92,7 +92,7 @@ Pad parabolic_pad(int n_cells) {
   const auto& p = solved.state.p;
   const auto top = std::max_element(p.begin(), p.end()) - p.begin();
   return {solved.integrals.cavities.front().begin, solved.integrals.peak_pressure, film.problem.grid.x[top],
-          solved.integrals.hydrodynamic_load, solved.integrals.flow_middle};
+          solved.integrals.hydrodynamic_load,      solved.integrals.flow_middle,   solved.integrals.cavitated_fraction};
 }
 
 TEST(MassConserving, ParabolicPadRupturesWhereTheQuadratureSays) {
@@ -109,7 +109,9 @@ TEST(MassConserving, ParabolicPadRupturesWhereTheQuadratureSays) {
 TEST(MassConserving, RuptureIsLocatedWithinItsCell) {
   for (const int n_cells : {100, 217, 400}) {
     const double cell = 76.2e-3 / n_cells;
-    EXPECT_NEAR(parabolic_pad(n_cells).rupture, 51.7348e-3, 0.05 * cell) << n_cells << " cells";
+    const Pad pad = parabolic_pad(n_cells);
+    EXPECT_NEAR(pad.rupture, 51.7348e-3, 0.05 * cell) << n_cells << " cells";
+    EXPECT_NEAR(pad.cavitated_fraction, 1 - pad.rupture / 76.2e-3, 1e-12) << "it is open to the edge";
   }
 }
 
