@@ -163,7 +163,8 @@ struct Solver {
   int cells = 200;
   double crank_step_deg = 1.0;  ///< [degree]
   StepControl crank_step_control = StepControl::kAdaptive;
-  double tolerance = 1e-8;  ///< relative error left by the Newton iteration in film and pressure [-]
+  double step_error = 1e-3;  ///< error in time let through per step, adaptive: in ln h_m; half of it in the oil [-]
+  double tolerance = 1e-8;   ///< relative error left by the Newton iteration in film and pressure [-]
   Method method = Method::kCoupledNewton;
 };
 

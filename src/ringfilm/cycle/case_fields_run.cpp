@@ -22,6 +22,12 @@ void append_run_fields(std::vector<Field>& fields) {
           field("solver.crank_step_control", choice<&Case::solver, &Solver::crank_step_control>({"adaptive", "fixed"}),
                 kNoUnit, {}, Need::kDefault, {},
                 {"refine the crank step where the film needs it, or march with the stated step alone", "\"adaptive\""}),
+          field(
+              "solver.step_error", NumberKind{member<&Case::solver, &Solver::step_error>}, kPlainNumber,
+              between(1e-8, 0.1), Need::kDefault,
+              {[](const Case& c) { return c.solver.crank_step_control == StepControl::kAdaptive; },
+               "solver.crank_step_control = \"adaptive\""},
+              {"error that one step may make in the logarithm of the film; half of it in the oil on the face", "1e-3"}),
           field("solver.tolerance", NumberKind{member<&Case::solver, &Solver::tolerance>}, kPlainNumber,
                 between(1e-14, 1e-2), Need::kDefault, {},
                 {"relative error that the iteration may leave in film and pressure", "1e-8"}),

@@ -15,9 +15,8 @@ namespace {
 /// A base step may be cut into 2^6 = 64 at the finest.
 constexpr int kFinestLevel = 6;
 constexpr int kTicks = 1 << kFinestLevel;
-/// Errors that adaptive control allows per step: in ln h_m, and in the oil on the face as a share of it.
-constexpr double kFilmError = 1e-3;
-constexpr double kContentError = 5e-4;
+/// Error that adaptive control allows per step in the oil on the face, as a share of that in ln h_m.
+constexpr double kContentShare = 0.5;
 /// A step twice as long makes four times the error; it is tried only with something to spare.
 constexpr double kCoarsenBelow = 0.15;
 
@@ -117,7 +116,7 @@ double March::time_error(const film::FilmState& to, double time_step) const {
     content += std::abs(to.content[i] - predicted);
     total += to.content[i];
   }
-  const double error = share * std::max(film / kFilmError, content / total / kContentError);
+  const double error = share * std::max(film, content / total / kContentShare) / setup_.input.solver.step_error;
   return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
 }
 

@@ -110,6 +110,7 @@ TEST(CaseFields, HaveEveryKeyOfTheContract) {
                           "solver.cells",
                           "solver.crank_step",
                           "solver.crank_step_control",
+                          "solver.step_error",
                           "solver.tolerance",
                           "solver.method",
                           "output.crank_angles",

@@ -109,6 +109,21 @@ TEST(March, EveryAngleAskedForComesOutWhateverStepsTheMarchTakes) {
   EXPECT_EQ(some.fields.film_pressure.size(), 2u * 101u);
 }
 
+// The error of a step goes with its square: the steps are halved all over where the limit is a quarter.
+TEST(March, HalfTheCrankStepAndAQuarterOfTheStepErrorMakeTwiceTheSteps) {
+  Case c = styles_embedded_ring();
+  c.film.cavitation = Cavitation::kMassConserving;
+  c.solver.crank_step_control = StepControl::kAdaptive;
+  c.solver.cells = 100;
+  const Effort once = simulated(c).effort;
+  c.solver.crank_step_deg /= 2;
+  c.solver.step_error /= 4;
+  const Effort twice = simulated(c).effort;
+  const double ratio = static_cast<double>(twice.crank_steps) / static_cast<double>(once.crank_steps);
+  EXPECT_NEAR(ratio, 2, 0.3);  // steps are halvings of the base step, so that single ones may fall to either side
+  EXPECT_GT(once.sub_steps, 100);
+}
+
 TEST(March, SaysWhenAFaceIsTooSteepToBeOne) {
   Case c = styles_new_ring();
   c.ring.face_width = 3e-3;  // the polynomial was fitted to 1.2 mm
