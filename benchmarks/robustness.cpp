@@ -1,0 +1,355 @@
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "../tests/scenarios/engine_scenario.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/kinematics.hpp"
+#include "ringfilm/cycle/march.hpp"
+#include "ringfilm/film/film_integrals.hpp"
+
+/// Marches one cycle of each of many seeded scenarios (tests/scenarios) and counts how every step was solved. A film is
+/// believed only if all its numbers are finite and its load balances by a sum of its own.
+namespace ringfilm::cycle {
+namespace {
+
+using testing::EngineScenario;
+
+/// How a scenario ended.
+enum class End {
+  kSolved,
+  kOverloaded,       ///< told: neither film nor asperities carry the load
+  kLiftedOff,        ///< told: the gas at the edges lifts the ring off
+  kFalseOverload,    ///< told so although the asperities alone carry it
+  kUnexplained,      ///< told: no balance found
+  kNotFinite,        ///< a film with a NaN or an infinity was accepted
+  kOutOfBalance,     ///< a film was accepted that does not carry its load
+  kLastStateBroken,  ///< after a stop the march does not stand on a good film
+  kException,        ///< anything else was thrown
+};
+constexpr int kEnds = 9;
+constexpr const char* kEndNames[kEnds] = {"solved",         "overloaded",        "lifted-off",
+                                          "false-overload", "unexplained",       "not-finite",
+                                          "out-of-balance", "last-state-broken", "exception"};
+
+/// Accepted films carry their load to sqrt(solver.tolerance), the solver's stop test (docs/theory/film.md).
+constexpr double kLoadError = 1e-4;
+
+struct Outcome {
+  End end = End::kSolved;
+  std::string message;
+  std::optional<double> crank_angle_deg;
+  March::Totals totals;
+  long side_steps = 0;
+  double seconds = 0;  ///< of processor time
+};
+
+bool is_finite(const film::FilmState& state) {
+  double sum = state.h_m;
+  for (std::size_t i = 0; i < state.p.size(); ++i) sum += state.p[i] + state.deficit[i] + state.content[i];
+  return std::isfinite(sum);
+}
+
+/// Thrown where an accepted film is none.
+struct Broken {
+  End end;
+  double crank_angle_deg;
+};
+
+void check_film(const March& march, const Instant& instant) {
+  if (!is_finite(*instant.state)) throw Broken{End::kNotFinite, instant.crank_angle_deg};
+  const auto sums = film::film_integrals(march.problem(), instant.inputs, *instant.previous, *instant.state);
+  const double carried = sums.hydrodynamic_load + sums.asperity_load;
+  if (!(std::abs(carried - instant.inputs.load) <= kLoadError * instant.inputs.load)) {
+    throw Broken{End::kOutOfBalance, instant.crank_angle_deg};
+  }
+}
+
+/// Checks every accepted film; asks for films between the steps where the scenario wants them.
+class Watch : public Waypoints {
+ public:
+  Watch(const EngineScenario& scenario, long& side_steps) : spacing_(scenario.side_spacing_deg), side_(side_steps) {}
+
+  void before_step(March& march, double from_deg, double to_deg) override {
+    if (!spacing_) return;
+    const double next = (std::floor(from_deg / *spacing_) + 1) * *spacing_;
+    if (next >= to_deg) return;
+    film::FilmState state;
+    ++side_;
+    check_film(march, march.side_step(next, state));
+  }
+
+  void after_step(const March& march) override { check_film(march, march.instant()); }
+
+ private:
+  std::optional<double> spacing_;
+  long& side_;
+};
+
+/// What the asperities carry where the surfaces touch, per length [N/m].
+double asperity_capacity(const film::FilmProblem& problem) {
+  double load = 0;
+  for (std::size_t i = 0; i < problem.grid.x.size(); ++i) {
+    const bool nominal = problem.contact_spread == film::ContactSpread::kNominal;
+    load += problem.grid.share[i] * problem.contact->contact(nominal ? 0.0 : problem.grid.node_height[i]).pressure;
+  }
+  return load;
+}
+
+/// The load that the march could not balance, per length [N/m].
+double load_at(const Setup& setup, double crank_angle_deg) {
+  const double p = setup.cylinder_pressure.pressure(wrapped(crank_angle_deg));
+  return (setup.elastic_pressure + setup.input.gas.pressure_behind_ring * p) * setup.input.ring.face_width;
+}
+
+void march_one_cycle(const EngineScenario& scenario, Outcome& outcome) {
+  const Setup setup = prepare(scenario.input);
+  March march(setup);
+  const int n_steps = steps_per_cycle(setup.input.solver);
+  bool started = false;
+  try {
+    Watch watch(scenario, outcome.side_steps);
+    march.start(static_cast<int>(std::lround(scenario.start_angle_deg / kCycleDeg * n_steps)) % n_steps);
+    started = true;
+    check_film(march, march.instant());
+    for (int k = 0; k < n_steps; ++k) march.advance(watch);
+  } catch (const ConvergenceError& error) {
+    outcome.message = error.what();
+    outcome.crank_angle_deg = error.crank_angle_deg();
+    const bool overloaded = outcome.message.find("neither the film nor the asperities carry") != std::string::npos;
+    const double load = load_at(setup, outcome.crank_angle_deg.value_or(scenario.start_angle_deg));
+    const bool lifted = outcome.message.find("the gas lifts the ring off") != std::string::npos;
+    outcome.end = lifted                                       ? End::kLiftedOff
+                  : !overloaded                                ? End::kUnexplained
+                  : asperity_capacity(march.problem()) >= load ? End::kFalseOverload
+                                                               : End::kOverloaded;
+    if (started && !is_finite(march.state())) outcome.end = End::kLastStateBroken;
+  }
+  outcome.totals = march.totals();
+}
+
+double processor_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Outcome outcome_of(const EngineScenario& scenario) {
+  Outcome outcome;
+  const double start = processor_seconds();
+  try {
+    march_one_cycle(scenario, outcome);
+  } catch (const Broken& broken) {
+    outcome.end = broken.end;
+    outcome.crank_angle_deg = broken.crank_angle_deg;
+  } catch (const std::exception& error) {
+    outcome.end = End::kException;
+    outcome.message = error.what();
+  }
+  outcome.seconds = processor_seconds() - start;
+  return outcome;
+}
+
+/// One line with all that is needed to find and repeat a scenario.
+std::string as_json(std::uint64_t seed, int index, const EngineScenario& scenario, const Outcome& outcome) {
+  const Case& c = scenario.input;
+  nlohmann::ordered_json line{
+      {"repeat", "robustness --seed " + std::to_string(seed) + " --only " + std::to_string(index)},
+      {"end", kEndNames[static_cast<int>(outcome.end)]},
+      {"crank_angle_deg", nullptr},
+      {"message", outcome.message},
+      {"speed_rpm", c.operating.speed * 30 / std::numbers::pi},
+      {"oil_temperature_degC", c.operating.oil_temperature - 273.15},
+      {"peak_pressure_bar", scenario.peak_pressure * 1e-5},
+      {"trace", name(scenario.trace)},
+      {"face", name(scenario.face)},
+      {"rise_um", scenario.rise * 1e6},
+      {"face_width_mm", c.ring.face_width * 1e3},
+      {"apex", c.ring.face.apex},
+      {"orientation", static_cast<int>(c.ring.face.orientation)},
+      {"roughness_um", c.contact.roughness * 1e6},
+      {"asperity_radius_um", c.contact.asperity_radius * 1e6},
+      {"asperity_density_per_um2", c.contact.asperity_density * 1e-12},
+      {"film_parameter", c.contact.film_parameter == FilmParameter::kLocal ? "local" : "nominal"},
+      {"integrals", c.contact.integrals == ContactIntegrals::kExact ? "exact" : "polynomial-4-digit"},
+      {"compressibility", c.lubricant.compressibility == Compressibility::kNone ? "none" : "dowson-higginson"},
+      {"tangential_force_N", c.ring.tangential_force.value_or(0)},
+      {"cavitation", c.film.cavitation == Cavitation::kMassConserving ? "mass-conserving" : "reynolds-exit"},
+      {"cavitation_pressure_bar", c.film.cavitation_pressure * 1e-5},
+      {"cells", c.solver.cells},
+      {"crank_step_deg", c.solver.crank_step_deg},
+      {"control", c.solver.crank_step_control == StepControl::kFixed ? "fixed" : "adaptive"},
+      {"start_angle_deg", scenario.start_angle_deg},
+      {"crank_steps", outcome.totals.crank_steps},
+      {"search", outcome.totals.fallback_secant},
+      {"cut", outcome.totals.fallback_sub_step},
+      {"side_steps", outcome.side_steps},
+      {"seconds", outcome.seconds}};
+  if (outcome.crank_angle_deg) line["crank_angle_deg"] = *outcome.crank_angle_deg;
+  return line.dump();
+}
+
+/// Sums of one row of the table.
+struct Row {
+  std::string name;
+  std::function<bool(const EngineScenario&)> holds;
+  long scenarios = 0, steps = 0, newton = 0, search = 0, cuts = 0, short_steps = 0, side_steps = 0;
+  long ends[kEnds] = {};
+  double seconds = 0;
+
+  void add(const Outcome& outcome) {
+    ++scenarios;
+    ++ends[static_cast<int>(outcome.end)];
+    steps += outcome.totals.crank_steps;
+    newton += outcome.totals.newton_iterations;
+    search += outcome.totals.fallback_secant;
+    cuts += outcome.totals.fallback_sub_step;
+    short_steps += outcome.totals.sub_steps;
+    side_steps += outcome.side_steps;
+    seconds += outcome.seconds;
+  }
+  long ended(End end) const { return ends[static_cast<int>(end)]; }
+  long faults() const { return scenarios - ended(End::kSolved) - ended(End::kOverloaded) - ended(End::kLiftedOff); }
+};
+
+/// Below this rise the film hangs on nanometres of form; such faces are counted apart and promised nothing.
+constexpr double kPromisedRise = 2e-6;
+
+std::vector<Row> empty_rows() {
+  const auto rise = [](double low, double high) {
+    return [low, high](const EngineScenario& s) { return s.rise >= low && s.rise < high; };
+  };
+  const auto promised = rise(kPromisedRise, 1);
+  const auto and_promised = [promised](const std::function<bool(const EngineScenario&)>& holds) {
+    return [promised, holds](const EngineScenario& s) { return promised(s) && holds(s); };
+  };
+  const auto model = [&](Cavitation cavitation) {
+    return and_promised([cavitation](const EngineScenario& s) { return s.input.film.cavitation == cavitation; });
+  };
+  const auto control = [&](StepControl wanted) {
+    return and_promised([wanted](const EngineScenario& s) { return s.input.solver.crank_step_control == wanted; });
+  };
+  std::vector<Row> rows;
+  rows.push_back({"rise of 2 um and more", promised});
+  rows.push_back({"  reynolds-exit", model(Cavitation::kReynoldsExit)});
+  rows.push_back({"  mass-conserving", model(Cavitation::kMassConserving)});
+  rows.push_back({"  fixed steps", control(StepControl::kFixed)});
+  rows.push_back({"  adaptive steps", control(StepControl::kAdaptive)});
+  rows.push_back({"  rise 2-10 um", rise(kPromisedRise, 10e-6)});
+  rows.push_back({"  rise 10-50 um", rise(10e-6, 50e-6)});
+  rows.push_back({"  rise 50 um and more", rise(50e-6, 1)});
+  rows.push_back({"  cranked, below 500 rpm", and_promised([](const EngineScenario& s) {
+                    return s.input.operating.speed < 500 * std::numbers::pi / 30;
+                  })});
+  rows.push_back({"  start from standstill",
+                  and_promised([](const EngineScenario& s) { return std::fmod(s.start_angle_deg, 180) == 0; })});
+  rows.push_back({"  knocks, steps, noise",
+                  and_promised([](const EngineScenario& s) { return s.trace != testing::TraceKind::kSmooth; })});
+  rows.push_back({"rise below 2 um", rise(0, kPromisedRise)});
+  return rows;
+}
+
+void print(const std::vector<Row>& rows) {
+  std::printf("%-24s %9s %10s %9s %9s %8s %9s %10s %10s %7s %11s %9s\n", "", "scenarios", "steps", "direct", "search",
+              "cut", "side", "overloaded", "lifted", "faults", "it per step", "ms/cycle");
+  for (const Row& row : rows) {
+    if (row.scenarios == 0) continue;
+    const double steps = static_cast<double>(std::max(row.steps, 1L));
+    std::printf("%-24s %9ld %10ld %8.3f%% %9ld %8ld %9ld %10ld %10ld %7ld %11.2f %9.1f\n", row.name.c_str(),
+                row.scenarios, row.steps, 100 * (1 - static_cast<double>(row.search) / steps), row.search, row.cuts,
+                row.side_steps, row.ended(End::kOverloaded), row.ended(End::kLiftedOff), row.faults(),
+                static_cast<double>(row.newton) / steps, 1e3 * row.seconds / static_cast<double>(row.scenarios));
+  }
+  std::printf(
+      "\ndirect, search: steps solved by the coupled Newton, by the bracketed search; cut: attempts given up for a\n"
+      "shorter step; side: films asked for between steps; overloaded: told that nothing carries the load;\n"
+      "lifted: told that the gas under the ring lifts it off; faults: all else that did not end well");
+  for (const Row* row : {&rows.front(), &rows.back()}) {
+    std::printf("\n%s:", row->name.c_str());
+    for (int end = 0; end < kEnds; ++end) std::printf(" %s %ld", kEndNames[end], row->ends[end]);
+  }
+  std::printf("\n");
+}
+
+struct Options {
+  int count = 1500;
+  int first = 0;
+  int jobs = 1;
+  std::uint64_t seed = 1;
+  std::optional<int> only;
+  std::string failures;
+};
+
+/// Returns the number of faults among promised scenarios.
+long survey(const Options& options) {
+  const int first = options.only.value_or(options.first);
+  const int count = options.only ? 1 : options.count;
+  std::vector<Outcome> outcomes(count);
+  std::atomic<int> next = 0;
+  std::atomic<int> done = 0;
+  const auto work = [&] {
+    for (int i = next++; i < count; i = next++) {
+      outcomes[i] = outcome_of(testing::engine_scenario(options.seed, first + i));
+      if (++done % 1000 == 0) std::fprintf(stderr, "%d of %d\n", done.load(), count);
+    }
+  };
+  std::vector<std::thread> workers;
+  for (int job = 0; job < options.jobs; ++job) workers.emplace_back(work);
+  for (auto& worker : workers) worker.join();
+
+  std::ofstream file;
+  if (!options.failures.empty()) {
+    file.open(options.failures);
+    if (!file) throw std::runtime_error("cannot write " + options.failures);
+  }
+  std::ostream& to = options.failures.empty() ? std::cout : file;
+  auto rows = empty_rows();
+  for (int i = 0; i < count; ++i) {
+    const EngineScenario scenario = testing::engine_scenario(options.seed, first + i);
+    for (Row& row : rows) {
+      if (row.holds(scenario)) row.add(outcomes[i]);
+    }
+    if (options.only || outcomes[i].end != End::kSolved) {
+      to << as_json(options.seed, first + i, scenario, outcomes[i]) << '\n';
+    }
+  }
+  to.flush();
+  std::printf("seed %llu, scenarios %d to %d\n", static_cast<unsigned long long>(options.seed), first,
+              first + count - 1);
+  print(rows);
+  return rows.front().faults();
+}
+
+}  // namespace
+}  // namespace ringfilm::cycle
+
+int main(int argc, char** argv) {
+  ringfilm::cycle::Options options;
+  CLI::App app("Marches one cycle of each of many seeded scenarios and counts how every step was solved");
+  app.add_option("--count", options.count, "scenarios")->check(CLI::Range(1, 10'000'000))->capture_default_str();
+  app.add_option("--first", options.first, "index of the first one")->check(CLI::NonNegativeNumber);
+  app.add_option("--seed", options.seed, "of the sample")->capture_default_str();
+  app.add_option("--jobs", options.jobs, "threads")->check(CLI::Range(1, 256))->capture_default_str();
+  app.add_option("--only", options.only, "march this one scenario and print it")->check(CLI::NonNegativeNumber);
+  app.add_option("--failures", options.failures, "file for one line of JSON per scenario that was not solved");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return ringfilm::cycle::survey(options) == 0 ? 0 : 4;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "robustness: %s\n", error.what());
+    return 5;
+  }
+}

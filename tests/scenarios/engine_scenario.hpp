@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "ringfilm/cycle/case.hpp"
+
+/// Engines as nobody would build them: the sample that the march must survive.
+namespace ringfilm::cycle::testing {
+
+enum class FaceKind { kNewPolynomial, kRunInPolynomial, kEmbeddedPolynomial, kParabola, kNoisyPoints, kWornFlat };
+enum class TraceKind { kSmooth, kNoisy, kKnock, kStep, kKnockAndStep };
+
+const char* name(FaceKind kind);
+const char* name(TraceKind kind);
+
+/// One engine and how to march it.
+struct EngineScenario {
+  Case input;
+  FaceKind face{};
+  TraceKind trace{};
+  double rise = 0;             ///< of the face above its lowest point, at the higher edge [m]
+  double peak_pressure = 0;    ///< largest sample of the trace [Pa]
+  double start_angle_deg = 0;  ///< the march starts here from a steady film; at a dead centre: from standstill
+  std::optional<double> side_spacing_deg;  ///< solve the film off the march too, at angles this far apart [degree]
+};
+
+/// Member `index` of the sample `seed`: a shifted Kronecker sequence with the square roots of primes (Richtmyer), which
+/// fills the box evenly whatever its length; noise comes from a generator of its own. The same on every machine.
+///
+/// The box: 500-9000 rpm (one in sixteen cranked at 50-500), oil at -30 to 180 degC, peaks of 1-300 bar, sigma
+/// 0.03-2 um, faces rising by 1-200 um with the lowest point anywhere, the three polynomials of the paper, worn flats
+/// and points with measured noise, tension 1-100 N, p_c 0-1 bar, both cavitation models, 50-1600 cells, crank steps of
+/// 0.5-5 degree fixed and adaptive, traces with noise, knocks and steps, one start in four from standstill.
+EngineScenario engine_scenario(std::uint64_t seed, int index);
+
+}  // namespace ringfilm::cycle::testing
