@@ -29,6 +29,7 @@ constexpr const char* kRunFooter = R"(Examples:
   ringfilm run case.toml --output result.nc --csv curves.csv
   ringfilm run case.toml --set operating.speed='3000 rpm' --set solver.cells=400 --json
   ringfilm run case.toml --ledger --output result.nc
+  ringfilm run case.toml --error-estimate
 
 --set KEY= takes a key out of the case, e.g. --set ring.elastic_pressure= --set ring.tangential_force='12.5 N'.
 An output that exists is replaced at once when the new one is complete; a kill or a full disk leaves the old one.
@@ -120,13 +121,16 @@ class Commands {
     auto& command = add("run", "Compute one engine cycle and print its summary", [this] {
       run({run_words_.case_path(), run_words_.overrides(), output_, csv_,
            json_ ? SummaryForm::kJson : SummaryForm::kTable,
-           ledger_ ? LedgerWanted::kComputed : LedgerWanted::kStatements});
+           ledger_ ? LedgerWanted::kComputed : LedgerWanted::kStatements,
+           error_estimate_ ? ErrorsWanted::kEstimated : ErrorsWanted::kNone});
     });
     run_words_.add_to(command);
     command.add_option("--output", output_, "write the whole result as NetCDF-4")->type_name("X.nc");
     command.add_option("--csv", csv_, "write the curves over crank angle as CSV, SI units")->type_name("X.csv");
     command.add_flag("--json", json_, "print the values of the cycle as JSON, SI units, instead of the table");
     command.add_flag("--ledger", ledger_, "run the other choice for every assumption that can be lifted");
+    command.add_flag("--error-estimate", error_estimate_,
+                     "march four other grids too and give every value the error of its own, about 6 times the work");
     command.footer(kRunFooter);
   }
 
@@ -188,7 +192,7 @@ class Commands {
   std::vector<std::pair<CLI::App*, std::function<void()>>> actions_;
   CaseWords run_words_, check_words_;
   std::optional<std::string> output_, csv_;
-  bool json_ = false, ledger_ = false;
+  bool json_ = false, ledger_ = false, error_estimate_ = false;
   std::string start_path_;
   ReportOptions report_;
   ReproduceOptions reproduce_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 
 #include "commands.hpp"
 #include "computation.hpp"
@@ -61,23 +62,28 @@ std::vector<RingInput> ring_inputs(const fs::path& cases) {
 }
 
 io::ResultDocument computed_ring(const RingInput& ring) {
-  Computation done = computation(ring.input, LedgerWanted::kComputed, ring.ring);
+  Computation done = computation(ring.input, LedgerWanted::kComputed, ErrorsWanted::kEstimated, ring.ring);
   if (done.stopped) throw *done.stopped;
   done.document.comparison = study::compare(done.document.result, ring.published, done.document.ledger);
   return done.document;
 }
 
-std::string comparison_table(const std::string& ring, const std::vector<study::ComparisonRow>& rows) {
+double error_of(const io::ResultDocument& document, const std::string& quantity) {
+  return document.errors ? document.errors->values.*cycle_quantity(quantity).value
+                         : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string comparison_table(const std::string& ring, const io::ResultDocument& document) {
   constexpr double kWorthAReason = 0.01;  // a deviation below 1 % is rounding of the published value
   const EngineeringText in_words;
-  std::string text = fmt::format("{} ring\n{:>13}{:>13}{:>11}\n", ring, "published", "computed", "deviation");
-  for (const study::ComparisonRow& row : rows) {
+  std::string text = fmt::format("{} ring\n{:>13}{:>24}{:>11}\n", ring, "published", "computed", "deviation");
+  for (const study::ComparisonRow& row : document.comparison) {
     const study::PublishedValue& published = row.published;
-    text += fmt::format("{:>13}{:>13}{:>+9.1f} %   {} ({})\n", in_words(published.quantity, published.value),
-                        in_words(published.quantity, row.computed), 100 * row.deviation, published.statement,
-                        published.source);
+    text += fmt::format("{:>13}{:>24}{:>+9.1f} %   {} ({})\n", in_words(published.quantity, published.value),
+                        in_words(published.quantity, row.computed, error_of(document, published.quantity)),
+                        100 * row.deviation, published.statement, published.source);
     if (row.with_strongest_setting && std::abs(row.deviation) > kWorthAReason) {
-      text += fmt::format("{:>40}{} with {}\n", "", in_words(published.quantity, *row.with_strongest_setting),
+      text += fmt::format("{:>51}{} with {}\n", "", in_words(published.quantity, *row.with_strongest_setting),
                           row.strongest_setting);
     }
   }
@@ -88,13 +94,14 @@ std::string comparison_table(const std::string& ring, const std::vector<study::C
 std::string rings_table(const std::vector<io::ResultDocument>& documents) {
   const EngineeringText in_words;
   std::string text = fmt::format("{:<42}", "the three rings");
-  for (const std::string ring : kRings) text += fmt::format("{:>13}", ring);
+  for (const std::string ring : kRings) text += fmt::format("{:>24}", ring);
   text += "\n";
   for (const char* name : {"min_film_thickness", "peak_friction_coefficient_firing", "mean_power_loss",
                            "mean_boundary_power", "mean_absolute_oil_flow"}) {
     text += fmt::format("{:<42}", name);
     for (const auto& document : documents) {
-      text += fmt::format("{:>13}", in_words(name, document.result.values.*cycle_quantity(name).value));
+      text += fmt::format("{:>24}",
+                          in_words(name, document.result.values.*cycle_quantity(name).value, error_of(document, name)));
     }
     text += "\n";
   }
@@ -122,7 +129,7 @@ void reproduce(const ReproduceOptions& options) {
   for (const RingInput& ring : inputs) {
     documents.push_back(computed_ring(ring));
     io::write_result((folder / (ring.ring + ".nc")).string(), documents.back());
-    std::cout << comparison_table(ring.ring, documents.back().comparison) << "\n";
+    std::cout << comparison_table(ring.ring, documents.back()) << "\n";
   }
   std::cout << rings_table(documents) << "\n";
   io::write_atomically(page, ringfilm::report::report_page(documents, {}));

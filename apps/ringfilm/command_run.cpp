@@ -71,11 +71,11 @@ ConvergenceError stop_told(const RunOptions& options, const Computation& done) {
 
 void run(const RunOptions& options) {
   const cycle::Case input = checked_case(options);
-  const Computation done = computation(input, options.ledger, options.case_path);
+  const Computation done = computation(input, options.ledger, options.errors, options.case_path);
   const bool is_worth_writing = !done.document.result.samples.empty();
   if (options.output && is_worth_writing) io::write_result(*options.output, done.document);
   if (options.csv && is_worth_writing) {
-    io::write_atomically(*options.csv, io::result_csv(done.document.result.samples));
+    io::write_atomically(*options.csv, io::result_csv(done.document.result.samples, done.document.errors));
   }
   if (options.summary == SummaryForm::kJson) {
     std::cout << io::result_json(done.document);

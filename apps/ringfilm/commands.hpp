@@ -11,6 +11,7 @@ namespace ringfilm::app {
 
 enum class SummaryForm { kTable, kJson };
 enum class LedgerWanted { kStatements, kComputed };
+enum class ErrorsWanted { kNone, kEstimated };
 
 struct RunOptions {
   std::string case_path;
@@ -19,6 +20,7 @@ struct RunOptions {
   std::optional<std::string> csv;
   SummaryForm summary = SummaryForm::kTable;
   LedgerWanted ledger = LedgerWanted::kStatements;
+  ErrorsWanted errors = ErrorsWanted::kNone;
 };
 void run(const RunOptions& options);
 

@@ -8,7 +8,7 @@
 
 namespace ringfilm::app {
 
-Computation computation(const cycle::Case& input, LedgerWanted ledger, const std::string& name) {
+Computation computation(const cycle::Case& input, LedgerWanted ledger, ErrorsWanted errors, const std::string& name) {
   ProgressLine line;
   MarchProgress progress(line, name);
   Computation done;
@@ -25,6 +25,13 @@ Computation computation(const cycle::Case& input, LedgerWanted ledger, const std
     document.result = stop.result;
     document.result.complete = false;
     done.stopped = stop;
+  }
+  if (errors == ErrorsWanted::kEstimated && !done.stopped) {
+    document.errors = study::error_estimate(input, document.result, [&](int n_done, int n_total) {
+      line.show(fmt::format("{}: error estimate, {} of {} other grids", name, n_done, n_total));
+    });
+    const auto notes = study::notes_on(*document.errors);
+    document.result.notes.insert(document.result.notes.end(), notes.begin(), notes.end());
   }
   document.ledger_computed = ledger == LedgerWanted::kComputed && !done.stopped;
   if (document.ledger_computed) {

@@ -15,7 +15,7 @@ struct Computation {
   std::optional<ConvergenceError> stopped;
 };
 
-/// Prepares and marches the case, with the ledger if wanted. @param name for the progress line
-Computation computation(const cycle::Case& input, LedgerWanted ledger, const std::string& name);
+/// Prepares and marches the case, with ledger and errors if wanted. @param name for the progress line
+Computation computation(const cycle::Case& input, LedgerWanted ledger, ErrorsWanted errors, const std::string& name);
 
 }  // namespace ringfilm::app

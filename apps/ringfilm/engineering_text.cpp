@@ -22,6 +22,26 @@ std::string EngineeringText::operator()(const std::string& cycle_quantity, doubl
   return (*this)(app::cycle_quantity(cycle_quantity), si_value);
 }
 
+std::string EngineeringText::operator()(const std::string& name, double si_value, double si_error) const {
+  const cycle::CycleQuantity& quantity = app::cycle_quantity(name);
+  const io::Scale scale = units_.scale(quantity.display_unit, quantity.unit);
+  const double value = scale.from_si(si_value);
+  const double error = scale.from_si(si_error) - scale.from_si(0);
+  if (!(error > 0) || !std::isfinite(value) || !std::isfinite(error)) return (*this)(quantity, si_value);
+  constexpr int kMostDigits = 7;  // beyond them the unit is not worth the ink
+  const int first_place = static_cast<int>(std::floor(std::log10(error)));
+  const bool starts_with_one = error < 2 * std::pow(10, first_place);
+  int decimals = starts_with_one ? 1 - first_place : -first_place;
+  if (value != 0)
+    decimals = std::min(decimals, kMostDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+  const double place = std::pow(10, -decimals);
+  const double shown_error = std::ceil(error / place * (1 - 1e-9)) * place;  // 0.02 is not more than 0.02
+  const double shown_value = std::round(value / place) * place;
+  const std::string number =
+      fmt::format("{:.{}f} +- {:.{}f}", shown_value, std::max(decimals, 0), shown_error, std::max(decimals, 0));
+  return quantity.display_unit == "1" ? number : number + " " + quantity.display_unit;
+}
+
 const cycle::CycleQuantity& cycle_quantity(const std::string& name) {
   const auto& quantities = cycle::cycle_quantities();
   const auto found = std::find_if(quantities.begin(), quantities.end(), [&](const auto& q) { return q.name == name; });

@@ -15,6 +15,7 @@ namespace {
 using cycle::CycleValues;
 
 constexpr int kValueWidth = 12;
+constexpr int kValueWithErrorWidth = 24;
 
 /// Pieces set one after the other in lines of at most 100 characters, all but the first line indented.
 std::string wrapped(const std::vector<std::string>& pieces) {
@@ -41,29 +42,34 @@ std::vector<std::string> words(const std::string& text) {
 
 class Table {
  public:
-  explicit Table(const CycleValues& values) : values_(values) {}
+  Table(const CycleValues& values, const std::optional<study::ErrorEstimate>& errors)
+      : values_(values), errors_(errors) {}
 
   /// A line for the cycle value of that name, with a remark.
   void add(const std::string& name, const std::string& remark = "") {
     const cycle::CycleQuantity& quantity = cycle_quantity(name);
-    text_ += fmt::format("{:>{}}   {}{}\n", shown(name), kValueWidth, quantity.long_name,
-                         remark.empty() ? "" : " (" + remark + ")");
+    text_ += fmt::format("{:>{}}   {}{}\n", shown(name), errors_ ? kValueWithErrorWidth : kValueWidth,
+                         quantity.long_name, remark.empty() ? "" : " (" + remark + ")");
   }
-  std::string shown(const std::string& name) const { return in_words_(name, values_.*cycle_quantity(name).value); }
+  std::string shown(const std::string& name) const {
+    const auto value = cycle_quantity(name).value;
+    return errors_ ? in_words_(name, values_.*value, errors_->values.*value) : in_words_(name, values_.*value);
+  }
   std::string at(const std::string& angle_name) const { return "at " + shown(angle_name); }
 
   const std::string& text() const { return text_; }
 
  private:
   const CycleValues& values_;
+  const std::optional<study::ErrorEstimate>& errors_;
   EngineeringText in_words_;
   std::string text_;
 };
 
 std::string percent(double part, double whole) { return fmt::format("{:.0f} %", whole > 0 ? 100 * part / whole : 0.0); }
 
-std::string values_table(const CycleValues& values) {
-  Table table(values);
+std::string values_table(const CycleValues& values, const std::optional<study::ErrorEstimate>& errors) {
+  Table table(values, errors);
   table.add("fmep");
   table.add("mean_power_loss", "boundary " + percent(values.mean_boundary_power, values.mean_power_loss) +
                                    ", viscous " + percent(values.mean_viscous_power, values.mean_power_loss));
@@ -88,6 +94,15 @@ std::string values_table(const CycleValues& values) {
             "peak gas pressure " + table.shown("peak_gas_pressure") + " " + table.at("peak_gas_pressure_angle"));
   table.add("wear_drive_energy");
   return table.text();
+}
+
+std::string error_lines(const study::ErrorEstimate& errors) {
+  std::string grids;
+  for (const study::GridRun& run : errors.runs) {
+    grids += fmt::format("{}{} cells at {:.4g} degree", grids.empty() ? "" : ", ", run.cells, run.crank_step_deg);
+  }
+  return wrapped(words("+- is the error of cells and crank steps, from the grids " + grids +
+                       "; it says nothing of the models and the inputs"));
 }
 
 std::string stopped_solver_lines(const cycle::Effort& effort) {
@@ -148,7 +163,8 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
         "STOPPED before the cycle was complete, after {} crank angles; there are no values of the cycle\n\n",
         result.samples.size());
   }
-  if (result.complete && !result.samples.empty()) text += values_table(result.values) + "\n";
+  if (result.complete && !result.samples.empty()) text += values_table(result.values, document.errors) + "\n";
+  if (document.errors) text += error_lines(*document.errors);
   text += result.complete ? solver_lines(result.effort) : stopped_solver_lines(result.effort);
   text += assumed_lines(document.inputs) + simplification_lines(document) + note_lines(document);
   return text;

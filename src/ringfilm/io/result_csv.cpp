@@ -5,24 +5,36 @@
 #include <cmath>
 
 namespace ringfilm::io {
+namespace {
 
-std::string result_csv(const std::vector<cycle::Sample>& samples) {
+std::string header(const std::string& name, const std::string& unit) {
+  return unit == "1" ? name : name + " [" + unit + "]";
+}
+
+std::string number(double value) {
+  return std::isnan(value) ? "nan" : fmt::format("{}", value + 0.0);  // the sign of a NaN or a zero says nothing
+}
+
+}  // namespace
+
+std::string result_csv(const std::vector<cycle::Sample>& samples, const std::optional<study::ErrorEstimate>& errors) {
   const auto& quantities = cycle::curve_quantities();
   std::string csv;
   const char* separator = "";
-  for (const auto& quantity : quantities) {
-    csv += separator + quantity.name;
-    if (quantity.unit != "1") csv += " [" + quantity.unit + "]";
+  const auto add = [&](const std::string& cell) {
+    csv += separator + cell;
     separator = ",";
+  };
+  for (const auto& quantity : quantities) add(header(quantity.name, quantity.unit));
+  for (const auto& quantity : quantities) {
+    if (errors && study::has_error(quantity)) add(header(quantity.name + "_error", quantity.unit));
   }
   csv += '\n';
-  for (const cycle::Sample& sample : samples) {
+  for (std::size_t k = 0; k < samples.size(); ++k) {
     separator = "";
+    for (const auto& quantity : quantities) add(number(samples[k].*quantity.value));
     for (const auto& quantity : quantities) {
-      const double value = sample.*quantity.value;
-      csv += separator;
-      csv += std::isnan(value) ? "nan" : fmt::format("{}", value + 0.0);  // the sign of a NaN or a zero says nothing
-      separator = ",";
+      if (errors && study::has_error(quantity)) add(number(errors->samples[k].*quantity.value));
     }
     csv += '\n';
   }

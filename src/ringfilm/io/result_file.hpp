@@ -1,10 +1,12 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/study/comparison.hpp"
+#include "ringfilm/study/error_estimate.hpp"
 #include "ringfilm/study/ledger.hpp"
 
 namespace ringfilm::io {
@@ -38,6 +40,7 @@ struct ResultDocument {
   std::vector<study::LedgerEntry> ledger;
   bool ledger_computed = false;  ///< were the variants run?
   std::vector<study::ComparisonRow> comparison;
+  std::optional<study::ErrorEstimate> errors;  ///< absent where they were not asked for
 };
 
 /// Writes NetCDF-4 with named dimensions crank_angle, x, ...; aside first, flushed, then renamed, so that a kill or a

@@ -28,6 +28,20 @@ inline cycle::Quantity cycle_variable(cycle::Quantity quantity) {
   return quantity;
 }
 
+/// The discretisation error beside a quantity.
+inline cycle::Quantity error_variable(cycle::Quantity quantity) {
+  quantity.name += "_error";
+  quantity.long_name = "discretisation error of " + quantity.long_name;
+  quantity.equation = "eq-grid-error";
+  return quantity;
+}
+/// The order of convergence seen in a quantity, `in` cells or step.
+inline cycle::Quantity order_variable(const cycle::Quantity& quantity, const std::string& in) {
+  return described(quantity.name + "_order_in_" + in, "1",
+                   "order of convergence in " + in + " of " + quantity.long_name + ", NaN where it is not monotone",
+                   "p", "eq-observed-order");
+}
+
 /// A ledger variant as a row of a table; its values are a row of `variant_values`.
 struct VariantRow {
   long entry = 0;  ///< row of the ledger entry it belongs to
@@ -49,6 +63,7 @@ void exchange_attributes(File& file, Document& document) {
   file.attribute("effort_periodicity_error", effort.periodicity_error);
   file.attribute("effort_crank_steps", effort.crank_steps);
   file.attribute("effort_newton_iterations", effort.newton_iterations);
+  file.attribute("effort_relaxation_sweeps", effort.relaxation_sweeps);
   file.attribute("effort_sub_steps", effort.sub_steps);
   file.attribute("effort_fallback_secant", effort.fallback_secant);
   file.attribute("effort_fallback_sub_step", effort.fallback_sub_step);
@@ -68,6 +83,38 @@ void exchange_curves(File& file, Result& result) {
   }
   const auto& derived = cycle::derived_quantities();
   file.scalars("derived_", derived, result.derived);
+}
+
+/// Nothing where the errors were not asked for: a file without grid runs has none.
+template <class File, class Document>
+void exchange_errors(File& file, Document& document) {
+  using study::GridRun;
+  if constexpr (File::kReads) {
+    std::vector<GridRun> runs;
+    file.rows("grid_run", runs);
+    if (!runs.empty()) document.errors = study::no_estimate(document.result.samples.size());
+  }
+  if (!document.errors) return;
+  auto& errors = *document.errors;
+  file.rows("grid_run", errors.runs);
+  file.column("grid_run", count("grid_run_cells", "cells across the face of a march for the error estimate"),
+              errors.runs, &GridRun::cells);
+  file.column("grid_run", described("grid_run_crank_step", "degree", "its crank step"), errors.runs,
+              &GridRun::crank_step_deg);
+  file.column("grid_run", described("grid_run_step_error", "1", "error that one of its steps may make"), errors.runs,
+              &GridRun::step_error);
+  file.column("grid_run", count("grid_run_solved", "1 where it was solved"), errors.runs, &GridRun::solved);
+  file.column("grid_run", text("grid_run_reason", "why it was not solved"), errors.runs, &GridRun::reason);
+  for (const auto& quantity : cycle::curve_quantities()) {
+    if (!study::has_error(quantity)) continue;
+    file.column("crank_angle", error_variable(quantity), errors.samples, quantity.value);
+  }
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    const cycle::Quantity variable = cycle_variable(quantity);
+    file.scalar(error_variable(variable), errors.values.*quantity.value);
+    file.scalar(order_variable(variable, "cells"), errors.order_in_cells.*quantity.value);
+    file.scalar(order_variable(variable, "step"), errors.order_in_step.*quantity.value);
+  }
 }
 
 template <class File, class Result>
@@ -197,6 +244,7 @@ template <class File, class Document, class VariantTable>
 void exchange(File& file, Document& document, VariantTable& variants) {
   exchange_attributes(file, document);
   exchange_curves(file, document.result);
+  exchange_errors(file, document);
   exchange_fields(file, document.result);
   exchange_case(file, document);
   exchange_notes(file, document);

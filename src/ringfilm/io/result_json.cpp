@@ -12,6 +12,7 @@ ordered_json effort_object(const cycle::Effort& effort) {
           {"periodicity_error", effort.periodicity_error},
           {"crank_steps", effort.crank_steps},
           {"newton_iterations", effort.newton_iterations},
+          {"relaxation_sweeps", effort.relaxation_sweeps},
           {"sub_steps", effort.sub_steps},
           {"fallback_secant", effort.fallback_secant},
           {"fallback_sub_step", effort.fallback_sub_step},
@@ -53,6 +54,31 @@ ordered_json ledger_array(const ResultDocument& document) {
   return ledger;
 }
 
+ordered_json errors_object(const study::ErrorEstimate& estimate) {
+  ordered_json errors = ordered_json::object();
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    errors[quantity.name] = estimate.values.*quantity.value;
+  }
+  return errors;
+}
+
+ordered_json error_estimate_object(const study::ErrorEstimate& estimate) {
+  ordered_json runs = ordered_json::array();
+  for (const study::GridRun& run : estimate.runs) {
+    runs.push_back({{"cells", run.cells},
+                    {"crank_step", run.crank_step_deg},
+                    {"step_error", run.step_error},
+                    {"solved", run.solved}});
+    if (!run.solved) runs.back()["reason"] = run.reason;
+  }
+  ordered_json orders = ordered_json::object();
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    orders[quantity.name] = {{"cells", estimate.order_in_cells.*quantity.value},
+                             {"crank_step", estimate.order_in_step.*quantity.value}};
+  }
+  return {{"runs", runs}, {"orders", orders}};
+}
+
 }  // namespace
 
 std::string result_json(const ResultDocument& document) {
@@ -70,6 +96,10 @@ std::string result_json(const ResultDocument& document) {
     }
   }
   object["units"] = units;
+  if (document.errors) {
+    object["errors"] = errors_object(*document.errors);
+    object["error_estimate"] = error_estimate_object(*document.errors);
+  }
   object["notes"] = notes_array(document);
   ordered_json assumed = ordered_json::object();
   for (const CaseEntry& entry : document.inputs) {

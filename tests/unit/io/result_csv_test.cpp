@@ -49,5 +49,19 @@ TEST(ResultCsv, NumbersReadBackExactlyAndAnglesStayShort) {
   EXPECT_EQ(row.at(static_cast<std::size_t>(column)), "nan");
 }
 
+TEST(ResultCsv, ErrorsFollowAllCurvesAndOnlyWhereACurveCanHaveOne) {
+  cycle::Sample sample;
+  study::ErrorEstimate errors = study::no_estimate(1);
+  errors.samples[0].total_friction = 0.25;
+  const auto plain = split(split(result_csv({sample}), '\n')[0], ',');
+  const auto lines = split(result_csv({sample}, errors), '\n');
+  const auto header = split(lines[0], ','), row = split(lines[1], ',');
+  ASSERT_GT(header.size(), plain.size());
+  EXPECT_TRUE(std::equal(plain.begin(), plain.end(), header.begin()));
+  const auto column = std::find(header.begin(), header.end(), "total_friction_error [N]") - header.begin();
+  EXPECT_EQ(row.at(static_cast<std::size_t>(column)), "0.25");
+  EXPECT_EQ(std::count(header.begin(), header.end(), "newton_iterations_error"), 0);
+}
+
 }  // namespace
 }  // namespace ringfilm::io

@@ -59,6 +59,19 @@ inline ResultDocument example_document(int n_samples = 5) {
       {"paper", "fmep", "FMEP", number(), "ring.elastic_pressure"}, number(), number(), "a = 1", number()};
   study::ComparisonRow plain{{"paper", "mean_power_loss", "power", number(), ""}, number(), number(), "", std::nullopt};
   document.comparison = {row, plain};
+
+  study::ErrorEstimate errors = study::no_estimate(result.samples.size());
+  errors.runs = {{100, 1, 1e-3, true, ""}, {200, 1, 1e-3, false, "no balance at 12 degree"}};
+  for (cycle::Sample& sample : errors.samples) {
+    for (const auto& quantity : cycle::curve_quantities()) {
+      if (study::has_error(quantity)) sample.*quantity.value = number();
+    }
+  }
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    errors.values.*quantity.value = number();
+    errors.order_in_cells.*quantity.value = number();
+  }
+  document.errors = errors;
   return document;
 }
 

@@ -105,6 +105,24 @@ void expect_same_comparison(const std::vector<study::ComparisonRow>& a, const st
   }
 }
 
+void expect_same(const study::ErrorEstimate& a, const study::ErrorEstimate& b) {
+  ASSERT_EQ(a.runs.size(), b.runs.size());
+  for (std::size_t i = 0; i < a.runs.size(); ++i) {
+    EXPECT_EQ(a.runs[i].cells, b.runs[i].cells);
+    EXPECT_EQ(a.runs[i].crank_step_deg, b.runs[i].crank_step_deg);
+    EXPECT_EQ(a.runs[i].step_error, b.runs[i].step_error);
+    EXPECT_EQ(a.runs[i].solved, b.runs[i].solved);
+    EXPECT_EQ(a.runs[i].reason, b.runs[i].reason);
+  }
+  ASSERT_EQ(a.samples.size(), b.samples.size());
+  for (std::size_t k = 0; k < a.samples.size(); ++k) {
+    for (const auto& q : cycle::curve_quantities()) expect_same(a.samples[k].*q.value, b.samples[k].*q.value, q.name);
+  }
+  expect_same(a.values, b.values);
+  expect_same(a.order_in_cells, b.order_in_cells);
+  expect_same(a.order_in_step, b.order_in_step);
+}
+
 void expect_same(const ResultDocument& a, const ResultDocument& b) {
   EXPECT_EQ(a.title, b.title);
   ASSERT_EQ(a.inputs.size(), b.inputs.size());
@@ -130,6 +148,8 @@ void expect_same(const ResultDocument& a, const ResultDocument& b) {
   expect_same_ledger(a.ledger, b.ledger);
   EXPECT_EQ(a.ledger_computed, b.ledger_computed);
   expect_same_comparison(a.comparison, b.comparison);
+  ASSERT_EQ(a.errors.has_value(), b.errors.has_value());
+  if (a.errors) expect_same(*a.errors, *b.errors);
 }
 
 std::string bytes_of(const std::string& path) {

@@ -31,5 +31,18 @@ TEST(ResultJson, NumberThatIsNoneIsNull) {
   EXPECT_TRUE(nlohmann::json::parse(result_json(document)).at("fmep").is_null());
 }
 
+TEST(ResultJson, ErrorsGoByTheNamesOfTheValuesAndTellTheirGrids) {
+  ResultDocument document = example_document();
+  const auto object = nlohmann::json::parse(result_json(document));
+  EXPECT_EQ(object.at("errors").size(), cycle::cycle_quantities().size());
+  EXPECT_EQ(object.at("errors").at("fmep").get<double>(), document.errors->values.fmep);
+  const auto& estimate = object.at("error_estimate");
+  EXPECT_EQ(estimate.at("runs").at(1).at("reason"), "no balance at 12 degree");
+  EXPECT_EQ(estimate.at("orders").at("fmep").at("cells").get<double>(), document.errors->order_in_cells.fmep);
+  EXPECT_TRUE(estimate.at("orders").at("fmep").at("crank_step").is_null());  // not observed
+  document.errors.reset();
+  EXPECT_FALSE(nlohmann::json::parse(result_json(document)).contains("errors"));
+}
+
 }  // namespace
 }  // namespace ringfilm::io

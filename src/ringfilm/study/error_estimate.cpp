@@ -1,0 +1,265 @@
+#include "ringfilm/study/error_estimate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "ringfilm/cycle/cycle_values.hpp"
+#include "ringfilm/cycle/kinematics.hpp"
+#include "ringfilm/cycle/simulate.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+using cycle::Case;
+using cycle::CycleResult;
+using cycle::CycleValues;
+using cycle::Sample;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+/// Safety factors of the grid convergence index: orders observed, and not.
+constexpr double kObserved = 1.25;
+constexpr double kNotObserved = 3;
+constexpr double kLowestOrder = 0.5;
+constexpr double kFormalOrderInStep = 1;  // backward Euler
+/// Neighbours whose differences a curve shares: where a difference changes sign the error does not vanish.
+constexpr double kNeighboursDeg = 3;
+/// Periodicity is asked for to this many tolerances (cycle/simulate.cpp).
+constexpr double kToleranceShare = 10;
+
+/// Cells or steps of the grid that is half as fine; of an odd number the ratio is 2 to within a part of the number.
+int half(int n) { return (n + 1) / 2; }
+
+double formal_order_in_cells(const Case& c) {
+  // Fluxes are second order; the fill in a cavity is upwinded.
+  return c.film.cavitation == cycle::Cavitation::kMassConserving ? 1 : 2;
+}
+
+/// A value on three grids, each half as fine as the one before; NaN where there is none.
+struct Levels {
+  double fine, result, coarse;
+};
+
+struct Estimate {
+  double error = kNone;
+  double order = kNone;
+};
+
+/// Error of the result from the changes that refinement and coarsening make; eq-grid-error.
+Estimate estimate(double finer_change, double coarser_change, double formal_order, bool monotone) {
+  if (std::isnan(finer_change) && std::isnan(coarser_change)) return {};
+  if (std::isnan(finer_change)) return {kNotObserved * coarser_change, kNone};
+  if (std::isnan(coarser_change)) return {kNotObserved * finer_change, kNone};
+  const double larger = std::max(finer_change, coarser_change);
+  if (!monotone || !(coarser_change > finer_change) || finer_change == 0) return {kNotObserved * larger, kNone};
+  const double observed = std::log2(coarser_change / finer_change);
+  const double order = std::clamp(observed, kLowestOrder, formal_order);
+  // A change that is smaller than the formal order allows is taken for a chance.
+  const double change = std::max(finer_change, coarser_change / std::exp2(formal_order));
+  const double growth = std::exp2(order);
+  return {kObserved * change * growth / (growth - 1), observed};
+}
+
+Estimate estimate(const Levels& levels, double formal_order) {
+  const double finer = levels.fine - levels.result;
+  const double coarser = levels.result - levels.coarse;
+  return estimate(std::abs(finer), std::abs(coarser), formal_order, finer * coarser > 0);
+}
+
+bool is_angle(const cycle::CycleQuantity& quantity) { return quantity.unit == "degree"; }
+
+/// An angle moves in whole crank steps, so that the largest change is taken as it is.
+Estimate angle_estimate(const Levels& levels) {
+  const auto turn = [](double a, double b) { return std::abs(std::remainder(a - b, cycle::kCycleDeg)); };
+  const double finer = turn(levels.fine, levels.result), coarser = turn(levels.result, levels.coarse);
+  if (std::isnan(finer) && std::isnan(coarser)) return {};
+  return {std::fmax(finer, coarser), kNone};
+}
+
+/// What a value cannot be resolved below, whatever the grids say.
+double resolution(const Case& c, const cycle::CycleQuantity& quantity, const CycleResult& result) {
+  if (is_angle(quantity)) return 0.5 * c.solver.crank_step_deg;
+  const double share = result.values.mixed_share;
+  if (quantity.value == &CycleValues::mixed_share && share > 0 && share < 1) {
+    return c.solver.crank_step_deg / cycle::kCycleDeg;
+  }
+  return 0;
+}
+
+/// The same march on another grid.
+struct Run {
+  GridRun grid;
+  std::optional<CycleResult> result;
+};
+
+Run run(Case c, int cells, double crank_step_deg) {
+  const double ratio = crank_step_deg / c.solver.crank_step_deg;
+  c.solver.cells = cells;
+  c.solver.crank_step_deg = crank_step_deg;
+  c.solver.step_error *= ratio * ratio;  // the error of a step goes with its square
+  c.output.fields = cycle::FieldsWanted::kNone;
+  Run run;
+  run.grid = {cells, crank_step_deg, c.solver.step_error, true, ""};
+  try {
+    run.result = cycle::simulate(cycle::prepare(c));
+  } catch (const cycle::StoppedCycle& stopped) {
+    run.grid.solved = false;
+    run.grid.reason = stopped.what();
+  }
+  return run;
+}
+
+/// Two grids to either side of the result's own.
+struct Sides {
+  const std::optional<CycleResult>& fine;
+  const std::optional<CycleResult>& coarse;
+};
+
+Levels levels(const CycleResult& result, const Sides& sides, double CycleValues::*value) {
+  return {sides.fine ? sides.fine->values.*value : kNone, result.values.*value,
+          sides.coarse ? sides.coarse->values.*value : kNone};
+}
+
+double iteration_error(const Case& c, double scale) { return kToleranceShare * c.solver.tolerance * scale; }
+
+void add_value_errors(const Case& c, const CycleResult& result, const Sides& cells, const Sides& step,
+                      ErrorEstimate& errors) {
+  for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
+    const auto value = quantity.value;
+    const Levels in_cells = levels(result, cells, value), in_step = levels(result, step, value);
+    const bool angle = is_angle(quantity);
+    const Estimate by_cells = angle ? angle_estimate(in_cells) : estimate(in_cells, formal_order_in_cells(c));
+    const Estimate by_step = angle ? angle_estimate(in_step) : estimate(in_step, kFormalOrderInStep);
+    const double by_grid = by_cells.error + by_step.error;
+    // What no grid moves is an input, and no iteration moves it.
+    const double by_iteration = angle || by_grid == 0 ? 0 : iteration_error(c, std::abs(result.values.*value));
+    errors.values.*value = by_grid + resolution(c, quantity, result) + by_iteration;
+    errors.order_in_cells.*value = by_cells.order;
+    errors.order_in_step.*value = by_step.order;
+  }
+}
+
+/// For each angle the largest of `changes` at the angles close to it; NaN counts only where nothing else stands.
+std::vector<double> largest_nearby(const std::vector<double>& changes, const std::vector<Sample>& samples,
+                                   double reach_deg) {
+  const auto n = static_cast<std::ptrdiff_t>(changes.size());
+  std::vector<double> largest = changes;
+  const auto at = [n](std::ptrdiff_t k) { return static_cast<std::size_t>((k % n + n) % n); };
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    const double angle = samples[at(k)].crank_angle_deg;
+    if (std::isnan(changes[at(k)])) continue;
+    for (const std::ptrdiff_t way : {-1, 1}) {
+      for (std::ptrdiff_t i = 1; i < n; ++i) {
+        const std::size_t other = at(k + way * i);
+        if (std::abs(std::remainder(samples[other].crank_angle_deg - angle, cycle::kCycleDeg)) > reach_deg) break;
+        largest[at(k)] = std::fmax(largest[at(k)], changes[other]);
+      }
+    }
+  }
+  return largest;
+}
+
+std::vector<double> changes(const CycleResult& result, const std::optional<CycleResult>& other, double Sample::*value) {
+  std::vector<double> changes;
+  for (std::size_t k = 0; k < result.samples.size(); ++k) {
+    changes.push_back(other ? std::abs(other->samples[k].*value - result.samples[k].*value) : kNone);
+  }
+  return changes;
+}
+
+/// Parts of the error of one curve that come from the grids to both sides. An order of the angle alone would be noise:
+/// it is that of the changes nearby.
+std::vector<double> curve_errors(const Case& c, const CycleResult& result, const Sides& sides, double Sample::*value,
+                                 double formal_order) {
+  const double reach = std::max(kNeighboursDeg, 2 * c.solver.crank_step_deg);
+  const auto finer = largest_nearby(changes(result, sides.fine, value), result.samples, reach);
+  const auto coarser = largest_nearby(changes(result, sides.coarse, value), result.samples, reach);
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < finer.size(); ++k) {
+    errors.push_back(estimate(finer[k], coarser[k], formal_order, true).error);
+  }
+  return errors;
+}
+
+bool is_position(const cycle::CurveQuantity& quantity) {
+  return quantity.value == &Sample::rupture_position || quantity.value == &Sample::reformation_position;
+}
+
+void add_curve_errors(const Case& c, const CycleResult& result, const Sides& cells, const Sides& step,
+                      ErrorEstimate& errors) {
+  const double half_a_cell = 0.5 * c.ring.face_width / c.solver.cells;
+  for (const cycle::CurveQuantity& quantity : cycle::curve_quantities()) {
+    if (!has_error(quantity)) continue;
+    const auto value = quantity.value;
+    const auto by_cells = curve_errors(c, result, cells, value, formal_order_in_cells(c));
+    const auto by_step = curve_errors(c, result, step, value, kFormalOrderInStep);
+    double scale = 0;
+    for (std::size_t k = 0; k < by_cells.size(); ++k) {
+      if (by_cells[k] + by_step[k] > 0) scale = std::fmax(scale, std::abs(result.samples[k].*value));
+    }
+    const double floor = is_position(quantity) ? half_a_cell : iteration_error(c, scale);
+    for (std::size_t k = 0; k < by_cells.size(); ++k) errors.samples[k].*value = by_cells[k] + by_step[k] + floor;
+  }
+}
+
+}  // namespace
+
+bool has_error(const cycle::CurveQuantity& quantity) {
+  const std::array without = {&Sample::crank_angle_deg, &Sample::newton_iterations, &Sample::crank_sub_steps,
+                              &Sample::fallbacks, &Sample::load_residual};
+  return std::find(without.begin(), without.end(), quantity.value) == without.end();
+}
+
+ErrorEstimate no_estimate(std::size_t n_samples) {
+  Sample none;
+  for (const cycle::CurveQuantity& quantity : cycle::curve_quantities()) none.*quantity.value = kNone;
+  ErrorEstimate errors;
+  errors.samples.assign(n_samples, none);
+  errors.values = errors.order_in_cells = errors.order_in_step = cycle::no_cycle_values();
+  return errors;
+}
+
+ErrorEstimate error_estimate(const Case& c, const CycleResult& result, const Progress& progress) {
+  const int cells = c.solver.cells;
+  const double step_deg = c.solver.crank_step_deg;
+  const double double_step_deg = cycle::kCycleDeg / half(cycle::steps_per_cycle(c.solver));
+  ErrorEstimate errors = no_estimate(result.samples.size());
+  errors.runs.push_back({cells, step_deg, c.solver.step_error, true, ""});
+  std::vector<std::optional<CycleResult>> results;
+  const std::array<std::pair<int, double>, 4> grids = {
+      {{2 * cells, step_deg}, {half(cells), step_deg}, {cells, step_deg / 2}, {cells, double_step_deg}}};
+  for (const auto& [n_cells, crank_step_deg] : grids) {
+    Run other = run(c, n_cells, crank_step_deg);
+    errors.runs.push_back(other.grid);
+    results.push_back(std::move(other.result));
+    if (progress) progress(static_cast<int>(results.size()), static_cast<int>(grids.size()));
+  }
+  const Sides in_cells{results[0], results[1]}, in_step{results[2], results[3]};
+  add_value_errors(c, result, in_cells, in_step, errors);
+  add_curve_errors(c, result, in_cells, in_step, errors);
+  return errors;
+}
+
+std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate) {
+  std::vector<cycle::Note> notes;
+  const auto stopped = [&](std::size_t i) { return i < estimate.runs.size() && !estimate.runs[i].solved; };
+  for (std::size_t i = 1; i < estimate.runs.size(); ++i) {
+    if (!stopped(i)) continue;
+    const GridRun& run = estimate.runs[i];
+    const bool other_side_too = stopped(i % 2 == 1 ? i + 1 : i - 1);
+    char grid[96];
+    std::snprintf(grid, sizeof grid, "%ld cells and a crank step of %.4g degree", run.cells, run.crank_step_deg);
+    notes.push_back(
+        {other_side_too ? "error-estimate-missing" : "error-estimate-one-sided",
+         std::string(other_side_too ? "there is no error estimate" : "the error estimate has one side only") +
+             ": the march with " + grid + " stopped: " + run.reason,
+         1});
+  }
+  return notes;
+}
+
+}  // namespace ringfilm::study

@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/ledger.hpp"
+
+/// How far a result may be from the one of ever finer cells and crank steps (docs/theory/error-estimate.md).
+namespace ringfilm::study {
+
+/// One march of the same case, on its own grid or on another.
+struct GridRun {
+  long cells = 0;
+  double crank_step_deg = 0;  ///< [degree]
+  double step_error = 0;      ///< of adaptive control [-]
+  bool solved = true;
+  std::string reason;  ///< why not, if not solved
+};
+
+/// Errors in the units of what they belong to; NaN where there is no estimate. Effort has none.
+struct ErrorEstimate {
+  std::vector<GridRun> runs;           ///< the case itself, then cells doubled and halved, steps halved and doubled
+  cycle::CycleValues values;           ///< error of each value of the cycle
+  std::vector<cycle::Sample> samples;  ///< error of each curve at each crank angle of the result
+  /// Observed orders (eq-observed-order); NaN where the three grids do not converge monotonically.
+  cycle::CycleValues order_in_cells, order_in_step;
+};
+
+/// Can a curve have a discretisation error? Not the crank angle itself and not the effort that was spent.
+bool has_error(const cycle::CurveQuantity& quantity);
+
+/// The errors of `result`, a complete result of `c`, from four more marches; costs about five times what `c` cost.
+/// A march that stops leaves the one on its other side to go by, and both stopped no estimate.
+ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, const Progress& progress = {});
+
+/// What the user must know about the marches that stopped; empty if none did.
+std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate);
+
+/// No error at all: what `values` and `samples` of a result start from.
+ErrorEstimate no_estimate(std::size_t n_samples);
+
+}  // namespace ringfilm::study

@@ -1,0 +1,144 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "../cycle/styles_case.hpp"
+#include "ringfilm/study/error_estimate.hpp"
+
+/// Do the error bands hold what they promise? Seeded cases, each against a march on a much finer grid.
+namespace ringfilm::study::testing {
+
+/// Repeatable numbers on any library (splitmix64).
+class CoverageDraw {
+ public:
+  explicit CoverageDraw(std::uint64_t seed) : state_(seed) {}
+
+  double between(double low, double high) { return low + (high - low) * next(); }
+  double log_between(double low, double high) { return low * std::pow(high / low, next()); }
+  int one_of(int n) { return static_cast<int>(n * next()); }
+
+ private:
+  double next() {
+    state_ += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+  }
+
+  std::uint64_t state_;
+};
+
+/// Engines and rings as people compute them, on grids that are rather too coarse: 800-6000 rpm, oil at 60-150 degC,
+/// peaks of 20-160 bar, sigma 0.1-1 um, the paper's faces and parabolas that rise by 5-60 um, 40-120 cells, crank steps
+/// of 1-2 degree adaptive and fixed, both cavitation models.
+inline cycle::Case coverage_case(std::uint64_t seed) {
+  CoverageDraw draw(seed);
+  const int face = draw.one_of(4);
+  cycle::Case c = face == 0   ? cycle::testing::styles_new_ring()
+                  : face == 1 ? cycle::testing::styles_run_in_ring()
+                              : cycle::testing::styles_embedded_ring();
+  if (face == 3) {
+    c.ring.face = {};
+    c.ring.face.form = cycle::FaceForm::kParabola;
+    c.ring.face.crown_height = draw.log_between(5e-6, 60e-6);
+    c.ring.face.apex = draw.between(0.3, 0.7);
+    c.ring.face_width = draw.between(1e-3, 3e-3);
+  }
+  c.operating.speed = draw.log_between(800, 6000) * 2 * std::numbers::pi / 60;
+  c.operating.oil_temperature = 273.15 + draw.between(60, 150);
+  const double load = draw.log_between(20, 160) / 62;
+  for (double& p : c.gas.cylinder_pressure.value) p = 1e5 + (p - 1e5) * (p > 1e5 ? load : 1);
+  c.contact.roughness = draw.log_between(0.1e-6, 1e-6);
+  c.contact.asperity_density = 0.07 / (c.contact.asperity_radius * c.contact.roughness);
+  c.ring.elastic_pressure = draw.log_between(0.05e6, 0.5e6);
+  c.film.cavitation = draw.one_of(2) == 0 ? cycle::Cavitation::kReynoldsExit : cycle::Cavitation::kMassConserving;
+  c.solver.cells = static_cast<int>(draw.log_between(40, 120));
+  c.solver.crank_step_deg = draw.one_of(2) == 0 ? 1 : 2;
+  c.solver.crank_step_control = draw.one_of(2) == 0 ? cycle::StepControl::kFixed : cycle::StepControl::kAdaptive;
+  c.output.crank_angle_step_deg = 2;
+  return c;
+}
+
+/// How many errors were within their band, and how much wider the band was.
+struct Coverage {
+  long values = 0, within = 0;
+  std::vector<double> width;  ///< band over true error, where there is one
+
+  /// @param value what has the error; what the iteration leaves of it, 1e-7, is no measure of the width of a band
+  void add(double error, double band, double value) {
+    ++values;
+    within += error <= band;
+    if (error > 1e-7 * std::abs(value)) width.push_back(band / error);
+  }
+  void add(const Coverage& other) {
+    values += other.values;
+    within += other.within;
+    width.insert(width.end(), other.width.begin(), other.width.end());
+  }
+  double share() const { return values == 0 ? 1 : static_cast<double>(within) / static_cast<double>(values); }
+  double median_width() {
+    if (width.empty()) return 0;
+    const auto middle = width.begin() + static_cast<std::ptrdiff_t>(width.size() / 2);
+    std::nth_element(width.begin(), middle, width.end());
+    return *middle;
+  }
+};
+
+/// By quantity.
+struct CoverageTable {
+  std::map<std::string, Coverage> values, curves;
+  long cases = 0, stopped = 0, not_estimated = 0;
+};
+
+inline Coverage together(const std::map<std::string, Coverage>& parts) {
+  Coverage all;
+  for (const auto& [name, part] : parts) all.add(part);
+  return all;
+}
+
+/// Compares the estimate of `c` with a march on `finer` times the cells and steps. Exact inputs do not count.
+inline void add_case(const cycle::Case& c, int finer, CoverageTable& table) {
+  cycle::Case fine = c;
+  fine.solver.cells *= finer;
+  fine.solver.crank_step_deg /= finer;
+  fine.solver.step_error /= finer * finer;
+  cycle::CycleResult result, truth;
+  try {
+    result = cycle::simulate(cycle::prepare(c));
+    truth = cycle::simulate(cycle::prepare(fine));
+  } catch (const cycle::StoppedCycle&) {
+    ++table.stopped;
+    return;
+  }
+  const ErrorEstimate errors = error_estimate(c, result);
+  ++table.cases;
+  const auto add = [&](double error, double band, double value, Coverage& coverage) {
+    if (std::isnan(error)) return;
+    if (std::isnan(band)) {
+      ++table.not_estimated;
+    } else if (band > 0 || error > 0) {
+      coverage.add(error, band, value);
+    }
+  };
+  for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
+    double error = result.values.*quantity.value - truth.values.*quantity.value;
+    if (quantity.unit == "degree") error = std::remainder(error, 720);
+    add(std::abs(error), errors.values.*quantity.value, result.values.*quantity.value, table.values[quantity.name]);
+  }
+  for (const cycle::CurveQuantity& quantity : cycle::curve_quantities()) {
+    if (!has_error(quantity)) continue;
+    for (std::size_t k = 0; k < result.samples.size(); ++k) {
+      const double error = result.samples[k].*quantity.value - truth.samples[k].*quantity.value;
+      add(std::abs(error), errors.samples[k].*quantity.value, result.samples[k].*quantity.value,
+          table.curves[quantity.name]);
+    }
+  }
+}
+
+}  // namespace ringfilm::study::testing

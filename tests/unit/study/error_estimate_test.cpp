@@ -1,0 +1,100 @@
+#include "ringfilm/study/error_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "error_coverage.hpp"
+#include "study_case.hpp"
+
+namespace {
+
+using namespace ringfilm;
+using study::ErrorEstimate;
+using study::testing::coarse_case;
+
+cycle::Case fixed_step_case() {
+  cycle::Case c = coarse_case();  // 100 cells, Reynolds' exit
+  c.solver.crank_step_deg = 1;
+  return c;
+}
+
+TEST(ErrorEstimate, OrdersOfTheThinnestFilmAreThoseOfTheScheme) {
+  const cycle::Case c = fixed_step_case();
+  const ErrorEstimate errors = study::error_estimate(c, cycle::testing::simulated(c));
+  // Second order in the cells of a full film, first in time. Seen 2.04 and 1.04: the next terms, which halve with both.
+  EXPECT_NEAR(errors.order_in_cells.min_film_thickness, 2, 0.15);
+  EXPECT_NEAR(errors.order_in_step.min_film_thickness, 1, 0.15);
+}
+
+TEST(ErrorEstimate, EffortHasNoneAndInputsHaveTheErrorZero) {
+  const cycle::Case c = fixed_step_case();
+  const ErrorEstimate errors = study::error_estimate(c, cycle::testing::simulated(c));
+  for (const cycle::Sample& error : errors.samples) {
+    EXPECT_TRUE(std::isnan(error.newton_iterations));
+    EXPECT_TRUE(std::isnan(error.load_residual));
+    EXPECT_EQ(error.gas_pressure, 0);
+    EXPECT_EQ(error.piston_velocity, 0);
+    EXPECT_GT(error.min_film_thickness, 0);  // nowhere pinched
+  }
+  EXPECT_GE(errors.values.min_film_thickness_angle, 0.5 * c.solver.crank_step_deg);
+}
+
+TEST(ErrorEstimate, MarchesTheCaseOnGridsTwiceAndHalfAsFine) {
+  cycle::Case c = coarse_case();
+  c.solver.cells = 41;
+  c.solver.crank_step_control = cycle::StepControl::kAdaptive;
+  int told = 0;
+  const ErrorEstimate errors = study::error_estimate(c, cycle::testing::simulated(c), [&](int done, int total) {
+    EXPECT_EQ(done, ++told);
+    EXPECT_EQ(total, 4);
+  });
+  EXPECT_EQ(told, 4);
+  ASSERT_EQ(errors.runs.size(), 5u);
+  const auto expect = [&](std::size_t i, long cells, double step_deg, double step_error) {
+    EXPECT_EQ(errors.runs[i].cells, cells);
+    EXPECT_EQ(errors.runs[i].crank_step_deg, step_deg);
+    EXPECT_EQ(errors.runs[i].step_error, step_error);
+    EXPECT_TRUE(errors.runs[i].solved);
+  };
+  expect(0, 41, 4, 1e-3);
+  expect(1, 82, 4, 1e-3);
+  expect(2, 21, 4, 1e-3);
+  expect(3, 41, 2, 2.5e-4);
+  expect(4, 41, 8, 4e-3);
+}
+
+TEST(ErrorEstimate, TellsWhichMarchStoppedAndWhetherAnythingIsLeft) {
+  ErrorEstimate errors = study::no_estimate(1);
+  errors.runs = {{100, 1, 1e-3, true, ""},
+                 {200, 1, 1e-3, false, "no balance at 12 degree"},
+                 {50, 1, 1e-3, true, ""},
+                 {100, 0.5, 1e-3, true, ""},
+                 {100, 2, 1e-3, true, ""}};
+  ASSERT_EQ(study::notes_on(errors).size(), 1u);
+  EXPECT_EQ(study::notes_on(errors)[0].topic, "error-estimate-one-sided");
+  EXPECT_NE(study::notes_on(errors)[0].message.find("200 cells"), std::string::npos);
+  EXPECT_NE(study::notes_on(errors)[0].message.find("no balance at 12 degree"), std::string::npos);
+  errors.runs[2].solved = false;
+  ASSERT_EQ(study::notes_on(errors).size(), 2u);
+  EXPECT_EQ(study::notes_on(errors)[0].topic, "error-estimate-missing");
+}
+
+// A part of what benchmarks/error_coverage runs: fewer cases, and a truth of 4 times the cells and steps.
+TEST(ErrorEstimate, HoldsTheTrueErrorOfNineteenValuesInTwenty) {
+  study::testing::CoverageTable table;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    study::testing::add_case(study::testing::coverage_case(seed), 4, table);
+  }
+  EXPECT_EQ(table.cases, 20);
+  study::testing::Coverage values = study::testing::together(table.values);
+  study::testing::Coverage curves = study::testing::together(table.curves);
+  EXPECT_GT(values.values, 500);
+  EXPECT_GE(values.share(), 0.95);
+  EXPECT_GE(curves.share(), 0.95);
+  // A band that is far too wide says nothing.
+  EXPECT_LT(values.median_width(), 10);
+  EXPECT_LT(curves.median_width(), 10);
+}
+
+}  // namespace
