@@ -8,12 +8,15 @@
 #include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/case_text.hpp"
+#include "ringfilm/pad/pad_setup.hpp"
 
 namespace ringfilm::app {
 
 void check(const CheckOptions& options) {
   const cycle::Case input = io::read_case(options.case_path, options.overrides);
-  const cycle::Setup setup = cycle::prepare(input);
+  const bool is_pad = input.problem == cycle::Problem::kPad;
+  if (is_pad) pad::prepare_pad(input);
+  const std::vector<cycle::Note> notes = is_pad ? std::vector<cycle::Note>{} : cycle::prepare(input).notes;
   int n_stated = 0, n_assumed = 0;
   for (const io::CaseEntry& entry : io::case_entries(input)) ++(entry.assumed ? n_assumed : n_stated);
   std::cout << options.case_path << ": no errors; " << n_stated << " keys stated, " << n_assumed << " assumed\n";
@@ -21,7 +24,7 @@ void check(const CheckOptions& options) {
     if (entry.assumed) std::cout << fmt::format("  assumed {} = {}  ({})\n", entry.key, entry.shown, entry.help);
   }
   for (const std::string& note : input.notes) std::cout << "note: " << note << "\n";
-  for (const cycle::Note& note : setup.notes) std::cout << "note: " << note.message << "\n";
+  for (const cycle::Note& note : notes) std::cout << "note: " << note.message << "\n";
 }
 
 void fields() { std::cout << io::fields_table(); }

@@ -24,6 +24,9 @@ struct RunOptions {
 };
 void run(const RunOptions& options);
 
+/// The same for a case that is a pad.
+void run_pad(const RunOptions& options, const cycle::Case& input);
+
 struct CheckOptions {
   std::string case_path;
   std::vector<io::Override> overrides;

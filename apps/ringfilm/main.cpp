@@ -29,7 +29,7 @@ int carry_out(const Request& request) {
   } catch (const InputError& error) {
     return tell(error);
   } catch (const ConvergenceError& error) {
-    std::cerr << error.what() << "\nthe cycle was not finished (exit code " << kNoConvergence << ")\n";
+    std::cerr << error.what() << "\nthe computation was not finished (exit code " << kNoConvergence << ")\n";
     return kNoConvergence;
   } catch (const OutputError& error) {
     std::cerr << error.what() << "\nwhat stood there before is unchanged (exit code " << kCouldNotWrite << ")\n";

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
-/// The input of one engine cycle as one plain value: SI units, complete, checked. Crank angles alone are in degrees
-/// (suffix `_deg`, 0 = firing TDC), because that is the grid on which everything is asked for and stored
+#include "ringfilm/models/lubricant.hpp"
+
+/// The input of one engine cycle, or of a pad, as one plain value: SI units, complete, checked. Crank angles alone are
+/// in degrees (suffix `_deg`, 0 = firing TDC), because that is the grid on which everything is asked for and stored
 /// (docs/decisions/0002-crank-angle-in-degrees.md).
 ///
 /// A default is written here and nowhere else. A member without a default belongs to a key that must be stated;
@@ -31,6 +33,8 @@ struct OilTable {
   std::vector<double> density;      ///< [kg/m3]
 };
 
+enum class Problem { kCycle, kPad };
+enum class Direction { kPlusX, kMinusX };
 enum class GasModel { kTrace, kWiebe };
 enum class PressureReference { kAbsolute, kGauge };
 enum class AngleZero { kFiringTdc, kGasExchangeTdc };
@@ -42,7 +46,7 @@ enum class RoughnessMeasure { kAsGiven, kRaToRq };
 enum class ContactIntegrals { kExact, kPolynomial4Digit, kPolynomialAsPrinted };
 enum class FilmParameter { kLocal, kNominal };
 enum class ViscosityTemperature { kWalther, kHoupert };
-enum class ViscosityPressure { kRoelands, kNone };
+enum class ViscosityPressure { kRoelands, kNone, kBarus };
 enum class DensityTemperature { kTable, kThermalExpansivity };
 enum class Compressibility { kDowsonHigginson, kNone };
 enum class Cavitation { kReynoldsExit, kMassConserving };
@@ -142,6 +146,7 @@ struct Lubricant {
   std::string name;                                   ///< for people; empty if the case states the values itself
   std::vector<TemperatureValue> kinematic_viscosity;  ///< [m2/s]
   std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure
+  std::optional<double> constant_density;             ///< instead of `density`: the same at all temperatures [kg/m3]
   std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws
   OilTable table;
   double pressure_viscosity_coefficient = 1e-8;     ///< alpha_0 [1/Pa]
@@ -152,11 +157,14 @@ struct Lubricant {
   ViscosityPressure viscosity_pressure = ViscosityPressure::kRoelands;
   DensityTemperature density_temperature = DensityTemperature::kTable;
   Compressibility compressibility = Compressibility::kDowsonHigginson;
+  double dh_a = models::DowsonHigginson{}.a;  ///< [1/Pa]
+  double dh_b = models::DowsonHigginson{}.b;  ///< [1/Pa]
+  double viscosity = 0;                       ///< of a pad, at the zero of its pressures [Pa s]
 };
 
 struct Film {
   Cavitation cavitation = Cavitation::kMassConserving;
-  double cavitation_pressure = 101325;  ///< [Pa] absolute
+  double cavitation_pressure = 101325;  ///< [Pa] absolute; of a pad counted like its other pressures
 };
 
 struct Solver {
@@ -175,6 +183,33 @@ struct Output {
   std::vector<double> field_angles_deg;  ///< fields = [angles]
 };
 
+/// A film of stated shape without ring and engine (docs/theory/pad.md). Pressures count from one zero, which the case
+/// chooses; loads are per metre of width.
+struct Pad {
+  double length = 0;            ///< [m]
+  std::optional<double> width;  ///< absent: infinitely wide, the only choice so far [m]
+  std::string gap_file;
+  std::vector<double> gap_x;       ///< [m], from 0 to the length, increasing; a step stands there twice
+  std::vector<double> gap_height;  ///< as many [m]
+  double speed = 0;                ///< of the flat surface [m/s]
+  Direction direction = Direction::kPlusX;
+  double left_pressure = 0;   ///< at x = 0 [Pa]
+  double right_pressure = 0;  ///< at x = length [Pa]
+  // exactly one of: separation | load | separation_history
+  std::optional<double> separation;  ///< adds to the gap [m]
+  std::optional<double> load;        ///< [N/m]
+  std::optional<std::string> separation_history_file;
+  std::vector<double> history_time;        ///< [s], increasing
+  std::vector<double> history_separation;  ///< as many [m]
+  // separation_history
+  double time_step = 0;               ///< [s]
+  std::optional<double> end_time;     ///< absent: end of the history [s]
+  std::optional<double> output_step;  ///< absent: every time step is kept [s]
+
+  /// Where the march ends [s].
+  double last_time() const { return end_time.value_or(history_time.empty() ? 0.0 : history_time.back()); }
+};
+
 /// A file that the case was read from, for the record.
 struct InputFile {
   std::string role;    ///< "case", "include", "gas.cylinder_pressure", ...
@@ -183,6 +218,7 @@ struct InputFile {
 };
 
 struct Case {
+  Problem problem = Problem::kCycle;  ///< a pad where any of its keys is stated
   std::string title;
   Engine engine;
   Operating operating;
@@ -194,11 +230,25 @@ struct Case {
   Film film;
   Solver solver;
   Output output;
+  Pad pad;
 
   std::set<std::string> stated;  ///< keys that the user gave; every other active key is an assumption
   std::vector<InputFile> files;  ///< everything that was read
   std::vector<std::string>
       notes;  ///< what the reader had to say about the input (byte-order mark, synthetic trace, ...)
 };
+
+/// The case before anything is stated. What is usual for a ring's oil and its absolute pressures is not for a pad.
+inline Case blank_case(Problem problem) {
+  Case c;
+  c.problem = problem;
+  if (problem == Problem::kPad) {
+    c.title = "pad";
+    c.lubricant.viscosity_pressure = ViscosityPressure::kNone;
+    c.lubricant.compressibility = Compressibility::kNone;
+    c.film.cavitation_pressure = 0;
+  }
+  return c;
+}
 
 }  // namespace ringfilm::cycle

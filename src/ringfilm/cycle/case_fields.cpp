@@ -1,5 +1,7 @@
 #include "ringfilm/cycle/case_fields.hpp"
 
+#include <set>
+
 #include "ringfilm/cycle/case_fields_table.hpp"
 
 namespace ringfilm::cycle {
@@ -7,9 +9,27 @@ namespace {
 
 using namespace table;
 
+/// Keys of a ring's case that a pad has as well; of the others `pad` and the pad's viscosity are its own.
+std::optional<Problem> problem_of(const std::string& key) {
+  static const std::set<std::string> shared = {"title",
+                                               "lubricant.name",
+                                               "lubricant.density",
+                                               "lubricant.viscosity_pressure",
+                                               "lubricant.pressure_viscosity_coefficient",
+                                               "lubricant.compressibility",
+                                               "lubricant.dh_a",
+                                               "lubricant.dh_b",
+                                               "film.cavitation",
+                                               "film.cavitation_pressure",
+                                               "solver.cells",
+                                               "solver.tolerance"};
+  if (shared.contains(key)) return std::nullopt;
+  return key.rfind("pad.", 0) == 0 || key == "lubricant.viscosity" ? Problem::kPad : Problem::kCycle;
+}
+
 std::vector<Field> all_fields() {
   std::vector<Field> fields{
-      field("title", TextKind{member<&Case::title>}, kNoUnit, {}, Need::kRequired, {},
+      field("title", TextKind{member<&Case::title>}, kNoUnit, {}, Need::kRequiredInCycle, {},
             {"what this case is, for people", "\"My engine, compression ring\""}),
       field("engine.bore", NumberKind{member<&Case::engine, &Engine::bore>}, {"m", "mm"}, above(0, 2), Need::kRequired,
             {}, {"bore of the cylinder, B", "\"89.0 mm\""}),
@@ -29,6 +49,8 @@ std::vector<Field> all_fields() {
   append_contact_fields(fields);
   append_lubricant_fields(fields);
   append_run_fields(fields);
+  append_pad_fields(fields);
+  for (Field& field : fields) field.problem = problem_of(field.key);
   return fields;
 }
 
@@ -46,6 +68,14 @@ const Field* find_field(const std::string& key) {
   return nullptr;
 }
 
-bool is_active(const Field& field, const Case& c) { return field.active == nullptr || field.active(c); }
+bool belongs(const Field& field, const Case& c) { return !field.problem || *field.problem == c.problem; }
+
+bool is_active(const Field& field, const Case& c) {
+  return belongs(field, c) && (field.active == nullptr || field.active(c));
+}
+
+bool is_required(const Field& field, const Case& c) {
+  return field.need == Need::kRequired || (field.need == Need::kRequiredInCycle && c.problem == Problem::kCycle);
+}
 
 }  // namespace ringfilm::cycle

@@ -62,6 +62,11 @@ struct NumberListKind {
 struct TemperatureValuesKind {
   std::vector<TemperatureValue>& (*ref)(Case&);
 };
+/// One quantity, or an array of values at temperatures (`lubricant.density`).
+struct ConstantOrTemperatureValuesKind {
+  OptionalNumberRef constant;
+  std::vector<TemperatureValue>& (*ref)(Case&);
+};
 /// `output.crank_angles`: a step or a list of angles.
 struct AnglesKind {};
 /// `output.fields`: "none", "all" or a list of angles.
@@ -69,10 +74,15 @@ struct FieldAnglesKind {};
 
 using Kind = std::variant<NumberKind, OptionalNumberKind, CountKind, ChoiceKind, TextKind, OptionalTextKind, FileKind,
                           OptionalFileKind, NumberOrFileKind, UnitNameKind, NumberListKind, TemperatureValuesKind,
-                          AnglesKind, FieldAnglesKind>;
+                          ConstantOrTemperatureValuesKind, AnglesKind, FieldAnglesKind>;
 
 /// Must the user state it, is there a default in case.hpp, or may it be absent altogether?
-enum class Need { kRequired, kDefault, kOptional };
+enum class Need {
+  kRequired,
+  kRequiredInCycle,  ///< a pad has a default
+  kDefault,
+  kOptional
+};
 
 /// Bounds in SI; an open bound is excluded.
 struct Range {
@@ -93,6 +103,7 @@ struct Field {
   std::string active_when;                ///< in words, e.g. "gas.model = \"trace\""
   std::string help;                       ///< one line: what it is, symbol, source if assumed
   std::string example;                    ///< the right-hand side as one would write it in TOML
+  std::optional<Problem> problem = {};    ///< the problem to which the key belongs; absent: both
 };
 
 /// All keys, in the order of a case file.
@@ -101,8 +112,14 @@ const std::vector<Field>& case_fields();
 /// The field of that key, nullptr if there is none.
 const Field* find_field(const std::string& key);
 
+/// Does the key belong to the problem that `c` is?
+bool belongs(const Field& field, const Case& c);
+
 /// Is the key in use with the choices that `c` makes?
 bool is_active(const Field& field, const Case& c);
+
+/// Must `c` state the key, if it is in use?
+bool is_required(const Field& field, const Case& c);
 
 /// Rules that join several keys: exclusive tensions, moduli against composite modulus, lists that must not be empty,
 /// solver and output angles that must fit. Empty if all hold. Each entry names the key to blame and what to do.

@@ -9,9 +9,12 @@ constexpr When kLaws{has_laws, "no lubricant.table"};
 constexpr When kHoupert{
     [](const Case& c) { return has_laws(c) && c.lubricant.viscosity_temperature == ViscosityTemperature::kHoupert; },
     "lubricant.viscosity_temperature = \"houpert\""};
-constexpr When kRoelands{
-    [](const Case& c) { return has_laws(c) && c.lubricant.viscosity_pressure == ViscosityPressure::kRoelands; },
-    "lubricant.viscosity_pressure = \"roelands\""};
+constexpr When kThickening{
+    [](const Case& c) { return has_laws(c) && c.lubricant.viscosity_pressure != ViscosityPressure::kNone; },
+    "lubricant.viscosity_pressure = \"roelands\" or \"barus\""};
+constexpr When kDowsonHigginson{
+    [](const Case& c) { return has_laws(c) && c.lubricant.compressibility == Compressibility::kDowsonHigginson; },
+    "lubricant.compressibility = \"dowson-higginson\""};
 constexpr When kThermalExpansivity{[](const Case& c) {
                                      return has_laws(c) &&
                                             c.lubricant.density_temperature == DensityTemperature::kThermalExpansivity;
@@ -40,9 +43,15 @@ void append_lubricant_fields(std::vector<Field>& fields) {
               {"kinematic viscosity nu at two or more temperatures; houpert: one at the reference temperature will do",
                "[{ temperature = \"40 degC\", value = \"59.99 mm2/s\" }, "
                "{ temperature = \"100 degC\", value = \"9.590 mm2/s\" }]"}),
-          field("lubricant.density", TemperatureValuesKind{member<&Case::lubricant, &Lubricant::density>},
-                {"kg/m3", "kg/m3"}, strictly_between(100, 5000), Need::kRequired, kLaws,
-                {"density rho at atmospheric pressure at one or more temperatures",
+          field("lubricant.viscosity", NumberKind{member<&Case::lubricant, &Lubricant::viscosity>}, {"Pa s", "mPa s"},
+                above(0, 1e6), Need::kRequired, {},
+                {"dynamic viscosity eta of a pad's oil at the zero of its pressures", "\"39 mPa s\""}),
+          field("lubricant.density",
+                ConstantOrTemperatureValuesKind{member<&Case::lubricant, &Lubricant::constant_density>,
+                                                member<&Case::lubricant, &Lubricant::density>},
+                {"kg/m3", "kg/m3"}, above(0, 30000), Need::kRequired, kLaws,
+                {"density rho at atmospheric pressure, one value or values at temperatures; of a pad one value, at the "
+                 "zero of its pressures",
                  "[{ temperature = \"15 degC\", value = \"849.7 kg/m3\" }, "
                  "{ temperature = \"40 degC\", value = \"833.8 kg/m3\" }]"}),
           field("lubricant.table", OptionalFileKind{member<&Case::lubricant, &Lubricant::table_file>}, kNoUnit, {},
@@ -54,12 +63,12 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                 Need::kDefault, kLaws,
                 {"viscosity against temperature: ASTM D341 through the points, or Houpert's term", "\"walther\""}),
           field("lubricant.viscosity_pressure",
-                choice<&Case::lubricant, &Lubricant::viscosity_pressure>({"roelands", "none"}), kNoUnit, {},
+                choice<&Case::lubricant, &Lubricant::viscosity_pressure>({"roelands", "none", "barus"}), kNoUnit, {},
                 Need::kDefault, kLaws, {"viscosity against pressure", "\"roelands\""}),
           field("lubricant.pressure_viscosity_coefficient",
                 NumberKind{member<&Case::lubricant, &Lubricant::pressure_viscosity_coefficient>}, {"Pa-1", "Pa-1"},
-                between(0, 1e-6), Need::kDefault, kRoelands,
-                {"pressure-viscosity coefficient, alpha_0", "\"1e-8 m2/N\""}),
+                between(0, 1e-6), Need::kDefault, kThickening,
+                {"pressure-viscosity coefficient, alpha_0; a pad must state it", "\"1e-8 m2/N\""}),
           field("lubricant.temperature_viscosity_coefficient",
                 NumberKind{member<&Case::lubricant, &Lubricant::temperature_viscosity_coefficient>}, {"K-1", "K-1"},
                 between(0, 1), Need::kDefault, kHoupert, {"temperature-viscosity coefficient, beta_0", "\"0.04 K-1\""}),
@@ -78,6 +87,11 @@ void append_lubricant_fields(std::vector<Field>& fields) {
           field("lubricant.compressibility",
                 choice<&Case::lubricant, &Lubricant::compressibility>({"dowson-higginson", "none"}), kNoUnit, {},
                 Need::kDefault, kLaws, {"density against pressure", "\"dowson-higginson\""}),
+          field("lubricant.dh_a", NumberKind{member<&Case::lubricant, &Lubricant::dh_a>}, {"Pa-1", "Pa-1"},
+                between(0, 1e-6), Need::kDefault, kDowsonHigginson,
+                {"a of the density rho_0 [1 + a p/(1 + b p)]", "\"6e-10 Pa-1\""}),
+          field("lubricant.dh_b", NumberKind{member<&Case::lubricant, &Lubricant::dh_b>}, {"Pa-1", "Pa-1"},
+                between(0, 1e-6), Need::kDefault, kDowsonHigginson, {"b of the same law", "\"1.7e-9 Pa-1\""}),
       });
 }
 

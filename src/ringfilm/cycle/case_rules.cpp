@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/case_rules_pad.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/models/gas.hpp"
 
@@ -36,6 +37,13 @@ void check_field_size(const Case& c, Breaches& breaches) {
                       "output.fields asks for " + number(angles) + " angles on " + number(c.solver.cells) +
                           " cells, more than " + number(kMostFieldValues) + " values a field",
                       "list the angles that matter, for example [\"0 degree\", \"20 degree\"]"});
+}
+
+void check_cavitation_pressure(const Film& film, Breaches& breaches) {
+  if (film.cavitation_pressure >= 0) return;
+  breaches.push_back({"film.cavitation_pressure",
+                      "film.cavitation_pressure = " + number(film.cavitation_pressure / 1e5) + " bar is below zero",
+                      "pressures around a ring are absolute, for example \"1.01325 bar\""});
 }
 
 void check_engine(const Case& c, Breaches& breaches) {
@@ -133,7 +141,19 @@ void check_points(const std::string& key, const std::vector<TemperatureValue>& p
   }
 }
 
+/// What an oil weighs; a figure outside is a slip of units.
+void check_density(const Lubricant& oil, Breaches& breaches) {
+  const auto refuse_unless_oil = [&breaches](double density) {
+    if (density > 100 && density < 5000) return;
+    breaches.push_back({"lubricant.density", "lubricant.density = " + number(density) + " kg/m3 is out of range",
+                        "allowed is above 100 to below 5000 kg/m3"});
+  };
+  if (oil.constant_density) refuse_unless_oil(*oil.constant_density);
+  for (const TemperatureValue& point : oil.density) refuse_unless_oil(point.value);
+}
+
 void check_laws(const Lubricant& oil, Breaches& breaches) {
+  check_density(oil, breaches);
   const auto& nu = oil.kinematic_viscosity;
   const bool houpert = oil.viscosity_temperature == ViscosityTemperature::kHoupert;
   if (nu.size() == 1 && !houpert) {
@@ -174,7 +194,9 @@ void check_angles(const Case& c, Breaches& breaches) {
 }  // namespace
 
 std::vector<RuleBreach> broken_rules(const Case& c) {
+  if (c.problem == Problem::kPad) return broken_pad_rules(c);
   Breaches breaches;
+  check_cavitation_pressure(c.film, breaches);
   check_engine(c, breaches);
   if (c.gas.model == GasModel::kWiebe) {
     check_wiebe(c.gas, breaches);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "ringfilm/base/constants.hpp"
@@ -30,7 +31,19 @@ std::vector<double> values(const std::vector<TemperatureValue>& points) {
   return out;
 }
 
-models::OilLaws oil_laws(const Lubricant& oil) {
+models::ViscosityPressureLaw pressure_law(ViscosityPressure choice) {
+  switch (choice) {
+    case ViscosityPressure::kRoelands:
+      return models::ViscosityPressureLaw::kRoelands;
+    case ViscosityPressure::kNone:
+      return models::ViscosityPressureLaw::kNone;
+    case ViscosityPressure::kBarus:
+      return models::ViscosityPressureLaw::kBarus;
+  }
+  throw std::logic_error("viscosity-pressure law without a model");
+}
+
+models::OilLaws oil_laws(const Lubricant& oil, double temperature) {
   models::OilLaws laws;
   laws.viscosity_temperature = temperatures(oil.kinematic_viscosity);
   laws.kinematic_viscosity = values(oil.kinematic_viscosity);
@@ -39,16 +52,16 @@ models::OilLaws oil_laws(const Lubricant& oil) {
                       ? models::DensityTemperatureLaw::kTable
                       : models::DensityTemperatureLaw::kThermalExpansivity,
                   oil.thermal_expansivity, oil.reference_temperature};
+  if (oil.constant_density) laws.density = {{temperature}, {*oil.constant_density}};
   laws.viscosity_temperature_law = oil.viscosity_temperature == ViscosityTemperature::kWalther
                                        ? models::ViscosityTemperatureLaw::kWalther
                                        : models::ViscosityTemperatureLaw::kHoupert;
-  laws.viscosity_pressure_law = oil.viscosity_pressure == ViscosityPressure::kRoelands
-                                    ? models::ViscosityPressureLaw::kRoelands
-                                    : models::ViscosityPressureLaw::kNone;
+  laws.viscosity_pressure_law = pressure_law(oil.viscosity_pressure);
   laws.alpha_0 = oil.pressure_viscosity_coefficient;
   laws.beta_0 = oil.temperature_viscosity_coefficient;
   laws.theta_0 = oil.reference_temperature;
-  if (oil.compressibility == Compressibility::kDowsonHigginson) laws.compression = models::DowsonHigginson{};
+  if (oil.compressibility == Compressibility::kDowsonHigginson)
+    laws.compression = models::DowsonHigginson{oil.dh_a, oil.dh_b};
   return laws;
 }
 
@@ -80,10 +93,29 @@ PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
     auto oil = models::tabulated_oil({t.temperature, t.pressure, t.viscosity, t.density}, temperature);
     return {oil, oil->viscosity(base::kAtmosphere), oil->density(base::kAtmosphere), {}};
   }
-  const models::OilLaws laws = oil_laws(lubricant);
+  const models::OilLaws laws = oil_laws(lubricant, temperature);
   const models::OilState at = models::oil_state(laws, temperature);
   return {models::closed_form_oil(laws, temperature), at.eta_T, at.rho_T,
           extrapolation_notes(lubricant, laws, temperature)};
+}
+
+std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant) {
+  const double eta = lubricant.viscosity, rho = lubricant.constant_density.value(),
+               alpha = lubricant.pressure_viscosity_coefficient;
+  models::DowsonHigginson compression{0, 0};
+  if (lubricant.compressibility == Compressibility::kDowsonHigginson) {
+    compression = {lubricant.dh_a, lubricant.dh_b};
+  }
+  compression.reference_pressure = 0;
+  switch (lubricant.viscosity_pressure) {
+    case ViscosityPressure::kBarus:
+      return models::closed_form_oil(eta, rho, models::Barus{alpha}, compression);
+    case ViscosityPressure::kRoelands:
+      return models::closed_form_oil(eta, rho, models::Roelands::from_coefficient(alpha, eta).Z, compression);
+    case ViscosityPressure::kNone:
+      return models::closed_form_oil(eta, rho, 0.0, compression);
+  }
+  throw std::logic_error("viscosity-pressure law without a model");
 }
 
 }  // namespace ringfilm::cycle

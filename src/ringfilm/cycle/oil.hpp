@@ -18,4 +18,7 @@ struct PreparedOil {
 /// The oil of a case at one temperature [K], by the laws that the case names.
 PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature);
 
+/// The oil of a pad: viscosity and density as stated at the zero of its pressures, from which the laws count.
+std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant);
+
 }  // namespace ringfilm::cycle

@@ -10,6 +10,7 @@
 #include "ringfilm/io/case_values.hpp"
 #include "ringfilm/io/face_file.hpp"
 #include "ringfilm/io/oil_file.hpp"
+#include "ringfilm/io/pad_file.hpp"
 #include "ringfilm/io/trace_file.hpp"
 
 namespace ringfilm::io {
@@ -25,6 +26,7 @@ class Reader {
   explicit Reader(CaseTree tree) : tree_(std::move(tree)) {}
 
   Case read() {
+    case_ = cycle::blank_case(problem());
     case_.files = tree_.files;
     case_.notes = tree_.notes;
     for (const TomlEntry& entry : tree_.entries) read_value(entry);
@@ -42,6 +44,15 @@ class Reader {
   }
 
  private:
+  /// A pad where any of its keys is stated, be it with a slip.
+  cycle::Problem problem() const {
+    const auto of_pad = [](const std::string& key) { return key.rfind("pad.", 0) == 0; };
+    const bool stated = std::any_of(tree_.entries.begin(), tree_.entries.end(),
+                                    [&](const TomlEntry& entry) { return of_pad(entry.key); });
+    return stated || std::any_of(tree_.faulty.begin(), tree_.faulty.end(), of_pad) ? cycle::Problem::kPad
+                                                                                   : cycle::Problem::kCycle;
+  }
+
   void read_value(const TomlEntry& entry) {
     given_[entry.key] = &entry;
     case_.stated.insert(entry.key);
@@ -57,6 +68,7 @@ class Reader {
   }
 
   void read_data_files() {
+    if (case_.problem == cycle::Problem::kPad) return read_pad_files();
     cycle::Gas& gas = case_.gas;
     const TraceColumns cylinder{gas.pressure_column,    gas.angle_column, gas.pressure_unit,    gas.angle_unit,
                                 gas.pressure_reference, gas.angle_zero,   TracePlace::kCylinder};
@@ -91,6 +103,27 @@ class Reader {
         OilFile oil = read_oil_table(file, units_);
         case_.lubricant.table = std::move(oil.table);
         return std::pair{oil.sha256, oil.notes};
+      });
+    }
+  }
+
+  void read_pad_files() {
+    cycle::Pad& pad = case_.pad;
+    if (is_good("pad.gap")) {
+      read_data("pad.gap", pad.gap_file, [&](const NamedFile& file) {
+        GapFile gap = read_gap(file, units_);
+        pad.gap_x = std::move(gap.x);
+        pad.gap_height = std::move(gap.height);
+        fit_to_width(pad.gap_x, pad.length);
+        return std::pair{gap.sha256, gap.notes};
+      });
+    }
+    if (pad.separation_history_file && is_good("pad.separation_history")) {
+      read_data("pad.separation_history", *pad.separation_history_file, [&](const NamedFile& file) {
+        SeparationHistory history = read_separation_history(file, units_);
+        pad.history_time = std::move(history.time);
+        pad.history_separation = std::move(history.separation);
+        return std::pair{history.sha256, history.notes};
       });
     }
   }
@@ -145,7 +178,7 @@ class Reader {
   void check_missing() {
     // Keys that are always wanted come first: where a choice among them is missing, no more can be said.
     for (const Field& field : cycle::case_fields()) {
-      if (field.active == nullptr) check_missing(field);
+      if (field.active == nullptr && cycle::belongs(field, case_)) check_missing(field);
     }
     std::vector<const Field*> in_use;
     for (const Field& field : cycle::case_fields()) {
@@ -155,7 +188,7 @@ class Reader {
   }
 
   void check_missing(const Field& field) {
-    if (field.need != cycle::Need::kRequired || given_.contains(field.key) || is_faulty(field.key)) return;
+    if (!cycle::is_required(field, case_) || given_.contains(field.key) || is_faulty(field.key)) return;
     missing_.insert(field.key);
     const std::size_t dot = field.key.rfind('.');
     const bool top_level = dot == std::string::npos;
@@ -167,12 +200,32 @@ class Reader {
   }
 
   void check_unused() {
+    check_mixed();
     for (const auto& [key, entry] : given_) {
       const Field& field = *cycle::find_field(key);
+      if (!cycle::belongs(field, case_)) continue;
       if (!use_is_known(field) || cycle::is_active(field, case_) || tree_.from_oil_file.contains(key)) continue;
       tree_.faults.push_back({entry->value.key_mark, key + " is not used in this case",
                               "it is used where " + field.active_when + "; take it out (or add --set " + key +
                                   "= on the command line), or change that"});
+    }
+  }
+
+  /// A case with keys of both problems: told once a section.
+  void check_mixed() {
+    std::map<std::string, const TomlEntry*> first;
+    for (const auto& [key, entry] : given_) {
+      if (cycle::belongs(*cycle::find_field(key), case_)) continue;
+      const TomlEntry*& of_section = first[section_of(key)];
+      if (of_section == nullptr || entry->value.key_mark.line < of_section->value.key_mark.line) of_section = entry;
+    }
+    for (const auto& [section, entry] : first) {
+      const bool whole_section = section != "lubricant" && section != "solver";
+      tree_.faults.push_back({entry->value.key_mark, entry->key + " is not used in this case",
+                              case_.problem == cycle::Problem::kPad
+                                  ? "a case with [pad] is a film without engine, gas and ring: take " +
+                                        (whole_section ? "[" + section + "]" : entry->key) + " out, or [pad]"
+                                  : "it is used in a pad, a film without engine, gas and ring; take it out"});
     }
   }
 

@@ -42,7 +42,7 @@ Case example_case(const Units& units) {
   std::vector<Fault> faults;
   for (const Field& field : cycle::case_fields()) {
     const bool chosen = field.key == "ring.face.form";
-    const bool wanted = (field.need == Need::kRequired && cycle::is_active(field, c)) ||
+    const bool wanted = (cycle::is_required(field, c) && cycle::is_active(field, c)) ||
                         field.key == "ring.elastic_pressure" || field.key == "lubricant.name";
     if (wanted && !chosen) set_value(c, field, {field.key, parse_toml_value(field.example), ""}, units, faults);
   }
@@ -52,13 +52,15 @@ Case example_case(const Units& units) {
 
 /// Default of a key in the unit people use, "required", or nothing for a key that may be absent.
 std::string default_words(const Field& field, const Units& units) {
-  if (field.need == Need::kRequired) return "required";
+  if (cycle::is_required(field, Case{})) return "required";
   if (field.need == Need::kOptional)
     return field.active_when.find("wiebe") == std::string::npos
                ? "-"
                : shown_value(field, example_case(units), units) + " (wiebe)";
-  const std::string value = shown_value(field, Case{}, units);
-  return value.empty() ? "-" : value;
+  const auto default_in = [&](cycle::Problem problem) { return shown_value(field, cycle::blank_case(problem), units); };
+  const std::string value = default_in(field.problem.value_or(cycle::Problem::kCycle));
+  const std::string of_pad = field.problem ? value : default_in(cycle::Problem::kPad);
+  return (value.empty() ? "-" : value) + (of_pad == value ? "" : " (pad: " + of_pad + ")");
 }
 
 std::string unit_words(const Field& field) {
@@ -160,6 +162,7 @@ std::string starting_case() {
       "# include = [\"fragment.toml\"] would read more keys from another file.\n";
   SectionHeads heads;
   for (const Field& field : cycle::case_fields()) {
+    if (!cycle::belongs(field, c)) continue;
     const std::string value = cycle::is_active(field, c) ? written_value(field, c, units) : "";
     text += heads.before(field) + "\n# " + (value.empty() ? meaning_words(field) : field.help) + ".\n";
     const std::string allowed = allowed_words(field, units);

@@ -58,6 +58,10 @@ class Writer {
     }
     return parts.empty() ? "" : joined(parts);
   }
+  std::string operator()(const cycle::ConstantOrTemperatureValuesKind& kind) {
+    const auto& constant = kind.constant(case_);
+    return constant ? number(*constant) : (*this)(cycle::TemperatureValuesKind{kind.ref});
+  }
   std::string operator()(const cycle::AnglesKind&) {
     const cycle::Output& output = case_.output;
     return output.crank_angles_deg.empty() ? number(output.crank_angle_step_deg) : angles(output.crank_angles_deg);
@@ -92,6 +96,7 @@ Write in_display_units(const Units& units) {
 /// The case without its traces and tables: only what keys hold, so that copies are cheap.
 Case without_samples(const Case& c) {
   Case lean;
+  lean.problem = c.problem;
   lean.title = c.title;
   lean.engine = c.engine;
   lean.operating = c.operating;
@@ -108,6 +113,11 @@ Case without_samples(const Case& c) {
   lean.film = c.film;
   lean.solver = c.solver;
   lean.output = c.output;
+  lean.pad = c.pad;
+  lean.pad.gap_x.clear();
+  lean.pad.gap_height.clear();
+  lean.pad.history_time.clear();
+  lean.pad.history_separation.clear();
   return lean;
 }
 
@@ -122,10 +132,12 @@ std::string written_value(const Field& field, const Case& c, const Units& units)
 }
 
 std::string shown_value(const Field& field, const Case& c, const Units& units) {
-  if (const auto* points = std::get_if<cycle::TemperatureValuesKind>(&field.kind)) {
-    Case lean = without_samples(c);
+  Case lean = without_samples(c);
+  const auto* points = std::get_if<cycle::TemperatureValuesKind>(&field.kind);
+  const auto* either = std::get_if<cycle::ConstantOrTemperatureValuesKind>(&field.kind);
+  if (points != nullptr || (either != nullptr && !either->constant(lean))) {
     std::string text;
-    for (const auto& [temperature, value] : points->ref(lean)) {
+    for (const auto& [temperature, value] : (points != nullptr ? points->ref : either->ref)(lean)) {
       text += (text.empty() ? "" : "; ") + units.shown(value, field.unit, field.display_unit) + " at " +
               units.shown(temperature, "K", "degC");
     }

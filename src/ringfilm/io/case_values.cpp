@@ -118,6 +118,15 @@ class Setter {
                      [](const auto& a, const auto& b) { return a.temperature < b.temperature; });
     if (good_) kind.ref(case_) = points;
   }
+  void operator()(const cycle::ConstantOrTemperatureValuesKind& kind) {
+    if (value_.kind == Kind::kList) {
+      (*this)(cycle::TemperatureValuesKind{kind.ref});
+      if (good_) kind.constant(case_).reset();
+    } else if (const auto x = quantity(value_, field_.unit, "\"850 kg/m3\"")) {
+      kind.constant(case_) = *x;
+      kind.ref(case_).clear();
+    }
+  }
   void operator()(const cycle::AnglesKind&) {
     if (value_.kind == Kind::kList) {
       const std::vector<double> listed = angles();

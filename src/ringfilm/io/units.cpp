@@ -230,6 +230,9 @@ std::string Units::shown(double value_in_si, const std::string& si_unit, const s
 std::string dimension_words(const std::string& si_unit) {
   const std::map<std::string, std::string> words{{"m", "a length"},
                                                  {"N", "a force"},
+                                                 {"N/m", "a load per width"},
+                                                 {"s", "a time"},
+                                                 {"m/s", "a speed"},
                                                  {"Pa", "a pressure"},
                                                  {"K", "a temperature"},
                                                  {"rad/s", "a speed of rotation"},

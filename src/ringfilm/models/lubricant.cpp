@@ -104,16 +104,23 @@ class ClosedFormOil final : public OilAtTemperature {
   ClosedFormOil(double eta_T, double rho_T, double Z, DowsonHigginson law) : eta_T_(eta_T), rho_T_(rho_T), law_(law) {
     if (Z != 0) roelands_.emplace(eta_T, Z);
   }
+  ClosedFormOil(double eta_T, double rho_T, Barus barus, DowsonHigginson law)
+      : eta_T_(eta_T), rho_T_(rho_T), law_(law), barus_(barus) {}
 
   void properties(std::span<const double> p, OilProperties out) const override {
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const double over = p[i] - base::kAtmosphere;
+      const double over = p[i] - law_.reference_pressure;
       const double stiffening = 1 / (1 + law_.b * over);
       out.rho[i] = rho_T_ * (1 + law_.a * over * stiffening);
       out.drho_dp[i] = rho_T_ * law_.a * stiffening * stiffening;
     }
     if (roelands_) {
       roelands_->viscosity(p, out.eta, out.deta_dp);
+    } else if (barus_) {
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        out.eta[i] = eta_T_ * std::exp(barus_->alpha * p[i]);
+        out.deta_dp[i] = barus_->alpha * out.eta[i];
+      }
     } else {
       std::fill(out.eta.begin(), out.eta.end(), eta_T_);
       std::fill(out.deta_dp.begin(), out.deta_dp.end(), 0.0);
@@ -124,6 +131,7 @@ class ClosedFormOil final : public OilAtTemperature {
   double eta_T_, rho_T_;
   DowsonHigginson law_;
   std::optional<RoelandsCurve> roelands_;
+  std::optional<Barus> barus_;
 };
 
 }  // namespace
@@ -240,9 +248,17 @@ std::shared_ptr<const OilAtTemperature> closed_form_oil(double eta_T, double rho
   return std::make_shared<ClosedFormOil>(eta_T, rho_T, Z, law);
 }
 
+std::shared_ptr<const OilAtTemperature> closed_form_oil(double eta_T, double rho_T, Barus barus, DowsonHigginson law) {
+  return std::make_shared<ClosedFormOil>(eta_T, rho_T, barus, law);
+}
+
 std::shared_ptr<const OilAtTemperature> closed_form_oil(const OilLaws& laws, double T) {
   const auto [eta_T, rho_T, Z] = oil_state(laws, T);
-  return closed_form_oil(eta_T, rho_T, Z, laws.compression.value_or(DowsonHigginson{.a = 0, .b = 0}));
+  const DowsonHigginson compression = laws.compression.value_or(DowsonHigginson{.a = 0, .b = 0});
+  if (laws.viscosity_pressure_law == ViscosityPressureLaw::kBarus) {
+    return closed_form_oil(eta_T, rho_T, Barus{laws.alpha_0}, compression);
+  }
+  return closed_form_oil(eta_T, rho_T, Z, compression);
 }
 
 }  // namespace ringfilm::models

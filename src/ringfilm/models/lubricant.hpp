@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/base/constants.hpp"
+
 namespace ringfilm::models {
 
 /// Density and viscosity with their slopes in pressure, one value per point; all spans of one length.
@@ -55,10 +57,16 @@ struct Walther {
   double kinematic_viscosity(double T) const;  ///< [m2/s]
 };
 
-/// Pressure rise of density, eq-density-pressure: 1 + a (p - p_atm)/(1 + b (p - p_atm)); a = b = 0 is incompressible.
+/// Pressure rise of density, eq-density-pressure: 1 + a (p - p_r)/(1 + b (p - p_r)); a = b = 0 is incompressible.
 struct DowsonHigginson {
-  double a = 6.0e-10;  ///< [1/Pa]
-  double b = 1.7e-9;   ///< [1/Pa]
+  double a = 6.0e-10;                             ///< [1/Pa]
+  double b = 1.7e-9;                              ///< [1/Pa]
+  double reference_pressure = base::kAtmosphere;  ///< p_r, at which the density is known [Pa]
+};
+
+/// Pressure rise of viscosity, eq-barus: eta = eta_T exp(alpha p), p from the zero of pressures at which eta_T holds.
+struct Barus {
+  double alpha;  ///< [1/Pa]
 };
 
 /// Houpert's form of Roelands' law, eqs eq-roelands, eq-roelands-index; pressure absolute.
@@ -75,7 +83,7 @@ struct Roelands {
 double houpert_viscosity(double eta_0, double theta_0, double beta_0, double T);
 
 enum class ViscosityTemperatureLaw { kWalther, kHoupert };
-enum class ViscosityPressureLaw { kRoelands, kNone };
+enum class ViscosityPressureLaw { kRoelands, kNone, kBarus };
 
 /// An oil as its laws describe it, at all temperatures.
 struct OilLaws {
@@ -94,7 +102,7 @@ struct OilLaws {
 struct OilState {
   double eta_T;  ///< [Pa s]
   double rho_T;  ///< [kg/m3]
-  double Z;      ///< Roelands' index [-]; 0 for a viscosity that does not depend on pressure
+  double Z;      ///< Roelands' index [-]; 0 where the viscosity does not follow his law
 };
 
 /// Walther: eta_T = nu(T) rho(T), and Z belongs to eta_T. Houpert: eta_0 = nu(theta_0) rho(theta_0) with nu after
@@ -105,6 +113,9 @@ OilState oil_state(const OilLaws& laws, double T);
 /// Closed-form oil at one temperature.
 /// @param eta_T [Pa s] and rho_T [kg/m3] at atmospheric pressure; Z = 0 switches the pressure dependence of eta off.
 std::shared_ptr<const OilAtTemperature> closed_form_oil(double eta_T, double rho_T, double Z, DowsonHigginson law);
+
+/// The same with Barus' law.
+std::shared_ptr<const OilAtTemperature> closed_form_oil(double eta_T, double rho_T, Barus barus, DowsonHigginson law);
 
 /// The same from its laws.
 std::shared_ptr<const OilAtTemperature> closed_form_oil(const OilLaws& laws, double T);

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <optional>
+
+#include "commands.hpp"
+#include "pad_summary.hpp"
+#include "progress.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/pad_output.hpp"
+#include "ringfilm/pad/solve_pad.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+class PadProgress : public pad::Observer {
+ public:
+  PadProgress(ProgressLine& line, const std::string& name) : line_(line), name_(name) {}
+  void advanced(double time, double end_time) override {
+    line_.show(fmt::format("{}: {:.4g} of {:.4g} s", name_, time, end_time));
+  }
+
+ private:
+  ProgressLine& line_;
+  std::string name_;
+};
+
+void check_wishes(const RunOptions& options) {
+  if (options.output) {
+    throw InputError("--output " + *options.output + ": a pad has no NetCDF file yet",
+                     "--csv X.csv writes the film along the pad, --json its numbers");
+  }
+  if (options.ledger == LedgerWanted::kComputed) {
+    throw InputError("--ledger: a pad has no assumptions that could be lifted", "leave it out");
+  }
+}
+
+io::PadDocument document_of(const cycle::Case& input) {
+  return {input.title, io::case_entries(input), input.notes, io::this_program(), {}};
+}
+
+}  // namespace
+
+void run_pad(const RunOptions& options, const cycle::Case& input) {
+  check_wishes(options);
+  io::PadDocument document = document_of(input);
+  std::optional<ConvergenceError> stopped;
+  try {
+    ProgressLine line;
+    PadProgress progress(line, options.case_path);
+    document.result = pad::solve_pad(input, &progress);
+  } catch (const pad::StoppedPad& stop) {
+    document.result = stop.result;
+    stopped = stop;
+  }
+  if (!document.result.samples.empty()) {
+    if (options.csv) io::write_atomically(*options.csv, io::pad_csv(document.result));
+    if (options.summary == SummaryForm::kJson) {
+      std::cout << io::pad_json(document);
+    } else {
+      std::cout << pad_summary(input, document);
+      if (options.csv) std::cout << "wrote " << *options.csv << "\n";
+    }
+  }
+  if (stopped) throw *stopped;
+}
+
+}  // namespace ringfilm::app

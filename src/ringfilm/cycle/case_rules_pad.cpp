@@ -1,0 +1,130 @@
+#include "ringfilm/cycle/case_rules_pad.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace ringfilm::cycle {
+namespace {
+
+using Breaches = std::vector<RuleBreach>;
+
+constexpr double kMostSteps = 1e6;
+/// Rows of the CSV file, some 80 bytes each.
+constexpr double kMostRows = 1e7;
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+void check_width(const Pad& pad, Breaches& breaches) {
+  if (!pad.width) return;
+  breaches.push_back({"pad.width", "pad.width asks for the two-dimensional film, which is not there yet",
+                      "take it out: without it the pad is infinitely wide and all results are per metre of width"});
+}
+
+void check_what_is_given(const Pad& pad, Breaches& breaches) {
+  std::vector<std::string> given;
+  if (pad.separation) given.push_back("pad.separation");
+  if (pad.load) given.push_back("pad.load");
+  if (pad.separation_history_file) given.push_back("pad.separation_history");
+  if (given.size() == 1) return;
+  const std::string ways = "state exactly one of pad.separation, pad.load and pad.separation_history";
+  if (given.empty()) {
+    breaches.push_back({"pad.separation", "neither separation nor load of the pad is stated", ways});
+    return;
+  }
+  std::string names = given.front();
+  for (std::size_t i = 1; i < given.size(); ++i) names += " and " + given[i];
+  breaches.push_back({given.back(), names + " are stated together", ways});
+}
+
+/// @returns whether the points run from 0 to the length
+bool check_gap(const Pad& pad, Breaches& breaches) {
+  if (pad.gap_x.empty()) return false;
+  if (pad.gap_x.front() == 0 && pad.gap_x.back() == pad.length) return true;
+  breaches.push_back({"pad.gap",
+                      "the points of the gap run from x = " + number(pad.gap_x.front() * 1e3) + " to " +
+                          number(pad.gap_x.back() * 1e3) + " mm, the pad from 0 to " + number(pad.length * 1e3) + " mm",
+                      "points are wanted from x = 0 to pad.length, both included"});
+  return false;
+}
+
+void check_film(const Pad& pad, Breaches& breaches) {
+  const auto lowest = std::min_element(pad.gap_height.begin(), pad.gap_height.end());
+  const std::string place = "at x = " + number(pad.gap_x[lowest - pad.gap_height.begin()] * 1e3) + " mm the gap is " +
+                            number(*lowest * 1e6) + " um";
+  const std::string remedy = "the separation adds to the gap, and their sum must be above zero everywhere";
+  if (pad.separation && !(*lowest + *pad.separation > 0)) {
+    breaches.push_back({"pad.separation",
+                        place + ", with pad.separation = " + number(*pad.separation * 1e6) + " um no film is left",
+                        remedy});
+  }
+  const auto closest = std::min_element(pad.history_separation.begin(), pad.history_separation.end());
+  if (closest != pad.history_separation.end() && !(*lowest + *closest > 0)) {
+    breaches.push_back({"pad.separation_history",
+                        place + ", with the separation of " + number(*closest * 1e6) + " um at " +
+                            number(pad.history_time[closest - pad.history_separation.begin()]) + " s no film is left",
+                        remedy});
+  }
+}
+
+void check_times(const Case& c, Breaches& breaches) {
+  const Pad& pad = c.pad;
+  const double begin = pad.history_time.front(), end = pad.last_time();
+  if (!(end > begin) || end > pad.history_time.back()) {
+    breaches.push_back({"pad.end_time",
+                        "pad.end_time = " + number(end) + " s does not lie in the history, which runs from " +
+                            number(begin) + " to " + number(pad.history_time.back()) + " s",
+                        "choose an end after the first and not after the last time of the history"});
+    return;
+  }
+  const double steps = std::ceil((end - begin) / pad.time_step);
+  if (steps > kMostSteps) {
+    breaches.push_back({"pad.time_step", "pad.time_step asks for " + number(steps) + " steps",
+                        "at the most " + number(kMostSteps) + " are marched; take a longer step"});
+    return;
+  }
+  const double every = pad.output_step ? *pad.output_step / pad.time_step : 1;
+  if (every < 1 - 1e-6 || std::abs(every - std::round(every)) > 1e-6 * every) {
+    breaches.push_back({"pad.output_step",
+                        "pad.output_step = " + number(*pad.output_step) + " s is no whole number of time steps of " +
+                            number(pad.time_step) + " s",
+                        "take one, two, three ... times pad.time_step"});
+  } else if (steps / every * c.solver.cells > kMostRows) {
+    breaches.push_back({pad.output_step ? "pad.output_step" : "pad.time_step",
+                        "the result would hold " + number(std::ceil(steps / every)) + " instants of " +
+                            number(c.solver.cells) + " cells, more than " + number(kMostRows) + " rows",
+                        "keep fewer instants with a longer pad.output_step"});
+  }
+}
+
+void check_oil(const Case& c, Breaches& breaches) {
+  if (!c.lubricant.constant_density && !c.lubricant.density.empty()) {
+    breaches.push_back({"lubricant.density", "lubricant.density has values at temperatures; a pad has no temperature",
+                        "write one value, for example \"850 kg/m3\""});
+  }
+  if (c.lubricant.viscosity_pressure != ViscosityPressure::kNone &&
+      !c.stated.contains("lubricant.pressure_viscosity_coefficient")) {
+    breaches.push_back({"lubricant.viscosity_pressure",
+                        "lubricant.pressure_viscosity_coefficient is not stated, and a pad has none to fall back on",
+                        "state it in [lubricant], for example pressure_viscosity_coefficient = \"2e-8 m2/N\""});
+  }
+}
+
+}  // namespace
+
+std::vector<RuleBreach> broken_pad_rules(const Case& c) {
+  Breaches breaches;
+  check_width(c.pad, breaches);
+  check_what_is_given(c.pad, breaches);
+  if (check_gap(c.pad, breaches)) check_film(c.pad, breaches);
+  if (!c.pad.history_time.empty()) check_times(c, breaches);
+  check_oil(c, breaches);
+  return breaches;
+}
+
+}  // namespace ringfilm::cycle

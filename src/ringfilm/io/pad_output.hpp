@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/pad/pad_result.hpp"
+
+namespace ringfilm::io {
+
+/// What is told of a pad: the case as it was used, and the result.
+struct PadDocument {
+  std::string title;
+  std::vector<CaseEntry> inputs;
+  std::vector<std::string> input_notes;
+  Provenance provenance;
+  pad::PadResult result;
+};
+
+/// The numbers of the last instant as one flat JSON object, SI: title, every entry of pad::pad_quantities() and
+/// pad::front_quantities() by its name; for a march in time `history` with the same as arrays; then `units`, `notes`,
+/// `assumed`, `effort`, `program`, `commit` and `complete`. JSON knows no NaN: such a value is null.
+std::string pad_json(const PadDocument& document);
+
+/// The film along the pad as CSV text: a row for each node at each instant, two with the same x at a step of the gap,
+/// columns pad::profile_quantities(), header `name [unit]` or `name` alone if dimensionless; each number in the fewest
+/// digits that give it back exactly.
+std::string pad_csv(const pad::PadResult& result);
+
+}  // namespace ringfilm::io

@@ -1,0 +1,63 @@
+#include "ringfilm/pad/pad_setup.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ringfilm/base/table.hpp"
+#include "ringfilm/cycle/oil.hpp"
+
+namespace ringfilm::pad {
+namespace {
+
+/// The gap between its steps.
+std::vector<film::GapPiece> gap_pieces(const cycle::Pad& pad, double lowest) {
+  std::vector<film::GapPiece> pieces;
+  std::vector<double> x, height;
+  const auto close_piece = [&] {
+    const double begin = x.front(), end = x.back();
+    pieces.push_back({begin, end, [x = std::exchange(x, {}), height = std::exchange(height, {})](double at) {
+                        return interpolate_linear(x, height, at);
+                      }});
+  };
+  for (std::size_t i = 0; i < pad.gap_x.size(); ++i) {
+    if (i > 0 && pad.gap_x[i] == pad.gap_x[i - 1]) close_piece();
+    x.push_back(pad.gap_x[i]);
+    height.push_back(pad.gap_height[i] - lowest);
+  }
+  close_piece();
+  return pieces;
+}
+
+}  // namespace
+
+film::FilmProblem PadSetup::problem(int n_cells) const {
+  film::FilmProblem problem;
+  problem.grid = film::grid_of_pieces(n_cells, pieces);
+  problem.oil = oil.get();
+  problem.cavitation = input.film.cavitation == cycle::Cavitation::kMassConserving ? film::Cavitation::kMassConserving
+                                                                                   : film::Cavitation::kReynoldsExit;
+  problem.tolerance = input.solver.tolerance;
+  return problem;
+}
+
+film::FilmInputs PadSetup::steady_inputs() const {
+  film::FilmInputs inputs;
+  inputs.U = U;
+  inputs.p_left = input.pad.left_pressure;
+  inputs.p_right = input.pad.right_pressure;
+  inputs.p_cavitation = p_cavitation;
+  return inputs;
+}
+
+PadSetup prepare_pad(const cycle::Case& c) {
+  const cycle::Pad& pad = c.pad;
+  const double lowest = *std::min_element(pad.gap_height.begin(), pad.gap_height.end());
+  return {c,
+          cycle::constant_oil(c.lubricant),
+          gap_pieces(pad, lowest),
+          lowest,
+          pad.direction == cycle::Direction::kPlusX ? pad.speed : -pad.speed,
+          std::min({c.film.cavitation_pressure, pad.left_pressure, pad.right_pressure})};
+}
+
+}  // namespace ringfilm::pad

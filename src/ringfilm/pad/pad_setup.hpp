@@ -1,0 +1,30 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/film/film_state.hpp"
+
+namespace ringfilm::pad {
+
+/// A pad made ready to solve. Immutable.
+struct PadSetup {
+  cycle::Case input;
+  std::shared_ptr<const models::OilAtTemperature> oil;
+  std::vector<film::GapPiece> pieces;  ///< heights above the lowest point of the gap
+  double lowest_gap;                   ///< min g [m]
+  double U;                            ///< velocity of the flat surface, positive in +x [m/s]
+  double p_cavitation;                 ///< p_c, not above the pressure of either edge [Pa]
+
+  /// The film on a grid of about so many cells; refers to this setup.
+  film::FilmProblem problem(int n_cells) const;
+  /// What acts on a steady film, but for load and scale.
+  film::FilmInputs steady_inputs() const;
+  /// Does the flat surface move in -x?
+  bool runs_left() const { return input.pad.direction == cycle::Direction::kMinusX; }
+};
+
+/// Throws InputError where a value that is fine by itself cannot be used with the others.
+PadSetup prepare_pad(const cycle::Case& c);
+
+}  // namespace ringfilm::pad

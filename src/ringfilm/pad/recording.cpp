@@ -1,0 +1,110 @@
+#include "ringfilm/pad/recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/film_integrals.hpp"
+
+namespace ringfilm::pad {
+namespace {
+
+/// Calls use(i, h_s) for every node, at a step once with the height on its left and once with that on its right.
+template <typename Use>
+void for_each_place(const film::FilmGrid& grid, const Use& use) {
+  auto jump = grid.jumps.begin();
+  for (int i = 0; i <= grid.n_cells(); ++i) {
+    if (jump != grid.jumps.end() && jump->node == i) {
+      use(i, jump->height_left);
+      use(i, jump->height_right);
+      ++jump;
+    } else {
+      use(i, grid.node_height[i]);
+    }
+  }
+}
+
+struct Peak {
+  double pressure, position;
+};
+
+/// The highest node, or the top of the parabola through it and its neighbours where the film is smooth there.
+Peak peak(const film::FilmGrid& grid, const film::FilmState& state) {
+  const auto& p = state.p;
+  const int n = grid.n_cells();
+  const int top = static_cast<int>(std::max_element(p.begin(), p.end()) - p.begin());
+  const Peak at_node{p[top], grid.x[top]};
+  const bool at_jump = std::any_of(grid.jumps.begin(), grid.jumps.end(), [&](const auto& j) { return j.node == top; });
+  if (top == 0 || top == n || at_jump || state.deficit[top - 1] > 0 || state.deficit[top + 1] > 0) return at_node;
+  const double bend = p[top - 1] - 2 * p[top] + p[top + 1];
+  if (!(bend < 0)) return at_node;
+  const double cells = std::clamp(0.5 * (p[top - 1] - p[top + 1]) / bend, -0.5, 0.5);
+  return {p[top] - 0.25 * (p[top - 1] - p[top + 1]) * cells, grid.x[top] + cells * grid.spacing[top]};
+}
+
+/// Ends of the cavities in the sense of the motion; at rest the left one counts as upstream.
+void add_fronts(const PadSetup& setup, const film::FilmInputs& inputs, const film::FilmState& state,
+                const film::FilmIntegrals& sums, Sample& sample) {
+  const double L = setup.input.pad.length;
+  const bool leftwards = inputs.U < 0;
+  const std::size_t n = state.p.size();
+  const bool open_left = leftwards && state.deficit[1] > 0 && inputs.p_left <= inputs.p_cavitation;
+  const bool open_right = !leftwards && state.deficit[n - 2] > 0 && inputs.p_right <= inputs.p_cavitation;
+  for (const film::Cavity& cavity : sums.cavities) {
+    const double begin = std::clamp(cavity.begin, 0.0, L), end = std::clamp(cavity.end, 0.0, L);
+    sample.rupture_positions.push_back(leftwards ? end : begin);
+    const bool is_first = &cavity == &sums.cavities.front(), is_last = &cavity == &sums.cavities.back();
+    if ((is_first && open_left) || (is_last && open_right)) continue;
+    sample.reformation_positions.push_back(leftwards ? begin : end);
+  }
+}
+
+}  // namespace
+
+std::vector<double> profile_places(const film::FilmGrid& grid) {
+  std::vector<double> x;
+  for_each_place(grid, [&](int i, double) { x.push_back(grid.x[i]); });
+  return x;
+}
+
+Profile profile(const film::FilmProblem& problem, const film::FilmState& state, double time) {
+  Profile along;
+  along.time = time;
+  for_each_place(problem.grid, [&](int i, double height) {
+    along.film_thickness.push_back(state.h_m + height);
+    along.pressure.push_back(state.p[i]);
+    along.fill.push_back(film::fill(problem.cavitation, state.deficit[i]));
+  });
+  return along;
+}
+
+Sample sample(const PadSetup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
+              const film::FilmState& previous, const film::FilmState& state, double time) {
+  const film::FilmIntegrals sums = film::film_integrals(problem, inputs, previous, state);
+  const double sense = setup.runs_left() ? -1 : 1;
+  const double density = setup.input.lubricant.constant_density.value();
+  Sample out;
+  out.time = time;
+  out.load = sums.hydrodynamic_load;
+  out.mean_film_pressure = out.load / problem.grid.width;
+  const Peak top = peak(problem.grid, state);
+  out.peak_film_pressure = top.pressure;
+  out.peak_position = top.position;
+  out.separation = state.h_m - setup.lowest_gap;
+  out.min_film_thickness = state.h_m;
+  out.friction_moving = sense * (sums.shear_couette + sums.shear_poiseuille);
+  out.friction_fixed = sense * (sums.shear_couette - sums.shear_poiseuille);
+  out.friction_coefficient = out.load > 0 ? out.friction_moving / out.load : std::numeric_limits<double>::quiet_NaN();
+  out.mass_flow_left = sums.flow_left;
+  out.mass_flow_right = sums.flow_right;
+  out.flow_left = sums.flow_left / density;
+  out.flow_right = sums.flow_right / density;
+  out.cavitated_fraction = sums.cavitated_fraction;
+  const double largest_flow = std::max(std::abs(sums.flow_left), std::abs(sums.flow_right));
+  out.mass_residual = largest_flow > 0 ? std::abs(sums.mass_defect) / largest_flow : 0.0;
+  add_fronts(setup, inputs, state, sums, out);
+  return out;
+}
+
+}  // namespace ringfilm::pad

@@ -1,0 +1,126 @@
+#include "ringfilm/pad/solve_pad.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ringfilm/base/table.hpp"
+#include "ringfilm/pad/pad_notes.hpp"
+#include "ringfilm/pad/recording.hpp"
+#include "ringfilm/pad/steady_film.hpp"
+
+namespace ringfilm::pad {
+namespace {
+
+constexpr int kMostHalvings = 6;  // a time step is cut to 1/64 at the finest
+
+template <typename... Values>
+std::string text(const char* format, Values... values) {
+  char buffer[512];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+/// The film through time, one whole step after the other.
+class March {
+ public:
+  March(const PadSetup& setup, const film::FilmProblem& problem, film::FilmState start, PadResult& result)
+      : setup_(setup), problem_(problem), workspace_(problem), state_(std::move(start)), result_(result) {}
+
+  void run(Observer* observer) {
+    const cycle::Pad& pad = setup_.input.pad;
+    const double begin = pad.history_time.front(), end = pad.last_time(), dt = pad.time_step;
+    const long n_steps = std::max(1L, static_cast<long>(std::ceil((end - begin) / dt - kRounding)));
+    const long every = pad.output_step ? std::lround(*pad.output_step / dt) : 1;
+    for (long k = 1; k <= n_steps; ++k) {
+      const double from = begin + static_cast<double>(k - 1) * dt;
+      const double to = k == n_steps ? end : begin + static_cast<double>(k) * dt;
+      if (!advance(from, to, 0)) {
+        throw StoppedPad(text("between %.6g s and %.6g s no film was found, with 1/%d of the time step either", from,
+                              to, 1 << kMostHalvings),
+                         std::move(result_));
+      }
+      ++result_.effort.time_steps;
+      if (k % every == 0 || k == n_steps) {
+        result_.samples.push_back(sample(setup_, problem_, inputs_, before_, state_, to));
+        result_.profiles.push_back(profile(problem_, state_, to));
+      }
+      if (observer != nullptr) observer->advanced(to, end);
+    }
+  }
+
+ private:
+  static constexpr double kRounding = 1e-9;  // of a step: what is left of the division of times
+
+  double h_m_at(double time) const {
+    const cycle::Pad& pad = setup_.input.pad;
+    return interpolate_linear(pad.history_time, pad.history_separation, time) + setup_.lowest_gap;
+  }
+
+  bool advance(double from, double to, int halvings) {
+    if (solve(from, to)) return true;
+    if (halvings == 0) ++result_.effort.cut_steps;
+    if (halvings == kMostHalvings) return false;
+    const double middle = 0.5 * (from + to);
+    return advance(from, middle, halvings + 1) && advance(middle, to, halvings + 1);
+  }
+
+  bool solve(double from, double to) {
+    film::FilmInputs inputs = setup_.steady_inputs();
+    inputs.time_step = to - from;
+    const double h_m = h_m_at(to);
+    const double closing = (h_m_at(from) - h_m) / inputs.time_step;
+    // From where the film was, or else from a full one.
+    for (film::FilmState next : {state_, full_film(setup_, problem_, h_m)}) {
+      next.h_m = h_m;
+      if (!solve_at_separation(setup_, problem_, inputs, closing, state_, next, workspace_, result_.effort)) continue;
+      ++result_.effort.sub_steps;
+      inputs_ = inputs;
+      before_ = std::move(state_);
+      state_ = std::move(next);
+      return true;
+    }
+    return false;
+  }
+
+  const PadSetup& setup_;
+  const film::FilmProblem& problem_;
+  film::FilmWorkspace workspace_;
+  film::FilmState state_, before_;
+  film::FilmInputs inputs_;
+  PadResult& result_;
+};
+
+std::string nothing_found(const PadSetup& setup) {
+  const cycle::Pad& pad = setup.input.pad;
+  if (!pad.load) return "no steady film was found, from slower motion and coarser grids either";
+  return text(
+      "no separation was found at which the film carries %.6g N/m; the pressures at the edges alone carry about %.6g "
+      "N/m at a large separation, and the load must be above that",
+      *pad.load, 0.5 * (pad.left_pressure + pad.right_pressure) * pad.length);
+}
+
+}  // namespace
+
+PadResult solve_pad(const cycle::Case& c, Observer* observer) {
+  const PadSetup setup = prepare_pad(c);
+  const film::FilmProblem problem = setup.problem(c.solver.cells);
+  const bool has_history = !c.pad.history_time.empty();
+  PadResult result;
+  result.complete = false;
+  result.x = profile_places(problem.grid);
+  const auto start =
+      c.pad.load ? steady_film_under(setup, problem, *c.pad.load, result.effort)
+                 : steady_film_at(setup, problem, has_history ? c.pad.history_separation.front() : *c.pad.separation,
+                                  result.effort);
+  if (!start) throw StoppedPad(nothing_found(setup), std::move(result));
+  const double begin = has_history ? c.pad.history_time.front() : 0.0;
+  result.samples.push_back(sample(setup, problem, setup.steady_inputs(), *start, *start, begin));
+  result.profiles.push_back(profile(problem, *start, begin));
+  if (has_history) March(setup, problem, *start, result).run(observer);
+  result.complete = true;
+  append_notes(setup, result);
+  return result;
+}
+
+}  // namespace ringfilm::pad
