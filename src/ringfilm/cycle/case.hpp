@@ -51,7 +51,7 @@ enum class DensityTemperature { kTable, kThermalExpansivity };
 enum class Compressibility { kDowsonHigginson, kNone };
 enum class Cavitation { kReynoldsExit, kMassConserving };
 enum class StepControl { kAdaptive, kFixed };
-enum class Method { kCoupledNewton };
+enum class Method { kCoupledNewton, kPointRelaxation, kNestedSecant };
 enum class FieldsWanted { kNone, kListed, kAll };
 
 struct Engine {

@@ -45,6 +45,18 @@ bool gas_lifts_ring(const film::FilmInputs& inputs, const film::FilmGrid& grid, 
   return last.h_m > rise && 0.5 * (inputs.p_left + inputs.p_right) > inputs.mean_pressure(grid);
 }
 
+film::Method film_method(Method method) {
+  switch (method) {
+    case Method::kPointRelaxation:
+      return film::Method::kPointRelaxation;
+    case Method::kNestedSecant:
+      return film::Method::kNestedSecant;
+    case Method::kCoupledNewton:
+      break;
+  }
+  return film::Method::kCoupledNewton;
+}
+
 ConvergenceError no_balance(const film::FilmInputs& inputs, const film::FilmGrid& grid, const film::FilmState& last,
                             const film::FilmReport& report, double crank_angle_deg) {
   char text[256];
@@ -70,7 +82,10 @@ ConvergenceError no_balance(const film::FilmInputs& inputs, const film::FilmGrid
 
 }  // namespace
 
-March::March(const Setup& setup) : setup_(setup), problem_(film_problem(setup)), workspace_(problem_) {}
+March::March(const Setup& setup)
+    : setup_(setup),
+      problem_(film_problem(setup)),
+      workspace_(film::workspace_of(film_method(setup.input.solver.method), problem_)) {}
 
 March::Boundary March::boundary(double crank_angle_deg, double time_step) const {
   const double angle = wrapped(crank_angle_deg);
@@ -94,6 +109,7 @@ March::Boundary March::boundary(double crank_angle_deg, double time_step) const 
 void March::count(const film::FilmReport& report) {
   totals_.newton_iterations += report.iterations;
   effort_.newton_iterations += report.iterations;
+  totals_.relaxation_sweeps += report.sweeps;
   if (report.converged && report.route == film::Route::kSecant) {
     ++totals_.fallback_secant;
     ++effort_.fallbacks;

@@ -3,7 +3,7 @@
 
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/cycle/setup.hpp"
-#include "ringfilm/film/film_solver.hpp"
+#include "ringfilm/film/method.hpp"
 
 namespace ringfilm::cycle {
 
@@ -67,6 +67,7 @@ class March {
 
   struct Totals {
     long crank_steps = 0, newton_iterations = 0, sub_steps = 0;
+    long relaxation_sweeps = 0;  ///< of point relaxation
     long fallback_secant = 0, fallback_sub_step = 0;
     long uncontrolled_steps = 0;  ///< accepted at the finest level although their error in time is over the limit
     double max_newton_step = 0;
@@ -86,7 +87,7 @@ class March {
 
   const Setup& setup_;
   film::FilmProblem problem_;
-  film::FilmWorkspace workspace_;
+  film::MethodWorkspace workspace_;
   film::FilmState state_, before_, candidate_, side_before_;
   double time_step_before_ = 0;  ///< 0: no history
   int k_ = 0;                    ///< base angle where the march stands

@@ -133,7 +133,8 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
                    totals.fallback_sub_step,
                    max_load_residual_,
                    totals.max_newton_step,
-                   largest_flow_ > 0 ? largest_mass_defect_ / largest_flow_ : 0.0};
+                   largest_flow_ > 0 ? largest_mass_defect_ / largest_flow_ : 0.0,
+                   totals.relaxation_sweeps};
   result.notes = setup_.notes;
   append_validity_notes(setup_, base, {polynomial_steps_, polynomial_share_}, result.notes);
   append_effort_notes(result.effort, totals.uncontrolled_steps, result.notes);

@@ -101,7 +101,8 @@ struct Effort {
   double max_load_residual = 0;  ///< |W_h + W_a - W|/W [-]
   double max_newton_step = 0;    ///< last relative Newton step accepted, worst of the cycle [-]
   double max_mass_residual =
-      0;  ///< worst mass balance of a step, relative to the largest flow at the middle section [-]
+      0;                       ///< worst mass balance of a step, relative to the largest flow at the middle section [-]
+  long relaxation_sweeps = 0;  ///< of solver.method = "point-relaxation"
 };
 
 struct CycleResult {

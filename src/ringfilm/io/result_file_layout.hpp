@@ -64,6 +64,7 @@ void exchange_attributes(File& file, Document& document) {
   file.attribute("effort_crank_steps", effort.crank_steps);
   file.attribute("effort_newton_iterations", effort.newton_iterations);
   file.attribute("effort_relaxation_sweeps", effort.relaxation_sweeps);
+  file.attribute("effort_relaxation_sweeps", effort.relaxation_sweeps);
   file.attribute("effort_sub_steps", effort.sub_steps);
   file.attribute("effort_fallback_secant", effort.fallback_secant);
   file.attribute("effort_fallback_sub_step", effort.fallback_sub_step);

@@ -13,6 +13,7 @@ ordered_json effort_object(const cycle::Effort& effort) {
           {"crank_steps", effort.crank_steps},
           {"newton_iterations", effort.newton_iterations},
           {"relaxation_sweeps", effort.relaxation_sweeps},
+          {"relaxation_sweeps", effort.relaxation_sweeps},
           {"sub_steps", effort.sub_steps},
           {"fallback_secant", effort.fallback_secant},
           {"fallback_sub_step", effort.fallback_sub_step},
