@@ -22,6 +22,12 @@ double estimated_pressure(const PadSetup& setup, const film::FilmInputs& inputs,
   return largest > 0 ? largest : kNoPressure;
 }
 
+/// A steady film at rest lies between the pressures of its edges and has no cavity; in one, nothing would tell the
+/// fill.
+void keep_full_at_rest(film::FilmInputs& inputs, double scale) {
+  if (inputs.U == 0 && inputs.time_step == film::kSteady) inputs.p_cavitation -= scale;
+}
+
 void count(const film::FilmReport& report, Effort& effort) {
   effort.newton_iterations += report.iterations;
   if (report.converged) effort.max_newton_step = std::max(effort.max_newton_step, report.last_step);
@@ -78,6 +84,7 @@ bool solve_at_separation(const PadSetup& setup, const film::FilmProblem& problem
   const double width = problem.grid.width;
   const double estimate = estimated_pressure(setup, inputs, state.h_m, closing);
   inputs.load = estimate * width;
+  keep_full_at_rest(inputs, estimate);
   film::FilmReport report = film::solve_film_at_separation(problem, inputs, previous, state, workspace);
   count(report, effort);
   if (!report.converged) return false;
@@ -131,6 +138,7 @@ std::optional<film::FilmState> steady_film_under(const PadSetup& setup, const fi
                                                  Effort& effort) {
   film::FilmInputs inputs = setup.steady_inputs();
   inputs.load = load;
+  keep_full_at_rest(inputs, inputs.mean_pressure(problem.grid));
   const double L = setup.input.pad.length, eta = setup.input.lubricant.viscosity;
   const double slider = std::sqrt(kSliderLoad * eta * std::abs(inputs.U) * L * L / load);
   // Where nothing moves there is no wedge to tell a film; a thousandth of the length is as good a start as any.

@@ -1,0 +1,236 @@
+"""A film of stated shape: `ringfilm run PAD.toml --json --csv`, its numbers, its files, its refusals."""
+
+import csv
+import json
+import math
+import pathlib
+import unittest
+
+import program
+
+PAD = """\
+title = "a plane slider"
+[pad]
+length = "10 mm"
+gap = "gap.csv"
+speed = "5 m/s"
+left_pressure = "0 bar"
+right_pressure = "0 bar"
+separation = "0 um"
+[lubricant]
+viscosity = "0.02 Pa s"
+density = "850 kg/m3"
+[film]
+cavitation_pressure = "0 bar"
+[solver]
+cells = 100
+"""
+GAP = "x [mm],h [um]\n0,20\n10,10\n"
+SLIDER_LOAD = 6 * (math.log(2) - 2 / 3) * 0.02 * 5 * 0.01**2 / 10e-6**2  # Rayleigh 1918, m = 2 [N/m]
+HISTORY = "time [s],h [um]\n0,10\n0.001,5\n0.002,10\n"
+
+
+class PadTest(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "pad.toml").write_text(PAD)
+        (self.folder / "gap.csv").write_text(GAP)
+        (self.folder / "h.csv").write_text(HISTORY)
+
+    def json_of(self, *words, case="pad.toml"):
+        return json.loads(self.run_well("run", case, "--json", *words))
+
+    def rows(self, name):
+        with open(self.folder / name, newline="") as file:
+            return list(csv.reader(file))
+
+
+class Numbers(PadTest):
+    def test_json_tells_load_friction_flow_and_fronts_in_si(self):
+        told = self.json_of()
+        self.assertAlmostEqual(told["load"] / SLIDER_LOAD, 1, delta=2e-4)  # second order at 100 cells
+        self.assertAlmostEqual(told["flow_left"] / (5 * 10e-6 * 2 / 3), 1, delta=2e-4)
+        self.assertAlmostEqual(told["mass_flow_left"], 850 * told["flow_left"])
+        self.assertEqual(told["rupture_positions"], [])
+        self.assertEqual(told["reformation_positions"], [])
+        self.assertEqual(told["units"]["load"], "N/m")
+        self.assertTrue(told["complete"])
+        self.assertEqual(told["assumed"]["lubricant.viscosity_pressure"], "none")
+        self.assertNotIn("history", told)
+        for name in ("friction_moving", "friction_fixed", "flow_right", "peak_film_pressure", "peak_position"):
+            self.assertGreater(told[name], 0, name)
+
+    def test_csv_has_a_row_for_each_node(self):
+        self.run_well("run", "pad.toml", "--csv", "out.csv")
+        rows = self.rows("out.csv")
+        self.assertEqual(rows[0], ["time [s]", "x [m]", "film_thickness [m]", "pressure [Pa]", "fill"])
+        self.assertEqual(len(rows), 1 + 101)
+        self.assertEqual([float(v) for v in rows[1]], [0, 0, 20e-6, 0, 1])
+        self.assertEqual([float(v) for v in rows[-1]], [0, 0.01, 10e-6, 0, 1])
+
+    def test_a_step_stands_twice_in_the_csv(self):
+        (self.folder / "gap.csv").write_text("x [mm],h [um]\n0,20\n7,20\n7,10\n10,10\n")
+        self.run_well("run", "pad.toml", "--csv", "out.csv")
+        at_step = [row for row in self.rows("out.csv")[1:] if float(row[1]) == 0.007]
+        self.assertEqual([float(row[2]) for row in at_step], [20e-6, 10e-6])
+        self.assertEqual(at_step[0][3], at_step[1][3])
+
+    def test_a_load_finds_its_separation(self):
+        told = self.json_of("--set", "pad.separation=", "--set", "pad.load=100 kN/m")
+        self.assertAlmostEqual(told["load"] / 1e5, 1, delta=1e-7)
+        self.assertLess(told["min_film_thickness"], 10e-6)
+        self.assertIn("pressed-closer-than-gap", [note["topic"] for note in told["notes"]])
+
+    def test_a_separation_on_top_of_a_gap_is_told(self):
+        told = self.json_of("--set", "pad.separation=5 um")
+        self.assertAlmostEqual(told["min_film_thickness"], 15e-6, delta=1e-15)
+        self.assertIn("separation-adds-to-gap", [note["topic"] for note in told["notes"]])
+
+    def test_a_history_gives_arrays_over_time_and_the_last_instant(self):
+        told = self.json_of("--csv", "out.csv", "--set", "pad.separation=", "--set", "pad.separation_history=h.csv",
+                            "--set", "pad.time_step=0.25 ms")
+        history = told["history"]
+        self.assertEqual(len(history["time"]), 9)
+        for name in ("load", "friction_moving", "flow_left", "peak_film_pressure", "rupture_positions",
+                     "reformation_positions", "min_film_thickness", "cavitated_fraction"):
+            self.assertEqual(len(history[name]), 9, name)
+        self.assertEqual(told["time"], 0.002)
+        self.assertEqual(told["load"], history["load"][-1])
+        self.assertAlmostEqual(history["min_film_thickness"][4], 15e-6, delta=1e-15)
+        self.assertGreater(history["load"][4], history["load"][0])  # closing adds to the wedge
+        self.assertEqual(len(self.rows("out.csv")), 1 + 9 * 101)
+
+    def test_only_the_wanted_instants_are_kept(self):
+        told = self.json_of("--set", "pad.separation=", "--set", "pad.separation_history=h.csv", "--set",
+                            "pad.time_step=0.1 ms", "--set", "pad.output_step=1 ms", "--set", "pad.end_time=1.5 ms")
+        self.assertEqual([round(1e3 * t, 9) for t in told["history"]["time"]], [0, 1, 1.5])
+        self.assertEqual(told["effort"]["time_steps"], 15)
+
+    def test_the_other_direction_is_the_mirror(self):
+        (self.folder / "gap.csv").write_text("x [mm],h [um]\n0,10\n10,20\n")
+        told = self.json_of("--set", "pad.direction=-x")
+        self.assertAlmostEqual(told["load"] / SLIDER_LOAD, 1, delta=2e-4)
+        self.assertLess(told["flow_left"], 0)
+        self.assertGreater(told["friction_moving"], 0)
+
+    def test_barus_and_dowson_higginson_change_the_film(self):
+        plain = self.json_of()["load"]
+        barus = self.json_of("--set", "lubricant.viscosity_pressure=barus", "--set",
+                             "lubricant.pressure_viscosity_coefficient=2e-8 m2/N")["load"]
+        self.assertGreater(barus, 1.01 * plain)
+        dense = self.json_of("--set", "lubricant.compressibility=dowson-higginson", "--set",
+                             "lubricant.dh_a=1e-8 1/Pa")["load"]
+        self.assertNotAlmostEqual(dense / plain, 1, delta=1e-4)
+
+    def test_a_case_without_title_is_complete(self):
+        (self.folder / "pad.toml").write_text(PAD.split("\n", 1)[1])
+        self.assertEqual(self.json_of()["title"], "pad")
+
+    def test_the_table_for_people(self):
+        told = self.run_well("run", "pad.toml")
+        self.assertIn("15.89 kN/m   load carried by the film", told)
+        self.assertIn("per metre of width", told)
+
+    def test_check_reads_a_pad(self):
+        self.assertIn("no errors", self.run_well("check", "pad.toml"))
+
+    def test_shipped_pads_run(self):
+        shipped = sorted((pathlib.Path(program.SOURCES) / "cases" / "pad").glob("*.toml"))
+        self.assertGreaterEqual(len(shipped), 4)
+        for path in shipped:
+            with self.subTest(path.name):
+                told = self.json_of(case=str(path))
+                self.assertTrue(told["complete"])
+                self.assertEqual(told["effort"]["cut_steps"] + told["effort"]["eased_starts"], 0)
+
+
+class Refusals(PadTest):
+    def refuse(self, *fragments, words=()):
+        before = self.names()
+        self.assert_refused(self.run_program("run", "pad.toml", "--csv", "out.csv", *words), *fragments)
+        self.assertEqual(self.names(), before, "something was written")
+
+    def refuse_set(self, setting, *fragments):
+        self.refuse(*fragments, words=("--set", setting))
+
+    def refuse_gap(self, text, *fragments):
+        (self.folder / "gap.csv").write_text(text)
+        self.refuse("gap.csv", *fragments)
+
+    def test_neither_or_both_of_separation_and_load(self):
+        self.refuse_set("pad.load=1 kN/m", "pad.separation and pad.load", "exactly one of")
+        self.refuse_set("pad.separation=", "exactly one of")
+
+    def test_width(self):
+        self.refuse_set("pad.width=20 mm", "two-dimensional film, which is not there yet")
+
+    def test_keys_of_an_engine(self):
+        (self.folder / "pad.toml").write_text(PAD + '[engine]\nbore = "89 mm"\nstroke = "80 mm"\n[ring]\nface_width = "1 mm"\n')
+        self.refuse("pad.toml:17:1", "engine.bore", "without engine, gas and ring", "take [ring] out", "2 errors")
+
+    def test_missing_keys(self):
+        for key in ("length", "gap", "speed", "left_pressure", "right_pressure"):
+            with self.subTest(key):
+                self.refuse_set(f"pad.{key}=", f"pad.{key} is missing")
+        self.refuse_set("lubricant.viscosity=", "lubricant.viscosity is missing")
+        self.refuse_set("lubricant.density=", "lubricant.density is missing")
+
+    def test_units(self):
+        self.refuse_set("pad.load=1 N", "a load per width")
+        self.refuse_set("pad.speed=5 rpm", "a speed")
+        self.refuse_set("pad.length=0.01", "has no unit")
+        self.refuse_set("pad.speed=-5 m/s", "out of range")
+        self.refuse_set("pad.left_pressure=1 barg", "left_pressure")
+
+    def test_gaps_that_are_none(self):
+        head = "x [mm],h [um]\n"
+        self.refuse_gap(head + "0,20\n9,10\n", "from x = 0 to 9 mm", "pad.length")
+        self.refuse_gap(head + "1,20\n10,10\n", "pad.length")
+        self.refuse_gap(head + "10,20\n0,10\n", "gap.csv:3:1", "x falls")
+        self.refuse_gap(head + "0,20\n5,20\n5,15\n5,10\n10,10\n", "gap.csv:5:1", "three times")
+        self.refuse_gap(head + "0,20\n0,15\n10,10\n", "gap.csv:3:1", "at an end")
+        self.refuse_gap(head + "0,20\n10,15\n10,10\n", "gap.csv:4:1", "at an end")
+        self.refuse_gap(head + "0,nan\n10,10\n", "not a finite number")
+        self.refuse_gap("x [mm],h [kg]\n0,20\n10,10\n", "h", "a length")
+        self.refuse_gap("x [mm],thickness [um]\n0,20\n10,10\n", "no column h")
+        self.refuse_gap("", "gap.csv")
+        self.refuse_gap(head, "no row")
+
+    def test_a_film_of_no_thickness(self):
+        self.refuse_set("pad.separation=-10 um", "at x = 10 mm", "no film is left")
+        (self.folder / "gap.csv").write_text("x [mm],h [um]\n0,20\n5,-1\n10,10\n")
+        self.refuse("at x = 5 mm the gap is -1 um", "no film is left")
+
+    def test_histories_that_are_none(self):
+        words = ("--set", "pad.separation=", "--set", "pad.separation_history=h.csv")
+        step = ("--set", "pad.time_step=0.1 ms")
+        self.refuse("pad.time_step is missing", words=words)
+        self.refuse("pad.end_time = 0 s", words=(*words, *step, "--set", "pad.end_time=0 s"))
+        self.refuse("pad.end_time = 1 s", words=(*words, *step, "--set", "pad.end_time=1 s"))
+        self.refuse("asks for 2e+09 steps", words=(*words, "--set", "pad.time_step=1e-12 s"))
+        self.refuse("out of range", words=(*words, "--set", "pad.time_step=0 s"))
+        self.refuse("no whole number of time steps", words=(*words, *step, "--set", "pad.output_step=0.15 ms"))
+        self.refuse("longer pad.output_step", words=(*words, "--set", "pad.time_step=1e-8 s"))
+        (self.folder / "h.csv").write_text("time [s],h [um]\n0,10\n0,5\n")
+        self.refuse("h.csv:3:1", "twice", words=(*words, *step))
+        (self.folder / "h.csv").write_text("time [s],h [um]\n0,10\n1,-10\n")
+        self.refuse("no film is left", words=(*words, *step))
+
+    def test_oil_that_is_not_enough(self):
+        self.refuse_set("lubricant.viscosity_pressure=barus", "pressure_viscosity_coefficient is not stated")
+        self.refuse_set('lubricant.density=[{ temperature = "15 degC", value = "850 kg/m3" }]', "no temperature")
+
+    def test_outputs_of_a_cycle(self):
+        self.refuse("no NetCDF", words=("--output", "out.nc"))
+        self.refuse("--ledger", words=("--ledger",))
+
+    def test_a_load_that_nothing_carries_is_exit_code_3(self):
+        done = self.run_program("run", "pad.toml", "--set", "pad.separation=", "--set", "pad.load=1 N/m", "--set",
+                                "pad.left_pressure=1 bar", "--set", "pad.right_pressure=1 bar", "--csv", "out.csv")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("1000 N/m at a large separation", done.stderr)
+        self.assertNotIn("out.csv", self.names())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,230 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "pad_cases.hpp"
+
+namespace ringfilm::pad::testing {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+// --- plane slider: closed forms of Rayleigh (1918), with m = 1 + K --------------------------------------------------
+
+constexpr double kM = 2;  // inlet over outlet
+
+double slider_load() { return 6 * (std::log(kM) - 2 * (kM - 1) / (kM + 1)) / ((kM - 1) * (kM - 1)) * kLoadUnit; }
+double slider_flow() { return kU * kOutlet * kM / (kM + 1); }
+/// Shear on the surface that moves, and on the pad: (4 ln m - 6 (m - 1)/(m + 1))/(m - 1) and (2 ln m - ...)(-1).
+double slider_friction_moving() {
+  return (4 * std::log(kM) - 6 * (kM - 1) / (kM + 1)) / (kM - 1) * kEta * kU * kLength / kOutlet;
+}
+double slider_friction_fixed() {
+  return (6 * (kM - 1) / (kM + 1) - 2 * std::log(kM)) / (kM - 1) * kEta * kU * kLength / kOutlet;
+}
+
+TEST(PadSlider, MatchesItsClosedForms) {
+  const Sample s = solved(slider());
+  // Second order: 4e-5 at 200 cells, falling by four with each doubling.
+  EXPECT_NEAR(s.load / slider_load(), 1, 1e-4);
+  EXPECT_NEAR(s.friction_moving / slider_friction_moving(), 1, 1e-4);
+  EXPECT_NEAR(s.friction_fixed / slider_friction_fixed(), 1, 1e-4);
+  EXPECT_NEAR(s.flow_left / slider_flow(), 1, 1e-4);
+  EXPECT_NEAR(s.flow_right / slider_flow(), 1, 1e-4);
+  EXPECT_NEAR(s.mass_flow_right / (kDensity * slider_flow()), 1, 1e-4);
+  EXPECT_NEAR(s.peak_film_pressure / (kEta * kU * kLength / (kOutlet * kOutlet) * 1.5 * (kM - 1) / (kM * (kM + 1))), 1,
+              1e-4);
+  // The pressure peaks where h = 2 h0 m/(m + 1).
+  EXPECT_NEAR(s.peak_position / kLength, 2.0 / 3.0, 1e-3);
+  EXPECT_NEAR(s.friction_coefficient, s.friction_moving / s.load, 1e-15);
+  EXPECT_THAT(s.rupture_positions, IsEmpty());
+  EXPECT_LT(s.mass_residual, 1e-9);
+}
+
+TEST(PadSlider, FindsTheSeparationThatCarriesItsLoad) {
+  cycle::Case c = slider();
+  c.pad.gap_height = {kOutlet, 0};
+  c.pad.separation.reset();
+  c.pad.load = slider_load();
+  const Sample s = solved(c);
+  EXPECT_NEAR(s.separation / kOutlet, 1, 1e-4);  // as the load above, at a third of its relative error
+  EXPECT_NEAR(s.min_film_thickness, s.separation, 1e-18);
+  EXPECT_NEAR(s.load / slider_load(), 1, 1e-8);
+}
+
+TEST(PadSlider, AddsTheSeparationToTheGap) {
+  cycle::Case thinner = slider();
+  thinner.pad.gap_height = {1.5 * kOutlet, 0.5 * kOutlet};
+  thinner.pad.separation = 0.5 * kOutlet;
+  EXPECT_NEAR(solved(thinner).load / solved(slider()).load, 1, 1e-9);  // the same film; rounding and iteration
+}
+
+TEST(PadSlider, GivesTheMirroredAnswerWhenMirrored) {
+  cycle::Case c = slider();
+  c.pad.left_pressure = 2e4;
+  c.pad.right_pressure = 1e4;
+  cycle::Case mirrored = c;
+  mirrored.pad.direction = cycle::Direction::kMinusX;
+  std::swap(mirrored.pad.left_pressure, mirrored.pad.right_pressure);
+  std::swap(mirrored.pad.gap_height[0], mirrored.pad.gap_height[1]);
+  const Sample a = solved(c), b = solved(mirrored);
+  // Sums run in the other direction: rounding, amplified by the iteration.
+  EXPECT_NEAR(b.load / a.load, 1, 1e-8);
+  EXPECT_NEAR(b.friction_moving / a.friction_moving, 1, 1e-8);
+  EXPECT_NEAR(b.friction_fixed / a.friction_fixed, 1, 1e-8);
+  EXPECT_NEAR(b.flow_left / -a.flow_right, 1, 1e-8);
+  EXPECT_NEAR(b.flow_right / -a.flow_left, 1, 1e-8);
+  EXPECT_NEAR(b.peak_position + a.peak_position, kLength, 1e-8);
+}
+
+// With rho and eta constant, adding a pressure everywhere changes nothing but the load by its share.
+TEST(PadSlider, CountsPressureFromAnyZero) {
+  cycle::Case c = slider();
+  c.pad.left_pressure = c.pad.right_pressure = c.film.cavitation_pressure = -3e5;
+  const Sample below = solved(c), at_zero = solved(slider());
+  EXPECT_NEAR((below.load + 3e5 * kLength) / at_zero.load, 1, 1e-8);
+  EXPECT_NEAR(below.flow_left / at_zero.flow_left, 1, 1e-8);
+}
+
+TEST(PadSlider, OfBarusOilHasTheReducedPressureOfAConstantOil) {
+  // q = (1 - exp(-alpha p))/alpha obeys the equation of constant viscosity: peak q is the peak of that film.
+  cycle::Case c = slider();
+  c.solver.cells = 400;
+  const double peak_q = solved(c).peak_film_pressure;
+  c.lubricant.viscosity_pressure = cycle::ViscosityPressure::kBarus;
+  c.lubricant.pressure_viscosity_coefficient = 0.8 / peak_q;
+  const Sample thick = solved(c);
+  const double expected = -std::log(1 - 0.8) / 0.8 * peak_q;
+  EXPECT_NEAR(thick.peak_film_pressure / expected, 1, 2e-4);  // second order, steeper than the constant oil
+  EXPECT_NEAR(thick.flow_left / solved(slider()).flow_left, 1, 2e-4);
+}
+
+// --- Rayleigh's step -----------------------------------------------------------------------------------------------
+
+cycle::Case rayleigh_step(double ratio, double share) {
+  cycle::Case c = slider();
+  c.pad.gap_x = {0, share * kLength, share * kLength, kLength};
+  c.pad.gap_height = {ratio * kOutlet, ratio * kOutlet, kOutlet, kOutlet};
+  return c;
+}
+
+TEST(PadStep, IsExactOnAnyGrid) {
+  constexpr double ratio = 1.866, share = 0.7182;
+  const double load = 3 * share * (1 - share) * (ratio - 1) / (share + ratio * ratio * ratio * (1 - share));
+  for (const int n_cells : {10, 77, 300}) {
+    cycle::Case c = rayleigh_step(ratio, share);
+    c.solver.cells = n_cells;
+    const PadResult result = solve_pad(c);
+    const Sample& s = result.samples.back();
+    EXPECT_NEAR(s.load / kLoadUnit / load, 1, 1e-9);  // straight lines on both sides: rounding and iteration
+    EXPECT_NEAR(s.peak_position / kLength, share, 1e-12);
+    EXPECT_NEAR(s.peak_film_pressure, 2 * s.load / kLength, 1e-9 * s.peak_film_pressure);
+    // The step stands twice among the places, with both heights.
+    const auto step = std::adjacent_find(result.x.begin(), result.x.end());
+    ASSERT_NE(step, result.x.end());
+    const auto i = step - result.x.begin();
+    EXPECT_NEAR(result.profiles[0].film_thickness[i] / result.profiles[0].film_thickness[i + 1], ratio, 1e-12);
+    EXPECT_EQ(result.profiles[0].pressure[i], result.profiles[0].pressure[i + 1]);
+  }
+}
+
+// --- cavities -------------------------------------------------------------------------------------------------------
+
+cycle::Case parabolic_pad(cycle::Direction direction) {
+  cycle::Case c = slider();
+  c.pad.length = 0.0762;
+  c.pad.speed = 4.57;
+  c.pad.direction = direction;
+  c.lubricant.viscosity = 0.039;
+  c.solver.cells = 800;
+  set_gap(c, 800, [](double x) { return 25.4e-6 * (1 + std::pow(2 * x / 0.0762 - 1, 2)); });
+  return c;
+}
+
+// Numbers by quadrature of the film up to a rupture with p = p' = 0 (docs/theory/film.md).
+TEST(PadParabola, RupturesWhereTheQuadratureSays) {
+  const Sample s = solved(parabolic_pad(cycle::Direction::kPlusX));
+  const double cell = 76.2e-3 / 800;
+  ASSERT_THAT(s.rupture_positions, SizeIs(1));
+  EXPECT_NEAR(s.rupture_positions[0], 51.7348e-3, 0.1 * cell);
+  EXPECT_THAT(s.reformation_positions, IsEmpty());  // open to the edge
+  EXPECT_NEAR(s.peak_film_pressure / 3.59179e6, 1, 1e-4);
+  EXPECT_NEAR(s.peak_position, 24.4652e-3, 0.1 * cell);
+  EXPECT_NEAR(s.load / 101.349e3, 1, 1e-4);
+  EXPECT_NEAR(s.flow_right / 6.54721e-5, 1, 1e-4);
+}
+
+TEST(PadParabola, RupturesAtTheMirroredPlaceWhenTheSurfaceRunsBack) {
+  const Sample s = solved(parabolic_pad(cycle::Direction::kMinusX));
+  ASSERT_THAT(s.rupture_positions, SizeIs(1));
+  EXPECT_NEAR(s.rupture_positions[0], 76.2e-3 - 51.7348e-3, 0.1 * 76.2e-3 / 800);
+  EXPECT_THAT(s.reformation_positions, IsEmpty());
+  EXPECT_NEAR(s.flow_left / -6.54721e-5, 1, 1e-4);
+  EXPECT_GT(s.friction_moving, 0);
+  EXPECT_GT(s.friction_fixed, 0);
+}
+
+/// A flat pad with one pocket, in which the film ruptures at its entry and forms again before its end.
+cycle::Case pocket(int n_cells) {
+  cycle::Case c = slider();
+  c.pad.length = 0.02;
+  c.pad.speed = 2;
+  c.pad.gap_x = {0, 0.004, 0.004, 0.010, 0.010, 0.020};
+  c.pad.gap_height = {10e-6, 10e-6, 30e-6, 30e-6, 10e-6, 10e-6};
+  c.lubricant.viscosity = 0.01;
+  c.pad.left_pressure = c.pad.right_pressure = 5e4;
+  c.solver.cells = n_cells;
+  return c;
+}
+
+// Piece by piece the gap is parallel and the pressure a straight line. Land before the pocket: from 0.5 bar down to 0
+// at the pocket's entry, where the film ruptures; so the flow is known, and with it the rest.
+TEST(PadPocket, AgreesWithTheFilmPutTogetherByHand) {
+  constexpr double h = 10e-6, H = 30e-6, U = 2, eta = 0.01, edge = 5e4, a = 0.004, end = 0.010, L = 0.020;
+  const double q = U * h / 2 + h * h * h / (12 * eta) * edge / a;
+  const double rise_in_pocket = 12 * eta / (H * H * H) * (U * H / 2 - q);
+  const double fall_after = 12 * eta / (h * h * h) * (q - U * h / 2);
+  const double peak = edge + fall_after * (L - end);
+  const double reformation = end - peak / rise_in_pocket;
+  ASSERT_GT(reformation, a);
+  std::array<double, 3> front_error{};
+  int k = 0;
+  for (const int n_cells : {100, 200, 400}) {
+    const Sample s = solved(pocket(n_cells));
+    EXPECT_NEAR(s.flow_left / q, 1, 1e-8);
+    EXPECT_LT(s.mass_residual, 1e-8);
+    EXPECT_NEAR(s.peak_film_pressure / peak, 1, 1e-8);
+    EXPECT_NEAR(s.peak_position, end, 1e-12);
+    ASSERT_THAT(s.rupture_positions, SizeIs(1));
+    ASSERT_THAT(s.reformation_positions, SizeIs(1));
+    EXPECT_NEAR(s.rupture_positions[0], a, L / n_cells);
+    front_error[k++] = std::abs(s.reformation_positions[0] - reformation);
+    EXPECT_LT(front_error[k - 1], L / n_cells) << n_cells << " cells";  // first order at a front
+  }
+}
+
+// --- what has no answer ---------------------------------------------------------------------------------------------
+
+TEST(Pad, SaysThatALoadBelowThatOfItsEdgesHasNoSeparation) {
+  cycle::Case c = slider();
+  c.pad.separation.reset();
+  c.pad.left_pressure = c.pad.right_pressure = 1e5;
+  c.pad.load = 0.5e5 * kLength;
+  EXPECT_THROW(solve_pad(c), StoppedPad);
+}
+
+TEST(Pad, AtRestBetweenEqualPressuresHasTheirPressureEverywhere) {
+  cycle::Case c = slider();
+  c.pad.speed = 0;
+  c.pad.left_pressure = c.pad.right_pressure = 2e5;
+  const Sample s = solved(c);
+  EXPECT_NEAR(s.load, 2e5 * kLength, 1e-9);
+  EXPECT_NEAR(s.flow_left, 0, 1e-15);
+  EXPECT_NEAR(s.friction_moving, 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace ringfilm::pad::testing
