@@ -9,7 +9,6 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr int kMostOuterIterations = 100;
 constexpr int kSweepsPerCell = 100;  // of one solve at the most, and kFewSweeps more
 constexpr int kFewSweeps = 1000;
 constexpr double kLargestMove = 0.25;  // of ln h_m in one correction
@@ -17,6 +16,7 @@ constexpr double kFirstDamping = 0.2;  // d ln h_m over the relative imbalance, 
 constexpr double kLoadShare = 0.01;    // of the imbalance that an unfinished relaxation may hide
 constexpr double kNoise = 10;          // multiple of what relaxation leaves in the load that says something
 constexpr double kLargestDamping = 1;  // the load falls at least about as fast as 1/h_m
+constexpr double kLargestGrowth = 4;   // of the damping, either way, in one correction
 constexpr double kSlowest = 1e-8;      // 1 - radius of Jacobi's iteration: no film of fewer than 10^4 cells is slower
 constexpr int kHalvings = 12;          // of the logarithm of the bracket of 1 - radius, which leaves 0.5 %
 
@@ -94,7 +94,8 @@ bool PointRelaxation::solve(FilmReport& report) {
   double damping = work_.damping_.value_or(kFirstDamping);
   double excess = 1;
   double move = 0;
-  for (report.outer_iterations = 1; report.outer_iterations <= kMostOuterIterations; ++report.outer_iterations) {
+  while (true) {  // until the sweeps are used up
+    ++report.outer_iterations;
     const double excess_before = excess;
     if (!relax(tolerance, kLoadShare * std::min(std::abs(excess), 1.0), report)) return false;
     excess = imbalance();
@@ -108,15 +109,17 @@ bool PointRelaxation::solve(FilmReport& report) {
       work_.damping_ = damping;
       return true;
     }
-    // The damping that the last correction should have had, if there is more to it than what relaxation left.
+    // The damping that the last correction should have had, as far as relaxation lets it be seen.
     const double relief = excess_before - excess;
-    if (move * relief > 0 && std::abs(relief) > kNoise * tolerance / (1 - rate_)) {
-      damping = std::min(move / relief, kLargestDamping);
+    if (move != 0 && std::abs(relief) <= kLoadShare * std::abs(excess_before)) {
+      damping = std::min(kLargestGrowth * damping, kLargestDamping);
+    } else if (move * relief > 0 && std::abs(relief) > kNoise * tolerance / (1 - rate_)) {
+      damping =
+          std::clamp(move / relief, damping / kLargestGrowth, std::min(kLargestGrowth * damping, kLargestDamping));
     }
     move = std::clamp(damping * excess, -kLargestMove, kLargestMove);
     state_.h_m *= std::exp(move);
   }
-  return false;
 }
 
 bool PointRelaxation::relax(double enough, double hidden, FilmReport& report) {

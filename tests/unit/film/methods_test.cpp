@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "film_cases.hpp"
+#include "ringfilm/film/method.hpp"
+
+namespace ringfilm::film::testing {
+namespace {
+
+constexpr double kWidth = 0.01;     // [m]
+constexpr double kRise = 30e-6;     // over the width [m]
+constexpr double kViscosity = 0.1;  // [Pa s]
+
+SmoothFilm inclined_slider(int n_cells) {
+  return {n_cells, kWidth, [](double x) { return kRise * (1 - x / kWidth); }, kViscosity, Cavitation::kMassConserving};
+}
+
+FilmInputs sliding() {
+  FilmInputs inputs;
+  inputs.U = 1;
+  inputs.load = 2e4;
+  return inputs;
+}
+
+/// Load of the infinitely wide inclined slider [N/m] (rayleigh1918).
+double closed_form_load(double h_0) {
+  const double K = kRise / h_0;
+  const double W = 6 * (std::log1p(K) / (K * K) - 2 / (K * (2 + K)));
+  return W * kViscosity * sliding().U * kWidth * kWidth / (h_0 * h_0);
+}
+
+TEST(Methods, EveryOneFindsTheFilmOfTheInclinedSlider) {
+  const SmoothFilm slider = inclined_slider(128);
+  const FilmState previous = first_guess(slider.problem, sliding());
+  for (const Method method : {Method::kCoupledNewton, Method::kPointRelaxation, Method::kNestedSecant}) {
+    MethodWorkspace workspace = workspace_of(method, slider.problem);
+    FilmState state = previous;
+    state.h_m *= 1.5;
+    state.p.assign(state.p.size(), 0.0);
+    const FilmReport report = solve_film(slider.problem, sliding(), previous, state, workspace);
+    ASSERT_TRUE(report.converged);
+    EXPECT_EQ(report.failure, Failure::kNone);
+    // Second order: a few times the square of a cell. Seen 7 times.
+    EXPECT_NEAR(closed_form_load(state.h_m) / sliding().load, 1, 10.0 / (128 * 128));
+  }
+}
+
+TEST(Methods, ARelaxationThatDoesNotConvergeSaysSoInBoundedTime) {
+  const SmoothFilm slider = inclined_slider(64);
+  const FilmState previous = first_guess(slider.problem, sliding());
+  FilmState state = previous;
+  state.h_m *= 1.5;
+  RelaxationWorkspace crawling({0.001});
+  const FilmReport report = solve_by_point_relaxation(slider.problem, sliding(), previous, state, crawling);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.failure, Failure::kNotConverged);
+  EXPECT_LE(report.sweeps, 1000 + 100 * 64);
+}
+
+TEST(Methods, TheChosenFactorIsCloseToTheBest) {
+  const SmoothFilm slider = inclined_slider(64);
+  const FilmState previous = first_guess(slider.problem, sliding());
+  const auto sweeps = [&](RelaxationFactor factor) {
+    RelaxationWorkspace workspace(factor);
+    FilmState state = previous;
+    state.h_m *= 1.5;
+    const FilmReport report = solve_by_point_relaxation(slider.problem, sliding(), previous, state, workspace);
+    EXPECT_TRUE(report.converged);
+    return report.sweeps;
+  };
+  const long chosen = sweeps({});
+  long fewest = chosen;
+  for (double factor = 1.5; factor < 1.99; factor += 0.02) fewest = std::min(fewest, sweeps({factor}));
+  // Young's best factor is of the long run; a short one may do better.
+  EXPECT_LT(static_cast<double>(chosen), 1.5 * static_cast<double>(fewest));
+}
+
+}  // namespace
+}  // namespace ringfilm::film::testing
