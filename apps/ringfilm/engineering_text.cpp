@@ -34,6 +34,8 @@ std::string EngineeringText::operator()(const std::string& name, double si_value
   int decimals = starts_with_one ? 1 - first_place : -first_place;
   if (value != 0)
     decimals = std::min(decimals, kMostDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+  // A peak that may be another one, half a cycle away, is still at an angle of its own.
+  if (quantity.display_unit == "degree") decimals = std::max(decimals, 0);
   const double place = std::pow(10, -decimals);
   const double shown_error = std::ceil(error / place * (1 - 1e-9)) * place;  // 0.02 is not more than 0.02
   const double shown_value = std::round(value / place) * place;

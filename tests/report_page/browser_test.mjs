@@ -55,6 +55,19 @@ function colouredPixels(page, selector) {
   });
 }
 
+/** Pixels of a chart's canvas that are tinted as lightly as the band of an error. */
+function bandPixels(page, selector) {
+  return page.$eval(`${selector} canvas`, (canvas) => {
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let n = 0;
+    for (let k = 0; k < data.length; k += 4) {
+      const [high, low] = [Math.max(data[k], data[k + 1], data[k + 2]), Math.min(data[k], data[k + 1], data[k + 2])];
+      if (data[k + 3] > 250 && high > 200 && high - low >= 15 && high - low < 70) n++;
+    }
+    return n;
+  });
+}
+
 /** Left edge of the plotting area of every chart over the cycle. */
 function plotEdges(page) {
   return page.$$eval('#cycle .u-over', (overs) => overs.map((o) => { const b = o.getBoundingClientRect(); return [Math.round(b.left), Math.round(b.right)].join(); }));
@@ -89,6 +102,27 @@ for (const width of [390, 1400]) {
     const edges = await plotEdges(page);
     assert.ok(edges.length >= 7);
     assert.equal(new Set(edges).size, 1, `plotting areas differ: ${edges}`);
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
+}
+
+for (const width of [390, 1400]) {
+  test(`a light band lies about every cycle curve that has an error at ${width} px`, async () => {
+    const alone = await opened('coarse.html', width);
+    for (const figure of ['min-film-thickness', 'film-parameter']) {
+      assert.ok((await bandPixels(alone.page, `#${figure}`)) > 1000, `no band in ${figure}`);
+    }
+    assert.ok((await bandPixels(alone.page, '#cylinder-pressure')) < 200, 'an input has no band, only the soft edges of its curve');
+    assert.deepEqual(alone.faults, []);
+    await alone.page.close();
+    const { page, faults } = await opened('three.html', width);
+    assert.match(await page.textContent('#total-friction figcaption'), /Light band: how far cells and crank steps/);
+    assert.match(await page.textContent('#cycle-values'), /400 cells at 1\.00°/);
+    assert.match(await page.textContent('#cycle-values td'), /^[\d.]+ ± [\d.]+$/);
+    const svg = (await downloaded(page, 'total-friction', 'SVG')).bytes.toString('utf8');
+    assert.equal(svg.match(/class="band"/g).length, 3, 'one band a case');
+    assert.match((await downloaded(page, 'total-friction', 'CSV')).bytes.toString('utf8'), /error of total friction \[N\]/);
     assert.deepEqual(faults, []);
     await page.close();
   });

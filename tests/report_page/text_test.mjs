@@ -4,11 +4,11 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
-const { angleInWords, crankTicks, display, howOften, logTicks, number, percent, sentence, shortPath, ticks, tickText, withUnit, wrapped } = await load('units.js');
+const { angleInWords, crankTicks, display, howOften, logTicks, number, percent, sentence, shortPath, ticks, tickText, withError, withUnit, wrapped } = await load('units.js');
 const { namesByInputs, onCycleAxis, shortNames, stoppedAt } = await load('model.js');
 const { figureCsv, fileStem } = await load('downloads.js');
 const { figureSvg } = await load('svg.js');
-const { freePlace } = await load('scales.js');
+const { bandOutlines, freePlace } = await load('scales.js');
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
@@ -20,6 +20,24 @@ test('numbers carry four significant digits and a true minus sign', () => {
   assert.equal(number(-0.0005), '−5.000\u202f·\u202f10⁻⁴');
   assert.equal(number(0), '0');
   for (const none of [null, undefined, NaN, Infinity]) assert.equal(number(none), '–');
+});
+
+test('an error is rounded up to a digit, and its value to the same place', () => {
+  assert.equal(withError(19.0931, 0.0178, 'kPa'), '19.093 ± 0.018');
+  assert.equal(withError(19.0931, 0.021, 'kPa'), '19.09 ± 0.03');
+  assert.equal(withError(-1234.5, 40, 'N'), '−1230 ± 40');
+  assert.equal(withError(0.3, 0.95, ''), '0.3 ± 1.0');
+  assert.equal(withError(62.5, 1e-9, 'bar'), '62.50000 ± 0.00001');
+  assert.equal(withError(180, 361, '°'), '180 ± 361');
+  assert.equal(withError(62.5, 0, 'bar'), '62.50');
+  assert.equal(withError(62.5, null, 'bar'), '62.50');
+  assert.equal(withError(null, 0.1, 'bar'), '–');
+});
+
+test('a band has an outline for each piece of its curve', () => {
+  assert.deepEqual(bandOutlines({ x: [0, 1, 2, 3, 4, 5], y: [1, 1, null, 2, 2, null], error: [0.5, 0.5, null, 1, 1, null] }),
+    [[[0, 1.5], [1, 1.5], [1, 0.5], [0, 0.5]], [[3, 3], [4, 3], [4, 1], [3, 1]]]);
+  assert.deepEqual(bandOutlines({ x: [0, 1], y: [1, 1], error: null }), []);
 });
 
 test('a quantity without number has no unit', () => {

@@ -40,10 +40,17 @@ int main(int argc, char** argv) {
   hostile.result.notes.push_back({"hostile", "<img src=x onerror=window.hostile=1>", 1});
   const bool hostile_written = write("hostile.html", report::report_page({hostile}, {}));
 
+  io::ResultDocument coarse = example::document("coarse grid");
+  for (cycle::Sample& error : coarse.errors->samples) {
+    error.min_film_thickness *= 20;
+    error.film_parameter *= 20;
+  }
+  const bool coarse_written = write("coarse.html", report::report_page({coarse}, {}));
+
   io::ResultDocument bare;
   bare.title = "stopped early";
   bare.result.complete = false;
   bare.result.samples.assign(three[0].result.samples.begin(), three[0].result.samples.begin() + 30);
   const bool bare_written = write("bare.html", report::report_page({bare}, {}));
-  return three_written && hostile_written && bare_written ? 0 : 1;
+  return three_written && hostile_written && coarse_written && bare_written ? 0 : 1;
 }

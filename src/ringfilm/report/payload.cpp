@@ -14,6 +14,7 @@ using nlohmann::ordered_json;
 
 constexpr int kCurveDigits = 7;
 constexpr int kFieldDigits = 5;
+constexpr int kErrorDigits = 3;
 /// Numbers of one field that a page may carry: a phone still opens some megabytes.
 constexpr std::size_t kFieldNumbers = 60000;
 
@@ -60,6 +61,23 @@ ordered_json curves(const std::vector<cycle::Sample>& samples) {
     object[q.name] = std::move(list);
   }
   return object;
+}
+
+/// Errors by the names of values and curves; null where they were not estimated.
+ordered_json errors(const std::optional<study::ErrorEstimate>& estimate) {
+  if (!estimate) return nullptr;
+  ordered_json runs = ordered_json::array();
+  for (const study::GridRun& run : estimate->runs) {
+    runs.push_back({{"cells", run.cells}, {"crank_step", exact(run.crank_step_deg)}, {"solved", run.solved}});
+  }
+  ordered_json curve_errors = ordered_json::object();
+  for (const cycle::CurveQuantity& q : cycle::curve_quantities()) {
+    if (!study::has_error(q)) continue;
+    ordered_json list = ordered_json::array();
+    for (const cycle::Sample& error : estimate->samples) list.push_back(rounded(error.*q.value, kErrorDigits));
+    curve_errors[q.name] = std::move(list);
+  }
+  return {{"runs", std::move(runs)}, {"values", cycle_values(estimate->values)}, {"curves", std::move(curve_errors)}};
 }
 
 /// One list of node values for each crank angle that the page carries.
@@ -175,7 +193,8 @@ ordered_json document(const io::ResultDocument& d) {
            {{"program", d.provenance.program}, {"commit", d.provenance.commit}, {"compiler", d.provenance.compiler}}},
           {"ledger", ledger(d.ledger)},
           {"ledger_computed", d.ledger_computed},
-          {"comparison", comparison(d.comparison)}};
+          {"comparison", comparison(d.comparison)},
+          {"errors", errors(d.errors)}};
 }
 
 }  // namespace

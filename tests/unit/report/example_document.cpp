@@ -140,6 +140,24 @@ std::vector<study::LedgerEntry> ledger(double friction) {
   return {lifted, fixed};
 }
 
+/// Errors of two thousandths of the largest of each curve, three hundredths of each value.
+study::ErrorEstimate errors(const cycle::CycleResult& result) {
+  study::ErrorEstimate e = study::no_estimate(result.samples.size());
+  e.runs = {{.cells = 200, .crank_step_deg = 1, .step_error = 1e-3, .reason = ""},
+            {.cells = 400, .crank_step_deg = 1, .step_error = 1e-3, .reason = ""}};
+  for (const cycle::CurveQuantity& q : cycle::curve_quantities()) {
+    if (!study::has_error(q)) continue;
+    double largest = 0;
+    for (const cycle::Sample& s : result.samples) largest = std::fmax(largest, std::abs(s.*q.value));
+    const bool is_input = q.value == &cycle::Sample::gas_pressure;
+    for (cycle::Sample& s : e.samples) s.*q.value = is_input ? 0 : 0.002 * largest;
+  }
+  for (const cycle::CycleQuantity& q : cycle::cycle_quantities()) {
+    e.values.*q.value = 0.03 * std::abs(result.values.*q.value);
+  }
+  return e;
+}
+
 }  // namespace
 
 io::ResultDocument document(const std::string& title, double friction) {
@@ -181,6 +199,7 @@ io::ResultDocument document(const std::string& title, double friction) {
                      .max_load_residual = 3e-13,
                      .max_newton_step = 4e-9,
                      .max_mass_residual = 2e-14};
+  d.errors = errors(d.result);
   d.ledger = ledger(friction);
   d.ledger_computed = true;
   d.comparison = {{.published = {.source = "paper, section 4",

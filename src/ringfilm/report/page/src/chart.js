@@ -1,8 +1,8 @@
 // One panel as an interactive uPlot chart. The panel's plain data decide everything; this file only draws.
 import uPlot from 'uplot';
 import { onNewWidth } from './dom.js';
-import { arrowHeads, arrowPath, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
-import { caseColour, caseMark, markPath, partDash } from './palette.js';
+import { arrowHeads, arrowPath, bandOutlines, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
+import { caseColour, caseMark, kBandOpacity, markPath, partDash } from './palette.js';
 import { tickText } from './units.js';
 
 const kInk = '#30343b';
@@ -103,7 +103,7 @@ export class Chart {
         bind: { dblclick: () => () => { this.zoomAll(...this.full); return null; } },
       },
       hooks: {
-        drawClear: [(u) => pixels(u, (ctx, box) => this.drawBehind(ctx, box))],
+        drawClear: [(u) => pixels(u, (ctx, box) => { this.drawBehind(ctx, box); this.drawErrors(ctx, box); })],
         draw: [(u) => pixels(u, (ctx, box) => this.drawOver(ctx, box))],
         setCursor: [(u) => this.cursorMoved(u)],
         setSelect: [(u) => this.selected(u)],
@@ -118,6 +118,24 @@ export class Chart {
     }
     if (s.part === 'measured') return { ...look, stroke: '#000', width: 0, paths: () => null, points: { show: true, size: 4.5, width: 1, stroke: '#000', fill: '#fff' } };
     return { ...look, points: { show: false } };
+  }
+
+  /** The errors about the curves, light and behind everything that is drawn. */
+  drawErrors(ctx, box) {
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(box.left, box.top, box.width, box.height);
+    ctx.clip();
+    ctx.globalAlpha = kBandOpacity;
+    for (const s of this.panel.series.filter(this.visible)) {
+      ctx.fillStyle = caseColour(s.caseIndex);
+      for (const outline of bandOutlines(s)) {
+        ctx.beginPath();
+        for (const [x, y] of outline) ctx.lineTo(box.x(x), box.y(y));
+        ctx.fill();
+      }
+    }
+    ctx.restore();
   }
 
   /** Stroke bands, dead centres, the peak of the pressure. */

@@ -24,10 +24,17 @@ export function quantityAxis(model, name) {
 
 /** One series a case, or one for all where the cases do not differ. */
 export function caseSeries(model, name, { part = null, range = kCycleRange } = {}) {
-  if (sameInAll(model, name) && part === null) {
-    return [{ caseIndex: null, part, label: model.allCases, ...window(model.curve(model.cases[0], name), ...range) }];
-  }
-  return model.cases.map((c) => ({ caseIndex: c.series, part, label: c.name, ...window(model.curve(c, name), ...range) }));
+  const drawn = (c) => {
+    const error = model.curveError(c, name);
+    return { ...window(model.curve(c, name), ...range), error: error && window(error, ...range).y };
+  };
+  if (sameInAll(model, name) && part === null) return [{ caseIndex: null, part, label: model.allCases, ...drawn(model.cases[0]) }];
+  return model.cases.map((c) => ({ caseIndex: c.series, part, label: c.name, ...drawn(c) }));
+}
+
+/** What the band about a curve is, for the captions of figures that have one. */
+export function bandSentence(panels) {
+  return panels.some((panel) => panel.series.some((s) => s.error)) ? ' Light band: how far cells and crank steps may have moved the curve.' : '';
 }
 
 function overlaySeries(model, name, range = kCycleRange) {
@@ -192,24 +199,28 @@ function flowFigure(model) {
 
 export function cycleFigures(model) {
   const wanted = [pressureFigure, filmFigure, filmParameterFigure, frictionFigure, linerFrictionFigure, flowFigure];
-  return wanted.map((make) => ({ ...make(model), group: 'cycle' }));
+  return wanted.map((make) => withBandTold({ ...make(model), group: 'cycle' }));
+}
+
+function withBandTold(figure) {
+  return { ...figure, caption: figure.caption + bandSentence(figure.panels) };
 }
 
 export function zoomFigure(model) {
-  return frictionZoomFigure(model);
+  return withBandTold(frictionZoomFigure(model));
 }
 
 /** Any curve quantity that has no figure of its own, for the reader to choose. */
 export function otherQuantityFigure(model, name) {
   const quantity = model.curveQuantity.get(name);
   const signed = model.cases.some((c) => c.curves[name].some((v) => v < 0));
-  return {
+  return withBandTold({
     id: 'other-quantity',
     title: 'Any other quantity',
     group: 'cycle',
     panels: [cyclePanel(model, name, { zeroLine: signed, fromZero: false })],
     caption: `${quantity.long_name}${quantity.symbol ? `, ${quantity.symbol} in the theory` : ''}; named ${name} in the result file.${overlaySentence(model, name)}`,
-  };
+  });
 }
 
 export function shownElsewhere() {

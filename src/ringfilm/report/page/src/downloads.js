@@ -63,6 +63,7 @@ function lineColumns(figure) {
       columns.push({ title: axisTitle(whose + panel.xLabel, panel.xUnit === '°' ? 'degree' : panel.xUnit), values: s.x });
     }
     columns.push({ title: axisTitle(`${s.label}: ${panel.yLabel}`, panel.yUnit), values: s.y });
+    if (s.error) columns.push({ title: axisTitle(`${s.label}: error of ${panel.yLabel}`, panel.yUnit), values: s.error });
   });
   return columns;
 }

@@ -90,6 +90,21 @@ export class Model {
     return { value, unit, longName: quantity.long_name };
   }
 
+  /** Discretisation error of a cycle value in its display unit; null without an estimate. */
+  error(oneCase, name) {
+    const quantity = this.cycleQuantity.get(name);
+    if (!quantity || !oneCase.errors) return null;
+    return display(quantity).convert(oneCase.errors.values[name] ?? null);
+  }
+
+  /** The same along a curve, on its axis; null without an estimate or where every error is 0. */
+  curveError(oneCase, name) {
+    const errors = oneCase.errors?.curves[name];
+    if (!errors?.some((v) => v > 0)) return null;
+    const { convert } = display(this.curveQuantity.get(name));
+    return onCycleAxis(oneCase.curves.crank_angle, errors.map(convert));
+  }
+
   /** One input of a case by key, or undefined. */
   input(oneCase, key) {
     return oneCase.inputs.find((entry) => entry.key === key);

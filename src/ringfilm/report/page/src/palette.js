@@ -20,6 +20,9 @@ export function isOneOfSeveral(index) {
   return index !== null && index >= 0;
 }
 
+/** How much of a case's colour the band of its error has. */
+export const kBandOpacity = 0.22;
+
 const kPartDash = { total: [], boundary: [9, 4], viscous: [2, 3], measured: [] };
 
 export function partDash(part) {

@@ -118,6 +118,21 @@ export function freePlace(panel, visible, at, width, box) {
   return best;
 }
 
+/** Outlines of the band about a curve, one for each piece without a gap, in the units of the axes. */
+export function bandOutlines(series) {
+  const pieces = [];
+  let piece = null;
+  series.error?.forEach((e, k) => {
+    if (e === null || series.y[k] === null) {
+      piece = null;
+      return;
+    }
+    if (!piece) pieces.push((piece = []));
+    piece.push({ x: series.x[k], low: series.y[k] - e, high: series.y[k] + e });
+  });
+  return pieces.filter((p) => p.length > 1).map((p) => [...p.map(({ x, high }) => [x, high]), ...p.map(({ x, low }) => [x, low]).reverse()]);
+}
+
 export function axisTitle(label, unit) {
   return unit ? `${label} [${unit}]` : label;
 }

@@ -1,6 +1,6 @@
 // A figure as a static SVG: to take away, and in print. Drawn from the same plain data as the charts on the screen.
-import { arrowHeads, arrowPath, axisTitle, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
-import { caseColour, caseMark, isOneOfSeveral, markPath, partDash } from './palette.js';
+import { arrowHeads, arrowPath, axisTitle, bandOutlines, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
+import { caseColour, caseMark, isOneOfSeveral, kBandOpacity, markPath, partDash } from './palette.js';
 import { barPanel, rankedHeight, rankedPanel } from './svg_bars.js';
 import { kFaint, kInk, kMargin, px, rule, scaler, text } from './svg_shapes.js';
 import { tickText } from './units.js';
@@ -78,7 +78,8 @@ function seriesShapes(panel, s, x, y, range) {
     pen = p !== null;
   }
   const dash = partDash(s.part);
-  const out = [`<path d="${path}" fill="none" stroke="${colour}" stroke-width="1.8" stroke-linejoin="round"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>`];
+  const bands = bandOutlines(s).map((outline) => `<path class="band" d="M${outline.map(([a, b]) => `${px(x(a))} ${px(y(b))}`).join('L')}Z" fill="${colour}" fill-opacity="${kBandOpacity}"/>`);
+  const out = [...bands, `<path d="${path}" fill="none" stroke="${colour}" stroke-width="1.8" stroke-linejoin="round"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>`];
   const count = panel.series.filter((other) => other.caseIndex !== null).length;
   for (const k of markIndices(s, range[0], range[1], count)) {
     if (points[k]) out.push(`<path d="${markPath(caseMark(s.caseIndex), points[k][0], points[k][1], 3.2)}" fill="#fff" stroke="${colour}" stroke-width="1.4"/>`);

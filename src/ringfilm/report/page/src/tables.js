@@ -2,7 +2,7 @@
 import { code, element } from './dom.js';
 import { save, fileStem } from './downloads.js';
 import { shownInput, withShortPaths } from './model.js';
-import { display, howOften, inUnit, number, percent, sentence, shortPath, typeset, withUnit } from './units.js';
+import { display, howOften, number, percent, sentence, shortPath, typeset, withError, withUnit } from './units.js';
 
 /** A cell is its text, or { text, attributes }. */
 function described(content) {
@@ -46,17 +46,25 @@ export function section(id, heading, ...content) {
   return element('section', { id, class: 'section' }, element('h2', {}, heading), content);
 }
 
+/** Where the errors beside the values come from. */
+function gridSentence(model) {
+  const estimated = model.cases.filter((c) => c.errors);
+  if (estimated.length === 0) return '';
+  const grids = estimated[0].errors.runs.map((run) => `${run.cells} cells at ${number(run.crank_step, 3)}°`);
+  return ` After ±: how far cells and crank steps may have moved the value, from marches on other grids (${grids.join(', ')}); it says nothing of models and inputs.`;
+}
+
 export function cycleValuesSection(model) {
   const heads = ['quantity', ...numberHeads(model)];
   const rows = model.payload.cycle_quantities.map((q) => [
     { text: named(q) },
-    ...model.cases.map((c) => { const { value, unit } = model.value(c, q.name); return figure(inUnit(value, unit)); }),
+    ...model.cases.map((c) => { const { value, unit } = model.value(c, q.name); return figure(withError(value, model.error(c, q.name), unit)); }),
   ]);
   if (model.cases.every((c) => !c.complete)) {
     return section('cycle-values', 'Values of the whole cycle', element('p', {}, 'None: the march stopped before the cycle was complete.'));
   }
   return section('cycle-values', 'Values of the whole cycle',
-    element('p', {}, 'Loads, friction and flow are those of the whole circumference. Angles count from firing TDC, negative before it.'),
+    element('p', {}, 'Loads, friction and flow are those of the whole circumference. Angles count from firing TDC, negative before it.', gridSentence(model)),
     table('Values of the whole cycle', heads, rows));
 }
 
@@ -72,7 +80,7 @@ function comparisonRow(model, c, row) {
     : c.ledger_computed ? '–' : 'not computed';
   return [
     sentence(row.statement).replace(/\.$/, ''),
-    figure(withUnit(convert(row.computed), unit, 3)),
+    figure(c.errors ? `${withError(convert(row.computed), model.error(c, row.quantity), unit, 3)}${unit ? `\u00a0${unit}` : ''}` : withUnit(convert(row.computed), unit, 3)),
     figure(withUnit(convert(row.published), unit, 3)),
     figure(percent(row.deviation)),
     row.source,

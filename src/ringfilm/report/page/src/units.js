@@ -79,6 +79,24 @@ export function withUnit(value, unit, digits = 4) {
   return unit === '°' ? text + unit : `${text}\u00a0${unit}`;
 }
 
+/**
+ * "19.09 ± 0.02": the error rounded up to one digit (two where the first is 1), the value to the same place.
+ * Without an error, or with that of an input, the value alone.
+ */
+export function withError(value, error, unit, digits = 4) {
+  if (!(error > 0) || !Number.isFinite(value) || !Number.isFinite(error)) return inUnit(value, unit, digits);
+  const kMostDigits = 7;
+  const first = Math.floor(Math.log10(error));
+  const rounded = error < 2 * 10 ** first ? 1 - first : -first;
+  const wanted = unit === '°' ? Math.max(0, rounded) : rounded; // a peak that may be another one is still at an angle
+  const most = value === 0 ? wanted : kMostDigits - 1 - Math.floor(Math.log10(Math.abs(value)));
+  const places = Math.min(wanted, most);
+  if (places > 12 || Math.abs(value) >= 1e9) return `${number(value, digits)} ± ${number(error, 1)}`;
+  const step = 10 ** -places;
+  const text = (v) => v.toFixed(Math.max(0, places)).replace(/^-/, '−');
+  return `${text(Math.round(value / step) * step)} ± ${text(Math.ceil((error / step) * (1 - 1e-9)) * step)}`;
+}
+
 /** A signed change in per cent. */
 export function percent(ratio, digits = 1) {
   if (ratio === null || !Number.isFinite(ratio)) return '–';
