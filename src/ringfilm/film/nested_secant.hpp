@@ -7,7 +7,8 @@
 #include "ringfilm/film/reynolds.hpp"
 
 /// Two loops, one inside the other, as an independent reference: a secant on ln h_m for the load around Newton solves
-/// of the film at fixed h_m. Shares the balance of mass and the kink with the coupled Newton, not its way to h_m.
+/// of the film at fixed h_m (eq-nested-secant). Shares the balance of mass and the kink with the coupled Newton, not
+/// its way to h_m.
 namespace ringfilm::film {
 
 /// Scratch memory; one per thread, for any number of problems of one number of cells.

@@ -6,8 +6,9 @@
 #include "ringfilm/film/reynolds.hpp"
 
 /// The paper's own method of solution (styles2014, section 3.2), kept as a reference and as a yardstick: point
-/// relaxation of the pressures, inside a relaxed correction of h_m. Solves the equations of the coupled Newton
-/// (eq-discrete-balance, eq-load-balance) and shares none of its steps.
+/// relaxation of the pressures (eqs eq-point-relaxation, eq-relaxation-factor) inside a relaxed correction of h_m
+/// (eq-load-relaxation). Solves the equations of the coupled Newton (eq-discrete-balance, eq-load-balance) and shares
+/// none of its steps.
 namespace ringfilm::film {
 
 /// Over-relaxation of the pressures.
