@@ -74,7 +74,10 @@ void assemble_balance(const FilmProblem& problem, const FilmInputs& inputs, cons
                       const FilmState& state, const NodalOil& oil, double scale, const std::vector<double>& multiplier,
                       base::BorderedTridiagonal& system) {
   const FilmGrid& grid = problem.grid;
-  const bool conserving = problem.cavitation == Cavitation::kMassConserving;
+  // Where nothing moves and nothing changes, no equation holds the fill: a node that the iteration put below p_c is
+  // held there by the multiplier, as in Reynolds' exit, until its pressure comes back.
+  const bool at_rest = inputs.U == 0 && inputs.time_step == kSteady;
+  const bool conserving = problem.cavitation == Cavitation::kMassConserving && !at_rest;
   const int n = grid.n_cells();
 
   NodeView left = node_view(problem, state, oil, 0);
