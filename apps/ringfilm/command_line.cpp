@@ -20,8 +20,9 @@ constexpr const char* kFooter = R"(Examples:
   ringfilm run my_engine.toml --set operating.speed='3000 rpm' --json
   ringfilm report my_engine.nc --output my_engine.html
   ringfilm reproduce styles2014
+  ringfilm verify
 
-Exit codes: 0 done, 1 internal error, 2 bad input, 3 no balance found, 5 could not write.
+Exit codes: 0 done, 1 internal error, 2 bad input, 3 no balance found, 4 a check failed, 5 could not write.
 )";
 
 constexpr const char* kRunFooter = R"(Examples:
@@ -60,6 +61,16 @@ constexpr const char* kReportFooter = R"(Examples:
 
 The overlay has a column crank_angle [degree] (0 at firing TDC) and columns named like the curves of a result, with
 their units: friction_on_liner [N], min_film_thickness [um], ...
+)";
+
+constexpr const char* kVerifyFooter = R"(Examples:
+  ringfilm verify
+  ringfilm verify --list
+  ringfilm verify rayleigh1918_step ausas2009_oscillating_squeeze
+  ringfilm verify --output verification.html
+
+Each case is computed here and now beside an answer that is known from elsewhere: a closed form, a quadrature, a
+publication, an independent program. The exit code is 4 if a number lies outside its tolerance.
 )";
 
 std::string version_text() {
@@ -173,6 +184,18 @@ class Commands {
     command.footer(kReproduceFooter);
   }
 
+  void add_verify() {
+    auto& command = add("verify", "Compute cases with known answers and tell how far off they are", [this] {
+      verify_.wanted = list_ ? VerifyWanted::kNames : verify_json_ ? VerifyWanted::kJson : VerifyWanted::kTable;
+      verify(verify_);
+    });
+    command.add_option("NAME", verify_.names, "cases to check; all if none is named")->type_name("...");
+    command.add_flag("--list", list_, "print the names of the cases, compute nothing");
+    command.add_flag("--json", verify_json_, "print the rows as JSON, SI units, instead of the table");
+    command.add_option("--output", verify_.output, "write the same as a web page")->type_name("X.html");
+    command.footer(kVerifyFooter);
+  }
+
   /// What the chosen command does.
   std::function<void()> chosen() const {
     for (const auto& [command, action] : actions_) {
@@ -196,6 +219,8 @@ class Commands {
   std::string start_path_;
   ReportOptions report_;
   ReproduceOptions reproduce_;
+  VerifyOptions verify_;
+  bool list_ = false, verify_json_ = false;
 };
 
 }  // namespace
@@ -211,6 +236,7 @@ Request read_command_line(int argc, const char* const* argv) {
   commands->add_check();
   commands->add_report();
   commands->add_reproduce();
+  commands->add_verify();
   commands->add_fields();
   commands->add_new();
   try {

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,23 @@ struct ReproduceOptions {
   std::string folder;
 };
 void reproduce(const ReproduceOptions& options);
+
+enum class VerifyWanted { kTable, kJson, kNames };
+
+struct VerifyOptions {
+  std::vector<std::string> names;     ///< folders of verification/; empty: all
+  std::optional<std::string> output;  ///< web page
+  VerifyWanted wanted = VerifyWanted::kTable;
+};
+
+/// Everything was computed and written, but something in it is not as it should be (exit code 4).
+class FailedChecks : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs the shipped cases with known answers. Throws FailedChecks.
+void verify(const VerifyOptions& options);
 
 /// Prints the table of case keys.
 void fields();

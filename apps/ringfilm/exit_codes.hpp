@@ -7,6 +7,7 @@ inline constexpr int kFine = 0;
 inline constexpr int kBug = 1;
 inline constexpr int kBadInput = 2;
 inline constexpr int kNoConvergence = 3;
+inline constexpr int kSomethingFailed = 4;
 inline constexpr int kCouldNotWrite = 5;
 
 }  // namespace ringfilm::app

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "command_line.hpp"
+#include "commands.hpp"
 #include "exit_codes.hpp"
 #include "ringfilm/base/error.hpp"
 
@@ -31,6 +32,10 @@ int carry_out(const Request& request) {
   } catch (const ConvergenceError& error) {
     std::cerr << error.what() << "\nthe computation was not finished (exit code " << kNoConvergence << ")\n";
     return kNoConvergence;
+  } catch (const FailedChecks& failed) {
+    std::cout.flush();
+    std::cerr << failed.what() << " (exit code " << kSomethingFailed << ")\n";
+    return kSomethingFailed;
   } catch (const OutputError& error) {
     std::cerr << error.what() << "\nwhat stood there before is unchanged (exit code " << kCouldNotWrite << ")\n";
     return kCouldNotWrite;

@@ -65,11 +65,12 @@ std::string report_page(const std::vector<io::ResultDocument>& documents, const 
   if (documents.empty())
     throw InputError("a report needs at least one result", "name a result file of `ringfilm run --output`");
   check_overlays(overlays);
-  std::string page(page_template::before_title());
+  const page_template::PageTemplate parts = page_template::report();
+  std::string page(parts.before_title);
   page += escaped(page_title(documents));
-  page += page_template::before_data();
+  page += parts.before_data;
   page += payload(documents, overlays);
-  page += page_template::after_data();
+  page += parts.after_data;
   return page;
 }
 

@@ -1,11 +1,16 @@
 #pragma once
 #include <string_view>
 
-/// The page as bundled at build time from src/ringfilm/report/page, cut at its two gaps.
+/// The pages as bundled at build time from src/ringfilm/report/page, each cut at its two gaps.
 namespace ringfilm::report::page_template {
 
-std::string_view before_title();  ///< from the doctype to the title's text
-std::string_view before_data();   ///< style sheet and body up to the data
-std::string_view after_data();    ///< the script and the end of the page
+struct PageTemplate {
+  std::string_view before_title;  ///< from the doctype to the title's text
+  std::string_view before_data;   ///< style sheet and body up to the data
+  std::string_view after_data;    ///< the script and the end of the page
+};
+
+PageTemplate report();
+PageTemplate verification();
 
 }  // namespace ringfilm::report::page_template

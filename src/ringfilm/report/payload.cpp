@@ -7,6 +7,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "ringfilm/report/script_text.hpp"
+
 namespace ringfilm::report {
 namespace {
 
@@ -215,17 +217,7 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
                                 {"value", numbers(o.value, kCurveDigits)}});
   }
   // A file name or a title may hold bytes that are no UTF-8: they are shown as a replacement sign, not refused.
-  const std::string text = root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
+  return script_text(root.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 }  // namespace ringfilm::report

@@ -1,5 +1,5 @@
-// Bundles the page into one template and writes it as a C++ source: node bundle.mjs WORK_FOLDER OUTPUT.cpp
-// The template is cut at its two gaps (title, data), which the program fills for each report.
+// Bundles each page into one template and writes them as a C++ source: node bundle.mjs WORK_FOLDER OUTPUT.cpp
+// A template is cut at its two gaps (title, data), which the program fills.
 import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -26,35 +26,43 @@ function bundled(entry) {
   return built.outputFiles[0].text.trim();
 }
 
-const script = bundled('src/main.js');
 const style = bundled('src/style.css');
-for (const [name, text, end] of [['script', script, '</script'], ['style sheet', style, '</style']]) {
-  if (text.toLowerCase().includes(end)) throw new Error(`the ${name} holds ${end} and would end too early`);
-}
 const licence = readFileSync(join(workFolder, 'node_modules', 'uplot', 'LICENSE'), 'utf8').replaceAll('--', '- -');
 
-// The browser runs this very script and no other, and fetches nothing, whatever the data hold.
-const scriptHash = createHash('sha256').update(script).digest('base64');
-const fill = { SCRIPT: script, SCRIPT_HASH: scriptHash, STYLE: style, UPLOT_LICENCE: licence.trim() };
-const template = readFileSync(join(pageFolder, 'template.html'), 'utf8')
-  .replace(/\{\{(SCRIPT|SCRIPT_HASH|STYLE|UPLOT_LICENCE)\}\}/g, (_, name) => fill[name]);
+function refuseEnd(name, text, end) {
+  if (text.toLowerCase().includes(end)) throw new Error(`the ${name} holds ${end} and would end too early`);
+}
 
-const parts = template.split(/\{\{(?:TITLE|DATA)\}\}/);
-if (parts.length !== 3) throw new Error('the template needs {{TITLE}} and {{DATA}} once each, in this order');
+/** The three parts of the page whose script starts in `entry`. */
+function parts(entry) {
+  const script = bundled(entry);
+  refuseEnd(`script of ${entry}`, script, '</script');
+  refuseEnd('style sheet', style, '</style');
+  // The browser runs this very script and no other, and fetches nothing, whatever the data hold.
+  const scriptHash = createHash('sha256').update(script).digest('base64');
+  const fill = { SCRIPT: script, SCRIPT_HASH: scriptHash, STYLE: style, UPLOT_LICENCE: licence.trim() };
+  const template = readFileSync(join(pageFolder, 'template.html'), 'utf8')
+    .replace(/\{\{(SCRIPT|SCRIPT_HASH|STYLE|UPLOT_LICENCE)\}\}/g, (_, name) => fill[name]);
+  const cut = template.split(/\{\{(?:TITLE|DATA)\}\}/);
+  if (cut.length !== 3) throw new Error('the template needs {{TITLE}} and {{DATA}} once each, in this order');
+  return cut;
+}
 
-const names = ['before_title', 'before_data', 'after_data'];
-const arrays = parts.map((part, i) => {
-  const bytes = [...Buffer.from(part, 'utf8')];
-  const lines = [];
-  for (let k = 0; k < bytes.length; k += 40) lines.push(bytes.slice(k, k + 40).join(','));
-  return `const unsigned char ${names[i]}_bytes[] = {\n${lines.join(',\n')}};\n`;
-});
-const views = names.map(
-  (name) => `std::string_view ${name}() { return {reinterpret_cast<const char*>(${name}_bytes), sizeof ${name}_bytes}; }\n`
-);
+/** A page as byte arrays and the function that returns them. */
+function asSource(page, entry) {
+  const arrays = parts(entry).map((part, i) => {
+    const bytes = [...Buffer.from(part, 'utf8')];
+    const lines = [];
+    for (let k = 0; k < bytes.length; k += 40) lines.push(bytes.slice(k, k + 40).join(','));
+    return `const unsigned char ${page}_${i}[] = {\n${lines.join(',\n')}};\n`;
+  });
+  const view = (i) => `{reinterpret_cast<const char*>(${page}_${i}), sizeof ${page}_${i}}`;
+  return `namespace {\n${arrays.join('')}}  // namespace\n\nPageTemplate ${page}() { return {${[0, 1, 2].map(view).join(', ')}}; }\n\n`;
+}
+
 writeFileSync(
   outputFile,
   '// Made from src/ringfilm/report/page when the program is built.\n#include "ringfilm/report/page_template.hpp"\n\n' +
-    'namespace ringfilm::report::page_template {\nnamespace {\n' + arrays.join('') + '}  // namespace\n\n' +
-    views.join('') + '}  // namespace ringfilm::report::page_template\n'
+    'namespace ringfilm::report::page_template {\n' + asSource('report', 'src/main.js') + asSource('verification', 'src/verification.js') +
+    '}  // namespace ringfilm::report::page_template\n'
 );

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/study/verification.hpp"
+
+namespace ringfilm::io {
+
+/// One folder of verification/: README.md (heading and first paragraph), reference.toml with the tables [[value]],
+/// [[order]], [[optimum]] and [[curve]], and the cases that they name. docs/manual/verification.md.
+/// Throws InputError with every fault of reference.toml, or those of a case.
+study::Verification read_verification(const std::string& folder);
+
+/// The folders of verification/ in the shipped folder that hold a reference.toml, by name in alphabetic order.
+/// Throws InputError if there is none.
+std::vector<std::string> verification_folders();
+
+/// What cannot be checked, from the tables [[not_covered]] of a TOML file, each with what and reason.
+std::vector<study::NotCovered> read_not_covered(const std::string& path);
+
+}  // namespace ringfilm::io

@@ -1,0 +1,152 @@
+#include "ringfilm/study/manufactured.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/film/film_solver.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kWidth = 1.5e-3, kSpeed = 7;                 // [m], [m/s]
+constexpr double kEta = 0.008, kRho = 800, kZ = 0.5;          // [Pa s], [kg/m3], [-]
+constexpr double kA = 6.0e-10, kB = 1.7e-9, kAtm = 101325;    // density of pressure [1/Pa], [Pa]
+constexpr double kPeak = 6e7, kEdge = 2e5;                    // prescribed pressure [Pa]
+constexpr double kFilm = 2e-6, kWedge = 3e-6, kSwing = 0.25;  // separation and its share that swings [m], [-]
+constexpr double kPeriod = 2e-3, kOmega = 2 * kPi / kPeriod;  // [s], [1/s]
+
+/// A value with its slope in place and in time.
+struct Varying {
+  double value, d_dx, d_dt;
+};
+
+/// p = edge + peak sin^2(pi x/b) (1 + swing cos(omega t)), with its second derivative in place.
+struct Pressure : Varying {
+  double d2_dx2;
+};
+
+Pressure pressure(double x, double t, double swing) {
+  const double k = kPi / kWidth;
+  const double amplitude = kPeak * (1 + swing * std::cos(kOmega * t));
+  const double s = std::sin(k * x), c = std::cos(k * x);
+  return {
+      {kEdge + amplitude * s * s, amplitude * 2 * k * s * c, -kPeak * swing * kOmega * std::sin(kOmega * t) * s * s},
+      amplitude * 2 * k * k * (c * c - s * s)};
+}
+
+double wedge(double x) { return kWedge * (1 - x / kWidth) * (1 - x / kWidth); }
+double separation(double t, double swing) { return kFilm * (1 + swing * std::sin(kOmega * t)); }
+
+Varying gap(double x, double t, double swing) {
+  return {separation(t, swing) + wedge(x), -2 * kWedge / kWidth * (1 - x / kWidth),
+          kFilm * swing * kOmega * std::cos(kOmega * t)};
+}
+
+/// A property of pressure with its slope.
+struct Property {
+  double value, slope;
+};
+
+Property density(double p) {
+  const double u = p - kAtm, below = 1 + kB * u;
+  return {kRho * (1 + kA * u / below), kRho * kA / (below * below)};
+}
+
+Property viscosity(double p) {
+  const double scale = 1.98e8, depth = std::log(kEta) + 9.67;
+  const double eta = kEta * std::exp(depth * (std::pow(1 + p / scale, kZ) - 1));
+  return {eta, eta * depth * kZ / scale * std::pow(1 + p / scale, kZ - 1)};
+}
+
+/// d(rho h)/dt + d/dx [U rho h/2 - rho h^3 p_x/(12 eta)], every derivative written out.
+double source(double x, double t, double swing) {
+  const Pressure p = pressure(x, t, swing);
+  const Varying h = gap(x, t, swing);
+  const auto [rho, rho_p] = density(p.value);
+  const auto [eta, eta_p] = viscosity(p.value);
+  const double storage = rho_p * p.d_dt * h.value + rho * h.d_dt;
+  const double couette = kSpeed / 2 * (rho_p * p.d_dx * h.value + rho * h.d_dx);
+  const double mobility = rho * std::pow(h.value, 3) / (12 * eta);
+  const double mobility_x = mobility * (rho_p * p.d_dx / rho + 3 * h.d_dx / h.value - eta_p * p.d_dx / eta);
+  return storage + couette - mobility_x * p.d_dx - mobility * p.d2_dx2;
+}
+
+/// One manufactured film; the inputs at an instant and the state that must come out.
+class Film {
+ public:
+  Film(int n_cells, double swing) : oil_(models::closed_form_oil(kEta, kRho, kZ, {kA, kB})), swing_(swing) {
+    problem_.grid = film::uniform_grid(n_cells, kWidth, wedge);
+    problem_.oil = oil_.get();
+    problem_.cavitation = film::Cavitation::kMassConserving;
+    problem_.tolerance = 1e-13;
+  }
+
+  film::FilmState prescribed(double t) const {
+    film::FilmState state;
+    state.h_m = separation(t, swing_);
+    for (const double x : problem_.grid.x) {
+      const double p = pressure(x, t, swing_).value;
+      state.p.push_back(p);
+      state.deficit.push_back(0);
+      state.content.push_back(density(p).value * gap(x, t, swing_).value);
+    }
+    return state;
+  }
+
+  /// The state at `t`, solved from the one a step before.
+  film::FilmState solved(double t, double time_step, const film::FilmState& previous) const {
+    film::FilmInputs inputs;
+    inputs.U = kSpeed;
+    inputs.p_left = inputs.p_right = kEdge;
+    inputs.load = kPeak / 2 * kWidth;
+    inputs.time_step = time_step;
+    for (const double x : problem_.grid.x) inputs.source.push_back(source(x, t, swing_));
+    film::FilmState state = previous;
+    state.h_m = separation(t, swing_);
+    film::FilmWorkspace workspace(problem_);
+    if (!film::solve_film_at_separation(problem_, inputs, previous, state, workspace).converged) {
+      throw ConvergenceError("a manufactured film of " + std::to_string(problem_.grid.n_cells()) +
+                             " cells has no solution");
+    }
+    return state;
+  }
+
+ private:
+  std::shared_ptr<const models::OilAtTemperature> oil_;
+  film::FilmProblem problem_;
+  double swing_;
+};
+
+double largest_difference(const film::FilmState& a, const film::FilmState& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.p.size(); ++i) largest = std::max(largest, std::abs(a.p[i] - b.p[i]));
+  return largest / kPeak;
+}
+
+}  // namespace
+
+const std::vector<std::string>& manufactured_films() {
+  static const std::vector<std::string> names = {"steady", "transient"};
+  return names;
+}
+
+double manufactured_error(const std::string& film, int n_cells, int n_steps) {
+  if (film == "steady") {
+    const Film steady(n_cells, 0.0);
+    const film::FilmState exact = steady.prescribed(0);
+    film::FilmState start = exact;
+    for (double& p : start.p) p = kEdge;
+    return largest_difference(steady.solved(0, film::kSteady, start), exact);
+  }
+  const Film transient(n_cells, kSwing);
+  const double end = kPeriod / 4;
+  film::FilmState state = transient.prescribed(0);
+  for (int k = 1; k <= n_steps; ++k) state = transient.solved(end * k / n_steps, end / n_steps, state);
+  return largest_difference(state, transient.prescribed(end));
+}
+
+}  // namespace ringfilm::study

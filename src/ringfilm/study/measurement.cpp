@@ -1,0 +1,140 @@
+#include "ringfilm/study/measurement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ringfilm/cycle/simulate.hpp"
+#include "ringfilm/pad/solve_pad.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+/// What is told of a whole history of a pad, and of a ring's balance of mass.
+const std::vector<cycle::Quantity> kOfWholeRun = {
+    {"first_cavity_time", "s", "s", "first instant with a cavity", "t_r", "eq-complementarity"},
+    {"full_again_time", "s", "s", "first full instant after the last with a cavity", "t_f", "eq-complementarity"},
+    {"largest_front", "m", "mm", "farthest place that a cavity reaches", "x_f", "eq-complementarity"},
+    {"largest_front_time", "s", "s", "when a cavity reaches farthest", "t", "eq-complementarity"},
+    {"largest_mass_residual", "1", "1", "worst balance of mass of a step, relative to the largest flow", "r_m",
+     "eq-discrete-balance"},
+    {"cycle_mass_residual", "1", "1", "mean inflow less mean outflow over a cycle, relative to the mean flow", "r_c",
+     "eq-discrete-balance"},
+};
+
+/// `rupture_positions.2` and the like.
+std::string numbered(const std::string& list, std::size_t i) { return list + "." + std::to_string(i + 1); }
+
+void add_fronts(const pad::PadResult& result, Measurement& measurement) {
+  for (const auto& quantity : pad::front_quantities()) {
+    std::size_t most = 0;
+    for (const pad::Sample& sample : result.samples) most = std::max(most, (sample.*quantity.value).size());
+    for (std::size_t i = 0; i < most; ++i) {
+      auto& values = measurement.values[numbered(quantity.name, i)];
+      for (const pad::Sample& sample : result.samples) {
+        const auto& places = sample.*quantity.value;
+        values.push_back(i < places.size() ? places[i] : std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+  }
+}
+
+void add_events(const pad::PadResult& result, Measurement& measurement) {
+  bool was_cavitated = false;
+  double farthest = -std::numeric_limits<double>::infinity(), worst = 0;
+  for (const pad::Sample& sample : result.samples) {
+    const bool cavitated = sample.cavitated_fraction > 0;
+    if (cavitated) measurement.values.try_emplace("first_cavity_time", std::vector{sample.time});
+    if (was_cavitated && !cavitated) measurement.values["full_again_time"] = {sample.time};
+    for (const double place : sample.reformation_positions) {
+      if (place <= farthest) continue;
+      farthest = place;
+      measurement.values["largest_front"] = {place};
+      measurement.values["largest_front_time"] = {sample.time};
+    }
+    worst = std::max(worst, std::abs(sample.mass_residual));
+    was_cavitated = cavitated;
+  }
+  measurement.values["largest_mass_residual"] = {worst};
+}
+
+Measurement of_pad(const pad::PadResult& result) {
+  Measurement measurement;
+  for (const pad::Sample& sample : result.samples) {
+    measurement.instants.push_back(sample.time);
+    for (const auto& quantity : pad::pad_quantities()) {
+      measurement.values[quantity.name].push_back(sample.*quantity.value);
+    }
+  }
+  add_fronts(result, measurement);
+  add_events(result, measurement);
+  return measurement;
+}
+
+Measurement of_ring(const cycle::CycleResult& result) {
+  Measurement measurement;
+  double difference = 0, size = 0;
+  for (const cycle::Sample& sample : result.samples) {
+    measurement.instants.push_back(sample.crank_angle_deg);
+    for (const auto& quantity : cycle::curve_quantities()) {
+      measurement.curves[quantity.name].push_back(sample.*quantity.value);
+    }
+    difference += sample.oil_flow_chamber_edge - sample.oil_flow_crankcase_edge;
+    size += std::abs(sample.oil_flow_middle);
+  }
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    measurement.values[quantity.name] = {result.values.*quantity.value};
+  }
+  measurement.values["cycle_mass_residual"] = {std::abs(difference) / size};
+  measurement.values["largest_mass_residual"] = {result.effort.max_mass_residual};
+  return measurement;
+}
+
+template <typename Quantities>
+void add_all(const Quantities& quantities, std::vector<cycle::Quantity>& all) {
+  for (const cycle::Quantity& quantity : quantities) all.push_back(quantity);
+}
+
+}  // namespace
+
+const std::vector<cycle::Quantity>& measured_quantities() {
+  static const std::vector<cycle::Quantity> table = [] {
+    std::vector<cycle::Quantity> all;
+    add_all(pad::pad_quantities(), all);
+    add_all(pad::front_quantities(), all);
+    add_all(kOfWholeRun, all);
+    add_all(cycle::cycle_quantities(), all);
+    add_all(cycle::curve_quantities(), all);
+    return all;
+  }();
+  return table;
+}
+
+std::optional<cycle::Quantity> find_measured(const std::string& name) {
+  const std::string list = name.substr(0, name.find('.'));
+  for (const cycle::Quantity& quantity : measured_quantities()) {
+    if (quantity.name == list) return quantity;
+  }
+  return std::nullopt;
+}
+
+Measurement measure(const cycle::Case& c) {
+  if (c.problem == cycle::Problem::kPad) return of_pad(pad::solve_pad(c));
+  return of_ring(cycle::simulate(cycle::prepare(c)));
+}
+
+double value(const Measurement& measurement, const Probe& probe) {
+  const auto found = measurement.values.find(probe.quantity);
+  if (found == measurement.values.end()) return std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double>& values = found->second;
+  if (!probe.time || values.size() == 1) return values.back();
+  // Steps in time add up rounding: the instant asked for is the nearest.
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    const auto distance = [&](std::size_t i) { return std::abs(measurement.instants[i] - *probe.time); };
+    if (distance(k) < distance(nearest)) nearest = k;
+  }
+  return values[nearest];
+}
+
+}  // namespace ringfilm::study

@@ -1,0 +1,38 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+
+/// The numbers of one run by their names, whatever was run: what checks against known answers look up.
+namespace ringfilm::study {
+
+/// A run as numbers. A list is a value per instant; those that belong to the run as a whole have one entry.
+struct Measurement {
+  std::vector<double> instants;                       ///< times [s] of a pad, crank angles [degree] of a ring
+  std::map<std::string, std::vector<double>> values;  ///< [SI]
+  std::map<std::string, std::vector<double>> curves;  ///< of a ring, over crank angle [SI]
+};
+
+/// Which number of a run.
+struct Probe {
+  std::string quantity;        ///< one of measured_quantities(), or "<list of fronts>.1", ".2", ... from x = 0 on
+  std::optional<double> time;  ///< [s]; nothing: the last instant
+};
+
+/// Every quantity that a measurement of a pad or a ring can hold, lists of fronts without their number.
+const std::vector<cycle::Quantity>& measured_quantities();
+
+/// The quantity of a probe's name; nothing if there is none.
+std::optional<cycle::Quantity> find_measured(const std::string& name);
+
+/// Solves the case. Throws ConvergenceError where it has no solution.
+Measurement measure(const cycle::Case& c);
+
+/// The number that the probe names; NaN if the run has none there (a film that is full has no rupture).
+double value(const Measurement& measurement, const Probe& probe);
+
+}  // namespace ringfilm::study

@@ -1,0 +1,123 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/study/measurement.hpp"
+
+/// Runs with known answers, the checks on them and what came of each. docs/manual/verification.md.
+namespace ringfilm::study {
+
+/// How far a number may be from the known one. Exactly one of the two is meant.
+struct Tolerance {
+  enum class Kind { kRelative, kAbsolute };
+  Kind kind = Kind::kRelative;
+  double value = 0;  ///< [-] or [unit of the quantity]
+};
+
+/// What every check carries.
+struct Check {
+  std::string label;    ///< of its own within the verification, e.g. "load at K = 1"
+  std::string source;   ///< where the known number is from: page, equation, or the derivation in the README
+  std::string because;  ///< why the tolerance is what it is
+};
+
+/// A number of one run.
+struct ValueCheck : Check {
+  std::string run;  ///< key of Verification::runs
+  Probe probe;
+  double expected = 0;  ///< [SI]
+  Tolerance tolerance;
+};
+
+enum class Refinement { kCells, kTimeStep };
+
+/// How fast the error of a number falls as the run is refined.
+struct OrderCheck : Check {
+  std::string run;           ///< key of Verification::runs, or empty
+  std::string manufactured;  ///< one of manufactured_films(), where there is no run
+  Probe probe;
+  double exact = 0;  ///< [SI]
+  Refinement refinement = Refinement::kCells;
+  std::vector<double> levels;  ///< numbers of cells, or time steps [s] (steps of the march, if manufactured)
+  int cells = 0;               ///< held while time is refined; 0: as in the run
+  double order = 0;            ///< expected slope of the error [-]
+  double tolerance = 0;        ///< of the order [-]
+};
+
+/// Where a number is largest among runs that differ in one parameter: the vertex of the parabola through three.
+struct OptimumCheck : Check {
+  std::vector<std::string> runs;   ///< three
+  std::vector<double> parameters;  ///< one each, increasing [-]
+  Probe probe;
+  double expected = 0;  ///< parameter of the largest [-]
+  Tolerance tolerance;
+};
+
+/// A curve of a ring over crank angle.
+struct CurveCheck : Check {
+  std::string run;
+  std::string quantity;                 ///< name from cycle::curve_quantities()
+  std::vector<double> crank_angle_deg;  ///< [degree]
+  std::vector<double> expected;         ///< [SI]
+  Tolerance tolerance;                  ///< relative to the value at each angle, or absolute
+  /// Wider tolerance within this distance of a dead centre [degree]; 0: none.
+  double dead_centre_zone_deg = 0;
+  double dead_centre_tolerance = 0;  ///< in the same kind
+};
+
+/// One folder of verification/.
+struct Verification {
+  std::string name;   ///< of the folder
+  std::string title;  ///< heading of its README
+  std::string claim;  ///< first paragraph of its README
+  std::map<std::string, cycle::Case> runs;
+  std::vector<ValueCheck> values;
+  std::vector<OrderCheck> orders;
+  std::vector<OptimumCheck> optima;
+  std::vector<CurveCheck> curves;
+};
+
+enum class Verdict { kHolds, kFails };
+
+/// One line of the table.
+struct VerificationRow {
+  std::string label, quantity;  ///< quantity: as in the glossary, or "order in cells", "order in time"
+  std::string unit, display_unit;
+  double expected = 0, got = 0;
+  double error = 0;  ///< in the kind of the tolerance
+  Tolerance tolerance;
+  Verdict verdict = Verdict::kFails;
+  std::string source, because;
+};
+
+/// The error of one number on a ladder of refinements, to be drawn.
+struct ConvergenceLine {
+  std::string label;
+  Refinement refinement = Refinement::kCells;
+  std::string step_unit;       ///< "s", or empty where steps are counted as a share
+  std::vector<double> levels;  ///< one over the number of cells or steps, or steps in time [s]
+  std::vector<double> errors;  ///< relative to the known number; as it is where that is zero [-]
+  double expected_order = 0, observed_order = 0;
+};
+
+struct VerificationOutcome {
+  std::string name, title, claim;
+  std::vector<VerificationRow> rows;
+  std::vector<ConvergenceLine> lines;
+  std::vector<std::string> stops;  ///< runs that found no solution; their rows fail
+
+  Verdict verdict() const;
+};
+
+/// Something that a verification would need and this program cannot compute.
+struct NotCovered {
+  std::string what, reason;
+};
+
+/// Runs what the checks need, each run once. Same verification, same bits.
+VerificationOutcome verify(const Verification& verification);
+
+}  // namespace ringfilm::study
