@@ -2,6 +2,7 @@
 
 #include "document_tree.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/pad/pad_result.hpp"
 
 namespace ringfilm::documents {
 namespace {
@@ -11,6 +12,10 @@ TEST(Docs, EveryQuantityOfAResultIsInTheGlossary) {
   for (const auto& quantity : cycle::curve_quantities()) EXPECT_TRUE(words.count(quantity.name)) << quantity.name;
   for (const auto& quantity : cycle::cycle_quantities()) EXPECT_TRUE(words.count(quantity.name)) << quantity.name;
   for (const auto& quantity : cycle::derived_quantities()) EXPECT_TRUE(words.count(quantity.name)) << quantity.name;
+  for (const auto& quantity : pad::pad_quantities()) EXPECT_TRUE(words.count(quantity.name)) << quantity.name;
+  for (const auto& quantity : pad::front_quantities()) EXPECT_TRUE(words.count(quantity.name)) << quantity.name;
+  for (const auto& quantity : pad::profile_quantities())
+    EXPECT_TRUE(quantity.name == "x" || words.count(quantity.name)) << quantity.name;
 }
 
 }  // namespace
