@@ -162,8 +162,8 @@ void ResultFileWriter::numbers(const std::vector<const char*>& dimensions, const
 void ResultFileWriter::scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
                                const std::map<std::string, double>& values) {
   for (const auto& [name, value] : values) {
-    const auto match =
-        std::find_if(known.begin(), known.end(), [&](const auto& quantity) { return quantity.name == name; });
+    const auto match = std::find_if(known.begin(), known.end(),
+                                    [&wanted = name](const auto& quantity) { return quantity.name == wanted; });
     cycle::Quantity variable = match == known.end() ? cycle::Quantity{} : *match;
     variable.name = prefix + name;
     scalar(variable, value);

@@ -39,11 +39,11 @@ TomlValue plain(const toml::node& node, const SourceText& source) {
   } else if (const auto* table = node.as_table()) {
     value.kind = Kind::kTable;
     for (const auto& [key, member] : *table) {
-      value.members.emplace_back(std::string(key.str()), plain(member, source));
-      value.members.back().second.key_mark = mark_of(source, key.source());
+      value.members.push_back({std::string(key.str()), plain(member, source)});
+      value.members.back().value.key_mark = mark_of(source, key.source());
     }
     std::stable_sort(value.members.begin(), value.members.end(),
-                     [](const auto& a, const auto& b) { return earlier(a.second.key_mark, b.second.key_mark); });
+                     [](const auto& a, const auto& b) { return earlier(a.value.key_mark, b.value.key_mark); });
   }
   return value;
 }
@@ -79,10 +79,10 @@ TomlValue parse_toml_value(const std::string& text) {
   source.path = "--set";
   source.text = "value = " + text + "\n";
   const TomlValue table = parse_toml(source);
-  if (table.members.size() != 1 || table.members.front().first != "value") {
+  if (table.members.size() != 1 || table.members.front().key != "value") {
     throw InputError("more than one value");
   }
-  return table.members.front().second;
+  return table.members.front().value;
 }
 
 FlatToml flatten(const TomlValue& root, const std::string& folder) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
@@ -9,19 +8,27 @@
 /// A TOML file as plain values, each with its place in the file.
 namespace ringfilm::io {
 
+struct TomlMember;
+
 struct TomlValue {
   enum class Kind { kText, kInteger, kNumber, kList, kTable, kOther };
 
-  Kind kind = Kind::kOther;                                ///< kOther: booleans, dates, times
-  std::string text;                                        ///< kText
-  double number = 0;                                       ///< kInteger, kNumber; may be NaN or infinite
-  std::vector<TomlValue> items;                            ///< kList
-  std::vector<std::pair<std::string, TomlValue>> members;  ///< kTable, in the order of the file
-  SourceMark key_mark;                                     ///< of the key in front of it; as `mark` for items of a list
-  SourceMark mark;                                         ///< of the value
+  Kind kind = Kind::kOther;         ///< kOther: booleans, dates, times
+  std::string text;                 ///< kText
+  double number = 0;                ///< kInteger, kNumber; may be NaN or infinite
+  std::vector<TomlValue> items;     ///< kList
+  std::vector<TomlMember> members;  ///< kTable, in the order of the file
+  SourceMark key_mark;              ///< of the key in front of it; as `mark` for items of a list
+  SourceMark mark;                  ///< of the value
 
   /// As in the file, shortened, for messages: "12.5 N", [1, 2], 3.5.
   std::string as_written() const;
+};
+
+/// One key of a table.
+struct TomlMember {
+  std::string key;
+  TomlValue value;
 };
 
 /// One key with its value, by its whole name ("ring.face.form").

@@ -1,0 +1,18 @@
+#include "input_file.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/setup.hpp"
+#include "ringfilm/io/case_file.hpp"
+
+/// A case file, with the files of fuzz/beside to refer to; what passes is made ready to march and written out again.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ringfilm;
+  const std::string path = fuzz::input_file(data, size, "case.toml");
+  try {
+    const cycle::Case c = io::read_case(path);
+    io::resolved_case(c);
+    cycle::prepare(c);
+  } catch (const InputError& error) {
+    describe(error.faults());
+  }
+  return 0;
+}

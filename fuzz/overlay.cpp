@@ -1,0 +1,15 @@
+#include "input_file.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/overlay_file.hpp"
+
+/// Measured curves as CSV, to be laid over computed ones.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ringfilm;
+  const std::string path = fuzz::input_file(data, size, "overlay.csv");
+  try {
+    io::read_overlay(path);
+  } catch (const InputError& error) {
+    describe(error.faults());
+  }
+  return 0;
+}

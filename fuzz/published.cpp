@@ -1,0 +1,15 @@
+#include "input_file.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/published_file.hpp"
+
+/// Published values as TOML, to be compared with.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ringfilm;
+  const std::string path = fuzz::input_file(data, size, "published.toml");
+  try {
+    io::read_published(path, "new");
+  } catch (const InputError& error) {
+    describe(error.faults());
+  }
+  return 0;
+}
