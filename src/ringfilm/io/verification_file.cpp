@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -172,7 +173,9 @@ class Reader {
       }
       for (const TomlValue& value : tables.items) {
         Table table(name, value, units_, faults_);
-        if (name == "value") {
+        if (name == "run") {
+          read_run(table);
+        } else if (name == "value") {
           read_value(table);
         } else if (name == "order") {
           read_order(table);
@@ -188,12 +191,16 @@ class Reader {
       }
     }
     if (!faults_.empty()) throw InputError(std::move(faults_));
-    for (auto& [name, c] : verification_.runs) c = read_case((folder_ / name).string());
+    for (auto& [name, c] : verification_.runs) {
+      const auto named = named_.find(name);
+      c = named == named_.end() ? read_case((folder_ / name).string())
+                                : read_case((folder_ / named->second.path).string(), named->second.overrides);
+    }
     return std::move(verification_);
   }
 
  private:
-  static constexpr const char* kTables = "tables are [[value]], [[order]], [[optimum]] and [[curve]]";
+  static constexpr const char* kTables = "tables are [[run]], [[value]], [[order]], [[optimum]] and [[curve]]";
 
   /// Heading and first paragraph of the README.
   void read_claim() {
@@ -209,10 +216,27 @@ class Reader {
     }
   }
 
-  std::string run(Table& table, const std::string& name) {
+  /// A case under a name of its own, with some of its keys replaced.
+  void read_run(Table& table) {
+    const std::string name = table.text("name");
+    NamedRun run{table.text("case"), {}};
+    for (const std::string& setting : table.texts("set")) {
+      const std::size_t equal_sign = setting.find('=');
+      if (equal_sign == std::string::npos) {
+        table.refuse("set", "holds no key=value", "for example \"solver.crank_step_control=fixed\"");
+      } else {
+        run.overrides.push_back({setting.substr(0, equal_sign), setting.substr(equal_sign + 1)});
+      }
+    }
+    if (!fs::is_regular_file(folder_ / run.path)) table.refuse("case", "is no file");
+    named_[name] = std::move(run);
+  }
+
+  /// Notes that a check needs this run: the name of a [[run]] further up, or a case file of the folder.
+  std::string run(Table& table, const std::string& name, const std::string& key = "case") {
     if (name.empty()) return name;
-    if (!fs::is_regular_file(folder_ / name)) {
-      table.refuse("case", "is no file of this folder");
+    if (named_.count(name) == 0 && !fs::is_regular_file(folder_ / name)) {
+      table.refuse(key, "names " + name + ", which is no file of this folder and no [[run]] above");
     } else {
       verification_.runs[name];
     }
@@ -270,14 +294,7 @@ class Reader {
   void read_optimum(Table& table) {
     study::OptimumCheck check;
     table.read(check);
-    for (const std::string& name : table.texts("cases")) {
-      if (!fs::is_regular_file(folder_ / name)) {
-        table.refuse("cases", "names a file that is not in this folder");
-      } else {
-        verification_.runs[name];
-      }
-      check.runs.push_back(name);
-    }
+    for (const std::string& name : table.texts("cases")) check.runs.push_back(run(table, name, "cases"));
     check.parameters = table.numbers("parameters", "1");
     if (check.runs.size() != 3 || check.parameters.size() != 3) {
       table.refuse("cases", "and the parameters must be three each");
@@ -322,7 +339,13 @@ class Reader {
     }
   }
 
+  struct NamedRun {
+    std::string path;
+    std::vector<Override> overrides;
+  };
+
   fs::path folder_;
+  std::map<std::string, NamedRun> named_;
   Units units_;
   std::vector<Fault> faults_;
   study::Verification verification_;

@@ -6,8 +6,8 @@
 
 namespace ringfilm::io {
 
-/// One folder of verification/: README.md (heading and first paragraph), reference.toml with the tables [[value]],
-/// [[order]], [[optimum]] and [[curve]], and the cases that they name. docs/manual/verification.md.
+/// One folder of verification/: README.md (heading and first paragraph), reference.toml with the tables [[run]],
+/// [[value]], [[order]], [[optimum]] and [[curve]], and the cases that they name. docs/manual/verification.md.
 /// Throws InputError with every fault of reference.toml, or those of a case.
 study::Verification read_verification(const std::string& folder);
 

@@ -1,0 +1,126 @@
+"""`ringfilm verify` as its users meet it, and the independent scripts behind its numbers."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import unittest
+
+from program import SOURCES, ProgramTest
+
+CASES = SOURCES / "verification"
+
+
+class VerifyTest(ProgramTest):
+    def copy_of_shipped(self, *names):
+        """A shipped folder of our own with some of the verifications."""
+        shipped = self.folder / "shipped"
+        for name in ("cases", "data"):
+            (shipped / name).mkdir(parents=True)
+        for name in names:
+            shutil.copytree(CASES / name, shipped / "verification" / name)
+        shutil.copy(CASES / "not-covered.toml", shipped / "verification")
+        return shipped
+
+    def verify_in(self, shipped, *words):
+        return self.run_program("verify", *words, env={**os.environ, "RINGFILM_DATA": str(shipped)})
+
+    def test_prints_names_expected_numbers_and_verdicts(self):
+        said = self.run_well("verify", "rayleigh1918_step")
+        self.assertIn("load of the best step", said)
+        self.assertRegex(said, r"8 of 8 checks hold in 1 cases?")
+        self.assertNotIn("FAILS", said)
+
+    def test_lists_every_folder_that_holds_numbers(self):
+        said = self.run_well("verify", "--list")
+        folders = sorted(path.parent.name for path in CASES.glob("*/reference.toml"))
+        self.assertEqual([line.split()[0] for line in said.splitlines()], folders)
+        self.assertGreaterEqual(len(folders), 15)
+
+    def test_names_what_it_does_not_cover(self):
+        said = self.run_well("verify")
+        self.assertIn("NOT COVERED", said)
+        self.assertIn("distorted bore", said)
+
+    def test_is_the_same_every_time(self):
+        names = ("ausas2009_oscillating_squeeze", "roache2002_manufactured")
+        self.assertEqual(self.run_well("verify", "--json", *names), self.run_well("verify", "--json", *names))
+
+    def test_wrong_expectation_fails_with_exit_code_4(self):
+        shipped = self.copy_of_shipped("rayleigh1918_step")
+        path = shipped / "verification" / "rayleigh1918_step" / "reference.toml"
+        path.write_text(re.sub(r'expected = "20626\.\d+ N/m"', 'expected = "20627.7 N/m"', path.read_text()))
+        done = self.verify_in(shipped)
+        self.assertEqual(done.returncode, 4, done.stdout + done.stderr)
+        self.assertIn("(exit code 4)", done.stderr)
+        self.assertRegex(done.stdout, r"load of the best step .* FAILS")
+        self.assertIn("7 of 8 checks hold", done.stdout)
+        page = self.verify_in(shipped, "--output", "page.html")
+        self.assertEqual(page.returncode, 4)
+        self.assertIn('"verdict":"fails"', (self.folder / "page.html").read_text())
+
+    def test_wrong_order_fails_with_exit_code_4(self):
+        shipped = self.copy_of_shipped("barus1893_slider")
+        path = shipped / "verification" / "barus1893_slider" / "reference.toml"
+        path.write_text(path.read_text().replace("order = 2", "order = 3"))
+        done = self.verify_in(shipped, "--json")
+        self.assertEqual(done.returncode, 4)
+        rows = {row["label"]: row["verdict"] for row in json.loads(done.stdout)["cases"][0]["rows"]}
+        self.assertEqual(rows["order in cells"], "fails")
+        self.assertEqual(rows["load"], "holds")
+
+    def test_page_carries_every_case_and_asks_nobody(self):
+        said = self.run_well("verify", "--output", "verification.html")
+        page = (self.folder / "verification.html").read_text()
+        self.assertIn("wrote verification.html", said)
+        for folder in CASES.glob("*/reference.toml"):
+            self.assertIn(folder.parent.name, page)
+        self.assertNotIn("<script src", page)
+
+    def test_faults_of_a_reference_are_told_with_their_place(self):
+        shipped = self.copy_of_shipped("rayleigh1918_step")
+        path = shipped / "verification" / "rayleigh1918_step" / "reference.toml"
+        text = path.read_text()
+        text = text.replace('quantity = "load"', 'quantity = "laod"', 1).replace("relative_tolerance", "tolerance", 1)
+        path.write_text(text.replace('expected = "4125347.7 Pa"', "expected = 4125347.7"))
+        done = self.verify_in(shipped)
+        self.assert_refused(done, "reference.toml:4:12", "did you mean load?", "value.expected = 4125347.7 has no unit",
+                            "unknown key value.tolerance")
+
+    def test_unknown_name_is_refused(self):
+        done = self.run_program("verify", "rayleigh1918_stepp")
+        self.assert_refused(done, "no verification is called rayleigh1918_stepp")
+
+
+class OracleTest(ProgramTest):
+    """The numbers of reference.toml are those that the scripts beside them work out, with no line of the program."""
+
+    def test_scripts_work_out_the_expected_numbers(self):
+        cases = json.loads(self.run_well("verify", "--json"))["cases"]
+        worked_out = 0
+        for case in cases:
+            script = CASES / case["name"] / "reference.py"
+            if not script.exists():
+                continue
+            numbers = json.loads(subprocess.run(["/usr/bin/python3", str(script)], capture_output=True, text=True, check=True).stdout)
+            labels = {row["label"] for row in case["rows"]}
+            self.assertLessEqual(set(numbers), labels, case["name"])
+            for row in case["rows"]:
+                # An order is compared with the slope that the scheme claims; its known number is told apart.
+                if row["label"] not in numbers or row["quantity"].startswith("order in"):
+                    continue
+                # Eight digits stand in the file.
+                self.assertAlmostEqual(row["expected"] / numbers[row["label"]], 1, delta=6e-8, msg=row["label"])
+                worked_out += 1
+        self.assertGreater(worked_out, 60)
+
+    def test_shapes_are_those_that_the_scripts_write(self):
+        for script in CASES.glob("*/reference.py"):
+            if "--gap" in script.read_text():
+                rows = subprocess.run(["/usr/bin/python3", str(script), "--gap"], capture_output=True, text=True, check=True)
+                self.assertEqual(rows.stdout, (script.parent / "gap.csv").read_text(), script.parent.name)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
