@@ -36,14 +36,17 @@ std::vector<NamedOil> all_oils() {
   for (const double T : {313.15, 393.15, 423.15}) {
     const std::string at = " at " + std::to_string(T) + " K";
     for (const auto temperature_law : {ViscosityTemperatureLaw::kWalther, ViscosityTemperatureLaw::kHoupert}) {
-      for (const auto pressure_law : {ViscosityPressureLaw::kRoelands, ViscosityPressureLaw::kNone}) {
+      for (const auto pressure_law :
+           {ViscosityPressureLaw::kRoelands, ViscosityPressureLaw::kBarus, ViscosityPressureLaw::kNone}) {
         for (const bool compressible : {true, false}) {
           auto laws = laws_of_paper_oil();
           laws.viscosity_temperature_law = temperature_law;
           laws.viscosity_pressure_law = pressure_law;
           if (!compressible) laws.compression.reset();
           oils.push_back({(temperature_law == ViscosityTemperatureLaw::kWalther ? "walther " : "houpert ") +
-                              std::string(pressure_law == ViscosityPressureLaw::kRoelands ? "roelands " : "none ") +
+                              std::string(pressure_law == ViscosityPressureLaw::kRoelands ? "roelands "
+                                          : pressure_law == ViscosityPressureLaw::kBarus  ? "barus "
+                                                                                          : "none ") +
                               (compressible ? "dowson-higginson" : "incompressible") + at,
                           closed_form_oil(laws, T)});
         }

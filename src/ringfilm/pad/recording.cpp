@@ -6,6 +6,7 @@
 
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/film_integrals.hpp"
+#include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::pad {
 namespace {
@@ -23,6 +24,20 @@ void for_each_place(const film::FilmGrid& grid, const Use& use) {
       use(i, grid.node_height[i]);
     }
   }
+}
+
+/// The largest mass flux in the film, or what rounding of its pressures makes of a film in which nothing flows.
+double largest_flux(const film::FilmProblem& problem, const film::FilmInputs& inputs, const film::FilmState& state) {
+  constexpr double kRounding = 1e-10;
+  const auto [low, high] = std::minmax_element(state.p.begin(), state.p.end());
+  const auto thickest = std::max_element(problem.grid.node_height.begin(), problem.grid.node_height.end());
+  const double h = state.h_m + *thickest;
+  double largest = kRounding * h * h * h * state.rho.front() / (12 * state.eta.front() * problem.grid.width) *
+                   std::max(std::abs(*low), std::abs(*high));
+  for (int i = 0; i < problem.grid.n_cells(); ++i) {
+    largest = std::max(largest, std::abs(film::mass_flux(problem, inputs, state, i)));
+  }
+  return largest;
 }
 
 struct Peak {
@@ -101,7 +116,7 @@ Sample sample(const PadSetup& setup, const film::FilmProblem& problem, const fil
   out.flow_left = sums.flow_left / density;
   out.flow_right = sums.flow_right / density;
   out.cavitated_fraction = sums.cavitated_fraction;
-  const double largest_flow = std::max(std::abs(sums.flow_left), std::abs(sums.flow_right));
+  const double largest_flow = largest_flux(problem, inputs, state);
   out.mass_residual = largest_flow > 0 ? std::abs(sums.mass_defect) / largest_flow : 0.0;
   add_fronts(setup, inputs, state, sums, out);
   return out;

@@ -95,8 +95,8 @@ std::string nothing_found(const PadSetup& setup) {
   const cycle::Pad& pad = setup.input.pad;
   if (!pad.load) return "no steady film was found, from slower motion and coarser grids either";
   return text(
-      "no separation was found at which the film carries %.6g N/m; the pressures at the edges alone carry about %.6g "
-      "N/m at a large separation, and the load must be above that",
+      "no separation was found at which the film carries %.6g N/m; at a large one the pressures at the edges alone "
+      "carry about %.6g N/m, and at a small one the shape of the gap limits the load: pad.separation tells what it is",
       *pad.load, 0.5 * (pad.left_pressure + pad.right_pressure) * pad.length);
 }
 

@@ -6,11 +6,13 @@
 namespace ringfilm::pad {
 namespace {
 
-constexpr int kCoarsest = 16;         // cells of the first grid
-constexpr int kSpeedHalvings = 8;     // the slowest start of a speed that is raised little by little
-constexpr double kFarOff = 0.1;       // an estimate of the pressures is not used if they turn out below this share
-constexpr double kNoPressure = 1.0;   // scale where neither motion nor edges make any pressure [Pa]
-constexpr double kSliderLoad = 0.16;  // W h^2/(eta U L^2) of the best plane slider
+constexpr int kCoarsest = 16;        // cells of the first grid
+constexpr int kSpeedHalvings = 8;    // the slowest start of a speed that is raised little by little
+constexpr double kFarOff = 0.1;      // an estimate of the pressures is not used if they turn out below this share
+constexpr double kNoPressure = 1.0;  // scale where neither motion nor edges make any pressure [Pa]
+constexpr double kThickest = 1e-2, kThinnest = 1e-10;  // films among which one for a load is looked for [m]
+constexpr int kBisections = 12;                        // before Newton's method takes over
+constexpr double kSliderLoad = 0.16;                   // W h^2/(eta U L^2) of the best plane slider
 
 /// Pressures that wedge, squeeze and edges may make [Pa]; never 0.
 double estimated_pressure(const PadSetup& setup, const film::FilmInputs& inputs, double h_m, double closing) {
@@ -74,6 +76,46 @@ bool ease_in(const PadSetup& setup, const film::FilmProblem& problem, const film
     reached = state;
   }
   return true;
+}
+
+double load_of(const film::FilmProblem& problem, const film::FilmState& state) {
+  double load = 0;
+  for (std::size_t i = 0; i < state.p.size(); ++i) load += problem.grid.share[i] * state.p[i];
+  return load;
+}
+
+/// The thickest film that carries the load, found by walking down from thick films: what a step or a pocket carries
+/// may fall again towards thin ones.
+std::optional<film::FilmState> by_scan(const PadSetup& setup, const film::FilmProblem& problem,
+                                       const film::FilmInputs& inputs, Effort& effort) {
+  ++effort.eased_starts;
+  const auto solved_at = [&](double h_m) { return steady_film_at(setup, problem, h_m - setup.lowest_gap, effort); };
+  double thick = std::min(kThickest, setup.input.pad.length), thin = thick;
+  std::optional<film::FilmState> carrying;
+  for (double h_m = thick; h_m > kThinnest && !carrying; h_m /= 2) {
+    const auto state = solved_at(h_m);
+    if (!state) continue;
+    if (load_of(problem, *state) < inputs.load) {
+      thick = h_m;
+    } else {
+      thin = h_m;
+      carrying = state;
+    }
+  }
+  if (!carrying || !(thin < thick)) return std::nullopt;
+  for (int k = 0; k < kBisections; ++k) {
+    const double middle = std::sqrt(thin * thick);
+    const auto state = solved_at(middle);
+    if (!state) return std::nullopt;
+    const bool carries = load_of(problem, *state) >= inputs.load;
+    (carries ? thin : thick) = middle;
+    if (carries) carrying = state;
+  }
+  film::FilmWorkspace workspace(problem);
+  film::FilmState state = *carrying;
+  const film::FilmReport report = film::solve_film(problem, inputs, *carrying, state, workspace);
+  count(report, effort);
+  return report.converged ? std::optional(state) : std::nullopt;
 }
 
 }  // namespace
@@ -161,7 +203,7 @@ std::optional<film::FilmState> steady_film_under(const PadSetup& setup, const fi
       solved_on = level.grid;
       break;
     }
-    if (is_last && solved_on.n_cells() != problem.grid.n_cells()) return std::nullopt;
+    if (is_last && solved_on.n_cells() != problem.grid.n_cells()) return by_scan(setup, problem, inputs, effort);
   }
   return solved;
 }

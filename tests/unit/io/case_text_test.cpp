@@ -119,6 +119,7 @@ TEST(StartingCase, CanBeReadAsItStands) {
 TEST(StartingCase, HasEveryKeyOrItsComment) {
   const std::string text = starting_case();
   for (const cycle::Field& field : cycle::case_fields()) {
+    if (!cycle::belongs(field, cycle::Case{})) continue;  // the case that it starts is a cycle
     const std::string name = field.key.substr(field.key.rfind('.') + 1);
     EXPECT_TRUE(text.find("\n" + name + " = ") != std::string::npos ||
                 text.find("\n# " + name + " = ") != std::string::npos)

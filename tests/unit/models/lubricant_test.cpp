@@ -248,4 +248,18 @@ TEST(OilTable, RefusesWhatIsNoGrid) {
   EXPECT_THROW(tabulated_oil(OilTable{{290, 300}, {1e5, 2e5}, {1, 1, 1}, {1, 1, 1, 1}}, 295), InputError);
 }
 
+TEST(Barus, GrowsByAFactorOfEInOneReciprocalOfItsCoefficient) {
+  const auto oil = closed_form_oil(0.039, 850, Barus{2e-8}, {0, 0});
+  EXPECT_DOUBLE_EQ(oil->viscosity(0), 0.039);
+  EXPECT_NEAR(oil->viscosity(5e7) / 0.039, std::exp(1.0), 1e-14);
+  EXPECT_EQ(oil->density(5e7), 850);
+}
+
+TEST(DowsonHigginson, HasItsDensityAtTheReferencePressure) {
+  const auto of_pad = closed_form_oil(0.039, 850, 0.0, {6e-10, 1.7e-9, 0});
+  EXPECT_EQ(of_pad->density(0), 850);
+  EXPECT_NEAR(of_pad->density(1e9) / 850, 1 + 0.6 / 2.7, 1e-14);
+  EXPECT_EQ(closed_form_oil(0.039, 850, 0.0, {6e-10, 1.7e-9})->density(kAtmospheric), 850);
+}
+
 }  // namespace

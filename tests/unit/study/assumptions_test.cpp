@@ -142,6 +142,7 @@ TEST(Assumptions, OfferAllOtherChoicesOfAKey) {
 
 TEST(Assumptions, OilLawsCanBeLiftedWhereLawsAreInUse) {
   EXPECT_EQ(settings(coarse_case(), "oil-laws"), (std::vector<std::string>{"lubricant.viscosity_pressure = \"none\"",
+                                                                           "lubricant.viscosity_pressure = \"barus\"",
                                                                            "lubricant.compressibility = \"none\""}));
   Case no_thickening = coarse_case();
   no_thickening.lubricant.pressure_viscosity_coefficient = 0;
