@@ -48,7 +48,10 @@ std::string shown(const study::VerificationRow& row, double value, int digits, c
 
 /// An error or a tolerance: a share in per cent, or an amount.
 std::string shown_error(const study::VerificationRow& row, double error, const io::Units& units) {
-  if (row.tolerance.kind == Tolerance::Kind::kRelative) return fmt::format("{:.2g} %", 100 * error);
+  constexpr double kRounding = 1e-12;  // digits below are those of the machine
+  if (row.tolerance.kind == Tolerance::Kind::kRelative) {
+    return error < kRounding ? "< 1e-10 %" : fmt::format("{:.2g} %", 100 * error);
+  }
   return shown(row, error, 2, units);
 }
 

@@ -23,13 +23,16 @@ function verdictCell(verdict) {
   return { text: verdict === kHolds ? 'holds' : 'FAILS', attributes: { class: verdict === kHolds ? 'verdict' : 'verdict failed' } };
 }
 
+const isOrder = (row) => row.quantity.startsWith('order in');
+
 function rowsTable(c) {
   const right = (text) => ({ text, attributes: { class: 'number' } });
   const heads = ['check', 'quantity', right('expected'), right('got'), right('error'), right('tolerance'), 'verdict'];
   const rows = c.rows.map((row) => {
     const { unit, convert } = display(row);
+    const digits = isOrder(row) ? 3 : 7;
     return [
-      row.label, row.quantity, right(withUnit(convert(row.expected), unit, 7)), right(withUnit(convert(row.got), unit, 7)),
+      row.label, row.quantity, right(withUnit(convert(row.expected), unit, digits)), right(withUnit(convert(row.got), unit, digits)),
       right(error(row)), right(tolerance(row)), verdictCell(row.verdict),
     ];
   });
@@ -81,7 +84,7 @@ function firstScreen(result) {
   const rows = result.cases.flatMap((c) => c.rows);
   const held = (list) => list.filter((item) => item.verdict === kHolds).length;
   const failed = result.cases.filter((c) => c.verdict !== kHolds);
-  const orders = rows.filter((row) => row.quantity.startsWith('order in'));
+  const orders = rows.filter(isOrder);
   return element('header', { class: 'first-screen' },
     element('p', { class: 'kind' }, 'Computed on this machine beside answers that are known from elsewhere'),
     element('h1', {}, 'Verification'),
