@@ -76,7 +76,7 @@ double front_position(const FilmProblem& problem, const FilmState& state, double
   const double cell = grid.x[outer] - grid.x[i];  // negative where the film lies on the right
   if (inner < 0 || inner > grid.n_cells()) return grid.x[i] + (near > 0 ? 0.5 * cell : 0.0);  // node i is an edge
   const double far = state.p[inner] - p_c;
-  const double ratio = near / far;
+  const double ratio = far > 0 ? near / far : 1.0;  // a film of a single node has no slope
   if (front == Front::kReformation) {
     // The pressure rises from the front in a straight line.
     const double cells = ratio < 1 ? std::abs((grid.x[i] - grid.x[inner]) / cell) * ratio / (1 - ratio) : 1.0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "../../traps/floating_point_traps.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {
@@ -161,6 +162,7 @@ TEST(March, LiteralOrientationTurnsTheRingAtEveryReversal) {
 }
 
 TEST(March, ALoadThatNothingCarriesStopsWithTheLastGoodState) {
+  const ringfilm::testing::NoTraps no_traps;  // the search lets pressures run away to learn that the film is too thin
   Case c = styles_new_ring();
   // 500 GPa on the ring: beyond what asperities of 135 GPa carry even when pressed flat, and beyond any film.
   for (double& p : c.gas.cylinder_pressure.value) p = p > 40e5 ? 5e11 : p;
