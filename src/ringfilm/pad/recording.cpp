@@ -26,14 +26,16 @@ void for_each_place(const film::FilmGrid& grid, const Use& use) {
   }
 }
 
-/// The largest mass flux in the film, or what rounding of its pressures makes of a film in which nothing flows.
+/// The largest mass flux in the film, or what rounding makes of a film in which nothing flows: of its pressures, and of
+/// the oil that it holds from step to step.
 double largest_flux(const film::FilmProblem& problem, const film::FilmInputs& inputs, const film::FilmState& state) {
-  constexpr double kRounding = 1e-10;
+  constexpr double kOfPressures = 1e-8, kSmallestPressure = 1.0, kOfOil = 1e-10;  // shares, but for the second [Pa]
   const auto [low, high] = std::minmax_element(state.p.begin(), state.p.end());
   const auto thickest = std::max_element(problem.grid.node_height.begin(), problem.grid.node_height.end());
-  const double h = state.h_m + *thickest;
-  double largest = kRounding * h * h * h * state.rho.front() / (12 * state.eta.front() * problem.grid.width) *
-                   std::max(std::abs(*low), std::abs(*high));
+  const double h = state.h_m + *thickest, rho = state.rho.front(), L = problem.grid.width;
+  const double pressure = std::max({std::abs(*low), std::abs(*high), kSmallestPressure});
+  double largest = std::max(kOfPressures * pressure * h * h * h * rho / (12 * state.eta.front() * L),
+                            kOfOil * rho * h * L / inputs.time_step);
   for (int i = 0; i < problem.grid.n_cells(); ++i) {
     largest = std::max(largest, std::abs(film::mass_flux(problem, inputs, state, i)));
   }

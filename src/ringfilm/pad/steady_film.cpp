@@ -6,10 +6,12 @@
 namespace ringfilm::pad {
 namespace {
 
-constexpr int kCoarsest = 16;        // cells of the first grid
-constexpr int kSpeedHalvings = 8;    // the slowest start of a speed that is raised little by little
-constexpr double kFarOff = 0.1;      // an estimate of the pressures is not used if they turn out below this share
-constexpr double kNoPressure = 1.0;  // scale where neither motion nor edges make any pressure [Pa]
+constexpr int kCoarsest = 16;          // cells of the first grid
+constexpr int kSpeedHalvings = 8;      // the slowest start of a speed that is raised little by little
+constexpr double kFarOff = 0.1;        // an estimate of the pressures is not used if they turn out below this share
+constexpr double kStandstill = 1e-10;  // of the film in one step
+constexpr double kRounding = 1e-9;     // of an estimate: pressures below this share are none
+constexpr double kNoPressure = 1.0;    // scale where neither motion nor edges make any pressure [Pa]
 constexpr double kThickest = 1e-2, kThinnest = 1e-10;  // films among which one for a load is looked for [m]
 constexpr int kBisections = 12;                        // before Newton's method takes over
 constexpr double kSliderLoad = 0.16;                   // W h^2/(eta U L^2) of the best plane slider
@@ -18,7 +20,9 @@ constexpr double kSliderLoad = 0.16;                   // W h^2/(eta U L^2) of t
 double estimated_pressure(const PadSetup& setup, const film::FilmInputs& inputs, double h_m, double closing) {
   const double L = setup.input.pad.length, eta = setup.input.lubricant.viscosity;
   const double wedge = eta * std::abs(inputs.U) * L / (h_m * h_m);
-  const double squeeze = eta * std::abs(closing) * L * L / (h_m * h_m * h_m);
+  // What the film remembers is rounded: a plate that moves by less than that in a step is no measure.
+  const double speed = std::max(std::abs(closing), kStandstill * h_m / inputs.time_step);
+  const double squeeze = eta * speed * L * L / (h_m * h_m * h_m);
   const double edges = std::max(inputs.p_left, inputs.p_right) - inputs.p_cavitation;
   const double largest = std::max({wedge, squeeze, edges});
   return largest > 0 ? largest : kNoPressure;
@@ -131,7 +135,7 @@ bool solve_at_separation(const PadSetup& setup, const film::FilmProblem& problem
   count(report, effort);
   if (!report.converged) return false;
   const double peak = *std::max_element(state.p.begin(), state.p.end()) - inputs.p_cavitation;
-  if (!(peak > 0) || peak > kFarOff * estimate) return true;
+  if (peak < kRounding * estimate || peak > kFarOff * estimate) return true;
   const film::FilmState solved = state;
   inputs.load = peak * width;
   report = film::solve_film_at_separation(problem, inputs, previous, state, workspace);
