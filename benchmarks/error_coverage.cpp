@@ -1,8 +1,9 @@
 #include "../tests/unit/study/error_coverage.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
+#include <string>
 
 // usage: error_coverage [cases] [times finer] [first seed]
 // How many true errors lie within the bands of --error-estimate, quantity by quantity.

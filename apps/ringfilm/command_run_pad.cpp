@@ -34,6 +34,10 @@ void check_wishes(const RunOptions& options) {
   if (options.ledger == LedgerWanted::kComputed) {
     throw InputError("--ledger: a pad has no assumptions that could be lifted", "leave it out");
   }
+  if (options.errors == ErrorsWanted::kEstimated) {
+    throw InputError("--error-estimate: the errors of a pad are not estimated",
+                     "leave it out, and run the pad with twice the cells to see what changes");
+  }
 }
 
 io::PadDocument document_of(const cycle::Case& input) {

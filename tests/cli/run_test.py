@@ -81,6 +81,22 @@ class Run(program.ProgramTest):
         self.assertNotEqual(exit_model["mean_power_loss"], values["mean_power_loss"])
         self.assertNotIn("peak_gas_pressure", exit_model, "the trace is the same")
 
+    def test_values_and_curves_carry_their_error_where_it_is_asked_for(self):
+        self.assertNotIn("errors", self.values())
+        coarse = ("--error-estimate", "--set", "solver.cells=40", "--set", "solver.crank_step=2 degree")
+        said = self.run_well("run", "case.toml", *coarse)
+        self.assertRegex(said, r"\d \+- [0-9.]+ kPa +friction mean effective pressure")
+        self.assertIn("80 cells at 2 degree", said)
+        values = self.values(*coarse)
+        fine = self.values("--set", "solver.cells=160", "--set", "solver.crank_step=0.5 degree",
+                           "--set", "solver.step_error=6.25e-5")
+        for name in ("fmep", "mean_absolute_oil_flow", "max_film_thickness"):
+            self.assertLessEqual(abs(values[name] - fine[name]), values["errors"][name], name)
+        self.assertEqual([run["cells"] for run in values["error_estimate"]["runs"]], [40, 80, 20, 40, 40])
+        header, rows = self.curves(*coarse)
+        self.assertGreater(header.index("piston_velocity_error [m/s]"), header.index("load_residual"))
+        self.assertTrue(all(row[header.index("total_friction_error [N]")] > 0 for row in rows))
+
     def test_set_replaces_a_key_as_toml_or_as_text(self):
         # Mean piston speed is 2 x stroke x revolutions per second.
         twice = self.values("--set", "operating.speed=3000 rpm", "--set", "title=as text")

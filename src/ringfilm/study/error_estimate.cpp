@@ -49,13 +49,14 @@ struct Estimate {
   double order = kNone;
 };
 
-/// Error of the result from the changes that refinement and coarsening make; eq-grid-error.
-Estimate estimate(double finer_change, double coarser_change, double formal_order, bool monotone) {
-  if (std::isnan(finer_change) && std::isnan(coarser_change)) return {};
-  if (std::isnan(finer_change)) return {kNotObserved * coarser_change, kNone};
-  if (std::isnan(coarser_change)) return {kNotObserved * finer_change, kNone};
-  const double larger = std::max(finer_change, coarser_change);
-  if (!monotone || !(coarser_change > finer_change) || finer_change == 0) return {kNotObserved * larger, kNone};
+/// Where no order can be seen; a change that is missing (NaN) leaves the other to go by.
+Estimate without_order(double finer_change, double coarser_change) {
+  return {kNotObserved * std::fmax(finer_change, coarser_change), kNone};
+}
+
+/// Error of the result from the sizes of the changes that refinement and coarsening make in one sense; eq-grid-error.
+Estimate estimate(double finer_change, double coarser_change, double formal_order) {
+  if (!(coarser_change > finer_change) || finer_change == 0) return without_order(finer_change, coarser_change);
   const double observed = std::log2(coarser_change / finer_change);
   const double order = std::clamp(observed, kLowestOrder, formal_order);
   // A change that is smaller than the formal order allows is taken for a chance.
@@ -67,7 +68,8 @@ Estimate estimate(double finer_change, double coarser_change, double formal_orde
 Estimate estimate(const Levels& levels, double formal_order) {
   const double finer = levels.fine - levels.result;
   const double coarser = levels.result - levels.coarse;
-  return estimate(std::abs(finer), std::abs(coarser), formal_order, finer * coarser > 0);
+  if (!(finer * coarser > 0)) return without_order(std::abs(finer), std::abs(coarser));
+  return estimate(std::abs(finer), std::abs(coarser), formal_order);
 }
 
 bool is_angle(const cycle::CycleQuantity& quantity) { return quantity.unit == "degree"; }
@@ -76,7 +78,6 @@ bool is_angle(const cycle::CycleQuantity& quantity) { return quantity.unit == "d
 Estimate angle_estimate(const Levels& levels) {
   const auto turn = [](double a, double b) { return std::abs(std::remainder(a - b, cycle::kCycleDeg)); };
   const double finer = turn(levels.fine, levels.result), coarser = turn(levels.result, levels.coarse);
-  if (std::isnan(finer) && std::isnan(coarser)) return {};
   return {std::fmax(finer, coarser), kNone};
 }
 
@@ -180,7 +181,7 @@ std::vector<double> curve_errors(const Case& c, const CycleResult& result, const
   const auto coarser = largest_nearby(changes(result, sides.coarse, value), result.samples, reach);
   std::vector<double> errors;
   for (std::size_t k = 0; k < finer.size(); ++k) {
-    errors.push_back(estimate(finer[k], coarser[k], formal_order, true).error);
+    errors.push_back(estimate(finer[k], coarser[k], formal_order).error);
   }
   return errors;
 }
