@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 
@@ -41,6 +42,7 @@ std::vector<std::string> chosen_folders(const std::vector<std::string>& names) {
 
 /// A number of a row in the unit that people read.
 std::string shown(const study::VerificationRow& row, double value, int digits, const io::Units& units) {
+  if (std::isnan(value)) return "none";
   const double converted = units.scale(row.display_unit, row.unit).from_si(value);
   const std::string number = fmt::format("{:.{}g}", converted, digits);
   return row.display_unit == "1" ? number : number + " " + row.display_unit;
@@ -48,6 +50,7 @@ std::string shown(const study::VerificationRow& row, double value, int digits, c
 
 /// An error or a tolerance: a share in per cent, or an amount.
 std::string shown_error(const study::VerificationRow& row, double error, const io::Units& units) {
+  if (std::isnan(error)) return "none";
   constexpr double kRounding = 1e-12;  // digits below are those of the machine
   if (row.tolerance.kind == Tolerance::Kind::kRelative) {
     return error < kRounding ? "< 1e-10 %" : fmt::format("{:.2g} %", 100 * error);
