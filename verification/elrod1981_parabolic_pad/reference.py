@@ -33,12 +33,15 @@ if sys.argv[1:] == ["--gap"]:  # the rows of gap.csv
         print(f"{1e3 * x:.9g},{1e6 * gap(x):.9g}")
     sys.exit()
 
+peak = simpson(lambda x: slope(x, h_rupture), 0, place)
 expected = {
     "rupture": rupture,
     "place of the peak": place,
-    "peak pressure": simpson(lambda x: slope(x, h_rupture), 0, place),
+    "peak pressure": peak,
     # int p dx = -int x dp/dx dx as p vanishes at both ends
     "load": -simpson(lambda x: x * slope(x, h_rupture), 0, rupture),
+    "rupture, order in cells": rupture,
+    "peak pressure before a rupture, order in cells": peak,
     "mass flow in": RHO * U * h_rupture / 2,
     "mass flow out": RHO * U * h_rupture / 2,
 }
