@@ -186,13 +186,17 @@ std::vector<double> curve_errors(const Case& c, const CycleResult& result, const
   return errors;
 }
 
-bool is_position(const cycle::CurveQuantity& quantity) {
-  return quantity.value == &Sample::rupture_position || quantity.value == &Sample::reformation_position;
+/// What follows the fronts of the cavity is known to half a cell at best.
+double front_resolution(const Case& c, const cycle::CurveQuantity& quantity) {
+  const double half_a_cell = 0.5 / c.solver.cells;
+  if (quantity.value == &Sample::cavitated_fraction) return half_a_cell;
+  const bool is_position =
+      quantity.value == &Sample::rupture_position || quantity.value == &Sample::reformation_position;
+  return is_position ? half_a_cell * c.ring.face_width : 0;
 }
 
 void add_curve_errors(const Case& c, const CycleResult& result, const Sides& cells, const Sides& step,
                       ErrorEstimate& errors) {
-  const double half_a_cell = 0.5 * c.ring.face_width / c.solver.cells;
   for (const cycle::CurveQuantity& quantity : cycle::curve_quantities()) {
     if (!has_error(quantity)) continue;
     const auto value = quantity.value;
@@ -202,7 +206,7 @@ void add_curve_errors(const Case& c, const CycleResult& result, const Sides& cel
     for (std::size_t k = 0; k < by_cells.size(); ++k) {
       if (by_cells[k] + by_step[k] > 0) scale = std::fmax(scale, std::abs(result.samples[k].*value));
     }
-    const double floor = is_position(quantity) ? half_a_cell : iteration_error(c, scale);
+    const double floor = front_resolution(c, quantity) + iteration_error(c, scale);
     for (std::size_t k = 0; k < by_cells.size(); ++k) errors.samples[k].*value = by_cells[k] + by_step[k] + floor;
   }
 }
