@@ -83,7 +83,7 @@ expected = {
     "first cavity": rupture,
     "front at t = 0.3 s": LENGTH * (1 - film_length(0.3)),
     "largest front": LENGTH * largest,
-    "time of the largest front": turn,
+    "front at t = 0.315 s, where it turns": LENGTH * start(0.315 - turn),
     "front at t = 0.6 s": LENGTH * front_at_06,
     "full again": full_again,
     "load at t = 0.1 s": load,

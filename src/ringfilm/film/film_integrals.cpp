@@ -65,43 +65,50 @@ void add_flow(const FilmProblem& problem, const FilmInputs& inputs, const FilmSt
   for (int i = 0; i <= n; ++i) sums.mass_defect += storage(i);
 }
 
-enum class Front { kRupture, kReformation };
+/// How many cells beyond its last node a film ends, by the pressures above p_c at its last three nodes, all of one
+/// spacing: where the parabola through them has its lowest point if it touches p_c there, as at a rupture; where it
+/// crosses p_c if it does so at a slope, as where film forms again (docs/theory/film.md, "fronts between nodes").
+double cells_beyond(double last, double before, double third) {
+  const double bend = third - 2 * before + last;
+  const double slope = before - last - 0.5 * bend;  // at the last node, falling outwards
+  const double root = std::sqrt(std::max(slope * slope - 2 * bend * last, 0.0));
+  const double crossing = slope + root > 0 ? std::min(2 * last / (slope + root), 1.0) : 1.0;
+  if (bend <= 0) return crossing;
+  // Cells are too coarse to tell a slope of less than half of what the bend makes in one of them.
+  const double lowest_point = 0.5 + (3 * last < before ? last / (before - 2 * last) : 1.0);  // by the balance of mass
+  const double share = std::clamp(root / bend - 0.5, 0.0, 1.0);
+  return lowest_point + share * (crossing - lowest_point);
+}
 
-/// Where the film that ends at node `i` ends, by its pressure there and at the node before (`inner`); `outer` is the
-/// first node of the cavity (docs/theory/film.md, "fronts between nodes").
-double front_position(const FilmProblem& problem, const FilmState& state, double p_c, int i, int outer, Front front) {
-  const FilmGrid& grid = problem.grid;
-  const int inner = 2 * i - outer;
-  const double near = state.p[i] - p_c;
+/// Where the film that ends at node `i` ends; `outer` is the first node of the cavity.
+double front_position(const FilmGrid& grid, const std::vector<double>& p, double p_c, int i, int outer) {
   const double cell = grid.x[outer] - grid.x[i];  // negative where the film lies on the right
-  if (inner < 0 || inner > grid.n_cells()) return grid.x[i] + (near > 0 ? 0.5 * cell : 0.0);  // node i is an edge
-  const double far = state.p[inner] - p_c;
-  const double ratio = far > 0 ? near / far : 1.0;  // a film of a single node has no slope
-  if (front == Front::kReformation) {
-    // The pressure rises from the front in a straight line.
-    const double cells = ratio < 1 ? std::abs((grid.x[i] - grid.x[inner]) / cell) * ratio / (1 - ratio) : 1.0;
-    return grid.x[i] + std::min(cells, 1.0) * cell;
+  const auto above = [&](int node) { return p[node] - p_c; };
+  const int before = 2 * i - outer;
+  const int third = 3 * i - 2 * outer;
+  const int n = grid.n_cells();
+  if (before < 0 || before > n) return grid.x[i] + (above(i) > 0 ? 0.5 * cell : 0.0);  // node i is an edge
+  const double spacing = grid.x[i] - grid.x[before];
+  const auto is_one_cell = [cell](double length) { return std::abs(length - cell) < 1e-6 * std::abs(cell); };
+  if (third >= 0 && third <= n && is_one_cell(spacing) && is_one_cell(grid.x[before] - grid.x[third])) {
+    return grid.x[i] + cells_beyond(above(i), above(before), above(third)) * cell;
   }
-  // It comes down to the front in a parabola, of which the balance of mass holds at nodes i and inner.
-  const auto is_outer = [outer](const GapJump& jump) { return jump.node == outer; };
-  const bool at_jump = std::any_of(grid.jumps.begin(), grid.jumps.end(), is_outer);
-  const double cells = 0.5 + (ratio < 1.0 / 3.0 ? ratio / (1 - 2 * ratio) : 1.0);
-  return grid.x[i] + (at_jump ? std::min(cells, 1.0) : cells) * cell;
+  const double fall = above(before) - above(i);
+  const double straight = fall > 0 ? above(i) / fall * spacing / cell : 1.0;
+  return grid.x[i] + std::min(straight, 1.0) * cell;
 }
 
 void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, FilmIntegrals& sums) {
   const FilmGrid& grid = problem.grid;
   const int n = grid.n_cells();
-  const Front at_left = inputs.U >= 0 ? Front::kRupture : Front::kReformation;
-  const Front at_right = inputs.U >= 0 ? Front::kReformation : Front::kRupture;
   sums.peak_pressure = *std::max_element(state.p.begin(), state.p.end());
   for (int i = 1; i < n; ++i) {
     if (state.deficit[i] == 0) continue;
     if (state.deficit[i - 1] == 0) {
-      sums.cavities.push_back({front_position(problem, state, inputs.p_cavitation, i - 1, i, at_left), 0});
+      sums.cavities.push_back({front_position(grid, state.p, inputs.p_cavitation, i - 1, i), 0});
     }
     if (state.deficit[i + 1] == 0) {
-      const double end = front_position(problem, state, inputs.p_cavitation, i + 1, i, at_right);
+      const double end = front_position(grid, state.p, inputs.p_cavitation, i + 1, i);
       Cavity& cavity = sums.cavities.back();
       cavity.end = std::max(end, cavity.begin);
       sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;

@@ -15,7 +15,6 @@ const std::vector<cycle::Quantity> kOfWholeRun = {
     {"first_cavity_time", "s", "s", "first instant with a cavity", "t_r", "eq-complementarity"},
     {"full_again_time", "s", "s", "first full instant after the last with a cavity", "t_f", "eq-complementarity"},
     {"largest_front", "m", "mm", "farthest place that a cavity reaches", "x_f", "eq-complementarity"},
-    {"largest_front_time", "s", "s", "when a cavity reaches farthest", "t", "eq-complementarity"},
     {"largest_mass_residual", "1", "1", "worst balance of mass of a step, relative to the largest flow", "r_m",
      "eq-discrete-balance"},
     {"cycle_mass_residual", "1", "1", "mean inflow less mean outflow over a cycle, relative to the mean flow", "r_c",
@@ -43,14 +42,13 @@ void add_events(const pad::PadResult& result, Measurement& measurement) {
   bool was_cavitated = false;
   double farthest = -std::numeric_limits<double>::infinity(), worst = 0;
   for (const pad::Sample& sample : result.samples) {
-    const bool cavitated = sample.cavitated_fraction > 0;
+    const bool cavitated = !sample.rupture_positions.empty();
     if (cavitated) measurement.values.try_emplace("first_cavity_time", std::vector{sample.time});
     if (was_cavitated && !cavitated) measurement.values["full_again_time"] = {sample.time};
     for (const double place : sample.reformation_positions) {
       if (place <= farthest) continue;
       farthest = place;
       measurement.values["largest_front"] = {place};
-      measurement.values["largest_front_time"] = {sample.time};
     }
     worst = std::max(worst, std::abs(sample.mass_residual));
     was_cavitated = cavitated;
