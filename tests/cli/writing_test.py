@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import unittest
@@ -10,6 +11,23 @@ import program
 
 # About 20 MB of fields, so that writing takes long enough to be hit.
 LARGE = ("--set", 'output.fields="all"', "--set", "solver.cells=400")
+
+PAD = """\
+title = "a plane slider"
+[pad]
+length = "10 mm"
+gap = "gap.csv"
+speed = "5 m/s"
+left_pressure = "0 bar"
+right_pressure = "0 bar"
+separation = "0 um"
+[lubricant]
+viscosity = "0.02 Pa s"
+density = "850 kg/m3"
+[solver]
+cells = 1000
+"""
+GAP = "x [mm],h [um]\n0,20\n10,10\n"
 
 
 class Writing(program.ProgramTest):
@@ -99,6 +117,64 @@ class Writing(program.ProgramTest):
                 self.assertIn("No space left on device", done.stderr)
                 self.assertEqual((small / "out.nc").read_bytes(), old)
                 self.assertEqual([path.name for path in small.iterdir()], ["out.nc"])
+
+    def outputs(self, folder):
+        """Every way to an output of some size: its name and the words that write it into `folder`."""
+        return {
+            "out.nc": ("run", "case.toml", "--output", f"{folder}/out.nc"),
+            "out.csv": ("run", "case.toml", "--csv", f"{folder}/out.csv"),
+            "pad.csv": ("run", "pad.toml", "--csv", f"{folder}/pad.csv"),
+            "page.html": ("report", "result.nc", "--output", f"{folder}/page.html"),
+            "verify.html": ("verify", "rayleigh1918_step", "--output", f"{folder}/verify.html"),
+            "new.nc": ("reproduce", "styles2014", "--output", folder),
+            "report.html": ("reproduce", "styles2014", "--output", folder),
+        }
+
+    def prepare_outputs(self):
+        """What they need, and the folder whole/ with each of them."""
+        (self.folder / "pad.toml").write_text(PAD)
+        (self.folder / "gap.csv").write_text(GAP)
+        self.run_well("run", "case.toml", "--output", "result.nc")
+        (self.folder / "whole").mkdir()
+        for name, words in self.outputs("whole").items():
+            if name != "report.html":  # written along with new.nc
+                self.run_well(*words)
+
+    def test_death_in_the_middle_of_any_output_leaves_the_old_file(self):
+        # SIGXFSZ kills like kill -9, and at a byte of our choice: where the file would pass the limit.
+        def limited(size):
+            return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+        self.prepare_outputs()
+        for name, words in self.outputs("whole").items():
+            path = self.folder / "whole" / name
+            whole = path.stat().st_size
+            path.write_text("old")
+            # The page of a reproduction comes after its results, which are smaller.
+            for share in (0.5, 0.99) if name == "report.html" else (0.1, 0.5, 0.99):
+                with self.subTest(name, share=share):
+                    done = self.run_program(*words, preexec_fn=limited(int(share * whole)))
+                    self.assertEqual(done.returncode, -signal.SIGXFSZ, done.stderr)
+                    self.assertEqual(path.read_text(), "old")
+                    self.assertEqual([p for p in self.partials() if name not in p], [])
+            self.run_well(*words)
+            self.assertEqual(path.stat().st_size, whole, name)
+            self.assertEqual(self.partials(), [], name)
+
+    def test_disk_that_fills_up_under_any_output_is_exit_code_5_and_leaves_the_old_file(self):
+        self.prepare_outputs()
+        for name, words in self.outputs("small").items():
+            small = self.small_disk((self.folder / "whole" / name).stat().st_size * 3 // 4)
+            try:
+                (small / name).write_text("old")
+                done = self.run_program(*words)
+                with self.subTest(name):
+                    self.assertEqual(done.returncode, 5, done.stderr)
+                    self.assertIn("could not be written: No space left on device", done.stderr)
+                    self.assertEqual((small / name).read_text(), "old")
+                    self.assertEqual([p.name for p in small.iterdir() if ".partial-" in p.name], [])
+            finally:
+                subprocess.run(["umount", str(small)], check=True)
 
     def test_full_device_and_full_standard_output_are_exit_code_5(self):
         if not pathlib.Path("/dev/full").exists():
