@@ -40,6 +40,13 @@ void check_field_size(const Case& c, Breaches& breaches) {
 }
 
 void check_cavitation_pressure(const Film& film, Breaches& breaches) {
+  constexpr double kHighest = 1e7;
+  if (film.cavitation_pressure > kHighest) {
+    breaches.push_back({"film.cavitation_pressure",
+                        "film.cavitation_pressure = " + number(film.cavitation_pressure / 1e5) + " bar is above " +
+                            number(kHighest / 1e5) + " bar",
+                        "no oil film of a ring ruptures there; give the absolute pressure of the cavity"});
+  }
   if (film.cavitation_pressure >= 0) return;
   breaches.push_back({"film.cavitation_pressure",
                       "film.cavitation_pressure = " + number(film.cavitation_pressure / 1e5) + " bar is below zero",

@@ -72,6 +72,13 @@ void check_film(const Pad& pad, Breaches& breaches) {
   }
 }
 
+/// Nodes of the grid at the most: each piece between steps of the gap gets two cells or more.
+double most_nodes(const Case& c) {
+  double pieces = 1;
+  for (std::size_t i = 1; i < c.pad.gap_x.size(); ++i) pieces += c.pad.gap_x[i] == c.pad.gap_x[i - 1];
+  return c.solver.cells + 3 * pieces + 1;
+}
+
 void check_times(const Case& c, Breaches& breaches) {
   const Pad& pad = c.pad;
   const double begin = pad.history_time.front(), end = pad.last_time();
@@ -94,10 +101,10 @@ void check_times(const Case& c, Breaches& breaches) {
                         "pad.output_step = " + number(*pad.output_step) + " s is no whole number of time steps of " +
                             number(pad.time_step) + " s",
                         "take one, two, three ... times pad.time_step"});
-  } else if (steps / every * c.solver.cells > kMostRows) {
+  } else if (steps / every * most_nodes(c) > kMostRows) {
     breaches.push_back({pad.output_step ? "pad.output_step" : "pad.time_step",
                         "the result would hold " + number(std::ceil(steps / every)) + " instants of " +
-                            number(c.solver.cells) + " cells, more than " + number(kMostRows) + " rows",
+                            number(most_nodes(c)) + " nodes, more than " + number(kMostRows) + " rows",
                         "keep fewer instants with a longer pad.output_step"});
   }
 }

@@ -19,6 +19,12 @@ inline double fill(Cavitation cavitation, double deficit) {
   return cavitation == Cavitation::kMassConserving ? 1 - deficit : 1.0;
 }
 
+/// Is the node part of a cavity? One that the iteration left just beyond the kink is full at p_c.
+inline bool is_cavity(double deficit) {
+  constexpr double kRounding = 1e-9;  // ten times as far as a node is put beyond the kink
+  return deficit > kRounding;
+}
+
 /// Moves z by the Newton step, but stops every node that would change sides just beyond the kink: beyond it the
 /// linearisation is that of the other side. A front that only advances into a cavity would do so by one node an
 /// iteration; it is helped along by 1, 2, 4 ... nodes.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film {
@@ -14,9 +15,9 @@ constexpr double kPolynomialTurns = 1.911;
 
 void add_load(const FilmProblem& problem, const FilmState& state, FilmIntegrals& sums) {
   const FilmGrid& grid = problem.grid;
+  sums.hydrodynamic_load = hydrodynamic_load(problem, state);
+  if (problem.contact == nullptr) return;
   for (std::size_t i = 0; i < grid.x.size(); ++i) {
-    sums.hydrodynamic_load += grid.share[i] * state.p[i];
-    if (problem.contact == nullptr) continue;
     const double h = problem.contact_spread == ContactSpread::kNominal ? state.h_m : state.h_m + grid.node_height[i];
     const auto contact = problem.contact->contact(h);
     sums.asperity_load += grid.share[i] * contact.pressure;
@@ -103,11 +104,11 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   const int n = grid.n_cells();
   sums.peak_pressure = *std::max_element(state.p.begin(), state.p.end());
   for (int i = 1; i < n; ++i) {
-    if (state.deficit[i] == 0) continue;
-    if (state.deficit[i - 1] == 0) {
+    if (!is_cavity(state.deficit[i])) continue;
+    if (!is_cavity(state.deficit[i - 1])) {
       sums.cavities.push_back({front_position(grid, state.p, inputs.p_cavitation, i - 1, i), 0});
     }
-    if (state.deficit[i + 1] == 0) {
+    if (!is_cavity(state.deficit[i + 1])) {
       const double end = front_position(grid, state.p, inputs.p_cavitation, i + 1, i);
       Cavity& cavity = sums.cavities.back();
       cavity.end = std::max(end, cavity.begin);

@@ -4,6 +4,8 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
+#include "ringfilm/film/load_balance.hpp"
+
 namespace ringfilm::film {
 namespace {
 
@@ -12,7 +14,7 @@ const double kLargestFall = std::log(0.4);  // trust region in ln h_m
 const double kLargestRise = std::log(2.5);
 constexpr double kBlindStep = 0.2;   // in ln h_m, where the load seems to rise with the film
 constexpr double kThinnest = 1e-12;  // [m], below any film that a continuum describes
-constexpr double kThickest = 1e-1;   // [m]
+constexpr double kThickest = 1e2;    // widths: no wedge is left
 constexpr double kRunaway = 1e6;     // multiple of the load beyond which only the sign counts
 
 }  // namespace
@@ -63,7 +65,7 @@ class CoupledNewton {
       ++report.iterations;
       report.last_step = std::max(outcome.largest, std::abs(d_ln_h));
       if (!std::isfinite(outcome.largest + d_ln_h + state_.h_m + excess)) return false;
-      if (d_ln_h != 0 && (state_.h_m < kThinnest || state_.h_m > kThickest)) return false;
+      if (d_ln_h != 0 && (state_.h_m < kThinnest || state_.h_m > thickest())) return false;
       if (outcome.to_film + outcome.to_cavity == 0 && report.last_step <= std::sqrt(problem_.tolerance)) {
         finish();
         return true;
@@ -96,7 +98,7 @@ class CoupledNewton {
     double excess_b = excess_a;
     while (solved && excess_a * excess_b > 0) {
       if (b < std::log(kThinnest)) report.failure = Failure::kOverloaded;
-      if (b < std::log(kThinnest) || b > std::log(kThickest)) return false;
+      if (b < std::log(kThinnest) || b > std::log(thickest())) return false;
       a = b;
       excess_a = excess_b;
       b = a + stride;
@@ -148,8 +150,7 @@ class CoupledNewton {
   double load_excess(double* d_load_dh = nullptr) const {
     const FilmGrid& grid = problem_.grid;
     const std::size_t n_nodes = grid.x.size();
-    double load = 0;
-    for (std::size_t i = 0; i < n_nodes; ++i) load += grid.share[i] * state_.p[i];
+    double load = hydrodynamic_load(problem_, state_);
     double slope = 0;
     const auto add_contact = [&](double h, double share) {
       if (h >= problem_.contact->reach()) return;
@@ -169,6 +170,8 @@ class CoupledNewton {
     if (d_load_dh != nullptr) *d_load_dh = slope;
     return load - inputs_.load;
   }
+
+  double thickest() const { return kThickest * problem_.grid.width; }
 
   void finish() {
     work_.oil_.update(*problem_.oil, state_.p);

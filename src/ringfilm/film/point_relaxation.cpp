@@ -91,7 +91,7 @@ class PointRelaxation {
 
 bool PointRelaxation::solve(FilmReport& report) {
   const double tolerance = problem_.tolerance;
-  double damping = work_.damping_.value_or(kFirstDamping);
+  double damping = kFirstDamping;
   double excess = 1;
   double move = 0;
   while (true) {  // until the sweeps are used up
@@ -106,7 +106,6 @@ bool PointRelaxation::solve(FilmReport& report) {
     if (!std::isfinite(excess)) return false;
     if (std::abs(excess) <= tolerance) {
       finish();
-      work_.damping_ = damping;
       return true;
     }
     // The damping that the last correction should have had, as far as relaxation lets it be seen.

@@ -16,7 +16,7 @@ struct RelaxationFactor {
   std::optional<double> fixed;  ///< in (0, 2); absent: the best for the pressures as they are
 };
 
-/// Scratch memory; one per thread, for any number of problems. What was adapted is remembered from solve to solve.
+/// Scratch memory; one per thread, for any number of problems.
 class RelaxationWorkspace {
  public:
   explicit RelaxationWorkspace(RelaxationFactor factor = {}) : factor_(factor) {}
@@ -24,7 +24,6 @@ class RelaxationWorkspace {
  private:
   friend class PointRelaxation;
   RelaxationFactor factor_;
-  std::optional<double> damping_;  ///< of the corrections of h_m, as the last solve left it
   NodalOil oil_;
   std::vector<double> theta_, multiplier_;
   std::vector<double> conductance_, couette_;  ///< of the faces [kg/(m s Pa)], [kg/(m s)]

@@ -59,7 +59,7 @@ std::string pad_json(const PadDocument& document) {
     object[quantity.name] = last.*quantity.value;
     units[quantity.name] = quantity.unit;
   }
-  if (result.effort.time_steps > 0) object["history"] = history_object(result.samples);
+  if (result.is_history) object["history"] = history_object(result.samples);
   object["units"] = units;
   object["notes"] = notes_array(document);
   ordered_json assumed = ordered_json::object();

@@ -9,7 +9,7 @@
 namespace ringfilm::io {
 
 /// Raised by one whenever a name or a meaning changes.
-constexpr long kResultSchema = 1;
+constexpr long kResultSchema = 2;
 
 /// Plain description of a variable that is no quantity of the tables in cycle/result.hpp.
 inline cycle::Quantity described(std::string name, std::string unit, std::string long_name, std::string symbol = "",
@@ -63,7 +63,6 @@ void exchange_attributes(File& file, Document& document) {
   file.attribute("effort_periodicity_error", effort.periodicity_error);
   file.attribute("effort_crank_steps", effort.crank_steps);
   file.attribute("effort_newton_iterations", effort.newton_iterations);
-  file.attribute("effort_relaxation_sweeps", effort.relaxation_sweeps);
   file.attribute("effort_relaxation_sweeps", effort.relaxation_sweeps);
   file.attribute("effort_sub_steps", effort.sub_steps);
   file.attribute("effort_fallback_secant", effort.fallback_secant);

@@ -9,6 +9,8 @@ namespace {
 
 /// A film that loses more than this share of its flow does so by its model, not by rounding.
 constexpr double kMassLost = 1e-4;
+/// A lowest place of the gap that the grid misses by more than this share of the film changes what the pad carries.
+constexpr double kMissed = 0.01;
 
 template <typename... Values>
 std::string text(const char* format, Values... values) {
@@ -17,21 +19,37 @@ std::string text(const char* format, Values... values) {
   return buffer;
 }
 
+/// How much the lowest height that the grid sees lies above that of the gap [m].
+double lowest_height(const PadSetup& setup) {
+  const film::FilmGrid grid = setup.problem(setup.input.solver.cells).grid;
+  double lowest = std::min(*std::min_element(grid.node_height.begin(), grid.node_height.end()),
+                           *std::min_element(grid.face_height.begin(), grid.face_height.end()));
+  for (const film::GapJump& jump : grid.jumps) lowest = std::min({lowest, jump.height_left, jump.height_right});
+  return lowest;
+}
+
 }  // namespace
 
 void append_notes(const PadSetup& setup, PadResult& result) {
   const cycle::Pad& pad = setup.input.pad;
   const double um = 1e6;
-  const Sample& last = result.samples.back();
   const auto note = [&result](const char* topic, std::string message, long count = 1) {
     result.notes.push_back({topic, std::move(message), count});
   };
-  if (!pad.load && setup.lowest_gap > 0 && last.separation > 0) {
+  const bool has_film = !result.samples.empty();
+  const Sample last = has_film ? result.samples.back() : Sample{};
+  if (has_film && !pad.load && setup.lowest_gap > 0 && last.separation > 0) {
     note("separation-adds-to-gap",
          text("the separation of %.6g um adds to the gap, whose lowest place is %.6g um: the smallest film is %.6g um",
               last.separation * um, setup.lowest_gap * um, last.min_film_thickness * um));
   }
-  if (pad.load && last.separation < 0) {
+  if (const double missed = lowest_height(setup); has_film && missed > kMissed * last.min_film_thickness) {
+    note("gap-finer-than-cells",
+         text("the lowest place of the gap lies between the places that the cells see, which are %.3g um higher: take "
+              "more solver.cells",
+              missed * um));
+  }
+  if (has_film && pad.load && last.separation < 0) {
     note("pressed-closer-than-gap",
          text("the load presses the pad %.6g um closer than the gap is given, to a smallest film of %.6g um",
               -last.separation * um, last.min_film_thickness * um));

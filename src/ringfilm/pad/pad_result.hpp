@@ -61,6 +61,7 @@ struct PadResult {
   std::vector<Profile> profiles;  ///< at the times of `samples`
   std::vector<cycle::Note> notes;
   Effort effort;
+  bool is_history = false;  ///< of a separation history, however far it came; else a steady film
   bool complete = true;  ///< false: the film could not be solved further; `samples` are those before
 };
 

@@ -29,7 +29,7 @@ void for_each_place(const film::FilmGrid& grid, const Use& use) {
 /// The largest mass flux in the film, or what rounding makes of a film in which nothing flows: of its pressures, and of
 /// the oil that it holds from step to step.
 double largest_flux(const film::FilmProblem& problem, const film::FilmInputs& inputs, const film::FilmState& state) {
-  constexpr double kOfPressures = 1e-8, kSmallestPressure = 1.0, kOfOil = 1e-10;  // shares, but for the second [Pa]
+  constexpr double kOfPressures = 1e-8, kSmallestPressure = 1.0, kOfOil = 1e-8;  // shares, but for the second [Pa]
   const auto [low, high] = std::minmax_element(state.p.begin(), state.p.end());
   const auto thickest = std::max_element(problem.grid.node_height.begin(), problem.grid.node_height.end());
   const double h = state.h_m + *thickest, rho = state.rho.front(), L = problem.grid.width;

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "ringfilm/base/table.hpp"
+#include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/pad/pad_notes.hpp"
 #include "ringfilm/pad/recording.hpp"
 #include "ringfilm/pad/steady_film.hpp"
@@ -36,6 +37,7 @@ class March {
       const double from = begin + static_cast<double>(k - 1) * dt;
       const double to = k == n_steps ? end : begin + static_cast<double>(k) * dt;
       if (!advance(from, to, 0)) {
+        append_notes(setup_, result_);
         throw StoppedPad(text("between %.6g s and %.6g s no film was found, with 1/%d of the time step either", from,
                               to, 1 << kMostHalvings),
                          std::move(result_));
@@ -91,6 +93,15 @@ class March {
   PadResult& result_;
 };
 
+/// Does a film one per cent thicker carry the same? Then the load does not tell the separation.
+bool any_separation_carries(const PadSetup& setup, const film::FilmProblem& problem, const film::FilmState& film,
+                            Effort& effort) {
+  constexpr double kThicker = 1.01, kTheSame = 1e-10;
+  const auto thicker = steady_film_at(setup, problem, kThicker * film.h_m - setup.lowest_gap, effort);
+  const double load = film::hydrodynamic_load(problem, film);
+  return thicker && std::abs(film::hydrodynamic_load(problem, *thicker) - load) <= kTheSame * load;
+}
+
 std::string nothing_found(const PadSetup& setup) {
   const cycle::Pad& pad = setup.input.pad;
   if (!pad.load) return "no steady film was found, from slower motion and coarser grids either";
@@ -108,12 +119,23 @@ PadResult solve_pad(const cycle::Case& c, Observer* observer) {
   const bool has_history = !c.pad.history_time.empty();
   PadResult result;
   result.complete = false;
+  result.is_history = has_history;
   result.x = profile_places(problem.grid);
   const auto start =
       c.pad.load ? steady_film_under(setup, problem, *c.pad.load, result.effort)
                  : steady_film_at(setup, problem, has_history ? c.pad.history_separation.front() : *c.pad.separation,
                                   result.effort);
-  if (!start) throw StoppedPad(nothing_found(setup), std::move(result));
+  const auto stop = [&](const std::string& message) {
+    append_notes(setup, result);
+    throw StoppedPad(message, std::move(result));
+  };
+  if (!start) stop(nothing_found(setup));
+  if (c.pad.load && any_separation_carries(setup, problem, *start, result.effort)) {
+    stop(
+        text("any separation carries the load of %.6g N/m: the pressures at the edges do, and the gap makes none of "
+             "its own; state pad.separation",
+             *c.pad.load));
+  }
   const double begin = has_history ? c.pad.history_time.front() : 0.0;
   result.samples.push_back(sample(setup, problem, setup.steady_inputs(), *start, *start, begin));
   result.profiles.push_back(profile(problem, *start, begin));

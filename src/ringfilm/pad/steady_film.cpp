@@ -3,18 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ringfilm/film/first_guess.hpp"
+#include "ringfilm/film/load_balance.hpp"
+
 namespace ringfilm::pad {
 namespace {
 
 constexpr int kCoarsest = 16;          // cells of the first grid
 constexpr int kSpeedHalvings = 8;      // the slowest start of a speed that is raised little by little
 constexpr double kFarOff = 0.1;        // an estimate of the pressures is not used if they turn out below this share
+constexpr int kMostEstimates = 30;     // each a tenth of the one before or less
 constexpr double kStandstill = 1e-10;  // of the film in one step
-constexpr double kRounding = 1e-9;     // of an estimate: pressures below this share are none
 constexpr double kNoPressure = 1.0;    // scale where neither motion nor edges make any pressure [Pa]
-constexpr double kThickest = 1e-2, kThinnest = 1e-10;  // films among which one for a load is looked for [m]
-constexpr int kBisections = 12;                        // before Newton's method takes over
-constexpr double kSliderLoad = 0.16;                   // W h^2/(eta U L^2) of the best plane slider
+constexpr double kThinnest = 1e-10;    // thinnest film among which one for a load is looked for [m]
+constexpr int kBisections = 12;        // before Newton's method takes over
 
 /// Pressures that wedge, squeeze and edges may make [Pa]; never 0.
 double estimated_pressure(const PadSetup& setup, const film::FilmInputs& inputs, double h_m, double closing) {
@@ -26,12 +28,6 @@ double estimated_pressure(const PadSetup& setup, const film::FilmInputs& inputs,
   const double edges = std::max(inputs.p_left, inputs.p_right) - inputs.p_cavitation;
   const double largest = std::max({wedge, squeeze, edges});
   return largest > 0 ? largest : kNoPressure;
-}
-
-/// A steady film at rest lies between the pressures of its edges and has no cavity; in one, nothing would tell the
-/// fill.
-void keep_full_at_rest(film::FilmInputs& inputs, double scale) {
-  if (inputs.U == 0 && inputs.time_step == film::kSteady) inputs.p_cavitation -= scale;
 }
 
 void count(const film::FilmReport& report, Effort& effort) {
@@ -82,24 +78,18 @@ bool ease_in(const PadSetup& setup, const film::FilmProblem& problem, const film
   return true;
 }
 
-double load_of(const film::FilmProblem& problem, const film::FilmState& state) {
-  double load = 0;
-  for (std::size_t i = 0; i < state.p.size(); ++i) load += problem.grid.share[i] * state.p[i];
-  return load;
-}
-
-/// The thickest film that carries the load, found by walking down from thick films: what a step or a pocket carries
-/// may fall again towards thin ones.
+/// The thickest film that carries the load, found by walking down from thick films: what lands with a pocket between
+/// them carry may fall again towards thin ones.
 std::optional<film::FilmState> by_scan(const PadSetup& setup, const film::FilmProblem& problem,
                                        const film::FilmInputs& inputs, Effort& effort) {
   ++effort.eased_starts;
   const auto solved_at = [&](double h_m) { return steady_film_at(setup, problem, h_m - setup.lowest_gap, effort); };
-  double thick = std::min(kThickest, setup.input.pad.length), thin = thick;
+  double thick = setup.input.pad.length, thin = thick;
   std::optional<film::FilmState> carrying;
   for (double h_m = thick; h_m > kThinnest && !carrying; h_m /= 2) {
     const auto state = solved_at(h_m);
     if (!state) continue;
-    if (load_of(problem, *state) < inputs.load) {
+    if (film::hydrodynamic_load(problem, *state) < inputs.load) {
       thick = h_m;
     } else {
       thin = h_m;
@@ -111,7 +101,7 @@ std::optional<film::FilmState> by_scan(const PadSetup& setup, const film::FilmPr
     const double middle = std::sqrt(thin * thick);
     const auto state = solved_at(middle);
     if (!state) return std::nullopt;
-    const bool carries = load_of(problem, *state) >= inputs.load;
+    const bool carries = film::hydrodynamic_load(problem, *state) >= inputs.load;
     (carries ? thin : thick) = middle;
     if (carries) carrying = state;
   }
@@ -129,18 +119,18 @@ bool solve_at_separation(const PadSetup& setup, const film::FilmProblem& problem
                          film::FilmWorkspace& workspace, Effort& effort) {
   const double width = problem.grid.width;
   const double estimate = estimated_pressure(setup, inputs, state.h_m, closing);
-  inputs.load = estimate * width;
-  keep_full_at_rest(inputs, estimate);
-  film::FilmReport report = film::solve_film_at_separation(problem, inputs, previous, state, workspace);
-  count(report, effort);
-  if (!report.converged) return false;
-  const double peak = *std::max_element(state.p.begin(), state.p.end()) - inputs.p_cavitation;
-  if (peak < kRounding * estimate || peak > kFarOff * estimate) return true;
-  const film::FilmState solved = state;
-  inputs.load = peak * width;
-  report = film::solve_film_at_separation(problem, inputs, previous, state, workspace);
-  count(report, effort);
-  if (!report.converged) state = solved;
+  // The film is solved to a share of an estimate of its pressures: as long as they turn out far below, they are the
+  // next estimate.
+  double scale = estimate;
+  for (int k = 0; k < kMostEstimates; ++k) {
+    inputs.load = scale * width;
+    const film::FilmReport report = film::solve_film_at_separation(problem, inputs, previous, state, workspace);
+    count(report, effort);
+    if (!report.converged) return false;
+    const double peak = *std::max_element(state.p.begin(), state.p.end()) - inputs.p_cavitation;
+    if (peak <= 0 || peak > kFarOff * scale) break;
+    scale = peak;
+  }
   return true;
 }
 
@@ -184,9 +174,8 @@ std::optional<film::FilmState> steady_film_under(const PadSetup& setup, const fi
                                                  Effort& effort) {
   film::FilmInputs inputs = setup.steady_inputs();
   inputs.load = load;
-  keep_full_at_rest(inputs, inputs.mean_pressure(problem.grid));
   const double L = setup.input.pad.length, eta = setup.input.lubricant.viscosity;
-  const double slider = std::sqrt(kSliderLoad * eta * std::abs(inputs.U) * L * L / load);
+  const double slider = std::sqrt(film::kSliderLoad * eta * std::abs(inputs.U) * L * L / load);
   // Where nothing moves there is no wedge to tell a film; a thousandth of the length is as good a start as any.
   const double first_h_m = slider > 0 ? slider : 1e-3 * L;
   std::optional<film::FilmState> solved;

@@ -58,6 +58,25 @@ TEST(Methods, ARelaxationThatDoesNotConvergeSaysSoInBoundedTime) {
   EXPECT_LE(report.sweeps, 1000 + 100 * 64);
 }
 
+// Scratch memory carries nothing from one solve to the next: the same film, to the last bit, whatever came before.
+TEST(Methods, AUsedWorkspaceGivesTheSameBits) {
+  const SmoothFilm slider = inclined_slider(64);
+  const FilmState previous = first_guess(slider.problem, sliding());
+  for (const Method method : {Method::kCoupledNewton, Method::kPointRelaxation, Method::kNestedSecant}) {
+    const auto solved = [&](MethodWorkspace& workspace) {
+      FilmState state = previous;
+      state.h_m *= 1.5;
+      EXPECT_TRUE(solve_film(slider.problem, sliding(), previous, state, workspace).converged);
+      return state;
+    };
+    MethodWorkspace fresh = workspace_of(method, slider.problem);
+    const FilmState first = solved(fresh);
+    const FilmState second = solved(fresh);
+    EXPECT_EQ(first.h_m, second.h_m);
+    EXPECT_EQ(first.p, second.p);
+  }
+}
+
 TEST(Methods, TheChosenFactorIsCloseToTheBest) {
   const SmoothFilm slider = inclined_slider(64);
   const FilmState previous = first_guess(slider.problem, sliding());

@@ -88,5 +88,21 @@ TEST(PadSqueeze, OscillatingPlatesRuptureSpreadAndCloseAsPublished) {
   EXPECT_NEAR(full_again, 0.733, 0.004);       // published as "near 0.733"
 }
 
+// Its pressure is p_c and its oil just fills the gap: neither side of the kink, and no cavity.
+TEST(PadSqueeze, AtRestWithEdgesAtTheCavitationPressureHasNoCavity) {
+  cycle::Case c = slider();
+  c.pad.gap_height = {kOutlet, kOutlet};
+  c.pad.speed = 0;
+  c.pad.separation.reset();
+  c.pad.history_time = {0, 1};
+  c.pad.history_separation = {0, 0};
+  c.pad.time_step = 0.1;
+  for (const Sample& s : solve_pad(c).samples) {
+    EXPECT_TRUE(s.rupture_positions.empty()) << s.time << " s";
+    EXPECT_EQ(s.cavitated_fraction, 0);
+    EXPECT_LT(s.mass_residual, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace ringfilm::pad::testing
