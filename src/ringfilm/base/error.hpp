@@ -34,7 +34,7 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-/// No film and no asperity contact was found that balances the load, all remedies spent (exit code 3).
+/// No film was found that balances what acts on it, all remedies spent (exit code 3).
 class ConvergenceError : public std::runtime_error {
  public:
   explicit ConvergenceError(const std::string& message) : std::runtime_error(message) {}
