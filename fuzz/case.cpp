@@ -6,9 +6,10 @@
 /// A case file, with the files of fuzz/beside to refer to; what passes is made ready to march and written out again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ringfilm;
+  static const io::Units units;
   const std::string path = fuzz::input_file(data, size, "case.toml");
   try {
-    const cycle::Case c = io::read_case(path);
+    const cycle::Case c = io::read_case(path, {}, units);
     io::resolved_case(c);
     cycle::prepare(c);
   } catch (const InputError& error) {

@@ -5,9 +5,10 @@
 /// Measured curves as CSV, to be laid over computed ones.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ringfilm;
+  static const io::Units units;
   const std::string path = fuzz::input_file(data, size, "overlay.csv");
   try {
-    io::read_overlay(path);
+    io::read_overlay(path, units);
   } catch (const InputError& error) {
     describe(error.faults());
   }

@@ -5,9 +5,10 @@
 /// Published values as TOML, to be compared with.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ringfilm;
+  static const io::Units units;
   const std::string path = fuzz::input_file(data, size, "published.toml");
   try {
-    io::read_published(path, "new");
+    io::read_published(path, "new", units);
   } catch (const InputError& error) {
     describe(error.faults());
   }

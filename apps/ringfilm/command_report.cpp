@@ -29,8 +29,9 @@ void report(const ReportOptions& options) {
   std::vector<io::ResultDocument> documents;
   for (const std::string& path : options.results) documents.push_back(io::read_result(path));
   std::vector<ringfilm::report::Overlay> overlays;
+  const io::Units units;
   for (const std::string& path : options.overlays) {
-    for (const io::MeasuredCurve& curve : io::read_overlay(path)) {
+    for (const io::MeasuredCurve& curve : io::read_overlay(path, units)) {
       overlays.push_back({curve.name, curve.quantity, curve.source, curve.crank_angle_deg, curve.value});
     }
   }

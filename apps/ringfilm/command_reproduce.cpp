@@ -52,10 +52,12 @@ struct RingInput {
 
 /// All that is read, before anything is computed or written.
 std::vector<RingInput> ring_inputs(const fs::path& cases) {
+  const io::Units units;
   std::vector<RingInput> inputs;
   for (const std::string ring : kRings) {
-    inputs.push_back({ring, io::read_case((cases / (ring + ".toml")).string(), {{"output.fields", field_angles()}}),
-                      io::read_published((cases / "published.toml").string(), ring)});
+    inputs.push_back({ring,
+                      io::read_case((cases / (ring + ".toml")).string(), {{"output.fields", field_angles()}}, units),
+                      io::read_published((cases / "published.toml").string(), ring, units)});
     cycle::prepare(inputs.back().input);
   }
   return inputs;

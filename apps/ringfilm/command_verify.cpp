@@ -71,8 +71,9 @@ void print_case(const study::VerificationOutcome& outcome, const io::Units& unit
 }
 
 void print_list() {
+  const io::Units units;
   for (const std::string& folder : io::verification_folders()) {
-    const study::Verification verification = io::read_verification(folder);
+    const study::Verification verification = io::read_verification(folder, units);
     std::cout << fmt::format("{:<34}{}\n", verification.name, verification.title);
   }
 }
@@ -98,16 +99,16 @@ long rows_of(const std::vector<study::VerificationOutcome>& cases, bool only_hel
 void verify(const VerifyOptions& options) {
   if (options.wanted == VerifyWanted::kNames) return print_list();
   const std::vector<std::string> folders = chosen_folders(options.names);
+  const io::Units units;
   if (options.output) io::check_can_write(*options.output, io::Sink::kFileOrDevice);
   std::vector<study::Verification> verifications;
-  for (const std::string& folder : folders) verifications.push_back(io::read_verification(folder));
+  for (const std::string& folder : folders) verifications.push_back(io::read_verification(folder, units));
   ringfilm::report::VerificationResult result{{}, {}, io::this_program()};
   if (options.names.empty()) {
     result.not_covered =
-        io::read_not_covered((fs::path(io::shipped_folder()) / "verification" / "not-covered.toml").string());
+        io::read_not_covered((fs::path(io::shipped_folder()) / "verification" / "not-covered.toml").string(), units);
   }
   const bool in_words = options.wanted == VerifyWanted::kTable;
-  const io::Units units;
   if (in_words) {
     std::cout << fmt::format("  {:<52}{:>20}{:>20}{:>14}{:>14}  {}\n", "check", "expected", "got", "error", "tolerance",
                              "verdict");

@@ -23,7 +23,7 @@ std::string section_of(const std::string& key) { return key.substr(0, key.find('
 
 class Reader {
  public:
-  explicit Reader(CaseTree tree) : tree_(std::move(tree)) {}
+  Reader(CaseTree tree, const Units& units) : tree_(std::move(tree)), units_(units) {}
 
   Case read() {
     case_ = cycle::blank_case(problem());
@@ -256,7 +256,7 @@ class Reader {
   }
 
   CaseTree tree_;
-  Units units_;
+  const Units& units_;
   Case case_;
   std::map<std::string, const TomlEntry*> given_;
   std::set<std::string> missing_;
@@ -265,7 +265,11 @@ class Reader {
 }  // namespace
 
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides) {
-  return Reader(read_case_tree(path, overrides)).read();
+  return read_case(path, overrides, Units());
+}
+
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units) {
+  return Reader(read_case_tree(path, overrides), units).read();
 }
 
 }  // namespace ringfilm::io

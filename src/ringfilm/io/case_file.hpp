@@ -4,6 +4,7 @@
 
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/units.hpp"
 
 namespace ringfilm::io {
 
@@ -18,6 +19,9 @@ struct Override {
 /// Throws one InputError with every fault found in all files. File names are relative to the file that names them,
 /// those of an override to the working folder; `data/lubricants/...` falls back to the shipped folder.
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
+
+/// The same for who reads many cases, which building the units anew for each would slow down.
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units);
 
 /// The active keys with the values in use, in table order.
 std::vector<CaseEntry> case_entries(const cycle::Case& c);

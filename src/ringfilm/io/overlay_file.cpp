@@ -30,9 +30,8 @@ Fault unknown_curve(const CsvFile& csv, std::size_t i_column) {
 
 }  // namespace
 
-std::vector<MeasuredCurve> read_overlay(const std::string& path) {
+std::vector<MeasuredCurve> read_overlay(const std::string& path, const Units& units) {
   const CsvFile csv = read_csv({path, path});
-  const Units units;
   std::vector<Fault> faults;
   const std::vector<double> angle = quantity_column(csv, kAngle, "degree", "crank_angle [degree]", units, faults);
   std::vector<MeasuredCurve> curves;

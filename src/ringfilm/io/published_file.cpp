@@ -75,9 +75,9 @@ void refuse_unknown_keys(const TomlValue& table, std::vector<Fault>& faults) {
 
 }  // namespace
 
-std::vector<study::PublishedValue> read_published(const std::string& path, const std::string& case_name) {
+std::vector<study::PublishedValue> read_published(const std::string& path, const std::string& case_name,
+                                                  const Units& units) {
   const TomlValue root = parse_toml(read_source_text(path, path, kLargestToml));
-  const Units units;
   std::vector<Fault> faults;
   std::vector<study::PublishedValue> values;
   const TomlValue* tables = find_member(root, "published");

@@ -160,7 +160,9 @@ class Table {
 
 class Reader {
  public:
-  explicit Reader(const fs::path& folder) : folder_(folder) { verification_.name = folder.filename().string(); }
+  Reader(const fs::path& folder, const Units& units) : folder_(folder), units_(units) {
+    verification_.name = folder.filename().string();
+  }
 
   study::Verification read() {
     read_claim();
@@ -193,8 +195,8 @@ class Reader {
     if (!faults_.empty()) throw InputError(std::move(faults_));
     for (auto& [name, c] : verification_.runs) {
       const auto named = named_.find(name);
-      c = named == named_.end() ? read_case((folder_ / name).string())
-                                : read_case((folder_ / named->second.path).string(), named->second.overrides);
+      c = named == named_.end() ? read_case((folder_ / name).string(), {}, units_)
+                                : read_case((folder_ / named->second.path).string(), named->second.overrides, units_);
     }
     return std::move(verification_);
   }
@@ -207,7 +209,8 @@ class Reader {
     const fs::path path = folder_ / "README.md";
     for (const std::string& line : read_source_text(path.string(), path.string(), kLargestToml).lines) {
       if (verification_.title.empty()) {
-        verification_.title = line.substr(line.find_first_not_of("# "));
+        const std::size_t start = line.find_first_not_of("# ");
+        if (start != std::string::npos) verification_.title = line.substr(start);
       } else if (!line.empty()) {
         verification_.claim += (verification_.claim.empty() ? "" : " ") + line;
       } else if (!verification_.claim.empty()) {
@@ -346,14 +349,16 @@ class Reader {
 
   fs::path folder_;
   std::map<std::string, NamedRun> named_;
-  Units units_;
+  const Units& units_;
   std::vector<Fault> faults_;
   study::Verification verification_;
 };
 
 }  // namespace
 
-study::Verification read_verification(const std::string& folder) { return Reader(folder).read(); }
+study::Verification read_verification(const std::string& folder, const Units& units) {
+  return Reader(folder, units).read();
+}
 
 std::vector<std::string> verification_folders() {
   const fs::path all = fs::path(shipped_folder()) / "verification";
@@ -369,9 +374,8 @@ std::vector<std::string> verification_folders() {
   return folders;
 }
 
-std::vector<study::NotCovered> read_not_covered(const std::string& path) {
+std::vector<study::NotCovered> read_not_covered(const std::string& path, const Units& units) {
   const TomlValue root = parse_toml(read_source_text(path, path, kLargestToml));
-  const Units units;
   std::vector<Fault> faults;
   std::vector<study::NotCovered> all;
   for (const auto& [name, tables] : root.members) {

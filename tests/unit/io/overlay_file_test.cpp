@@ -18,7 +18,7 @@ class OverlayFile : public testing::Test {
  protected:
   std::vector<MeasuredCurve> read(const std::string& text) {
     std::ofstream(path_) << text;
-    return read_overlay(path_);
+    return read_overlay(path_, Units());
   }
   std::string refusal(const std::string& text) {
     try {

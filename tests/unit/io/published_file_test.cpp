@@ -39,7 +39,7 @@ std::string refusal(const std::string& text) {
   const ScratchFolder folder;
   std::ofstream(folder / "published.toml") << text;
   try {
-    read_published(folder / "published.toml", "new");
+    read_published(folder / "published.toml", "new", Units());
   } catch (const InputError& error) {
     return error.what();
   }
@@ -49,12 +49,12 @@ std::string refusal(const std::string& text) {
 TEST(PublishedFile, GivesTheValuesOfOneCaseInSi) {
   const ScratchFolder folder;
   std::ofstream(folder / "published.toml") << kGood;
-  const auto values = read_published(folder / "published.toml", "new");
+  const auto values = read_published(folder / "published.toml", "new", Units());
   ASSERT_EQ(values.size(), 1u);
   EXPECT_EQ(values[0].source, "paper");
   EXPECT_EQ(values[0].quantity, "fmep");
   EXPECT_EQ(values[0].value, 19e3);
-  const auto worn = read_published(folder / "published.toml", "worn");
+  const auto worn = read_published(folder / "published.toml", "worn", Units());
   ASSERT_EQ(worn.size(), 1u);
   EXPECT_EQ(worn[0].value, 1.18);
   EXPECT_EQ(worn[0].decided_by, "E'");
@@ -72,7 +72,8 @@ TEST(PublishedFile, RefusesWhatCannotBeCompared) {
 
 TEST(PublishedFile, ShippedOneHoldsWhatThePaperSaysOfEachRing) {
   const std::string path = std::string(RINGFILM_SOURCE_FOLDER) + "/cases/styles2014/published.toml";
-  for (const char* ring : {"new", "run-in", "embedded"}) EXPECT_FALSE(read_published(path, ring).empty()) << ring;
+  for (const char* ring : {"new", "run-in", "embedded"})
+    EXPECT_FALSE(read_published(path, ring, Units()).empty()) << ring;
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+#include "input_file.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/pad_file.hpp"
+
+/// The gap of a pad as CSV.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ringfilm;
+  static const io::Units units;
+  const std::string path = fuzz::input_file(data, size, "gap.csv");
+  try {
+    io::read_gap({path, "gap.csv"}, units);
+  } catch (const InputError& error) {
+    describe(error.faults());
+  }
+  return 0;
+}
