@@ -1,8 +1,8 @@
 #pragma once
 
-/// Every program linked with these traps dies where an invalid operation, a division by zero or an overflow happens:
-/// a NaN is an error where it is born. Comparisons with infinities and quiet_NaN() as a documented answer raise
-/// nothing.
+/// Every program linked with these traps dies where an invalid operation or a division by zero happens: a NaN is an
+/// error where it is born. Infinities and quiet_NaN() as a documented answer raise nothing, but asking whether a NaN is
+/// less or greater does.
 namespace ringfilm::testing {
 
 /// Switches the traps off for its scope; for tests that let a NaN in on purpose. Say why beside it.

@@ -3,12 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "../../traps/floating_point_traps.hpp"
 #include "film_cases.hpp"
 
 namespace ringfilm::film::testing {
 namespace {
 
 TEST(FilmSolver, NotANumberIsNeverASolution) {
+  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
   constexpr double b = 1.2e-3;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   SmoothFilm film(

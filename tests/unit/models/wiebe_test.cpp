@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "../../traps/floating_point_traps.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/models/gas.hpp"
 
@@ -121,6 +122,7 @@ TEST(WiebePressure, AllowsValvesWithoutOverlap) {
 }
 
 TEST(WiebePressure, RefusesWhatCannotBeAndSaysWhy) {
+  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
   const auto refusal = [](const std::function<void(WiebeCycle&)>& change) {
     auto cycle = petrol();
     change(cycle);
