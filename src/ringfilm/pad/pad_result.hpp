@@ -18,7 +18,7 @@ struct Sample {
   double flow_left = 0, flow_right = 0;                                      ///< of oil at its stated density
   double mass_flow_left = 0, mass_flow_right = 0;
   double cavitated_fraction = 0;
-  double mass_residual = 0;  ///< balance of the whole film, relative to the largest flow in it; round-off if mass is kept
+  double mass_residual = 0;  ///< balance of the whole film over the largest flow in it; round-off if mass is kept
   std::vector<double> rupture_positions;      ///< upstream ends of the cavities, from x = 0 on
   std::vector<double> reformation_positions;  ///< downstream ends; a cavity open to the downstream edge has none
 };
@@ -62,7 +62,7 @@ struct PadResult {
   std::vector<cycle::Note> notes;
   Effort effort;
   bool is_history = false;  ///< of a separation history, however far it came; else a steady film
-  bool complete = true;  ///< false: the film could not be solved further; `samples` are those before
+  bool complete = true;     ///< false: the film could not be solved further; `samples` are those before
 };
 
 }  // namespace ringfilm::pad
