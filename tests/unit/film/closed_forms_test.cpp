@@ -214,6 +214,30 @@ TEST(MassConserving, FilmAtRestIsFullHoweverThinItIs) {
   }
 }
 
+TEST(MassConserving, FilmAtRestClosesTheCavityOfItsGuess) {
+  // Nothing flows but what the edges drive: between parallel plates the pressure falls in a straight line.
+  SmoothFilm film(
+      50, kLength, [](double) { return 0.0; }, kEta, Cavitation::kMassConserving);
+  FilmInputs in;
+  in.p_left = 2e5;
+  in.p_right = 1e5;
+  in.p_cavitation = 2e4;
+  in.load = 1.5e5 * kLength;
+  FilmState guess = first_guess(film.problem, in);
+  guess.h_m = kOutlet;
+  for (int i = 10; i <= 20; ++i) {
+    guess.p[i] = in.p_cavitation;
+    guess.deficit[i] = 0.3;
+  }
+  FilmState state = guess;
+  FilmWorkspace workspace(film.problem);
+  ASSERT_TRUE(solve_film_at_separation(film.problem, in, guess, state, workspace).converged);
+  for (int i = 0; i <= 50; ++i) {
+    EXPECT_EQ(state.deficit[i], 0);
+    EXPECT_NEAR(state.p[i] / (2e5 - 2e3 * i), 1, 1e-9) << "node " << i;  // a linear system: rounding
+  }
+}
+
 TEST(ReynoldsExit, CavityHoldsTheCavitationPressureAndNoNodeLiesBelow) {
   constexpr double L = 0.0762;
   SmoothFilm film(
