@@ -1,12 +1,15 @@
 #include "ringfilm/base/tridiagonal.hpp"
 
+#include <cmath>
+
 namespace ringfilm::base {
 
 BorderedTridiagonal::BorderedTridiagonal(int n) : lower(n), diagonal(n), upper(n), column(n), row(n), rhs(n) {}
 
-void BorderedTridiagonal::eliminate() {
+bool BorderedTridiagonal::eliminate() {
   const int n = size();
   for (int i = 0; i < n; ++i) {
+    if (!(std::abs(diagonal[i]) > 0)) return false;
     const double inverse = 1 / diagonal[i];
     upper[i] *= inverse;
     column[i] *= inverse;
@@ -20,6 +23,7 @@ void BorderedTridiagonal::eliminate() {
     corner -= row[i] * column[i];
     corner_rhs -= row[i] * rhs[i];
   }
+  return true;
 }
 
 void BorderedTridiagonal::back_substitute(double H) {

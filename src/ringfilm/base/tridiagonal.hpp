@@ -20,7 +20,8 @@ struct BorderedTridiagonal {
 
   /// Eliminates z from the border row. Afterwards `corner` H = `corner_rhs` holds for the reduced system; the arrays
   /// are overwritten.
-  void eliminate();
+  /// @returns false, with the arrays unusable, if a pivot is zero or no number
+  [[nodiscard]] bool eliminate();
 
   /// z for a given H, after `eliminate`; written into `rhs`.
   void back_substitute(double H);

@@ -49,14 +49,12 @@ class CoupledNewton {
     for (int iteration = 1; iteration <= most; ++iteration) {
       const double excess = assemble();
       auto& system = work_.system_;
+      if (!system.eliminate()) return false;
       double d_ln_h = 0;
       if (unknowns == Unknowns::kFilmAndSeparation) {
-        system.eliminate();
         // The load carried must fall with h_m; where the linearisation says otherwise, only its sign is believed.
         d_ln_h = system.corner < 0 ? system.corner_rhs / system.corner : std::copysign(kBlindStep, excess);
         d_ln_h = std::clamp(d_ln_h, kLargestFall, kLargestRise);
-      } else {
-        system.eliminate();
       }
       system.back_substitute(d_ln_h);
       const auto outcome = work_.update_.apply(work_.z_, system.rhs, scale_);

@@ -8,7 +8,8 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr int kCoarsest = 16;  // cells of the grid on which a first guess starts
+constexpr double kSliderLoad = 0.16;  // W h^2/(eta U b^2) of the best plane slider
+constexpr int kCoarsest = 16;         // cells of the grid on which a first guess starts
 
 /// Edge pressures joined linearly, h_m as a plane slider or the asperities would have it.
 FilmState coarse_guess(const FilmProblem& problem, const FilmInputs& inputs) {

@@ -3,8 +3,6 @@
 
 namespace ringfilm::film {
 
-inline constexpr double kSliderLoad = 0.16;  ///< W h^2/(eta U b^2) of the best plane slider, for estimates [-]
-
 /// A film to start from when there is none: solved on ever finer grids, from the coarsest that halving the cells gives.
 FilmState first_guess(const FilmProblem& problem, const FilmInputs& inputs);
 

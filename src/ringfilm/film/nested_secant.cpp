@@ -83,7 +83,7 @@ class NestedSecant {
       work_.oil_.update(*problem_.oil, state_.p);
       assemble_balance(problem_, inputs_, previous_, state_, work_.oil_, scale_, work_.multiplier_, system);
       std::fill(system.row.begin(), system.row.end(), 0.0);  // no load row: h_m is given
-      system.eliminate();
+      if (!system.eliminate()) return false;
       system.back_substitute(0);
       const auto outcome = work_.update_.apply(work_.z_, system.rhs, scale_);
       state_from_z(work_.z_, inputs_.p_cavitation, scale_, state_);

@@ -59,8 +59,18 @@ void append_notes(const PadSetup& setup, PadResult& result) {
          text("the film ruptures at %.6g Pa, the lower edge pressure, and not at film.cavitation_pressure = %.6g Pa",
               setup.p_cavitation, setup.input.film.cavitation_pressure));
   }
+  const auto worst =
+      std::max_element(result.samples.begin(), result.samples.end(),
+                       [](const Sample& a, const Sample& b) { return a.mass_residual < b.mass_residual; });
   const long losing = std::count_if(result.samples.begin(), result.samples.end(),
                                     [](const Sample& s) { return s.mass_residual > kMassLost; });
+  if (losing > 0 && setup.input.film.cavitation == cycle::Cavitation::kMassConserving) {
+    note("mass-residual",
+         text("mass is kept to no better than %.2g of the largest flow: gaps, viscosities or pressures differ too much "
+              "for these numbers to be trusted",
+              worst->mass_residual),
+         losing);
+  }
   if (losing > 0 && setup.input.film.cavitation == cycle::Cavitation::kReynoldsExit) {
     note("mass-not-kept",
          "film.cavitation = \"reynolds-exit\" does not keep mass where the film ruptures: the flows at the two edges "

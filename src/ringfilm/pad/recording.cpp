@@ -85,14 +85,28 @@ std::vector<double> profile_places(const film::FilmGrid& grid) {
   return x;
 }
 
-Profile profile(const film::FilmProblem& problem, const film::FilmState& state, double time) {
+Profile profile(const PadSetup& setup, const film::FilmProblem& problem, const film::FilmState& state, double time) {
   Profile along;
   along.time = time;
-  for_each_place(problem.grid, [&](int i, double height) {
+  const auto add = [&](int i, double height, double fill) {
     along.film_thickness.push_back(state.h_m + height);
     along.pressure.push_back(state.p[i]);
-    along.fill.push_back(film::fill(problem.cavitation, state.deficit[i]));
-  });
+    along.fill.push_back(fill);
+  };
+  auto jump = problem.grid.jumps.begin();
+  for (int i = 0; i <= problem.grid.n_cells(); ++i) {
+    const double fill = film::fill(problem.cavitation, state.deficit[i]);
+    if (jump == problem.grid.jumps.end() || jump->node != i) {
+      add(i, problem.grid.node_height[i], fill);
+      continue;
+    }
+    // The fill of the node is that of its downstream side; upstream the same oil flows through the other gap.
+    const double left = state.h_m + jump->height_left, right = state.h_m + jump->height_right;
+    const bool moves_right = setup.U > 0, moves_left = setup.U < 0;
+    add(i, jump->height_left, moves_right ? std::min(1.0, fill * right / left) : fill);
+    add(i, jump->height_right, moves_left ? std::min(1.0, fill * left / right) : fill);
+    ++jump;
+  }
   return along;
 }
 
@@ -112,7 +126,10 @@ Sample sample(const PadSetup& setup, const film::FilmProblem& problem, const fil
   out.min_film_thickness = state.h_m;
   out.friction_moving = sense * (sums.shear_couette + sums.shear_poiseuille);
   out.friction_fixed = sense * (sums.shear_couette - sums.shear_poiseuille);
-  out.friction_coefficient = out.load > 0 ? out.friction_moving / out.load : std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNoLoad = 1e-6;  // of the friction: what the load is then is rounding
+  out.friction_coefficient = out.load > kNoLoad * std::abs(out.friction_moving)
+                                 ? out.friction_moving / out.load
+                                 : std::numeric_limits<double>::quiet_NaN();
   out.mass_flow_left = sums.flow_left;
   out.mass_flow_right = sums.flow_right;
   out.flow_left = sums.flow_left / density;

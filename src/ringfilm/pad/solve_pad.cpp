@@ -6,6 +6,7 @@
 
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/pad/load_search.hpp"
 #include "ringfilm/pad/pad_notes.hpp"
 #include "ringfilm/pad/recording.hpp"
 #include "ringfilm/pad/steady_film.hpp"
@@ -45,7 +46,7 @@ class March {
       ++result_.effort.time_steps;
       if (k % every == 0 || k == n_steps) {
         result_.samples.push_back(sample(setup_, problem_, inputs_, before_, state_, to));
-        result_.profiles.push_back(profile(problem_, state_, to));
+        result_.profiles.push_back(profile(setup_, problem_, state_, to));
       }
       if (observer != nullptr) observer->advanced(to, end);
     }
@@ -102,13 +103,80 @@ bool any_separation_carries(const PadSetup& setup, const film::FilmProblem& prob
   return thicker && std::abs(film::hydrodynamic_load(problem, *thicker) - load) <= kTheSame * load;
 }
 
-std::string nothing_found(const PadSetup& setup) {
-  const cycle::Pad& pad = setup.input.pad;
-  if (!pad.load) return "no steady film was found, from slower motion and coarser grids either";
+std::string no_film_at(const PadSetup& setup) {
+  const cycle::Lubricant& oil = setup.input.lubricant;
+  std::string message = "no steady film was found, from slower motion and coarser grids either";
+  if (oil.viscosity_pressure != cycle::ViscosityPressure::kNone) {
+    message += text(
+        "; where viscosity grows with pressure there is none above a pressure of about 1/alpha = %.3g bar as a "
+        "constant "
+        "viscosity would make it: take a larger separation",
+        1e-5 / oil.pressure_viscosity_coefficient);
+  }
+  return message;
+}
+
+std::string no_film_under(double load, const LoadSearch& search) {
   return text(
-      "no separation was found at which the film carries %.6g N/m; at a large one the pressures at the edges alone "
-      "carry about %.6g N/m, and at a small one the shape of the gap limits the load: pad.separation tells what it is",
-      *pad.load, 0.5 * (pad.left_pressure + pad.right_pressure) * pad.length);
+      "no separation was found at which the film carries %.6g N/m; of the films between the pad's length and atomic "
+      "size the most is carried by the one of %.4g um, %.6g N/m",
+      load, 1e6 * search.thickness_at_largest, search.largest_load);
+}
+
+/// What must be known of a separation that was found for a load.
+void append_load_notes(const LoadSearch& search, std::vector<cycle::Note>& notes) {
+  if (search.slope == Slope::kRising) {
+    notes.push_back({"load-rises-with-separation",
+                     "where the load is carried it rises with the separation: in balance, but a pad that is free to "
+                     "move would leave it"});
+  }
+  if (search.n_separations > 1) {
+    notes.push_back({"load-at-several-separations",
+                     "the load is carried at more than one separation: the thickest film is taken at which it falls "
+                     "with the separation",
+                     search.n_separations});
+  }
+}
+
+/// A steady film with half the cells, to tell whether the grid is fine enough.
+void append_grid_note(const PadSetup& setup, const film::FilmState& film, const Sample& fine, PadResult& result) {
+  constexpr double kWorthTelling = 0.01;
+  const film::FilmProblem problem = setup.problem((setup.input.solver.cells + 1) / 2);
+  film::FilmWorkspace workspace(problem);
+  film::FilmState state = full_film(setup, problem, film.h_m);
+  const film::FilmState before = state;
+  const film::FilmInputs inputs = setup.steady_inputs();
+  if (!solve_at_separation(setup, problem, inputs, 0, before, state, workspace, result.effort)) return;
+  const double change = film::hydrodynamic_load(problem, state) / fine.load - 1;
+  if (!(std::abs(change) > kWorthTelling)) return;
+  result.notes.push_back({"coarse-grid", text("with half the cells the same film carries %.2g %% %s: take more "
+                                              "solver.cells",
+                                              std::abs(100 * change), change > 0 ? "more" : "less")});
+}
+
+/// The steady film that the case asks for, or the one that a history starts from.
+film::FilmState first_film(const PadSetup& setup, const film::FilmProblem& problem, PadResult& result) {
+  const cycle::Pad& pad = setup.input.pad;
+  const auto stop = [&](const std::string& message) {
+    append_notes(setup, result);
+    throw StoppedPad(message, std::move(result));
+  };
+  if (!pad.load) {
+    const double separation = result.is_history ? pad.history_separation.front() : *pad.separation;
+    auto film = steady_film_at(setup, problem, separation, result.effort);
+    if (!film) stop(no_film_at(setup));
+    return *film;
+  }
+  LoadSearch search = steady_film_under(setup, problem, *pad.load, result.effort);
+  if (!search.film) stop(no_film_under(*pad.load, search));
+  if (any_separation_carries(setup, problem, *search.film, result.effort)) {
+    stop(
+        text("any separation carries the load of %.6g N/m: the pressures at the edges do, and the gap makes none of "
+             "its own; state pad.separation",
+             *pad.load));
+  }
+  append_load_notes(search, result.notes);
+  return *search.film;
 }
 
 }  // namespace
@@ -116,30 +184,19 @@ std::string nothing_found(const PadSetup& setup) {
 PadResult solve_pad(const cycle::Case& c, Observer* observer) {
   const PadSetup setup = prepare_pad(c);
   const film::FilmProblem problem = setup.problem(c.solver.cells);
-  const bool has_history = !c.pad.history_time.empty();
   PadResult result;
   result.complete = false;
-  result.is_history = has_history;
+  result.is_history = !c.pad.history_time.empty();
   result.x = profile_places(problem.grid);
-  const auto start =
-      c.pad.load ? steady_film_under(setup, problem, *c.pad.load, result.effort)
-                 : steady_film_at(setup, problem, has_history ? c.pad.history_separation.front() : *c.pad.separation,
-                                  result.effort);
-  const auto stop = [&](const std::string& message) {
-    append_notes(setup, result);
-    throw StoppedPad(message, std::move(result));
-  };
-  if (!start) stop(nothing_found(setup));
-  if (c.pad.load && any_separation_carries(setup, problem, *start, result.effort)) {
-    stop(
-        text("any separation carries the load of %.6g N/m: the pressures at the edges do, and the gap makes none of "
-             "its own; state pad.separation",
-             *c.pad.load));
+  const film::FilmState start = first_film(setup, problem, result);
+  const double begin = result.is_history ? c.pad.history_time.front() : 0.0;
+  result.samples.push_back(sample(setup, problem, setup.steady_inputs(), start, start, begin));
+  result.profiles.push_back(profile(setup, problem, start, begin));
+  if (result.is_history) {
+    March(setup, problem, start, result).run(observer);
+  } else {
+    append_grid_note(setup, start, result.samples.back(), result);
   }
-  const double begin = has_history ? c.pad.history_time.front() : 0.0;
-  result.samples.push_back(sample(setup, problem, setup.steady_inputs(), *start, *start, begin));
-  result.profiles.push_back(profile(problem, *start, begin));
-  if (has_history) March(setup, problem, *start, result).run(observer);
   result.complete = true;
   append_notes(setup, result);
   return result;

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ringfilm/film/first_guess.hpp"
-#include "ringfilm/film/load_balance.hpp"
-
 namespace ringfilm::pad {
 namespace {
 
@@ -15,8 +12,6 @@ constexpr double kFarOff = 0.1;        // an estimate of the pressures is not us
 constexpr int kMostEstimates = 30;     // each a tenth of the one before or less
 constexpr double kStandstill = 1e-10;  // of the film in one step
 constexpr double kNoPressure = 1.0;    // scale where neither motion nor edges make any pressure [Pa]
-constexpr double kThinnest = 1e-10;    // thinnest film among which one for a load is looked for [m]
-constexpr int kBisections = 12;        // before Newton's method takes over
 
 /// Pressures that wedge, squeeze and edges may make [Pa]; never 0.
 double estimated_pressure(const PadSetup& setup, const film::FilmInputs& inputs, double h_m, double closing) {
@@ -78,40 +73,6 @@ bool ease_in(const PadSetup& setup, const film::FilmProblem& problem, const film
   return true;
 }
 
-/// The thickest film that carries the load, found by walking down from thick films: what lands with a pocket between
-/// them carry may fall again towards thin ones.
-std::optional<film::FilmState> by_scan(const PadSetup& setup, const film::FilmProblem& problem,
-                                       const film::FilmInputs& inputs, Effort& effort) {
-  ++effort.eased_starts;
-  const auto solved_at = [&](double h_m) { return steady_film_at(setup, problem, h_m - setup.lowest_gap, effort); };
-  double thick = setup.input.pad.length, thin = thick;
-  std::optional<film::FilmState> carrying;
-  for (double h_m = thick; h_m > kThinnest && !carrying; h_m /= 2) {
-    const auto state = solved_at(h_m);
-    if (!state) continue;
-    if (film::hydrodynamic_load(problem, *state) < inputs.load) {
-      thick = h_m;
-    } else {
-      thin = h_m;
-      carrying = state;
-    }
-  }
-  if (!carrying || !(thin < thick)) return std::nullopt;
-  for (int k = 0; k < kBisections; ++k) {
-    const double middle = std::sqrt(thin * thick);
-    const auto state = solved_at(middle);
-    if (!state) return std::nullopt;
-    const bool carries = film::hydrodynamic_load(problem, *state) >= inputs.load;
-    (carries ? thin : thick) = middle;
-    if (carries) carrying = state;
-  }
-  film::FilmWorkspace workspace(problem);
-  film::FilmState state = *carrying;
-  const film::FilmReport report = film::solve_film(problem, inputs, *carrying, state, workspace);
-  count(report, effort);
-  return report.converged ? std::optional(state) : std::nullopt;
-}
-
 }  // namespace
 
 bool solve_at_separation(const PadSetup& setup, const film::FilmProblem& problem, film::FilmInputs inputs,
@@ -166,37 +127,6 @@ std::optional<film::FilmState> steady_film_at(const PadSetup& setup, const film:
     if (!converged) continue;
     solved = state;
     solved_on = level.grid;
-  }
-  return solved;
-}
-
-std::optional<film::FilmState> steady_film_under(const PadSetup& setup, const film::FilmProblem& problem, double load,
-                                                 Effort& effort) {
-  film::FilmInputs inputs = setup.steady_inputs();
-  inputs.load = load;
-  const double L = setup.input.pad.length, eta = setup.input.lubricant.viscosity;
-  const double slider = std::sqrt(film::kSliderLoad * eta * std::abs(inputs.U) * L * L / load);
-  // Where nothing moves there is no wedge to tell a film; a thousandth of the length is as good a start as any.
-  const double first_h_m = slider > 0 ? slider : 1e-3 * L;
-  std::optional<film::FilmState> solved;
-  film::FilmGrid solved_on;
-  for (const int n_cells : levels(setup.input.solver.cells)) {
-    const film::FilmProblem level = setup.problem(n_cells);
-    const bool is_last = level.grid.n_cells() == problem.grid.n_cells();
-    film::FilmWorkspace workspace(level);
-    const film::FilmState guess = solved ? refined(solved_on, *solved, level.grid) : full_film(setup, level, first_h_m);
-    for (const double factor : {1.0, 4.0, 0.25, 16.0}) {
-      film::FilmState state = guess;
-      state.h_m *= factor;
-      const film::FilmReport report = film::solve_film(level, inputs, guess, state, workspace);
-      count(report, effort);
-      if (!report.converged) continue;
-      if (factor != 1.0 && is_last) ++effort.eased_starts;
-      solved = state;
-      solved_on = level.grid;
-      break;
-    }
-    if (is_last && solved_on.n_cells() != problem.grid.n_cells()) return by_scan(setup, problem, inputs, effort);
   }
   return solved;
 }

@@ -23,8 +23,4 @@ film::FilmState full_film(const PadSetup& setup, const film::FilmProblem& proble
 std::optional<film::FilmState> steady_film_at(const PadSetup& setup, const film::FilmProblem& problem,
                                               double separation, Effort& effort);
 
-/// The same under the load of the case [N/m]; the separation is found.
-std::optional<film::FilmState> steady_film_under(const PadSetup& setup, const film::FilmProblem& problem, double load,
-                                                 Effort& effort);
-
 }  // namespace ringfilm::pad

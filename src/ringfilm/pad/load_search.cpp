@@ -1,0 +1,133 @@
+#include "ringfilm/pad/load_search.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <vector>
+
+#include "ringfilm/film/film_solver.hpp"
+#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/pad/steady_film.hpp"
+
+namespace ringfilm::pad {
+namespace {
+
+constexpr int kCellsOfScan = 200;   // at the most: enough to see where the load is crossed
+constexpr double kStep = 1.3;       // from one film of the scan to the next
+constexpr double kThinnest = 1e-9;  // of the scan [m]: molecules
+constexpr int kMostEvaluations = 80;
+
+/// Two films next to each other in the scan, one of which carries the load.
+struct Bracket {
+  double thick, thin;  ///< h_m [m]
+  Slope slope;
+};
+
+class Search {
+ public:
+  Search(const PadSetup& setup, const film::FilmProblem& problem, double load, Effort& effort)
+      : setup_(setup), problem_(problem), load_(load), effort_(effort) {}
+
+  LoadSearch run() {
+    const std::vector<Bracket> brackets = scan();
+    found_.n_separations = static_cast<int>(brackets.size());
+    const auto falls = [](const Bracket& b) { return b.slope == Slope::kFalling; };
+    auto chosen = std::find_if(brackets.begin(), brackets.end(), falls);  // from thick to thin
+    if (chosen == brackets.end()) chosen = brackets.begin();
+    if (chosen == brackets.end()) return found_;
+    found_.slope = chosen->slope;
+    found_.film = chosen->slope == Slope::kFalling ? by_newton(*chosen) : std::nullopt;
+    if (!found_.film) found_.film = by_bracket(*chosen);
+    return found_;
+  }
+
+ private:
+  std::vector<Bracket> scan() {
+    const film::FilmProblem coarse = setup_.problem(std::min(setup_.input.solver.cells, kCellsOfScan));
+    film::FilmWorkspace workspace(coarse);
+    const film::FilmInputs inputs = setup_.steady_inputs();
+    std::vector<Bracket> brackets;
+    std::optional<double> before;  // excess of the load at the film before, where there is one
+    film::FilmState state = full_film(setup_, coarse, setup_.input.pad.length);
+    for (double h_m = setup_.input.pad.length; h_m > kThinnest; h_m /= kStep) {
+      film::FilmState next = state;
+      next.h_m = h_m;
+      bool solved = solve_at_separation(setup_, coarse, inputs, 0, state, next, workspace, effort_);
+      if (!solved) {
+        next = full_film(setup_, coarse, h_m);
+        solved = solve_at_separation(setup_, coarse, inputs, 0, state, next, workspace, effort_);
+      }
+      if (!solved) {
+        before.reset();
+        continue;
+      }
+      state = next;
+      const double carried = film::hydrodynamic_load(coarse, state);
+      if (carried > found_.largest_load) {
+        found_.largest_load = carried;
+        found_.thickness_at_largest = h_m;
+      }
+      const double excess = carried - load_;
+      if (before && (*before < 0) != (excess < 0)) {
+        brackets.push_back({h_m * kStep, h_m, *before < 0 ? Slope::kFalling : Slope::kRising});
+      }
+      before = excess;
+    }
+    return brackets;
+  }
+
+  std::optional<film::FilmState> film_at(double h_m) {
+    return steady_film_at(setup_, problem_, h_m - setup_.lowest_gap, effort_);
+  }
+
+  /// Film and separation together, from the middle of the bracket; what it finds far outside is another answer.
+  std::optional<film::FilmState> by_newton(const Bracket& bracket) {
+    const auto guess = film_at(std::sqrt(bracket.thick * bracket.thin));
+    if (!guess) return std::nullopt;
+    film::FilmInputs inputs = setup_.steady_inputs();
+    inputs.load = load_;
+    film::FilmWorkspace workspace(problem_);
+    film::FilmState state = *guess;
+    const film::FilmReport report = film::solve_film(problem_, inputs, *guess, state, workspace);
+    effort_.newton_iterations += report.iterations;
+    const bool is_near = state.h_m < bracket.thick * kStep && state.h_m > bracket.thin / kStep;
+    if (!report.converged || !is_near) return std::nullopt;
+    // Once more with pressures measured by those of the film.
+    return film_at(state.h_m);
+  }
+
+  std::optional<film::FilmState> by_bracket(const Bracket& bracket) {
+    ++effort_.eased_starts;
+    std::optional<film::FilmState> film;
+    bool solved = true;
+    const auto excess = [&](double ln_h) {
+      if (solved) film = film_at(std::exp(ln_h));
+      solved = solved && film;
+      return solved ? film::hydrodynamic_load(problem_, *film) - load_ : 0.0;
+    };
+    // The bracket is one of the scan's grid: on this one the crossing may lie a little outside.
+    const double thin = std::log(bracket.thin / kStep), thick = std::log(bracket.thick * kStep);
+    const double at_thin = excess(thin), at_thick = excess(thick);
+    if (!solved || (at_thin < 0) == (at_thick < 0)) return std::nullopt;
+    boost::uintmax_t evaluations = kMostEvaluations;
+    const auto close_enough = [](double low, double high) { return high - low < 1e-13; };
+    const auto [low, high] =
+        boost::math::tools::toms748_solve(excess, thin, thick, at_thin, at_thick, close_enough, evaluations);
+    if (!solved) return std::nullopt;
+    return film_at(std::exp(0.5 * (low + high)));
+  }
+
+  const PadSetup& setup_;
+  const film::FilmProblem& problem_;
+  double load_;
+  Effort& effort_;
+  LoadSearch found_;
+};
+
+}  // namespace
+
+LoadSearch steady_film_under(const PadSetup& setup, const film::FilmProblem& problem, double load, Effort& effort) {
+  return Search(setup, problem, load, effort).run();
+}
+
+}  // namespace ringfilm::pad

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+
+#include "ringfilm/film/film_state.hpp"
+#include "ringfilm/pad/pad_result.hpp"
+#include "ringfilm/pad/pad_setup.hpp"
+
+namespace ringfilm::pad {
+
+/// How the load that a pad carries changes where it is the wanted one.
+enum class Slope {
+  kFalling,  ///< falls as the film gets thicker: the pad comes back when it is pushed
+  kRising,   ///< rises: in balance, but not stable
+};
+
+/// What a search among all separations for a load has found.
+struct LoadSearch {
+  std::optional<film::FilmState> film;  ///< nothing if no separation carries the load
+  Slope slope = Slope::kFalling;        ///< there
+  int n_separations = 0;                ///< at which the load is carried, as far as the steps of the search tell
+  double largest_load = 0;              ///< of all films tried [N/m]
+  double thickness_at_largest = 0;      ///< smallest film thickness there [m]
+};
+
+/// The steady film that carries `load` [N/m]. The load of a pad need not fall with its separation: films from the
+/// pad's length down to atomic size are tried, and of all that carry the load the thickest is taken at which it falls
+/// with the separation, or, if there is none, the thickest. Counts into `effort`.
+LoadSearch steady_film_under(const PadSetup& setup, const film::FilmProblem& problem, double load, Effort& effort);
+
+}  // namespace ringfilm::pad
