@@ -77,7 +77,7 @@ TEST(Reynolds, MartinParabolaMatchesHalfSommerfeldWithReynoldsExit) {
 // --- parabolic pad with rupture and reformation-free exit, mass conserving (PHYSICS of docs/theory/film.md) ----------
 
 struct Pad {
-  double rupture, p_max, x_max, load, flow, cavitated_fraction;
+  double rupture, p_max, x_max, load, flow, cavitated_fraction, shear_couette;
 };
 
 Pad parabolic_pad(int n_cells) {
@@ -92,7 +92,8 @@ Pad parabolic_pad(int n_cells) {
   const auto& p = solved.state.p;
   const auto top = std::max_element(p.begin(), p.end()) - p.begin();
   return {solved.integrals.cavities.front().begin, solved.integrals.peak_pressure, film.problem.grid.x[top],
-          solved.integrals.hydrodynamic_load,      solved.integrals.flow_middle,   solved.integrals.cavitated_fraction};
+          solved.integrals.hydrodynamic_load,      solved.integrals.flow_middle,   solved.integrals.cavitated_fraction,
+          solved.integrals.shear_couette};
 }
 
 TEST(MassConserving, ParabolicPadRupturesWhereTheQuadratureSays) {
@@ -113,6 +114,21 @@ TEST(MassConserving, RuptureIsLocatedWithinItsCell) {
     EXPECT_NEAR(pad.rupture, 51.7348e-3, 0.05 * cell) << n_cells << " cells";
     EXPECT_NEAR(pad.cavitated_fraction, 1 - pad.rupture / 76.2e-3, 1e-12) << "it is open to the edge";
   }
+}
+
+// A cavity is sheared in its oil alone: it carries theta h = 2 q/U, so that theta eta U/h = 2 eta q/h^2.
+TEST(MassConserving, CavityIsShearedWhereItsOilIs) {
+  constexpr double L = 0.0762, h_min = 25.4e-6, rise = 25.4e-6, eta = 0.039, U = 4.57;
+  constexpr double rupture = 51.7348e-3, flow = 6.54721e-5;  // of the quadrature above
+  constexpr int kSteps = 20000;
+  double shear = 0;
+  for (int k = 0; k < kSteps; ++k) {
+    const double x = (k + 0.5) * L / kSteps;
+    const double h = h_min + rise * std::pow(2 * x / L - 1, 2);
+    shear += (x < rupture ? eta * U / h : 2 * eta * flow / (h * h)) * L / kSteps;
+  }
+  // The front is known to half a cell and the edge is full: 1/1600 of the width each.
+  EXPECT_NEAR(parabolic_pad(1600).shear_couette / shear, 1, 1e-3);
 }
 
 // --- Rayleigh's step: the gap jumps, and no cell face lies across the jump (Rayleigh 1918) ---------------------------
