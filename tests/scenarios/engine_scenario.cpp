@@ -8,30 +8,14 @@
 #include <vector>
 
 #include "../unit/cycle/styles_case.hpp"
+#include "repeatable_numbers.hpp"
 
 namespace ringfilm::cycle::testing {
 namespace {
 
+using ringfilm::testing::RepeatableNumbers;
+
 constexpr double kPi = std::numbers::pi;
-
-/// Repeatable numbers in [0, 1) on any library (splitmix64).
-class Noise {
- public:
-  explicit Noise(std::uint64_t seed) : state_(seed) {}
-
-  double next() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
-  double symmetric() { return 2 * next() - 1; }
-
- private:
-  std::uint64_t state_;
-};
 
 /// The coordinates of one point of the sequence, asked for one after the other and always in the same order.
 class Coordinates {
@@ -51,7 +35,7 @@ class Coordinates {
     return value - std::floor(value);
   }
 
-  Noise shift_;
+  RepeatableNumbers shift_;
   double index_;
   std::size_t i_prime_ = 0;
 };
@@ -81,7 +65,7 @@ double interpolated(const SampledTrace& trace, double angle) {
   return trace.value[i - 1] + share * (trace.value[i] - trace.value[i - 1]);
 }
 
-void draw_trace(Coordinates& at, Noise& noise, EngineScenario& scenario) {
+void draw_trace(Coordinates& at, RepeatableNumbers& noise, EngineScenario& scenario) {
   Case& c = scenario.input;
   const double peak = at.log_between(1e5, 300e5);
   scenario.trace = static_cast<TraceKind>(at.one_of(5));
@@ -101,7 +85,7 @@ void draw_trace(Coordinates& at, Noise& noise, EngineScenario& scenario) {
       const double p = interpolated(c.gas.cylinder_pressure, at_deg);
       return kSuction + (p - kSuction) * (peak - kSuction) / (kNewRingPeak - kSuction);
     };
-    double p = scaled(angle) + ripple * noise.symmetric();
+    double p = scaled(angle) + ripple * noise.between(-1, 1);
     if (knocks && angle >= knock.start_deg) {
       const double since = angle - knock.start_deg;
       p += knock.share * scaled(knock.start_deg) * std::exp(-since / knock.decay_deg) *
@@ -134,7 +118,7 @@ double rise_of_polynomial(const std::vector<double>& coefficients) {
   return (high - low) * 1e-6;
 }
 
-void draw_face(Coordinates& at, Noise& noise, EngineScenario& scenario) {
+void draw_face(Coordinates& at, RepeatableNumbers& noise, EngineScenario& scenario) {
   Case& c = scenario.input;
   RingFace& face = c.ring.face;
   const double crown = at.log_between(1e-6, 200e-6);
@@ -161,7 +145,7 @@ void draw_face(Coordinates& at, Noise& noise, EngineScenario& scenario) {
       const double share = static_cast<double>(i) / n;
       const double form = crown * std::pow((share - apex) / std::max(apex, 1 - apex), 2);
       face.x.push_back(share * width);
-      face.height.push_back(std::max(form, flat) + amplitude * noise.symmetric());
+      face.height.push_back(std::max(form, flat) + amplitude * noise.between(-1, 1));
     }
     face.x.back() = width;
   }
@@ -185,7 +169,7 @@ EngineScenario engine_scenario(std::uint64_t seed, int index) {
   static const Case run_in_ring = styles_run_in_ring();
   static const Case embedded_ring = styles_embedded_ring();
   Coordinates at(seed, index);
-  Noise noise(seed ^ (static_cast<std::uint64_t>(index) * 0xd1b54a32d192ed03u));
+  RepeatableNumbers noise(seed ^ (static_cast<std::uint64_t>(index) * 0xd1b54a32d192ed03u));
 
   constexpr std::array kFaces = {FaceKind::kNewPolynomial, FaceKind::kRunInPolynomial, FaceKind::kEmbeddedPolynomial,
                                  FaceKind::kParabola,      FaceKind::kParabola,        FaceKind::kNoisyPoints,

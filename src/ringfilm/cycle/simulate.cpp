@@ -18,8 +18,6 @@ namespace {
 constexpr double kStartAngleDeg = 270;
 /// States are compared with those of one cycle before at this spacing.
 constexpr double kCheckSpacingDeg = 15;
-/// The state repeats when film and pressure agree to this many tolerances.
-constexpr double kPeriodicityFactor = 10;
 /// A flooded film forgets its start within half a stroke; a march that is not periodic by then never will be.
 constexpr int kMostCycles = 20;
 

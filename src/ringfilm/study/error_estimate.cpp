@@ -28,8 +28,6 @@ constexpr double kLowestOrder = 0.5;
 constexpr double kFormalOrderInStep = 1;  // backward Euler
 /// Neighbours whose differences a curve shares: where a difference changes sign the error does not vanish.
 constexpr double kNeighboursDeg = 3;
-/// Periodicity is asked for to this many tolerances (cycle/simulate.cpp).
-constexpr double kToleranceShare = 10;
 
 /// Cells or steps of the grid that is half as fine; of an odd number the ratio is 2 to within a part of the number.
 int half(int n) { return (n + 1) / 2; }
@@ -125,7 +123,7 @@ Levels levels(const CycleResult& result, const Sides& sides, double CycleValues:
           sides.coarse ? sides.coarse->values.*value : kNone};
 }
 
-double iteration_error(const Case& c, double scale) { return kToleranceShare * c.solver.tolerance * scale; }
+double iteration_error(const Case& c, double scale) { return cycle::kPeriodicityFactor * c.solver.tolerance * scale; }
 
 void add_value_errors(const Case& c, const CycleResult& result, const Sides& cells, const Sides& step,
                       ErrorEstimate& errors) {
@@ -144,7 +142,8 @@ void add_value_errors(const Case& c, const CycleResult& result, const Sides& cel
   }
 }
 
-/// For each angle the largest of `changes` at the angles close to it; NaN counts only where nothing else stands.
+/// For each angle with a change the largest at the angles close to it, of which those without one (NaN) do not count;
+/// an angle without one keeps none.
 std::vector<double> largest_nearby(const std::vector<double>& changes, const std::vector<Sample>& samples,
                                    double reach_deg) {
   const auto n = static_cast<std::ptrdiff_t>(changes.size());

@@ -7,38 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "../../scenarios/repeatable_numbers.hpp"
 #include "../cycle/styles_case.hpp"
 #include "ringfilm/study/error_estimate.hpp"
 
 /// Do the error bands hold what they promise? Seeded cases, each against a march on a much finer grid.
 namespace ringfilm::study::testing {
 
-/// Repeatable numbers on any library (splitmix64).
-class CoverageDraw {
- public:
-  explicit CoverageDraw(std::uint64_t seed) : state_(seed) {}
-
-  double between(double low, double high) { return low + (high - low) * next(); }
-  double log_between(double low, double high) { return low * std::pow(high / low, next()); }
-  int one_of(int n) { return static_cast<int>(n * next()); }
-
- private:
-  double next() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
-  std::uint64_t state_;
-};
-
 /// Engines and rings as people compute them, on grids that are rather too coarse: 800-6000 rpm, oil at 60-150 degC,
 /// peaks of 20-160 bar, sigma 0.1-1 um, the paper's faces and parabolas that rise by 5-60 um, 40-120 cells, crank steps
 /// of 1-2 degree adaptive and fixed, both cavitation models.
 inline cycle::Case coverage_case(std::uint64_t seed) {
-  CoverageDraw draw(seed);
+  ringfilm::testing::RepeatableNumbers draw(seed);
   const int face = draw.one_of(4);
   cycle::Case c = face == 0   ? cycle::testing::styles_new_ring()
                   : face == 1 ? cycle::testing::styles_run_in_ring()
@@ -70,18 +50,20 @@ struct Coverage {
   long values = 0, within = 0;
   std::vector<double> width;  ///< band over true error, where there is one
 
+  /// @param band NaN, where there is no estimate, holds nothing
   /// @param value what has the error; what the iteration leaves of it, 1e-7, is no measure of the width of a band
   void add(double error, double band, double value) {
     ++values;
     within += error <= band;
-    if (error > 1e-7 * std::abs(value)) width.push_back(band / error);
+    if (error > 1e-7 * std::abs(value) && !std::isnan(band)) width.push_back(band / error);
   }
   void add(const Coverage& other) {
     values += other.values;
     within += other.within;
     width.insert(width.end(), other.width.begin(), other.width.end());
   }
-  double share() const { return values == 0 ? 1 : static_cast<double>(within) / static_cast<double>(values); }
+  /// NaN of nothing.
+  double share() const { return static_cast<double>(within) / static_cast<double>(values); }
   double median_width() {
     if (width.empty()) return 0;
     const auto middle = width.begin() + static_cast<std::ptrdiff_t>(width.size() / 2);
@@ -120,11 +102,8 @@ inline void add_case(const cycle::Case& c, int finer, CoverageTable& table) {
   ++table.cases;
   const auto add = [&](double error, double band, double value, Coverage& coverage) {
     if (std::isnan(error)) return;
-    if (std::isnan(band)) {
-      ++table.not_estimated;
-    } else if (band > 0 || error > 0) {
-      coverage.add(error, band, value);
-    }
+    table.not_estimated += std::isnan(band);
+    if (std::isnan(band) || band > 0 || error > 0) coverage.add(error, band, value);
   };
   for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
     double error = result.values.*quantity.value - truth.values.*quantity.value;

@@ -89,7 +89,9 @@ TEST(ErrorEstimate, HoldsTheTrueErrorOfNineteenValuesInTwenty) {
   EXPECT_EQ(table.cases, 20);
   study::testing::Coverage values = study::testing::together(table.values);
   study::testing::Coverage curves = study::testing::together(table.curves);
+  EXPECT_EQ(table.not_estimated, 0);
   EXPECT_GT(values.values, 500);
+  EXPECT_GT(curves.values, 50000);
   EXPECT_GE(values.share(), 0.95);
   EXPECT_GE(curves.share(), 0.95);
   // A band that is far too wide says nothing.
