@@ -13,7 +13,6 @@ ordered_json effort_object(const cycle::Effort& effort) {
           {"crank_steps", effort.crank_steps},
           {"newton_iterations", effort.newton_iterations},
           {"relaxation_sweeps", effort.relaxation_sweeps},
-          {"relaxation_sweeps", effort.relaxation_sweeps},
           {"sub_steps", effort.sub_steps},
           {"fallback_secant", effort.fallback_secant},
           {"fallback_sub_step", effort.fallback_sub_step},
@@ -55,12 +54,10 @@ ordered_json ledger_array(const ResultDocument& document) {
   return ledger;
 }
 
-ordered_json errors_object(const study::ErrorEstimate& estimate) {
-  ordered_json errors = ordered_json::object();
-  for (const auto& quantity : cycle::cycle_quantities()) {
-    errors[quantity.name] = estimate.values.*quantity.value;
-  }
-  return errors;
+ordered_json cycle_object(const cycle::CycleValues& values) {
+  ordered_json object = ordered_json::object();
+  for (const auto& quantity : cycle::cycle_quantities()) object[quantity.name] = values.*quantity.value;
+  return object;
 }
 
 ordered_json error_estimate_object(const study::ErrorEstimate& estimate) {
@@ -72,12 +69,9 @@ ordered_json error_estimate_object(const study::ErrorEstimate& estimate) {
                     {"solved", run.solved}});
     if (!run.solved) runs.back()["reason"] = run.reason;
   }
-  ordered_json orders = ordered_json::object();
-  for (const auto& quantity : cycle::cycle_quantities()) {
-    orders[quantity.name] = {{"cells", estimate.order_in_cells.*quantity.value},
-                             {"crank_step", estimate.order_in_step.*quantity.value}};
-  }
-  return {{"runs", runs}, {"orders", orders}};
+  return {{"runs", runs},
+          {"order_in_cells", cycle_object(estimate.order_in_cells)},
+          {"order_in_step", cycle_object(estimate.order_in_step)}};
 }
 
 }  // namespace
@@ -98,7 +92,7 @@ std::string result_json(const ResultDocument& document) {
   }
   object["units"] = units;
   if (document.errors) {
-    object["errors"] = errors_object(*document.errors);
+    object["errors"] = cycle_object(document.errors->values);
     object["error_estimate"] = error_estimate_object(*document.errors);
   }
   object["notes"] = notes_array(document);

@@ -38,8 +38,8 @@ TEST(ResultJson, ErrorsGoByTheNamesOfTheValuesAndTellTheirGrids) {
   EXPECT_EQ(object.at("errors").at("fmep").get<double>(), document.errors->values.fmep);
   const auto& estimate = object.at("error_estimate");
   EXPECT_EQ(estimate.at("runs").at(1).at("reason"), "no balance at 12 degree");
-  EXPECT_EQ(estimate.at("orders").at("fmep").at("cells").get<double>(), document.errors->order_in_cells.fmep);
-  EXPECT_TRUE(estimate.at("orders").at("fmep").at("crank_step").is_null());  // not observed
+  EXPECT_EQ(estimate.at("order_in_cells").at("fmep").get<double>(), document.errors->order_in_cells.fmep);
+  EXPECT_TRUE(estimate.at("order_in_step").at("fmep").is_null());  // not observed
   document.errors.reset();
   EXPECT_FALSE(nlohmann::json::parse(result_json(document)).contains("errors"));
 }
