@@ -85,13 +85,15 @@ void print_not_covered(const std::vector<study::NotCovered>& all) {
   std::cout << "\n";
 }
 
-long rows_of(const std::vector<study::VerificationOutcome>& cases, bool only_held) {
-  long count = 0;
+std::string totals(const std::vector<study::VerificationOutcome>& cases) {
+  std::size_t n_rows = 0, n_held = 0;
   for (const auto& outcome : cases) {
-    count += std::count_if(outcome.rows.begin(), outcome.rows.end(),
-                           [&](const auto& row) { return !only_held || row.verdict == Verdict::kHolds; });
+    for (const auto& row : outcome.rows) {
+      ++n_rows;
+      n_held += row.verdict == Verdict::kHolds;
+    }
   }
-  return count;
+  return fmt::format("{} of {} checks hold in {} cases\n", n_held, n_rows, cases.size());
 }
 
 }  // namespace
@@ -121,8 +123,7 @@ void verify(const VerifyOptions& options) {
                                  [](const auto& outcome) { return outcome.verdict() == Verdict::kHolds; });
   if (in_words) {
     print_not_covered(result.not_covered);
-    std::cout << fmt::format("{} of {} checks hold in {} cases\n", rows_of(result.cases, true),
-                             rows_of(result.cases, false), result.cases.size());
+    std::cout << totals(result.cases);
   } else {
     std::cout << ringfilm::report::verification_json(result);
   }

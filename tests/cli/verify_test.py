@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import subprocess
+import tomllib
 import unittest
 
 from program import SOURCES, ProgramTest
@@ -88,6 +89,29 @@ class VerifyTest(ProgramTest):
         self.assert_refused(done, "reference.toml:4:12", "did you mean load?", "value.expected = 4125347.7 has no unit",
                             "unknown key value.tolerance")
 
+    def test_ladders_times_and_columns_that_cannot_be_are_told_with_their_place(self):
+        shipped = self.copy_of_shipped("roache2002_manufactured", "reynolds1886_squeezed_plates", "styles2014_independent_model")
+        shutil.copytree(SOURCES / "cases" / "styles2014", shipped / "cases" / "styles2014")
+
+        def with_change(name, file, before, after):
+            path = shipped / "verification" / name / file
+            text = path.read_text()
+            self.assertIn(before, text)
+            path.write_text(text.replace(before, after, 1))
+            done = self.verify_in(shipped, name)
+            path.write_text(text)
+            return done
+
+        manufactured = lambda before, after: with_change("roache2002_manufactured", "reference.toml", before, after)
+        self.assert_refused(manufactured("cells = 1600\n", ""), "order.cells is missing")
+        self.assert_refused(manufactured("cells = 1600", "cells = -2"), "order.cells = -2 is no count", "whole number from 2 on")
+        self.assert_refused(manufactured("[50, 100", "[50.5, 100"), "order.cells = 50.5 is no count")
+        plates = lambda before, after: with_change("reynolds1886_squeezed_plates", "reference.toml", before, after)
+        self.assert_refused(plates('time = "5 ms"', 'time = "10 s"'), "reference.toml:5:8", "outside the history of approach.toml")
+        curve = lambda file, before, after: with_change("styles2014_independent_model", file, before, after)
+        self.assert_refused(curve("new_1500_reynolds.csv", "hmin_m,", "hmin_m [s],"), "new_1500_reynolds.csv:1:", "hmin_m")
+        self.assert_refused(curve("reference.toml", 'column = "hmin_m"', 'column = "xcav1_m"'), "new_1500_reynolds.csv:2:", "nan is not a finite number")
+
     def test_unknown_name_is_refused(self):
         done = self.run_program("verify", "rayleigh1918_stepp")
         self.assert_refused(done, "no verification is called rayleigh1918_stepp")
@@ -107,13 +131,25 @@ class OracleTest(ProgramTest):
             labels = {row["label"] for row in case["rows"]}
             self.assertLessEqual(set(numbers), labels, case["name"])
             for row in case["rows"]:
-                # An order is compared with the slope that the scheme claims; its known number is told apart.
+                # An order is compared with the slope that the scheme claims; its known number is held below.
                 if row["label"] not in numbers or row["quantity"].startswith("order in"):
                     continue
                 # Eight digits stand in the file.
                 self.assertAlmostEqual(row["expected"] / numbers[row["label"]], 1, delta=6e-8, msg=row["label"])
                 worked_out += 1
         self.assertGreater(worked_out, 60)
+
+    def test_orders_and_bounds_rest_on_the_numbers_of_their_values(self):
+        held = 0
+        for path in CASES.glob("*/reference.toml"):
+            tables = tomllib.loads(path.read_text())
+            known = {(v["case"], v["quantity"], v.get("time")): v["expected"] for v in tables.get("value", [])}
+            for check in tables.get("order", []) + tables.get("bound", []):
+                key = (check.get("case"), check.get("quantity"), check.get("time"))
+                if key in known:
+                    self.assertEqual(check["expected"], known[key], f"{path.parent.name}: {check['label']}")
+                    held += 1
+        self.assertGreater(held, 10)
 
     def test_shapes_are_those_that_the_scripts_write(self):
         for script in CASES.glob("*/reference.py"):

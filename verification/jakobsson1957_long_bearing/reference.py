@@ -52,7 +52,6 @@ if sys.argv[1:] == ["--gap"]:  # the rows of gap.csv
 expected = {
     "rupture": rupture,
     "reformation": reformation,
-    "reformation, order in cells": reformation,
     "flow": flow,
     "flow out": flow,
     "peak pressure": SUPPLY + simpson(lambda x: slope(x, flow), 0, place),

@@ -56,7 +56,9 @@ CsvColumn column_of(const std::string& header) {
 
 class Reader {
  public:
-  explicit Reader(const NamedFile& file) { csv_.source = read_source_text(file.path, file.shown, kLargestCsv); }
+  Reader(const NamedFile& file, NaN nan) : nan_(nan) {
+    csv_.source = read_source_text(file.path, file.shown, kLargestCsv);
+  }
 
   CsvFile read() {
     const std::size_t first_row = read_header();
@@ -129,7 +131,7 @@ class Reader {
       wrong = "a value is missing";
     } else if (error != std::errc{} || rest != text.data() + text.size()) {
       wrong = "\"" + cell.text + "\" is not a number";
-    } else if (!std::isfinite(value)) {
+    } else if (std::isnan(value) ? nan_ == NaN::kRefused : std::isinf(value)) {
       wrong = cell.text + " is not a finite number";
     }
     if (!wrong.empty()) faults_.push_back({csv_.source.mark(line, cell.column), wrong, "a number is wanted here"});
@@ -147,6 +149,7 @@ class Reader {
     throw InputError(std::vector<Fault>{{mark, message, remedy}});
   }
 
+  NaN nan_;
   CsvFile csv_;
   std::vector<Fault> faults_;
   bool has_decimal_commas_ = false;
@@ -178,6 +181,6 @@ std::string CsvFile::names() const {
   return all;
 }
 
-CsvFile read_csv(const NamedFile& file) { return Reader(file).read(); }
+CsvFile read_csv(const NamedFile& file, NaN nan) { return Reader(file, nan).read(); }
 
 }  // namespace ringfilm::io

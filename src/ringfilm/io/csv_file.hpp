@@ -8,6 +8,9 @@
 /// Tables of numbers whose first line names the columns and their units: `crank_angle [degree],cylinder_pressure [Pa]`.
 namespace ringfilm::io {
 
+/// What becomes of cells that read `nan`.
+enum class NaN { kRefused, kKept };
+
 struct CsvColumn {
   std::string name;                 ///< without the unit
   std::optional<std::string> unit;  ///< as written in brackets; nothing if the header has none
@@ -34,6 +37,6 @@ struct CsvFile {
 /// Reads values separated by comma, semicolon or tabulator; decimal commas where they cannot be separators. Lines that
 /// start with '#' and blank lines are skipped. Throws InputError with the faults of the file (at most ten): no header,
 /// no or one row, cells missing, text, NaN or infinity in a cell.
-CsvFile read_csv(const NamedFile& file);
+CsvFile read_csv(const NamedFile& file, NaN nan = NaN::kRefused);
 
 }  // namespace ringfilm::io

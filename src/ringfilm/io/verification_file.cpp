@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "ringfilm/io/case_file.hpp"
 #include "ringfilm/io/csv_file.hpp"
+#include "ringfilm/io/csv_quantity.hpp"
 #include "ringfilm/io/suggestion.hpp"
 #include "ringfilm/io/toml_tree.hpp"
 #include "ringfilm/io/units.hpp"
@@ -20,7 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFewestLevels = 3;  // an order from two runs alone could not be seen to bend
+constexpr int kMostCount = 100000;  // far more cells or steps than anyone waits for
+constexpr int kFewestCells = 2;     // one inner node
+constexpr int kFewestLevels = 3;    // an order from two runs alone could not be seen to bend
 
 /// One table of the file: hands out its keys, and refuses what nobody asked for.
 class Table {
@@ -90,6 +92,28 @@ class Table {
     if (found == nullptr) return list;
     if (found->kind != TomlValue::Kind::kList) refuse(key, *found, "is no list");
     for (const TomlValue& item : found->items) list.push_back(number_of(key, item, si_unit));
+    return list;
+  }
+
+  /// A whole number from `fewest` on.
+  int count_of(const std::string& key, const TomlValue& value, int fewest) {
+    const double number = value.kind == TomlValue::Kind::kInteger ? value.number : 0;
+    if (number >= fewest && number <= kMostCount) return static_cast<int>(number);
+    refuse(key, value, "is no count", "a whole number from " + std::to_string(fewest) + " on is wanted here");
+    return fewest;
+  }
+
+  int count(const std::string& key, int fewest) {
+    const TomlValue* found = need(key);
+    return found == nullptr ? fewest : count_of(key, *found, fewest);
+  }
+
+  std::vector<double> counts(const std::string& key, int fewest) {
+    std::vector<double> list;
+    const TomlValue* found = need(key);
+    if (found == nullptr) return list;
+    if (found->kind != TomlValue::Kind::kList) refuse(key, *found, "is no list");
+    for (const TomlValue& item : found->items) list.push_back(count_of(key, item, fewest));
     return list;
   }
 
@@ -181,6 +205,8 @@ class Reader {
           read_value(table);
         } else if (name == "order") {
           read_order(table);
+        } else if (name == "bound") {
+          read_bound(table);
         } else if (name == "optimum") {
           read_optimum(table);
         } else if (name == "curve") {
@@ -198,11 +224,14 @@ class Reader {
       c = named == named_.end() ? read_case((folder_ / name).string(), {}, units_)
                                 : read_case((folder_ / named->second.path).string(), named->second.overrides, units_);
     }
+    check_times();
+    if (!faults_.empty()) throw InputError(std::move(faults_));
     return std::move(verification_);
   }
 
  private:
-  static constexpr const char* kTables = "tables are [[run]], [[value]], [[order]], [[optimum]] and [[curve]]";
+  static constexpr const char* kTables =
+      "tables are [[run]], [[value]], [[order]], [[bound]], [[optimum]] and [[curve]]";
 
   /// Heading and first paragraph of the README.
   void read_claim() {
@@ -251,6 +280,7 @@ class Reader {
     table.read(check);
     check.run = run(table, table.text("case"));
     check.probe = table.probe();
+    note_time(table, check.run, check.probe);
     const std::string unit = table.unit_of(check.probe.quantity);
     check.expected = table.number("expected", unit);
     check.tolerance = table.tolerance(unit);
@@ -269,6 +299,7 @@ class Reader {
     } else {
       check.run = run(table, table.text("case"));
       check.probe = table.probe();
+      note_time(table, check.run, check.probe);
       check.exact = table.number("expected", table.unit_of(check.probe.quantity));
     }
     read_levels(table, check);
@@ -278,20 +309,38 @@ class Reader {
   }
 
   void read_levels(Table& table, study::OrderCheck& check) {
-    const char* const steps = check.manufactured.empty() ? "time_steps" : "steps";
+    const bool is_run = check.manufactured.empty();
+    const char* const steps = is_run ? "time_steps" : "steps";
     const TomlValue* in_time = table.find(steps);
-    const TomlValue* cells = table.find("cells");
     if (in_time != nullptr) {
       check.refinement = study::Refinement::kTimeStep;
-      check.levels = table.numbers(steps, check.manufactured.empty() ? "s" : "1");
-      if (cells != nullptr) check.cells = static_cast<int>(std::lround(table.number_of("cells", *cells, "1")));
+      check.levels = is_run ? table.numbers(steps, "s") : table.counts(steps, 1);
+      // A run has cells of its own, a manufactured film has none.
+      const TomlValue* cells = is_run ? table.find("cells") : table.need("cells");
+      if (cells != nullptr) check.cells = table.count_of("cells", *cells, kFewestCells);
     } else {
-      check.levels = table.numbers("cells", "1");
+      check.levels = table.counts("cells", kFewestCells);
     }
     const bool positive = std::all_of(check.levels.begin(), check.levels.end(), [](double level) { return level > 0; });
     if (static_cast<int>(check.levels.size()) < kFewestLevels || !positive) {
       table.refuse(in_time == nullptr ? "cells" : steps, "is no ladder", "three positive numbers or more are wanted");
     }
+  }
+
+  void read_bound(Table& table) {
+    study::BoundCheck check;
+    table.read(check);
+    check.run = run(table, table.text("case"));
+    check.probe = table.probe();
+    note_time(table, check.run, check.probe);
+    if (table.unit_of(check.probe.quantity) != "m") {
+      table.refuse("quantity", "is no length, which could be counted in cells", "a front, or peak_position");
+    }
+    check.exact = table.number("expected", "m");
+    check.fewest_cells = table.count("fewest_cells", kFewestCells);
+    check.most_cells = table.count("most_cells", check.fewest_cells);
+    check.most = table.number("absolute_tolerance", "1");
+    verification_.bounds.push_back(std::move(check));
   }
 
   void read_optimum(Table& table) {
@@ -317,27 +366,55 @@ class Reader {
     const std::string unit = table.unit_of(check.quantity);
     check.tolerance = table.tolerance(unit);
     if (const TomlValue* zone = table.find("dead_centre_zone")) {
-      check.dead_centre_zone_deg = table.number_of("dead_centre_zone", *zone, "degree");
+      const double reach_deg = table.number_of("dead_centre_zone", *zone, "degree");
       const std::string kind_unit = check.tolerance.kind == study::Tolerance::Kind::kRelative ? "1" : unit;
-      check.dead_centre_tolerance = table.number("dead_centre_tolerance", kind_unit);
+      check.dead_centre_zone = {reach_deg, table.number("dead_centre_tolerance", kind_unit)};
     }
-    read_samples(table, check);
+    read_samples(table, unit, check);
     verification_.curves.push_back(std::move(check));
   }
 
-  /// A file of two columns, in SI and degrees whatever its header says.
-  void read_samples(Table& table, study::CurveCheck& check) {
+  void read_samples(Table& table, const std::string& unit, study::CurveCheck& check) {
     const std::string name = table.text("file");
     const std::string angles = table.text("angle_column"), values = table.text("column");
     if (name.empty()) return;
     const std::string path = (folder_ / name).string();
-    const CsvFile csv = read_csv({path, path});
-    for (const auto& [key, column, target] : {std::tuple{"angle_column", &angles, &check.crank_angle_deg},
-                                              std::tuple{"column", &values, &check.expected}}) {
-      if (const auto found = csv.find(*column)) {
-        *target = csv.columns[*found].values;
-      } else if (!column->empty()) {
-        table.refuse(key, "is no column of " + name, "there are " + csv.names());
+    const CsvFile csv = read_csv({path, path}, NaN::kKept);
+    const auto column = [&](const char* key, const std::string& wanted, const std::string& si_unit) {
+      const auto found = csv.find(wanted);
+      if (!found && !wanted.empty()) table.refuse(key, "is no column of " + name, "there are " + csv.names());
+      return found ? samples(csv, *found, si_unit) : std::vector<double>{};
+    };
+    check.crank_angle_deg = column("angle_column", angles, "degree");
+    check.expected = column("column", values, unit);
+  }
+
+  /// A column in the unit of its header, in SI or degrees where it has none. Other columns may hold what is no number.
+  std::vector<double> samples(const CsvFile& csv, std::size_t i_column, const std::string& si_unit) {
+    const CsvColumn& column = csv.columns[i_column];
+    for (std::size_t i = 0; i < column.values.size(); ++i) {
+      if (!std::isnan(column.values[i])) continue;
+      faults_.push_back({csv.cell_mark(i, i_column), "nan is not a finite number", "a check needs a number here"});
+      return {};
+    }
+    return column.unit ? quantity_column(csv, column.name, si_unit, column.name + " [" + si_unit + "]", units_, faults_)
+                       : column.values;
+  }
+
+  /// Keeps in mind that the run must reach the time of a probe, until its case is read.
+  void note_time(Table& table, const std::string& run, const study::Probe& probe) {
+    const TomlValue* time = table.find("time");
+    if (time != nullptr && !run.empty()) times_.push_back({run, probe.time.value_or(0), *time});
+  }
+
+  void check_times() {
+    for (const auto& [run, time, written] : times_) {
+      const cycle::Case& c = verification_.runs.at(run);
+      const std::string stated = "time = " + written.as_written() + " ";
+      if (c.problem != cycle::Problem::kPad || c.pad.history_time.empty()) {
+        faults_.push_back({written.mark, stated + "is asked of " + run + ", which has no history", "leave it out"});
+      } else if (time < c.pad.history_time.front() || time > c.pad.last_time()) {
+        faults_.push_back({written.mark, stated + "is outside the history of " + run, "ask for a time within it"});
       }
     }
   }
@@ -347,8 +424,15 @@ class Reader {
     std::vector<Override> overrides;
   };
 
+  struct AskedTime {
+    std::string run;
+    double time;  ///< [s]
+    TomlValue written;
+  };
+
   fs::path folder_;
   std::map<std::string, NamedRun> named_;
+  std::vector<AskedTime> times_;
   const Units& units_;
   std::vector<Fault> faults_;
   study::Verification verification_;

@@ -8,8 +8,8 @@
 namespace ringfilm::io {
 
 /// One folder of verification/: README.md (heading and first paragraph), reference.toml with the tables [[run]],
-/// [[value]], [[order]], [[optimum]] and [[curve]], and the cases that they name. docs/manual/verification.md.
-/// Throws InputError with every fault of reference.toml, or those of a case.
+/// [[value]], [[order]], [[bound]], [[optimum]] and [[curve]], and the cases that they name.
+/// docs/manual/verification.md. Throws InputError with every fault of reference.toml, or those of a case.
 study::Verification read_verification(const std::string& folder, const Units& units);
 
 /// The folders of verification/ in the shipped folder that hold a reference.toml, by name in alphabetic order.

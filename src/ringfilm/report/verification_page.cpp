@@ -44,7 +44,8 @@ ordered_json line_object(const study::ConvergenceLine& line) {
           {"levels", numbers(line.levels)},
           {"errors", numbers(line.errors)},
           {"expected_order", line.expected_order},
-          {"observed_order", exact(line.observed_order)}};
+          {"observed_order", line.observed_order ? exact(*line.observed_order) : ordered_json(nullptr)},
+          {"bound", line.bound ? exact(*line.bound) : ordered_json(nullptr)}};
 }
 
 ordered_json case_object(const study::VerificationOutcome& outcome) {

@@ -127,12 +127,16 @@ double value(const Measurement& measurement, const Probe& probe) {
   const std::vector<double>& values = found->second;
   if (!probe.time || values.size() == 1) return values.back();
   // Steps in time add up rounding: the instant asked for is the nearest.
+  constexpr double kHalf = 0.5 + 1e-6;  // an instant in the middle of a step is near to both its ends
+  const std::vector<double>& instants = measurement.instants;
+  const auto distance = [&](std::size_t i) { return std::abs(instants[i] - *probe.time); };
   std::size_t nearest = 0;
   for (std::size_t k = 1; k < values.size(); ++k) {
-    const auto distance = [&](std::size_t i) { return std::abs(measurement.instants[i] - *probe.time); };
     if (distance(k) < distance(nearest)) nearest = k;
   }
-  return values[nearest];
+  const std::size_t after = std::max<std::size_t>(nearest, 1);
+  const bool is_near = distance(nearest) <= kHalf * (instants[after] - instants[after - 1]);
+  return is_near ? values[nearest] : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace ringfilm::study

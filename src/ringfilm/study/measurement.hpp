@@ -32,7 +32,8 @@ std::optional<cycle::Quantity> find_measured(const std::string& name);
 /// Solves the case. Throws ConvergenceError where it has no solution.
 Measurement measure(const cycle::Case& c);
 
-/// The number that the probe names; NaN if the run has none there (a film that is full has no rupture).
+/// The number that the probe names; NaN if the run has none there: a film that is full has no rupture, and a history
+/// without an instant within half a step of the time asked for has no value then.
 double value(const Measurement& measurement, const Probe& probe);
 
 }  // namespace ringfilm::study

@@ -78,10 +78,29 @@ class Runner {
       const double scale = check.exact == 0 ? 1 : std::abs(check.exact);
       line.errors.push_back(std::abs(refined(check, level) - check.exact) / scale);
     }
-    line.observed_order = observed_order(line.levels, line.errors);
+    const double observed = observed_order(line.levels, line.errors);
+    line.observed_order = observed;
     const char* name = check.refinement == Refinement::kCells ? "order in cells" : "order in time";
-    add(row_of(check, plain_number(name), check.order, line.observed_order,
-               {Tolerance::Kind::kAbsolute, check.tolerance}));
+    add(row_of(check, plain_number(name), check.order, observed, {Tolerance::Kind::kAbsolute, check.tolerance}));
+    outcome_.lines.push_back(std::move(line));
+  }
+
+  void check(const BoundCheck& check) {
+    const double length = width_of(verification_.runs.at(check.run));
+    const double scale = check.exact == 0 ? 1 : std::abs(check.exact);
+    ConvergenceLine line;
+    line.label = check.label;
+    line.expected_order = 1;
+    line.bound = check.most * length / scale;
+    double largest = 0;  // [cells]
+    for (int n = check.fewest_cells; n <= check.most_cells; ++n) {
+      const double error = std::abs(with_cells(check.run, check.probe, n) - check.exact);
+      line.levels.push_back(1.0 / n);
+      line.errors.push_back(error / scale);
+      const double cells = error / (length / n);
+      if (std::isnan(cells) || cells > largest) largest = cells;  // a NaN stays
+    }
+    add(row_of(check, plain_number("largest error in cells"), 0, largest, {Tolerance::Kind::kAbsolute, check.most}));
     outcome_.lines.push_back(std::move(line));
   }
 
@@ -100,8 +119,9 @@ class Runner {
     for (std::size_t k = 0; k < check.expected.size(); ++k) {
       const double angle = check.crank_angle_deg[k];
       Tolerance tolerance = check.tolerance;
-      if (std::abs(std::remainder(angle, 180.0)) <= check.dead_centre_zone_deg) {
-        tolerance.value = std::max(tolerance.value, check.dead_centre_tolerance);
+      const auto& zone = check.dead_centre_zone;
+      if (zone && std::abs(std::remainder(angle, 180.0)) <= zone->reach_deg) {
+        tolerance.value = std::max(tolerance.value, zone->tolerance);
       }
       const VerificationRow row =
           row_of(check, *find_measured(check.quantity), check.expected[k],
@@ -127,14 +147,26 @@ class Runner {
     return measurement == nullptr ? kNothing : value(*measurement, probe);
   }
 
+  /// Of the face or the pad [m].
+  static double width_of(const cycle::Case& c) {
+    return c.problem == cycle::Problem::kPad ? c.pad.length : c.ring.face_width;
+  }
+
+  double with_cells(const std::string& run, const Probe& probe, int n_cells) {
+    cycle::Case c = verification_.runs.at(run);
+    c.solver.cells = n_cells;
+    const Measurement* measurement = measured(run + " cells " + std::to_string(n_cells), c);
+    return measurement == nullptr ? kNothing : value(*measurement, probe);
+  }
+
   double refined(const OrderCheck& check, double level) {
     const bool in_cells = check.refinement == Refinement::kCells;
     if (!check.manufactured.empty()) {
       const int count = static_cast<int>(std::lround(level));
-      return manufactured(check.manufactured, in_cells ? count : check.cells, in_cells ? 0 : count);
+      return manufactured(check.manufactured, in_cells ? count : check.cells.value(), in_cells ? 0 : count);
     }
     cycle::Case c = verification_.runs.at(check.run);
-    if (check.cells > 0) c.solver.cells = check.cells;
+    if (check.cells) c.solver.cells = *check.cells;
     if (in_cells) {
       c.solver.cells = static_cast<int>(std::lround(level));
     } else {
@@ -197,6 +229,7 @@ VerificationOutcome verify(const Verification& verification) {
   for (const OptimumCheck& check : verification.optima) runner.check(check);
   for (const CurveCheck& check : verification.curves) runner.check(check);
   for (const OrderCheck& check : verification.orders) runner.check(check);
+  for (const BoundCheck& check : verification.bounds) runner.check(check);
   return runner.outcome();
 }
 

@@ -41,9 +41,19 @@ struct OrderCheck : Check {
   double exact = 0;  ///< [SI]
   Refinement refinement = Refinement::kCells;
   std::vector<double> levels;  ///< numbers of cells, or time steps [s] (steps of the march, if manufactured)
-  int cells = 0;               ///< held while time is refined; 0: as in the run
+  std::optional<int> cells;    ///< held while time is refined; nothing: as in the run, and a must if manufactured
   double order = 0;            ///< expected slope of the error [-]
   double tolerance = 0;        ///< of the order [-]
+};
+
+/// How far a place may be off on any of many grids, counted in their cells. The error of a front scatters with where in
+/// its cell it lies, so that a slope through some levels would tell which levels were chosen.
+struct BoundCheck : Check {
+  std::string run;
+  Probe probe;                           ///< of a length
+  double exact = 0;                      ///< [m]
+  int fewest_cells = 0, most_cells = 0;  ///< every number from the one to the other is run
+  double most = 0;                       ///< largest error allowed [cells]
 };
 
 /// Where a number is largest among runs that differ in one parameter: the vertex of the parabola through three.
@@ -55,6 +65,12 @@ struct OptimumCheck : Check {
   Tolerance tolerance;
 };
 
+/// Around a dead centre, where a film is momentary.
+struct DeadCentreZone {
+  double reach_deg = 0;  ///< to either side [degree]
+  double tolerance = 0;  ///< wider than elsewhere, of the same kind
+};
+
 /// A curve of a ring over crank angle.
 struct CurveCheck : Check {
   std::string run;
@@ -62,9 +78,7 @@ struct CurveCheck : Check {
   std::vector<double> crank_angle_deg;  ///< [degree]
   std::vector<double> expected;         ///< [SI]
   Tolerance tolerance;                  ///< relative to the value at each angle, or absolute
-  /// Wider tolerance within this distance of a dead centre [degree]; 0: none.
-  double dead_centre_zone_deg = 0;
-  double dead_centre_tolerance = 0;  ///< in the same kind
+  std::optional<DeadCentreZone> dead_centre_zone;
 };
 
 /// One folder of verification/.
@@ -75,6 +89,7 @@ struct Verification {
   std::map<std::string, cycle::Case> runs;
   std::vector<ValueCheck> values;
   std::vector<OrderCheck> orders;
+  std::vector<BoundCheck> bounds;
   std::vector<OptimumCheck> optima;
   std::vector<CurveCheck> curves;
 };
@@ -83,7 +98,7 @@ enum class Verdict { kHolds, kFails };
 
 /// One line of the table.
 struct VerificationRow {
-  std::string label, quantity;  ///< quantity: as in the glossary, or "order in cells", "order in time"
+  std::string label, quantity;  ///< quantity: as in the glossary, or "order in cells", "error in cells"
   std::string unit, display_unit;
   double expected = 0, got = 0;
   double error = 0;  ///< in the kind of the tolerance
@@ -99,7 +114,9 @@ struct ConvergenceLine {
   std::string step_unit;       ///< "s", or empty where steps are counted as a share
   std::vector<double> levels;  ///< one over the number of cells or steps, or steps in time [s]
   std::vector<double> errors;  ///< relative to the known number; as it is where that is zero [-]
-  double expected_order = 0, observed_order = 0;
+  double expected_order = 0;
+  std::optional<double> observed_order;  ///< nothing where the errors are held below a bound
+  std::optional<double> bound;           ///< largest error allowed over level to the expected order
 };
 
 struct VerificationOutcome {

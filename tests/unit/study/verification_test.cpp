@@ -77,8 +77,40 @@ TEST(Verification, OrderIsTheSlopeOfTheErrors) {
   ASSERT_EQ(outcome.lines.size(), 1u);
   const auto& errors = outcome.lines.front().errors;
   // On a ladder of equal factors least squares through three points are the slope from end to end.
-  EXPECT_NEAR(outcome.lines.front().observed_order, std::log(errors[0] / errors[2]) / std::log(4.0), 1e-12);
+  EXPECT_NEAR(outcome.lines.front().observed_order.value(), std::log(errors[0] / errors[2]) / std::log(4.0), 1e-12);
   EXPECT_EQ(outcome.verdict(), Verdict::kHolds);
+}
+
+TEST(Verification, BoundHoldsOnEveryGridOrFails) {
+  Verification verification;
+  verification.runs["channel"] = channel();
+  BoundCheck check;
+  check.label = "place of the peak";
+  check.run = "channel";
+  check.probe = {"peak_position", std::nullopt};
+  check.exact = 0;  // pressure falls from the left edge on
+  check.fewest_cells = 10;
+  check.most_cells = 14;
+  check.most = 0.5;
+  verification.bounds.push_back(check);
+  check.exact = 0.002;  // a cell of ten, 1.4 cells of fourteen
+  check.most = 1.2;
+  verification.bounds.push_back(check);
+  const VerificationOutcome outcome = verify(verification);
+  EXPECT_EQ(outcome.rows[0].verdict, Verdict::kHolds);
+  EXPECT_NEAR(outcome.rows[1].got, 1.4, 1e-12);
+  EXPECT_EQ(outcome.rows[1].verdict, Verdict::kFails);
+  EXPECT_EQ(outcome.lines[1].errors.size(), 5u);
+}
+
+TEST(Verification, TimeBeyondHalfAStepOfAnyInstantHasNoNumber) {
+  Measurement march;
+  march.instants = {0, 1, 2};
+  march.values["load"] = {5, 6, 7};
+  EXPECT_EQ(value(march, {"load", 1.4}), 6);
+  EXPECT_EQ(value(march, {"load", 2.4}), 7);
+  EXPECT_TRUE(std::isnan(value(march, {"load", 2.6})));
+  EXPECT_TRUE(std::isnan(value(march, {"load", -0.6})));
 }
 
 TEST(Manufactured, ErrorInTimeHalvesWithTheStep) {

@@ -45,22 +45,24 @@ function grounds(c) {
     table(`Grounds of ${c.name}`, ['check', 'known from', 'tolerance, because'], c.rows.map((row) => [row.label, typeset(row.source), typeset(row.because)]), { folds: true }));
 }
 
-/** Error against step, both logarithmic, with the slope that is expected through the finest point. */
+/** Error against step, both logarithmic, with the slope that is expected through the finest point, or below a bound. */
 function convergenceFigure(c, line, i) {
   const steps = [...line.levels].reverse();
   const errors = [...line.errors].reverse();
   const [finest, coarsest] = [steps[0], steps[steps.length - 1]];
   const inCells = line.refinement === 'cells';
+  const isBound = line.bound !== null;
+  const expectedAt = (step) => (isBound ? line.bound * step ** line.expected_order : errors[0] * (step / finest) ** line.expected_order);
   return {
     id: `${c.name}-${i}`,
     title: line.label,
     panels: [{
       id: `${c.name}-${i}`, xScale: 'log', yScale: 'log', yLabel: 'error', yUnit: '', xLabel: inCells ? '1 / number of cells' : line.step_unit ? 'step in time' : '1 / number of steps', xUnit: line.step_unit, series: [
-        { caseIndex: null, part: 'viscous', label: `slope ${number(line.expected_order, 2)}`, x: [finest, coarsest], y: [errors[0], errors[0] * (coarsest / finest) ** line.expected_order] },
-        { caseIndex: null, part: 'measured', label: `computed, slope ${number(line.observed_order, 3)}`, x: steps, y: errors },
+        { caseIndex: null, part: 'viscous', label: isBound ? 'bound' : `slope ${number(line.expected_order, 2)}`, x: [finest, coarsest], y: [finest, coarsest].map(expectedAt) },
+        { caseIndex: null, part: 'measured', label: isBound ? 'computed' : `computed, slope ${number(line.observed_order, 3)}`, x: steps, y: errors },
       ],
     }],
-    caption: `Error relative to the known value against ${inCells ? 'the size of a cell' : 'the step in time'}, both on logarithmic axes. The dotted line has the slope that the scheme claims.`,
+    caption: `Error relative to the known value against ${inCells ? 'the size of a cell' : 'the step in time'}, both on logarithmic axes. The dotted line ${isBound ? 'is the largest error allowed, a share of a cell' : 'has the slope that the scheme claims'}.`,
   };
 }
 
