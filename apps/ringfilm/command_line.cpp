@@ -31,6 +31,10 @@ constexpr const char* kRunFooter = R"(Examples:
   ringfilm run case.toml --set operating.speed='3000 rpm' --set solver.cells=400 --json
   ringfilm run case.toml --ledger --output result.nc
   ringfilm run case.toml --error-estimate
+  ringfilm run verification/rayleigh1918_step/best.toml
+
+A case with a table [pad] instead of [engine] and [ring] is the film of a slider, a step or two plates that approach
+each other, steady or in time; --output, --ledger and --error-estimate are for rings.
 
 --set KEY= takes a key out of the case, e.g. --set ring.elastic_pressure= --set ring.tangential_force='12.5 N'.
 An output that exists is replaced at once when the new one is complete; a kill or a full disk leaves the old one.
@@ -129,7 +133,7 @@ class Commands {
   explicit Commands(CLI::App& program) : program_(program) {}
 
   void add_run() {
-    auto& command = add("run", "Compute one engine cycle and print its summary", [this] {
+    auto& command = add("run", "Compute one engine cycle, or a pad, and print its summary", [this] {
       run({run_words_.case_path(), run_words_.overrides(), output_, csv_,
            json_ ? SummaryForm::kJson : SummaryForm::kTable,
            ledger_ ? LedgerWanted::kComputed : LedgerWanted::kStatements,
@@ -137,8 +141,9 @@ class Commands {
     });
     run_words_.add_to(command);
     command.add_option("--output", output_, "write the whole result as NetCDF-4")->type_name("X.nc");
-    command.add_option("--csv", csv_, "write the curves over crank angle as CSV, SI units")->type_name("X.csv");
-    command.add_flag("--json", json_, "print the values of the cycle as JSON, SI units, instead of the table");
+    command.add_option("--csv", csv_, "write the curves as CSV, SI units: over crank angle, of a pad along its length")
+        ->type_name("X.csv");
+    command.add_flag("--json", json_, "print the values as JSON, SI units, instead of the table");
     command.add_flag("--ledger", ledger_, "run the other choice for every assumption that can be lifted");
     command.add_flag("--error-estimate", error_estimate_,
                      "march four other grids too and give every value the error of its own, about 6 times the work");
@@ -146,9 +151,10 @@ class Commands {
   }
 
   void add_check() {
-    auto& command = add("check", "Read a case, tell everything that is wrong with it, run nothing", [this] {
-      check({check_words_.case_path(), check_words_.overrides()});
-    });
+    auto& command =
+        add("check", "Read a case of a ring or a pad, tell everything that is wrong with it, run nothing", [this] {
+          check({check_words_.case_path(), check_words_.overrides()});
+        });
     check_words_.add_to(command);
     command.footer(kCheckFooter);
   }
@@ -226,8 +232,9 @@ class Commands {
 }  // namespace
 
 Request read_command_line(int argc, const char* const* argv) {
-  CLI::App program("Friction, film and oil flow of a piston ring over one engine cycle, from measured surfaces.",
-                   "ringfilm");
+  CLI::App program(
+      "Friction, film and oil flow of a piston ring over one engine cycle, from measured surfaces; films of pads, too.",
+      "ringfilm");
   program.set_version_flag("--version", version_text());
   program.require_subcommand(1);
   program.footer(kFooter);
