@@ -97,7 +97,6 @@ class Search {
   }
 
   std::optional<film::FilmState> by_bracket(const Bracket& bracket) {
-    ++effort_.eased_starts;
     std::optional<film::FilmState> film;
     bool solved = true;
     const auto excess = [&](double ln_h) {

@@ -49,7 +49,7 @@ void append_notes(const PadSetup& setup, PadResult& result) {
               "more solver.cells",
               missed * um));
   }
-  if (has_film && pad.load && last.separation < 0) {
+  if (has_film && pad.load && last.separation < -kMissed * last.min_film_thickness) {
     note("pressed-closer-than-gap",
          text("the load presses the pad %.6g um closer than the gap is given, to a smallest film of %.6g um",
               -last.separation * um, last.min_film_thickness * um));
