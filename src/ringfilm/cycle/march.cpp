@@ -38,13 +38,6 @@ film::FilmProblem film_problem(const Setup& setup) {
   return problem;
 }
 
-/// Has the ring lifted off? An open gap, wider than its face rises, takes on the mean of both edge pressures; above the
-/// load, no wider gap balances it either.
-bool gas_lifts_ring(const film::FilmInputs& inputs, const film::FilmGrid& grid, const film::FilmState& last) {
-  const double rise = *std::max_element(grid.node_height.begin(), grid.node_height.end());
-  return last.h_m > rise && 0.5 * (inputs.p_left + inputs.p_right) > inputs.mean_pressure(grid);
-}
-
 film::Method film_method(Method method) {
   switch (method) {
     case Method::kPointRelaxation:
@@ -57,8 +50,8 @@ film::Method film_method(Method method) {
   return film::Method::kCoupledNewton;
 }
 
-ConvergenceError no_balance(const film::FilmInputs& inputs, const film::FilmGrid& grid, const film::FilmState& last,
-                            const film::FilmReport& report, double crank_angle_deg) {
+ConvergenceError no_balance(const film::FilmInputs& inputs, const film::FilmGrid& grid, const film::FilmReport& report,
+                            double crank_angle_deg) {
   char text[256];
   if (report.failure == film::Failure::kOverloaded) {
     std::snprintf(
@@ -66,7 +59,7 @@ ConvergenceError no_balance(const film::FilmInputs& inputs, const film::FilmGrid
         "at %.6g degree neither the film nor the asperities carry the load of %.4g N per mm of circumference, "
         "at any separation",
         wrapped(crank_angle_deg), inputs.load / 1e3);
-  } else if (gas_lifts_ring(inputs, grid, last)) {
+  } else if (report.failure == film::Failure::kLiftedOff) {
     std::snprintf(text, sizeof text,
                   "at %.6g degree the gas lifts the ring off: %.4g and %.4g bar at the edges of its face, against %.4g "
                   "bar that press it on",
@@ -160,7 +153,7 @@ void March::start(int k) {
   before_ = state_;
   const film::FilmReport report = film::solve_film(problem_, at.inputs, before_, state_, workspace_);
   count(report);
-  if (!report.converged) throw no_balance(at.inputs, problem_.grid, state_, report, angle_deg_);
+  if (!report.converged) throw no_balance(at.inputs, problem_.grid, report, angle_deg_);
   instant_ = {wrapped(angle_deg_), at.axis, at.inputs, &before_, &state_, effort_};
 }
 
@@ -181,7 +174,7 @@ void March::advance(Waypoints& waypoints) {
     const bool too_coarse = adaptive && error > 1 && level_ < kFinestLevel;
     if (!report.converged || too_coarse) {
       if (level_ == kFinestLevel) {
-        throw no_balance(at.inputs, problem_.grid, state_, report, to);
+        throw no_balance(at.inputs, problem_.grid, report, to);
       }
       if (!report.converged) {
         ++totals_.fallback_sub_step;
@@ -221,7 +214,7 @@ Instant March::side_step(double crank_angle_deg, film::FilmState& to) {
       if (!report.converged) break;
     }
   }
-  if (!report.converged) throw no_balance(at.inputs, problem_.grid, state_, report, crank_angle_deg);
+  if (!report.converged) throw no_balance(at.inputs, problem_.grid, report, crank_angle_deg);
   return {wrapped(crank_angle_deg), at.axis, at.inputs, &side_before_, &to, {1, report.iterations, 0}};
 }
 

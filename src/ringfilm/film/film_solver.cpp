@@ -96,6 +96,7 @@ class CoupledNewton {
     double excess_b = excess_a;
     while (solved && excess_a * excess_b > 0) {
       if (b < std::log(kThinnest)) report.failure = Failure::kOverloaded;
+      if (b > std::log(thickest())) report.failure = Failure::kLiftedOff;
       if (b < std::log(kThinnest) || b > std::log(thickest())) return false;
       a = b;
       excess_a = excess_b;

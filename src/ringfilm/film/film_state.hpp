@@ -94,6 +94,7 @@ enum class Route { kNewton, kSecant };
 enum class Failure {
   kNone,
   kOverloaded,    ///< film and asperities carry less than the load at any separation
+  kLiftedOff,     ///< the film carries more than the load at any larger separation
   kNotConverged,  ///< the iteration found none
 };
 

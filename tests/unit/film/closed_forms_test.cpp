@@ -254,6 +254,22 @@ TEST(MassConserving, FilmAtRestClosesTheCavityOfItsGuess) {
   }
 }
 
+// Gas at both edges presses the two sides apart with more than the load, however wide the gap: there is no answer.
+TEST(FilmSolver, SaysThatTheGasLiftsOffWhatIsPressedOnTooLittle) {
+  SmoothFilm film(
+      64, kLength, [](double x) { return kOutlet * (1 - x / kLength); }, kEta, Cavitation::kMassConserving);
+  FilmInputs in;
+  in.U = 0.1;
+  in.p_left = in.p_right = in.p_cavitation = 1e5;
+  in.load = 0.5e5 * kLength;
+  FilmWorkspace workspace(film.problem);
+  FilmState state = first_guess(film.problem, in);
+  const FilmState previous = state;
+  const FilmReport report = solve_film(film.problem, in, previous, state, workspace);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.failure, Failure::kLiftedOff);
+}
+
 TEST(ReynoldsExit, CavityHoldsTheCavitationPressureAndNoNodeLiesBelow) {
   constexpr double L = 0.0762;
   SmoothFilm film(
