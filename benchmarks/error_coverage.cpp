@@ -14,6 +14,7 @@ using ringfilm::study::testing::Coverage;
 void print(const char* what, std::map<std::string, Coverage>& parts) {
   std::printf("%s\n", what);
   for (auto& [name, part] : parts) {
+    if (part.values == 0) continue;  // exact, as inputs are
     std::printf("  %-36s %8ld values  %6.2f %% within  band/error, median %8.3g\n", name.c_str(), part.values,
                 100 * part.share(), part.median_width());
   }

@@ -136,7 +136,7 @@ test('every part of the report is there, in order', async () => {
     'cycle-values', 'comparison', 'ledger', 'influences', 'validity', 'inputs', 'provenance']);
   assert.match(await page.textContent('.warning'), /SYNTHETIC/);
   assert.match(await page.textContent('#cylinder-pressure'), /SYNTHETIC/);
-  assert.match(await page.textContent('.cards'), /118\s*W.*19\.1\s*kPa.*0\.617\s*µm.*20° after TDC.*56\.1\s*%/s);
+  assert.match(await page.textContent('.cards'), /118 ± 4\s*W.*19\.1\s*kPa.*0\.617 ± 0\.019\s*µm.*20° after TDC.*56\.1 ± 1\.7\s*%/s);
   await page.close();
 });
 

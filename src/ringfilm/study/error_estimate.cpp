@@ -29,6 +29,9 @@ constexpr double kFormalOrderInStep = 1;  // backward Euler
 /// Neighbours whose differences a curve shares: where a difference changes sign the error does not vanish.
 constexpr double kNeighboursDeg = 3;
 
+/// No angle is farther from another.
+constexpr double kFarthestAngle = cycle::kCycleDeg / 2;
+
 /// Cells or steps of the grid that is half as fine; of an odd number the ratio is 2 to within a part of the number.
 int half(int n) { return (n + 1) / 2; }
 
@@ -136,7 +139,8 @@ void add_value_errors(const Case& c, const CycleResult& result, const Sides& cel
     const double by_grid = by_cells.error + by_step.error;
     // What no grid moves is an input, and no iteration moves it.
     const double by_iteration = angle || by_grid == 0 ? 0 : iteration_error(c, std::abs(result.values.*value));
-    errors.values.*value = by_grid + resolution(c, quantity, result) + by_iteration;
+    const double error = by_grid + resolution(c, quantity, result) + by_iteration;
+    errors.values.*value = angle ? std::min(error, kFarthestAngle) : error;  // a NaN stays
     errors.order_in_cells.*value = by_cells.order;
     errors.order_in_step.*value = by_step.order;
   }

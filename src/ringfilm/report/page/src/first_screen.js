@@ -3,7 +3,7 @@ import { element, svgElement } from './dom.js';
 import { shownInput, stoppedAt, withShortPaths } from './model.js';
 import { swatchSvg } from './svg.js';
 import { mergedNotes } from './tables.js';
-import { angleInWords, number, typeset } from './units.js';
+import { angleInWords, number, typeset, withError } from './units.js';
 
 const kOperating = [
   ['engine.bore', 'bore'],
@@ -66,12 +66,13 @@ function stopped(model) {
     element('p', {}, 'No values of a whole cycle exist: no power, no FMEP, no thinnest film, no shares. The curves show what was solved until then.'));
 }
 
-function card(model, heading, main, detail) {
+function card(model, heading, name, detail) {
   const rows = model.cases.map((c) => {
-    const { value, unit } = main(c);
+    const { value, unit } = model.value(c, name);
+    const [shown, error] = withError(value, model.error(c, name), unit, 3).split(' ± ');
     return element('div', { class: 'card-row' },
       model.several ? element('span', { class: 'card-name' }, svgElement(swatchSvg({ caseIndex: c.index, part: null })), c.name) : null,
-      element('span', { class: 'card-value' }, element('b', {}, number(value, 3)), unit && value !== null ? ` ${unit}` : ''),
+      element('span', { class: 'card-value' }, element('b', {}, shown), error ? ` ± ${error}` : '', unit && value !== null ? ` ${unit}` : ''),
       element('span', { class: 'card-detail' }, detail(c)));
   });
   return element('section', { class: 'card' }, element('h2', {}, heading), rows);
@@ -94,8 +95,8 @@ export function firstScreen(model) {
     element('p', { class: 'operating' }, operatingLine(model)),
     stopped(model),
     model.cases.every((c) => !c.complete) ? null : element('div', { class: 'cards' },
-      card(model, 'Mean friction power', (c) => model.value(c, 'mean_power_loss'), shownFmep),
-      card(model, 'Thinnest film', (c) => model.value(c, 'min_film_thickness'), (c) => (c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '')),
-      card(model, 'In mixed lubrication', (c) => model.value(c, 'mixed_share'), () => 'of the cycle')),
+      card(model, 'Mean friction power', 'mean_power_loss', shownFmep),
+      card(model, 'Thinnest film', 'min_film_thickness', (c) => (c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '')),
+      card(model, 'In mixed lubrication', 'mixed_share', () => 'of the cycle')),
     warning);
 }
