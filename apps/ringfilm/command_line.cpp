@@ -1,6 +1,7 @@
 #include "command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -134,14 +135,19 @@ class Commands {
 
   void add_run() {
     auto& command = add("run", "Compute one engine cycle, or a pad, and print its summary", [this] {
-      run({run_words_.case_path(), run_words_.overrides(), output_, csv_,
-           json_ ? SummaryForm::kJson : SummaryForm::kTable,
+      const std::string case_path = run_words_.case_path();
+      if (csv_ && csv_->empty()) csv_ = std::filesystem::path(case_path).stem().string() + ".csv";
+      run({case_path, run_words_.overrides(), output_, csv_, json_ ? SummaryForm::kJson : SummaryForm::kTable,
            ledger_ ? LedgerWanted::kComputed : LedgerWanted::kStatements,
            error_estimate_ ? ErrorsWanted::kEstimated : ErrorsWanted::kNone});
     });
     run_words_.add_to(command);
     command.add_option("--output", output_, "write the whole result as NetCDF-4")->type_name("X.nc");
-    command.add_option("--csv", csv_, "write the curves as CSV, SI units: over crank angle, of a pad along its length")
+    command
+        .add_option("--csv", csv_,
+                    "write the curves as CSV, SI units: over crank angle, of a pad along its length; without a name: "
+                    "that of the case in this folder")
+        ->expected(0, 1)
         ->type_name("X.csv");
     command.add_flag("--json", json_, "print the values as JSON, SI units, instead of the table");
     command.add_flag("--ledger", ledger_, "run the other choice for every assumption that can be lifted");

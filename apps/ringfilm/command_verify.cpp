@@ -40,6 +40,18 @@ std::vector<std::string> chosen_folders(const std::vector<std::string>& names) {
   return chosen;
 }
 
+/// The page must not replace what the checks are read from.
+void check_apart(const std::string& output, const std::vector<std::string>& folders) {
+  const fs::path place = fs::weakly_canonical(fs::absolute(output)).parent_path();
+  std::vector<Fault> faults;
+  for (const std::string& folder : folders) {
+    if (fs::weakly_canonical(folder) != place) continue;
+    faults.push_back(
+        {{}, "--output " + output + ": this folder holds what the checks are read from", "name another folder"});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
 /// A number of a row in the unit that people read.
 std::string shown(const study::VerificationRow& row, double value, int digits, const io::Units& units) {
   if (std::isnan(value)) return "none";
@@ -93,7 +105,8 @@ std::string totals(const std::vector<study::VerificationOutcome>& cases) {
       n_held += row.verdict == Verdict::kHolds;
     }
   }
-  return fmt::format("{} of {} checks hold in {} cases\n", n_held, n_rows, cases.size());
+  return fmt::format("{} of {} checks hold in {} {}\n", n_held, n_rows, cases.size(),
+                     cases.size() == 1 ? "case" : "cases");
 }
 
 }  // namespace
@@ -102,7 +115,10 @@ void verify(const VerifyOptions& options) {
   if (options.wanted == VerifyWanted::kNames) return print_list();
   const std::vector<std::string> folders = chosen_folders(options.names);
   const io::Units units;
-  if (options.output) io::check_can_write(*options.output, io::Sink::kFileOrDevice);
+  if (options.output) {
+    io::check_can_write(*options.output, io::Sink::kFileOrDevice);
+    check_apart(*options.output, folders);
+  }
   std::vector<study::Verification> verifications;
   for (const std::string& folder : folders) verifications.push_back(io::read_verification(folder, units));
   ringfilm::report::VerificationResult result{{}, {}, io::this_program()};

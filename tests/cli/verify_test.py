@@ -33,6 +33,20 @@ class VerifyTest(ProgramTest):
         self.assertRegex(said, r"8 of 8 checks hold in 1 cases?")
         self.assertNotIn("FAILS", said)
 
+    def test_a_page_never_replaces_what_the_checks_are_read_from(self):
+        shipped = self.copy_of_shipped("rayleigh1918_step")
+        reference = shipped / "verification" / "rayleigh1918_step" / "reference.toml"
+        before = reference.read_bytes()
+        self.assertEqual(self.verify_in(shipped, "--output", str(reference)).returncode, 2)
+        self.assertEqual(reference.read_bytes(), before)
+
+    def test_a_folder_without_its_numbers_is_a_fault_and_not_passed_over(self):
+        shipped = self.copy_of_shipped("rayleigh1918_step", "reynolds1886_channel")
+        (shipped / "verification" / "reynolds1886_channel" / "reference.toml").unlink()
+        done = self.verify_in(shipped)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("reynolds1886_channel", done.stderr)
+
     def test_lists_every_folder_that_holds_numbers(self):
         said = self.run_well("verify", "--list")
         folders = sorted(path.parent.name for path in CASES.glob("*/reference.toml"))

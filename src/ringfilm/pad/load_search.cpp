@@ -63,10 +63,8 @@ class Search {
       }
       state = next;
       const double carried = film::hydrodynamic_load(coarse, state);
-      if (carried > found_.largest_load) {
-        found_.largest_load = carried;
-        found_.thickness_at_largest = h_m;
-      }
+      if (!found_.most || carried > found_.most->load) found_.most = {carried, h_m};
+      if (!found_.least || carried < found_.least->load) found_.least = {carried, h_m};
       const double excess = carried - load_;
       if (before && (*before < 0) != (excess < 0)) {
         brackets.push_back({h_m * kStep, h_m, *before < 0 ? Slope::kFalling : Slope::kRising});

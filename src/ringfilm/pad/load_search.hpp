@@ -18,8 +18,11 @@ struct LoadSearch {
   std::optional<film::FilmState> film;  ///< nothing if no separation carries the load
   Slope slope = Slope::kFalling;        ///< there
   int n_separations = 0;                ///< at which the load is carried, as far as the steps of the search tell
-  double largest_load = 0;              ///< of all films tried [N/m]
-  double thickness_at_largest = 0;      ///< smallest film thickness there [m]
+  /// Of all films tried: what they carry [N/m] and their smallest film thickness [m].
+  struct Extreme {
+    double load, thickness;
+  };
+  std::optional<Extreme> least, most;
 };
 
 /// The steady film that carries `load` [N/m]. The load of a pad need not fall with its separation: films from the

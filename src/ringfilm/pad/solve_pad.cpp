@@ -117,10 +117,12 @@ std::string no_film_at(const PadSetup& setup) {
 }
 
 std::string no_film_under(double load, const LoadSearch& search) {
-  return text(
-      "no separation was found at which the film carries %.6g N/m; of the films between the pad's length and atomic "
-      "size the most is carried by the one of %.4g um, %.6g N/m",
-      load, 1e6 * search.thickness_at_largest, search.largest_load);
+  std::string message = text("no separation was found at which the film carries %.6g N/m", load);
+  if (search.least) {
+    message += text("; the films that were tried carry from %.6g N/m (smallest film %.4g um) to %.6g N/m (%.4g um)",
+                    search.least->load, 1e6 * search.least->thickness, search.most->load, 1e6 * search.most->thickness);
+  }
+  return message;
 }
 
 /// What must be known of a separation that was found for a load.

@@ -9,7 +9,8 @@ namespace {
 constexpr int kCoarsest = 16;          // cells of the first grid
 constexpr int kSpeedHalvings = 8;      // the slowest start of a speed that is raised little by little
 constexpr double kFarOff = 0.1;        // an estimate of the pressures is not used if they turn out below this share
-constexpr int kMostEstimates = 30;     // each a tenth of the one before or less
+constexpr int kMostEstimates = 40;     // each a tenth of the one before or less
+constexpr double kNothing = 1e-40;     // of the first estimate
 constexpr double kStandstill = 1e-10;  // of the film in one step
 constexpr double kNoPressure = 1.0;    // scale where neither motion nor edges make any pressure [Pa]
 
@@ -81,15 +82,20 @@ bool solve_at_separation(const PadSetup& setup, const film::FilmProblem& problem
   const double width = problem.grid.width;
   const double estimate = estimated_pressure(setup, inputs, state.h_m, closing);
   // The film is solved to a share of an estimate of its pressures: as long as they turn out far below, they are the
-  // next estimate.
+  // next estimate, until nothing but rounding is left of them.
   double scale = estimate;
   for (int k = 0; k < kMostEstimates; ++k) {
+    const film::FilmState before = state;
     inputs.load = scale * width;
     const film::FilmReport report = film::solve_film_at_separation(problem, inputs, previous, state, workspace);
     count(report, effort);
-    if (!report.converged) return false;
+    if (!report.converged && k == 0) return false;
+    if (!report.converged) {  // no finer than by the estimate before; the balance of mass tells what that is worth
+      state = before;
+      break;
+    }
     const double peak = *std::max_element(state.p.begin(), state.p.end()) - inputs.p_cavitation;
-    if (peak <= 0 || peak > kFarOff * scale) break;
+    if (peak <= kNothing * estimate || peak > kFarOff * scale) break;
     scale = peak;
   }
   return true;
