@@ -98,7 +98,7 @@ enum class Verdict { kHolds, kFails };
 
 /// One line of the table.
 struct VerificationRow {
-  std::string label, quantity;  ///< quantity: as in the glossary, or "order in cells", "error in cells"
+  std::string label, quantity;  ///< quantity: as in the glossary, or e.g. "order in cells"
   std::string unit, display_unit;
   double expected = 0, got = 0;
   double error = 0;  ///< in the kind of the tolerance
