@@ -96,10 +96,11 @@ std::string values_table(const CycleValues& values, const std::optional<study::E
   return table.text();
 }
 
-std::string error_lines(const study::ErrorEstimate& errors) {
+std::string error_lines(const study::ErrorEstimate& errors, cycle::StepControl control) {
   std::string grids;
   for (const study::GridRun& run : errors.runs) {
     grids += fmt::format("{}{} cells at {:.4g} degree", grids.empty() ? "" : ", ", run.cells, run.crank_step_deg);
+    if (control == cycle::StepControl::kAdaptive) grids += fmt::format(" (step_error {:.3g})", run.step_error);
   }
   return wrapped(words("+- is the error of cells and crank steps, from the grids " + grids +
                        "; it says nothing of the models and the inputs"));
@@ -164,7 +165,7 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
         result.samples.size());
   }
   if (result.complete && !result.samples.empty()) text += values_table(result.values, document.errors) + "\n";
-  if (document.errors) text += error_lines(*document.errors);
+  if (document.errors) text += error_lines(*document.errors, input.solver.crank_step_control);
   text += result.complete ? solver_lines(result.effort) : stopped_solver_lines(result.effort);
   text += assumed_lines(document.inputs) + simplification_lines(document) + note_lines(document);
   return text;

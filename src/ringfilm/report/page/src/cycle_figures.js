@@ -34,7 +34,7 @@ export function caseSeries(model, name, { part = null, range = kCycleRange } = {
 
 /** What the band about a curve is, for the captions of figures that have one. */
 export function bandSentence(panels) {
-  return panels.some((panel) => panel.series.some((s) => s.error)) ? ' Light band: how far cells and crank steps may have moved the curve.' : '';
+  return panels.some((panel) => panel.series.some((s) => s.error)) ? ' Light band: how far cells and crank steps may have moved the curve; where none is seen it is thinner than the line.' : '';
 }
 
 function overlaySeries(model, name, range = kCycleRange) {
