@@ -91,6 +91,12 @@ class CoupledNewton {
     restore(guess);
     double a = std::log(guess.h_m);
     double excess_a = excess_at(a);
+    // A film that is far too thin for the load may itself be beyond Newton's method; a thicker one never is.
+    while (!solved && a < std::log(thickest())) {
+      solved = true;
+      a -= kLargestFall;
+      excess_a = excess_at(a);
+    }
     const double stride = std::copysign(std::log(1.5), excess_a);
     double b = a;
     double excess_b = excess_a;

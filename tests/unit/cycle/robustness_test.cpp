@@ -5,6 +5,7 @@
 #include <string>
 
 #include "../../scenarios/engine_scenario.hpp"
+#include "ringfilm/cycle/march.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {
@@ -46,6 +47,26 @@ TEST(Robustness, EveryStepOfSeededScenariosIsSolvedOrToldToHaveNoAnswer) {
     }
   }
   EXPECT_LT(stops, 8);  // of 150; a solver that gives up too early tells more
+}
+
+/// Message of the stop when the march of a member starts, at its own angle; empty if a film is found there.
+std::string stop_at_start(int index) {
+  const EngineScenario scenario = engine_scenario(kSeed, index);
+  const Setup setup = prepare(scenario.input);
+  March march(setup);
+  try {
+    march.start(static_cast<int>(std::lround(scenario.start_angle_deg / scenario.input.solver.crank_step_deg)));
+  } catch (const ConvergenceError& stop) {
+    return stop.what();
+  }
+  return "";
+}
+
+// Members of the sample at whose start no film was found once: from standstill, where nothing tells the fill of a node
+// that the iteration takes below p_c (41, 136, 488); and where the coarsest grid suggests a film far too thin (13204).
+TEST(Robustness, StartsThatOnceFoundNoFilmFindOneOrTellWhy) {
+  for (const int index : {41, 488}) EXPECT_TRUE(has_no_answer(stop_at_start(index))) << index;
+  for (const int index : {136, 13204}) EXPECT_EQ(stop_at_start(index), "") << index;
 }
 
 }  // namespace
