@@ -86,7 +86,7 @@ class Run(program.ProgramTest):
         coarse = ("--error-estimate", "--set", "solver.cells=40", "--set", "solver.crank_step=2 degree")
         said = self.run_well("run", "case.toml", *coarse)
         self.assertRegex(said, r"\d \+- [0-9.]+ kPa +friction mean effective pressure")
-        self.assertIn("80 cells at 2 degree", said)
+        self.assertIn("80 cells at 2 degree", " ".join(said.split()))
         values = self.values(*coarse)
         fine = self.values("--set", "solver.cells=160", "--set", "solver.crank_step=0.5 degree",
                            "--set", "solver.step_error=6.25e-5")
