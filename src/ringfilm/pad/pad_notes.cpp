@@ -1,7 +1,6 @@
 #include "ringfilm/pad/pad_notes.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 namespace ringfilm::pad {
@@ -11,13 +10,6 @@ namespace {
 constexpr double kMassLost = 1e-4;
 /// A lowest place of the gap that the grid misses by more than this share of the film changes what the pad carries.
 constexpr double kMissed = 0.01;
-
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[512];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 /// How much the lowest height that the grid sees lies above that of the gap [m].
 double lowest_height(const PadSetup& setup) {

@@ -11,21 +11,6 @@
 namespace ringfilm::pad {
 namespace {
 
-/// Calls use(i, h_s) for every node, at a step once with the height on its left and once with that on its right.
-template <typename Use>
-void for_each_place(const film::FilmGrid& grid, const Use& use) {
-  auto jump = grid.jumps.begin();
-  for (int i = 0; i <= grid.n_cells(); ++i) {
-    if (jump != grid.jumps.end() && jump->node == i) {
-      use(i, jump->height_left);
-      use(i, jump->height_right);
-      ++jump;
-    } else {
-      use(i, grid.node_height[i]);
-    }
-  }
-}
-
 /// The largest mass flux in the film, or what rounding makes of a film in which nothing flows: of its pressures, and of
 /// the oil that it holds from step to step.
 double largest_flux(const film::FilmProblem& problem, const film::FilmInputs& inputs, const film::FilmState& state) {
@@ -80,8 +65,9 @@ void add_fronts(const PadSetup& setup, const film::FilmInputs& inputs, const fil
 }  // namespace
 
 std::vector<double> profile_places(const film::FilmGrid& grid) {
-  std::vector<double> x;
-  for_each_place(grid, [&](int i, double) { x.push_back(grid.x[i]); });
+  std::vector<double> x = grid.x;
+  for (const film::GapJump& jump : grid.jumps) x.push_back(grid.x[jump.node]);
+  std::sort(x.begin(), x.end());
   return x;
 }
 

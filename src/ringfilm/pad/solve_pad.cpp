@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/film/load_balance.hpp"
@@ -15,13 +14,6 @@ namespace ringfilm::pad {
 namespace {
 
 constexpr int kMostHalvings = 6;  // a time step is cut to 1/64 at the finest
-
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[512];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 /// The film through time, one whole step after the other.
 class March {
