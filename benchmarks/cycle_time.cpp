@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "marched_case.hpp"
 #include "ringfilm/cycle/simulate.hpp"
-#include "ringfilm/io/case_file.hpp"
 
 /// Processor time of one marched engine cycle (fixed steps of 1 degree) against the number of cells, for both
 /// cavitation models. Absolute times belong to the machine; the ratios printed at the end can be compared between
@@ -20,16 +20,6 @@ namespace {
 const std::vector<int> kCells = {100, 200, 400, 800};
 constexpr int kReferenceCells = 200;
 constexpr const char* kFastest = "fastest";
-
-cycle::Case case_to_march(int cells, cycle::Cavitation cavitation) {
-  auto c = io::read_case(std::string(RINGFILM_SOURCE_FOLDER) + "/cases/styles2014/new.toml");
-  c.solver.cells = cells;
-  c.solver.crank_step_deg = 1;
-  c.solver.crank_step_control = cycle::StepControl::kFixed;
-  c.film.cavitation = cavitation;
-  c.output.fields = cycle::FieldsWanted::kNone;
-  return c;
-}
 
 void marched_cycle(benchmark::State& state, cycle::Cavitation cavitation) {
   const cycle::Setup setup = cycle::prepare(case_to_march(static_cast<int>(state.range(0)), cavitation));

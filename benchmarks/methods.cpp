@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "marched_case.hpp"
 #include "ringfilm/cycle/march.hpp"
 #include "ringfilm/film/method.hpp"
-#include "ringfilm/io/case_file.hpp"
 
 /// The three methods of solution side by side: processor time per cycle, effort per step and their growth with the
 /// number of cells. Every method solves the same steps from the same guess to the same tolerance, one step in ten of a
@@ -51,15 +51,6 @@ class Sampler : public cycle::Waypoints {
   double before_h_m_ = 0;
   int steps_taken_ = 0;
 };
-
-cycle::Case case_to_march(int cells, cycle::Cavitation cavitation) {
-  auto c = io::read_case(std::string(RINGFILM_SOURCE_FOLDER) + "/cases/styles2014/new.toml");
-  c.solver.cells = cells;
-  c.solver.crank_step_deg = 1;
-  c.solver.crank_step_control = cycle::StepControl::kFixed;
-  c.film.cavitation = cavitation;
-  return c;
-}
 
 /// One method on all sampled steps.
 struct Cost {
