@@ -9,6 +9,8 @@
 
 namespace ringfilm::models {
 
+struct OilFit;
+
 /// Density and viscosity with their slopes in pressure, one value per point; all spans of one length.
 struct OilProperties {
   std::span<double> rho;      ///< [kg/m3]
@@ -25,6 +27,9 @@ class OilAtTemperature {
 
   /// Properties at absolute pressures p [Pa].
   virtual void properties(std::span<const double> p, OilProperties out) const = 0;
+
+  /// Polynomials that may stand for the laws within their range of pressure; nullptr where there are none.
+  virtual const OilFit* fit() const { return nullptr; }
 
   double density(double p) const;
   double viscosity(double p) const;
