@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace ringfilm::models {
 namespace {
@@ -22,20 +23,20 @@ constexpr int kPieces = 128;
 constexpr int kDegree = 11;
 constexpr double kPiecesPerLambda = kPieces / kReach;
 
-struct ValueAndSlope {
-  double value, slope;
-};
+using Numbers = ValueAndSlope<double>;
+using Series = std::array<double, kDegree + 1>;
+using Pieces = std::array<Series, kPieces>;
 
 /// The power series of the solution of F'' + lambda F' - n F = 0 about `centre`.
-std::array<double, kDegree + 1> series(double n, double centre, const ValueAndSlope& F) {
-  std::array<double, kDegree + 1> c{F.value, F.slope};
+constexpr Series series(double n, double centre, const Numbers& F) {
+  Series c{F.value, F.slope};
   for (int k = 0; k + 2 <= kDegree; ++k) {
     c[k + 2] = ((n - k) * c[k] - centre * (k + 1) * c[k + 1]) / ((k + 1.0) * (k + 2.0));
   }
   return c;
 }
 
-ValueAndSlope horner(const double* c, double x) {
+constexpr Numbers horner(const Series& c, double x) {
   double value = c[kDegree], slope = 0;
   for (int k = kDegree - 1; k >= 0; --k) {
     slope = slope * x + value;
@@ -46,36 +47,37 @@ ValueAndSlope horner(const double* c, double x) {
 
 /// Series of F_n for all pieces, piece by piece from the far end: F_n is the solution that decays with lambda, so the
 /// march towards lambda = 0 damps whatever rounding adds of the other one.
-std::vector<double> exact_pieces(double n) {
-  std::vector<double> c(kPieces * (kDegree + 1));
-  ValueAndSlope F{gaussian_integral(n, kReach), -n * gaussian_integral(n - 1, kReach)};
+/// @param F at kReach
+constexpr Pieces exact_pieces(double n, Numbers F) {
+  Pieces pieces{};
   double from = kReach;
   for (int piece = kPieces - 1; piece >= 0; --piece) {
     const double middle = (piece + 0.5) / kPiecesPerLambda, to = piece / kPiecesPerLambda;
-    const auto inwards = series(n, from, F);
-    const auto about_middle = series(n, middle, horner(inwards.data(), middle - from));
-    std::copy(about_middle.begin(), about_middle.end(), c.begin() + piece * (kDegree + 1));
-    F = horner(about_middle.data(), to - middle);
+    pieces[piece] = series(n, middle, horner(series(n, from, F), middle - from));
+    F = horner(pieces[piece], to - middle);
     from = to;
   }
-  return c;
+  return pieces;
 }
 
-ValueAndSlope exact(const std::vector<double>& c, double lambda) {
+// From gaussian_integral(n, kReach), and F_n' = -n F_(n-1).
+constexpr Pieces kF52 = exact_pieces(2.5, {1.0339176028096323e-17, -2.5 * 3.4783997922186902e-17});
+constexpr Pieces kF2 = exact_pieces(2, {1.8075064471458501e-17, -2 * 7.5502624119464992e-17});
+
+Numbers exact(const Pieces& pieces, double lambda) {
   if (lambda >= kReach) return {0, 0};
   const int piece = static_cast<int>(lambda * kPiecesPerLambda);
-  return horner(c.data() + piece * (kDegree + 1), lambda - (piece + 0.5) / kPiecesPerLambda);
+  return horner(pieces[piece], lambda - (piece + 0.5) / kPiecesPerLambda);
 }
 
-/// Fifth-order polynomials of the literature, highest power first; behind them where they end: the separation from
-/// which on they are held at zero.
+/// Fifth-order polynomials of the literature, highest power first.
 using Quintic = std::array<double, 6>;
 constexpr Quintic kF52FourDigit{-0.0046, 0.0574, -0.2958, 0.7844, -1.0776, 0.6167};
 constexpr Quintic kF2FourDigit{-0.0018, 0.0281, -0.1728, 0.5258, -0.8043, 0.5003};
 constexpr Quintic kF52AsPrinted{-0.004, 0.057, -0.296, 0.784, -1.078, 0.617};
 constexpr Quintic kF2AsPrinted{-0.002, 0.028, -0.173, 0.526, -0.804, 0.500};
 
-ValueAndSlope horner(const Quintic& c, double lambda) {
+Numbers horner(const Quintic& c, double lambda) {
   double value = c[0], slope = 0;
   for (std::size_t k = 1; k < c.size(); ++k) {
     slope = slope * lambda + value;
@@ -99,26 +101,23 @@ std::vector<double> zeros(const Quintic& c) {
   return found;
 }
 
-/// The six coefficients and the end: the first zero, or the last one where the form is cut by max(., 0) alone.
-std::vector<double> with_end(const Quintic& c, ContactIntegralForm form) {
+/// Ends at the first zero, or at the last one where the form is cut by max(., 0) alone.
+ContactQuintic with_end(const Quintic& c, ContactIntegralForm form) {
   const auto z = zeros(c);
-  std::vector<double> packed(c.begin(), c.end());
-  packed.push_back(form == ContactIntegralForm::kPolynomial4Digit ? z.front() : z.back());
-  return packed;
+  return {c, form == ContactIntegralForm::kPolynomial4Digit ? z.front() : z.back()};
 }
 
-ValueAndSlope polynomial(const std::vector<double>& packed, double lambda) {
-  if (lambda >= packed[6]) return {0, 0};
-  Quintic c;
-  std::copy_n(packed.begin(), c.size(), c.begin());
-  const auto F = horner(c, lambda);
-  return F.value > 0 ? F : ValueAndSlope{0, 0};
+Numbers quintic(const ContactQuintic& quintic, double lambda) {
+  if (lambda >= quintic.end) return {0, 0};
+  const auto F = horner(quintic.c, lambda);
+  return F.value > 0 ? F : Numbers{0, 0};
 }
 
-ValueAndSlope integral(ContactIntegralForm form, const std::vector<double>& coefficients, double lambda) {
+/// @param other form than the exact one; nullptr: exact
+Numbers integral(const Pieces& pieces, const ContactQuintic* other, double lambda) {
   if (std::isnan(lambda)) return {lambda, lambda};  // else it would pick no piece, or pass for "no contact"
   const double inside = std::max(lambda, 0.0);
-  auto F = form == ContactIntegralForm::kExact ? exact(coefficients, inside) : polynomial(coefficients, inside);
+  auto F = other ? quintic(*other, inside) : exact(pieces, inside);
   F.value += F.slope * (lambda - inside);
   return F;
 }
@@ -147,25 +146,19 @@ GreenwoodTripp::GreenwoodTripp(const Parameters& parameters) : parameters_(param
   area_scale_ = pi * pi * roughness * roughness;
   switch (form) {
     case ContactIntegralForm::kExact:
-      F_52_ = exact_pieces(2.5);
-      F_2_ = exact_pieces(2);
-      reach_ = kReach * sigma;
       break;
     case ContactIntegralForm::kPolynomial4Digit:
-      F_52_ = with_end(kF52FourDigit, form);
-      F_2_ = with_end(kF2FourDigit, form);
-      reach_ = F_52_.back() * sigma;
+      quintics_ = {with_end(kF52FourDigit, form), with_end(kF2FourDigit, form)};
       break;
     case ContactIntegralForm::kPolynomialAsPrinted:
-      F_52_ = with_end(kF52AsPrinted, form);
-      F_2_ = with_end(kF2AsPrinted, form);
-      reach_ = F_52_.back() * sigma;
+      quintics_ = {with_end(kF52AsPrinted, form), with_end(kF2AsPrinted, form)};
       break;
   }
+  reach_ = (quintics_ ? quintics_->F_52.end : kReach) * sigma;
 }
 
 void GreenwoodTripp::pressure(double h, double& p_a, double& dp_a_dh) const {
-  const auto F = integral(parameters_.form, F_52_, h / parameters_.sigma);
+  const auto F = integral(kF52, quintic_52(), h / parameters_.sigma);
   p_a = pressure_scale_ * F.value;
   dp_a_dh = pressure_scale_ / parameters_.sigma * F.slope;
 }
@@ -173,7 +166,7 @@ void GreenwoodTripp::pressure(double h, double& p_a, double& dp_a_dh) const {
 GreenwoodTripp::Contact GreenwoodTripp::contact(double h) const {
   Contact c;
   pressure(h, c.pressure, c.pressure_slope);
-  c.area_share = area_scale_ * integral(parameters_.form, F_2_, h / parameters_.sigma).value;
+  c.area_share = area_scale_ * integral(kF2, quintics_ ? &quintics_->F_2 : nullptr, h / parameters_.sigma).value;
   return c;
 }
 

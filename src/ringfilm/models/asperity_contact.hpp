@@ -1,5 +1,8 @@
 #pragma once
-#include <vector>
+#include <array>
+#include <optional>
+
+#include "ringfilm/models/contact_fit.hpp"
 
 namespace ringfilm::models {
 
@@ -8,6 +11,13 @@ enum class ContactIntegralForm { kExact, kPolynomial4Digit, kPolynomialAsPrinted
 /// Exact Gaussian integral F_n(lambda) = 1/sqrt(2 pi) int_lambda^inf (s - lambda)^n exp(-s^2/2) ds,
 /// eq-gaussian-integral, by quadrature to rounding; n = 3/2, 2, 5/2 are what contact needs. n >= 1, 0 <= lambda <= 30.
 double gaussian_integral(double n, double lambda);
+
+/// A polynomial of the literature in place of F_n(lambda): the fifth power first, never below zero, and zero from `end`
+/// on.
+struct ContactQuintic {
+  std::array<double, 6> c;
+  double end;  ///< lambda [-]
+};
 
 /// Contact of two rough surfaces after Greenwood and Tripp @cite greenwood1971, eqs eq-asperity-load, eq-asperity-area.
 /// Convention: 2/E_prime = sum (1 - nu^2)/E goes with 8 sqrt(2)/15.
@@ -35,17 +45,28 @@ class GreenwoodTripp {
   void pressure(double h, double& p_a, double& dp_a_dh) const;
 
   const Parameters& parameters() const { return parameters_; }
+  double pressure_scale() const { return pressure_scale_; }  ///< p_a/F_5/2 [Pa]
+  double area_scale() const { return area_scale_; }          ///< (A_a/A)/F_2 [-]
+
+  /// What may stand for the integrals of the exact form; nullptr for the other forms.
+  const ContactFit* fit() const { return quintics_ ? nullptr : &contact_fit(); }
+
+  /// In place of F_5/2; nullptr for the exact form.
+  const ContactQuintic* quintic_52() const { return quintics_ ? &quintics_->F_52 : nullptr; }
 
   /// Beyond this separation the contact pressure is taken as zero (exact form: lambda = 8, share below 1e-16) [m].
   double reach() const { return reach_; }
 
  private:
+  struct Quintics {
+    ContactQuintic F_52, F_2;
+  };
+
   Parameters parameters_;
-  double pressure_scale_;     ///< 8 sqrt(2)/15 pi (N beta sigma)^2 sqrt(sigma/beta) E' [Pa]
-  double area_scale_;         ///< pi^2 (N beta sigma)^2 [-]
-  double reach_;              ///< [m]
-  std::vector<double> F_52_;  ///< coefficients of F_5/2(lambda) for the inner loop
-  std::vector<double> F_2_;   ///< coefficients of F_2(lambda)
+  double pressure_scale_;  ///< 8 sqrt(2)/15 pi (N beta sigma)^2 sqrt(sigma/beta) E' [Pa]
+  double area_scale_;      ///< pi^2 (N beta sigma)^2 [-]
+  double reach_;           ///< [m]
+  std::optional<Quintics> quintics_;
 };
 
 /// E' of 2/E' = sum (1 - nu^2)/E, eq-composite-modulus [Pa].

@@ -1,20 +1,12 @@
 #pragma once
 #include <array>
-#include <cstddef>
 #include <memory>
 #include <optional>
 
 #include "ringfilm/models/lubricant.hpp"
+#include "ringfilm/models/polynomial.hpp"
 
 namespace ringfilm::models {
-
-/// c[0] + c[1] t + c[2] t^2 + ..., for any type with sums and products; at least two coefficients.
-template <class Value, std::size_t n>
-Value polynomial(const std::array<double, n>& c, const Value& t) {
-  Value sum = t * c[n - 1] + c[n - 2];
-  for (std::size_t k = n - 2; k-- > 0;) sum = sum * t + c[k];
-  return sum;
-}
 
 /// Polynomials that stand for an oil's laws in the inner loop, eq-oil-fit: rho/eta, rho and their slopes in pressure
 /// over a range of it, in t = (p - centre)/half_width, lowest power first.

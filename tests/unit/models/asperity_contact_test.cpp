@@ -157,6 +157,31 @@ TEST(GreenwoodTripp, ContinuesAlongTheTangentBelowZero) {
   EXPECT_EQ(below.pressure_slope, zero.pressure_slope);
 }
 
+TEST(GreenwoodTripp, StartsItsSeriesFromTheIntegralsAtItsReach) {
+  // They are written down as numbers: what stands there is the quadrature, to its rounding.
+  const auto contact = new_ring(ContactIntegralForm::kExact);
+  const double last = std::nextafter(8.0, 0.0);
+  EXPECT_NEAR(F_52(contact, last) / gaussian_integral(2.5, 8), 1, 1e-13);
+  EXPECT_NEAR(F_2(contact, last) / gaussian_integral(2, 8), 1, 1e-13);
+}
+
+TEST(GreenwoodTripp, OffersWhatStandsForItsIntegralsAndItsScales) {
+  const auto exact = new_ring(ContactIntegralForm::kExact);
+  EXPECT_EQ(exact.quintic_52(), nullptr);
+  ASSERT_NE(exact.fit(), nullptr);
+  for (const auto form : {ContactIntegralForm::kPolynomial4Digit, ContactIntegralForm::kPolynomialAsPrinted}) {
+    const auto contact = new_ring(form);
+    EXPECT_EQ(contact.fit(), nullptr);
+    ASSERT_NE(contact.quintic_52(), nullptr);
+    const auto& [c, end] = *contact.quintic_52();
+    EXPECT_EQ(end * 0.48e-6, contact.reach());
+    EXPECT_NEAR(F_52(contact, 1), c[0] + c[1] + c[2] + c[3] + c[4] + c[5], 1e-15);
+    EXPECT_NEAR(F_52(contact, 0), c[5], 1e-15);
+  }
+  EXPECT_NEAR(exact.contact(0).pressure / exact.pressure_scale() / gaussian_integral(2.5, 0), 1, 1e-13);
+  EXPECT_NEAR(exact.contact(0).area_share / exact.area_scale() / gaussian_integral(2, 0), 1, 1e-13);
+}
+
 TEST(CompositeModulus, IsThatOfThePaperConvention) {
   // PHYSICS section 1: 203 GPa, 0.3 on 92.3 GPa, 0.211 give 134.8 GPa.
   EXPECT_NEAR(composite_modulus(203e9, 0.3, 92.3e9, 0.211), 134.8e9, 0.05e9);
