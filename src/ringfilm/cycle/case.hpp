@@ -52,6 +52,7 @@ enum class Compressibility { kDowsonHigginson, kNone };
 enum class Cavitation { kReynoldsExit, kMassConserving };
 enum class StepControl { kAdaptive, kFixed };
 enum class Method { kCoupledNewton, kPointRelaxation, kNestedSecant };
+enum class Properties { kFitted, kExact };
 enum class FieldsWanted { kNone, kListed, kAll };
 
 struct Engine {
@@ -174,6 +175,7 @@ struct Solver {
   double step_error = 1e-3;  ///< error in time let through per step, adaptive: in ln h_m; half of it in the oil [-]
   double tolerance = 1e-8;   ///< relative error left by the Newton iteration in film and pressure [-]
   Method method = Method::kCoupledNewton;
+  Properties properties = Properties::kFitted;
 };
 
 struct Output {

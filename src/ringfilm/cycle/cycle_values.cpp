@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "ringfilm/cycle/kinematics.hpp"
+#include "ringfilm/models/oil_fit.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -145,7 +146,7 @@ StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base
 
 std::map<std::string, double> derived_values(const Setup& setup, const film::FilmGrid& grid) {
   const Case& c = setup.input;
-  return {
+  std::map<std::string, double> values = {
       {"elastic_pressure", setup.elastic_pressure},
       {"tangential_force",
        models::tangential_force_from_elastic_pressure(setup.elastic_pressure, c.ring.face_width, c.engine.bore)},
@@ -161,6 +162,11 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
       {"swept_volume", swept_volume(c.engine)},
       {"mean_piston_speed", 2 * c.engine.stroke * c.operating.speed / (2 * std::numbers::pi)},
   };
+  if (const models::OilFit* fit = setup.oil->fit()) {
+    values["property_fit_error"] = fit->error;
+    values["property_fit_pressure"] = fit->high;
+  }
+  return values;
 }
 
 }  // namespace ringfilm::cycle

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ringfilm/base/constants.hpp"
+#include "ringfilm/models/oil_fit.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -97,6 +98,21 @@ PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
   const models::OilState at = models::oil_state(laws, temperature);
   return {models::closed_form_oil(laws, temperature), at.eta_T, at.rho_T,
           extrapolation_notes(lubricant, laws, temperature)};
+}
+
+void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
+  constexpr double kLeastRange = 20e6;  // [Pa]
+  for (const double factor : {4.0, 2.0}) {
+    oil.oil = models::fitted_oil(oil.oil, 0, std::max(factor * largest_mean_pressure, kLeastRange));
+    if (oil.oil->fit()) return;
+  }
+  char wanted[32];
+  std::snprintf(wanted, sizeof wanted, "%.0e", models::kFitError);
+  oil.notes.push_back(
+      {"properties-exact",
+       "no polynomials follow the oil's laws within a relative " + std::string(wanted) +
+           ", as solver.properties = \"fitted\" wants: the laws themselves are used, which takes longer",
+       1});
 }
 
 std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant) {

@@ -18,6 +18,10 @@ struct PreparedOil {
 /// The oil of a case at one temperature [K], by the laws that the case names.
 PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature);
 
+/// Gives the oil its polynomials for the inner loop, from zero to four times the largest mean pressure on the face [Pa]
+/// and 20 MPa at least; to half of that where no certified fit reaches further. Adds a note where there is none at all.
+void fit_properties(PreparedOil& oil, double largest_mean_pressure);
+
 /// The oil of a pad: viscosity and density as stated at the zero of its pressures, from which the laws count.
 std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant);
 

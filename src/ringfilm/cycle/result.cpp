@@ -167,6 +167,10 @@ const std::vector<Quantity>& derived_quantities() {
       {"nominal_contact_area", "m2", "mm2", "nominal area of ring and liner", "A", "eq-applied-load"},
       {"swept_volume", "m3", "cm3", "swept volume of the cylinder", "V_d", "eq-fmep"},
       {"mean_piston_speed", "m/s", "m/s", "mean piston speed", "2 S n", "eq-piston-velocity"},
+      {"property_fit_error", "1", "1", "relative difference of the oil's polynomials from its laws", "e_p",
+       "eq-oil-fit"},
+      {"property_fit_pressure", "Pa", "MPa", "pressure up to which the oil's polynomials serve", "p_high",
+       "eq-oil-fit"},
   };
   return table;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
@@ -15,9 +16,11 @@ namespace {
 const double kRqOverRa = std::sqrt(std::numbers::pi / 2);
 
 models::CyclePressure absolute_trace(const Case& c, SampledTrace trace) {
-  for (double& angle : trace.crank_angle_deg) angle += c.gas.angle_zero == AngleZero::kGasExchangeTdc ? 360.0 : 0.0;
-  for (double& p : trace.value) p += c.gas.pressure_reference == PressureReference::kGauge ? base::kAtmosphere : 0.0;
-  if (models::covers_cycle(trace.crank_angle_deg)) return {trace.crank_angle_deg, trace.value};
+  const double turn = c.gas.angle_zero == AngleZero::kGasExchangeTdc ? 360.0 : 0.0;
+  const double rise = c.gas.pressure_reference == PressureReference::kGauge ? base::kAtmosphere : 0.0;
+  for (double& angle : trace.crank_angle_deg) angle += turn;
+  for (double& p : trace.value) p += rise;
+  if (models::covers_cycle(trace.crank_angle_deg)) return {std::move(trace.crank_angle_deg), std::move(trace.value)};
   if (!c.gas.intake_pressure || !c.gas.exhaust_pressure) {
     throw InputError("the pressure trace covers only a part of the cycle",
                      "state gas.intake_pressure and gas.exhaust_pressure; the rest is then joined smoothly");
@@ -85,14 +88,19 @@ double Setup::circumference() const { return std::numbers::pi * input.engine.bor
 
 Setup prepare(const Case& c) {
   PreparedOil oil = oil_at_temperature(c.lubricant, c.operating.oil_temperature);
+  models::CyclePressure cylinder = cylinder_pressure(c);
+  const double p_e = elastic_pressure(c);
+  if (c.solver.properties == Properties::kFitted) {
+    fit_properties(oil, p_e + c.gas.pressure_behind_ring * cylinder.peak());
+  }
   models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, *c.gas.crankcase_trace)
                                                           : models::CyclePressure(c.gas.crankcase_pressure);
   return {c,
           crank_slider(c),
-          cylinder_pressure(c),
+          std::move(cylinder),
           std::move(crankcase),
           ring_face(c),
-          elastic_pressure(c),
+          p_e,
           composite_modulus(c),
           roughness(c),
           asperity_contact(c),

@@ -24,10 +24,10 @@ struct Setup {
   double E_prime;                            ///< [Pa]
   double sigma;                              ///< composite roughness as the contact model uses it [m]
   models::GreenwoodTripp contact;
-  std::shared_ptr<const models::OilAtTemperature> oil;
-  double oil_viscosity;     ///< at the oil temperature, no pressure [Pa s]
-  double oil_density;       ///< [kg/m3]
-  std::vector<Note> notes;  ///< what was found out on the way (extrapolated density, ...)
+  std::shared_ptr<const models::OilAtTemperature> oil;  ///< with fit() where solver.properties asks for it
+  double oil_viscosity;                                 ///< at the oil temperature, no pressure [Pa s]
+  double oil_density;                                   ///< [kg/m3]
+  std::vector<Note> notes;                              ///< what was found out on the way (extrapolated density, ...)
 
   double circumference() const;  ///< pi x bore [m]
 };

@@ -113,6 +113,7 @@ TEST(CaseFields, HaveEveryKeyOfTheContract) {
                           "solver.step_error",
                           "solver.tolerance",
                           "solver.method",
+                          "solver.properties",
                           "output.crank_angles",
                           "output.fields"}) {
     EXPECT_NE(find_field(key), nullptr) << key;
