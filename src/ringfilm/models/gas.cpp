@@ -1,6 +1,7 @@
 #include "ringfilm/models/gas.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -27,6 +28,49 @@ double wrapped(double angle) {
   return w < kCycle ? w : 0;
 }
 
+struct Extent {
+  double least, largest;  // NaN left out
+  double sum;             // finite only if all are
+};
+
+/// Of value(0) .. value(n-1), n > 0. A measured trace has thousands of samples: eight running results side by side run
+/// in vector registers, where a single one would wait for itself.
+template <class Value>
+Extent extent(std::size_t n, const Value& value) {
+  constexpr std::size_t kLanes = 8;
+  std::array<double, kLanes> least, largest, sum{};
+  least.fill(value(0));
+  largest = least;
+  std::size_t k = 0;
+  for (; k + kLanes <= n; k += kLanes) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const double v = value(k + i);
+      least[i] = v < least[i] ? v : least[i];
+      largest[i] = v > largest[i] ? v : largest[i];
+      sum[i] += v;
+    }
+  }
+  Extent all{least[0], largest[0], 0};
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    all = {std::min(all.least, least[i]), std::max(all.largest, largest[i]), all.sum + sum[i]};
+  }
+  for (; k < n; ++k) all = {std::min(all.least, value(k)), std::max(all.largest, value(k)), all.sum + value(k)};
+  return all;
+}
+
+/// Of the steps between neighbours; of one angle: 1, as if there were a step.
+Extent steps(const std::vector<double>& angle) {
+  if (angle.size() < 2) return {1, 1, 1};
+  return extent(angle.size() - 1, [&](std::size_t k) { return angle[k + 1] - angle[k]; });
+}
+
+/// Every angle finite and above the one before, every pressure finite and positive.
+bool samples_are_sound(const std::vector<double>& angle, const std::vector<double>& pressure) {
+  const Extent step = steps(angle), p = extent(pressure.size(), [&](std::size_t k) { return pressure[k]; });
+  return step.least > 0 && p.least > 0 && std::isfinite(angle.front()) && std::isfinite(step.sum) &&
+         std::isfinite(p.sum);
+}
+
 }  // namespace
 
 std::string in_degrees(double angle) { return number(angle) + " degree"; }
@@ -38,7 +82,8 @@ void check_trace(const std::vector<double>& crank_angle_deg, const std::vector<d
     throw InputError("a pressure trace has no samples, or not as many pressures as crank angles",
                      "give one pressure for each crank angle");
   }
-  for (std::size_t k = 0; k < crank_angle_deg.size(); ++k) {
+  const bool sound = samples_are_sound(crank_angle_deg, pressure);
+  for (std::size_t k = 0; !sound && k < crank_angle_deg.size(); ++k) {
     if (!std::isfinite(crank_angle_deg[k]) || !(pressure[k] > 0) || !std::isfinite(pressure[k])) {
       throw InputError("the pressure trace has " + in_bar(pressure[k]) + " at " + in_degrees(crank_angle_deg[k]) +
                            "; an absolute pressure is positive",
@@ -86,7 +131,9 @@ double CyclePressure::pressure(double crank_angle_deg) const {
   return pressure_[low] + (at - angle_[low]) / (next_angle - angle_[low]) * (next_pressure - pressure_[low]);
 }
 
-double CyclePressure::peak() const { return *std::max_element(pressure_.begin(), pressure_.end()); }
+double CyclePressure::peak() const {
+  return extent(pressure_.size(), [&](std::size_t k) { return pressure_[k]; }).largest;
+}
 
 double CyclePressure::peak_angle_deg() const {
   const auto peak = std::max_element(pressure_.begin(), pressure_.end());
@@ -95,10 +142,8 @@ double CyclePressure::peak_angle_deg() const {
 
 bool covers_cycle(const std::vector<double>& crank_angle_deg, double largest_gap_deg) {
   if (crank_angle_deg.empty()) return false;
-  double gap = crank_angle_deg.front() + kCycle - crank_angle_deg.back();
-  for (std::size_t k = 1; k < crank_angle_deg.size(); ++k) {
-    gap = std::max(gap, crank_angle_deg[k] - crank_angle_deg[k - 1]);
-  }
+  const double wrap = crank_angle_deg.front() + kCycle - crank_angle_deg.back();
+  const double gap = crank_angle_deg.size() < 2 ? wrap : std::max(wrap, steps(crank_angle_deg).largest);
   return gap <= largest_gap_deg * (1 + 1e-9);
 }
 
