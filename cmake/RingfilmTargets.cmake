@@ -43,3 +43,18 @@ function(ringfilm_test_program target sources)
   target_compile_definitions(${target} PRIVATE RINGFILM_SOURCE_FOLDER="${CMAKE_SOURCE_DIR}")
   gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60)
 endfunction()
+
+# ringfilm_film_kernels(): the inner loops of the film, each source for the kind of machine in its name. Only there may
+# products be fused with sums: the numbers of one kind of machine are always the same.
+function(ringfilm_film_kernels)
+  set(folder "${CMAKE_SOURCE_DIR}/src/ringfilm/film")
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+    set_source_files_properties("${folder}/kernels_avx2.cpp" PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
+    set_source_files_properties("${folder}/kernels_avx512.cpp" PROPERTIES
+      COMPILE_OPTIONS "-mavx2;-mfma;-mavx512f;-mavx512dq;-mavx512vl;-ffp-contract=fast")
+    set_source_files_properties("${folder}/kernels.cpp" PROPERTIES COMPILE_DEFINITIONS RINGFILM_X86_KERNELS)
+  else()
+    set_source_files_properties("${folder}/kernels_avx2.cpp" "${folder}/kernels_avx512.cpp" PROPERTIES
+      HEADER_FILE_ONLY TRUE)
+  endif()
+endfunction()

@@ -13,31 +13,30 @@ namespace {
 /// From this film parameter on, the F5/2 polynomial as printed rises again (docs/theory/paper-errata.md).
 constexpr double kPolynomialTurns = 1.911;
 
-void add_load(const FilmProblem& problem, const FilmState& state, FilmIntegrals& sums) {
+void add_contact(const FilmProblem& problem, const FilmState& state, FilmIntegrals& sums) {
   const FilmGrid& grid = problem.grid;
-  sums.hydrodynamic_load = hydrodynamic_load(problem, state);
-  if (problem.contact == nullptr) return;
+  const bool local = problem.contact_spread == ContactSpread::kLocal;
+  const double turning_gap = kPolynomialTurns * problem.contact->parameters().sigma;
   for (std::size_t i = 0; i < grid.x.size(); ++i) {
-    const double h = problem.contact_spread == ContactSpread::kNominal ? state.h_m : state.h_m + grid.node_height[i];
+    const double h = local ? state.h_m + grid.node_height[i] : state.h_m;
     const auto contact = problem.contact->contact(h);
     sums.asperity_load += grid.share[i] * contact.pressure;
     sums.asperity_area += grid.share[i] * contact.area_share;
-    if (h > kPolynomialTurns * problem.contact->parameters().sigma) {
-      sums.asperity_load_beyond_polynomial += grid.share[i] * contact.pressure;
-    }
+    if (h > turning_gap) sums.asperity_load_beyond_polynomial += grid.share[i] * contact.pressure;
   }
 }
 
-void add_shear(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, FilmIntegrals& sums) {
-  const FilmGrid& grid = problem.grid;
-  for (int i = 0; i < grid.n_cells(); ++i) {
-    const double h = state.h_m + grid.face_height[i];
-    const double eta = 0.5 * (state.eta[i] + state.eta[i + 1]);
-    const double theta =
-        0.5 * (fill(problem.cavitation, state.deficit[i]) + fill(problem.cavitation, state.deficit[i + 1]));
-    sums.shear_couette += grid.spacing[i] * theta * eta * inputs.U / h;
-    sums.shear_poiseuille += 0.5 * h * (state.p[i + 1] - state.p[i]);
-  }
+void add_fitted_contact(const FilmProblem& problem, const FilmView& film, FilmIntegrals& sums) {
+  const models::GreenwoodTripp& contact = *problem.contact;
+  const double sigma = contact.parameters().sigma;
+  const double reach = models::ContactFit::kEnd * sigma;
+  const ContactSums contact_sums = problem.kernels->contact(
+      film,
+      {contact.fit()->P52.data(), contact.fit()->P2.data(), reach, 2 / reach, contact.pressure_scale(),
+       contact.area_scale(), problem.contact_spread == ContactSpread::kLocal ? 1.0 : 0.0, kPolynomialTurns * sigma});
+  sums.asperity_load = contact_sums.load;
+  sums.asperity_load_beyond_polynomial = contact_sums.load_beyond;
+  sums.asperity_area = contact_sums.area;
 }
 
 /// Mass flux through the middle of the gap: of the face that lies there, or between two faces.
@@ -62,8 +61,7 @@ void add_flow(const FilmProblem& problem, const FilmInputs& inputs, const FilmSt
   sums.flow_left = mass_flux(problem, inputs, state, 0) + storage(0);
   sums.flow_right = mass_flux(problem, inputs, state, n - 1) - storage(n);
   sums.flow_middle = middle_flux(problem, inputs, state);
-  sums.mass_defect = sums.flow_right - sums.flow_left;
-  for (int i = 0; i <= n; ++i) sums.mass_defect += storage(i);
+  sums.mass_defect += sums.flow_right - sums.flow_left;
 }
 
 /// How many cells beyond its last node a film ends, by the pressures above p_c at its last three nodes, all of one
@@ -102,7 +100,6 @@ double front_position(const FilmGrid& grid, const std::vector<double>& p, double
 void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, FilmIntegrals& sums) {
   const FilmGrid& grid = problem.grid;
   const int n = grid.n_cells();
-  sums.peak_pressure = *std::max_element(state.p.begin(), state.p.end());
   for (int i = 1; i < n; ++i) {
     if (!is_cavity(state.deficit[i])) continue;
     if (!is_cavity(state.deficit[i - 1])) {
@@ -122,8 +119,18 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
 FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                              const FilmState& state) {
   FilmIntegrals sums;
-  add_load(problem, state, sums);
-  add_shear(problem, inputs, state, sums);
+  const FilmView film = film_view(problem, state);
+  const FilmSums of_film = problem.kernels->sums(film, {inputs.U, 1 / inputs.time_step, previous.content.data()});
+  sums.hydrodynamic_load = of_film.hydrodynamic_load;
+  sums.shear_couette = of_film.shear_couette;
+  sums.shear_poiseuille = of_film.shear_poiseuille;
+  sums.mass_defect = of_film.storage;
+  sums.peak_pressure = of_film.peak_pressure;
+  if (problem.contact != nullptr && problem.contact->fit() != nullptr && problem.oil->fit() != nullptr) {
+    add_fitted_contact(problem, film, sums);
+  } else if (problem.contact != nullptr) {
+    add_contact(problem, state, sums);
+  }
   add_flow(problem, inputs, previous, state, sums);
   add_cavities(problem, inputs, state, sums);
   return sums;

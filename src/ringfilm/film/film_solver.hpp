@@ -1,33 +1,27 @@
 #pragma once
 #include <vector>
 
-#include "ringfilm/base/tridiagonal.hpp"
-#include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/film_state.hpp"
-#include "ringfilm/film/reynolds.hpp"
+#include "ringfilm/film/lane_newton.hpp"
 
 namespace ringfilm::film {
 
-/// Scratch memory of the solver; the caller owns one per thread and may use it for any number of problems.
+/// Scratch memory of the solver; the caller owns one per thread and may use it for any number of problems of one number
+/// of cells.
 class FilmWorkspace {
  public:
-  explicit FilmWorkspace(const FilmProblem& problem);
+  explicit FilmWorkspace(const FilmProblem& problem) : newton_(*problem.kernels, 1, problem.grid.n_cells()) {}
 
  private:
-  friend class CoupledNewton;
-  NodalOil oil_;
-  std::vector<double> z_, multiplier_;
-  base::BorderedTridiagonal system_;
-  KinkedUpdate update_;
+  friend class FilmSolve;
+  LaneNewton newton_;
 };
 
 /// Finds pressure, fill and h_m together such that mass, cavitation and load balance (eq-load-balance).
 ///
-/// Method: Newton on (z, ln h_m) with one bordered tridiagonal solve an iteration; a node that would cross the
-/// cavitation kink stops at it; h_m moves by at most -60 % or +150 % an iteration; if that fails, a bracketed search on
-/// ln h_m around Newton solves of the film alone (the load carried falls with h_m). Stops when an iteration moves
-/// nothing across the kink and changes film and pressure by less than sqrt(tolerance): what is left is then of the
-/// order of the tolerance, by quadratic convergence.
+/// By LaneNewton in one lane, with the fitted laws if the oil has them; a film whose pressure leaves their range is
+/// solved again with the laws themselves. If Newton's method fails: a bracketed search on ln h_m around Newton solves
+/// of the film alone, with the laws themselves (the load carried falls with h_m).
 ///
 /// @param previous the state one time step ago; only its `content` enters
 /// @param state in: first guess; out: the solution if `converged`, else unusable

@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "ringfilm/film/kernels.hpp"
 #include "ringfilm/models/asperity_contact.hpp"
 #include "ringfilm/models/lubricant.hpp"
 
@@ -60,6 +61,7 @@ struct FilmProblem {
   Cavitation cavitation = Cavitation::kMassConserving;
   ContactSpread contact_spread = ContactSpread::kLocal;
   double tolerance = 0;  ///< relative error that the iteration may leave in film and pressure [-]
+  const FilmKernels* kernels = &film::kernels();  ///< the inner loops that this machine runs
 };
 
 inline constexpr double kSteady = std::numeric_limits<double>::infinity();
@@ -103,6 +105,7 @@ struct FilmReport {
   bool converged = false;
   Failure failure = Failure::kNotConverged;  ///< kNone once converged
   Route route = Route::kNewton;
+  bool exact_laws = false;   ///< solved with the laws themselves although the oil has fits: these do not reach so far
   int iterations = 0;        ///< Newton iterations, those of the fallback included
   int outer_iterations = 0;  ///< films solved at one h_m each, by the methods that have a loop on h_m
   long sweeps = 0;           ///< of point relaxation

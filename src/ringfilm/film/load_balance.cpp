@@ -2,18 +2,26 @@
 
 namespace ringfilm::film {
 
-double asperity_load(const FilmProblem& problem, double h_m) {
-  if (problem.contact == nullptr || h_m >= problem.contact->reach()) return 0;
-  const FilmGrid& grid = problem.grid;
-  const auto pressure = [&](double h) {
-    double p_a = 0;
-    double slope = 0;
-    if (h < problem.contact->reach()) problem.contact->pressure(h, p_a, slope);
-    return p_a;
-  };
-  if (problem.contact_spread == ContactSpread::kNominal) return grid.width * pressure(h_m);
+double asperity_load(const FilmProblem& problem, double h_m, double* slope) {
   double load = 0;
-  for (std::size_t i = 0; i < grid.x.size(); ++i) load += grid.share[i] * pressure(h_m + grid.node_height[i]);
+  double d_load = 0;
+  const auto add = [&](double h, double share) {
+    if (h >= problem.contact->reach()) return;
+    double p_a;
+    double dp_a;
+    problem.contact->pressure(h, p_a, dp_a);
+    load += share * p_a;
+    d_load += share * dp_a;
+  };
+  if (problem.contact == nullptr) {
+    // smooth surfaces
+  } else if (problem.contact_spread == ContactSpread::kNominal) {
+    add(h_m, problem.grid.width);
+  } else {
+    const FilmGrid& grid = problem.grid;
+    for (std::size_t i = 0; i < grid.x.size(); ++i) add(h_m + grid.node_height[i], grid.share[i]);
+  }
+  if (slope != nullptr) *slope = d_load;
   return load;
 }
 

@@ -3,8 +3,12 @@
 
 namespace ringfilm::film {
 
-/// W_a per length of circumference at the separation h_m, eq-asperity-load [N/m].
-double asperity_load(const FilmProblem& problem, double h_m);
+/// Separations that are tried: below the first no continuum describes a film, beyond the second no wedge is left [m].
+inline constexpr double kThinnest = 1e-12;
+inline double thickest(const FilmGrid& grid) { return 1e2 * grid.width; }
+
+/// W_a per length of circumference at the separation h_m, eq-asperity-load [N/m], and its slope there [N/m2].
+double asperity_load(const FilmProblem& problem, double h_m, double* slope = nullptr);
 
 /// W_h per length of circumference, eq-hydrodynamic-load [N/m].
 double hydrodynamic_load(const FilmProblem& problem, const FilmState& state);

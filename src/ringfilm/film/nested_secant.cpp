@@ -5,14 +5,14 @@
 #include <optional>
 
 #include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film {
 namespace {
 
 constexpr int kMostOuterIterations = 60;
-constexpr int kMostInnerIterations = 40;  // and one more per cell: a front may have to cross the face
-constexpr double kFirstDamping = 0.2;     // d ln h_m over the relative excess of load, before a slope is known
-constexpr double kLargestMove = 0.5;      // of ln h_m
+constexpr double kFirstDamping = 0.2;  // d ln h_m over the relative excess of load, before a slope is known
+constexpr double kLargestMove = 0.5;   // of ln h_m
 
 }  // namespace
 
@@ -24,14 +24,9 @@ class NestedSecant {
         inputs_(inputs),
         previous_(previous),
         state_(state),
-        work_(workspace),
-        scale_(inputs.mean_pressure(problem.grid)) {
-    state_.p.front() = inputs.p_left;
-    state_.p.back() = inputs.p_right;
-    state_.deficit.front() = state_.deficit.back() = 0;
-    z_from_state(state_, inputs_.p_cavitation, scale_, work_.z_);
-    work_.oil_.update(*problem_.oil, state_.p);
-    cavity_multiplier(problem_, state_, work_.oil_, work_.multiplier_);
+        newton_(workspace.newton_),
+        laws_(best_laws(problem)) {
+    newton_.bind(0, problem);
   }
 
   bool solve(FilmReport& report) {
@@ -44,8 +39,12 @@ class NestedSecant {
       here.excess = (hydrodynamic_load(problem_, state_) + asperity_load(problem_, state_.h_m)) / inputs_.load - 1;
       if (!std::isfinite(here.excess)) return false;
       if (std::abs(here.excess) <= problem_.tolerance) {
-        work_.oil_.update(*problem_.oil, state_.p);
-        complete_state(problem_, work_.oil_, state_);
+        if (laws_ == LaneLaws::kFitted && !within_fit(problem_, state_)) {
+          laws_ = LaneLaws::kGiven;
+          report.exact_laws = true;
+          continue;
+        }
+        complete_state(problem_, laws_, state_);
         return true;
       }
       if (before && before->excess * here.excess < 0) {
@@ -77,30 +76,20 @@ class NestedSecant {
   }
 
   bool solve_film_alone(FilmReport& report) {
-    work_.update_.start();
-    auto& system = work_.system_;
-    for (int inner = 0; inner < kMostInnerIterations + problem_.grid.n_cells(); ++inner) {
-      work_.oil_.update(*problem_.oil, state_.p);
-      assemble_balance(problem_, inputs_, previous_, state_, work_.oil_, scale_, work_.multiplier_, system);
-      std::fill(system.row.begin(), system.row.end(), 0.0);  // no load row: h_m is given
-      if (!system.eliminate()) return false;
-      system.back_substitute(0);
-      const auto outcome = work_.update_.apply(work_.z_, system.rhs, scale_);
-      state_from_z(work_.z_, inputs_.p_cavitation, scale_, state_);
-      ++report.iterations;
-      report.last_step = outcome.largest;
-      if (!std::isfinite(outcome.largest)) return false;
-      if (outcome.to_film + outcome.to_cavity == 0 && outcome.largest <= std::sqrt(problem_.tolerance)) return true;
-    }
-    return false;
+    newton_.start(0, inputs_, previous_, state_, Unknowns::kFilmAlone, laws_);
+    while (newton_.phase(0) == LaneNewton::Phase::kRunning) newton_.iterate();
+    newton_.read(0, state_);
+    report.iterations += newton_.iterations(0);
+    report.last_step = newton_.last_step(0);
+    return newton_.phase(0) == LaneNewton::Phase::kSolved;
   }
 
   const FilmProblem& problem_;
   const FilmInputs& inputs_;
   const FilmState& previous_;
   FilmState& state_;
-  SecantWorkspace& work_;
-  double scale_;
+  LaneNewton& newton_;
+  LaneLaws laws_;
 };
 
 FilmReport solve_by_nested_secant(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,

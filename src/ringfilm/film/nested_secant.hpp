@@ -1,10 +1,6 @@
 #pragma once
-#include <vector>
-
-#include "ringfilm/base/tridiagonal.hpp"
-#include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/film_state.hpp"
-#include "ringfilm/film/reynolds.hpp"
+#include "ringfilm/film/lane_newton.hpp"
 
 /// Two loops, one inside the other, as an independent reference: a secant on ln h_m for the load around Newton solves
 /// of the film at fixed h_m (eq-nested-secant). Shares the balance of mass and the kink with the coupled Newton, not
@@ -14,14 +10,11 @@ namespace ringfilm::film {
 /// Scratch memory; one per thread, for any number of problems of one number of cells.
 class SecantWorkspace {
  public:
-  explicit SecantWorkspace(const FilmProblem& problem) : system_(problem.grid.n_cells() - 1) {}
+  explicit SecantWorkspace(const FilmProblem& problem) : newton_(*problem.kernels, 1, problem.grid.n_cells()) {}
 
  private:
   friend class NestedSecant;
-  NodalOil oil_;
-  std::vector<double> z_, multiplier_;
-  base::BorderedTridiagonal system_;
-  KinkedUpdate update_;
+  LaneNewton newton_;
 };
 
 /// Finds pressure, fill and h_m together such that mass, cavitation and load balance.

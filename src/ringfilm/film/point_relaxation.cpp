@@ -275,7 +275,7 @@ void PointRelaxation::finish() {
       state_.deficit[i] = std::max(gained, 0.0) / (work_.multiplier_[i] * scale_);
     }
   }
-  complete_state(problem_, work_.oil_, state_);
+  complete_state(problem_, LaneLaws::kGiven, state_);
 }
 
 FilmReport solve_by_point_relaxation(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,

@@ -1,0 +1,125 @@
+#pragma once
+
+/// Packs of numbers that go through a calculation side by side, one in each lane of a vector register. Code written for
+/// a pack runs with one number, two, four or eight; every lane sees what it would see alone.
+namespace ringfilm::base {
+
+/// What compiled code may ask of the machine. Part of a pack's type, so that functions compiled for different machines
+/// never share a name.
+enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
+
+#define RINGFILM_INLINE [[gnu::always_inline]] inline
+
+template <int kWidth>
+struct PackValues {
+  typedef double Values __attribute__((vector_size(8 * kWidth)));
+  typedef long long Mask __attribute__((vector_size(8 * kWidth)));
+};
+template <>
+struct PackValues<1> {
+  typedef double Values;
+  typedef bool Mask;
+};
+
+/// `kLanes` doubles. Where the instruction set has it, a product may be fused with the sum that it enters.
+template <int kLanes, InstructionSet kSet>
+struct Pack {
+  using Values = typename PackValues<kLanes>::Values;
+  using Mask = typename PackValues<kLanes>::Mask;
+  static constexpr int kWidth = kLanes;
+  Values v;
+
+  Pack() = default;
+  RINGFILM_INLINE Pack(double in_all_lanes) : v(in_all_lanes - Values{}) {}
+
+  RINGFILM_INLINE static Pack of(Values values) {
+    Pack p;
+    p.v = values;
+    return p;
+  }
+  RINGFILM_INLINE static Pack load(const double* from) {
+    Pack p;
+    __builtin_memcpy(&p.v, from, sizeof p.v);
+    return p;
+  }
+  RINGFILM_INLINE void store(double* to) const { __builtin_memcpy(to, &v, sizeof v); }
+
+  RINGFILM_INLINE friend Pack operator+(Pack a, Pack b) { return of(a.v + b.v); }
+  RINGFILM_INLINE friend Pack operator-(Pack a, Pack b) { return of(a.v - b.v); }
+  RINGFILM_INLINE friend Pack operator*(Pack a, Pack b) { return of(a.v * b.v); }
+  RINGFILM_INLINE friend Pack operator/(Pack a, Pack b) { return of(a.v / b.v); }
+  RINGFILM_INLINE friend Pack operator-(Pack a) { return of(-a.v); }
+  RINGFILM_INLINE Pack& operator+=(Pack b) { return *this = *this + b; }
+  RINGFILM_INLINE Pack& operator-=(Pack b) { return *this = *this - b; }
+
+  RINGFILM_INLINE friend Mask operator<(Pack a, Pack b) { return a.v < b.v; }
+  RINGFILM_INLINE friend Mask operator>(Pack a, Pack b) { return a.v > b.v; }
+  RINGFILM_INLINE friend Mask operator>=(Pack a, Pack b) { return a.v >= b.v; }
+
+  /// a where the mask holds, else b.
+  RINGFILM_INLINE friend Pack select(Mask mask, Pack a, Pack b) { return of(mask ? a.v : b.v); }
+  RINGFILM_INLINE friend Pack max(Pack a, Pack b) { return of(a.v > b.v ? a.v : b.v); }
+  RINGFILM_INLINE friend Pack min(Pack a, Pack b) { return of(a.v < b.v ? a.v : b.v); }
+  RINGFILM_INLINE friend Pack abs(Pack a) { return max(a, -a); }
+
+  RINGFILM_INLINE static Mask both(Mask a, Mask b) {
+    if constexpr (kLanes == 1) {
+      return a && b;
+    } else {
+      return a & b;
+    }
+  }
+  RINGFILM_INLINE static Mask either(Mask a, Mask b) {
+    if constexpr (kLanes == 1) {
+      return a || b;
+    } else {
+      return a | b;
+    }
+  }
+  /// Where a holds and b does not.
+  RINGFILM_INLINE static Mask only(Mask a, Mask b) {
+    if constexpr (kLanes == 1) {
+      return a && !b;
+    } else {
+      return a & ~b;
+    }
+  }
+  RINGFILM_INLINE static bool any(Mask mask) {
+    if constexpr (kLanes == 1) {
+      return mask;
+#if defined(__AVX512DQ__)
+    } else if constexpr (kLanes == 8) {
+      return __builtin_ia32_cvtq2mask512(mask) != 0;
+#endif
+#if defined(__AVX__)
+    } else if constexpr (kLanes == 4) {
+      return __builtin_ia32_movmskpd256(reinterpret_cast<Values>(mask)) != 0;
+#endif
+    } else {
+      long long found = 0;
+      for (int lane = 0; lane < kLanes; ++lane) found |= mask[lane];
+      return found != 0;
+    }
+  }
+  /// Sum over the lanes, from the first on.
+  RINGFILM_INLINE double sum() const {
+    if constexpr (kLanes == 1) {
+      return v;
+    } else {
+      double total = v[0];
+      for (int lane = 1; lane < kLanes; ++lane) total += v[lane];
+      return total;
+    }
+  }
+};
+
+/// Value of the polynomial with `kTerms` coefficients, lowest power first, `stride` apart.
+template <int kTerms, class Real>
+RINGFILM_INLINE Real polynomial(const double* c, int stride, Real t) {
+  Real value = Real::load(c + (kTerms - 1) * stride);
+#pragma GCC unroll 32
+  for (int k = kTerms - 2; k >= 0; --k) value = value * t + Real::load(c + k * stride);
+  return value;
+}
+
+}  // namespace ringfilm::base

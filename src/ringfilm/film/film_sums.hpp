@@ -1,0 +1,168 @@
+#pragma once
+#include "ringfilm/film/lane_block.hpp"
+
+/// Oil and sums of one solved film, along the face in the lanes of a register. Plain pointers, so that what is compiled
+/// for one machine holds no code that another one shares.
+namespace ringfilm::film {
+
+/// A film as arrays over n+1 nodes and n cells; what they are is told by FilmGrid and FilmState.
+struct FilmView {
+  int n_cells;
+  const double *node_height, *face_height, *share, *spacing;
+  const double *p, *deficit;
+  const double *rho, *eta, *content;
+  double h_m;         ///< [m]
+  double fill_share;  ///< 1: theta = 1 - deficit; 0: theta = 1
+};
+
+/// Where oil and content of a film go.
+struct FilmContent {
+  double *rho, *eta, *content;
+};
+
+/// The step that led to a film.
+struct StepView {
+  double U;                      ///< [m/s]
+  double rate;                   ///< 1/dt [1/s]
+  const double* content_before;  ///< [kg/m2]
+};
+
+/// Fits of an oil's laws (models/oil_fit.hpp).
+struct FittedOilView {
+  const double *K, *rho;
+  double centre, inverse_half_width;
+};
+
+/// Sums over the face of one film.
+struct FilmSums {
+  double hydrodynamic_load;                ///< [N/m]
+  double shear_couette, shear_poiseuille;  ///< [N/m]
+  double storage;                          ///< growth of the mass on the face [kg/(m s)]
+  double peak_pressure;                    ///< [Pa]
+};
+
+/// Fits of the contact laws (models/asperity_contact.hpp), lowest power first: eighth roots of F_5/2 and F_2.
+struct FittedContactView {
+  const double *F_52, *F_2;
+  double reach, per_gap, pressure_scale, area_scale;
+  double spread;       ///< 1: at the local gap; 0: at h_m on the whole face
+  double turning_gap;  ///< the load beyond it is told apart [m]
+};
+
+struct ContactSums {
+  double load, load_beyond;  ///< [N/m]
+  double area;               ///< [m]
+};
+
+template <int kTerms, class Real>
+RINGFILM_INLINE Real sum_of_powers(const double* c, Real t) {
+  Real value(c[kTerms - 1]);
+#pragma GCC unroll 32
+  for (int k = kTerms - 2; k >= 0; --k) value = value * t + Real(c[k]);
+  return value;
+}
+
+/// Sums along the face with packs of Real, and what is left over one by one.
+template <class Real, class One>
+class AlongFace {
+ public:
+  /// Oil at the nodes from the fits, and what each node holds.
+  RINGFILM_INLINE static void complete(const FilmView& film, const FittedOilView& oil, const FilmContent& to) {
+    int i = 0;
+    for (; i + Real::kWidth <= film.n_cells + 1; i += Real::kWidth) complete_at<Real>(film, oil, to, i);
+    for (; i <= film.n_cells; ++i) complete_at<One>(film, oil, to, i);
+  }
+
+  RINGFILM_INLINE static FilmSums sums(const FilmView& film, const StepView& step) {
+    Sums<Real> packs;
+    Sums<One> rest;
+    int i = 0;
+    for (; i + Real::kWidth <= film.n_cells; i += Real::kWidth) {
+      packs.add_node(film, step, i);
+      packs.add_face(film, step, i);
+    }
+    for (; i < film.n_cells; ++i) {
+      rest.add_node(film, step, i);
+      rest.add_face(film, step, i);
+    }
+    rest.add_node(film, step, film.n_cells);
+    double peak = rest.peak.v;
+    double lanes[Real::kWidth];
+    packs.peak.store(lanes);
+    for (const double lane : lanes) peak = peak > lane ? peak : lane;
+    return {packs.load.sum() + rest.load.v, packs.couette.sum() + rest.couette.v,
+            packs.poiseuille.sum() + rest.poiseuille.v, packs.storage.sum() + rest.storage.v, peak};
+  }
+
+  RINGFILM_INLINE static ContactSums contact(const FilmView& film, const FittedContactView& contact) {
+    Contact<Real> packs;
+    Contact<One> rest;
+    int i = 0;
+    for (; i + Real::kWidth <= film.n_cells + 1; i += Real::kWidth) packs.add(film, contact, i);
+    for (; i <= film.n_cells; ++i) rest.add(film, contact, i);
+    return {contact.pressure_scale * (packs.load.sum() + rest.load.v),
+            contact.pressure_scale * (packs.beyond.sum() + rest.beyond.v),
+            contact.area_scale * (packs.area.sum() + rest.area.v)};
+  }
+
+ private:
+  template <class Some>
+  RINGFILM_INLINE static Some theta(const FilmView& film, int i) {
+    return Some(1) - Some(film.fill_share) * Some::load(film.deficit + i);
+  }
+
+  template <class Some>
+  RINGFILM_INLINE static void complete_at(const FilmView& film, const FittedOilView& oil, const FilmContent& to,
+                                          int i) {
+    const Some t = min((Some::load(film.p + i) - Some(oil.centre)) * Some(oil.inverse_half_width), Some(1));
+    const Some K = sum_of_powers<kFluidityTerms>(oil.K, t);
+    const Some rho = sum_of_powers<kDensityTerms>(oil.rho, t);
+    rho.store(to.rho + i);
+    (rho / K).store(to.eta + i);
+    (rho * theta<Some>(film, i) * (Some(film.h_m) + Some::load(film.node_height + i))).store(to.content + i);
+  }
+
+  template <class Some>
+  struct Sums {
+    Some load{0}, couette{0}, poiseuille{0}, storage{0}, peak{0};
+
+    RINGFILM_INLINE void add_node(const FilmView& film, const StepView& step, int i) {
+      const Some p = Some::load(film.p + i);
+      const Some share = Some::load(film.share + i);
+      load += share * p;
+      storage += share * Some(step.rate) * (Some::load(film.content + i) - Some::load(step.content_before + i));
+      peak = max(peak, p);
+    }
+    RINGFILM_INLINE void add_face(const FilmView& film, const StepView& step, int i) {
+      const Some h = Some(film.h_m) + Some::load(film.face_height + i);
+      const Some eta = Some(0.5) * (Some::load(film.eta + i) + Some::load(film.eta + i + 1));
+      const Some fill = Some(0.5) * (theta<Some>(film, i) + theta<Some>(film, i + 1));
+      couette += Some::load(film.spacing + i) * fill * eta * Some(step.U) / h;
+      poiseuille += Some(0.5) * h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
+    }
+  };
+
+  template <class Some>
+  struct Contact {
+    Some load{0}, beyond{0}, area{0};
+
+    RINGFILM_INLINE void add(const FilmView& film, const FittedContactView& contact, int i) {
+      const Some gap = Some(film.h_m) + Some(contact.spread) * Some::load(film.node_height + i);
+      const typename Some::Mask inside = gap < Some(contact.reach);
+      if (!Some::any(inside)) return;
+      const Some t = max(gap, Some(0)) * Some(contact.per_gap) - Some(1);
+      const Some weight = select(inside, Some::load(film.share + i), Some(0));
+      const Some p = weight * eighth_power(sum_of_powers<kContactTerms>(contact.F_52, t));
+      load += p;
+      beyond += select(gap > Some(contact.turning_gap), p, Some(0));
+      area += weight * eighth_power(sum_of_powers<kContactTerms>(contact.F_2, t));
+    }
+    RINGFILM_INLINE static Some eighth_power(Some root) {
+      const Some square = root * root;
+      const Some fourth = square * square;
+      return fourth * fourth;
+    }
+  };
+};
+
+}  // namespace ringfilm::film

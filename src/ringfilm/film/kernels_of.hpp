@@ -1,0 +1,48 @@
+#pragma once
+#include "ringfilm/film/kernels.hpp"
+#include "ringfilm/film/newton_sweep.hpp"
+
+/// For the sources that compile the kernels, each for one kind of machine: kernels_*.cpp.
+namespace ringfilm::film {
+
+template <class Real>
+void sweep(LaneBlock& block) {
+  const bool fill = block.cavity == LaneCavity::kFill;
+  if (block.laws == LaneLaws::kFitted) {
+    if (fill) {
+      NewtonSweep<Real, LaneLaws::kFitted, LaneCavity::kFill>(block).run();
+    } else {
+      NewtonSweep<Real, LaneLaws::kFitted, LaneCavity::kMultiplier>(block).run();
+    }
+  } else {
+    if (fill) {
+      NewtonSweep<Real, LaneLaws::kGiven, LaneCavity::kFill>(block).run();
+    } else {
+      NewtonSweep<Real, LaneLaws::kGiven, LaneCavity::kMultiplier>(block).run();
+    }
+  }
+}
+
+template <class Real, class One>
+void complete(const FilmView& film, const FittedOilView& oil, const FilmContent& to) {
+  AlongFace<Real, One>::complete(film, oil, to);
+}
+
+template <class Real, class One>
+FilmSums sums(const FilmView& film, const StepView& step) {
+  return AlongFace<Real, One>::sums(film, step);
+}
+
+template <class Real, class One>
+ContactSums contact_sums(const FilmView& film, const FittedContactView& contact) {
+  return AlongFace<Real, One>::contact(film, contact);
+}
+
+template <int kWidth, base::InstructionSet kSet>
+constexpr FilmKernels kernels_of(std::string_view name) {
+  using Real = base::Pack<kWidth, kSet>;
+  using One = base::Pack<1, kSet>;
+  return {name, kWidth, sweep<Real>, sweep<One>, complete<Real, One>, sums<Real, One>, contact_sums<Real, One>};
+}
+
+}  // namespace ringfilm::film

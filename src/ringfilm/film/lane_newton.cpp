@@ -1,0 +1,245 @@
+#include "ringfilm/film/lane_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "ringfilm/film/load_balance.hpp"
+
+namespace ringfilm::film {
+namespace {
+
+constexpr int kMostIterations = 40;  // of the coupled Newton
+constexpr double kNowhere = -1;      // a reach of contact that no gap is within
+
+/// Fronts that only advanced in this many iterations in a row are helped along.
+constexpr int kGrowthAfter = 3;
+constexpr int kLargestReach = 1 << 20;
+constexpr int kRetreats = 6;
+
+constexpr std::size_t kLine = 64;  // bytes; a pack must not lie across two lines of memory
+constexpr int kNodalArrays = 13;
+
+/// Nothing moves and nothing changes: no equation holds the fill, and a node that the iteration put below p_c is held
+/// there by the multiplier, as in Reynolds' exit, until its pressure comes back.
+bool at_rest(const FilmInputs& inputs) { return inputs.U == 0 && inputs.time_step == kSteady; }
+
+}  // namespace
+
+LaneKind lane_kind(const FilmProblem& problem, const FilmInputs& inputs) {
+  const bool fill = problem.cavitation == Cavitation::kMassConserving && !at_rest(inputs);
+  return {problem.grid.n_cells(), best_laws(problem), fill ? LaneCavity::kFill : LaneCavity::kMultiplier};
+}
+
+LaneLaws best_laws(const FilmProblem& problem) {
+  return problem.oil->fit() != nullptr ? LaneLaws::kFitted : LaneLaws::kGiven;
+}
+
+LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int n_cells)
+    : kernels_(&kernels), width_(width), n_cells_(n_cells), lanes_(width), block_{} {
+  block_.n_cells = n_cells;
+  const std::size_t per_line = kLine / sizeof(double);
+  const std::size_t nodes = static_cast<std::size_t>(n_cells) + 1 + kAbreast;
+  const std::size_t stride = (nodes * width + per_line - 1) / per_line * per_line;
+  memory_.assign(kNodalArrays * stride + per_line, 0.0);
+  auto* array = memory_.data();
+  while (reinterpret_cast<std::uintptr_t>(array) % kLine != 0) ++array;
+  for (double** nodal :
+       {&block_.z, &block_.inflow, &block_.node_height, &block_.share, &block_.face_height, &block_.conductance,
+        &block_.upper, &block_.column, &block_.rhs, &block_.rho, &block_.drho_dp, &block_.K, &block_.dK_dp}) {
+    *nodal = array;
+    array += stride;
+  }
+  // An empty lane is a film of one unit thickness at rest under no load: every quotient in it has a value.
+  std::fill_n(block_.conductance, stride, 1.0);
+  std::fill_n(block_.z, stride, 1.0);
+  for (int lane = 0; lane < width; ++lane) {
+    block_.h_m[lane] = block_.scale[lane] = block_.inverse_scale[lane] = block_.start_h[lane] = 1;
+    block_.fit_K[0][lane] = block_.fit_rho[0][lane] = 1;
+    block_.contact_reach[lane] = kNowhere;
+  }
+  std::fill_n(block_.K, stride, 1.0);
+  std::fill_n(block_.rho, stride, 1.0);
+}
+
+void LaneNewton::bind(int lane, const FilmProblem& problem) {
+  const FilmGrid& grid = problem.grid;
+  lanes_[lane] = {};
+  lanes_[lane].problem = &problem;
+  for (int i = 0; i <= n_cells_; ++i) {
+    nodal(block_.node_height, i, lane) = grid.node_height[i];
+    nodal(block_.share, i, lane) = grid.share[i];
+  }
+  for (int i = 0; i < n_cells_; ++i) {
+    nodal(block_.face_height, i, lane) = grid.face_height[i];
+    nodal(block_.conductance, i, lane) = 1 / (24 * grid.spacing[i]);
+  }
+  block_.contact_reach[lane] = kNowhere;
+  const models::OilFit* oil = problem.oil->fit();
+  if (oil == nullptr) return;
+  block_.fit_centre[lane] = oil->centre;
+  block_.fit_inverse_half_width[lane] = 1 / oil->half_width;
+  for (int k = 0; k < kFluidityTerms; ++k) block_.fit_K[k][lane] = oil->K[k];
+  for (int k = 0; k < kFluiditySlopeTerms; ++k) block_.fit_dK[k][lane] = oil->dK_dp[k];
+  for (int k = 0; k < kDensityTerms; ++k) block_.fit_rho[k][lane] = oil->rho[k];
+  for (int k = 0; k < kDensitySlopeTerms; ++k) block_.fit_drho[k][lane] = oil->drho_dp[k];
+  if (problem.contact == nullptr || problem.contact->fit() == nullptr) return;
+  const models::GreenwoodTripp& contact = *problem.contact;
+  const double reach = models::ContactFit::kEnd * contact.parameters().sigma;
+  block_.contact_spread[lane] = problem.contact_spread == ContactSpread::kLocal ? 1 : 0;
+  block_.contact_reach[lane] = reach;
+  block_.contact_scale[lane] = contact.pressure_scale();
+  block_.contact_per_gap[lane] = 2 / reach;
+  for (int k = 0; k < kContactTerms; ++k) block_.contact[k] = contact.fit()->P52[k];
+}
+
+void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess,
+                       Unknowns unknowns, LaneLaws laws) {
+  Lane& at = lanes_[lane];
+  const FilmProblem& problem = *at.problem;
+  const FilmGrid& grid = problem.grid;
+  block_.laws = laws;
+  block_.cavity = lane_kind(problem, inputs).cavity;
+  at.inputs = &inputs;
+  at.phase = Phase::kRunning;
+  at.iterations = 0;
+  at.last_step = 0;
+  at.most_iterations = unknowns == Unknowns::kFilmAndSeparation
+                           ? kMostIterations
+                           : kMostIterations + n_cells_;  // a front may have to cross the face
+  at.reach = at.advances = 0;
+  at.largest_reach = kLargestReach;
+  at.retreats_left = kRetreats;
+
+  const double scale = inputs.mean_pressure(grid);
+  const double rate = 1 / inputs.time_step;  // 0 when steady
+  const double p_c = inputs.p_cavitation;
+  block_.h_m[lane] = block_.start_h[lane] = guess.h_m;
+  block_.quarter_U[lane] = 0.25 * inputs.U;
+  block_.rate[lane] = rate;
+  block_.p_cavitation[lane] = p_c;
+  block_.scale[lane] = scale;
+  block_.inverse_scale[lane] = 1 / scale;
+  block_.load[lane] = inputs.load;
+  block_.contact_load[lane] = block_.contact_slope[lane] = 0;
+  block_.movable[lane] = unknowns == Unknowns::kFilmAndSeparation ? 1 : 0;
+  if (block_.cavity == LaneCavity::kMultiplier) {
+    block_.cavity_K[lane] = problem.oil->density(p_c) / problem.oil->viscosity(p_c);
+  }
+  const double beyond = kBeyondKink * scale;
+  double* z = block_.z + lane;
+  double* inflow = block_.inflow + lane;
+  for (int i = 0; i <= n_cells_; ++i, z += width_, inflow += width_) {
+    *z = guess.deficit[i] > 0 ? -guess.deficit[i] * scale : std::max(guess.p[i] - p_c, beyond);
+    *inflow = grid.share[i] * rate * previous.content[i];
+  }
+  nodal(block_.z, 0, lane) = inputs.p_left - p_c;
+  nodal(block_.z, n_cells_, lane) = inputs.p_right - p_c;
+  for (std::size_t i = 0; i < inputs.source.size(); ++i) {
+    nodal(block_.inflow, static_cast<int>(i), lane) += grid.share[i] * inputs.source[i];
+  }
+}
+
+void LaneNewton::give_laws(int lane) {
+  const FilmProblem& problem = *lanes_[lane].problem;
+  if (problem.contact != nullptr && (block_.laws == LaneLaws::kGiven || block_.contact_reach[lane] == kNowhere)) {
+    block_.contact_load[lane] = asperity_load(problem, block_.h_m[lane], &block_.contact_slope[lane]);
+  }
+  if (block_.laws == LaneLaws::kFitted) return;
+  const std::size_t n_nodes = static_cast<std::size_t>(n_cells_) + 1;
+  for (auto* array : {&p_, &rho_, &drho_dp_, &eta_, &deta_dp_}) array->resize(n_nodes);
+  for (std::size_t i = 0; i < n_nodes; ++i) {
+    p_[i] = block_.p_cavitation[lane] + std::max(nodal(block_.z, static_cast<int>(i), lane), 0.0);
+  }
+  problem.oil->properties(p_, {rho_, drho_dp_, eta_, deta_dp_});
+  for (int i = 0; i <= n_cells_; ++i) {
+    const double fluidity = 1 / eta_[i];
+    const double K = rho_[i] * fluidity;
+    nodal(block_.rho, i, lane) = rho_[i];
+    nodal(block_.drho_dp, i, lane) = drho_dp_[i];
+    nodal(block_.K, i, lane) = K;
+    nodal(block_.dK_dp, i, lane) = (drho_dp_[i] - K * deta_dp_[i]) * fluidity;
+  }
+}
+
+void LaneNewton::iterate() {
+  for (int lane = 0; lane < width_; ++lane) {
+    if (lanes_[lane].phase == Phase::kRunning) give_laws(lane);
+  }
+  (width_ == 1 ? kernels_->single_sweep : kernels_->sweep)(block_);
+  for (int lane = 0; lane < width_; ++lane) {
+    if (lanes_[lane].phase == Phase::kRunning) conclude(lane);
+  }
+}
+
+void LaneNewton::conclude(int lane) {
+  Lane& at = lanes_[lane];
+  const double d_ln_h = block_.d_ln_h[lane];
+  const double largest = block_.largest[lane];
+  ++at.iterations;
+  const bool sound = block_.broken[lane] == 0 && std::isfinite(block_.check[lane]) &&
+                     std::isfinite(block_.excess[lane]) && std::isfinite(largest) && std::isfinite(d_ln_h);
+  at.phase = Phase::kFailed;
+  if (!sound) return;
+  at.last_step = std::max(largest, std::abs(d_ln_h));
+  if (d_ln_h != 0) {
+    block_.h_m[lane] *= std::exp(d_ln_h);
+    const double h_m = block_.h_m[lane];
+    if (h_m < kThinnest || h_m > thickest(at.problem->grid)) return;
+  }
+  const bool to_film = block_.to_film[lane] != 0;
+  const bool to_cavity = block_.to_cavity[lane] != 0;
+  if (!to_film && !to_cavity && at.last_step <= std::sqrt(at.problem->tolerance)) {
+    at.phase = Phase::kSolved;
+    return;
+  }
+  if (at.iterations == at.most_iterations) return;
+  help_along(lane, to_film && !to_cavity);
+  at.phase = Phase::kRunning;
+}
+
+void LaneNewton::help_along(int lane, bool only_advanced) {
+  Lane& at = lanes_[lane];
+  if (!only_advanced) {
+    if (at.reach > 0) {  // helped too far: from now on in smaller strides, in the end not at all
+      at.largest_reach = --at.retreats_left > 0 ? std::max(at.reach / 2, 1) : 0;
+    }
+    at.reach = at.advances = 0;
+    return;
+  }
+  if (++at.advances < kGrowthAfter || at.largest_reach == 0) return;
+  at.reach = std::min(std::max(2 * at.reach, 1), at.largest_reach);
+  const double beyond = kBeyondKink * block_.scale[lane];
+  std::vector<int> entered;  // nodes that the sweep has just put beyond the kink
+  for (int i = 1; i < n_cells_; ++i) {
+    if (nodal(block_.z, i, lane) == beyond) entered.push_back(i);
+  }
+  for (const int i : entered) {
+    for (const int way : {-1, 1}) {
+      for (int k = 1; k <= at.reach; ++k) {
+        const int next = i + way * k;
+        if (next <= 0 || next >= n_cells_ || nodal(block_.z, next, lane) > 0) break;
+        nodal(block_.z, next, lane) = beyond;
+      }
+    }
+  }
+}
+
+void LaneNewton::read(int lane, FilmState& state) const {
+  const FilmInputs& inputs = *lanes_[lane].inputs;
+  const double inverse_scale = block_.inverse_scale[lane];
+  const std::size_t n_nodes = static_cast<std::size_t>(n_cells_) + 1;
+  state.h_m = block_.h_m[lane];
+  state.p.resize(n_nodes);
+  state.deficit.resize(n_nodes);
+  const double* z = block_.z + lane;
+  for (std::size_t i = 0; i < n_nodes; ++i, z += width_) {
+    state.p[i] = inputs.p_cavitation + std::max(*z, 0.0);
+    state.deficit[i] = std::max(-*z * inverse_scale, 0.0);
+  }
+  state.p.front() = inputs.p_left;
+  state.p.back() = inputs.p_right;
+  state.deficit.front() = state.deficit.back() = 0;
+}
+
+}  // namespace ringfilm::film

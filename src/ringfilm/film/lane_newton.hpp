@@ -1,0 +1,86 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/film/film_state.hpp"
+#include "ringfilm/film/kernels.hpp"
+
+namespace ringfilm::film {
+
+/// Films that may share a block of lanes have the same of these.
+struct LaneKind {
+  int n_cells;
+  LaneLaws laws;
+  LaneCavity cavity;
+  friend bool operator==(const LaneKind&, const LaneKind&) = default;
+};
+LaneKind lane_kind(const FilmProblem& problem, const FilmInputs& inputs);
+
+/// The fits if the oil has them.
+LaneLaws best_laws(const FilmProblem& problem);
+
+enum class Unknowns { kFilmAndSeparation, kFilmAlone };
+
+/// The coupled Newton method for as many films as there are lanes, each at its own iteration of its own step. What
+/// happens in one lane depends on no other.
+///
+/// Method, eqs eq-discrete-balance, eq-load-balance: Newton on (z, ln h_m) with one bordered tridiagonal solve an
+/// iteration; a node that would cross the cavitation kink stops at it; a front that only advances is helped along; h_m
+/// moves by at most -60 % or +150 % an iteration. A lane has solved its film when an iteration moves nothing across the
+/// kink and changes film and pressure by less than sqrt(tolerance): what is left is then of the order of the tolerance,
+/// by quadratic convergence.
+class LaneNewton {
+ public:
+  /// @param width 1, or `kernels.width`
+  LaneNewton(const FilmKernels& kernels, int width, int n_cells);
+  LaneNewton(LaneNewton&&) = default;
+  LaneNewton& operator=(LaneNewton&&) = default;
+
+  int width() const { return width_; }
+
+  /// The film of `problem` takes the lane; the problem must outlive it there.
+  void bind(int lane, const FilmProblem& problem);
+
+  /// A new solve in a bound lane, from `guess`; of `previous` only the `content` enters. All running lanes must be of
+  /// one LaneKind; `inputs` must outlive the solve.
+  /// @param laws kGiven: of oil and contact as they are, not their fits
+  void start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess, Unknowns unknowns,
+             LaneLaws laws);
+
+  /// One iteration of all running lanes.
+  void iterate();
+
+  enum class Phase { kIdle, kRunning, kSolved, kFailed };
+  Phase phase(int lane) const { return lanes_[lane].phase; }
+  int iterations(int lane) const { return lanes_[lane].iterations; }
+  double last_step(int lane) const { return lanes_[lane].last_step; }
+
+  /// Writes h_m, pressure and deficit of a lane, solved or not.
+  void read(int lane, FilmState& state) const;
+
+ private:
+  struct Lane {
+    const FilmProblem* problem = nullptr;
+    const FilmInputs* inputs = nullptr;
+    Phase phase = Phase::kIdle;
+    int iterations = 0, most_iterations = 0;
+    double last_step = 0;
+    // Help for an advancing front
+    int reach = 0;          ///< cells by which it was helped along in the last iteration
+    int largest_reach = 0;  ///< 0: no more help
+    int retreats_left = 0;
+    int advances = 0;  ///< iterations in a row in which fronts only advanced
+  };
+  double& nodal(double* array, int i, int lane) const { return array[i * width_ + lane]; }
+  void give_laws(int lane);
+  void conclude(int lane);
+  void help_along(int lane, bool only_advanced);
+
+  const FilmKernels* kernels_;
+  int width_, n_cells_;
+  std::vector<double> memory_;
+  std::vector<Lane> lanes_;
+  std::vector<double> p_, rho_, drho_dp_, eta_, deta_dp_;  ///< of one lane, for laws that are given
+  LaneBlock block_;
+};
+
+}  // namespace ringfilm::film

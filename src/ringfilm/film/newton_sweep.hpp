@@ -1,0 +1,285 @@
+#pragma once
+#include "ringfilm/film/lane_block.hpp"
+
+/// One iteration of the coupled Newton method for the films in all lanes of a block, in one pass up the face (oil,
+/// fluxes, balance and elimination together, no matrix is stored) and one down (solution and update).
+/// docs/theory/film.md, "Newton's method on all of it".
+namespace ringfilm::film {
+
+inline constexpr double kLargestFall = -0.916290731874155;  // ln 0.4: trust region in ln h_m
+inline constexpr double kLargestRise = 0.916290731874155;   // ln 2.5
+inline constexpr double kBlindStep = 0.2;                   // in ln h_m, where the load seems to rise with the film
+inline constexpr double kLargestPressureRise = 20;          // scales in one step: the viscosity is exponential in it
+
+template <class Real, LaneLaws kLaws, LaneCavity kCavity>
+class NewtonSweep {
+  static constexpr int kWidth = Real::kWidth;
+  using Mask = typename Real::Mask;
+  static constexpr bool kFill = kCavity == LaneCavity::kFill;
+
+ public:
+  RINGFILM_INLINE explicit NewtonSweep(LaneBlock& block)
+      : b_(block),
+        h_m_(Real::load(block.h_m)),
+        quarter_U_(Real::load(block.quarter_U)),
+        p_c_(Real::load(block.p_cavitation)),
+        inverse_scale_(Real::load(block.inverse_scale)) {
+    const Real to_right = select(quarter_U_ >= Real(0), Real(1), Real(0));
+    fill_from_left_ = to_right * quarter_U_ * inverse_scale_;
+    fill_from_right_ = (Real(1) - to_right) * quarter_U_ * inverse_scale_;
+  }
+
+  RINGFILM_INLINE void run() {
+    const Real d_ln_h = forward();
+    d_ln_h.store(b_.d_ln_h);
+    backward(d_ln_h);
+  }
+
+ private:
+  /// Nodes that are worked on at a time: few enough that their oil stays in the fastest memory.
+  static constexpr int kStretch = 16;
+
+  /// A number for the last node of the stretch before (slot 0) and for each of this one (from slot 1 on).
+  struct Stretch {
+    alignas(64) double value[(kStretch + 1) * kWidth];
+    RINGFILM_INLINE Real at(int slot) const { return Real::load(value + slot * kWidth); }
+    RINGFILM_INLINE void put(int slot, Real r) { r.store(value + slot * kWidth); }
+    RINGFILM_INLINE void next() { put(0, at(kStretch)); }
+  };
+  struct Film {
+    Stretch p, theta, rho, drho, K, dK;
+    RINGFILM_INLINE void next() {
+      p.next();
+      if constexpr (kFill) theta.next();
+      rho.next();
+      drho.next();
+      K.next();
+      dK.next();
+    }
+  };
+  struct Node {
+    Real p, theta, rho, drho, K, dK;
+  };
+  /// Flux through a face and its slopes in z of the two nodes and in h_m.
+  struct Flux {
+    Real value, by_left, by_right, by_h;
+  };
+
+  RINGFILM_INLINE Real at(const double* nodal, int i) const { return Real::load(nodal + i * kWidth); }
+
+  /// Sums of a polynomial at kAbreast nodes.
+  template <int kTerms>
+  RINGFILM_INLINE void sum(const Lanes* c, const Real* t, int slot, Stretch& to) const {
+    Real value[kAbreast];
+    const Real highest = Real::load(c[kTerms - 1]);
+    for (int a = 0; a < kAbreast; ++a) value[a] = highest;
+#pragma GCC unroll 16
+    for (int k = kTerms - 2; k >= 0; --k) {
+      const Real term = Real::load(c[k]);
+      for (int a = 0; a < kAbreast; ++a) value[a] = value[a] * t[a] + term;
+    }
+    for (int a = 0; a < kAbreast; ++a) to.put(slot + a, value[a]);
+  }
+
+  /// Pressure, fill, oil and load at the kAbreast nodes from i on, of which those beyond the edge have no share.
+  RINGFILM_INLINE void visit(int i, int slot, Film& film) {
+    Real t[kAbreast];
+    for (int a = 0; a < kAbreast; ++a) {
+      const Real z = at(b_.z, i + a);
+      const Real p = p_c_ + max(z, Real(0));
+      film.p.put(slot + a, p);
+      if constexpr (kFill) film.theta.put(slot + a, Real(1) + min(z, Real(0)) * inverse_scale_);
+      load_ += at(b_.share, i + a) * p;
+      t[a] = min((p - Real::load(b_.fit_centre)) * Real::load(b_.fit_inverse_half_width), Real(1));
+    }
+    if constexpr (kLaws == LaneLaws::kFitted) {
+      sum<kFluidityTerms>(b_.fit_K, t, slot, film.K);
+      sum<kFluiditySlopeTerms>(b_.fit_dK, t, slot, film.dK);
+      sum<kDensityTerms>(b_.fit_rho, t, slot, film.rho);
+      sum<kDensitySlopeTerms>(b_.fit_drho, t, slot, film.drho);
+      for (int a = 0; a < kAbreast; ++a) add_contact(i + a);
+    } else {
+      for (int a = 0; a < kAbreast; ++a) {
+        film.K.put(slot + a, at(b_.K, i + a));
+        film.dK.put(slot + a, at(b_.dK_dp, i + a));
+        film.rho.put(slot + a, at(b_.rho, i + a));
+        film.drho.put(slot + a, at(b_.drho_dp, i + a));
+      }
+    }
+  }
+
+  RINGFILM_INLINE Node node(const Film& film, int k) const {
+    return {film.p.at(k), kFill ? film.theta.at(k) : Real(1), film.rho.at(k), film.drho.at(k), film.K.at(k),
+            film.dK.at(k)};
+  }
+
+  RINGFILM_INLINE Flux flux(int face, const Node& left, Mask left_is_film, const Node& right,
+                            Mask right_is_film) const {
+    const Real h = h_m_ + at(b_.face_height, face);
+    const Real square = h * h * at(b_.conductance, face);
+    const Real conductance = square * h;
+    const Real K = left.K + right.K;
+    const Real rho = left.rho + right.rho;
+    const Real dp = right.p - left.p;
+    const Real upwind = kFill ? quarter_U_ * select(quarter_U_ >= Real(0), left.theta, right.theta) : quarter_U_;
+    const Real couette = upwind * h;
+    const Real gradient = K * dp;
+
+    Flux flux;
+    flux.value = couette * rho - conductance * gradient;
+    const Real film_left = couette * left.drho + conductance * (K - left.dK * dp);
+    const Real film_right = couette * right.drho - conductance * (K + right.dK * dp);
+    if constexpr (kFill) {
+      const Real stream = h * rho;
+      flux.by_left = select(left_is_film, film_left, fill_from_left_ * stream);
+      flux.by_right = select(right_is_film, film_right, fill_from_right_ * stream);
+    } else {
+      flux.by_left = select(left_is_film, film_left, Real(0));
+      flux.by_right = select(right_is_film, film_right, Real(0));
+    }
+    flux.by_h = upwind * rho - Real(3) * square * gradient;
+    return flux;
+  }
+
+  /// Adds the load of the asperities at one node, and its slope in h_m.
+  RINGFILM_INLINE void add_contact(int i) {
+    const Real gap = h_m_ + Real::load(b_.contact_spread) * at(b_.node_height, i);
+    const Mask inside = gap < Real::load(b_.contact_reach);
+    if (!Real::any(inside)) return;
+    const Real per_gap = Real::load(b_.contact_per_gap);
+    const Real lowest = max(gap, Real(0));  // below no gap both go on along the tangent
+    const Real t = lowest * per_gap - Real(1);
+    Real root(b_.contact[kContactTerms - 1]);
+    Real root_slope(0);
+#pragma GCC unroll 32
+    for (int k = kContactTerms - 2; k >= 0; --k) {
+      root_slope = root_slope * t + root;
+      root = root * t + Real(b_.contact[k]);
+    }
+    const Real square = root * root;
+    const Real fourth = square * square;
+    const Real dF = Real(8) * fourth * square * root * root_slope * per_gap;
+    const Real F = fourth * fourth + dF * (gap - lowest);
+    const Real weight = select(inside, at(b_.share, i) * Real::load(b_.contact_scale), Real(0));
+    load_ += weight * F;
+    slope_ += weight * dF;
+  }
+
+  /// Balance of mass and load, eliminated down to one equation for ln h_m; returns its solution.
+  RINGFILM_INLINE Real forward() {
+    const int n = b_.n_cells;
+    load_ = Real::load(b_.contact_load) - Real::load(b_.load);
+    slope_ = Real::load(b_.contact_slope);
+    const Real rate = Real::load(b_.rate);
+    Real row(0), upper(0), column(0), rhs(0);  // of the node before, eliminated
+    Real by_column(0), by_rhs(0);              // what the elimination takes off the load row
+    Real broken(0);
+
+    Film film;
+    Flux in;
+    for (int begin = 0; begin <= n; begin += kStretch) {
+      for (int a = 0; a < kStretch && begin + a <= n; a += kAbreast) visit(begin + a, 1 + a, film);
+      if (begin == 0) {
+        in = flux(0, node(film, 1), at(b_.z, 0) > Real(0), node(film, 2), at(b_.z, 1) > Real(0));
+        in.by_left = Real(0);  // the edge is given
+      }
+      const int last = begin + kStretch - 2 < n - 1 ? begin + kStretch - 2 : n - 1;  // whose right neighbour is known
+      for (int i = begin == 0 ? 1 : begin - 1; i <= last; ++i) {
+        const int slot = i - begin + 1;
+        const Node here = node(film, slot);
+        const Real z = at(b_.z, i);
+        const Mask here_is_film = z > Real(0);
+        const Flux out = flux(i, here, here_is_film, node(film, slot + 1), at(b_.z, i + 1) > Real(0));
+        const Real height = at(b_.node_height, i);
+        const Real share = at(b_.share, i);
+        const Real h = h_m_ + height;
+        const Real volume = share * rate;
+        const Real stored = volume * h;  // times rho theta
+        const Real filled = kFill ? here.rho * here.theta : here.rho;
+        Real residual = stored * filled - at(b_.inflow, i) + (out.value - in.value);
+        Real diagonal = out.by_left - in.by_right;
+        if constexpr (kFill) {
+          diagonal += stored * select(here_is_film, here.drho, here.rho * inverse_scale_);
+        } else {
+          const Real gap = Real::load(b_.start_h) + height;
+          const Real weight = Real(2) * (at(b_.conductance, i - 1) + at(b_.conductance, i)) * (gap * gap * gap) *
+                              Real::load(b_.cavity_K);
+          diagonal = select(here_is_film, diagonal + stored * here.drho, weight);
+          residual += weight * min(z, Real(0));
+        }
+        const Real by_h = (volume * filled + (out.by_h - in.by_h)) * h_m_;
+
+        const Real pivot = diagonal + in.by_left * upper;
+        const Mask usable = abs(pivot) > Real(0);
+        broken = select(usable, broken, Real(1));
+        const Real inverse = Real(1) / select(usable, pivot, Real(1));
+        row = select(here_is_film, share, Real(0)) - row * upper;
+        upper = out.by_right * inverse;
+        column = (by_h + in.by_left * column) * inverse;
+        rhs = (in.by_left * rhs - residual) * inverse;
+        by_column += row * column;
+        by_rhs += row * rhs;
+        upper.store(b_.upper + i * kWidth);
+        column.store(b_.column + i * kWidth);
+        rhs.store(b_.rhs + i * kWidth);
+        in = out;
+      }
+      film.next();
+    }
+    load_.store(b_.excess);
+    broken.store(b_.broken);
+    // The load carried must fall with h_m; where the linearisation says otherwise, only its sign is believed.
+    const Real corner = slope_ * h_m_ - by_column;
+    check_ = corner + by_rhs + at(b_.z, 0) + at(b_.z, n);
+    const Real newton = (-load_ - by_rhs) / select(corner < Real(0), corner, Real(-1));
+    const Real blind = select(load_ < Real(0), Real(-kBlindStep), Real(kBlindStep));
+    const Real step = select(corner < Real(0), newton, blind);
+    const Real limited = min(max(step, Real(kLargestFall)), Real(kLargestRise));
+    return select(Real::load(b_.movable) > Real(0), limited, Real(0));
+  }
+
+  /// z moves by the Newton step, but a node that would change sides stops just beyond the kink: there the linearisation
+  /// is that of the other side.
+  RINGFILM_INLINE void backward(Real d_ln_h) {
+    const Real scale = Real::load(b_.scale);
+    const Real beyond = Real(kBeyondKink) * scale;
+    const Real most = Real(kLargestPressureRise) * scale;
+    Real largest(0), to_film(0), to_cavity(0);
+    Real step(0);
+    for (int i = b_.n_cells - 1; i > 0; --i) {
+      step = at(b_.rhs, i) - at(b_.column, i) * d_ln_h - at(b_.upper, i) * step;
+      const Real before = at(b_.z, i);
+      const Mask was_film = before > Real(0);
+      Real after = before + select(was_film, min(step, most), step);
+      const Mask is_film = after > Real(0);
+      const Mask entered = Real::only(is_film, was_film);
+      const Mask left = Real::only(was_film, is_film);
+      if (Real::any(Real::either(entered, left))) {
+        const Mask far = abs(after) > beyond;
+        to_film = select(Real::both(entered, far), Real(1), to_film);
+        to_cavity = select(Real::both(left, far), Real(1), to_cavity);
+        after = select(entered, beyond, select(left, -beyond, after));
+      }
+      Real change = abs(after - before) * inverse_scale_;
+      if constexpr (!kFill) {
+        const Mask above = -after > scale;
+        if (Real::any(above)) change = select(above, abs(after - before) / max(-after, scale), change);
+      }
+      largest = max(largest, change);
+      check_ += after;
+      after.store(b_.z + i * kWidth);
+    }
+    largest.store(b_.largest);
+    check_.store(b_.check);
+    to_film.store(b_.to_film);
+    to_cavity.store(b_.to_cavity);
+  }
+
+  LaneBlock& b_;
+  Real h_m_, quarter_U_, p_c_, inverse_scale_;
+  Real fill_from_left_, fill_from_right_;
+  Real load_, slope_;  ///< W_h + W_a - W and its slope in h_m
+  Real check_;
+};
+
+}  // namespace ringfilm::film
