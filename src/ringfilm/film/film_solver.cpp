@@ -54,13 +54,21 @@ class FilmSolve {
     bool solved = true;
     const auto excess_at = [&](double ln_h) {
       state_.h_m = std::exp(ln_h);
-      if (!solve_alone(report)) {
+      double excess = 0;
+      if (solve_alone(report)) {
+        excess = load_excess();
+      } else {
+        const double unfinished = load_excess();
         state_ = guess;
         state_.h_m = std::exp(ln_h);
-        // Pressures that run away tell enough for a bracket: the film is too thin.
-        solved = solved && (solve_alone(report) || load_excess() > inputs_.load);
+        if (solve_alone(report)) {
+          excess = load_excess();
+        } else {
+          // Pressures that run away tell enough for a bracket: the film is too thin.
+          excess = std::max(unfinished, load_excess());
+          solved = solved && excess > inputs_.load;
+        }
       }
-      const double excess = load_excess();
       solved = solved && !std::isnan(excess);
       return solved ? std::min(excess, kRunaway * inputs_.load) : 0.0;
     };
