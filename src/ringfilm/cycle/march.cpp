@@ -12,9 +12,9 @@
 namespace ringfilm::cycle {
 namespace {
 
-/// A base step may be cut into 2^6 = 64 at the finest.
+constexpr int kTicks = March::kTicksPerBaseStep;
 constexpr int kFinestLevel = 6;
-constexpr int kTicks = 1 << kFinestLevel;
+static_assert(kTicks == 1 << kFinestLevel);
 /// Error that adaptive control allows per step in the oil on the face, as a share of that in ln h_m.
 constexpr double kContentShare = 0.5;
 /// A step twice as long makes four times the error; it is tried only with something to spare.
@@ -101,29 +101,13 @@ March::Boundary March::boundary(double crank_angle_deg, double time_step) const 
 
 void March::count(const film::FilmReport& report) {
   totals_.newton_iterations += report.iterations;
+  totals_.exact_law_solves += report.exact_laws && problem_.oil->fit() != nullptr;
   effort_.newton_iterations += report.iterations;
   totals_.relaxation_sweeps += report.sweeps;
   if (report.converged && report.route == film::Route::kSecant) {
     ++totals_.fallback_secant;
     ++effort_.fallbacks;
   }
-}
-
-film::FilmReport March::step_to(double crank_angle_deg, double time_step, film::FilmState& to, Boundary& at) {
-  at = boundary(crank_angle_deg, time_step);
-  to = extrapolated(time_step);
-  const film::FilmReport report = film::solve_film(problem_, at.inputs, state_, to, workspace_);
-  count(report);
-  return report;
-}
-
-film::FilmState March::extrapolated(double time_step) const {
-  film::FilmState guess = state_;
-  if (time_step_before_ > 0) {
-    const double growth = std::log(state_.h_m / before_.h_m) * time_step / time_step_before_;
-    guess.h_m *= std::exp(std::clamp(growth, -0.5, 0.5));
-  }
-  return guess;
 }
 
 double March::time_error(const film::FilmState& to, double time_step) const {
@@ -148,6 +132,7 @@ void March::start(int k) {
   angle_deg_ = k * setup_.input.solver.crank_step_deg;
   time_step_before_ = 0;
   level_ = 0;
+  tick_ = kTicks;
   const Boundary at = boundary(angle_deg_, film::kSteady);
   state_ = film::first_guess(problem_, at.inputs);
   before_ = state_;
@@ -157,48 +142,65 @@ void March::start(int k) {
   instant_ = {wrapped(angle_deg_), at.axis, at.inputs, &before_, &state_, effort_};
 }
 
-void March::advance(Waypoints& waypoints) {
-  const double base_deg = setup_.input.solver.crank_step_deg;
-  const double omega = setup_.input.operating.speed;
-  const bool adaptive = setup_.input.solver.crank_step_control == StepControl::kAdaptive;
-  effort_ = {};
-  if (!adaptive) level_ = 0;
-  for (int tick = 0; tick < kTicks;) {
-    const int ticks = kTicks >> level_;
-    const double from = angle_deg_;
-    const double to = k_ * base_deg + base_deg * (tick + ticks) / kTicks;
-    const double time_step = radians(base_deg * ticks / kTicks) / omega;
-    Boundary at;
-    const film::FilmReport report = step_to(to, time_step, candidate_, at);
-    const double error = report.converged ? time_error(candidate_, time_step) : 0;
-    const bool too_coarse = adaptive && error > 1 && level_ < kFinestLevel;
-    if (!report.converged || too_coarse) {
-      if (level_ == kFinestLevel) {
-        throw no_balance(at.inputs, problem_.grid, report, to);
-      }
-      if (!report.converged) {
-        ++totals_.fallback_sub_step;
-        ++effort_.fallbacks;
-      }
-      ++level_;
-      continue;
-    }
-    waypoints.before_step(*this, from, to);
-    before_ = std::exchange(state_, candidate_);
-    time_step_before_ = time_step;
-    angle_deg_ = to;
-    tick += ticks;
-    ++effort_.steps;
-    ++totals_.crank_steps;
-    totals_.sub_steps += ticks < kTicks;
-    totals_.uncontrolled_steps += adaptive && error > 1;
-    totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
-    instant_ = {wrapped(to), at.axis, at.inputs, &before_, &state_, effort_};
-    waypoints.after_step(*this);
-    if (adaptive && level_ > 0 && error < kCoarsenBelow && tick % (2 * ticks) == 0) --level_;
+void March::propose() {
+  if (tick_ == kTicks) {
+    tick_ = 0;
+    effort_ = {};
+    if (!adaptive()) level_ = 0;
   }
-  k_ = (k_ + 1) % steps_per_cycle(setup_.input.solver);
-  angle_deg_ = k_ * base_deg;
+  const double base_deg = setup_.input.solver.crank_step_deg;
+  const int ticks = kTicks >> level_;
+  step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
+  step_.time_step = radians(base_deg * ticks / kTicks) / setup_.input.operating.speed;
+  step_.at = boundary(step_.to_deg, step_.time_step);
+  candidate_ = state_;
+  if (time_step_before_ > 0) {
+    const double growth = std::log(state_.h_m / before_.h_m) * step_.time_step / time_step_before_;
+    candidate_.h_m *= std::exp(std::clamp(growth, -0.5, 0.5));
+  }
+}
+
+film::FilmReport March::solve() { return film::solve_film(problem_, step_.at.inputs, state_, candidate_, workspace_); }
+
+void March::conclude(const film::FilmReport& report, Waypoints& waypoints) {
+  count(report);
+  const int ticks = kTicks >> level_;
+  const double error = report.converged ? time_error(candidate_, step_.time_step) : 0;
+  const bool too_coarse = adaptive() && error > 1 && level_ < kFinestLevel;
+  if (!report.converged || too_coarse) {
+    if (level_ == kFinestLevel) throw no_balance(step_.at.inputs, problem_.grid, report, step_.to_deg);
+    if (!report.converged) {
+      ++totals_.fallback_sub_step;
+      ++effort_.fallbacks;
+    }
+    ++level_;
+    return;
+  }
+  waypoints.before_step(*this, angle_deg_, step_.to_deg);
+  std::swap(before_, state_);
+  std::swap(state_, candidate_);
+  time_step_before_ = step_.time_step;
+  angle_deg_ = step_.to_deg;
+  tick_ += ticks;
+  ++effort_.steps;
+  ++totals_.crank_steps;
+  totals_.sub_steps += ticks < kTicks;
+  totals_.uncontrolled_steps += adaptive() && error > 1;
+  totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
+  instant_ = {wrapped(angle_deg_), step_.at.axis, step_.at.inputs, &before_, &state_, effort_};
+  waypoints.after_step(*this);
+  if (adaptive() && level_ > 0 && error < kCoarsenBelow && tick_ % (2 * ticks) == 0) --level_;
+  if (tick_ == kTicks) {
+    k_ = (k_ + 1) % steps_per_cycle(setup_.input.solver);
+    angle_deg_ = k_ * setup_.input.solver.crank_step_deg;
+  }
+}
+
+void March::advance(Waypoints& waypoints) {
+  do {
+    propose();
+    conclude(solve(), waypoints);
+  } while (!at_base_angle());
 }
 
 Instant March::side_step(double crank_angle_deg, film::FilmState& to) {

@@ -53,6 +53,25 @@ class March {
   /// To the next base angle. Throws ConvergenceError with the state left at the last good angle.
   void advance(Waypoints& waypoints);
 
+  // The same step by step, for who solves the films of many marches side by side: propose, find the film, conclude.
+
+  /// Lays out the next step: its inputs, and in `candidate()` the guess of its film.
+  void propose();
+  const film::FilmInputs& proposed() const { return step_.at.inputs; }
+  film::FilmState& candidate() { return candidate_; }
+  /// Finds the film of the proposed step, in `candidate()`, by the method of the case.
+  film::FilmReport solve();
+  /// Takes the candidate as the next state, or shortens the step. Throws ConvergenceError if it cannot be shortened.
+  void conclude(const film::FilmReport& report, Waypoints& waypoints);
+  /// Is the step from base angle to base angle done?
+  bool at_base_angle() const { return tick_ == kTicksPerBaseStep; }
+
+  /// Does the case ask for the coupled Newton method?
+  bool is_coupled_newton() const { return setup_.input.solver.method == Method::kCoupledNewton; }
+
+  /// A base step may be cut into as many.
+  static constexpr int kTicksPerBaseStep = 64;
+
   /// A film at `crank_angle_deg`, solved from where the march stands without moving it, in up to 64 steps. Throws
   /// ConvergenceError. `to` receives the film; the Instant refers to it and to memory of the march.
   Instant side_step(double crank_angle_deg, film::FilmState& to);
@@ -69,6 +88,7 @@ class March {
     long crank_steps = 0, newton_iterations = 0, sub_steps = 0;
     long relaxation_sweeps = 0;  ///< of point relaxation
     long fallback_secant = 0, fallback_sub_step = 0;
+    long exact_law_solves = 0;    ///< solves by the laws themselves because their fits did not reach
     long uncontrolled_steps = 0;  ///< accepted at the finest level although their error in time is over the limit
     double max_newton_step = 0;
   };
@@ -80,8 +100,7 @@ class March {
     Axis axis;
   };
   Boundary boundary(double crank_angle_deg, double time_step) const;
-  film::FilmReport step_to(double crank_angle_deg, double time_step, film::FilmState& to, Boundary& boundary);
-  film::FilmState extrapolated(double time_step) const;
+  bool adaptive() const { return setup_.input.solver.crank_step_control == StepControl::kAdaptive; }
   double time_error(const film::FilmState& to, double time_step) const;
   void count(const film::FilmReport& report);
 
@@ -89,10 +108,15 @@ class March {
   film::FilmProblem problem_;
   film::MethodWorkspace workspace_;
   film::FilmState state_, before_, candidate_, side_before_;
-  double time_step_before_ = 0;  ///< 0: no history
-  int k_ = 0;                    ///< base angle where the march stands
-  double angle_deg_ = 0;         ///< the same as an angle, within a base step too
-  int level_ = 0;                ///< steps are 2^-level of the base step
+  double time_step_before_ = 0;   ///< 0: no history
+  int k_ = 0;                     ///< base angle where the march stands
+  double angle_deg_ = 0;          ///< the same as an angle, within a base step too
+  int level_ = 0;                 ///< steps are 2^-level of the base step
+  int tick_ = kTicksPerBaseStep;  ///< of the base step, done
+  struct {
+    double to_deg = 0, time_step = 0;
+    Boundary at;
+  } step_;  ///< proposed
   Instant instant_;
   StepEffort effort_;
   Totals totals_;

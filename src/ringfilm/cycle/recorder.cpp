@@ -137,7 +137,7 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
                    totals.relaxation_sweeps};
   result.notes = setup_.notes;
   append_validity_notes(setup_, base, {polynomial_steps_, polynomial_share_}, result.notes);
-  append_effort_notes(result.effort, totals.uncontrolled_steps, result.notes);
+  append_effort_notes(result.effort, totals, result.notes);
   return result;
 }
 

@@ -103,7 +103,8 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
   }
 }
 
-void append_effort_notes(const Effort& effort, long uncontrolled_steps, std::vector<Note>& notes) {
+void append_effort_notes(const Effort& effort, const March::Totals& totals, std::vector<Note>& notes) {
+  const long uncontrolled_steps = totals.uncontrolled_steps;
   if (uncontrolled_steps > 0) {
     notes.push_back({"step-control-at-its-limit",
                      "steps of 1/64 of the crank step whose error in time is still over the limit: a shorter "
@@ -116,6 +117,12 @@ void append_effort_notes(const Effort& effort, long uncontrolled_steps, std::vec
   }
   if (effort.fallback_sub_step > 0) {
     notes.push_back({"shorter-steps", "steps that were solved only after they were cut", effort.fallback_sub_step});
+  }
+  if (totals.exact_law_solves > 0) {
+    notes.push_back({"beyond-property-fit",
+                     "steps that were solved with the laws of oil and contact themselves: pressures beyond their fits, "
+                     "or a bracketed search",
+                     totals.exact_law_solves});
   }
 }
 

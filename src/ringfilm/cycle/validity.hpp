@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "ringfilm/cycle/march.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/cycle/setup.hpp"
 
@@ -17,7 +18,6 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
                            std::vector<Note>& notes);
 
 /// Notes on remedies that the solver had to use.
-/// @param uncontrolled_steps accepted at the finest step although their error in time is over the limit
-void append_effort_notes(const Effort& effort, long uncontrolled_steps, std::vector<Note>& notes);
+void append_effort_notes(const Effort& effort, const March::Totals& totals, std::vector<Note>& notes);
 
 }  // namespace ringfilm::cycle

@@ -26,20 +26,14 @@ bool at_rest(const FilmInputs& inputs) { return inputs.U == 0 && inputs.time_ste
 
 }  // namespace
 
-LaneKind lane_kind(const FilmProblem& problem, const FilmInputs& inputs) {
-  const bool fill = problem.cavitation == Cavitation::kMassConserving && !at_rest(inputs);
-  return {problem.grid.n_cells(), best_laws(problem), fill ? LaneCavity::kFill : LaneCavity::kMultiplier};
-}
-
 LaneLaws best_laws(const FilmProblem& problem) {
   return problem.oil->fit() != nullptr ? LaneLaws::kFitted : LaneLaws::kGiven;
 }
 
-LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int n_cells)
-    : kernels_(&kernels), width_(width), n_cells_(n_cells), lanes_(width), block_{} {
-  block_.n_cells = n_cells;
+LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
+    : kernels_(&kernels), width_(width), most_cells_(most_cells), lanes_(width), block_{} {
   const std::size_t per_line = kLine / sizeof(double);
-  const std::size_t nodes = static_cast<std::size_t>(n_cells) + 1 + kAbreast;
+  const std::size_t nodes = static_cast<std::size_t>(most_cells) + 1 + kAbreast;
   const std::size_t stride = (nodes * width + per_line - 1) / per_line * per_line;
   memory_.assign(kNodalArrays * stride + per_line, 0.0);
   auto* array = memory_.data();
@@ -50,27 +44,48 @@ LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int n_cells)
     *nodal = array;
     array += stride;
   }
-  // An empty lane is a film of one unit thickness at rest under no load: every quotient in it has a value.
-  std::fill_n(block_.conductance, stride, 1.0);
-  std::fill_n(block_.z, stride, 1.0);
-  for (int lane = 0; lane < width; ++lane) {
-    block_.h_m[lane] = block_.scale[lane] = block_.inverse_scale[lane] = block_.start_h[lane] = 1;
-    block_.fit_K[0][lane] = block_.fit_rho[0][lane] = 1;
-    block_.contact_reach[lane] = kNowhere;
+  for (int lane = 0; lane < width; ++lane) clear(lane);
+}
+
+void LaneNewton::clear(int lane) {
+  lanes_[lane] = {};
+  block_.h_m[lane] = block_.scale[lane] = block_.inverse_scale[lane] = block_.start_h[lane] = 1;
+  block_.fit_K[0][lane] = block_.fit_rho[0][lane] = 1;
+  block_.contact_reach[lane] = kNowhere;
+  block_.quarter_U[lane] = block_.rate[lane] = block_.load[lane] = block_.movable[lane] = 0;
+  block_.contact_load[lane] = block_.contact_slope[lane] = 0;
+  clear_from(lane, 0);
+  fit_block();
+}
+
+void LaneNewton::clear_from(int lane, int node) {
+  for (int i = node; i < most_cells_ + 1 + kAbreast; ++i) {
+    for (double* array : {block_.inflow, block_.node_height, block_.share, block_.face_height, block_.conductance,
+                          block_.drho_dp, block_.dK_dp}) {
+      nodal(array, i, lane) = 0;
+    }
+    for (double* array : {block_.z, block_.rho, block_.K}) nodal(array, i, lane) = 1;
   }
-  std::fill_n(block_.K, stride, 1.0);
-  std::fill_n(block_.rho, stride, 1.0);
+}
+
+void LaneNewton::fit_block() {
+  block_.n_cells = 2;
+  for (const Lane& lane : lanes_) block_.n_cells = std::max(block_.n_cells, lane.n_cells);
 }
 
 void LaneNewton::bind(int lane, const FilmProblem& problem) {
   const FilmGrid& grid = problem.grid;
+  const int n = grid.n_cells();
   lanes_[lane] = {};
   lanes_[lane].problem = &problem;
-  for (int i = 0; i <= n_cells_; ++i) {
+  lanes_[lane].n_cells = n;
+  fit_block();
+  clear_from(lane, n);
+  for (int i = 0; i <= n; ++i) {
     nodal(block_.node_height, i, lane) = grid.node_height[i];
     nodal(block_.share, i, lane) = grid.share[i];
   }
-  for (int i = 0; i < n_cells_; ++i) {
+  for (int i = 0; i < n; ++i) {
     nodal(block_.face_height, i, lane) = grid.face_height[i];
     nodal(block_.conductance, i, lane) = 1 / (24 * grid.spacing[i]);
   }
@@ -99,14 +114,15 @@ void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& prev
   const FilmProblem& problem = *at.problem;
   const FilmGrid& grid = problem.grid;
   block_.laws = laws;
-  block_.cavity = lane_kind(problem, inputs).cavity;
+  block_.cavity = problem.cavitation == Cavitation::kMassConserving && !at_rest(inputs) ? LaneCavity::kFill
+                                                                                        : LaneCavity::kMultiplier;
   at.inputs = &inputs;
   at.phase = Phase::kRunning;
   at.iterations = 0;
   at.last_step = 0;
   at.most_iterations = unknowns == Unknowns::kFilmAndSeparation
                            ? kMostIterations
-                           : kMostIterations + n_cells_;  // a front may have to cross the face
+                           : kMostIterations + at.n_cells;  // a front may have to cross the face
   at.reach = at.advances = 0;
   at.largest_reach = kLargestReach;
   at.retreats_left = kRetreats;
@@ -129,12 +145,12 @@ void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& prev
   const double beyond = kBeyondKink * scale;
   double* z = block_.z + lane;
   double* inflow = block_.inflow + lane;
-  for (int i = 0; i <= n_cells_; ++i, z += width_, inflow += width_) {
+  for (int i = 0; i <= at.n_cells; ++i, z += width_, inflow += width_) {
     *z = guess.deficit[i] > 0 ? -guess.deficit[i] * scale : std::max(guess.p[i] - p_c, beyond);
     *inflow = grid.share[i] * rate * previous.content[i];
   }
   nodal(block_.z, 0, lane) = inputs.p_left - p_c;
-  nodal(block_.z, n_cells_, lane) = inputs.p_right - p_c;
+  nodal(block_.z, at.n_cells, lane) = inputs.p_right - p_c;
   for (std::size_t i = 0; i < inputs.source.size(); ++i) {
     nodal(block_.inflow, static_cast<int>(i), lane) += grid.share[i] * inputs.source[i];
   }
@@ -146,13 +162,13 @@ void LaneNewton::give_laws(int lane) {
     block_.contact_load[lane] = asperity_load(problem, block_.h_m[lane], &block_.contact_slope[lane]);
   }
   if (block_.laws == LaneLaws::kFitted) return;
-  const std::size_t n_nodes = static_cast<std::size_t>(n_cells_) + 1;
+  const std::size_t n_nodes = problem.grid.x.size();
   for (auto* array : {&p_, &rho_, &drho_dp_, &eta_, &deta_dp_}) array->resize(n_nodes);
   for (std::size_t i = 0; i < n_nodes; ++i) {
     p_[i] = block_.p_cavitation[lane] + std::max(nodal(block_.z, static_cast<int>(i), lane), 0.0);
   }
   problem.oil->properties(p_, {rho_, drho_dp_, eta_, deta_dp_});
-  for (int i = 0; i <= n_cells_; ++i) {
+  for (int i = 0; i <= lanes_[lane].n_cells; ++i) {
     const double fluidity = 1 / eta_[i];
     const double K = rho_[i] * fluidity;
     nodal(block_.rho, i, lane) = rho_[i];
@@ -211,14 +227,14 @@ void LaneNewton::help_along(int lane, bool only_advanced) {
   at.reach = std::min(std::max(2 * at.reach, 1), at.largest_reach);
   const double beyond = kBeyondKink * block_.scale[lane];
   std::vector<int> entered;  // nodes that the sweep has just put beyond the kink
-  for (int i = 1; i < n_cells_; ++i) {
+  for (int i = 1; i < at.n_cells; ++i) {
     if (nodal(block_.z, i, lane) == beyond) entered.push_back(i);
   }
   for (const int i : entered) {
     for (const int way : {-1, 1}) {
       for (int k = 1; k <= at.reach; ++k) {
         const int next = i + way * k;
-        if (next <= 0 || next >= n_cells_ || nodal(block_.z, next, lane) > 0) break;
+        if (next <= 0 || next >= at.n_cells || nodal(block_.z, next, lane) > 0) break;
         nodal(block_.z, next, lane) = beyond;
       }
     }
@@ -228,7 +244,7 @@ void LaneNewton::help_along(int lane, bool only_advanced) {
 void LaneNewton::read(int lane, FilmState& state) const {
   const FilmInputs& inputs = *lanes_[lane].inputs;
   const double inverse_scale = block_.inverse_scale[lane];
-  const std::size_t n_nodes = static_cast<std::size_t>(n_cells_) + 1;
+  const std::size_t n_nodes = lanes_[lane].problem->grid.x.size();
   state.h_m = block_.h_m[lane];
   state.p.resize(n_nodes);
   state.deficit.resize(n_nodes);

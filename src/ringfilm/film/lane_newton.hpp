@@ -6,15 +6,6 @@
 
 namespace ringfilm::film {
 
-/// Films that may share a block of lanes have the same of these.
-struct LaneKind {
-  int n_cells;
-  LaneLaws laws;
-  LaneCavity cavity;
-  friend bool operator==(const LaneKind&, const LaneKind&) = default;
-};
-LaneKind lane_kind(const FilmProblem& problem, const FilmInputs& inputs);
-
 /// The fits if the oil has them.
 LaneLaws best_laws(const FilmProblem& problem);
 
@@ -30,8 +21,8 @@ enum class Unknowns { kFilmAndSeparation, kFilmAlone };
 /// by quadratic convergence.
 class LaneNewton {
  public:
-  /// @param width 1, or `kernels.width`
-  LaneNewton(const FilmKernels& kernels, int width, int n_cells);
+  /// @param width 1, or `kernels.width`; @param most_cells of any film in a lane
+  LaneNewton(const FilmKernels& kernels, int width, int most_cells);
   LaneNewton(LaneNewton&&) = default;
   LaneNewton& operator=(LaneNewton&&) = default;
 
@@ -40,14 +31,20 @@ class LaneNewton {
   /// The film of `problem` takes the lane; the problem must outlive it there.
   void bind(int lane, const FilmProblem& problem);
 
-  /// A new solve in a bound lane, from `guess`; of `previous` only the `content` enters. All running lanes must be of
-  /// one LaneKind; `inputs` must outlive the solve.
+  /// Leaves the lane empty.
+  void clear(int lane);
+
+  /// A new solve in a bound lane, from `guess`; of `previous` only the `content` enters; `inputs` must outlive the
+  /// solve. All running lanes must have the same laws and the same way of closing a cavity.
   /// @param laws kGiven: of oil and contact as they are, not their fits
   void start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess, Unknowns unknowns,
              LaneLaws laws);
 
   /// One iteration of all running lanes.
   void iterate();
+
+  /// Nodes that an iteration visits in each lane: those of the longest film.
+  int nodes_swept() const { return block_.n_cells + 1; }
 
   enum class Phase { kIdle, kRunning, kSolved, kFailed };
   Phase phase(int lane) const { return lanes_[lane].phase; }
@@ -62,6 +59,7 @@ class LaneNewton {
     const FilmProblem* problem = nullptr;
     const FilmInputs* inputs = nullptr;
     Phase phase = Phase::kIdle;
+    int n_cells = 0;
     int iterations = 0, most_iterations = 0;
     double last_step = 0;
     // Help for an advancing front
@@ -71,12 +69,14 @@ class LaneNewton {
     int advances = 0;  ///< iterations in a row in which fronts only advanced
   };
   double& nodal(double* array, int i, int lane) const { return array[i * width_ + lane]; }
+  void clear_from(int lane, int node);
+  void fit_block();
   void give_laws(int lane);
   void conclude(int lane);
   void help_along(int lane, bool only_advanced);
 
   const FilmKernels* kernels_;
-  int width_, n_cells_;
+  int width_, most_cells_;
   std::vector<double> memory_;
   std::vector<Lane> lanes_;
   std::vector<double> p_, rho_, drho_dp_, eta_, deta_dp_;  ///< of one lane, for laws that are given

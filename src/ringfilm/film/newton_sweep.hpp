@@ -211,8 +211,9 @@ class NewtonSweep {
 
         const Real pivot = diagonal + in.by_left * upper;
         const Mask usable = abs(pivot) > Real(0);
-        broken = select(usable, broken, Real(1));
-        const Real inverse = Real(1) / select(usable, pivot, Real(1));
+        const Mask inside = at(b_.conductance, i) > Real(0);  // beyond its last cell a shorter film has no equation
+        broken = select(Real::only(inside, usable), Real(1), broken);
+        const Real inverse = select(inside, Real(1) / select(usable, pivot, Real(1)), Real(0));
         row = select(here_is_film, share, Real(0)) - row * upper;
         upper = out.by_right * inverse;
         column = (by_h + in.by_left * column) * inverse;

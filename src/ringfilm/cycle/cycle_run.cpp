@@ -1,0 +1,73 @@
+#include "ringfilm/cycle/cycle_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/kinematics.hpp"
+#include "ringfilm/cycle/simulate.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// The march starts here, from a steady film: mid exhaust stroke, high speed and low load.
+constexpr double kStartAngleDeg = 270;
+/// States are compared with those of one cycle before at this spacing.
+constexpr double kCheckSpacingDeg = 15;
+/// A flooded film forgets its start within half a stroke; a march that is not periodic by then never will be.
+constexpr int kMostCycles = 20;
+
+}  // namespace
+
+CycleRun::CycleRun(Setup setup)
+    : setup_(std::move(setup)),
+      n_steps_(steps_per_cycle(setup_.input.solver)),
+      step_deg_(kCycleDeg / n_steps_),
+      check_every_(std::max(1, static_cast<int>(std::lround(kCheckSpacingDeg / step_deg_)))),
+      march_(setup_),
+      recorder_(setup_),
+      one_cycle_ago_(n_steps_),
+      k_(static_cast<int>(std::lround(kStartAngleDeg / step_deg_)) % n_steps_),
+      distance_(std::numeric_limits<double>::infinity()) {
+  try {
+    march_.start(k_);
+  } catch (const ConvergenceError& error) {
+    stopped(error);
+  }
+}
+
+void CycleRun::conclude(const film::FilmReport& report) {
+  try {
+    march_.conclude(report, recorder_);
+    if (march_.at_base_angle()) arrived();
+  } catch (const ConvergenceError& error) {
+    stopped(error);
+  }
+}
+
+void CycleRun::arrived() {
+  k_ = (k_ + 1) % n_steps_;
+  ++steps_marched_;
+  if (k_ % check_every_ == 0) {
+    if (one_cycle_ago_[k_]) distance_ = march_.distance(*one_cycle_ago_[k_]);
+    done_ = distance_ <= kPeriodicityFactor * setup_.input.solver.tolerance;
+    if (!done_) one_cycle_ago_[k_] = march_.state();
+  }
+  if (!done_ && steps_marched_ == kMostCycles * n_steps_) {
+    throw ConvergenceError("the cycle does not repeat itself after " + std::to_string(kMostCycles) + " cycles",
+                           crank_angle_deg());
+  }
+}
+
+void CycleRun::stopped(const ConvergenceError& error) {
+  stop_ = Stop{error.what(), error.crank_angle_deg()};
+  done_ = true;
+}
+
+CycleResult CycleRun::result() const {
+  return recorder_.result(march_, distance_, steps_marched_, stop_ ? Completeness::kStopped : Completeness::kComplete);
+}
+
+}  // namespace ringfilm::cycle

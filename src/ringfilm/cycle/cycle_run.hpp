@@ -1,0 +1,56 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/march.hpp"
+#include "ringfilm/cycle/recorder.hpp"
+#include "ringfilm/cycle/side_by_side.hpp"
+
+namespace ringfilm::cycle {
+
+/// Why a march stopped before its state repeated.
+struct Stop {
+  std::string message;
+  std::optional<double> crank_angle_deg;
+};
+
+/// One scenario on its way from a steady film to a cycle that repeats itself.
+class CycleRun final : public Marching {
+ public:
+  /// Starts the march; a start without an answer is a stop like any other.
+  explicit CycleRun(Setup setup);
+
+  March& march() override { return march_; }
+  void conclude(const film::FilmReport& report) override;
+  bool done() const override { return done_; }
+
+  const Setup& setup() const { return setup_; }
+  int steps_marched() const { return steps_marched_; }
+  double crank_angle_deg() const { return k_ * step_deg_; }  ///< of the last base angle
+
+  /// Once done: what was found, and why no more if the march stopped.
+  CycleResult result() const;
+  const std::optional<Stop>& stop() const { return stop_; }
+
+ private:
+  void arrived();
+  void stopped(const ConvergenceError& error);
+
+  Setup setup_;
+  int n_steps_;  ///< of a cycle
+  double step_deg_;
+  int check_every_;
+  March march_;
+  Recorder recorder_;
+  std::vector<std::optional<film::FilmState>> one_cycle_ago_;
+  int k_ = 0;  ///< base angle
+  int steps_marched_ = 0;
+  double distance_;
+  bool done_ = false;
+  std::optional<Stop> stop_;
+};
+
+}  // namespace ringfilm::cycle

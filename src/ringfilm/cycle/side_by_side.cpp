@@ -1,0 +1,170 @@
+#include "ringfilm/cycle/side_by_side.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "ringfilm/film/lane_newton.hpp"
+#include "ringfilm/film/reynolds.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+using Owned = std::unique_ptr<Marching>;
+
+/// Marches that wait for a lane of their kind, at the most.
+constexpr std::size_t kMostWaiting = 64;
+/// Blocks are laid out for numbers of cells in steps of 2^(1/4).
+constexpr double kClassesPerDoubling = 4;
+
+/// Marches of one kind may share a block.
+struct Kind {
+  int cells;  ///< room for so many
+  film::LaneLaws laws;
+  film::LaneCavity cavity;
+  friend auto operator<=>(const Kind&, const Kind&) = default;
+};
+
+Kind kind_of(const film::FilmProblem& problem) {
+  const double size_class = std::ceil(kClassesPerDoubling * std::log2(problem.grid.n_cells()) - 1e-9);
+  return {static_cast<int>(std::lround(std::exp2(size_class / kClassesPerDoubling))), film::best_laws(problem),
+          problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFill
+                                                                  : film::LaneCavity::kMultiplier};
+}
+
+/// The lanes of one kind.
+class Block {
+ public:
+  Block(const film::FilmKernels& kernels, const Kind& kind)
+      : newton_(kernels, kernels.width, kind.cells), marches_(kernels.width) {}
+
+  bool has_room() const { return n_busy_ < newton_.width(); }
+  bool is_empty() const { return n_busy_ == 0; }
+
+  void take(Owned march) {
+    const auto lane = static_cast<int>(std::find(marches_.begin(), marches_.end(), nullptr) - marches_.begin());
+    marches_[lane] = std::move(march);
+    ++n_busy_;
+    newton_.bind(lane, marches_[lane]->march().problem());
+    propose(lane);
+  }
+
+  /// One iteration of all lanes; marches that are done leave.
+  void iterate(const std::function<void(Owned)>& finished, LaneEffort& effort) {
+    newton_.iterate();
+    ++effort.sweeps;
+    effort.lane_sweeps += n_busy_;
+    effort.node_sweeps += newton_.nodes_swept();
+    for (int lane = 0; lane < newton_.width(); ++lane) {
+      if (marches_[lane] == nullptr || newton_.phase(lane) == film::LaneNewton::Phase::kRunning) continue;
+      marches_[lane]->conclude(solved(lane, effort));
+      if (!marches_[lane]->done()) {
+        propose(lane);
+        continue;
+      }
+      newton_.clear(lane);
+      --n_busy_;
+      finished(std::exchange(marches_[lane], nullptr));
+    }
+  }
+
+ private:
+  void propose(int lane) {
+    March& march = marches_[lane]->march();
+    march.propose();
+    newton_.start(lane, march.proposed(), march.state(), march.candidate(), film::Unknowns::kFilmAndSeparation,
+                  film::best_laws(march.problem()));
+  }
+
+  /// The candidate as the lane leaves it, or found one by one where a lane is not enough.
+  film::FilmReport solved(int lane, LaneEffort& effort) {
+    March& march = marches_[lane]->march();
+    const film::FilmProblem& problem = march.problem();
+    const film::LaneLaws laws = film::best_laws(problem);
+    film::FilmReport report;
+    report.iterations = newton_.iterations(lane);
+    report.last_step = newton_.last_step(lane);
+    if (newton_.phase(lane) == film::LaneNewton::Phase::kSolved) {
+      newton_.read(lane, march.candidate());
+      if (laws == film::LaneLaws::kGiven || film::within_fit(problem, march.candidate())) {
+        film::complete_state(problem, laws, march.candidate());
+        report.converged = true;
+        report.failure = film::Failure::kNone;
+        return report;
+      }
+    }
+    ++effort.single_solves;
+    march.propose();
+    film::FilmReport alone = march.solve();
+    alone.iterations += report.iterations;
+    return alone;
+  }
+
+  film::LaneNewton newton_;
+  std::vector<Owned> marches_;
+  int n_busy_ = 0;
+};
+
+}  // namespace
+
+LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::function<void(Owned)>& finished,
+                              const film::FilmKernels& kernels) {
+  LaneEffort effort;
+  std::map<Kind, Block> blocks;
+  std::map<Kind, std::deque<Owned>> waiting;
+  std::size_t n_waiting = 0;
+  bool more = true;
+  const auto fetch = [&] {
+    Owned march = next();
+    more = march != nullptr;
+    if (!more) return;
+    if (march->done()) return finished(std::move(march));
+    const film::FilmProblem& problem = march->march().problem();
+    if (!march->march().is_coupled_newton()) {
+      while (!march->done()) {
+        march->march().propose();
+        march->conclude(march->march().solve());
+      }
+      return finished(std::move(march));
+    }
+    const Kind kind = kind_of(problem);
+    Block& block = blocks.try_emplace(kind, kernels, kind).first->second;
+    if (block.has_room() && waiting[kind].empty()) return block.take(std::move(march));
+    waiting[kind].push_back(std::move(march));
+    ++n_waiting;
+  };
+  const auto refill = [&](const Kind& kind, Block& block) {
+    auto& queue = waiting[kind];
+    while (block.has_room()) {
+      if (!queue.empty()) {
+        block.take(std::move(queue.front()));
+        queue.pop_front();
+        --n_waiting;
+      } else if (more && n_waiting < kMostWaiting) {
+        fetch();
+      } else {
+        return;
+      }
+    }
+  };
+  while (more && blocks.empty()) fetch();
+  while (!blocks.empty()) {
+    for (auto at = blocks.begin(); at != blocks.end();) {
+      refill(at->first, at->second);
+      if (at->second.is_empty()) {
+        at = blocks.erase(at);
+      } else {
+        at->second.iterate(finished, effort);
+        ++at;
+      }
+    }
+    while (more && blocks.empty()) fetch();
+  }
+  return effort;
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,36 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "ringfilm/cycle/march.hpp"
+
+/// Many marches at once, their films side by side in the lanes of a vector register.
+namespace ringfilm::cycle {
+
+/// A march with a purpose of its own.
+class Marching {
+ public:
+  virtual ~Marching() = default;
+  virtual March& march() = 0;
+  /// The film of the proposed step was sought with this outcome. Throws nothing that is not to end all marches.
+  virtual void conclude(const film::FilmReport& report) = 0;
+  virtual bool done() const = 0;
+};
+
+/// What it took.
+struct LaneEffort {
+  long sweeps = 0;         ///< Newton iterations of a block of lanes
+  long lane_sweeps = 0;    ///< those of single lanes among them: `sweeps` times the width if all lanes were always busy
+  long node_sweeps = 0;    ///< nodes of all blocks, swept
+  long single_solves = 0;  ///< films that were sought one by one after a lane had failed
+};
+
+/// Takes marches from `next` until it gives none, and hands each to `finished` when it is done, in any order. A lane
+/// that is free takes the next march, so that none waits for the slowest. Marches of unlike grids share a block if
+/// their numbers of cells differ little; those that are not solved by the coupled Newton method are marched one by one.
+/// What becomes of a march depends on no other. One thread.
+LaneEffort march_side_by_side(const std::function<std::unique_ptr<Marching>()>& next,
+                              const std::function<void(std::unique_ptr<Marching>)>& finished,
+                              const film::FilmKernels& kernels = film::kernels());
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,27 @@
+#include "ringfilm/cycle/simulate_batch.hpp"
+
+#include <map>
+#include <utility>
+
+namespace ringfilm::cycle {
+
+LaneEffort simulate_batch(const SetupSource& next, const std::function<void(BatchOutcome)>& finished,
+                          const film::FilmKernels& kernels) {
+  std::map<const Marching*, std::size_t> index;
+  std::size_t n_given = 0;
+  const auto start = [&]() -> std::unique_ptr<Marching> {
+    std::optional<Setup> setup = next();
+    if (!setup) return nullptr;
+    auto run = std::make_unique<CycleRun>(std::move(*setup));
+    index[run.get()] = n_given++;
+    return run;
+  };
+  const auto end = [&](std::unique_ptr<Marching> marching) {
+    const auto& run = static_cast<const CycleRun&>(*marching);
+    const auto number = index.extract(&run).mapped();
+    finished({number, run.result(), run.stop()});
+  };
+  return march_side_by_side(start, end, kernels);
+}
+
+}  // namespace ringfilm::cycle
