@@ -42,6 +42,19 @@ struct Pack {
     __builtin_memcpy(&p.v, from, sizeof p.v);
     return p;
   }
+  /// Numbers that lie `stride` apart.
+  RINGFILM_INLINE static Pack gather(const double* from, int stride) {
+    if constexpr (kLanes == 8) {
+      return of(Values{from[0], from[stride], from[2 * stride], from[3 * stride], from[4 * stride], from[5 * stride],
+                       from[6 * stride], from[7 * stride]});
+    } else if constexpr (kLanes == 4) {
+      return of(Values{from[0], from[stride], from[2 * stride], from[3 * stride]});
+    } else if constexpr (kLanes == 2) {
+      return of(Values{from[0], from[stride]});
+    } else {
+      return load(from);
+    }
+  }
   RINGFILM_INLINE void store(double* to) const { __builtin_memcpy(to, &v, sizeof v); }
 
   RINGFILM_INLINE friend Pack operator+(Pack a, Pack b) { return of(a.v + b.v); }

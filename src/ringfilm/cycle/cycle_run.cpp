@@ -14,8 +14,9 @@ namespace {
 
 /// The march starts here, from a steady film: mid exhaust stroke, high speed and low load.
 constexpr double kStartAngleDeg = 270;
-/// States are compared with those of one cycle before at this spacing.
+/// States are compared with those of one cycle before at this spacing, over the first stroke.
 constexpr double kCheckSpacingDeg = 15;
+constexpr double kCheckedDeg = 180;
 /// A flooded film forgets its start within half a stroke; a march that is not periodic by then never will be.
 constexpr int kMostCycles = 20;
 
@@ -50,7 +51,8 @@ void CycleRun::conclude(const film::FilmReport& report) {
 void CycleRun::arrived() {
   k_ = (k_ + 1) % n_steps_;
   ++steps_marched_;
-  if (k_ % check_every_ == 0) {
+  const int since_start = steps_marched_ % n_steps_;
+  if (k_ % check_every_ == 0 && since_start * step_deg_ <= kCheckedDeg) {
     if (one_cycle_ago_[k_]) distance_ = march_.distance(*one_cycle_ago_[k_]);
     done_ = distance_ <= kPeriodicityFactor * setup_.input.solver.tolerance;
     if (!done_) one_cycle_ago_[k_] = march_.state();

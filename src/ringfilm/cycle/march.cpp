@@ -35,6 +35,7 @@ film::FilmProblem film_problem(const Setup& setup) {
   problem.contact_spread = input.contact.film_parameter == FilmParameter::kLocal ? film::ContactSpread::kLocal
                                                                                  : film::ContactSpread::kNominal;
   problem.tolerance = input.solver.tolerance;
+  problem.kernels = setup.kernels;
   return problem;
 }
 
@@ -153,19 +154,23 @@ void March::propose() {
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
   step_.time_step = radians(base_deg * ticks / kTicks) / setup_.input.operating.speed;
   step_.at = boundary(step_.to_deg, step_.time_step);
-  candidate_ = state_;
+  step_.h_m = state_.h_m;
   if (time_step_before_ > 0) {
     const double growth = std::log(state_.h_m / before_.h_m) * step_.time_step / time_step_before_;
-    candidate_.h_m *= std::exp(std::clamp(growth, -0.5, 0.5));
+    step_.h_m *= std::exp(std::clamp(growth, -0.5, 0.5));
   }
 }
 
-film::FilmReport March::solve() { return film::solve_film(problem_, step_.at.inputs, state_, candidate_, workspace_); }
+film::FilmReport March::solve() {
+  candidate_ = state_;
+  candidate_.h_m = step_.h_m;
+  return film::solve_film(problem_, step_.at.inputs, state_, candidate_, workspace_);
+}
 
 void March::conclude(const film::FilmReport& report, Waypoints& waypoints) {
   count(report);
   const int ticks = kTicks >> level_;
-  const double error = report.converged ? time_error(candidate_, step_.time_step) : 0;
+  const double error = report.converged && adaptive() ? time_error(candidate_, step_.time_step) : 0;
   const bool too_coarse = adaptive() && error > 1 && level_ < kFinestLevel;
   if (!report.converged || too_coarse) {
     if (level_ == kFinestLevel) throw no_balance(step_.at.inputs, problem_.grid, report, step_.to_deg);

@@ -55,9 +55,11 @@ class March {
 
   // The same step by step, for who solves the films of many marches side by side: propose, find the film, conclude.
 
-  /// Lays out the next step: its inputs, and in `candidate()` the guess of its film.
+  /// Lays out the next step: its inputs, and where its film is to be sought: from `state()`, but from this h_m.
   void propose();
   const film::FilmInputs& proposed() const { return step_.at.inputs; }
+  double guessed_h_m() const { return step_.h_m; }
+  /// The film of the proposed step goes here.
   film::FilmState& candidate() { return candidate_; }
   /// Finds the film of the proposed step, in `candidate()`, by the method of the case.
   film::FilmReport solve();
@@ -114,7 +116,7 @@ class March {
   int level_ = 0;                 ///< steps are 2^-level of the base step
   int tick_ = kTicksPerBaseStep;  ///< of the base step, done
   struct {
-    double to_deg = 0, time_step = 0;
+    double to_deg = 0, time_step = 0, h_m = 0;
     Boundary at;
   } step_;  ///< proposed
   Instant instant_;

@@ -95,6 +95,7 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
                              Completeness completeness) const {
   CycleResult result;
   result.complete = completeness == Completeness::kComplete;
+  result.samples.reserve(wanted_deg_.size());
   for (const double angle : wanted_deg_) {
     const auto between = between_.find(angle);
     const auto& slot = between != between_.end()
@@ -116,6 +117,7 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
     append(result.fields.asperity_pressure, f.asperity_pressure);
   }
   std::vector<Sample> base;
+  base.reserve(base_.size());
   for (const auto& slot : base_) {
     if (slot) base.push_back(*slot);
   }

@@ -46,10 +46,11 @@ Sample sample(const Setup& setup, const March& march, const Instant& instant, co
   Sample s;
   s.crank_angle_deg = angle;
   s.piston_position = setup.crank.position(radians(angle));
-  s.piston_velocity = setup.crank.velocity(radians(angle), setup.input.operating.speed);
+  const bool from_chamber_edge = instant.axis == Axis::kFromChamber;
+  s.piston_velocity = from_chamber_edge ? in.U : -in.U;
   s.sliding_distance = sliding_distance(setup.crank, angle);
-  s.gas_pressure = setup.cylinder_pressure.pressure(angle);
-  s.crankcase_pressure = setup.crankcase_pressure.pressure(angle);
+  s.gas_pressure = from_chamber_edge ? in.p_left : in.p_right;
+  s.crankcase_pressure = from_chamber_edge ? in.p_right : in.p_left;
   s.applied_load = in.load * circumference;
   s.hydrodynamic_load = integrals.hydrodynamic_load * circumference;
   s.asperity_load = integrals.asperity_load * circumference;

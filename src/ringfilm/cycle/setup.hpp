@@ -5,6 +5,7 @@
 
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/film/kernels.hpp"
 #include "ringfilm/models/asperity_contact.hpp"
 #include "ringfilm/models/crank_slider.hpp"
 #include "ringfilm/models/gas.hpp"
@@ -28,6 +29,8 @@ struct Setup {
   double oil_viscosity;                                 ///< at the oil temperature, no pressure [Pa s]
   double oil_density;                                   ///< [kg/m3]
   std::vector<Note> notes;                              ///< what was found out on the way (extrapolated density, ...)
+
+  const film::FilmKernels* kernels = &film::kernels();  ///< the inner loops that are to find the films
 
   double circumference() const;  ///< pi x bore [m]
 };

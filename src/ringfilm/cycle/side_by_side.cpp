@@ -24,6 +24,7 @@ constexpr double kClassesPerDoubling = 4;
 /// Marches of one kind may share a block.
 struct Kind {
   int cells;  ///< room for so many
+  const film::FilmKernels* kernels;
   film::LaneLaws laws;
   film::LaneCavity cavity;
   friend auto operator<=>(const Kind&, const Kind&) = default;
@@ -31,7 +32,8 @@ struct Kind {
 
 Kind kind_of(const film::FilmProblem& problem) {
   const double size_class = std::ceil(kClassesPerDoubling * std::log2(problem.grid.n_cells()) - 1e-9);
-  return {static_cast<int>(std::lround(std::exp2(size_class / kClassesPerDoubling))), film::best_laws(problem),
+  return {static_cast<int>(std::lround(std::exp2(size_class / kClassesPerDoubling))), problem.kernels,
+          film::best_laws(problem),
           problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFill
                                                                   : film::LaneCavity::kMultiplier};
 }
@@ -39,8 +41,8 @@ Kind kind_of(const film::FilmProblem& problem) {
 /// The lanes of one kind.
 class Block {
  public:
-  Block(const film::FilmKernels& kernels, const Kind& kind)
-      : newton_(kernels, kernels.width, kind.cells), marches_(kernels.width) {}
+  explicit Block(const Kind& kind)
+      : newton_(*kind.kernels, kind.kernels->width, kind.cells), marches_(kind.kernels->width) {}
 
   bool has_room() const { return n_busy_ < newton_.width(); }
   bool is_empty() const { return n_busy_ == 0; }
@@ -50,7 +52,7 @@ class Block {
     marches_[lane] = std::move(march);
     ++n_busy_;
     newton_.bind(lane, marches_[lane]->march().problem());
-    propose(lane);
+    propose(lane, Lane::kElsewhere);
   }
 
   /// One iteration of all lanes; marches that are done leave.
@@ -61,9 +63,12 @@ class Block {
     effort.node_sweeps += newton_.nodes_swept();
     for (int lane = 0; lane < newton_.width(); ++lane) {
       if (marches_[lane] == nullptr || newton_.phase(lane) == film::LaneNewton::Phase::kRunning) continue;
+      const long singles = effort.single_solves;
+      const long steps = marches_[lane]->march().totals().crank_steps;
       marches_[lane]->conclude(solved(lane, effort));
       if (!marches_[lane]->done()) {
-        propose(lane);
+        const bool taken = marches_[lane]->march().totals().crank_steps > steps;
+        propose(lane, taken && effort.single_solves == singles ? Lane::kHoldsState : Lane::kElsewhere);
         continue;
       }
       newton_.clear(lane);
@@ -73,11 +78,15 @@ class Block {
   }
 
  private:
-  void propose(int lane) {
+  /// Where the film is from which the next step starts.
+  enum class Lane { kHoldsState, kElsewhere };
+
+  void propose(int lane, Lane content) {
     March& march = marches_[lane]->march();
     march.propose();
-    newton_.start(lane, march.proposed(), march.state(), march.candidate(), film::Unknowns::kFilmAndSeparation,
-                  film::best_laws(march.problem()));
+    if (content == Lane::kHoldsState) return newton_.go_on(lane, march.proposed(), march.state(), march.guessed_h_m());
+    newton_.start(lane, march.proposed(), march.state(), march.state(), march.guessed_h_m(),
+                  film::Unknowns::kFilmAndSeparation, film::best_laws(march.problem()));
   }
 
   /// The candidate as the lane leaves it, or found one by one where a lane is not enough.
@@ -89,8 +98,8 @@ class Block {
     report.iterations = newton_.iterations(lane);
     report.last_step = newton_.last_step(lane);
     if (newton_.phase(lane) == film::LaneNewton::Phase::kSolved) {
-      newton_.read(lane, march.candidate());
-      if (laws == film::LaneLaws::kGiven || film::within_fit(problem, march.candidate())) {
+      if (laws == film::LaneLaws::kGiven || newton_.peak_pressure(lane) <= problem.oil->fit()->high) {
+        newton_.read(lane, march.candidate());
         film::complete_state(problem, laws, march.candidate());
         report.converged = true;
         report.failure = film::Failure::kNone;
@@ -111,8 +120,7 @@ class Block {
 
 }  // namespace
 
-LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::function<void(Owned)>& finished,
-                              const film::FilmKernels& kernels) {
+LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::function<void(Owned)>& finished) {
   LaneEffort effort;
   std::map<Kind, Block> blocks;
   std::map<Kind, std::deque<Owned>> waiting;
@@ -132,7 +140,7 @@ LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::fun
       return finished(std::move(march));
     }
     const Kind kind = kind_of(problem);
-    Block& block = blocks.try_emplace(kind, kernels, kind).first->second;
+    Block& block = blocks.try_emplace(kind, kind).first->second;
     if (block.has_room() && waiting[kind].empty()) return block.take(std::move(march));
     waiting[kind].push_back(std::move(march));
     ++n_waiting;

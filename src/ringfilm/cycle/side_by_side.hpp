@@ -30,7 +30,6 @@ struct LaneEffort {
 /// their numbers of cells differ little; those that are not solved by the coupled Newton method are marched one by one.
 /// What becomes of a march depends on no other. One thread.
 LaneEffort march_side_by_side(const std::function<std::unique_ptr<Marching>()>& next,
-                              const std::function<void(std::unique_ptr<Marching>)>& finished,
-                              const film::FilmKernels& kernels = film::kernels());
+                              const std::function<void(std::unique_ptr<Marching>)>& finished);
 
 }  // namespace ringfilm::cycle

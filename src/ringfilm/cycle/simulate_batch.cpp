@@ -5,8 +5,7 @@
 
 namespace ringfilm::cycle {
 
-LaneEffort simulate_batch(const SetupSource& next, const std::function<void(BatchOutcome)>& finished,
-                          const film::FilmKernels& kernels) {
+LaneEffort simulate_batch(const SetupSource& next, const std::function<void(BatchOutcome)>& finished) {
   std::map<const Marching*, std::size_t> index;
   std::size_t n_given = 0;
   const auto start = [&]() -> std::unique_ptr<Marching> {
@@ -21,7 +20,7 @@ LaneEffort simulate_batch(const SetupSource& next, const std::function<void(Batc
     const auto number = index.extract(&run).mapped();
     finished({number, run.result(), run.stop()});
   };
-  return march_side_by_side(start, end, kernels);
+  return march_side_by_side(start, end);
 }
 
 }  // namespace ringfilm::cycle

@@ -21,7 +21,6 @@ using SetupSource = std::function<std::optional<Setup>()>;
 /// tells each as it finishes, not in order. Memory does not grow with their number: a scenario is asked for when a lane
 /// is free. Same setup, same bits, whatever else is in the batch; not the bits of `simulate`, from which every value
 /// differs by what the iteration may leave (solver.tolerance). One thread.
-LaneEffort simulate_batch(const SetupSource& next, const std::function<void(BatchOutcome)>& finished,
-                          const film::FilmKernels& kernels = film::kernels());
+LaneEffort simulate_batch(const SetupSource& next, const std::function<void(BatchOutcome)>& finished);
 
 }  // namespace ringfilm::cycle

@@ -43,11 +43,12 @@ void add_fitted_contact(const FilmProblem& problem, const FilmView& film, FilmIn
 double middle_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
   const FilmGrid& grid = problem.grid;
   const double middle = 0.5 * grid.width;
-  int i = 0;  // the last face not beyond the middle
-  while (i + 2 < grid.n_cells() && grid.x[i + 1] + 0.5 * grid.spacing[i + 1] <= middle) ++i;
-  const double left = grid.x[i] + 0.5 * grid.spacing[i];
-  const double right = grid.x[i + 1] + 0.5 * grid.spacing[i + 1];
-  const double share = (middle - left) / (right - left);
+  const auto face = [&](int i) { return grid.x[i] + 0.5 * grid.spacing[i]; };
+  // The last face that is neither beyond the middle nor the last of all.
+  const auto node = std::lower_bound(grid.x.begin(), grid.x.end(), middle) - grid.x.begin();
+  int i = std::clamp(static_cast<int>(node), 0, grid.n_cells() - 2);
+  while (i > 0 && face(i) > middle) --i;
+  const double share = (middle - face(i)) / (face(i + 1) - face(i));
   const double flux = mass_flux(problem, inputs, state, i);
   return flux + share * (mass_flux(problem, inputs, state, i + 1) - flux);
 }
@@ -100,17 +101,16 @@ double front_position(const FilmGrid& grid, const std::vector<double>& p, double
 void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, FilmIntegrals& sums) {
   const FilmGrid& grid = problem.grid;
   const int n = grid.n_cells();
+  const double* deficit = state.deficit.data();
   for (int i = 1; i < n; ++i) {
-    if (!is_cavity(state.deficit[i])) continue;
-    if (!is_cavity(state.deficit[i - 1])) {
-      sums.cavities.push_back({front_position(grid, state.p, inputs.p_cavitation, i - 1, i), 0});
-    }
-    if (!is_cavity(state.deficit[i + 1])) {
-      const double end = front_position(grid, state.p, inputs.p_cavitation, i + 1, i);
-      Cavity& cavity = sums.cavities.back();
-      cavity.end = std::max(end, cavity.begin);
-      sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
-    }
+    while (i < n && !is_cavity(deficit[i])) ++i;
+    if (i == n) return;
+    Cavity cavity;
+    cavity.begin = front_position(grid, state.p, inputs.p_cavitation, i - 1, i);
+    while (i < n && is_cavity(deficit[i])) ++i;
+    cavity.end = std::max(front_position(grid, state.p, inputs.p_cavitation, i, i - 1), cavity.begin);
+    sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
+    sums.cavities.push_back(cavity);
   }
 }
 

@@ -27,7 +27,7 @@ class FilmSolve {
 
   /// From the state; true if it converged.
   bool solve(Unknowns unknowns, LaneLaws laws, FilmReport& report) {
-    newton_.start(0, inputs_, previous_, state_, unknowns, laws);
+    newton_.start(0, inputs_, previous_, state_, state_.h_m, unknowns, laws);
     while (newton_.phase(0) == LaneNewton::Phase::kRunning) newton_.iterate();
     newton_.read(0, state_);
     report.iterations += newton_.iterations(0);
@@ -39,7 +39,7 @@ class FilmSolve {
   bool solve(Unknowns unknowns, FilmReport& report) {
     const LaneLaws laws = best_laws(problem_);
     bool solved = solve(unknowns, laws, report);
-    if (solved && laws == LaneLaws::kFitted && !within_fit(problem_, state_)) {
+    if (solved && laws == LaneLaws::kFitted && newton_.peak_pressure(0) > problem_.oil->fit()->high) {
       report.exact_laws = true;
       solved = solve(unknowns, LaneLaws::kGiven, report);
     }

@@ -83,11 +83,11 @@ struct FilmInputs {
 
 /// The film at one instant; the start of the next step.
 struct FilmState {
-  double h_m = 0;                ///< minimum film thickness [m]
-  std::vector<double> p;         ///< pressure at the nodes, absolute [Pa]
-  std::vector<double> deficit;   ///< 0 where the film is full; 1 - theta, or the scaled multiplier of Reynolds exit [-]
-  std::vector<double> content;   ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
-  std::vector<double> rho, eta;  ///< oil at the nodes of a solved film [kg/m3], [Pa s]
+  double h_m = 0;               ///< minimum film thickness [m]
+  std::vector<double> p;        ///< pressure at the nodes, absolute [Pa]
+  std::vector<double> deficit;  ///< 0 where the film is full; 1 - theta, or the scaled multiplier of Reynolds exit [-]
+  std::vector<double> content;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
+  std::vector<double> rho, K;   ///< density and density over viscosity at the nodes of a solved film [kg/m3], [s/m2]
 };
 
 enum class Route { kNewton, kSecant };

@@ -10,14 +10,26 @@ struct FilmView {
   int n_cells;
   const double *node_height, *face_height, *share, *spacing;
   const double *p, *deficit;
-  const double *rho, *eta, *content;
+  const double *rho, *K, *content;
   double h_m;         ///< [m]
   double fill_share;  ///< 1: theta = 1 - deficit; 0: theta = 1
 };
 
 /// Where oil and content of a film go.
 struct FilmContent {
-  double *rho, *eta, *content;
+  double *rho, *K, *content;
+};
+
+/// One lane of a block: z, and how far apart its numbers are.
+struct LaneView {
+  const double* z;
+  int stride;
+  double p_cavitation, inverse_fill_scale;
+};
+
+/// Where pressure and deficit of a film go.
+struct FilmPressure {
+  double *p, *deficit;
 };
 
 /// The step that led to a film.
@@ -73,25 +85,33 @@ class AlongFace {
     for (; i <= film.n_cells; ++i) complete_at<One>(film, oil, to, i);
   }
 
+  /// Pressure and deficit of n+1 nodes from a lane.
+  RINGFILM_INLINE static void read(const LaneView& lane, int n_nodes, const FilmPressure& to) {
+    int i = 0;
+    for (; i + Real::kWidth <= n_nodes; i += Real::kWidth) read_at<Real>(lane, to, i);
+    for (; i < n_nodes; ++i) read_at<One>(lane, to, i);
+  }
+
   RINGFILM_INLINE static FilmSums sums(const FilmView& film, const StepView& step) {
     Sums<Real> packs;
     Sums<One> rest;
     int i = 0;
     for (; i + Real::kWidth <= film.n_cells; i += Real::kWidth) {
       packs.add_node(film, step, i);
-      packs.add_face(film, step, i);
+      packs.add_face(film, i);
     }
     for (; i < film.n_cells; ++i) {
       rest.add_node(film, step, i);
-      rest.add_face(film, step, i);
+      rest.add_face(film, i);
     }
     rest.add_node(film, step, film.n_cells);
     double peak = rest.peak.v;
     double lanes[Real::kWidth];
     packs.peak.store(lanes);
     for (const double lane : lanes) peak = peak > lane ? peak : lane;
-    return {packs.load.sum() + rest.load.v, packs.couette.sum() + rest.couette.v,
-            packs.poiseuille.sum() + rest.poiseuille.v, packs.storage.sum() + rest.storage.v, peak};
+    return {packs.load.sum() + rest.load.v, 0.25 * step.U * (packs.couette.sum() + rest.couette.v),
+            0.5 * (packs.poiseuille.sum() + rest.poiseuille.v), step.rate * (packs.storage.sum() + rest.storage.v),
+            peak};
   }
 
   RINGFILM_INLINE static ContactSums contact(const FilmView& film, const FittedContactView& contact) {
@@ -112,13 +132,20 @@ class AlongFace {
   }
 
   template <class Some>
+  RINGFILM_INLINE static void read_at(const LaneView& lane, const FilmPressure& to, int i) {
+    const Some z = Some::gather(lane.z + i * lane.stride, lane.stride);
+    (Some(lane.p_cavitation) + max(z, Some(0))).store(to.p + i);
+    max(-z * Some(lane.inverse_fill_scale), Some(0)).store(to.deficit + i);
+  }
+
+  template <class Some>
   RINGFILM_INLINE static void complete_at(const FilmView& film, const FittedOilView& oil, const FilmContent& to,
                                           int i) {
     const Some t = min((Some::load(film.p + i) - Some(oil.centre)) * Some(oil.inverse_half_width), Some(1));
     const Some K = sum_of_powers<kFluidityTerms>(oil.K, t);
     const Some rho = sum_of_powers<kDensityTerms>(oil.rho, t);
     rho.store(to.rho + i);
-    (rho / K).store(to.eta + i);
+    K.store(to.K + i);
     (rho * theta<Some>(film, i) * (Some(film.h_m) + Some::load(film.node_height + i))).store(to.content + i);
   }
 
@@ -130,15 +157,18 @@ class AlongFace {
       const Some p = Some::load(film.p + i);
       const Some share = Some::load(film.share + i);
       load += share * p;
-      storage += share * Some(step.rate) * (Some::load(film.content + i) - Some::load(step.content_before + i));
+      storage += share * (Some::load(film.content + i) - Some::load(step.content_before + i));
       peak = max(peak, p);
     }
-    RINGFILM_INLINE void add_face(const FilmView& film, const StepView& step, int i) {
+    RINGFILM_INLINE void add_face(const FilmView& film, int i) {
       const Some h = Some(film.h_m) + Some::load(film.face_height + i);
-      const Some eta = Some(0.5) * (Some::load(film.eta + i) + Some::load(film.eta + i + 1));
-      const Some fill = Some(0.5) * (theta<Some>(film, i) + theta<Some>(film, i + 1));
-      couette += Some::load(film.spacing + i) * fill * eta * Some(step.U) / h;
-      poiseuille += Some(0.5) * h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
+      const Some K_left = Some::load(film.K + i);
+      const Some K_right = Some::load(film.K + i + 1);
+      // Twice the mean viscosity, times K of both: one division serves viscosity and gap.
+      const Some eta = Some::load(film.rho + i) * K_right + Some::load(film.rho + i + 1) * K_left;
+      const Some fill = theta<Some>(film, i) + theta<Some>(film, i + 1);
+      couette += Some::load(film.spacing + i) * fill * eta / (h * K_left * K_right);
+      poiseuille += h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
     }
   };
 
@@ -150,7 +180,7 @@ class AlongFace {
       const Some gap = Some(film.h_m) + Some(contact.spread) * Some::load(film.node_height + i);
       const typename Some::Mask inside = gap < Some(contact.reach);
       if (!Some::any(inside)) return;
-      const Some t = max(gap, Some(0)) * Some(contact.per_gap) - Some(1);
+      const Some t = min(max(gap, Some(0)) * Some(contact.per_gap) - Some(1), Some(1));  // far ones must be numbers
       const Some weight = select(inside, Some::load(film.share + i), Some(0));
       const Some p = weight * eighth_power(sum_of_powers<kContactTerms>(contact.F_52, t));
       load += p;

@@ -8,8 +8,9 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr double kSliderLoad = 0.16;  // W h^2/(eta U b^2) of the best plane slider
-constexpr int kCoarsest = 16;         // cells of the grid on which a first guess starts
+constexpr double kSliderLoad = 0.16;       // W h^2/(eta U b^2) of the best plane slider
+constexpr int kCoarsest = 16;              // cells of the grid on which a first guess starts
+constexpr double kCoarseTolerance = 1e-4;  // of films that are only started from
 
 /// Edge pressures joined linearly, h_m as a plane slider or the asperities would have it.
 FilmState coarse_guess(const FilmProblem& problem, const FilmInputs& inputs) {
@@ -56,7 +57,8 @@ FilmState first_guess(const FilmProblem& problem, const FilmInputs& inputs) {
   FilmState state = coarse_guess(problem, inputs);
   const int n = problem.grid.n_cells();
   if (n % 2 == 1 || n < 2 * kCoarsest) return state;
-  const FilmProblem coarse = coarsened(problem);
+  FilmProblem coarse = coarsened(problem);
+  coarse.tolerance = std::max(problem.tolerance, kCoarseTolerance);
   FilmWorkspace workspace(coarse);
   FilmState solved = first_guess(coarse, inputs);
   const FilmState before = solved;

@@ -14,6 +14,7 @@ struct FilmKernels {
   void (*sweep)(LaneBlock&);         ///< Newton's iteration, `width` films
   void (*single_sweep)(LaneBlock&);  ///< one film
   void (*complete)(const FilmView&, const FittedOilView&, const FilmContent&);
+  void (*read)(const LaneView&, int n_nodes, const FilmPressure&);
   FilmSums (*sums)(const FilmView&, const StepView&);
   ContactSums (*contact)(const FilmView&, const FittedContactView&);
 };

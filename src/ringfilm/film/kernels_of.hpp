@@ -29,6 +29,11 @@ void complete(const FilmView& film, const FittedOilView& oil, const FilmContent&
 }
 
 template <class Real, class One>
+void read_lane(const LaneView& lane, int n_nodes, const FilmPressure& to) {
+  AlongFace<Real, One>::read(lane, n_nodes, to);
+}
+
+template <class Real, class One>
 FilmSums sums(const FilmView& film, const StepView& step) {
   return AlongFace<Real, One>::sums(film, step);
 }
@@ -42,7 +47,14 @@ template <int kWidth, base::InstructionSet kSet>
 constexpr FilmKernels kernels_of(std::string_view name) {
   using Real = base::Pack<kWidth, kSet>;
   using One = base::Pack<1, kSet>;
-  return {name, kWidth, sweep<Real>, sweep<One>, complete<Real, One>, sums<Real, One>, contact_sums<Real, One>};
+  return {name,
+          kWidth,
+          sweep<Real>,
+          sweep<One>,
+          complete<Real, One>,
+          read_lane<Real, One>,
+          sums<Real, One>,
+          contact_sums<Real, One>};
 }
 
 }  // namespace ringfilm::film

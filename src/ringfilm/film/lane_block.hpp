@@ -54,6 +54,8 @@ struct LaneBlock {
   alignas(64) Lanes rate;                  ///< 1/dt, 0 when steady [1/s]
   alignas(64) Lanes p_cavitation;          ///< [Pa]
   alignas(64) Lanes scale, inverse_scale;  ///< of pressures [Pa], [1/Pa]
+  alignas(64) Lanes fill_scale;            ///< by which z of a cavity is its fill; stays from step to step [Pa]
+  alignas(64) Lanes inverse_fill_scale;    ///< [1/Pa]
   alignas(64) Lanes load;                  ///< [N/m]
   alignas(64) Lanes movable;               ///< 1: h_m is unknown; 0: it is given
   alignas(64) Lanes start_h;               ///< h_m that weighs the multiplier [m]
@@ -75,6 +77,7 @@ struct LaneBlock {
   alignas(64) Lanes excess;     ///< W_h + W_a - W before the update [N/m]
   alignas(64) Lanes d_ln_h;     ///< by which h_m is to grow; the sweep leaves h_m alone
   alignas(64) Lanes largest;    ///< change of z, relative to the scale or to a larger multiplier
+  alignas(64) Lanes peak;       ///< largest z of a film, or 0 [Pa]
   alignas(64) Lanes check;      ///< not finite if anything in the sweep was not
   alignas(64) Lanes broken;     ///< not 0: a pivot was zero or no number
   alignas(64) Lanes to_film;    ///< not 0: a node went from cavity to film

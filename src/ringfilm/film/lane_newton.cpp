@@ -49,9 +49,12 @@ LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
 
 void LaneNewton::clear(int lane) {
   lanes_[lane] = {};
-  block_.h_m[lane] = block_.scale[lane] = block_.inverse_scale[lane] = block_.start_h[lane] = 1;
+  block_.h_m[lane] = block_.start_h[lane] = 1;
+  block_.scale[lane] = block_.inverse_scale[lane] = 1;
+  block_.fill_scale[lane] = block_.inverse_fill_scale[lane] = 1;
   block_.fit_K[0][lane] = block_.fit_rho[0][lane] = 1;
   block_.contact_reach[lane] = kNowhere;
+  block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
   block_.quarter_U[lane] = block_.rate[lane] = block_.load[lane] = block_.movable[lane] = 0;
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
   clear_from(lane, 0);
@@ -90,6 +93,7 @@ void LaneNewton::bind(int lane, const FilmProblem& problem) {
     nodal(block_.conductance, i, lane) = 1 / (24 * grid.spacing[i]);
   }
   block_.contact_reach[lane] = kNowhere;
+  block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
   const models::OilFit* oil = problem.oil->fit();
   if (oil == nullptr) return;
   block_.fit_centre[lane] = oil->centre;
@@ -109,7 +113,41 @@ void LaneNewton::bind(int lane, const FilmProblem& problem) {
 }
 
 void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess,
-                       Unknowns unknowns, LaneLaws laws) {
+                       double h_m, Unknowns unknowns, LaneLaws laws) {
+  Lane& at = lanes_[lane];
+  if (at.inputs == nullptr) {
+    block_.fill_scale[lane] = inputs.mean_pressure(at.problem->grid);
+    block_.inverse_fill_scale[lane] = 1 / block_.fill_scale[lane];
+  }
+  set_step(lane, inputs, previous, h_m, unknowns, laws);
+  const double *p = guess.p.data(), *deficit = guess.deficit.data();
+  const double p_c = inputs.p_cavitation, fill_scale = block_.fill_scale[lane];
+  const double beyond = kBeyondKink * block_.scale[lane];
+  double* z = block_.z + lane;
+  for (int i = 0; i <= at.n_cells; ++i) {
+    const double over = p[i] - p_c;
+    const double film = over < beyond ? beyond : over;  // a NaN stays
+    z[i * width_] = deficit[i] > 0 ? -deficit[i] * fill_scale : film;
+  }
+  set_edges(lane);
+}
+
+void LaneNewton::go_on(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m) {
+  const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane];
+  const Unknowns unknowns = Unknowns::kFilmAndSeparation;
+  if (!same_zero) return start(lane, inputs, previous, previous, h_m, unknowns, block_.laws);
+  set_step(lane, inputs, previous, h_m, unknowns, block_.laws);
+  set_edges(lane);
+}
+
+void LaneNewton::set_edges(int lane) {
+  const Lane& at = lanes_[lane];
+  nodal(block_.z, 0, lane) = at.inputs->p_left - at.inputs->p_cavitation;
+  nodal(block_.z, at.n_cells, lane) = at.inputs->p_right - at.inputs->p_cavitation;
+}
+
+void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
+                          LaneLaws laws) {
   Lane& at = lanes_[lane];
   const FilmProblem& problem = *at.problem;
   const FilmGrid& grid = problem.grid;
@@ -129,28 +167,21 @@ void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& prev
 
   const double scale = inputs.mean_pressure(grid);
   const double rate = 1 / inputs.time_step;  // 0 when steady
-  const double p_c = inputs.p_cavitation;
-  block_.h_m[lane] = block_.start_h[lane] = guess.h_m;
+  block_.h_m[lane] = block_.start_h[lane] = h_m;
   block_.quarter_U[lane] = 0.25 * inputs.U;
   block_.rate[lane] = rate;
-  block_.p_cavitation[lane] = p_c;
+  block_.p_cavitation[lane] = inputs.p_cavitation;
   block_.scale[lane] = scale;
   block_.inverse_scale[lane] = 1 / scale;
   block_.load[lane] = inputs.load;
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
   block_.movable[lane] = unknowns == Unknowns::kFilmAndSeparation ? 1 : 0;
   if (block_.cavity == LaneCavity::kMultiplier) {
-    block_.cavity_K[lane] = problem.oil->density(p_c) / problem.oil->viscosity(p_c);
+    block_.cavity_K[lane] = problem.oil->density(inputs.p_cavitation) / problem.oil->viscosity(inputs.p_cavitation);
   }
-  const double beyond = kBeyondKink * scale;
-  double* z = block_.z + lane;
+  const double *content = previous.content.data(), *share = grid.share.data();
   double* inflow = block_.inflow + lane;
-  for (int i = 0; i <= at.n_cells; ++i, z += width_, inflow += width_) {
-    *z = guess.deficit[i] > 0 ? -guess.deficit[i] * scale : std::max(guess.p[i] - p_c, beyond);
-    *inflow = grid.share[i] * rate * previous.content[i];
-  }
-  nodal(block_.z, 0, lane) = inputs.p_left - p_c;
-  nodal(block_.z, at.n_cells, lane) = inputs.p_right - p_c;
+  for (int i = 0; i <= at.n_cells; ++i) inflow[i * width_] = share[i] * rate * content[i];
   for (std::size_t i = 0; i < inputs.source.size(); ++i) {
     nodal(block_.inflow, static_cast<int>(i), lane) += grid.share[i] * inputs.source[i];
   }
@@ -241,18 +272,19 @@ void LaneNewton::help_along(int lane, bool only_advanced) {
   }
 }
 
+double LaneNewton::peak_pressure(int lane) const {
+  const FilmInputs& inputs = *lanes_[lane].inputs;
+  return std::max({inputs.p_cavitation + block_.peak[lane], inputs.p_left, inputs.p_right});
+}
+
 void LaneNewton::read(int lane, FilmState& state) const {
   const FilmInputs& inputs = *lanes_[lane].inputs;
-  const double inverse_scale = block_.inverse_scale[lane];
   const std::size_t n_nodes = lanes_[lane].problem->grid.x.size();
   state.h_m = block_.h_m[lane];
   state.p.resize(n_nodes);
   state.deficit.resize(n_nodes);
-  const double* z = block_.z + lane;
-  for (std::size_t i = 0; i < n_nodes; ++i, z += width_) {
-    state.p[i] = inputs.p_cavitation + std::max(*z, 0.0);
-    state.deficit[i] = std::max(-*z * inverse_scale, 0.0);
-  }
+  kernels_->read({block_.z + lane, width_, inputs.p_cavitation, block_.inverse_fill_scale[lane]},
+                 static_cast<int>(n_nodes), {state.p.data(), state.deficit.data()});
   state.p.front() = inputs.p_left;
   state.p.back() = inputs.p_right;
   state.deficit.front() = state.deficit.back() = 0;

@@ -36,9 +36,14 @@ class LaneNewton {
 
   /// A new solve in a bound lane, from `guess`; of `previous` only the `content` enters; `inputs` must outlive the
   /// solve. All running lanes must have the same laws and the same way of closing a cavity.
-  /// @param laws kGiven: of oil and contact as they are, not their fits
-  void start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess, Unknowns unknowns,
-             LaneLaws laws);
+  /// @param h_m where to start from, instead of the guess's [m]; @param laws kGiven: oil and contact as they are, not
+  /// their fits
+  void start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess, double h_m,
+             Unknowns unknowns, LaneLaws laws);
+
+  /// A new solve from what the last one in this lane left, which must be the film of `previous`; film and h_m are
+  /// sought, with the laws of the last solve.
+  void go_on(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m);
 
   /// One iteration of all running lanes.
   void iterate();
@@ -50,6 +55,8 @@ class LaneNewton {
   Phase phase(int lane) const { return lanes_[lane].phase; }
   int iterations(int lane) const { return lanes_[lane].iterations; }
   double last_step(int lane) const { return lanes_[lane].last_step; }
+  /// Largest pressure of the film, edges included [Pa].
+  double peak_pressure(int lane) const;
 
   /// Writes h_m, pressure and deficit of a lane, solved or not.
   void read(int lane, FilmState& state) const;
@@ -70,6 +77,9 @@ class LaneNewton {
   };
   double& nodal(double* array, int i, int lane) const { return array[i * width_ + lane]; }
   void clear_from(int lane, int node);
+  void set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
+                LaneLaws laws);
+  void set_edges(int lane);
   void fit_block();
   void give_laws(int lane);
   void conclude(int lane);

@@ -39,7 +39,7 @@ class NestedSecant {
       here.excess = (hydrodynamic_load(problem_, state_) + asperity_load(problem_, state_.h_m)) / inputs_.load - 1;
       if (!std::isfinite(here.excess)) return false;
       if (std::abs(here.excess) <= problem_.tolerance) {
-        if (laws_ == LaneLaws::kFitted && !within_fit(problem_, state_)) {
+        if (laws_ == LaneLaws::kFitted && newton_.peak_pressure(0) > problem_.oil->fit()->high) {
           laws_ = LaneLaws::kGiven;
           report.exact_laws = true;
           continue;
@@ -76,7 +76,7 @@ class NestedSecant {
   }
 
   bool solve_film_alone(FilmReport& report) {
-    newton_.start(0, inputs_, previous_, state_, Unknowns::kFilmAlone, laws_);
+    newton_.start(0, inputs_, previous_, state_, state_.h_m, Unknowns::kFilmAlone, laws_);
     while (newton_.phase(0) == LaneNewton::Phase::kRunning) newton_.iterate();
     newton_.read(0, state_);
     report.iterations += newton_.iterations(0);

@@ -23,10 +23,10 @@ class NewtonSweep {
         h_m_(Real::load(block.h_m)),
         quarter_U_(Real::load(block.quarter_U)),
         p_c_(Real::load(block.p_cavitation)),
-        inverse_scale_(Real::load(block.inverse_scale)) {
+        inverse_fill_scale_(Real::load(block.inverse_fill_scale)) {
     const Real to_right = select(quarter_U_ >= Real(0), Real(1), Real(0));
-    fill_from_left_ = to_right * quarter_U_ * inverse_scale_;
-    fill_from_right_ = (Real(1) - to_right) * quarter_U_ * inverse_scale_;
+    fill_from_left_ = to_right * quarter_U_ * inverse_fill_scale_;
+    fill_from_right_ = (Real(1) - to_right) * quarter_U_ * inverse_fill_scale_;
   }
 
   RINGFILM_INLINE void run() {
@@ -88,7 +88,7 @@ class NewtonSweep {
       const Real z = at(b_.z, i + a);
       const Real p = p_c_ + max(z, Real(0));
       film.p.put(slot + a, p);
-      if constexpr (kFill) film.theta.put(slot + a, Real(1) + min(z, Real(0)) * inverse_scale_);
+      if constexpr (kFill) film.theta.put(slot + a, Real(1) + min(z, Real(0)) * inverse_fill_scale_);
       load_ += at(b_.share, i + a) * p;
       t[a] = min((p - Real::load(b_.fit_centre)) * Real::load(b_.fit_inverse_half_width), Real(1));
     }
@@ -148,7 +148,8 @@ class NewtonSweep {
     if (!Real::any(inside)) return;
     const Real per_gap = Real::load(b_.contact_per_gap);
     const Real lowest = max(gap, Real(0));  // below no gap both go on along the tangent
-    const Real t = lowest * per_gap - Real(1);
+    const Real t =
+        min(lowest * per_gap - Real(1), Real(1));  // lanes out of reach count for nothing, but must be numbers
     Real root(b_.contact[kContactTerms - 1]);
     Real root_slope(0);
 #pragma GCC unroll 32
@@ -199,7 +200,7 @@ class NewtonSweep {
         Real residual = stored * filled - at(b_.inflow, i) + (out.value - in.value);
         Real diagonal = out.by_left - in.by_right;
         if constexpr (kFill) {
-          diagonal += stored * select(here_is_film, here.drho, here.rho * inverse_scale_);
+          diagonal += stored * select(here_is_film, here.drho, here.rho * inverse_fill_scale_);
         } else {
           const Real gap = Real::load(b_.start_h) + height;
           const Real weight = Real(2) * (at(b_.conductance, i - 1) + at(b_.conductance, i)) * (gap * gap * gap) *
@@ -243,9 +244,10 @@ class NewtonSweep {
   /// is that of the other side.
   RINGFILM_INLINE void backward(Real d_ln_h) {
     const Real scale = Real::load(b_.scale);
+    const Real inverse_scale = Real::load(b_.inverse_scale);
     const Real beyond = Real(kBeyondKink) * scale;
     const Real most = Real(kLargestPressureRise) * scale;
-    Real largest(0), to_film(0), to_cavity(0);
+    Real largest(0), peak(0), to_film(0), to_cavity(0);
     Real step(0);
     for (int i = b_.n_cells - 1; i > 0; --i) {
       step = at(b_.rhs, i) - at(b_.column, i) * d_ln_h - at(b_.upper, i) * step;
@@ -261,23 +263,26 @@ class NewtonSweep {
         to_cavity = select(Real::both(left, far), Real(1), to_cavity);
         after = select(entered, beyond, select(left, -beyond, after));
       }
-      Real change = abs(after - before) * inverse_scale_;
+      Real change =
+          abs(after - before) * (kFill ? select(was_film, inverse_scale, inverse_fill_scale_) : inverse_scale);
       if constexpr (!kFill) {
         const Mask above = -after > scale;
         if (Real::any(above)) change = select(above, abs(after - before) / max(-after, scale), change);
       }
       largest = max(largest, change);
       check_ += after;
+      peak = max(peak, after);
       after.store(b_.z + i * kWidth);
     }
     largest.store(b_.largest);
     check_.store(b_.check);
+    peak.store(b_.peak);
     to_film.store(b_.to_film);
     to_cavity.store(b_.to_cavity);
   }
 
   LaneBlock& b_;
-  Real h_m_, quarter_U_, p_c_, inverse_scale_;
+  Real h_m_, quarter_U_, p_c_, inverse_fill_scale_;
   Real fill_from_left_, fill_from_right_;
   Real load_, slope_;  ///< W_h + W_a - W and its slope in h_m
   Real check_;

@@ -1,7 +1,5 @@
 #include "ringfilm/film/reynolds.hpp"
 
-#include <algorithm>
-
 #include "ringfilm/film/cavitation.hpp"
 
 namespace ringfilm::film {
@@ -24,7 +22,7 @@ double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const Fil
   const double h = state.h_m + problem.grid.face_height[i];
   const double upstream = state.deficit[inputs.U >= 0 ? i : i + 1];
   const double rho = 0.5 * (state.rho[i] + state.rho[i + 1]);
-  const double K = 0.5 * (state.rho[i] / state.eta[i] + state.rho[i + 1] / state.eta[i + 1]);
+  const double K = 0.5 * (state.K[i] + state.K[i + 1]);
   return 0.5 * inputs.U * h * fill(problem.cavitation, upstream) * rho -
          h * h * h / (12 * problem.grid.spacing[i]) * K * (state.p[i + 1] - state.p[i]);
 }
@@ -40,23 +38,20 @@ void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const
 
 void complete_state(const FilmProblem& problem, LaneLaws laws, FilmState& state) {
   const std::size_t n_nodes = state.p.size();
-  for (auto* array : {&state.rho, &state.eta, &state.content}) array->resize(n_nodes);
+  for (auto* array : {&state.rho, &state.K, &state.content}) array->resize(n_nodes);
   if (laws == LaneLaws::kFitted) {
     const models::OilFit& fit = *problem.oil->fit();
     problem.kernels->complete(film_view(problem, state), {fit.K.data(), fit.rho.data(), fit.centre, 1 / fit.half_width},
-                              {state.rho.data(), state.eta.data(), state.content.data()});
+                              {state.rho.data(), state.K.data(), state.content.data()});
     return;
   }
   std::vector<double> slope(n_nodes);
-  problem.oil->properties(state.p, {state.rho, slope, state.eta, slope});
+  problem.oil->properties(state.p, {state.rho, slope, state.K, slope});
   for (std::size_t i = 0; i < n_nodes; ++i) {
+    state.K[i] = state.rho[i] / state.K[i];  // until here the viscosity
     state.content[i] =
         state.rho[i] * fill(problem.cavitation, state.deficit[i]) * (state.h_m + problem.grid.node_height[i]);
   }
-}
-
-bool within_fit(const FilmProblem& problem, const FilmState& state) {
-  return *std::max_element(state.p.begin(), state.p.end()) <= problem.oil->fit()->high;
 }
 
 FilmView film_view(const FilmProblem& problem, const FilmState& state) {
@@ -69,7 +64,7 @@ FilmView film_view(const FilmProblem& problem, const FilmState& state) {
           state.p.data(),
           state.deficit.data(),
           state.rho.data(),
-          state.eta.data(),
+          state.K.data(),
           state.content.data(),
           state.h_m,
           problem.cavitation == Cavitation::kMassConserving ? 1.0 : 0.0};

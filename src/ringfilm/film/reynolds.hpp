@@ -28,7 +28,4 @@ void complete_state(const FilmProblem& problem, LaneLaws laws, FilmState& state)
 /// The state as the kernels see it.
 FilmView film_view(const FilmProblem& problem, const FilmState& state);
 
-/// Do the fits of the oil reach as far as the pressures of the state?
-bool within_fit(const FilmProblem& problem, const FilmState& state);
-
 }  // namespace ringfilm::film

@@ -123,11 +123,17 @@ CyclePressure::CyclePressure(std::vector<double> crank_angle_deg, std::vector<do
 
 double CyclePressure::pressure(double crank_angle_deg) const {
   const double at = angle_.front() + wrapped(crank_angle_deg - angle_.front());
-  const auto above = std::upper_bound(angle_.begin() + 1, angle_.end(), at);
-  const std::size_t high = static_cast<std::size_t>(above - angle_.begin()), low = high - 1;
-  const bool wraps = high == angle_.size();
-  const double next_angle = wraps ? angle_.front() + kCycle : angle_[high];
-  const double next_pressure = wraps ? pressure_.front() : pressure_[high];
+  // The last sample that is not beyond: looked for first where it is if the samples are evenly spaced.
+  const std::size_t last = angle_.size() - 1;
+  const double span = angle_[last] - angle_[0];
+  const double even = span > 0 ? (at - angle_[0]) / span * static_cast<double>(last) : 0.0;
+  std::size_t low = std::min(static_cast<std::size_t>(even), last);
+  if (angle_[low] > at || (low < last && angle_[low + 1] <= at)) {
+    low = static_cast<std::size_t>(std::upper_bound(angle_.begin() + 1, angle_.end(), at) - angle_.begin()) - 1;
+  }
+  const bool wraps = low == last;
+  const double next_angle = wraps ? angle_.front() + kCycle : angle_[low + 1];
+  const double next_pressure = wraps ? pressure_.front() : pressure_[low + 1];
   return pressure_[low] + (at - angle_[low]) / (next_angle - angle_[low]) * (next_pressure - pressure_[low]);
 }
 

@@ -19,7 +19,7 @@ double largest_flux(const film::FilmProblem& problem, const film::FilmInputs& in
   const auto thickest = std::max_element(problem.grid.node_height.begin(), problem.grid.node_height.end());
   const double h = state.h_m + *thickest, rho = state.rho.front(), L = problem.grid.width;
   const double pressure = std::max({std::abs(*low), std::abs(*high), kSmallestPressure});
-  double largest = std::max(kOfPressures * pressure * h * h * h * rho / (12 * state.eta.front() * L),
+  double largest = std::max(kOfPressures * pressure * h * h * h * state.K.front() / (12 * L),
                             kOfOil * rho * h * L / inputs.time_step);
   for (int i = 0; i < problem.grid.n_cells(); ++i) {
     largest = std::max(largest, std::abs(film::mass_flux(problem, inputs, state, i)));
