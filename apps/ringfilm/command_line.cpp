@@ -1,6 +1,7 @@
 #include "command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -31,7 +32,7 @@ constexpr const char* kRunFooter = R"(Examples:
   ringfilm run case.toml --output result.nc --csv curves.csv
   ringfilm run case.toml --set operating.speed='3000 rpm' --set solver.cells=400 --json
   ringfilm run case.toml --ledger --output result.nc
-  ringfilm run case.toml --error-estimate
+  ringfilm run case.toml --error-estimate --jobs 4
   ringfilm run verification/rayleigh1918_step/best.toml
 
 A case with a table [pad] instead of [engine] and [ring] is the film of a slider, a step or two plates that approach
@@ -92,6 +93,18 @@ io::Override override_of(const std::string& text) {
   return {text.substr(0, equal_sign), text.substr(equal_sign + 1)};
 }
 
+/// Threads as the user names them.
+int jobs_of(const std::string& text) {
+  constexpr int kMost = 1024;
+  int jobs = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), jobs);
+  if (error != std::errc() || end != text.data() + text.size() || jobs < 1 || jobs > kMost) {
+    throw InputError("--jobs " + text + ": this is no number of threads from 1 to " + std::to_string(kMost),
+                     "leave it out for as many as the machine runs at once");
+  }
+  return jobs;
+}
+
 /// The case and the settings on the command line of `run` and `check`. A setting may follow --set or the one before it,
 /// so the words that stand alone are told apart by their equal sign.
 struct CaseWords {
@@ -139,7 +152,7 @@ class Commands {
       if (csv_ && csv_->empty()) csv_ = std::filesystem::path(case_path).stem().string() + ".csv";
       run({case_path, run_words_.overrides(), output_, csv_, json_ ? SummaryForm::kJson : SummaryForm::kTable,
            ledger_ ? LedgerWanted::kComputed : LedgerWanted::kStatements,
-           error_estimate_ ? ErrorsWanted::kEstimated : ErrorsWanted::kNone});
+           error_estimate_ ? ErrorsWanted::kEstimated : ErrorsWanted::kNone, jobs()});
     });
     run_words_.add_to(command);
     command.add_option("--output", output_, "write the whole result as NetCDF-4")->type_name("X.nc");
@@ -153,6 +166,7 @@ class Commands {
     command.add_flag("--ledger", ledger_, "run the other choice for every assumption that can be lifted");
     command.add_flag("--error-estimate", error_estimate_,
                      "march four other grids too and give every value the error of its own, about 6 times the work");
+    add_jobs(command);
     command.footer(kRunFooter);
   }
 
@@ -186,13 +200,16 @@ class Commands {
   }
 
   void add_reproduce() {
-    auto& command =
-        add("reproduce", "Compute a publication anew and compare with it", [this] { reproduce(reproduce_); });
+    auto& command = add("reproduce", "Compute a publication anew and compare with it", [this] {
+      reproduce_.jobs = jobs();
+      reproduce(reproduce_);
+    });
     command.add_option("publication", reproduce_.publication, "styles2014: three rings, new, run-in and embedded")
         ->required()
         ->type_name("");
     command.add_option("--output", reproduce_.folder, "folder for results and report (default ./<publication>)")
         ->type_name("DIR");
+    add_jobs(command);
     command.footer(kReproduceFooter);
   }
 
@@ -223,10 +240,19 @@ class Commands {
     return *command;
   }
 
+  void add_jobs(CLI::App& command) {
+    command
+        .add_option("--jobs", jobs_,
+                    "threads for the other marches of ledger and error estimate, 1 to 1024; without it as many as the "
+                    "machine runs at once; the numbers are the same")
+        ->type_name("N");
+  }
+  int jobs() const { return jobs_ ? jobs_of(*jobs_) : 0; }
+
   CLI::App& program_;
   std::vector<std::pair<CLI::App*, std::function<void()>>> actions_;
   CaseWords run_words_, check_words_;
-  std::optional<std::string> output_, csv_;
+  std::optional<std::string> output_, csv_, jobs_;
   bool json_ = false, ledger_ = false, error_estimate_ = false;
   std::string start_path_;
   ReportOptions report_;

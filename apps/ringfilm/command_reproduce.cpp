@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "commands.hpp"
 #include "computation.hpp"
@@ -63,11 +65,19 @@ std::vector<RingInput> ring_inputs(const fs::path& cases) {
   return inputs;
 }
 
-io::ResultDocument computed_ring(const RingInput& ring) {
-  Computation done = computation(ring.input, LedgerWanted::kComputed, ErrorsWanted::kEstimated, ring.ring);
-  if (done.stopped) throw *done.stopped;
-  done.document.comparison = study::compare(done.document.result, ring.published, done.document.ledger);
-  return done.document;
+std::vector<io::ResultDocument> computed_rings(const std::vector<RingInput>& rings, int jobs) {
+  std::vector<Wanted> wanted;
+  for (const RingInput& ring : rings) {
+    wanted.push_back({ring.input, LedgerWanted::kComputed, ErrorsWanted::kEstimated, ring.ring});
+  }
+  std::vector<io::ResultDocument> documents;
+  for (Computation& done : computations(wanted, {jobs})) {
+    if (done.stopped) throw *done.stopped;
+    const auto& published = rings[documents.size()].published;
+    done.document.comparison = study::compare(done.document.result, published, done.document.ledger);
+    documents.push_back(std::move(done.document));
+  }
+  return documents;
 }
 
 double error_of(const io::ResultDocument& document, const std::string& quantity) {
@@ -127,11 +137,10 @@ void reproduce(const ReproduceOptions& options) {
 
   std::cout << "Styles et al. 2014: three rings over one engine cycle at 1500 rpm and 120 degC\n"
             << "cylinder pressure: SYNTHETIC, made for this project; the paper's own trace is only a picture\n\n";
-  std::vector<io::ResultDocument> documents;
-  for (const RingInput& ring : inputs) {
-    documents.push_back(computed_ring(ring));
-    io::write_result((folder / (ring.ring + ".nc")).string(), documents.back());
-    std::cout << comparison_table(ring.ring, documents.back()) << "\n";
+  const std::vector<io::ResultDocument> documents = computed_rings(inputs, options.jobs);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    io::write_result((folder / (inputs[i].ring + ".nc")).string(), documents[i]);
+    std::cout << comparison_table(inputs[i].ring, documents[i]) << "\n";
   }
   std::cout << rings_table(documents) << "\n";
   io::write_atomically(page, ringfilm::report::report_page(documents, {}));

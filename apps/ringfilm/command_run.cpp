@@ -72,7 +72,8 @@ ConvergenceError stop_told(const RunOptions& options, const Computation& done) {
 void run(const RunOptions& options) {
   const cycle::Case input = checked_case(options);
   if (input.problem == cycle::Problem::kPad) return run_pad(options, input);
-  const Computation done = computation(input, options.ledger, options.errors, options.case_path);
+  const Computation done =
+      computations({{input, options.ledger, options.errors, options.case_path}}, {options.jobs}).front();
   const bool is_worth_writing = !done.document.result.samples.empty();
   if (options.output && is_worth_writing) io::write_result(*options.output, done.document);
   if (options.csv && is_worth_writing) {

@@ -22,6 +22,7 @@ struct RunOptions {
   SummaryForm summary = SummaryForm::kTable;
   LedgerWanted ledger = LedgerWanted::kStatements;
   ErrorsWanted errors = ErrorsWanted::kNone;
+  int jobs = 0;  ///< threads for ledger and errors; 0: as many as the machine runs at once
 };
 void run(const RunOptions& options);
 
@@ -44,6 +45,7 @@ void report(const ReportOptions& options);
 struct ReproduceOptions {
   std::string publication;
   std::string folder;
+  int jobs = 0;  ///< threads; 0: as many as the machine runs at once
 };
 void reproduce(const ReproduceOptions& options);
 

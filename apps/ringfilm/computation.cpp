@@ -2,15 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+#include <span>
+#include <utility>
+
 #include "progress.hpp"
 #include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 
 namespace ringfilm::app {
+namespace {
 
-Computation computation(const cycle::Case& input, LedgerWanted ledger, ErrorsWanted errors, const std::string& name) {
-  ProgressLine line;
-  MarchProgress progress(line, name);
+/// The case itself, on one lane: its bits are the same whatever else is computed.
+Computation marched(const Wanted& wanted, ProgressLine& line) {
+  const cycle::Case& input = wanted.input;
+  MarchProgress progress(line, wanted.name);
   Computation done;
   io::ResultDocument& document = done.document;
   document.title = input.title;
@@ -26,22 +32,66 @@ Computation computation(const cycle::Case& input, LedgerWanted ledger, ErrorsWan
     document.result.complete = false;
     done.stopped = stop;
   }
-  if (errors == ErrorsWanted::kEstimated && !done.stopped) {
-    document.errors = study::error_estimate(input, document.result, [&](int n_done, int n_total) {
-      line.show(fmt::format("{}: error estimate, {} of {} other grids", name, n_done, n_total));
-    });
-    const auto notes = study::notes_on(*document.errors);
-    document.result.notes.insert(document.result.notes.end(), notes.begin(), notes.end());
-  }
-  document.ledger_computed = ledger == LedgerWanted::kComputed && !done.stopped;
-  if (document.ledger_computed) {
-    document.ledger = study::ledger(input, [&](int n_done, int n_total) {
-      line.show(fmt::format("{}: ledger, {} of {} other choices", name, n_done, n_total));
-    });
-  } else {
-    document.ledger = study::assumptions(input);
-  }
   return done;
+}
+
+/// What is to be found out about one computation by further marches, and where theirs stand in the batch of all.
+struct Inquiry {
+  study::LedgerPlan ledger;
+  std::size_t n_other_grids = 0;
+};
+
+/// Moves `cases` to the end of `all`. @returns how many
+std::size_t append(std::vector<cycle::Case> cases, std::vector<cycle::Case>& all) {
+  const std::size_t n = cases.size();
+  std::move(cases.begin(), cases.end(), std::back_inserter(all));
+  return n;
+}
+
+void add_errors(const Wanted& wanted, std::span<const study::Ending> ended, io::ResultDocument& document) {
+  document.errors = study::error_estimate(wanted.input, document.result, ended);
+  const auto notes = study::notes_on(*document.errors);
+  document.result.notes.insert(document.result.notes.end(), notes.begin(), notes.end());
+}
+
+}  // namespace
+
+std::vector<Computation> computations(const std::vector<Wanted>& wanted, const study::BatchOptions& options) {
+  ProgressLine line;
+  std::vector<Computation> all;
+  for (const Wanted& one : wanted) all.push_back(marched(one, line));
+
+  std::vector<cycle::Case> further;
+  std::vector<Inquiry> inquiries(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].stopped) continue;
+    if (wanted[i].errors == ErrorsWanted::kEstimated) {
+      inquiries[i].n_other_grids = append(study::other_grids(wanted[i].input), further);
+    }
+    if (wanted[i].ledger == LedgerWanted::kComputed) {
+      inquiries[i].ledger = study::ledger_plan(wanted[i].input);
+      append(inquiries[i].ledger.cases, further);
+    }
+  }
+  const auto told = [&](int n_done, int n_total) {
+    line.show(fmt::format("{} of {} other grids and choices", n_done, n_total));
+  };
+  const std::vector<study::Ending> ended = study::endings(further, told, options);
+
+  std::span<const study::Ending> rest = ended;
+  const auto taken = [&rest](std::size_t n) { return std::exchange(rest, rest.subspan(n)).first(n); };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    io::ResultDocument& document = all[i].document;
+    if (inquiries[i].n_other_grids > 0) add_errors(wanted[i], taken(inquiries[i].n_other_grids), document);
+    document.ledger_computed = wanted[i].ledger == LedgerWanted::kComputed && !all[i].stopped;
+    if (document.ledger_computed) {
+      const auto variants = taken(inquiries[i].ledger.cases.size());
+      document.ledger = study::ledger(std::move(inquiries[i].ledger), variants);
+    } else {
+      document.ledger = study::assumptions(wanted[i].input);
+    }
+  }
+  return all;
 }
 
 }  // namespace ringfilm::app

@@ -1,13 +1,23 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/io/result_file.hpp"
+#include "ringfilm/study/batch.hpp"
 
 namespace ringfilm::app {
+
+/// One case and what is to be known of it.
+struct Wanted {
+  cycle::Case input;
+  LedgerWanted ledger = LedgerWanted::kStatements;
+  ErrorsWanted errors = ErrorsWanted::kNone;
+  std::string name;  ///< for the progress line
+};
 
 /// One case, computed: what is to be written, and why the march stopped early if it did.
 struct Computation {
@@ -15,7 +25,7 @@ struct Computation {
   std::optional<ConvergenceError> stopped;
 };
 
-/// Prepares and marches the case, with ledger and errors if wanted. @param name for the progress line
-Computation computation(const cycle::Case& input, LedgerWanted ledger, ErrorsWanted errors, const std::string& name);
+/// Marches each case, then all that ledgers and error estimates want in one batch.
+std::vector<Computation> computations(const std::vector<Wanted>& wanted, const study::BatchOptions& options);
 
 }  // namespace ringfilm::app

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "ringfilm/cycle/cycle_values.hpp"
@@ -92,33 +91,19 @@ double resolution(const Case& c, const cycle::CycleQuantity& quantity, const Cyc
   return 0;
 }
 
-/// The same march on another grid.
-struct Run {
-  GridRun grid;
-  std::optional<CycleResult> result;
-};
-
-Run run(Case c, int cells, double crank_step_deg) {
+Case on_grid(Case c, int cells, double crank_step_deg) {
   const double ratio = crank_step_deg / c.solver.crank_step_deg;
   c.solver.cells = cells;
   c.solver.crank_step_deg = crank_step_deg;
   c.solver.step_error *= ratio * ratio;  // the error of a step goes with its square
   c.output.fields = cycle::FieldsWanted::kNone;
-  Run run;
-  run.grid = {cells, crank_step_deg, c.solver.step_error, true, ""};
-  try {
-    run.result = cycle::simulate(cycle::prepare(c));
-  } catch (const cycle::StoppedCycle& stopped) {
-    run.grid.solved = false;
-    run.grid.reason = stopped.what();
-  }
-  return run;
+  return c;
 }
 
 /// Two grids to either side of the result's own.
 struct Sides {
-  const std::optional<CycleResult>& fine;
-  const std::optional<CycleResult>& coarse;
+  const CycleResult* fine;  ///< null: there is none
+  const CycleResult* coarse;
 };
 
 Levels levels(const CycleResult& result, const Sides& sides, double CycleValues::*value) {
@@ -167,7 +152,7 @@ std::vector<double> largest_nearby(const std::vector<double>& changes, const std
   return largest;
 }
 
-std::vector<double> changes(const CycleResult& result, const std::optional<CycleResult>& other, double Sample::*value) {
+std::vector<double> changes(const CycleResult& result, const CycleResult* other, double Sample::*value) {
   std::vector<double> changes;
   for (std::size_t k = 0; k < result.samples.size(); ++k) {
     changes.push_back(other ? std::abs(other->samples[k].*value - result.samples[k].*value) : kNone);
@@ -231,25 +216,33 @@ ErrorEstimate no_estimate(std::size_t n_samples) {
   return errors;
 }
 
-ErrorEstimate error_estimate(const Case& c, const CycleResult& result, const Progress& progress) {
+std::vector<Case> other_grids(const Case& c) {
   const int cells = c.solver.cells;
   const double step_deg = c.solver.crank_step_deg;
   const double double_step_deg = cycle::kCycleDeg / half(cycle::steps_per_cycle(c.solver));
+  return {on_grid(c, 2 * cells, step_deg), on_grid(c, half(cells), step_deg), on_grid(c, cells, step_deg / 2),
+          on_grid(c, cells, double_step_deg)};
+}
+
+ErrorEstimate error_estimate(const Case& c, const CycleResult& result, std::span<const Ending> others) {
   ErrorEstimate errors = no_estimate(result.samples.size());
-  errors.runs.push_back({cells, step_deg, c.solver.step_error, true, ""});
-  std::vector<std::optional<CycleResult>> results;
-  const std::array<std::pair<int, double>, 4> grids = {
-      {{2 * cells, step_deg}, {half(cells), step_deg}, {cells, step_deg / 2}, {cells, double_step_deg}}};
-  for (const auto& [n_cells, crank_step_deg] : grids) {
-    Run other = run(c, n_cells, crank_step_deg);
-    errors.runs.push_back(other.grid);
-    results.push_back(std::move(other.result));
-    if (progress) progress(static_cast<int>(results.size()), static_cast<int>(grids.size()));
+  errors.runs.push_back({c.solver.cells, c.solver.crank_step_deg, c.solver.step_error, true, ""});
+  const std::vector<Case> grids = other_grids(c);
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    const cycle::Solver& solver = grids[i].solver;
+    errors.runs.push_back(
+        {solver.cells, solver.crank_step_deg, solver.step_error, others[i].is_solved(), others[i].reason()});
   }
-  const Sides in_cells{results[0], results[1]}, in_step{results[2], results[3]};
+  const auto solved = [&](std::size_t i) { return others[i].is_solved() ? &others[i].result : nullptr; };
+  const Sides in_cells{solved(0), solved(1)}, in_step{solved(2), solved(3)};
   add_value_errors(c, result, in_cells, in_step, errors);
   add_curve_errors(c, result, in_cells, in_step, errors);
   return errors;
+}
+
+ErrorEstimate error_estimate(const Case& c, const CycleResult& result, const Progress& progress,
+                             const BatchOptions& options) {
+  return error_estimate(c, result, endings(other_grids(c), progress, options));
 }
 
 std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate) {

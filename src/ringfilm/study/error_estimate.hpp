@@ -1,10 +1,11 @@
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/cycle/result.hpp"
-#include "ringfilm/study/ledger.hpp"
+#include "ringfilm/study/batch.hpp"
 
 /// How far a result may be from the one of ever finer cells and crank steps (docs/theory/error-estimate.md).
 namespace ringfilm::study {
@@ -30,9 +31,16 @@ struct ErrorEstimate {
 /// Can a curve have a discretisation error? Not the crank angle itself and not the effort that was spent.
 bool has_error(const cycle::CurveQuantity& quantity);
 
-/// The errors of `result`, a complete result of `c`, from four more marches; costs about five times what `c` cost.
-/// A march that stops leaves the one on its other side to go by, and both stopped no estimate.
-ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, const Progress& progress = {});
+/// The case on the four other grids that tell its errors: cells doubled and halved, steps halved and doubled.
+std::vector<cycle::Case> other_grids(const cycle::Case& c);
+
+/// The errors of `result`, a complete result of `c`, from how its `other_grids` ended. One that was not solved leaves
+/// the one on its other side to go by, and both no estimate.
+ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, std::span<const Ending> others);
+
+/// The same, marching them; costs about five times what `c` cost.
+ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, const Progress& progress = {},
+                             const BatchOptions& options = {});
 
 /// What the user must know about the marches that stopped; empty if none did.
 std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate);

@@ -1,28 +1,18 @@
 #include "ringfilm/study/ledger.hpp"
 
-#include "ringfilm/cycle/simulate.hpp"
+#include <utility>
+
+#include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/study/assumptions.hpp"
 
 namespace ringfilm::study {
 namespace {
 
-LedgerVariant solved_variant(cycle::Case c, const Alternative& alternative) {
-  LedgerVariant variant;
-  variant.setting = alternative.setting;
+cycle::Case changed(cycle::Case c, const Alternative& alternative) {
   alternative.apply(c);
   c.output.crank_angles_deg.clear();
   c.output.fields = cycle::FieldsWanted::kNone;
-  try {
-    variant.values = cycle::simulate(cycle::prepare(c)).values;
-  } catch (const cycle::StoppedCycle& stopped) {
-    variant.solved = false;
-    variant.values = stopped.result.values;
-    variant.reason = stopped.what();
-  } catch (const InputError& refused) {
-    variant.solved = false;
-    variant.reason = refused.what();
-  }
-  return variant;
+  return c;
 }
 
 }  // namespace
@@ -33,20 +23,35 @@ std::vector<LedgerEntry> assumptions(const cycle::Case& c) {
   return entries;
 }
 
-std::vector<LedgerEntry> ledger(const cycle::Case& c, const Progress& progress) {
-  const std::vector<Assumption> all = assumptions_of(cycle::prepare(c));
-  int total = 0;
-  for (const Assumption& assumption : all) total += static_cast<int>(assumption.alternatives.size());
-  int done = 0;
-  std::vector<LedgerEntry> entries;
-  for (const Assumption& assumption : all) {
-    entries.push_back(assumption.entry);
+LedgerPlan ledger_plan(const cycle::Case& c) {
+  LedgerPlan plan;
+  for (const Assumption& assumption : assumptions_of(cycle::prepare(c))) {
+    plan.entries.push_back(assumption.entry);
     for (const Alternative& alternative : assumption.alternatives) {
-      entries.back().variants.push_back(solved_variant(c, alternative));
-      if (progress) progress(++done, total);
+      plan.entries.back().variants.push_back({alternative.setting, {}, true, ""});
+      plan.cases.push_back(changed(c, alternative));
     }
   }
-  return entries;
+  return plan;
+}
+
+std::vector<LedgerEntry> ledger(LedgerPlan plan, std::span<const Ending> ended) {
+  std::size_t i = 0;
+  for (LedgerEntry& entry : plan.entries) {
+    for (LedgerVariant& variant : entry.variants) {
+      const Ending& ending = ended[i++];
+      variant.values = ending.result.values;
+      variant.solved = ending.is_solved();
+      variant.reason = ending.reason();
+    }
+  }
+  return std::move(plan.entries);
+}
+
+std::vector<LedgerEntry> ledger(const cycle::Case& c, const Progress& progress, const BatchOptions& options) {
+  LedgerPlan plan = ledger_plan(c);
+  const std::vector<Ending> ended = endings(plan.cases, progress, options);
+  return ledger(std::move(plan), ended);
 }
 
 }  // namespace ringfilm::study

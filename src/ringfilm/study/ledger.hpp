@@ -1,10 +1,11 @@
 #pragma once
-#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/batch.hpp"
 
 /// The assumption ledger: what a cycle takes for granted, and what it would change to take something else.
 namespace ringfilm::study {
@@ -27,13 +28,20 @@ struct LedgerEntry {
   std::vector<LedgerVariant> variants;  ///< empty if it cannot be lifted, or the ledger was not computed
 };
 
-/// Told as each variant finishes: done, total.
-using Progress = std::function<void(int, int)>;
-
 /// The simplifications active in `c`, without running anything.
 std::vector<LedgerEntry> assumptions(const cycle::Case& c);
 
-/// The same with every variant run that this program can run.
-std::vector<LedgerEntry> ledger(const cycle::Case& c, const Progress& progress = {});
+/// A ledger whose variants are still to be run.
+struct LedgerPlan {
+  std::vector<LedgerEntry> entries;  ///< variants with their settings alone
+  std::vector<cycle::Case> cases;    ///< those of all variants, entry by entry
+};
+LedgerPlan ledger_plan(const cycle::Case& c);
+
+/// The ledger of a plan whose cases ended like this, in their order.
+std::vector<LedgerEntry> ledger(LedgerPlan plan, std::span<const Ending> ended);
+
+/// The assumptions of `c` with every variant run that this program can run.
+std::vector<LedgerEntry> ledger(const cycle::Case& c, const Progress& progress = {}, const BatchOptions& options = {});
 
 }  // namespace ringfilm::study

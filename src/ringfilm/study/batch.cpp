@@ -1,0 +1,165 @@
+#include "ringfilm/study/batch.hpp"
+
+#include <deque>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "ringfilm/cycle/setup.hpp"
+#include "ringfilm/film/kernels.hpp"
+#include "ringfilm/study/shares.hpp"
+#include "ringfilm/study/threads.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+/// Cases that are read ahead for each thread.
+constexpr std::size_t kAhead = 64;
+
+/// A case with its place in the batch.
+struct Numbered {
+  std::size_t index;
+  cycle::Case input;
+};
+
+/// Where threads take their cases and hand in what became of them; one at a time.
+class Desk {
+ public:
+  Desk(const CaseSource& next, const std::function<void(Ending)>& ended) : next_(next), ended_(ended) {}
+
+  /// Reads ahead; a batch that ends within is shared out. @returns threads that have something to do
+  int open(int n_threads, int width) {
+    std::vector<cycle::Case> ahead;
+    while (ahead.size() < kAhead * n_threads) {
+      std::optional<cycle::Case> one = next_();
+      if (!one) break;
+      ahead.push_back(std::move(*one));
+    }
+    const bool is_all = ahead.size() < kAhead * n_threads;
+    if (is_all) {
+      const auto parts = shares(ahead, n_threads, width);
+      for (const auto& part : parts) {
+        auto& share = shares_.emplace_back();
+        for (const std::size_t i : part) share.push_back({i, std::move(ahead[i])});
+      }
+      return static_cast<int>(parts.size());
+    }
+    n_read_ = ahead.size();
+    for (std::size_t i = 0; i < ahead.size(); ++i) waiting_.push_back({i, std::move(ahead[i])});
+    return n_threads;
+  }
+
+  /// The next case for a thread. Throws what ended the batch.
+  std::optional<Numbered> take(int thread) {
+    const std::lock_guard lock(mutex_);
+    if (failure_ != nullptr) std::rethrow_exception(failure_);
+    auto& from = shares_.empty() ? waiting_ : shares_[thread];
+    if (!from.empty()) {
+      Numbered one = std::move(from.front());
+      from.pop_front();
+      return one;
+    }
+    if (!shares_.empty() || is_dry_) return std::nullopt;
+    std::optional<cycle::Case> one = next_();
+    is_dry_ = !one;
+    if (is_dry_) return std::nullopt;
+    return Numbered{n_read_++, std::move(*one)};
+  }
+
+  /// Throws what ended the batch.
+  void hand_in(Ending ending) {
+    const std::lock_guard lock(mutex_);
+    if (failure_ != nullptr) std::rethrow_exception(failure_);
+    ended_(std::move(ending));
+  }
+
+  /// Ends the batch.
+  void fail(std::exception_ptr failure) {
+    const std::lock_guard lock(mutex_);
+    if (failure_ == nullptr) failure_ = std::move(failure);
+  }
+
+ private:
+  const CaseSource& next_;
+  const std::function<void(Ending)>& ended_;
+  std::mutex mutex_;
+  std::vector<std::deque<Numbered>> shares_;  ///< of the threads, if the batch is a small one
+  std::deque<Numbered> waiting_;
+  std::size_t n_read_ = 0;
+  bool is_dry_ = false;
+  std::exception_ptr failure_;
+};
+
+/// All that one thread does.
+cycle::LaneEffort serve(Desk& desk, int thread) {
+  std::map<std::size_t, std::size_t> index;  // in the batch, of scenarios on their way, by their number on this thread
+  std::size_t n_begun = 0;
+  const auto setup = [&]() -> std::optional<cycle::Setup> {
+    while (std::optional<Numbered> one = desk.take(thread)) {
+      try {
+        cycle::Setup ready = cycle::prepare(one->input);
+        index[n_begun++] = one->index;
+        return ready;
+      } catch (const InputError& refusal) {
+        desk.hand_in({one->index, {}, std::nullopt, refusal});
+      }
+    }
+    return std::nullopt;
+  };
+  const auto finished = [&](cycle::BatchOutcome outcome) {
+    desk.hand_in(
+        {index.extract(outcome.index).mapped(), std::move(outcome.result), std::move(outcome.stop), std::nullopt});
+  };
+  return cycle::simulate_batch(setup, finished);
+}
+
+}  // namespace
+
+void add(const cycle::LaneEffort& part, cycle::LaneEffort& all) {
+  all.sweeps += part.sweeps;
+  all.lane_sweeps += part.lane_sweeps;
+  all.node_sweeps += part.node_sweeps;
+  all.single_solves += part.single_solves;
+}
+
+BatchEffort simulate_cases(const CaseSource& next, const std::function<void(Ending)>& ended,
+                           const BatchOptions& options) {
+  Desk desk(next, ended);
+  const int n = desk.open(n_threads(options.threads), film::kernels().width);
+  std::vector<cycle::LaneEffort> parts(n);
+  on_threads(n, [&](int thread) {
+    try {
+      parts[thread] = serve(desk, thread);
+    } catch (...) {
+      desk.fail(std::current_exception());
+      throw;
+    }
+  });
+  BatchEffort effort;
+  effort.threads = n;
+  for (const cycle::LaneEffort& part : parts) add(part, effort.lanes);
+  return effort;
+}
+
+std::vector<Ending> endings(const std::vector<cycle::Case>& cases, const Progress& progress,
+                            const BatchOptions& options) {
+  std::vector<Ending> all(cases.size());
+  std::size_t n_given = 0;
+  int n_ended = 0;
+  const auto next = [&]() -> std::optional<cycle::Case> {
+    if (n_given == cases.size()) return std::nullopt;
+    return cases[n_given++];
+  };
+  simulate_cases(
+      next,
+      [&](Ending ending) {
+        const std::size_t index = ending.index;
+        all[index] = std::move(ending);
+        if (progress) progress(++n_ended, static_cast<int>(cases.size()));
+      },
+      options);
+  return all;
+}
+
+}  // namespace ringfilm::study

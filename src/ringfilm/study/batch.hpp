@@ -1,0 +1,58 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/simulate_batch.hpp"
+
+/// Many scenarios at once: threads, and on each of them the lanes of a vector register.
+namespace ringfilm::study {
+
+struct BatchOptions {
+  int threads = 0;  ///< 0: as many as the machine runs at once
+};
+
+/// How a scenario of a batch ended.
+struct Ending {
+  std::size_t index = 0;      ///< in the order in which the cases were given, from 0
+  cycle::CycleResult result;  ///< all up to the last good angle if the march stopped; empty if the case was refused
+  std::optional<cycle::Stop> stop;    ///< why the march stopped
+  std::optional<InputError> refusal;  ///< why the case could not be prepared
+
+  bool is_solved() const { return !stop && !refusal; }
+  /// Why not; empty if solved.
+  std::string reason() const { return stop ? stop->message : refusal ? refusal->what() : ""; }
+};
+
+/// Gives the cases one by one; nothing: there are no more.
+using CaseSource = std::function<std::optional<cycle::Case>()>;
+
+/// What a batch took.
+struct BatchEffort {
+  int threads = 0;
+  cycle::LaneEffort lanes;  ///< of all threads
+};
+
+/// Adds what another thread took.
+void add(const cycle::LaneEffort& part, cycle::LaneEffort& all);
+
+/// Simulates the cycle of every case that `next` gives and tells each as it ends, not in order. `next` and `ended` are
+/// called from several threads but never two at a time. Same case, same bits, whatever the number of threads and
+/// whatever else is in the batch. Memory does not grow with the number of cases: some 64 for each thread are read
+/// ahead. Fewer than these are shared out so that all threads end at about the same time. An exception, be it of `next`
+/// or `ended`, ends the batch and is rethrown when all threads have ended.
+BatchEffort simulate_cases(const CaseSource& next, const std::function<void(Ending)>& ended,
+                           const BatchOptions& options = {});
+
+/// Told as each case ends: done, total; never twice at a time.
+using Progress = std::function<void(int, int)>;
+
+/// How all of a few cases end, in their order.
+std::vector<Ending> endings(const std::vector<cycle::Case>& cases, const Progress& progress = {},
+                            const BatchOptions& options = {});
+
+}  // namespace ringfilm::study
