@@ -71,6 +71,7 @@ struct Pack {
 
   /// a where the mask holds, else b.
   RINGFILM_INLINE friend Pack select(Mask mask, Pack a, Pack b) { return of(mask ? a.v : b.v); }
+  /// Of a and b where one is no number: b.
   RINGFILM_INLINE friend Pack max(Pack a, Pack b) { return of(a.v > b.v ? a.v : b.v); }
   RINGFILM_INLINE friend Pack min(Pack a, Pack b) { return of(a.v < b.v ? a.v : b.v); }
   RINGFILM_INLINE friend Pack abs(Pack a) { return max(a, -a); }
@@ -82,11 +83,11 @@ struct Pack {
       return a & b;
     }
   }
-  RINGFILM_INLINE static Mask either(Mask a, Mask b) {
+  RINGFILM_INLINE static Mask differ(Mask a, Mask b) {
     if constexpr (kLanes == 1) {
-      return a || b;
+      return a != b;
     } else {
-      return a | b;
+      return a ^ b;
     }
   }
   /// Where a holds and b does not.

@@ -134,14 +134,14 @@ class AlongFace {
   template <class Some>
   RINGFILM_INLINE static void read_at(const LaneView& lane, const FilmPressure& to, int i) {
     const Some z = Some::gather(lane.z + i * lane.stride, lane.stride);
-    (Some(lane.p_cavitation) + max(z, Some(0))).store(to.p + i);
-    max(-z * Some(lane.inverse_fill_scale), Some(0)).store(to.deficit + i);
+    (Some(lane.p_cavitation) + max(Some(0), z)).store(to.p + i);
+    max(Some(0), -z * Some(lane.inverse_fill_scale)).store(to.deficit + i);
   }
 
   template <class Some>
   RINGFILM_INLINE static void complete_at(const FilmView& film, const FittedOilView& oil, const FilmContent& to,
                                           int i) {
-    const Some t = min((Some::load(film.p + i) - Some(oil.centre)) * Some(oil.inverse_half_width), Some(1));
+    const Some t = min(Some(1), (Some::load(film.p + i) - Some(oil.centre)) * Some(oil.inverse_half_width));
     const Some K = sum_of_powers<kFluidityTerms>(oil.K, t);
     const Some rho = sum_of_powers<kDensityTerms>(oil.rho, t);
     rho.store(to.rho + i);
@@ -180,7 +180,7 @@ class AlongFace {
       const Some gap = Some(film.h_m) + Some(contact.spread) * Some::load(film.node_height + i);
       const typename Some::Mask inside = gap < Some(contact.reach);
       if (!Some::any(inside)) return;
-      const Some t = min(max(gap, Some(0)) * Some(contact.per_gap) - Some(1), Some(1));  // far ones must be numbers
+      const Some t = min(max(Some(0), gap) * Some(contact.per_gap) - Some(1), Some(1));  // far ones must be numbers
       const Some weight = select(inside, Some::load(film.share + i), Some(0));
       const Some p = weight * eighth_power(sum_of_powers<kContactTerms>(contact.F_52, t));
       load += p;

@@ -5,20 +5,20 @@
 /// For the sources that compile the kernels, each for one kind of machine: kernels_*.cpp.
 namespace ringfilm::film {
 
-template <class Real>
+template <class Real, class Wide>
 void sweep(LaneBlock& block) {
   const bool fill = block.cavity == LaneCavity::kFill;
   if (block.laws == LaneLaws::kFitted) {
     if (fill) {
-      NewtonSweep<Real, LaneLaws::kFitted, LaneCavity::kFill>(block).run();
+      NewtonSweep<Real, Wide, LaneLaws::kFitted, LaneCavity::kFill>(block).run();
     } else {
-      NewtonSweep<Real, LaneLaws::kFitted, LaneCavity::kMultiplier>(block).run();
+      NewtonSweep<Real, Wide, LaneLaws::kFitted, LaneCavity::kMultiplier>(block).run();
     }
   } else {
     if (fill) {
-      NewtonSweep<Real, LaneLaws::kGiven, LaneCavity::kFill>(block).run();
+      NewtonSweep<Real, Wide, LaneLaws::kGiven, LaneCavity::kFill>(block).run();
     } else {
-      NewtonSweep<Real, LaneLaws::kGiven, LaneCavity::kMultiplier>(block).run();
+      NewtonSweep<Real, Wide, LaneLaws::kGiven, LaneCavity::kMultiplier>(block).run();
     }
   }
 }
@@ -49,8 +49,8 @@ constexpr FilmKernels kernels_of(std::string_view name) {
   using One = base::Pack<1, kSet>;
   return {name,
           kWidth,
-          sweep<Real>,
-          sweep<One>,
+          sweep<Real, Real>,
+          sweep<One, Real>,
           complete<Real, One>,
           read_lane<Real, One>,
           sums<Real, One>,

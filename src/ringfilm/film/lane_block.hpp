@@ -27,8 +27,8 @@ enum class LaneCavity { kFill, kMultiplier };
 /// A number for each lane.
 using Lanes = double[kMostLanes];
 
-/// Nodes that are summed abreast; nodal arrays hold this many more than there are nodes, with no share.
-inline constexpr int kAbreast = 4;
+/// Nodal arrays hold this many more nodes than there are, with no share: nodes are visited several at a time.
+inline constexpr int kPadding = 16;
 
 /// Newton's iteration of the films in all lanes. Nodal arrays hold the value of node i in lane l at [i * width + l].
 struct LaneBlock {
@@ -79,7 +79,6 @@ struct LaneBlock {
   alignas(64) Lanes largest;    ///< change of z, relative to the scale or to a larger multiplier
   alignas(64) Lanes peak;       ///< largest z of a film, or 0 [Pa]
   alignas(64) Lanes check;      ///< not finite if anything in the sweep was not
-  alignas(64) Lanes broken;     ///< not 0: a pivot was zero or no number
   alignas(64) Lanes to_film;    ///< not 0: a node went from cavity to film
   alignas(64) Lanes to_cavity;  ///< not 0: one went the other way
 };

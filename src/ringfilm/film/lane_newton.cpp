@@ -33,7 +33,7 @@ LaneLaws best_laws(const FilmProblem& problem) {
 LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
     : kernels_(&kernels), width_(width), most_cells_(most_cells), lanes_(width), block_{} {
   const std::size_t per_line = kLine / sizeof(double);
-  const std::size_t nodes = static_cast<std::size_t>(most_cells) + 1 + kAbreast;
+  const std::size_t nodes = static_cast<std::size_t>(most_cells) + 1 + kPadding;
   const std::size_t stride = (nodes * width + per_line - 1) / per_line * per_line;
   memory_.assign(kNodalArrays * stride + per_line, 0.0);
   auto* array = memory_.data();
@@ -62,7 +62,7 @@ void LaneNewton::clear(int lane) {
 }
 
 void LaneNewton::clear_from(int lane, int node) {
-  for (int i = node; i < most_cells_ + 1 + kAbreast; ++i) {
+  for (int i = node; i < most_cells_ + 1 + kPadding; ++i) {
     for (double* array : {block_.inflow, block_.node_height, block_.share, block_.face_height, block_.conductance,
                           block_.drho_dp, block_.dK_dp}) {
       nodal(array, i, lane) = 0;
@@ -224,8 +224,8 @@ void LaneNewton::conclude(int lane) {
   const double d_ln_h = block_.d_ln_h[lane];
   const double largest = block_.largest[lane];
   ++at.iterations;
-  const bool sound = block_.broken[lane] == 0 && std::isfinite(block_.check[lane]) &&
-                     std::isfinite(block_.excess[lane]) && std::isfinite(largest) && std::isfinite(d_ln_h);
+  const bool sound = std::isfinite(block_.check[lane]) && std::isfinite(block_.excess[lane]) &&
+                     std::isfinite(largest) && std::isfinite(d_ln_h);
   at.phase = Phase::kFailed;
   if (!sound) return;
   at.last_step = std::max(largest, std::abs(d_ln_h));

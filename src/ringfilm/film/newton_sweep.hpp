@@ -11,9 +11,27 @@ inline constexpr double kLargestRise = 0.916290731874155;   // ln 2.5
 inline constexpr double kBlindStep = 0.2;                   // in ln h_m, where the load seems to rise with the film
 inline constexpr double kLargestPressureRise = 20;          // scales in one step: the viscosity is exponential in it
 
-template <class Real, LaneLaws kLaws, LaneCavity kCavity>
+template <bool kFirst, class A, class B>
+struct Choice {
+  using Type = A;
+};
+template <class A, class B>
+struct Choice<false, A, B> {
+  using Type = B;
+};
+
+/// @tparam Real a pack with a film in each lane
+/// @tparam Wide the widest pack of the machine: what has no neighbours is worked out along the face where Real is one
+template <class Real, class Wide, LaneLaws kLaws, LaneCavity kCavity>
 class NewtonSweep {
   static constexpr int kWidth = Real::kWidth;
+  static constexpr bool kAlongFace = kWidth == 1;
+  /// Of nodes visited at a time: a lane is a film, or along the face a node.
+  using Visitor = typename Choice<kAlongFace, Wide, Real>::Type;
+  /// Packs whose polynomials are summed side by side, so that no sum waits for its last term.
+  static constexpr int kAbreast = kAlongFace ? 2 : 4;
+  static constexpr int kNodesAbreast = kAbreast * Visitor::kWidth / kWidth;
+  static_assert(kNodesAbreast <= kPadding);
   using Mask = typename Real::Mask;
   static constexpr bool kFill = kCavity == LaneCavity::kFill;
 
@@ -67,45 +85,87 @@ class NewtonSweep {
 
   RINGFILM_INLINE Real at(const double* nodal, int i) const { return Real::load(nodal + i * kWidth); }
 
-  /// Sums of a polynomial at kAbreast nodes.
+  /// A number of each lane, and the nodes from i on in pack `a` of those abreast, as a visitor sees them.
+  RINGFILM_INLINE static Visitor of_lanes(const Lanes& x) {
+    if constexpr (kAlongFace) {
+      return Visitor(x[0]);
+    } else {
+      return Visitor::load(x);
+    }
+  }
+  RINGFILM_INLINE static Visitor seen(const double* nodal, int i, int a) {
+    return Visitor::load(nodal + i * kWidth + a * Visitor::kWidth);
+  }
+  RINGFILM_INLINE static void put(Visitor value, Stretch& to, int slot, int a) {
+    value.store(to.value + slot * kWidth + a * Visitor::kWidth);
+  }
+
+  /// Sums of a polynomial at the nodes abreast.
   template <int kTerms>
-  RINGFILM_INLINE void sum(const Lanes* c, const Real* t, int slot, Stretch& to) const {
-    Real value[kAbreast];
-    const Real highest = Real::load(c[kTerms - 1]);
+  RINGFILM_INLINE static void sum(const Lanes* c, const Visitor* t, Stretch& to, int slot) {
+    Visitor value[kAbreast];
+    const Visitor highest = of_lanes(c[kTerms - 1]);
     for (int a = 0; a < kAbreast; ++a) value[a] = highest;
 #pragma GCC unroll 16
     for (int k = kTerms - 2; k >= 0; --k) {
-      const Real term = Real::load(c[k]);
+      const Visitor term = of_lanes(c[k]);
       for (int a = 0; a < kAbreast; ++a) value[a] = value[a] * t[a] + term;
     }
-    for (int a = 0; a < kAbreast; ++a) to.put(slot + a, value[a]);
+    for (int a = 0; a < kAbreast; ++a) put(value[a], to, slot, a);
   }
 
-  /// Pressure, fill, oil and load at the kAbreast nodes from i on, of which those beyond the edge have no share.
+  /// Pressure, fill, oil and load at the nodes abreast from i on, of which those beyond the edge have no share.
   RINGFILM_INLINE void visit(int i, int slot, Film& film) {
-    Real t[kAbreast];
+    const Visitor p_c = of_lanes(b_.p_cavitation), inverse_fill_scale = of_lanes(b_.inverse_fill_scale);
+    const Visitor centre = of_lanes(b_.fit_centre), per_pressure = of_lanes(b_.fit_inverse_half_width);
+    Visitor t[kAbreast];
     for (int a = 0; a < kAbreast; ++a) {
-      const Real z = at(b_.z, i + a);
-      const Real p = p_c_ + max(z, Real(0));
-      film.p.put(slot + a, p);
-      if constexpr (kFill) film.theta.put(slot + a, Real(1) + min(z, Real(0)) * inverse_fill_scale_);
-      load_ += at(b_.share, i + a) * p;
-      t[a] = min((p - Real::load(b_.fit_centre)) * Real::load(b_.fit_inverse_half_width), Real(1));
+      const Visitor z = seen(b_.z, i, a);
+      const Visitor p = p_c + max(Visitor(0), z);
+      put(p, film.p, slot, a);
+      if constexpr (kFill) put(Visitor(1) + min(Visitor(0), z) * inverse_fill_scale, film.theta, slot, a);
+      load_ += seen(b_.share, i, a) * p;
+      t[a] = min(Visitor(1), (p - centre) * per_pressure);
     }
     if constexpr (kLaws == LaneLaws::kFitted) {
-      sum<kFluidityTerms>(b_.fit_K, t, slot, film.K);
-      sum<kFluiditySlopeTerms>(b_.fit_dK, t, slot, film.dK);
-      sum<kDensityTerms>(b_.fit_rho, t, slot, film.rho);
-      sum<kDensitySlopeTerms>(b_.fit_drho, t, slot, film.drho);
-      for (int a = 0; a < kAbreast; ++a) add_contact(i + a);
+      sum<kFluidityTerms>(b_.fit_K, t, film.K, slot);
+      sum<kFluiditySlopeTerms>(b_.fit_dK, t, film.dK, slot);
+      sum<kDensityTerms>(b_.fit_rho, t, film.rho, slot);
+      sum<kDensitySlopeTerms>(b_.fit_drho, t, film.drho, slot);
+      for (int a = 0; a < kAbreast; ++a) add_contact(i, a);
     } else {
       for (int a = 0; a < kAbreast; ++a) {
-        film.K.put(slot + a, at(b_.K, i + a));
-        film.dK.put(slot + a, at(b_.dK_dp, i + a));
-        film.rho.put(slot + a, at(b_.rho, i + a));
-        film.drho.put(slot + a, at(b_.drho_dp, i + a));
+        put(seen(b_.K, i, a), film.K, slot, a);
+        put(seen(b_.dK_dp, i, a), film.dK, slot, a);
+        put(seen(b_.rho, i, a), film.rho, slot, a);
+        put(seen(b_.drho_dp, i, a), film.drho, slot, a);
       }
     }
+  }
+
+  /// Adds the load of the asperities at nodes abreast, and its slope in h_m.
+  RINGFILM_INLINE void add_contact(int i, int a) {
+    const Visitor gap = of_lanes(b_.h_m) + of_lanes(b_.contact_spread) * seen(b_.node_height, i, a);
+    const auto inside = gap < of_lanes(b_.contact_reach);
+    if (!Visitor::any(inside)) return;
+    const Visitor per_gap = of_lanes(b_.contact_per_gap);
+    const Visitor lowest = max(Visitor(0), gap);  // below no gap both go on along the tangent
+    // Lanes out of reach count for nothing, but must be numbers.
+    const Visitor t = min(Visitor(1), lowest * per_gap - Visitor(1));
+    Visitor root(b_.contact[kContactTerms - 1]);
+    Visitor root_slope(0);
+#pragma GCC unroll 32
+    for (int k = kContactTerms - 2; k >= 0; --k) {
+      root_slope = root_slope * t + root;
+      root = root * t + Visitor(b_.contact[k]);
+    }
+    const Visitor square = root * root;
+    const Visitor fourth = square * square;
+    const Visitor dF = Visitor(8) * fourth * square * root * root_slope * per_gap;
+    const Visitor F = fourth * fourth + dF * (gap - lowest);
+    const Visitor weight = select(inside, seen(b_.share, i, a) * of_lanes(b_.contact_scale), Visitor(0));
+    load_ += weight * F;
+    slope_ += weight * dF;
   }
 
   RINGFILM_INLINE Node node(const Film& film, int k) const {
@@ -141,45 +201,18 @@ class NewtonSweep {
     return flux;
   }
 
-  /// Adds the load of the asperities at one node, and its slope in h_m.
-  RINGFILM_INLINE void add_contact(int i) {
-    const Real gap = h_m_ + Real::load(b_.contact_spread) * at(b_.node_height, i);
-    const Mask inside = gap < Real::load(b_.contact_reach);
-    if (!Real::any(inside)) return;
-    const Real per_gap = Real::load(b_.contact_per_gap);
-    const Real lowest = max(gap, Real(0));  // below no gap both go on along the tangent
-    const Real t =
-        min(lowest * per_gap - Real(1), Real(1));  // lanes out of reach count for nothing, but must be numbers
-    Real root(b_.contact[kContactTerms - 1]);
-    Real root_slope(0);
-#pragma GCC unroll 32
-    for (int k = kContactTerms - 2; k >= 0; --k) {
-      root_slope = root_slope * t + root;
-      root = root * t + Real(b_.contact[k]);
-    }
-    const Real square = root * root;
-    const Real fourth = square * square;
-    const Real dF = Real(8) * fourth * square * root * root_slope * per_gap;
-    const Real F = fourth * fourth + dF * (gap - lowest);
-    const Real weight = select(inside, at(b_.share, i) * Real::load(b_.contact_scale), Real(0));
-    load_ += weight * F;
-    slope_ += weight * dF;
-  }
-
   /// Balance of mass and load, eliminated down to one equation for ln h_m; returns its solution.
   RINGFILM_INLINE Real forward() {
     const int n = b_.n_cells;
-    load_ = Real::load(b_.contact_load) - Real::load(b_.load);
-    slope_ = Real::load(b_.contact_slope);
+    load_ = slope_ = Visitor(0);
     const Real rate = Real::load(b_.rate);
     Real row(0), upper(0), column(0), rhs(0);  // of the node before, eliminated
     Real by_column(0), by_rhs(0);              // what the elimination takes off the load row
-    Real broken(0);
 
     Film film;
     Flux in;
     for (int begin = 0; begin <= n; begin += kStretch) {
-      for (int a = 0; a < kStretch && begin + a <= n; a += kAbreast) visit(begin + a, 1 + a, film);
+      for (int a = 0; a < kStretch && begin + a <= n; a += kNodesAbreast) visit(begin + a, 1 + a, film);
       if (begin == 0) {
         in = flux(0, node(film, 1), at(b_.z, 0) > Real(0), node(film, 2), at(b_.z, 1) > Real(0));
         in.by_left = Real(0);  // the edge is given
@@ -206,15 +239,13 @@ class NewtonSweep {
           const Real weight = Real(2) * (at(b_.conductance, i - 1) + at(b_.conductance, i)) * (gap * gap * gap) *
                               Real::load(b_.cavity_K);
           diagonal = select(here_is_film, diagonal + stored * here.drho, weight);
-          residual += weight * min(z, Real(0));
+          residual += weight * min(Real(0), z);
         }
         const Real by_h = (volume * filled + (out.by_h - in.by_h)) * h_m_;
 
         const Real pivot = diagonal + in.by_left * upper;
-        const Mask usable = abs(pivot) > Real(0);
         const Mask inside = at(b_.conductance, i) > Real(0);  // beyond its last cell a shorter film has no equation
-        broken = select(Real::only(inside, usable), Real(1), broken);
-        const Real inverse = select(inside, Real(1) / select(usable, pivot, Real(1)), Real(0));
+        const Real inverse = select(inside, Real(1) / select(inside, pivot, Real(1)), Real(0));
         row = select(here_is_film, share, Real(0)) - row * upper;
         upper = out.by_right * inverse;
         column = (by_h + in.by_left * column) * inverse;
@@ -228,13 +259,22 @@ class NewtonSweep {
       }
       film.next();
     }
-    load_.store(b_.excess);
-    broken.store(b_.broken);
+    Real excess = Real::load(b_.contact_load) - Real::load(b_.load);
+    Real slope = Real::load(b_.contact_slope);
+    if constexpr (kAlongFace) {
+      excess += Real(load_.sum());
+      slope += Real(slope_.sum());
+    } else {
+      excess += load_;
+      slope += slope_;
+    }
+    excess.store(b_.excess);
+
     // The load carried must fall with h_m; where the linearisation says otherwise, only its sign is believed.
-    const Real corner = slope_ * h_m_ - by_column;
+    const Real corner = slope * h_m_ - by_column;
     check_ = corner + by_rhs + at(b_.z, 0) + at(b_.z, n);
-    const Real newton = (-load_ - by_rhs) / select(corner < Real(0), corner, Real(-1));
-    const Real blind = select(load_ < Real(0), Real(-kBlindStep), Real(kBlindStep));
+    const Real newton = (-excess - by_rhs) / select(corner < Real(0), corner, Real(-1));
+    const Real blind = select(excess < Real(0), Real(-kBlindStep), Real(kBlindStep));
     const Real step = select(corner < Real(0), newton, blind);
     const Real limited = min(max(step, Real(kLargestFall)), Real(kLargestRise));
     return select(Real::load(b_.movable) > Real(0), limited, Real(0));
@@ -255,9 +295,9 @@ class NewtonSweep {
       const Mask was_film = before > Real(0);
       Real after = before + select(was_film, min(step, most), step);
       const Mask is_film = after > Real(0);
-      const Mask entered = Real::only(is_film, was_film);
-      const Mask left = Real::only(was_film, is_film);
-      if (Real::any(Real::either(entered, left))) {
+      if (Real::any(Real::differ(is_film, was_film))) {
+        const Mask entered = Real::only(is_film, was_film);
+        const Mask left = Real::only(was_film, is_film);
         const Mask far = abs(after) > beyond;
         to_film = select(Real::both(entered, far), Real(1), to_film);
         to_cavity = select(Real::both(left, far), Real(1), to_cavity);
@@ -269,7 +309,7 @@ class NewtonSweep {
         const Mask above = -after > scale;
         if (Real::any(above)) change = select(above, abs(after - before) / max(-after, scale), change);
       }
-      largest = max(largest, change);
+      largest = max(largest, change);  // a NaN here is one in check_ as well
       check_ += after;
       peak = max(peak, after);
       after.store(b_.z + i * kWidth);
@@ -284,7 +324,7 @@ class NewtonSweep {
   LaneBlock& b_;
   Real h_m_, quarter_U_, p_c_, inverse_fill_scale_;
   Real fill_from_left_, fill_from_right_;
-  Real load_, slope_;  ///< W_h + W_a - W and its slope in h_m
+  Visitor load_, slope_;  ///< W_h + W_a, and the slope of W_a in h_m, as far as visited
   Real check_;
 };
 
