@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -8,21 +7,27 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include "../tests/scenarios/engine_scenario.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
-#include "ringfilm/cycle/march.hpp"
+#include "ringfilm/cycle/side_by_side.hpp"
 #include "ringfilm/film/film_integrals.hpp"
+#include "ringfilm/film/kernels.hpp"
+#include "ringfilm/study/batch.hpp"
+#include "ringfilm/study/threads.hpp"
 
-/// Marches one cycle of each of many seeded scenarios (tests/scenarios) and counts how every step was solved. A film is
-/// believed only if all its numbers are finite and its load balances by a sum of its own.
+/// Marches one cycle of each of many seeded scenarios (tests/scenarios), side by side in the lanes of a register, and
+/// counts how every step was solved. A film is believed only if all its numbers are finite and its load balances by a
+/// sum of its own.
 namespace ringfilm::cycle {
 namespace {
 
@@ -54,7 +59,6 @@ struct Outcome {
   std::optional<double> crank_angle_deg;
   March::Totals totals;
   long side_steps = 0;
-  double seconds = 0;  ///< of processor time
 };
 
 bool is_finite(const film::FilmState& state) {
@@ -115,53 +119,82 @@ double load_at(const Setup& setup, double crank_angle_deg) {
   return (setup.elastic_pressure + setup.input.gas.pressure_behind_ring * p) * setup.input.ring.face_width;
 }
 
-void march_one_cycle(const EngineScenario& scenario, Outcome& outcome) {
-  const Setup setup = prepare(scenario.input);
-  March march(setup);
-  const int n_steps = steps_per_cycle(setup.input.solver);
-  bool started = false;
-  try {
-    Watch watch(scenario, outcome.side_steps);
-    march.start(static_cast<int>(std::lround(scenario.start_angle_deg / kCycleDeg * n_steps)) % n_steps);
-    started = true;
-    check_film(march, march.instant());
-    for (int k = 0; k < n_steps; ++k) march.advance(watch);
-  } catch (const ConvergenceError& error) {
-    outcome.message = error.what();
-    outcome.crank_angle_deg = error.crank_angle_deg();
-    const bool overloaded = outcome.message.find("neither the film nor the asperities carry") != std::string::npos;
-    const double load = load_at(setup, outcome.crank_angle_deg.value_or(scenario.start_angle_deg));
-    const bool lifted = outcome.message.find("the gas lifts the ring off") != std::string::npos;
-    outcome.end = lifted                                       ? End::kLiftedOff
-                  : !overloaded                                ? End::kUnexplained
-                  : asperity_capacity(march.problem()) >= load ? End::kFalseOverload
-                                                               : End::kOverloaded;
-    if (started && !is_finite(march.state())) outcome.end = End::kLastStateBroken;
+/// One cycle of a scenario. All that it throws is its outcome.
+class ScenarioMarch final : public Marching {
+ public:
+  /// Throws InputError.
+  ScenarioMarch(int index, const EngineScenario& scenario)
+      : index_(index),
+        scenario_(scenario),
+        setup_(prepare(scenario.input)),
+        march_(setup_),
+        watch_(scenario_, outcome_.side_steps),
+        n_steps_(steps_per_cycle(setup_.input.solver)) {
+    attempt([&] {
+      march_.start(static_cast<int>(std::lround(scenario_.start_angle_deg / kCycleDeg * n_steps_)) % n_steps_);
+      started_ = true;
+      check_film(march_, march_.instant());
+    });
   }
-  outcome.totals = march.totals();
-}
 
-double processor_seconds() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+  March& march() override { return march_; }
+  bool done() const override { return done_; }
 
-Outcome outcome_of(const EngineScenario& scenario) {
-  Outcome outcome;
-  const double start = processor_seconds();
-  try {
-    march_one_cycle(scenario, outcome);
-  } catch (const Broken& broken) {
-    outcome.end = broken.end;
-    outcome.crank_angle_deg = broken.crank_angle_deg;
-  } catch (const std::exception& error) {
-    outcome.end = End::kException;
-    outcome.message = error.what();
+  void conclude(const film::FilmReport& report) override {
+    attempt([&] {
+      march_.conclude(report, watch_);
+      if (march_.at_base_angle()) done_ = ++steps_ == n_steps_;
+    });
   }
-  outcome.seconds = processor_seconds() - start;
-  return outcome;
-}
+
+  int index() const { return index_; }
+  Outcome outcome() const {
+    Outcome outcome = outcome_;
+    outcome.totals = march_.totals();
+    return outcome;
+  }
+
+ private:
+  template <class Action>
+  void attempt(const Action& action) {
+    try {
+      action();
+      return;
+    } catch (const ConvergenceError& error) {
+      told(error);
+    } catch (const Broken& broken) {
+      outcome_.end = broken.end;
+      outcome_.crank_angle_deg = broken.crank_angle_deg;
+    } catch (const std::exception& error) {
+      outcome_.end = End::kException;
+      outcome_.message = error.what();
+    }
+    done_ = true;
+  }
+
+  void told(const ConvergenceError& error) {
+    outcome_.message = error.what();
+    outcome_.crank_angle_deg = error.crank_angle_deg();
+    const bool overloaded = outcome_.message.find("neither the film nor the asperities carry") != std::string::npos;
+    const double load = load_at(setup_, outcome_.crank_angle_deg.value_or(scenario_.start_angle_deg));
+    const bool lifted = outcome_.message.find("the gas lifts the ring off") != std::string::npos;
+    outcome_.end = lifted                                        ? End::kLiftedOff
+                   : !overloaded                                 ? End::kUnexplained
+                   : asperity_capacity(march_.problem()) >= load ? End::kFalseOverload
+                                                                 : End::kOverloaded;
+    if (started_ && !is_finite(march_.state())) outcome_.end = End::kLastStateBroken;
+  }
+
+  int index_;
+  EngineScenario scenario_;
+  Setup setup_;
+  March march_;
+  Outcome outcome_;
+  Watch watch_;
+  int n_steps_;
+  int steps_ = 0;
+  bool started_ = false, done_ = false;
+};
 
 /// One line with all that is needed to find and repeat a scenario.
 std::string as_json(std::uint64_t seed, int index, const EngineScenario& scenario, const Outcome& outcome) {
@@ -196,8 +229,7 @@ std::string as_json(std::uint64_t seed, int index, const EngineScenario& scenari
       {"crank_steps", outcome.totals.crank_steps},
       {"search", outcome.totals.fallback_secant},
       {"cut", outcome.totals.fallback_sub_step},
-      {"side_steps", outcome.side_steps},
-      {"seconds", outcome.seconds}};
+      {"side_steps", outcome.side_steps}};
   if (outcome.crank_angle_deg) line["crank_angle_deg"] = *outcome.crank_angle_deg;
   return line.dump();
 }
@@ -208,7 +240,6 @@ struct Row {
   std::function<bool(const EngineScenario&)> holds;
   long scenarios = 0, steps = 0, newton = 0, search = 0, cuts = 0, short_steps = 0, side_steps = 0;
   long ends[kEnds] = {};
-  double seconds = 0;
 
   void add(const Outcome& outcome) {
     ++scenarios;
@@ -219,7 +250,6 @@ struct Row {
     cuts += outcome.totals.fallback_sub_step;
     short_steps += outcome.totals.sub_steps;
     side_steps += outcome.side_steps;
-    seconds += outcome.seconds;
   }
   long ended(End end) const { return ends[static_cast<int>(end)]; }
   long faults() const { return scenarios - ended(End::kSolved) - ended(End::kOverloaded) - ended(End::kLiftedOff); }
@@ -263,15 +293,15 @@ std::vector<Row> empty_rows() {
 }
 
 void print(const std::vector<Row>& rows) {
-  std::printf("%-24s %9s %10s %9s %9s %8s %9s %10s %10s %7s %11s %9s\n", "", "scenarios", "steps", "direct", "search",
-              "cut", "side", "overloaded", "lifted", "faults", "it per step", "ms/cycle");
+  std::printf("%-24s %9s %10s %9s %9s %8s %9s %10s %10s %7s %11s\n", "", "scenarios", "steps", "direct", "search",
+              "cut", "side", "overloaded", "lifted", "faults", "it per step");
   for (const Row& row : rows) {
     if (row.scenarios == 0) continue;
     const double steps = static_cast<double>(std::max(row.steps, 1L));
-    std::printf("%-24s %9ld %10ld %8.3f%% %9ld %8ld %9ld %10ld %10ld %7ld %11.2f %9.1f\n", row.name.c_str(),
-                row.scenarios, row.steps, 100 * (1 - static_cast<double>(row.search) / steps), row.search, row.cuts,
-                row.side_steps, row.ended(End::kOverloaded), row.ended(End::kLiftedOff), row.faults(),
-                static_cast<double>(row.newton) / steps, 1e3 * row.seconds / static_cast<double>(row.scenarios));
+    std::printf("%-24s %9ld %10ld %8.3f%% %9ld %8ld %9ld %10ld %10ld %7ld %11.2f\n", row.name.c_str(), row.scenarios,
+                row.steps, 100 * (1 - static_cast<double>(row.search) / steps), row.search, row.cuts, row.side_steps,
+                row.ended(End::kOverloaded), row.ended(End::kLiftedOff), row.faults(),
+                static_cast<double>(row.newton) / steps);
   }
   std::printf(
       "\ndirect, search: steps solved by the coupled Newton, by the bracketed search; cut: attempts given up for a\n"
@@ -293,22 +323,80 @@ struct Options {
   std::string failures;
 };
 
+/// What became of each scenario, and what it took.
+struct Survey {
+  std::vector<Outcome> outcomes;
+  LaneEffort lanes;
+  double processor_seconds = 0;  ///< of all threads
+};
+
+double processor_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Scenarios `first` and following, each thread with lanes of its own.
+Survey surveyed(std::uint64_t seed, int first, int count, int n_threads) {
+  Survey survey;
+  survey.outcomes.resize(count);
+  const double start = processor_seconds();
+  std::mutex mutex;
+  int n_given = 0, n_done = 0;
+  const auto end = [&](int index, Outcome outcome) {
+    const std::lock_guard lock(mutex);
+    survey.outcomes[index] = std::move(outcome);
+    if (++n_done % 1000 == 0) std::fprintf(stderr, "%d of %d\n", n_done, count);
+  };
+  const auto next_index = [&]() -> std::optional<int> {
+    const std::lock_guard lock(mutex);
+    if (n_given == count) return std::nullopt;
+    return n_given++;
+  };
+  const auto next = [&]() -> std::unique_ptr<Marching> {
+    while (const std::optional<int> index = next_index()) {
+      try {
+        return std::make_unique<ScenarioMarch>(*index, testing::engine_scenario(seed, first + *index));
+      } catch (const std::exception& error) {
+        Outcome outcome;
+        outcome.end = End::kException;
+        outcome.message = error.what();
+        end(*index, outcome);
+      }
+    }
+    return nullptr;
+  };
+  const auto finished = [&](std::unique_ptr<Marching> marching) {
+    const auto& march = static_cast<const ScenarioMarch&>(*marching);
+    end(march.index(), march.outcome());
+  };
+  std::vector<LaneEffort> efforts(n_threads);
+  study::on_threads(n_threads, [&](int thread) { efforts[thread] = march_side_by_side(next, finished); });
+  for (const LaneEffort& effort : efforts) study::add(effort, survey.lanes);
+  survey.processor_seconds = processor_seconds() - start;
+  return survey;
+}
+
+void print(const Survey& survey) {
+  const film::FilmKernels& kernels = film::kernels();
+  const auto per = [](double sum, double n) { return n > 0 ? sum / n : 0; };
+  const auto lanes = static_cast<double>(survey.lanes.sweeps) * kernels.width;
+  long steps = 0;
+  for (const Outcome& outcome : survey.outcomes) steps += outcome.totals.crank_steps;
+  std::printf(
+      "\n%.*s, %d lanes: %.1f %% busy; %ld films sought one by one after a lane had failed, in %ld steps;\n"
+      "%.1f ms of processor time per scenario, %.1f s in all\n",
+      static_cast<int>(kernels.name.size()), kernels.name.data(), kernels.width,
+      100 * per(static_cast<double>(survey.lanes.lane_sweeps), lanes), survey.lanes.single_solves, steps,
+      1e3 * per(survey.processor_seconds, static_cast<double>(survey.outcomes.size())), survey.processor_seconds);
+}
+
 /// Returns the number of faults among promised scenarios.
 long survey(const Options& options) {
   const int first = options.only.value_or(options.first);
   const int count = options.only ? 1 : options.count;
-  std::vector<Outcome> outcomes(count);
-  std::atomic<int> next = 0;
-  std::atomic<int> done = 0;
-  const auto work = [&] {
-    for (int i = next++; i < count; i = next++) {
-      outcomes[i] = outcome_of(testing::engine_scenario(options.seed, first + i));
-      if (++done % 1000 == 0) std::fprintf(stderr, "%d of %d\n", done.load(), count);
-    }
-  };
-  std::vector<std::thread> workers;
-  for (int job = 0; job < options.jobs; ++job) workers.emplace_back(work);
-  for (auto& worker : workers) worker.join();
+  const Survey survey = surveyed(options.seed, first, count, options.jobs);
+  const std::vector<Outcome>& outcomes = survey.outcomes;
 
   std::ofstream file;
   if (!options.failures.empty()) {
@@ -330,6 +418,7 @@ long survey(const Options& options) {
   std::printf("seed %llu, scenarios %d to %d\n", static_cast<unsigned long long>(options.seed), first,
               first + count - 1);
   print(rows);
+  print(survey);
   return rows.front().faults();
 }
 

@@ -44,17 +44,21 @@ function(ringfilm_test_program target sources)
   gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60)
 endfunction()
 
-# ringfilm_film_kernels(): the inner loops of the film, each source for the kind of machine in its name. Only there may
-# products be fused with sums: the numbers of one kind of machine are always the same.
+# ringfilm_film_kernels(): the inner loops of the film.
 function(ringfilm_film_kernels)
-  set(folder "${CMAKE_SOURCE_DIR}/src/ringfilm/film")
+  ringfilm_instruction_sets("${CMAKE_SOURCE_DIR}/src/ringfilm/film/kernels")
+endfunction()
+
+# ringfilm_instruction_sets(<stem>): compiles <stem>_avx2.cpp and <stem>_avx512.cpp, each for the kind of machine in its
+# name, and tells <stem>.cpp whether they are there. Only there may products be fused with sums: the numbers of one kind
+# of machine are always the same.
+function(ringfilm_instruction_sets stem)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
-    set_source_files_properties("${folder}/kernels_avx2.cpp" PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
-    set_source_files_properties("${folder}/kernels_avx512.cpp" PROPERTIES
+    set_source_files_properties("${stem}_avx2.cpp" PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
+    set_source_files_properties("${stem}_avx512.cpp" PROPERTIES
       COMPILE_OPTIONS "-mavx2;-mfma;-mavx512f;-mavx512dq;-mavx512vl;-ffp-contract=fast")
-    set_source_files_properties("${folder}/kernels.cpp" PROPERTIES COMPILE_DEFINITIONS RINGFILM_X86_KERNELS)
+    set_source_files_properties("${stem}.cpp" PROPERTIES COMPILE_DEFINITIONS RINGFILM_X86_KERNELS)
   else()
-    set_source_files_properties("${folder}/kernels_avx2.cpp" "${folder}/kernels_avx512.cpp" PROPERTIES
-      HEADER_FILE_ONLY TRUE)
+    set_source_files_properties("${stem}_avx2.cpp" "${stem}_avx512.cpp" PROPERTIES HEADER_FILE_ONLY TRUE)
   endif()
 endfunction()

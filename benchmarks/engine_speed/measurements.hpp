@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case.hpp"
+
+/// The benchmarks of the engine by name. Each tells the processor time of one of what it counts.
+namespace ringfilm::benchmarks {
+
+inline const std::vector<int> kCells = {100, 200, 400, 800};
+inline constexpr int kReferenceCells = 200;
+
+/// How much is measured.
+struct Extent {
+  int repetitions = 3;                ///< of which the fastest counts
+  std::size_t single_scenarios = 8;   ///< marched one by one
+  std::size_t batch_scenarios = 256;  ///< in a call of simulate_batch
+  int most_relaxed_cells = 800;       ///< point relaxation is left out beyond
+  int threads = 1;                    ///< of the batches on all threads
+  std::vector<std::size_t> batch_sizes = {64, 512, 4096};
+};
+
+const std::string& name_of(cycle::Cavitation cavitation);
+
+/// "batched/mass-conserving/200"
+std::string name_of(const std::string& what, cycle::Cavitation cavitation, int cells);
+
+/// Registers all of them with Google Benchmark:
+///   fma-peak, fma-peak-all-threads                           a floating-point operation
+///   point-relaxation/MODEL/CELLS, nested-secant/...          a marched cycle, from sampled steps
+///   coupled-newton/..., batched/..., batched-all-threads/... a marched cycle
+///   newton-sweep/MODEL/CELLS                                 a node of a block, all lanes
+///   batch-of/COUNT                                           a scenario, made ready and marched
+void register_measurements(const Extent& extent);
+
+}  // namespace ringfilm::benchmarks
