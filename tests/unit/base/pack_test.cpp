@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
+
+#include "../../traps/floating_point_traps.hpp"
 
 namespace ringfilm::base {
 namespace {
@@ -74,6 +77,17 @@ TYPED_TEST(PackOf, ComparesAndChoosesInEveryLane) {
   for (const double equal : this->flags(a > a)) EXPECT_EQ(equal, 0);
 }
 
+TYPED_TEST(PackOf, OfTwoOneOfWhichIsNoNumberTheSecondIsTaken) {
+  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const TypeParam nan(std::numeric_limits<double>::quiet_NaN());
+  for (const TypeParam taken : {max(nan, TypeParam(1)), min(nan, TypeParam(1))}) {
+    for (const double x : this->numbers(taken)) EXPECT_EQ(x, 1);
+  }
+  for (const TypeParam taken : {max(TypeParam(1), nan), min(TypeParam(1), nan)}) {
+    for (const double x : this->numbers(taken)) EXPECT_TRUE(std::isnan(x));
+  }
+}
+
 TYPED_TEST(PackOf, MasksAreJoinedLaneByLane) {
   const TypeParam x = this->ramp(-1, 2);  // lane 0 below, lane 1 above 0
   for (const double a : {-2.0, 0.0, 2.0}) {
@@ -81,8 +95,8 @@ TYPED_TEST(PackOf, MasksAreJoinedLaneByLane) {
       const auto over_a = x > TypeParam(a), over_b = x > TypeParam(b);
       this->expect_lane_by_lane(select(TypeParam::both(over_a, over_b), TypeParam(1), TypeParam(0)), x, x,
                                 [&](double v, double) { return v > a && v > b; });
-      this->expect_lane_by_lane(select(TypeParam::either(over_a, over_b), TypeParam(1), TypeParam(0)), x, x,
-                                [&](double v, double) { return v > a || v > b; });
+      this->expect_lane_by_lane(select(TypeParam::differ(over_a, over_b), TypeParam(1), TypeParam(0)), x, x,
+                                [&](double v, double) { return (v > a) != (v > b); });
       this->expect_lane_by_lane(select(TypeParam::only(over_a, over_b), TypeParam(1), TypeParam(0)), x, x,
                                 [&](double v, double) { return v > a && !(v > b); });
     }
