@@ -8,6 +8,7 @@ namespace ringfilm::cycle {
 double radians(double angle_deg) { return angle_deg * (std::numbers::pi / 180); }
 
 double wrapped(double crank_angle_deg) {
+  if (crank_angle_deg >= 0 && crank_angle_deg < kCycleDeg) return crank_angle_deg;
   const double angle = std::fmod(crank_angle_deg, kCycleDeg);
   return angle < 0 ? angle + kCycleDeg : angle;
 }
@@ -15,7 +16,8 @@ double wrapped(double crank_angle_deg) {
 int steps_per_cycle(const Solver& solver) { return static_cast<int>(std::lround(kCycleDeg / solver.crank_step_deg)); }
 
 Motion motion(double crank_angle_deg) {
-  const double in_turn = std::fmod(wrapped(crank_angle_deg), 360.0);
+  const double angle = wrapped(crank_angle_deg);
+  const double in_turn = angle < 360 ? angle : angle - 360;
   return in_turn > 0 && in_turn <= 180 ? Motion::kTowardsCrankcase : Motion::kTowardsTdc;
 }
 

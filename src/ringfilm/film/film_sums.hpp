@@ -66,12 +66,14 @@ struct ContactSums {
   double area;               ///< [m]
 };
 
-template <int kTerms, class Real>
-RINGFILM_INLINE Real sum_of_powers(const double* c, Real t) {
-  Real value(c[kTerms - 1]);
+/// One polynomial at several packs, side by side so that no sum waits for its last term.
+template <int kTerms, int kAbreast, class Real>
+RINGFILM_INLINE void sum_of_powers(const double* c, const Real* t, Real* value) {
+  for (int a = 0; a < kAbreast; ++a) value[a] = Real(c[kTerms - 1]);
 #pragma GCC unroll 32
-  for (int k = kTerms - 2; k >= 0; --k) value = value * t + Real(c[k]);
-  return value;
+  for (int k = kTerms - 2; k >= 0; --k) {
+    for (int a = 0; a < kAbreast; ++a) value[a] = value[a] * t[a] + Real(c[k]);
+  }
 }
 
 /// Sums along the face with packs of Real, and what is left over one by one.
@@ -80,9 +82,14 @@ class AlongFace {
  public:
   /// Oil at the nodes from the fits, and what each node holds.
   RINGFILM_INLINE static void complete(const FilmView& film, const FittedOilView& oil, const FilmContent& to) {
+    constexpr int kAbreast = 4;
+    const int n_nodes = film.n_cells + 1;
     int i = 0;
-    for (; i + Real::kWidth <= film.n_cells + 1; i += Real::kWidth) complete_at<Real>(film, oil, to, i);
-    for (; i <= film.n_cells; ++i) complete_at<One>(film, oil, to, i);
+    for (; i + kAbreast * Real::kWidth <= n_nodes; i += kAbreast * Real::kWidth) {
+      complete_at<Real, kAbreast>(film, oil, to, i);
+    }
+    for (; i + Real::kWidth <= n_nodes; i += Real::kWidth) complete_at<Real, 1>(film, oil, to, i);
+    for (; i < n_nodes; ++i) complete_at<One, 1>(film, oil, to, i);
   }
 
   /// Pressure and deficit of n+1 nodes from a lane.
@@ -138,15 +145,22 @@ class AlongFace {
     max(Some(0), -z * Some(lane.inverse_fill_scale)).store(to.deficit + i);
   }
 
-  template <class Some>
+  template <class Some, int kAbreast>
   RINGFILM_INLINE static void complete_at(const FilmView& film, const FittedOilView& oil, const FilmContent& to,
-                                          int i) {
-    const Some t = min(Some(1), (Some::load(film.p + i) - Some(oil.centre)) * Some(oil.inverse_half_width));
-    const Some K = sum_of_powers<kFluidityTerms>(oil.K, t);
-    const Some rho = sum_of_powers<kDensityTerms>(oil.rho, t);
-    rho.store(to.rho + i);
-    K.store(to.K + i);
-    (rho * theta<Some>(film, i) * (Some(film.h_m) + Some::load(film.node_height + i))).store(to.content + i);
+                                          int begin) {
+    Some t[kAbreast], K[kAbreast], rho[kAbreast];
+    for (int a = 0; a < kAbreast; ++a) {
+      const Some p = Some::load(film.p + begin + a * Some::kWidth);
+      t[a] = min(Some(1), (p - Some(oil.centre)) * Some(oil.inverse_half_width));
+    }
+    sum_of_powers<kFluidityTerms, kAbreast>(oil.K, t, K);
+    sum_of_powers<kDensityTerms, kAbreast>(oil.rho, t, rho);
+    for (int a = 0; a < kAbreast; ++a) {
+      const int i = begin + a * Some::kWidth;
+      K[a].store(to.K + i);
+      rho[a].store(to.rho + i);
+      (rho[a] * theta<Some>(film, i) * (Some(film.h_m) + Some::load(film.node_height + i))).store(to.content + i);
+    }
   }
 
   template <class Some>
@@ -180,12 +194,20 @@ class AlongFace {
       const Some gap = Some(film.h_m) + Some(contact.spread) * Some::load(film.node_height + i);
       const typename Some::Mask inside = gap < Some(contact.reach);
       if (!Some::any(inside)) return;
-      const Some t = min(max(Some(0), gap) * Some(contact.per_gap) - Some(1), Some(1));  // far ones must be numbers
+      // Far ones count for nothing, but must be numbers.
+      const Some t = min(Some(1), max(Some(0), gap) * Some(contact.per_gap) - Some(1));
+      Some root_52(contact.F_52[kContactTerms - 1]);
+      Some root_2(contact.F_2[kContactTerms - 1]);
+#pragma GCC unroll 32
+      for (int k = kContactTerms - 2; k >= 0; --k) {
+        root_52 = root_52 * t + Some(contact.F_52[k]);
+        root_2 = root_2 * t + Some(contact.F_2[k]);
+      }
       const Some weight = select(inside, Some::load(film.share + i), Some(0));
-      const Some p = weight * eighth_power(sum_of_powers<kContactTerms>(contact.F_52, t));
+      const Some p = weight * eighth_power(root_52);
       load += p;
       beyond += select(gap > Some(contact.turning_gap), p, Some(0));
-      area += weight * eighth_power(sum_of_powers<kContactTerms>(contact.F_2, t));
+      area += weight * eighth_power(root_2);
     }
     RINGFILM_INLINE static Some eighth_power(Some root) {
       const Some square = root * root;

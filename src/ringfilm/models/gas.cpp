@@ -122,6 +122,7 @@ CyclePressure::CyclePressure(std::vector<double> crank_angle_deg, std::vector<do
 }
 
 double CyclePressure::pressure(double crank_angle_deg) const {
+  if (angle_.size() == 1) return pressure_.front();
   const double at = angle_.front() + wrapped(crank_angle_deg - angle_.front());
   // The last sample that is not beyond: looked for first where it is if the samples are evenly spaced.
   const std::size_t last = angle_.size() - 1;
