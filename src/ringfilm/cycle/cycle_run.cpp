@@ -29,7 +29,6 @@ CycleRun::CycleRun(Setup setup)
       check_every_(std::max(1, static_cast<int>(std::lround(kCheckSpacingDeg / step_deg_)))),
       march_(setup_),
       recorder_(setup_),
-      one_cycle_ago_(n_steps_),
       k_(static_cast<int>(std::lround(kStartAngleDeg / step_deg_)) % n_steps_),
       distance_(std::numeric_limits<double>::infinity()) {
   try {
@@ -53,7 +52,8 @@ void CycleRun::arrived() {
   ++steps_marched_;
   const int since_start = steps_marched_ % n_steps_;
   if (k_ % check_every_ == 0 && since_start * step_deg_ <= kCheckedDeg) {
-    if (one_cycle_ago_[k_]) distance_ = march_.distance(*one_cycle_ago_[k_]);
+    const auto before = one_cycle_ago_.find(k_);
+    if (before != one_cycle_ago_.end()) distance_ = march_.distance(before->second);
     done_ = distance_ <= kPeriodicityFactor * setup_.input.solver.tolerance;
     if (!done_) one_cycle_ago_[k_] = march_.state();
   }

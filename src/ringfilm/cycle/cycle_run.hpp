@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,8 +46,8 @@ class CycleRun final : public Marching {
   int check_every_;
   March march_;
   Recorder recorder_;
-  std::vector<std::optional<film::FilmState>> one_cycle_ago_;
-  int k_ = 0;  ///< base angle
+  std::map<int, film::FilmState> one_cycle_ago_;  ///< by base angle
+  int k_ = 0;                                     ///< base angle
   int steps_marched_ = 0;
   double distance_;
   bool done_ = false;

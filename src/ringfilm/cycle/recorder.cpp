@@ -30,6 +30,7 @@ Recorder::Recorder(const Setup& setup)
     : setup_(setup),
       step_deg_(setup.input.solver.crank_step_deg),
       base_(steps_per_cycle(setup.input.solver)),
+      is_passed_(base_.size(), false),
       wanted_deg_(wanted_angles(setup.input.output)) {
   if (setup.input.output.fields == FieldsWanted::kAll) field_deg_ = wanted_deg_;
   if (setup.input.output.fields == FieldsWanted::kListed) field_deg_ = setup.input.output.field_angles_deg;
@@ -45,11 +46,11 @@ bool Recorder::wants_fields(double crank_angle_deg) const {
   return next != field_deg_.end() && *next < crank_angle_deg + kSameAngle;
 }
 
-void Recorder::keep(const March& march, const Instant& instant, std::optional<Sample>& slot) {
+void Recorder::keep(const March& march, const Instant& instant, Sample& slot) {
   const film::FilmIntegrals integrals =
       film::film_integrals(march.problem(), instant.inputs, *instant.previous, *instant.state);
   slot = sample(setup_, march, instant, integrals);
-  max_load_residual_ = std::max(max_load_residual_, slot->load_residual);
+  max_load_residual_ = std::max(max_load_residual_, slot.load_residual);
   largest_flow_ = std::max(largest_flow_, std::abs(integrals.flow_middle));
   if (march.problem().cavitation == film::Cavitation::kMassConserving) {
     largest_mass_defect_ = std::max(largest_mass_defect_, std::abs(integrals.mass_defect));
@@ -73,22 +74,23 @@ void Recorder::before_step(March& march, double from_deg, double to_deg) {
     film::FilmState state;
     Instant instant = march.side_step(turn + it->first, state);
     instant.crank_angle_deg = it->first;
-    keep(march, instant, it->second);
+    keep(march, instant, it->second.emplace());
   }
 }
 
 void Recorder::after_step(const March& march) {
   Instant instant = march.instant();
-  if (is_multiple(instant.crank_angle_deg, step_deg_)) {
+  if (march.at_base_angle()) {
     const auto k = static_cast<std::size_t>(std::lround(instant.crank_angle_deg / step_deg_)) % base_.size();
     instant.crank_angle_deg = static_cast<double>(k) * step_deg_;
     keep(march, instant, base_[k]);
+    is_passed_[k] = true;
     return;
   }
   const auto asked = between_.lower_bound(instant.crank_angle_deg - kSameAngle);
   if (asked == between_.end() || asked->first > instant.crank_angle_deg + kSameAngle) return;
   instant.crank_angle_deg = asked->first;
-  keep(march, instant, asked->second);
+  keep(march, instant, asked->second.emplace());
 }
 
 CycleResult Recorder::result(const March& march, double periodicity_error, int steps_marched,
@@ -98,11 +100,13 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
   result.samples.reserve(wanted_deg_.size());
   for (const double angle : wanted_deg_) {
     const auto between = between_.find(angle);
-    const auto& slot = between != between_.end()
-                           ? between->second
-                           : base_[static_cast<std::size_t>(std::lround(angle / step_deg_)) % base_.size()];
-    if (!slot && result.complete) throw std::logic_error("an angle asked for was never passed");
-    if (slot) result.samples.push_back(*slot);
+    const auto k = static_cast<std::size_t>(std::lround(angle / step_deg_)) % base_.size();
+    const bool is_between = between != between_.end();
+    if (is_between ? between->second.has_value() : is_passed_[k]) {
+      result.samples.push_back(is_between ? *between->second : base_[k]);
+    } else if (result.complete) {
+      throw std::logic_error("an angle asked for was never passed");
+    }
   }
   result.fields = empty_fields(setup_, march);
   for (const auto& [angle, f] : fields_) {
@@ -116,11 +120,13 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
     append(result.fields.film_parameter, f.film_parameter);
     append(result.fields.asperity_pressure, f.asperity_pressure);
   }
-  std::vector<Sample> base;
-  base.reserve(base_.size());
-  for (const auto& slot : base_) {
-    if (slot) base.push_back(*slot);
+  std::vector<Sample> passed;  // only of a march that stopped: else all of them
+  if (!result.complete) {
+    for (std::size_t k = 0; k < base_.size(); ++k) {
+      if (is_passed_[k]) passed.push_back(base_[k]);
+    }
   }
+  const std::vector<Sample>& base = result.complete ? base_ : passed;
   result.values = result.complete ? cycle_values(setup_, base) : no_cycle_values();
   if (result.complete) result.stroke = stroke_profile(setup_, base);
   result.derived = derived_values(setup_, march.problem().grid);

@@ -26,12 +26,13 @@ class Recorder : public Waypoints {
   CycleResult result(const March& march, double periodicity_error, int steps_marched, Completeness completeness) const;
 
  private:
-  void keep(const March& march, const Instant& instant, std::optional<Sample>& slot);
+  void keep(const March& march, const Instant& instant, Sample& slot);
   bool wants_fields(double crank_angle_deg) const;
 
   const Setup& setup_;
   double step_deg_;
-  std::vector<std::optional<Sample>> base_;
+  std::vector<Sample> base_;  ///< at the base angles
+  std::vector<bool> is_passed_;
   std::map<double, std::optional<Sample>> between_;  ///< angles asked for that are no base angles
   std::vector<double> wanted_deg_;                   ///< of the samples that go out, increasing
   std::vector<double> field_deg_;                    ///< of the fields that go out, increasing
