@@ -43,7 +43,7 @@ class SampledSteps::Sampler : public cycle::Waypoints {
 };
 
 SampledSteps::SampledSteps(const Scenarios& scenarios, int every)
-    : setup_(scenarios.setup(0)), march_(std::make_unique<cycle::March>(setup_)) {
+    : setup_(std::make_unique<cycle::Setup>(scenarios.setup(0))), march_(std::make_unique<cycle::March>(*setup_)) {
   Sampler sampler(steps_, every);
   march_->start(kStart);
   for (int k = 0; k < kStepsPerCycle; ++k) march_->advance(sampler);

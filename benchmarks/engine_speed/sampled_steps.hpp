@@ -39,7 +39,7 @@ class SampledSteps {
   };
   class Sampler;
 
-  cycle::Setup setup_;
+  std::unique_ptr<cycle::Setup> setup_;  // where the march looks for it, wherever this object goes
   std::unique_ptr<cycle::March> march_;
   std::vector<Step> steps_;
 };
