@@ -41,7 +41,7 @@ void check_wishes(const RunOptions& options) {
 }
 
 io::PadDocument document_of(const cycle::Case& input) {
-  return {input.title, io::case_entries(input), input.notes, io::this_program(), {}};
+  return {input.title, io::case_entries(input), input.notes, io::this_run(), {}};
 }
 
 }  // namespace

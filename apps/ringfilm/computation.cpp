@@ -9,6 +9,7 @@
 #include "progress.hpp"
 #include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/cycle/simulate.hpp"
+#include "ringfilm/film/kernels.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -24,7 +25,7 @@ Computation marched(const Wanted& wanted, ProgressLine& line) {
   document.resolved_case = io::resolved_case(input);
   document.files = input.files;
   document.input_notes = input.notes;
-  document.provenance = io::this_program();
+  document.provenance = io::this_run();
   try {
     document.result = cycle::simulate(cycle::prepare(input), &progress);
   } catch (const cycle::StoppedCycle& stop) {
@@ -39,6 +40,8 @@ Computation marched(const Wanted& wanted, ProgressLine& line) {
 struct Inquiry {
   study::LedgerPlan ledger;
   std::size_t n_other_grids = 0;
+
+  bool is_empty() const { return n_other_grids == 0 && ledger.cases.empty(); }
 };
 
 /// Moves `cases` to the end of `all`. @returns how many
@@ -76,6 +79,7 @@ std::vector<Computation> computations(const std::vector<Wanted>& wanted, const s
   const auto told = [&](int n_done, int n_total) {
     line.show(fmt::format("{} of {} other grids and choices", n_done, n_total));
   };
+  const std::string others = fmt::format("; other grids and choices {} lanes", film::kernels().width);
   const std::vector<study::Ending> ended = study::endings(further, told, options);
 
   std::span<const study::Ending> rest = ended;
@@ -83,10 +87,11 @@ std::vector<Computation> computations(const std::vector<Wanted>& wanted, const s
   for (std::size_t i = 0; i < all.size(); ++i) {
     io::ResultDocument& document = all[i].document;
     if (inquiries[i].n_other_grids > 0) add_errors(wanted[i], taken(inquiries[i].n_other_grids), document);
+    if (!inquiries[i].is_empty()) document.provenance.kernels += others;
     document.ledger_computed = wanted[i].ledger == LedgerWanted::kComputed && !all[i].stopped;
     if (document.ledger_computed) {
       const auto variants = taken(inquiries[i].ledger.cases.size());
-      document.ledger = study::ledger(std::move(inquiries[i].ledger), variants);
+      document.ledger = study::ledger(std::move(inquiries[i].ledger), variants, document.result.values);
     } else {
       document.ledger = study::assumptions(wanted[i].input);
     }

@@ -191,6 +191,13 @@ class BadCommandLine(program.ProgramTest):
     def test_unknown_publication(self):
         self.assert_refused(self.run_program("reproduce", "smith2020"), "smith2020", "styles2014")
 
+    def test_number_of_threads_that_is_none(self):
+        for number in ("0", "1025", "-3", "two", "2.5"):
+            for command in (("run", "case.toml"), ("reproduce", "styles2014")):
+                with self.subTest(command=command, number=number):
+                    done = self.run_program(*command, f"--jobs={number}")
+                    self.assert_refused(done, f"--jobs {number}", "from 1 to 1024")
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

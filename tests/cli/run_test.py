@@ -97,6 +97,10 @@ class Run(program.ProgramTest):
         self.assertGreater(header.index("piston_velocity_error [m/s]"), header.index("load_residual"))
         self.assertTrue(all(row[header.index("total_friction_error [N]")] > 0 for row in rows))
 
+    def test_the_number_of_threads_changes_no_digit(self):
+        words = ("run", "case.toml", "--json", "--ledger", "--error-estimate", "--set", "solver.cells=40", "--jobs")
+        self.assertEqual(self.run_well(*words, "1"), self.run_well(*words, "3"))
+
     def test_set_replaces_a_key_as_toml_or_as_text(self):
         # Mean piston speed is 2 x stroke x revolutions per second.
         twice = self.values("--set", "operating.speed=3000 rpm", "--set", "title=as text")
@@ -150,6 +154,7 @@ class Run(program.ProgramTest):
             self.assertEqual(data.attrs["title"], "a small case")
             self.assertEqual(data.attrs["Conventions"], "CF-1.10")
             self.assertRegex(data.attrs["commit"], "^(unknown|[0-9a-f]{7,}.*)$")
+            self.assertRegex(data.attrs["kernels"], "^[a-z0-9]+, 1 lane; other grids and choices [0-9]+ lanes$")
             self.assertGreater(data.sizes["ledger_variant"], 0)
             trace = data.file_role.values.tolist().index("gas.cylinder_pressure")
             self.assertRegex(data.file_sha256.values[trace], "^[0-9a-f]{64}$")
@@ -185,7 +190,8 @@ class Run(program.ProgramTest):
         self.assertIn("wrote", page)
 
     def test_progress_is_shown_on_a_terminal_only(self):
-        command = [program.PROGRAM, "run", "case.toml", "--ledger", "--set", "solver.cells=200"]
+        command = [program.PROGRAM, "run", "case.toml", "--ledger", "--jobs", "1", "--set", "solver.cells=800",
+                   "--set", "solver.crank_step=0.5 degree"]
         try:
             main, side = pty.openpty()
         except OSError as none:
@@ -200,7 +206,7 @@ class Run(program.ProgramTest):
             pass
         self.assertEqual(child.wait(), 0)
         os.close(main)
-        self.assertRegex(shown.decode(), r"ledger, \d+ of \d+")
+        self.assertRegex(shown.decode(), r"\d+ of \d+ other grids and choices")
         self.assertTrue(shown.decode().endswith("\x1b[K"), "the line is gone at the end")
         self.assertEqual(self.run_program(*command[1:]).stderr, "")
 

@@ -70,6 +70,7 @@ std::string pad_json(const PadDocument& document) {
   object["effort"] = effort_object(result.effort);
   object["program"] = document.provenance.program;
   object["commit"] = document.provenance.commit;
+  object["kernels"] = document.provenance.kernels;
   object["complete"] = result.complete;
   // A title in another encoding than UTF-8 must not lose the result.
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

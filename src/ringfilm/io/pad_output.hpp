@@ -18,7 +18,7 @@ struct PadDocument {
 
 /// The numbers of the last instant as one flat JSON object, SI: title, every entry of pad::pad_quantities() and
 /// pad::front_quantities() by its name; for a march in time `history` with the same as arrays; then `units`, `notes`,
-/// `assumed`, `effort`, `program`, `commit` and `complete`. JSON knows no NaN: such a value is null.
+/// `assumed`, `effort`, `program`, `commit`, `kernels` and `complete`. JSON knows no NaN: such a value is null.
 std::string pad_json(const PadDocument& document);
 
 /// The film along the pad as CSV text: a row for each node at each instant, two with the same x at a step of the gap,

@@ -25,8 +25,12 @@ struct Provenance {
   std::string program;   ///< "ringfilm 0.1.0"
   std::string commit;    ///< of the sources, "unknown" outside a checkout
   std::string compiler;  ///< name, version, build type
+  std::string kernels;   ///< inner loops that found the films, and how many at once: "avx512, 1 lane"; of a run alone
 };
 Provenance this_program();
+
+/// The same for a run of this program that marches by itself, in one lane.
+Provenance this_run();
 
 /// All that a result file holds; a report can be drawn again from it alone.
 struct ResultDocument {

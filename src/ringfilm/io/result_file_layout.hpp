@@ -9,7 +9,7 @@
 namespace ringfilm::io {
 
 /// Raised by one whenever a name or a meaning changes.
-constexpr long kResultSchema = 2;
+constexpr long kResultSchema = 3;
 
 /// Plain description of a variable that is no quantity of the tables in cycle/result.hpp.
 inline cycle::Quantity described(std::string name, std::string unit, std::string long_name, std::string symbol = "",
@@ -56,6 +56,7 @@ void exchange_attributes(File& file, Document& document) {
   file.attribute("program", document.provenance.program);
   file.attribute("commit", document.provenance.commit);
   file.attribute("compiler", document.provenance.compiler);
+  file.attribute("kernels", document.provenance.kernels);
   file.attribute("complete", document.result.complete);
   file.attribute("ledger_computed", document.ledger_computed);
   auto& effort = document.result.effort;

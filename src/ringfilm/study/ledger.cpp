@@ -8,8 +8,7 @@
 namespace ringfilm::study {
 namespace {
 
-cycle::Case changed(cycle::Case c, const Alternative& alternative) {
-  alternative.apply(c);
+cycle::Case values_alone(cycle::Case c) {
   c.output.crank_angles_deg.clear();
   c.output.fields = cycle::FieldsWanted::kNone;
   return c;
@@ -25,22 +24,29 @@ std::vector<LedgerEntry> assumptions(const cycle::Case& c) {
 
 LedgerPlan ledger_plan(const cycle::Case& c) {
   LedgerPlan plan;
+  const cycle::Case plain = values_alone(c);
   for (const Assumption& assumption : assumptions_of(cycle::prepare(c))) {
     plan.entries.push_back(assumption.entry);
     for (const Alternative& alternative : assumption.alternatives) {
       plan.entries.back().variants.push_back({alternative.setting, {}, true, ""});
-      plan.cases.push_back(changed(c, alternative));
+      plan.cases.push_back(plain);
+      alternative.apply(plan.cases.back());
     }
   }
+  plan.cases.push_back(plain);
   return plan;
 }
 
-std::vector<LedgerEntry> ledger(LedgerPlan plan, std::span<const Ending> ended) {
+std::vector<LedgerEntry> ledger(LedgerPlan plan, std::span<const Ending> ended, const cycle::CycleValues& own) {
+  const cycle::CycleValues& unchanged = ended.back().result.values;
   std::size_t i = 0;
   for (LedgerEntry& entry : plan.entries) {
     for (LedgerVariant& variant : entry.variants) {
       const Ending& ending = ended[i++];
-      variant.values = ending.result.values;
+      for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
+        const double value = ending.result.values.*quantity.value;
+        variant.values.*quantity.value = value == unchanged.*quantity.value ? own.*quantity.value : value;
+      }
       variant.solved = ending.is_solved();
       variant.reason = ending.reason();
     }
@@ -51,7 +57,7 @@ std::vector<LedgerEntry> ledger(LedgerPlan plan, std::span<const Ending> ended) 
 std::vector<LedgerEntry> ledger(const cycle::Case& c, const Progress& progress, const BatchOptions& options) {
   LedgerPlan plan = ledger_plan(c);
   const std::vector<Ending> ended = endings(plan.cases, progress, options);
-  return ledger(std::move(plan), ended);
+  return ledger(std::move(plan), ended, ended.back().result.values);
 }
 
 }  // namespace ringfilm::study

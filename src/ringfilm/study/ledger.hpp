@@ -34,14 +34,15 @@ std::vector<LedgerEntry> assumptions(const cycle::Case& c);
 /// A ledger whose variants are still to be run.
 struct LedgerPlan {
   std::vector<LedgerEntry> entries;  ///< variants with their settings alone
-  std::vector<cycle::Case> cases;    ///< those of all variants, entry by entry
+  std::vector<cycle::Case> cases;    ///< those of all variants, entry by entry, and at last the case itself
 };
 LedgerPlan ledger_plan(const cycle::Case& c);
 
-/// The ledger of a plan whose cases ended like this, in their order.
-std::vector<LedgerEntry> ledger(LedgerPlan plan, std::span<const Ending> ended);
+/// The ledger of a plan whose cases ended like this, in their order. @param own values of the case as it is told; a
+/// value that a setting does not move, bit by bit among the cases of the plan, is that one
+std::vector<LedgerEntry> ledger(LedgerPlan plan, std::span<const Ending> ended, const cycle::CycleValues& own);
 
-/// The assumptions of `c` with every variant run that this program can run.
+/// The assumptions of `c` with every variant run that this program can run, beside the case itself run like them.
 std::vector<LedgerEntry> ledger(const cycle::Case& c, const Progress& progress = {}, const BatchOptions& options = {});
 
 }  // namespace ringfilm::study

@@ -20,7 +20,7 @@ inline ResultDocument example_document(int n_samples = 5) {
   document.files = {{"case", "example.toml", std::string(64, 'a')},
                     {"gas.cylinder_pressure", "p.csv", std::string(64, 'b')}};
   document.input_notes = {"p.csv begins with a byte-order mark"};
-  document.provenance = {"ringfilm 9.9", "0123abc", "GNU 12"};
+  document.provenance = {"ringfilm 9.9", "0123abc", "GNU 12", "avx2, 1 lane"};
 
   cycle::CycleResult& result = document.result;
   for (int k = 0; k < n_samples; ++k) {

@@ -144,6 +144,7 @@ void expect_same(const ResultDocument& a, const ResultDocument& b) {
   EXPECT_EQ(a.provenance.program, b.provenance.program);
   EXPECT_EQ(a.provenance.commit, b.provenance.commit);
   EXPECT_EQ(a.provenance.compiler, b.provenance.compiler);
+  EXPECT_EQ(a.provenance.kernels, b.provenance.kernels);
   expect_same(a.result, b.result);
   expect_same_ledger(a.ledger, b.ledger);
   EXPECT_EQ(a.ledger_computed, b.ledger_computed);

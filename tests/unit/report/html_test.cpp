@@ -61,6 +61,7 @@ TEST(ReportPage, KeepsValuesInSiUnits) {
   EXPECT_NEAR(only["curves"]["min_film_thickness"][20].get<double>(), film, 5e-7 * film);
   EXPECT_EQ(only["values"]["fmep"].get<double>(), document.result.values.fmep);
   EXPECT_EQ(only["provenance"]["commit"], document.provenance.commit);
+  EXPECT_EQ(only["provenance"]["kernels"], document.provenance.kernels);
   EXPECT_EQ(only["ledger"][0]["variants"][0]["values"]["fmep"].get<double>(),
             document.ledger[0].variants[0].values.fmep);
   EXPECT_EQ(only["comparison"][0]["published"].get<double>(), 1.41);

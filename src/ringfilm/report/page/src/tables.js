@@ -174,7 +174,7 @@ const kEffort = [
 export function provenanceSection(model) {
   const heads = ['what', ...numberHeads(model)];
   const rows = [
-    ...['program', 'commit', 'compiler'].map((key) => [key, ...model.cases.map((c) => figure(c.provenance[key] || '–'))]),
+    ...['program', 'commit', 'compiler', 'kernels'].map((key) => [key, ...model.cases.map((c) => figure(c.provenance[key] || '–'))]),
     ...kEffort.map(([key, label]) => [label, ...model.cases.map((c) => figure(Number.isInteger(c.effort[key]) ? String(c.effort[key]) : number(c.effort[key], 2)))]),
   ];
   const files = [];
