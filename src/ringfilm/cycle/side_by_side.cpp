@@ -1,7 +1,7 @@
 #include "ringfilm/cycle/side_by_side.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <deque>
 #include <map>
 #include <tuple>
@@ -18,12 +18,9 @@ using Owned = std::unique_ptr<Marching>;
 
 /// Marches that wait for a lane of their kind, at the most.
 constexpr std::size_t kMostWaiting = 64;
-/// Blocks are laid out for numbers of cells in steps of 2^(1/4).
-constexpr double kClassesPerDoubling = 4;
-
-/// Marches of one kind may share a block.
+/// Marches of one kind may share a block, which sweeps as far as the longest film in it.
 struct Kind {
-  int cells;  ///< room for so many
+  unsigned cells;  ///< room for so many: a power of two
   const film::FilmKernels* kernels;
   film::LaneLaws laws;
   film::LaneCavity cavity;
@@ -31,9 +28,7 @@ struct Kind {
 };
 
 Kind kind_of(const film::FilmProblem& problem) {
-  const double size_class = std::ceil(kClassesPerDoubling * std::log2(problem.grid.n_cells()) - 1e-9);
-  return {static_cast<int>(std::lround(std::exp2(size_class / kClassesPerDoubling))), problem.kernels,
-          film::best_laws(problem),
+  return {std::bit_ceil(static_cast<unsigned>(problem.grid.n_cells())), problem.kernels, film::best_laws(problem),
           problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFill
                                                                   : film::LaneCavity::kMultiplier};
 }
@@ -42,7 +37,7 @@ Kind kind_of(const film::FilmProblem& problem) {
 class Block {
  public:
   explicit Block(const Kind& kind)
-      : newton_(*kind.kernels, kind.kernels->width, kind.cells), marches_(kind.kernels->width) {}
+      : newton_(*kind.kernels, kind.kernels->width, static_cast<int>(kind.cells)), marches_(kind.kernels->width) {}
 
   bool has_room() const { return n_busy_ < newton_.width(); }
   bool is_empty() const { return n_busy_ == 0; }
