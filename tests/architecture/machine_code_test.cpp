@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstdio>
 #include <memory>
 #include <sstream>
@@ -14,7 +15,7 @@ namespace {
 /// Symbols that one member of a library, as `nm` lists it, offers to other objects.
 struct Offered {
   std::vector<std::string> tagged;  ///< functions with the tag in their names
-  std::vector<std::string> others;  ///< functions without, and all that other objects might define too
+  std::vector<std::string> others;  ///< functions without
 };
 
 /// @param listing of `nm --defined-only`: a line "member:", then lines "address type name"
@@ -27,10 +28,9 @@ Offered offered_by(const std::string& listing, const std::string& member, const 
     std::istringstream words(line);
     std::string address, type, name;
     if (!inside || !(words >> address >> type >> name)) continue;
-    const bool is_local =
-        std::islower(static_cast<unsigned char>(type[0])) && type != "u" && type != "v" && type != "w";
-    const bool is_data_of_its_own = type == "D" || type == "R" || type == "B";
-    if (is_local || is_data_of_its_own) continue;
+    const bool is_local = std::islower(static_cast<unsigned char>(type[0])) && type != "u" && type != "w";
+    const bool is_data = type == "D" || type == "R" || type == "B" || type == "V";
+    if (is_local || is_data) continue;
     (name.find(tag) != std::string::npos ? offered.tagged : offered.others).push_back(name);
   }
   return offered;
@@ -66,6 +66,7 @@ TEST(MachineCode, FunctionsWithoutTheTagAreTold) {
       "\nkernels_old.cpp.o:\n0000000000000000 W _ZNSt6vectorIdSaIdEE9push_backEOd\n"
       "\nkernels_new.cpp.o:\n0000000000000000 W _ZN4filmILN4base14InstructionSetE1EEEvv\n"
       "0000000000000000 D _ZN4film7kTableE\n0000000000000010 t _ZL5alonev\n0000000000000000 r .LC0\n"
+      "0000000000000000 V DW.ref.__gxx_personality_v0\n"
       "0000000000000020 T _Z4openv\n0000000000000000 u _ZZ4openvE5state\n0000000000000000 W _ZSt4sqrtIdEvT_\n"
       "0000000000000000 W _ZN4filmILN4base14InstructionSetE0EEEvv\n";
   const Offered offered = offered_by(listing, "kernels_new.cpp.o", "14InstructionSetE1E");
