@@ -4,8 +4,10 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <type_traits>
 #include <utility>
 
+#include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/film/kernels.hpp"
 #include "ringfilm/study/shares.hpp"
@@ -61,7 +63,7 @@ class Desk {
       return one;
     }
     if (!shares_.empty() || is_dry_) return std::nullopt;
-    std::optional<cycle::Case> one = next_();
+    std::optional<cycle::Case> one = call([&] { return next_(); });
     is_dry_ = !one;
     if (is_dry_) return std::nullopt;
     return Numbered{n_read_++, std::move(*one)};
@@ -71,7 +73,7 @@ class Desk {
   void hand_in(Ending ending) {
     const std::lock_guard lock(mutex_);
     if (failure_ != nullptr) std::rethrow_exception(failure_);
-    ended_(std::move(ending));
+    call([&] { ended_(std::move(ending)); });
   }
 
   /// Ends the batch.
@@ -81,6 +83,17 @@ class Desk {
   }
 
  private:
+  /// Calls back under the lock; what it throws ends the batch before another thread can call.
+  template <class Callback>
+  std::invoke_result_t<Callback> call(const Callback& callback) {
+    try {
+      return callback();
+    } catch (...) {
+      failure_ = std::current_exception();
+      throw;
+    }
+  }
+
   const CaseSource& next_;
   const std::function<void(Ending)>& ended_;
   std::mutex mutex_;
@@ -90,6 +103,13 @@ class Desk {
   bool is_dry_ = false;
   std::exception_ptr failure_;
 };
+
+Ending refused(std::size_t index, const InputError& refusal) {
+  Ending ending{index, {}, std::nullopt, refusal};
+  ending.result.values = cycle::no_cycle_values();
+  ending.result.complete = false;
+  return ending;
+}
 
 /// All that one thread does.
 cycle::LaneEffort serve(Desk& desk, int thread) {
@@ -102,7 +122,7 @@ cycle::LaneEffort serve(Desk& desk, int thread) {
         index[n_begun++] = one->index;
         return ready;
       } catch (const InputError& refusal) {
-        desk.hand_in({one->index, {}, std::nullopt, refusal});
+        desk.hand_in(refused(one->index, refusal));
       }
     }
     return std::nullopt;

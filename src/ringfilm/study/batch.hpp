@@ -18,8 +18,9 @@ struct BatchOptions {
 
 /// How a scenario of a batch ended.
 struct Ending {
-  std::size_t index = 0;      ///< in the order in which the cases were given, from 0
-  cycle::CycleResult result;  ///< all up to the last good angle if the march stopped; empty if the case was refused
+  std::size_t index = 0;  ///< in the order in which the cases were given, from 0
+  /// All up to the last good angle if the march stopped, nothing if the case was refused; both with every value NaN.
+  cycle::CycleResult result;
   std::optional<cycle::Stop> stop;    ///< why the march stopped
   std::optional<InputError> refusal;  ///< why the case could not be prepared
 
@@ -42,9 +43,10 @@ void add(const cycle::LaneEffort& part, cycle::LaneEffort& all);
 
 /// Simulates the cycle of every case that `next` gives and tells each as it ends, not in order. `next` and `ended` are
 /// called from several threads but never two at a time. Same case, same bits, whatever the number of threads and
-/// whatever else is in the batch. Memory does not grow with the number of cases: some 64 for each thread are read
-/// ahead. Fewer than these are shared out so that all threads end at about the same time. An exception, be it of `next`
-/// or `ended`, ends the batch and is rethrown when all threads have ended.
+/// whatever else is in the batch. Memory does not grow with the number of cases: 64 for each thread are read ahead, and
+/// on each thread, beside those in its lanes, at most 64 more that are ready wait for a lane of their kind. Fewer than
+/// are read ahead are shared out so that all threads end at about the same time. An exception, be it of `next` or
+/// `ended`, ends the batch: neither is called again, and it is rethrown when all threads have ended.
 BatchEffort simulate_cases(const CaseSource& next, const std::function<void(Ending)>& ended,
                            const BatchOptions& options = {});
 

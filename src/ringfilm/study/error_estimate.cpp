@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "ringfilm/cycle/cycle_values.hpp"
@@ -225,9 +226,10 @@ std::vector<Case> other_grids(const Case& c) {
 }
 
 ErrorEstimate error_estimate(const Case& c, const CycleResult& result, std::span<const Ending> others) {
+  const std::vector<Case> grids = other_grids(c);
+  if (others.size() != grids.size()) throw std::logic_error("an error estimate needs an ending on each other grid");
   ErrorEstimate errors = no_estimate(result.samples.size());
   errors.runs.push_back({c.solver.cells, c.solver.crank_step_deg, c.solver.step_error, true, ""});
-  const std::vector<Case> grids = other_grids(c);
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const cycle::Solver& solver = grids[i].solver;
     errors.runs.push_back(

@@ -35,7 +35,8 @@ bool has_error(const cycle::CurveQuantity& quantity);
 std::vector<cycle::Case> other_grids(const cycle::Case& c);
 
 /// The errors of `result`, a complete result of `c`, from how its `other_grids` ended. One that was not solved leaves
-/// the one on its other side to go by, and both no estimate.
+/// the one on its other side to go by, and both no estimate. Throws std::logic_error if there are not as many
+/// endings as grids.
 ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, std::span<const Ending> others);
 
 /// The same, marching them; costs about five times what `c` cost.

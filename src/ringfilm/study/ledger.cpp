@@ -1,5 +1,6 @@
 #include "ringfilm/study/ledger.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "ringfilm/cycle/setup.hpp"
@@ -38,14 +39,19 @@ LedgerPlan ledger_plan(const cycle::Case& c) {
 }
 
 std::vector<LedgerEntry> ledger(LedgerPlan plan, std::span<const Ending> ended, const cycle::CycleValues& own) {
-  const cycle::CycleValues& unchanged = ended.back().result.values;
+  if (ended.empty() || ended.size() != plan.cases.size()) {
+    throw std::logic_error("a ledger needs an ending of each case of its plan");
+  }
+  const Ending& unchanged = ended.back();
   std::size_t i = 0;
   for (LedgerEntry& entry : plan.entries) {
     for (LedgerVariant& variant : entry.variants) {
       const Ending& ending = ended[i++];
+      variant.values = ending.result.values;
       for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
-        const double value = ending.result.values.*quantity.value;
-        variant.values.*quantity.value = value == unchanged.*quantity.value ? own.*quantity.value : value;
+        if (!ending.is_solved() || !unchanged.is_solved()) break;
+        double& value = variant.values.*quantity.value;
+        if (value == unchanged.result.values.*quantity.value) value = own.*quantity.value;
       }
       variant.solved = ending.is_solved();
       variant.reason = ending.reason();

@@ -13,7 +13,7 @@ namespace ringfilm::study {
 /// One other choice for an assumption, run through the same solver.
 struct LedgerVariant {
   std::string setting;        ///< as one would write it, e.g. "film.cavitation = \"mass-conserving\""
-  cycle::CycleValues values;  ///< of the run with this setting alone changed
+  cycle::CycleValues values;  ///< of the run with this setting alone changed; NaN if not solved
   bool solved = true;
   std::string reason;  ///< why not, if not solved
 };
@@ -39,7 +39,8 @@ struct LedgerPlan {
 LedgerPlan ledger_plan(const cycle::Case& c);
 
 /// The ledger of a plan whose cases ended like this, in their order. @param own values of the case as it is told; a
-/// value that a setting does not move, bit by bit among the cases of the plan, is that one
+/// value that a setting does not move, bit by bit among the cases of the plan, is that one. Throws std::logic_error if
+/// there are not as many endings as cases
 std::vector<LedgerEntry> ledger(LedgerPlan plan, std::span<const Ending> ended, const cycle::CycleValues& own);
 
 /// The assumptions of `c` with every variant run that this program can run, beside the case itself run like them.

@@ -1,7 +1,7 @@
 #include "ringfilm/study/shares.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <numeric>
 #include <tuple>
 
@@ -11,11 +11,12 @@ namespace ringfilm::study {
 namespace {
 
 /// Cases of one kind march side by side.
-using Kind = std::tuple<cycle::Method, cycle::Cavitation, cycle::Properties, long>;
+using Kind = std::tuple<cycle::Method, cycle::Cavitation, cycle::Properties, unsigned>;
 
 Kind kind_of(const cycle::Case& c) {
-  const double size_class = std::ceil(4 * std::log2(c.solver.cells) - 1e-9);  // as the lanes are laid out
-  return {c.solver.method, c.film.cavitation, c.solver.properties, std::lround(size_class)};
+  // A block of lanes (cycle/side_by_side.cpp) has room for a power of two in cells, too.
+  return {c.solver.method, c.film.cavitation, c.solver.properties,
+          std::bit_ceil(static_cast<unsigned>(c.solver.cells))};
 }
 
 /// Nodes that its march visits, to a factor.

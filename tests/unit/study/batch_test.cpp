@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <numeric>
 #include <set>
@@ -18,6 +19,12 @@ using cycle::Case;
 /// Cases of several kinds, the march of one of which stops, while another cannot be prepared.
 constexpr std::size_t kStops = 4, kRefused = 7;
 
+Case outside_its_table(Case c) {
+  c.lubricant.table_file = "oil.csv";
+  c.lubricant.table = {{283.15, 293.15}, {1e5, 1e7}, {6e-3, 7e-3, 4e-3, 5e-3}, {790, 795, 780, 785}};
+  return c;
+}
+
 std::vector<Case> mixed_cases() {
   std::vector<Case> cases;
   for (int i = 0; i < 11; ++i) {
@@ -30,8 +37,7 @@ std::vector<Case> mixed_cases() {
   }
   cases[kStops].contact.composite_modulus = 1e4;  // asperities of jelly carry nothing, nor does a film that stands
   cases[kStops].operating.speed = 1e-3;
-  cases[kRefused].lubricant.table_file = "oil.csv";
-  cases[kRefused].lubricant.table = {{283.15, 293.15}, {1e5, 1e7}, {6e-3, 7e-3, 4e-3, 5e-3}, {790, 795, 780, 785}};
+  cases[kRefused].lubricant = outside_its_table(cases[kRefused]).lubricant;
   return cases;
 }
 
@@ -72,6 +78,12 @@ TEST(Batch, AStopAndARefusalLeaveTheOthersAlone) {
   }
   ASSERT_TRUE(ended[kStops].stop.has_value());
   EXPECT_NE(ended[kStops].reason().find("degree"), std::string::npos) << ended[kStops].reason();
+  for (const std::size_t without : {kStops, kRefused}) {
+    EXPECT_FALSE(ended[without].result.complete);
+    for (const auto& quantity : cycle::cycle_quantities()) {
+      EXPECT_TRUE(std::isnan(ended[without].result.values.*quantity.value)) << quantity.name;
+    }
+  }
   ASSERT_TRUE(ended[kRefused].refusal.has_value());
   EXPECT_NE(ended[kRefused].reason().find("outside the oil table"), std::string::npos) << ended[kRefused].reason();
 }
@@ -126,6 +138,28 @@ TEST(Batch, AnExceptionOfWhoIsToldEndsIt) {
   };
   EXPECT_THROW(simulate_cases(source_of(cases, n_given), full, {2}), std::runtime_error);
   EXPECT_EQ(told, 3);
+}
+
+TEST(Batch, NobodyIsCalledAgainAfterAnException) {
+  const Case refused = outside_its_table(testing::coarse_case());  // each thread is back at once, to call again
+  for (int repetition = 0; repetition < 50; ++repetition) {
+    const bool by_source = repetition % 2 == 0;
+    int n_given = 0, n_told = 0, n_too_late = 0;
+    bool has_thrown = false;
+    const auto called = [&](bool fails) {
+      if (has_thrown) ++n_too_late;
+      if (!fails) return;
+      has_thrown = true;
+      throw std::runtime_error("no more");
+    };
+    const auto next = [&]() -> std::optional<Case> {
+      called(++n_given == 300 && by_source);
+      return refused;
+    };
+    const auto told = [&](const Ending&) { called(++n_told == 20 && !by_source); };
+    EXPECT_THROW(simulate_cases(next, told, {4}), std::runtime_error);
+    EXPECT_EQ(n_too_late, 0);
+  }
 }
 
 TEST(Batch, AnExceptionOfTheSourceEndsIt) {

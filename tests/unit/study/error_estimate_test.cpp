@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "error_coverage.hpp"
 #include "study_case.hpp"
@@ -62,6 +63,12 @@ TEST(ErrorEstimate, MarchesTheCaseOnGridsTwiceAndHalfAsFine) {
   expect(2, 21, 4, 1e-3);
   expect(3, 41, 2, 2.5e-4);
   expect(4, 41, 8, 4e-3);
+}
+
+TEST(ErrorEstimate, NeedsAnEndingOnEachOtherGrid) {
+  const cycle::Case c = coarse_case();
+  const std::vector<study::Ending> ended(study::other_grids(c).size());
+  EXPECT_THROW(study::error_estimate(c, cycle::CycleResult(), std::span(ended).first(3)), std::logic_error);
 }
 
 TEST(ErrorEstimate, TellsWhichMarchStoppedAndWhetherAnythingIsLeft) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,6 +81,25 @@ TEST(Ledger, AValueThatASettingDoesNotMoveIsThatOfTheResult) {
   EXPECT_EQ(stiffer.min_film_thickness, study::endings({direct}).front().result.values.min_film_thickness);
 }
 
+TEST(Ledger, WithoutTheCaseItselfNoValueCountsAsUnmoved) {
+  study::LedgerPlan plan = study::ledger_plan(coarse_case());
+  std::vector<study::Ending> ended(plan.cases.size());
+  for (study::Ending& ending : ended) ending.result.values.peak_gas_pressure = 2;
+  cycle::CycleValues own;
+  own.peak_gas_pressure = 3;
+  const char* setting = "contact.composite_modulus = \"190 GPa\"";
+  EXPECT_EQ(variant(study::ledger(plan, ended, own), setting).values.peak_gas_pressure, 3);
+  ended.back().refusal = InputError("refused");
+  EXPECT_EQ(variant(study::ledger(plan, ended, own), setting).values.peak_gas_pressure, 2);
+}
+
+TEST(Ledger, NeedsAnEndingOfEachCase) {
+  study::LedgerPlan plan = study::ledger_plan(coarse_case());
+  const std::vector<study::Ending> ended(plan.cases.size());
+  EXPECT_THROW(study::ledger(plan, std::span(ended).first(ended.size() - 1), {}), std::logic_error);
+  EXPECT_THROW(study::ledger(study::LedgerPlan(), {}, {}), std::logic_error);
+}
+
 TEST(Ledger, AVariantThatCannotBeSolvedIsKeptWithItsReason) {
   Case c = coarse_case();
   c.solver.cells = 20;
@@ -88,6 +110,7 @@ TEST(Ledger, AVariantThatCannotBeSolvedIsKeptWithItsReason) {
     const LedgerVariant& outside = variant(ledger, setting);
     EXPECT_FALSE(outside.solved);
     EXPECT_NE(outside.reason.find("outside the oil table"), std::string::npos) << outside.reason;
+    EXPECT_TRUE(std::isnan(outside.values.mean_power_loss));
   }
   const LedgerVariant& inside = variant(ledger, "contact.composite_modulus = \"190 GPa\"");
   EXPECT_TRUE(inside.solved);

@@ -59,6 +59,20 @@ TEST(Shares, MoreThanTheLanesKeepLikeBesideLike) {
   }
 }
 
+TEST(Shares, LikeAreThoseWithTheSameNextPowerOfTwo) {
+  std::vector<cycle::Case> cases(8, of_cells(128));
+  for (int i = 0; i < 4; ++i) {
+    cases.push_back(of_cells(129));
+    cases.push_back(of_cells(256));
+  }
+  const Shares two = shares(cases, 2, 8);
+  ASSERT_EQ(two.size(), 2u);
+  for (const auto& share : two) {
+    EXPECT_EQ(share.size(), 8u);
+    for (const std::size_t i : share) EXPECT_EQ(i < 8, share.front() < 8);
+  }
+}
+
 TEST(Shares, TheLongestMarchKeepsAThreadToItself) {
   std::vector<cycle::Case> cases(4, of_cells(100));
   cases.push_back(of_cells(1600));
