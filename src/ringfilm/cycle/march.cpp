@@ -102,7 +102,7 @@ March::Boundary March::boundary(double crank_angle_deg, double time_step) const 
 
 void March::count(const film::FilmReport& report) {
   totals_.newton_iterations += report.iterations;
-  totals_.exact_law_solves += report.exact_laws && problem_.oil->fit() != nullptr;
+  totals_.exact_law_solves += report.converged && report.exact_laws && problem_.oil->fit() != nullptr;
   effort_.newton_iterations += report.iterations;
   totals_.relaxation_sweeps += report.sweeps;
   if (report.converged && report.route == film::Route::kSecant) {

@@ -46,6 +46,8 @@ class Waypoints {
 class March {
  public:
   explicit March(const Setup& setup);
+  March(const March&) = delete;  // an Instant refers to its states
+  March& operator=(const March&) = delete;
 
   /// A steady film at the base angle k. Throws ConvergenceError.
   void start(int k);

@@ -102,8 +102,9 @@ PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
 
 void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
   constexpr double kLeastRange = 20e6;  // [Pa]
-  for (const double factor : {4.0, 2.0}) {
-    oil.oil = models::fitted_oil(oil.oil, 0, std::max(factor * largest_mean_pressure, kLeastRange));
+  const double high = std::max(4 * largest_mean_pressure, kLeastRange);
+  for (const double range : {high, high / 2}) {
+    oil.oil = models::fitted_oil(oil.oil, 0, range);
     if (oil.oil->fit()) return;
   }
   char wanted[32];

@@ -47,7 +47,7 @@ class Block {
     marches_[lane] = std::move(march);
     ++n_busy_;
     newton_.bind(lane, marches_[lane]->march().problem());
-    propose(lane, Lane::kElsewhere);
+    propose(lane, Film::kElsewhere);
   }
 
   /// One iteration of all lanes; marches that are done leave.
@@ -58,12 +58,12 @@ class Block {
     effort.node_sweeps += newton_.nodes_swept();
     for (int lane = 0; lane < newton_.width(); ++lane) {
       if (marches_[lane] == nullptr || newton_.phase(lane) == film::LaneNewton::Phase::kRunning) continue;
-      const long singles = effort.single_solves;
+      const Found found = find(lane, effort);
       const long steps = marches_[lane]->march().totals().crank_steps;
-      marches_[lane]->conclude(solved(lane, effort));
+      marches_[lane]->conclude(found.report);
       if (!marches_[lane]->done()) {
         const bool taken = marches_[lane]->march().totals().crank_steps > steps;
-        propose(lane, taken && effort.single_solves == singles ? Lane::kHoldsState : Lane::kElsewhere);
+        propose(lane, taken ? found.where : Film::kElsewhere);
         continue;
       }
       newton_.clear(lane);
@@ -74,18 +74,22 @@ class Block {
 
  private:
   /// Where the film is from which the next step starts.
-  enum class Lane { kHoldsState, kElsewhere };
+  enum class Film { kInLane, kElsewhere };
 
-  void propose(int lane, Lane content) {
+  void propose(int lane, Film where) {
     March& march = marches_[lane]->march();
     march.propose();
-    if (content == Lane::kHoldsState) return newton_.go_on(lane, march.proposed(), march.state(), march.guessed_h_m());
+    if (where == Film::kInLane) return newton_.go_on(lane, march.proposed(), march.state(), march.guessed_h_m());
     newton_.start(lane, march.proposed(), march.state(), march.state(), march.guessed_h_m(),
                   film::Unknowns::kFilmAndSeparation, film::best_laws(march.problem()));
   }
 
   /// The candidate as the lane leaves it, or found one by one where a lane is not enough.
-  film::FilmReport solved(int lane, LaneEffort& effort) {
+  struct Found {
+    film::FilmReport report;
+    Film where;
+  };
+  Found find(int lane, LaneEffort& effort) {
     March& march = marches_[lane]->march();
     const film::FilmProblem& problem = march.problem();
     const film::LaneLaws laws = film::best_laws(problem);
@@ -98,14 +102,13 @@ class Block {
         film::complete_state(problem, laws, march.candidate());
         report.converged = true;
         report.failure = film::Failure::kNone;
-        return report;
+        return {report, Film::kInLane};
       }
     }
     ++effort.single_solves;
-    march.propose();
     film::FilmReport alone = march.solve();
     alone.iterations += report.iterations;
-    return alone;
+    return {alone, Film::kElsewhere};
   }
 
   film::LaneNewton newton_;

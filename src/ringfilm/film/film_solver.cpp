@@ -64,8 +64,9 @@ class FilmSolve {
         if (solve_alone(report)) {
           excess = load_excess();
         } else {
-          // Pressures that run away tell enough for a bracket: the film is too thin.
-          excess = std::max(unfinished, load_excess());
+          // Pressures that run away tell enough for a bracket: the film is too thin. If one of the two films is no
+          // number, the other one tells.
+          excess = std::fmax(unfinished, load_excess());
           solved = solved && excess > inputs_.load;
         }
       }

@@ -100,8 +100,8 @@ class AlongFace {
   }
 
   RINGFILM_INLINE static FilmSums sums(const FilmView& film, const StepView& step) {
-    Sums<Real> packs;
-    Sums<One> rest;
+    Sums<Real> packs(film);
+    Sums<One> rest(film);
     int i = 0;
     for (; i + Real::kWidth <= film.n_cells; i += Real::kWidth) {
       packs.add_node(film, step, i);
@@ -165,7 +165,9 @@ class AlongFace {
 
   template <class Some>
   struct Sums {
-    Some load{0}, couette{0}, poiseuille{0}, storage{0}, peak{0};
+    Some load{0}, couette{0}, poiseuille{0}, storage{0}, peak;
+
+    RINGFILM_INLINE explicit Sums(const FilmView& film) : peak(film.p[0]) {}
 
     RINGFILM_INLINE void add_node(const FilmView& film, const StepView& step, int i) {
       const Some p = Some::load(film.p + i);

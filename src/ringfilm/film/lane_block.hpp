@@ -83,7 +83,8 @@ struct LaneBlock {
   alignas(64) Lanes to_cavity;  ///< not 0: one went the other way
 };
 
-/// How far beyond the kink a node is put, and below which a change of sides does not count; relative to the scale.
+/// How far beyond the kink a node is put, and below which a change of sides does not count; relative to the scale of
+/// its side: of pressure in the film, of the fill in the cavity.
 inline constexpr double kBeyondKink = 1e-10;
 
 }  // namespace ringfilm::film

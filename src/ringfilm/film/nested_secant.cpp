@@ -42,6 +42,8 @@ class NestedSecant {
         if (laws_ == LaneLaws::kFitted && newton_.peak_pressure(0) > problem_.oil->fit()->high) {
           laws_ = LaneLaws::kGiven;
           report.exact_laws = true;
+          before.reset();
+          opposite.reset();
           continue;
         }
         complete_state(problem_, laws_, state_);

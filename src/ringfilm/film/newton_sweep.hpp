@@ -286,6 +286,7 @@ class NewtonSweep {
     const Real scale = Real::load(b_.scale);
     const Real inverse_scale = Real::load(b_.inverse_scale);
     const Real beyond = Real(kBeyondKink) * scale;
+    const Real hardly_empty = Real(kBeyondKink) * Real::load(b_.fill_scale);
     const Real most = Real(kLargestPressureRise) * scale;
     Real largest(0), peak(0), to_film(0), to_cavity(0);
     Real step(0);
@@ -298,10 +299,9 @@ class NewtonSweep {
       if (Real::any(Real::differ(is_film, was_film))) {
         const Mask entered = Real::only(is_film, was_film);
         const Mask left = Real::only(was_film, is_film);
-        const Mask far = abs(after) > beyond;
-        to_film = select(Real::both(entered, far), Real(1), to_film);
-        to_cavity = select(Real::both(left, far), Real(1), to_cavity);
-        after = select(entered, beyond, select(left, -beyond, after));
+        to_film = select(Real::both(entered, after > beyond), Real(1), to_film);
+        to_cavity = select(Real::both(left, after < -hardly_empty), Real(1), to_cavity);
+        after = select(entered, beyond, select(left, -hardly_empty, after));
       }
       Real change =
           abs(after - before) * (kFill ? select(was_film, inverse_scale, inverse_fill_scale_) : inverse_scale);

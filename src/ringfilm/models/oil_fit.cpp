@@ -66,10 +66,13 @@ void interpolate(const Curve& t, const Curve& f, std::array<double, n>& powers) 
   }
 }
 
+/// A NaN is larger than anything.
+double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
+
 template <std::size_t n>
 double largest_relative_error(const Curve& t, const Curve& f, const std::array<double, n>& powers) {
   double largest = 0;
-  for (int i = kNodes; i < kPoints; ++i) largest = std::max(largest, std::abs(polynomial(powers, t[i]) / f[i] - 1));
+  for (int i = kNodes; i < kPoints; ++i) largest = larger(largest, std::abs(polynomial(powers, t[i]) / f[i] - 1));
   return largest;
 }
 
@@ -77,10 +80,10 @@ template <std::size_t n>
 double largest_slope_error(const Curve& t, const Curve& f, const std::array<double, n>& powers) {
   double difference = 0, slope = 0;
   for (int i = kNodes; i < kPoints; ++i) {
-    difference = std::max(difference, std::abs(polynomial(powers, t[i]) - f[i]));
-    slope = std::max(slope, std::abs(f[i]));
+    difference = larger(difference, std::abs(polynomial(powers, t[i]) - f[i]));
+    slope = larger(slope, std::abs(f[i]));
   }
-  return difference > 0 ? difference / slope : 0.0;
+  return difference == 0 ? 0.0 : difference / slope;
 }
 
 class FittedOil final : public OilAtTemperature {
@@ -112,10 +115,11 @@ std::optional<OilFit> fit_oil(const OilAtTemperature& exact, double low, double 
   interpolate(t, law->dK_dp, fit.dK_dp);
   interpolate(t, law->rho, fit.rho);
   interpolate(t, law->drho_dp, fit.drho_dp);
-  fit.error = std::max(largest_relative_error(t, law->K, fit.K), largest_relative_error(t, law->rho, fit.rho));
+  fit.error = larger(largest_relative_error(t, law->K, fit.K), largest_relative_error(t, law->rho, fit.rho));
   fit.slope_error =
-      std::max(largest_slope_error(t, law->dK_dp, fit.dK_dp), largest_slope_error(t, law->drho_dp, fit.drho_dp));
-  if (fit.error > kFitError || fit.slope_error > kFitSlopeError) return std::nullopt;
+      larger(largest_slope_error(t, law->dK_dp, fit.dK_dp), largest_slope_error(t, law->drho_dp, fit.drho_dp));
+  const bool certified = fit.error <= kFitError && fit.slope_error <= kFitSlopeError;
+  if (!certified) return std::nullopt;
   return fit;
 }
 
