@@ -12,6 +12,7 @@
 
 #include "../../traps/floating_point_traps.hpp"
 #include "lane_films.hpp"
+#include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film::testing {
@@ -227,6 +228,35 @@ TEST_P(LaneNewtonOf, GoingOnIsStartingFromWhatTheLaneHolds) {
     const FilmState other_zero = solved();
     EXPECT_LT(difference(film, other_zero, start(2, second)), kBothConverged);
   }
+}
+
+// A node that leaves the film is put just into the cavity, whatever the load has become since the lane was bound: by
+// more than rounding and it would be counted as one.
+TEST_P(LaneNewtonOf, ANodeThatLeavesTheFilmIsNoCavityYet) {
+  const LaneFilm film = lane_films(kind()).front();
+  LaneNewton newton(*kind().kernels, kind().kernels->width, 100);
+  newton.bind(0, film.problem);
+  FilmInputs low = film.steps.front();
+  low.load *= 1e-2;
+  const auto start = [&](const FilmInputs& inputs) {
+    FilmState full = film.first;
+    full.p.assign(full.p.size(), 1.2 * inputs.p_cavitation);
+    full.deficit.assign(full.p.size(), 0.0);
+    newton.start(0, inputs, full, full, full.h_m, Unknowns::kFilmAlone, kind().laws);
+  };
+  start(low);
+  FilmInputs high = film.steps.front();
+  high.load *= 1e2;
+  start(high);
+  newton.iterate();
+  FilmState once;
+  newton.read(0, once);
+  int left = 0;
+  for (const double deficit : once.deficit) {
+    left += deficit > 0;
+    EXPECT_FALSE(is_cavity(deficit));
+  }
+  EXPECT_GT(left, 0);
 }
 
 // One iteration of two films, each deep in contact where the other is out of its reach: there the polynomial of the
