@@ -193,19 +193,16 @@ void LaneNewton::give_laws(int lane) {
     block_.contact_load[lane] = asperity_load(problem, block_.h_m[lane], &block_.contact_slope[lane]);
   }
   if (block_.laws == LaneLaws::kFitted) return;
-  const std::size_t n_nodes = problem.grid.x.size();
-  for (auto* array : {&p_, &rho_, &drho_dp_, &eta_, &deta_dp_}) array->resize(n_nodes);
-  for (std::size_t i = 0; i < n_nodes; ++i) {
+  p_.resize(problem.grid.x.size());
+  for (std::size_t i = 0; i < p_.size(); ++i) {
     p_[i] = block_.p_cavitation[lane] + std::max(nodal(block_.z, static_cast<int>(i), lane), 0.0);
   }
-  problem.oil->properties(p_, {rho_, drho_dp_, eta_, deta_dp_});
+  oil_.update(*problem.oil, p_);
   for (int i = 0; i <= lanes_[lane].n_cells; ++i) {
-    const double fluidity = 1 / eta_[i];
-    const double K = rho_[i] * fluidity;
-    nodal(block_.rho, i, lane) = rho_[i];
-    nodal(block_.drho_dp, i, lane) = drho_dp_[i];
-    nodal(block_.K, i, lane) = K;
-    nodal(block_.dK_dp, i, lane) = (drho_dp_[i] - K * deta_dp_[i]) * fluidity;
+    nodal(block_.rho, i, lane) = oil_.rho[i];
+    nodal(block_.drho_dp, i, lane) = oil_.drho_dp[i];
+    nodal(block_.K, i, lane) = oil_.K[i];
+    nodal(block_.dK_dp, i, lane) = oil_.dK_dp[i];
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "ringfilm/film/film_state.hpp"
 #include "ringfilm/film/kernels.hpp"
+#include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film {
 
@@ -89,7 +90,8 @@ class LaneNewton {
   int width_, most_cells_;
   std::vector<double> memory_;
   std::vector<Lane> lanes_;
-  std::vector<double> p_, rho_, drho_dp_, eta_, deta_dp_;  ///< of one lane, for laws that are given
+  std::vector<double> p_;  ///< of one lane, for laws that are given
+  NodalOil oil_;           ///< at these pressures
   LaneBlock block_;
 };
 

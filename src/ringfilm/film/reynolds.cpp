@@ -3,6 +3,7 @@
 #include "ringfilm/film/cavitation.hpp"
 
 namespace ringfilm::film {
+
 void NodalOil::update(const models::OilAtTemperature& oil, const std::vector<double>& p) {
   rho.resize(p.size());
   drho_dp.resize(p.size());
