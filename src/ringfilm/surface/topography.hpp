@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ringfilm::surface {
+
+/// Heights on an even grid, as an instrument gives them: row after row, the first row at y = 0, x along a row, heights
+/// counted away from the material. A profile is a map of one row. Points that were not measured are marked, and their
+/// height is 0.
+struct HeightMap {
+  std::size_t points_x = 0;
+  std::size_t points_y = 0;
+  double step_x_m = 0.0;
+  double step_y_m = 0.0;
+  std::vector<double> height_m;        ///< points_x * points_y [m]
+  std::vector<std::uint8_t> missing;   ///< 1 where there is no height; empty when every point was measured
+
+  std::size_t points() const { return points_x * points_y; }
+  std::size_t index(std::size_t column, std::size_t row) const { return row * points_x + column; }
+  bool measured(std::size_t point) const { return missing.empty() || missing[point] == 0; }
+  bool is_profile() const { return points_y == 1; }
+};
+
+/// A trace of a stylus: places [m], rising, not always evenly spaced, and heights [m].
+struct Trace {
+  std::vector<double> x_m;
+  std::vector<double> height_m;
+};
+
+}  // namespace ringfilm::surface
