@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/case_rules_measured.hpp"
 #include "ringfilm/cycle/case_rules_pad.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/models/gas.hpp"
@@ -213,6 +214,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   check_crankcase(c.gas, breaches);
   check_tension(c.ring, breaches);
   if (c.ring.face.form == FaceForm::kPoints) check_face_points(c.ring, breaches);
+  append_measured_breaches(c.contact.measured, breaches);
   if (!c.lubricant.table_file) check_laws(c.lubricant, breaches);
   check_angles(c, breaches);
   return breaches;
