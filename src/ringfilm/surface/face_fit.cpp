@@ -117,6 +117,24 @@ Trace averaged(const Trace& trace, std::size_t group) {
   return mean;
 }
 
+/// The trace without points that lie deeper than its spline by more than `depth`, again and again, since a pore pulls
+/// the spline down with it. The edges stay.
+Trace without_pores(Trace trace, double depth, double cutoff) {
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const SmoothingSpline spline(trace.x_m, trace.height_m, cutoff);
+    Trace kept{{trace.x_m.front()}, {trace.height_m.front()}};
+    for (std::size_t i = 1; i < trace.x_m.size(); ++i) {
+      const bool edge = i + 1 == trace.x_m.size();
+      if (!edge && trace.height_m[i] - spline.height_m()[i] > depth) continue;
+      kept.x_m.push_back(trace.x_m[i]);
+      kept.height_m.push_back(trace.height_m[i]);
+    }
+    if (kept.x_m.size() == trace.x_m.size()) break;
+    trace = std::move(kept);
+  }
+  return trace;
+}
+
 struct Land {
   std::size_t first, last;  ///< points
 };
@@ -179,6 +197,10 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
   if (!std::isfinite(rule.land_height_m) || rule.land_height_m <= 0) {
     throw InputError("the height of the land is not a length above zero", "for example 1 um");
   }
+  if (rule.pore_depth_m && (!std::isfinite(*rule.pore_depth_m) || *rule.pore_depth_m <= 0)) {
+    throw InputError("the depth from which on pores are left out is not a length above zero",
+                     "some three times the roughness, for example 1 um");
+  }
   const double length = trace.x_m.back() - trace.x_m.front();
   if (length < rule.width_m * (1 - 1e-6)) {
     throw InputError(
@@ -226,6 +248,11 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
     gap = window(whole, fit.start_m, rule.width_m);
     fit.averaged = static_cast<int>((gap.x_m.size() - 1) / kMostPoints + 1);
     if (fit.averaged > 1) gap = averaged(gap, static_cast<std::size_t>(fit.averaged));
+    if (rule.pore_depth_m) {
+      const std::size_t before = gap.x_m.size();
+      gap = without_pores(std::move(gap), *rule.pore_depth_m, fit.spline_cutoff_m);
+      fit.pore_share = static_cast<double>(before - gap.x_m.size()) / static_cast<double>(before);
+    }
     smooth = SmoothingSpline(gap.x_m, gap.height_m, fit.spline_cutoff_m).height_m();
     land = land_of(smooth, rule.land_height_m);
     if (rule.levelling != FaceLevelling::kLand) break;

@@ -32,7 +32,9 @@ struct FaceRule {
   FaceLevelling levelling = FaceLevelling::kLand;
   double tilt = 0;  ///< slope of the gap to take off, of kStated [-]
   FaceZero zero = FaceZero::kLowestPoint;
-  double land_height_m = 1e-6;            ///< the land is where the gap is at most this above its least [m]
+  double land_height_m = 1e-6;  ///< the land is where the gap is at most this above its least [m]
+  /// Points that lie deeper than the spline by more than this are pores and left out [m]; absent: none is.
+  std::optional<double> pore_depth_m;
   std::optional<double> spline_cutoff_m;  ///< stiffness of the spline [m]; absent: a tenth of the width
   int degree = 6;
 };
@@ -71,7 +73,8 @@ struct FaceFit {
   double polynomial_end_m[2] = {0, 0}, spline_end_m[2] = {0, 0};  ///< at x = 0 and b, above the minimum of each [m]
   double noise_m = 0;  ///< rms of what neither polynomial nor spline follows [m]
   std::vector<InventedShape> invented;
-  int averaged = 1;  ///< neighbouring points of the trace that were averaged into one
+  double pore_share = 0;  ///< of the points, left out as pores [-]
+  int averaged = 1;       ///< neighbouring points of the trace that were averaged into one
 };
 
 /// Throws InputError for a trace that does not cover the width, places that do not rise, NaN, too few points, and

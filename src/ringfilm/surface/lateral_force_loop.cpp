@@ -92,6 +92,27 @@ double independent_points(const std::vector<double>& values) {
   return std::max(1.0, static_cast<double>(n) / integral);
 }
 
+std::vector<FrictionLoop> loops_of_scan(double load, std::size_t points_x, double step_m,
+                                        const std::vector<double>& trace_V, const std::vector<double>& retrace_V) {
+  if (points_x == 0 || trace_V.size() != retrace_V.size() || trace_V.size() % points_x != 0 || trace_V.empty()) {
+    throw InputError("trace and retrace of a scan are not of one size",
+                     "choose the two lateral channels of one scan, of as many lines and points");
+  }
+  if (!std::isfinite(step_m) || step_m <= 0) throw InputError("the step of a scan is not a length above zero");
+  std::vector<FrictionLoop> loops;
+  for (std::size_t first = 0; first < trace_V.size(); first += points_x) {
+    FrictionLoop loop{load, {}, {}, {}};
+    for (std::size_t i = first; i < first + points_x; ++i) {
+      loop.position_m.push_back(step_m * static_cast<double>(i - first));
+      loop.trace_V.push_back(trace_V[i]);
+      loop.retrace_V.push_back(retrace_V[i]);
+    }
+    if (finite(loop.trace_V) && finite(loop.retrace_V)) loops.push_back(std::move(loop));
+  }
+  if (loops.empty()) throw InputError("no line of the scan was measured throughout", "choose another scan");
+  return loops;
+}
+
 LoopFriction loop_friction(const FrictionLoop& loop, double end_share) {
   if (!std::isfinite(end_share) || end_share < 0 || end_share >= 0.5) {
     throw InputError("a share of " + std::to_string(end_share) + " cannot be cut off at each end of a friction loop",

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 /// Friction loops of a lateral force microscope: what the tip felt on its way there and back.
@@ -12,6 +13,12 @@ struct FrictionLoop {
   std::vector<double> trace_V;     ///< lateral signal on the way there [V]
   std::vector<double> retrace_V;   ///< on the way back, at the same positions [V]
 };
+
+/// One loop a line of a scan at one load, from the two lateral channels of an instrument: row after row, both ways at
+/// the same places. Lines with a value that is no number are left out.
+/// Throws InputError for sizes that do not fit, a step that is no length, and where no line is left.
+std::vector<FrictionLoop> loops_of_scan(double load, std::size_t points_x, double step_m,
+                                        const std::vector<double>& trace_V, const std::vector<double>& retrace_V);
 
 /// A loop without its turn-around ends, eq-friction-loop.
 struct LoopFriction {

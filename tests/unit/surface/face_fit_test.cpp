@@ -184,6 +184,31 @@ TEST(FaceFit, TurnsTheFaceRound) {
   EXPECT_NEAR(fit.gap_m.front(), table_4(kNew, kWidth), 1e-15);
 }
 
+TEST(FaceFit, LeavesPoresOutWhenToldTo) {
+  // 15 % of the face are pores 5 um deep and 18 um wide.
+  Trace trace = traced(kEmbedded, 0.05e-6, 12);
+  for (std::size_t i = 0; i < trace.x_m.size(); ++i) {
+    if (i % 120 >= 51 && i % 120 < 69) trace.height_m[i] += 5e-6;
+  }
+  const auto error = [](const FaceFit& fit) {
+    double largest = 0;
+    for (int i = 0; i <= 120; ++i) {
+      const double x = kWidth * i / 120;
+      largest = std::max(largest, std::abs(fit.polynomial.height_m(x) - table_4(kEmbedded, x)));
+    }
+    return largest;
+  };
+  FaceRule rule = as_measured();
+  EXPECT_GT(error(fit_face(trace, rule)), 0.5e-6);  // 15 % of 5 um
+  rule.pore_depth_m = 0.5e-6;
+  const FaceFit fit = fit_face(trace, rule);
+  EXPECT_NEAR(fit.pore_share, 0.15, 0.002);
+  // As without pores: at the ends 7 noise/sqrt(n), 4 sigma, a little more for the points that are gone.
+  EXPECT_LT(error(fit), 4 * 7 * 0.05e-6 / std::sqrt(1000.0));
+  rule.pore_depth_m = -1.0;
+  EXPECT_THROW(fit_face(trace, rule), InputError);
+}
+
 TEST(FaceFit, AveragesATraceOfVeryManyPoints) {
   const FaceFit fit = fit_face(traced(kNew, 0.05e-6, 3, 100001), as_measured());
   EXPECT_EQ(fit.averaged, 13);

@@ -90,6 +90,19 @@ TEST(FrictionOfLoads, JoinsLoopsOfOneLoadInRisingOrder) {
   EXPECT_EQ(loads[0].load_deviation, 0.01);
 }
 
+TEST(FrictionLoop, IsMadeOfEachWholeLineOfAScan) {
+  std::vector<double> trace(36, 0.4), retrace(36, 0.2);
+  retrace[13] = std::numeric_limits<double>::quiet_NaN();
+  const auto loops = loops_of_scan(0.7, 12, 1e-8, trace, retrace);
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_EQ(loops[1].load, 0.7);
+  EXPECT_NEAR(loops[1].position_m.back(), 11e-8, 1e-20);
+  EXPECT_NEAR(loop_friction(loops[0], 0.1).tmr_V, 0.1, 1e-15);
+  EXPECT_THROW(loops_of_scan(0.7, 13, 1e-8, trace, retrace), InputError);
+  EXPECT_THROW(loops_of_scan(0.7, 12, 0, trace, retrace), InputError);
+  EXPECT_THROW(loops_of_scan(0.7, 36, 1e-8, trace, retrace), InputError);
+}
+
 TEST(FrictionLoop, RefusesWhatIsNone) {
   Normal normal(1);
   const FrictionLoop good = friction_loop(quiet(), 1, 1, normal);
