@@ -60,6 +60,14 @@ class Reader {
     return trimmed(utf8_from(in_.at(component->second.offset, component->second.count, "a text")));
   }
 
+  /// The first text of a list of texts; empty if there is none.
+  std::string first_text(const Object& parent, const std::string& key) const {
+    const auto component = parent.find(key);
+    if (component == parent.end() || component->second.type != 'S' || component->second.count == 0) return "";
+    const std::size_t start = component->second.offset;
+    return utf8_from(in_.at(start, in_.size() - start, "a text").substr(0, 1000)).substr(0, 1000);
+  }
+
   template <class Number>
   Number number(const Object& parent, const std::string& key, char type) const {
     const auto component = parent.find(key);
@@ -241,6 +249,17 @@ std::map<int, Image> read_images(const Reader& reader, const Object& all) {
   return images;
 }
 
+/// The kind of file that gwyddion read an image from, by its log: "file::nanoscope(...)" gives "nanoscope".
+std::string source_of(const Reader& reader, const Object& all, int number) {
+  const auto log = all.find(fmt::format("/{}/data/log", number));
+  if (log == all.end() || log->second.type != 'o') return "";
+  const std::size_t end = log->second.offset + log->second.count;
+  const std::string first = reader.first_text(reader.object(log->second.offset, end, "GwyStringList"), "strings");
+  const std::size_t bracket = first.find('(');
+  if (first.rfind("file::", 0) != 0 || bracket == std::string::npos || bracket > 60) return "";
+  return first.substr(6, bracket - 6);
+}
+
 ChannelValues values_of(const std::string& bytes, const Image& image) {
   ChannelValues values;
   values.channel = image.channel;
@@ -277,6 +296,8 @@ InstrumentFile read_gwy(const std::string& file, std::shared_ptr<const std::stri
   std::vector<Image> images;
   for (const auto& [number, image] : read_images(reader, all)) {
     if (images.empty()) {
+      const std::string source = source_of(reader, all, number);
+      if (!source.empty()) result.format += ", read by gwyddion from " + source;
       const auto meta = all.find(fmt::format("/{}/meta", number));
       if (meta != all.end() && meta->second.type == 'o') {
         const Object about =

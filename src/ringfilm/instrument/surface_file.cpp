@@ -27,7 +27,8 @@ constexpr double kHighest_m = 1.0;
 
 InstrumentFile through_gwyddion(const std::string& path) {
   InstrumentFile result = read_gwy(path, converted_by_gwyddion(path));
-  result.format = "through gwyddion";
+  const std::size_t source = result.format.find("read by gwyddion");
+  result.format = source == std::string::npos ? "read by gwyddion" : result.format.substr(source);
   return result;
 }
 
@@ -132,17 +133,22 @@ struct Steps {
   double y_m = 0;
 };
 
+/// What the file says of a step that the user states otherwise.
+std::string against(double step, const ChannelValues& values) {
+  return step > 0 ? fmt::format("; the file says {:.6g} {}", step, values.step_unit) : "";
+}
+
 Steps steps_of(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
                const io::Units& units, std::vector<std::string>& notes) {
   const bool is_profile = values.channel.points_y == 1;
   Steps steps;
   if (options.step_x) {
     steps.x_m = length_of_user(path, *options.step_x, "--step-x", units);
-    notes.push_back(fmt::format("step x: {} as the user says", *options.step_x));
+    notes.push_back(fmt::format("step x: {} as the user says{}", *options.step_x, against(values.step_x, values)));
   }
   if (options.step_y) {
     steps.y_m = length_of_user(path, *options.step_y, "--step-y", units);
-    notes.push_back(fmt::format("step y: {} as the user says", *options.step_y));
+    notes.push_back(fmt::format("step y: {} as the user says{}", *options.step_y, against(values.step_y, values)));
   } else if (options.step_x) {
     steps.y_m = steps.x_m;
   }

@@ -88,6 +88,7 @@ TEST(RealFile, NanoscopeListsItsChannels) {
   options.channel = "ZSensor";
   const SurfaceFile file = read_surface_file(path, options, units());
   EXPECT_NEAR(file.map.step_x_m, 10e-6 / 256, 1e-15);
+  EXPECT_EQ(file.origin.format, "read by gwyddion from nanoscope");
   const std::vector<ChannelValues> channels = read_channels(path);
   EXPECT_EQ(channels.size(), file.origin.channels.size());
   EXPECT_TRUE(std::any_of(channels.begin(), channels.end(),
