@@ -52,7 +52,7 @@ struct MeasuredCurve {
   std::string title;
   std::string caption;
   MeasuredAxis x_axis, y_axis;
-  std::vector<double> x;
+  std::vector<double> x;               ///< never turns back where lines are drawn
   std::vector<MeasuredSeries> series;  ///< each as long as x; NaN: no point
   std::vector<MeasuredMark> marks;     ///< upright lines, for example the cut-off that was used
 };
@@ -90,11 +90,16 @@ struct Measurement {
   std::vector<std::string> sources;     ///< file, format, channel, plausibility: a line each
   std::vector<std::string> statements;  ///< what was done, in its order: form, filters, rules
   std::vector<std::string> notes;       ///< what the reader should know before using the numbers
+  std::vector<std::string> key_values;  ///< names of the values that stand first on the page; empty: the first three
   std::vector<MeasuredGroup> groups;
   std::vector<MeasuredTable> tables;
   std::vector<MeasuredMap> maps;
   std::vector<MeasuredCurve> curves;
   std::string fragment;  ///< TOML that a case includes; empty if none
 };
+
+/// Throws std::logic_error where the document itself is wrong: a name that is no word (a letter, then letters, digits
+/// and "_") or stands twice, lists of unequal length, a line over places that turn back, a key value that is not there.
+void check_measurement(const Measurement& measurement);
 
 }  // namespace ringfilm::io
