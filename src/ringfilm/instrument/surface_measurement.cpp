@@ -1,0 +1,160 @@
+#include "ringfilm/instrument/surface_measurement.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/instrument/surface_figures.hpp"
+#include "ringfilm/instrument/surface_values.hpp"
+#include "ringfilm/surface/bearing.hpp"
+#include "ringfilm/surface/roughness.hpp"
+#include "ringfilm/surface/scatter.hpp"
+#include "ringfilm/surface/summits.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+constexpr std::size_t kEnoughForBearing = 100;  // points of the probability parameters
+
+io::MeasuredGroup height_group(const PreparedSurface& surface) {
+  const surface::HeightStatistics heights = height_statistics(surface.map);
+  const bool profile = surface.map.is_profile();
+  const auto name = [&](const char* tail) { return std::string(profile ? "R" : "S") + tail; };
+  const std::string with = measured_with(surface);
+  io::MeasuredGroup group{"Heights", {}};
+  const auto add = [&](const char* tail, const char* words, double value, const char* unit, const char* display) {
+    group.values.push_back(value_of(name(tail), words, name(tail), unit, display, value, with));
+  };
+  add("a", "mean absolute deviation of heights", heights.Sa_m, "m", "um");
+  add("q", "rms height", heights.Sq_m, "m", "um");
+  add("sk", "skewness", heights.Ssk, "1", "1");
+  add("ku", "kurtosis", heights.Sku, "1", "1");
+  add("p", "highest peak above the mean", heights.Sp_m, "m", "um");
+  add("v", "deepest pit below the mean", heights.Sv_m, "m", "um");
+  add("z", "peak to pit", heights.Sz_m, "m", "um");
+  return group;
+}
+
+io::MeasuredGroup bearing_group(const std::vector<double>& falling, const std::string& with) {
+  io::MeasuredGroup group{"Bearing curve", {}};
+  const auto add = [&](const char* name, const char* words, double value, const char* unit, const char* display) {
+    group.values.push_back(value_of(name, words, name, unit, display, value, with));
+  };
+  const surface::CoreRoughness core = surface::core_roughness(falling);
+  add("Rk", "core roughness", core.Rk_m, "m", "um");
+  add("Rpk", "reduced peaks", core.Rpk_m, "m", "um");
+  add("Rvk", "reduced valleys", core.Rvk_m, "m", "um");
+  add("Mr1", "material ratio of the peaks", core.Mr1, "1", "%");
+  add("Mr2", "material ratio where valleys begin", core.Mr2, "1", "%");
+  if (const auto two_steps = surface::probability_roughness(falling)) {
+    add("Rpq", "rms of the plateau", two_steps->Rpq_m, "m", "um");
+    add("Rvq", "rms of the valleys", two_steps->Rvq_m, "m", "um");
+    add("Rmq", "material ratio where plateau and valleys meet", two_steps->Rmq, "1", "%");
+  }
+  const surface::Cavities pores = surface::cavities(falling, surface::CavityRule::below_plateau);
+  const std::string rule = "deeper than 3 standard deviations of the plateau below the median";
+  group.values.push_back(
+      value_of("cavity_area_share", "area share of cavities (porosity)", "", "1", "%", pores.area_share, rule));
+  group.values.push_back(
+      value_of("cavity_mean_depth", "their mean depth below the median", "", "m", "um", pores.mean_depth_m, rule));
+  group.values.push_back(value_of("cavity_volume", "their volume for each area", "", "m", "um", pores.volume_m, rule));
+  return group;
+}
+
+io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
+  const surface::MomentTable table = moment_table(surface.map, analysis.scheme);
+  const std::string with = measured_with(surface) + "; " + scheme_text(analysis.scheme);
+  io::MeasuredGroup group{"Slopes and curvatures", {}};
+  const auto add = [&](const std::string& name, const std::string& words, const char* unit, const char* display,
+                       double value) {
+    group.values.push_back(value_of(name, words, name, unit, display, value, with));
+  };
+  add(surface.map.is_profile() ? "Rdq" : "Sdq", "rms slope", "1", "1", rms_slope(table));
+  add("m0", "variance of heights", "m2", "um2", table.m0_m2);
+  if (!surface.map.is_profile()) {
+    add("m2_x", "variance of slopes along x", "1", "1", table.m2_x);
+    add("m2_y", "variance of slopes along y", "1", "1", table.m2_y);
+    add("m4_x", "variance of curvatures along x", "m-2", "mm-2", table.m4_x_per_m2);
+    add("m4_y", "variance of curvatures along y", "m-2", "mm-2", table.m4_y_per_m2);
+  }
+  const surface::SpectralMoments used = moments(table, analysis.direction);
+  add("m2", "variance of slopes, in use", "1", "1", used.m2);
+  add("m4", "variance of curvatures, in use", "m-2", "mm-2", used.m4_per_m2);
+  return group;
+}
+
+io::MeasuredGroup summit_group(const surface::HeightMap& map, const std::string& with) {
+  io::MeasuredGroup group{"Summits counted one by one (higher than all eight neighbours)", {}};
+  try {
+    const surface::Summits summits = count_summits(map);
+    group.values.push_back(value_of("summit_count", "summits", "", "1", "1", static_cast<double>(summits.count), with));
+    group.values.push_back(
+        value_of("summit_density", "density of summits", "", "m-2", "mm-2", summits.density_per_m2, with));
+    group.values.push_back(
+        value_of("summit_radius", "radius of their mean curvature", "", "m", "um", summits.mean_radius_m, with));
+    group.values.push_back(
+        value_of("summit_rms_height", "rms of their heights", "", "m", "um", summits.rms_height_m, with));
+  } catch (const InputError&) {  // none is left: the group stays empty and is not shown
+  }
+  return group;
+}
+
+}  // namespace
+
+io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalysis& analysis, const SurfaceFile* flat) {
+  const PreparedSurface surface = prepare_surface(file, analysis);
+  const std::string with = measured_with(surface);
+  io::Measurement all;
+  all.kind = "surface";
+  all.title = "Surface " + file_name(file.origin.path);
+  all.sources = source_lines(surface);
+  all.statements = analysis_lines(surface, analysis);
+  std::optional<surface::SpectralMoments> noise;
+  if (flat != nullptr) {
+    noise = noise_moments(*flat, surface, analysis);
+    all.statements.push_back("moments of the flat " + flat->origin.path + " taken off m0, m2 and m4 of N and beta");
+  }
+  all.notes = surface_notes(file, surface, analysis);
+
+  all.groups.push_back(height_group(surface));
+  const std::vector<double> falling = surface::bearing_curve(surface.map);
+  if (falling.size() >= kEnoughForBearing) all.groups.push_back(bearing_group(falling, with));
+  all.groups.push_back(moment_group(surface, analysis));
+  const std::vector<surface::SurfaceMeasures> measures =
+      measures_of_regions(surface, analysis, noise ? &*noise : nullptr);
+  std::vector<surface::AsperityParameters> parameters;
+  for (const surface::SurfaceMeasures& one : measures) {
+    parameters.push_back(single_parameters(one, analysis.sigma_rule));
+  }
+  const std::string rule = with + "; " + surface_sigma_text(analysis.sigma_rule);
+  if (parameters.size() < 2) {
+    all.groups.push_back(asperity_group("Asperities, this surface against a smooth one", parameters.front(), rule));
+  } else {
+    const surface::ParameterScatter scatter = surface::scatter_of(parameters);
+    all.groups.push_back(scatter_group(scatter, rule));
+    all.tables.push_back(region_table(surface, measures, parameters));
+  }
+  if (!surface.map.is_profile()) {
+    io::MeasuredGroup summits = summit_group(surface.map, with);
+    if (!summits.values.empty()) all.groups.push_back(std::move(summits));
+  }
+  if (!surface.map.is_profile()) all.maps.push_back(height_map(surface, "height"));
+  all.curves.push_back(profile_curve(surface));
+  all.curves.push_back(bearing_curve(falling));
+  try {
+    all.curves.push_back(spectrum_curve(surface));
+  } catch (const InputError& refusal) {
+    all.notes.push_back(std::string("no power spectrum: ") + refusal.what());
+  }
+  try {
+    all.tables.push_back(scale_table(surface, analysis));
+    all.curves.push_back(scale_curve(all.tables.back(), analysis));
+  } catch (const InputError& refusal) {
+    all.notes.push_back(std::string("no table against the short cut-off: ") + refusal.what());
+  }
+  return all;
+}
+
+}  // namespace ringfilm::instrument

@@ -1,0 +1,159 @@
+#include "ringfilm/instrument/surface_values.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "ringfilm/surface/roughness.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+constexpr double kMuchTilt = 0.05;     // of Sq that a plane takes off
+constexpr double kManyMissing = 0.05;  // of all points
+
+const char* direction_text(surface::MomentDirection direction) {
+  switch (direction) {
+    case surface::MomentDirection::x:
+      return "along x";
+    case surface::MomentDirection::y:
+      return "along y";
+    case surface::MomentDirection::mean:
+      return "mean of x and y";
+    case surface::MomentDirection::geometric:
+      return "geometric mean of x and y";
+  }
+  return "";
+}
+
+}  // namespace
+
+io::MeasuredValue value_of(const std::string& name, const std::string& long_name, const std::string& symbol,
+                           const std::string& unit, const std::string& display_unit, double value,
+                           const std::string& remark) {
+  io::MeasuredValue of;
+  of.name = name;
+  of.long_name = long_name;
+  of.symbol = symbol;
+  of.unit = unit;
+  of.display_unit = display_unit;
+  of.value = value;
+  of.remark = remark;
+  return of;
+}
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+std::string surface_sigma_text(surface::SigmaRule rule) {
+  return rule == surface::SigmaRule::ra ? "sigma is Ra (Sa)" : "sigma is Rq (Sq)";
+}
+
+std::vector<std::string> analysis_lines(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
+  std::vector<std::string> lines = surface.prepared.lines();
+  lines.push_back("spectral moments: " + scheme_text(analysis.scheme) +
+                  (surface.map.is_profile() ? std::string() : std::string(", ") + direction_text(analysis.direction)));
+  return lines;
+}
+
+std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSurface& surface,
+                                       const SurfaceAnalysis& analysis) {
+  std::vector<std::string> notes;
+  const auto kind = analysis.preparation.form.kind;
+  if (kind == surface::FormKind::none || kind == surface::FormKind::mean) {
+    const double as_read = height_statistics(file.map).Sq_m;
+    surface::HeightMap level = file.map;
+    surface::Preparation tilt;
+    tilt.form = {surface::FormKind::tilt};
+    prepare(level, tilt);
+    const double levelled = surface::height_statistics(level).Sq_m;
+    if (levelled < (1 - kMuchTilt) * as_read) {
+      notes.push_back(fmt::format("tilt was left in: without it the rms height falls from {} to {}; --form tilt",
+                                  surface::length_text(as_read), surface::length_text(levelled)));
+    }
+  }
+  if (!analysis.preparation.short_cutoff_m) {
+    notes.push_back("no short cut-off: m4, N and beta belong to the step of " +
+                    surface::length_text(surface.map.step_x_m) + "; see the table against the cut-off");
+  }
+  const double missing = 1 - static_cast<double>(measured_points(file.map)) / static_cast<double>(file.map.points());
+  if (missing > kManyMissing) {
+    notes.push_back(
+        fmt::format("{:.3g} % of the points were not measured; they are left out everywhere", 100 * missing));
+  }
+  return notes;
+}
+
+io::MeasuredGroup asperity_group(const std::string& title, const surface::AsperityParameters& of,
+                                 const std::string& remark) {
+  io::MeasuredGroup group{title, {}};
+  group.values.push_back(
+      value_of("asperity_density", "density of asperity peaks", "N", "m-2", "mm-2", of.density_per_m2, remark));
+  group.values.push_back(value_of("asperity_radius", "mean summit radius", "beta", "m", "um", of.beta_m, remark));
+  group.values.push_back(value_of("roughness", "roughness in contact", "sigma", "m", "um", of.sigma_m, remark));
+  group.values.push_back(
+      value_of("tabor_product", "0.03 to 0.05 after Tabor", "N beta sigma", "1", "1", of.tabor(), remark));
+  group.values.push_back(value_of("slope_ratio", "roughness over radius", "sigma/beta", "1", "1", of.slope(), remark));
+  return group;
+}
+
+io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const std::string& remark) {
+  surface::AsperityParameters mean{scatter.mean[0], scatter.mean[1], scatter.mean[2]};
+  io::MeasuredGroup group = asperity_group(
+      fmt::format("Asperities, mean of {} regions with its standard error", scatter.count), mean, remark);
+  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
+  const char* symbols[] = {"N", "beta", "sigma"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    group.values[k].standard_error = scatter.mean[k] * scatter.relative_standard_error(k);
+    group.values.push_back(
+        value_of(std::string(names[k]) + "_relative_deviation", "standard deviation between regions, relative",
+                 std::string("s(ln ") + symbols[k] + ")", "1", "%", std::sqrt(scatter.covariance_log[k][k]), remark));
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t other = (k + 1) % 3;
+    group.values.push_back(
+        value_of(std::string("correlation_") + names[std::min(k, other)] + "_" + names[std::max(k, other)],
+                 "correlation between regions",
+                 std::string("r(") + symbols[std::min(k, other)] + ", " + symbols[std::max(k, other)] + ")", "1", "1",
+                 scatter.correlation(k, other), remark));
+  }
+  return group;
+}
+
+io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector<surface::SurfaceMeasures>& measures,
+                               const std::vector<surface::AsperityParameters>& parameters) {
+  io::MeasuredTable table;
+  table.name = "regions";
+  table.title = "Regions";
+  const auto column = [&](const char* name, const char* long_name, const char* symbol, const char* unit,
+                          const char* display) {
+    table.columns.push_back(value_of(name, long_name, symbol, unit, display, 0, ""));
+    table.values.emplace_back();
+  };
+  column("region_x", "left edge", "x", "m", "um");
+  column("region_y", "upper edge", "y", "m", "um");
+  column("region_width", "width", "", "m", "um");
+  column("region_height", "height", "", "m", "um");
+  column("region_prominence", "prominence", "", "m", "um");
+  column("region_Sa", "mean absolute deviation", "Sa", "m", "um");
+  column("region_Sq", "rms height", "Sq", "m", "um");
+  column("region_asperity_density", "density of asperity peaks", "N", "m-2", "mm-2");
+  column("region_asperity_radius", "mean summit radius", "beta", "m", "um");
+  for (std::size_t k = 0; k < surface.regions.size(); ++k) {
+    const surface::Region& region = surface.regions[k];
+    const double values[] = {static_cast<double>(region.column) * surface.map.step_x_m,
+                             static_cast<double>(region.row) * surface.map.step_y_m,
+                             static_cast<double>(region.columns) * surface.map.step_x_m,
+                             static_cast<double>(region.rows) * surface.map.step_y_m,
+                             region.prominence_m,
+                             measures[k].Sa_m,
+                             measures[k].Sq_m,
+                             parameters[k].density_per_m2,
+                             parameters[k].beta_m};
+    for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(values[c]);
+    table.row_labels.push_back(std::to_string(k + 1));
+  }
+  return table;
+}
+
+}  // namespace ringfilm::instrument

@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/instrument/surface_measurement.hpp"
+#include "ringfilm/surface/scatter.hpp"
+
+/// Rows and lines that measurements of one surface and of a pair share.
+namespace ringfilm::instrument {
+
+io::MeasuredValue value_of(const std::string& name, const std::string& long_name, const std::string& symbol,
+                           const std::string& unit, const std::string& display_unit, double value,
+                           const std::string& remark);
+
+/// The last part of a path.
+std::string file_name(const std::string& path);
+
+/// Form, filters, rules, in their order.
+std::vector<std::string> analysis_lines(const PreparedSurface& surface, const SurfaceAnalysis& analysis);
+
+/// What is odd about a surface or how it was measured: tilt left in, nothing left of it, missing points.
+std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSurface& surface,
+                                       const SurfaceAnalysis& analysis);
+
+/// Which roughness of one surface stands for sigma.
+std::string surface_sigma_text(surface::SigmaRule rule);
+
+/// N, beta, sigma, N beta sigma and sigma/beta.
+io::MeasuredGroup asperity_group(const std::string& title, const surface::AsperityParameters& of,
+                                 const std::string& remark);
+
+/// Means of N, beta and sigma over regions with their standard errors, standard deviations and correlations.
+io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const std::string& remark);
+
+/// Place and parameters of each region.
+io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector<surface::SurfaceMeasures>& measures,
+                               const std::vector<surface::AsperityParameters>& parameters);
+
+}  // namespace ringfilm::instrument
