@@ -53,9 +53,7 @@ Summits count_summits(const HeightMap& map) {
       squares += height * height;
     }
   }
-  if (of.count == 0) {
-    throw InputError("the map has no summit: no point is higher than its eight neighbours", "take a larger region");
-  }
+  if (of.count == 0) return of;
   const double count = static_cast<double>(of.count), mean = sum / count;
   of.density_per_m2 = count / (static_cast<double>(candidates) * map.step_x_m * map.step_y_m);
   of.mean_curvature_per_m = curvature / count;

@@ -16,7 +16,8 @@ struct Summits {
   double rms_height_m = 0.0;          ///< of the summit heights about their own mean [m]; 0 for a single summit
 };
 
-/// @throws InputError for a profile, or a map without any summit
+/// All zero where there is no summit, as on a map of long waves.
+/// @throws InputError for a profile or a flat map
 Summits count_summits(const HeightMap& map);
 
 /// Summits of the sum of two maps with equal steps, over the points that both have: the composite surface of a pair.
