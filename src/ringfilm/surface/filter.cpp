@@ -14,8 +14,8 @@ constexpr double kLeastSteps = 2;
 constexpr double kLeastSupport = 1e-9;  // of the weights that a whole neighbourhood has
 // Tukey's biweight with 3 standard deviations, taken from the median of the deviations of a Gaussian: 3/0.6745.
 constexpr double kOutlier = 4.4478;
-constexpr double kSettled = 1e-4;
-constexpr int kMostIterations = 50;
+constexpr double kSettled = 1e-3;
+constexpr int kMostIterations = 30;
 
 void check_cutoff(const HeightMap& map, double cutoff_m) {
   if (!(std::isfinite(cutoff_m) && cutoff_m > 0)) {
