@@ -164,8 +164,10 @@ class Reader {
       place_ = end + 1;
       ++number_;
       const std::string_view content = stripped(line_);
-      if (content.empty() && line_.find_first_of(",;\t") == std::string_view::npos) continue;
-      if (content.empty() || content.front() != '#') return true;
+      // Of values that tabulators part, a line of tabulators is a row of missing heights.
+      const bool row_of_none = content.empty() && separator_ == '\t' && line_.find('\t') != std::string_view::npos;
+      if (content.empty() && !row_of_none) continue;
+      if (row_of_none || content.front() != '#') return true;
       read_comment(content);
     }
     return false;

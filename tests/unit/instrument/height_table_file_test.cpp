@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scratch_folder.hpp"
 
 namespace ringfilm::instrument {
@@ -41,6 +43,13 @@ TEST(HeightTable, SeparatorsAndDecimalCommas) {
     EXPECT_DOUBLE_EQ(file.map.height_m[0], 1.5e-6) << text;
     EXPECT_DOUBLE_EQ(file.map.height_m[7], 8e-6) << text;
   }
+}
+
+TEST(HeightTable, ARowOfTabulatorsIsARowOfMissingHeights) {
+  const SurfaceFile file = read_bytes("a.txt", "\t\n1\t2\t3\t4\n\t\t\t\n5\t6\t7\t8\n", with("um", nullptr, "2 um"));
+  ASSERT_EQ(file.map.points_y, 3u) << "the blank line in front is none";
+  EXPECT_EQ(std::count(file.map.missing.begin(), file.map.missing.end(), 1), 4);
+  EXPECT_FALSE(file.map.measured(file.map.index(3, 1)));
 }
 
 TEST(HeightTable, TheCommentsOfGwyddionSayUnitAndSize) {
