@@ -157,6 +157,20 @@ TEST(OurWriters, AreReadByGwyddionWithTheSameHeights) {
   }
 }
 
+TEST(OurWriters, HolesAreMaskedInGwyddionToo) {
+  SKIP_WITHOUT_GWYDDION();
+  surface::HeightMap map = uneven_map();
+  map.missing.assign(map.points(), 0);
+  for (const std::size_t point : {0, 1, 10, 100, 850}) {
+    map.missing[point] = 1;
+    map.height_m[point] = 0;
+  }
+  const ScratchFolder folder;
+  EXPECT_EQ(by_gwyddion(folder.write("a.x3p", x3p_bytes(map, X3pHeights::kDouble, {}))).missing, map.missing);
+  EXPECT_EQ(by_gwyddion(folder.write("b.x3p", x3p_bytes(map, X3pHeights::kInt16, {}))).missing, map.missing);
+  EXPECT_EQ(by_gwyddion(folder.write("c.gsf", simple_field_bytes(map, "made"))).missing, map.missing);
+}
+
 TEST(ExportsOfGwyddion, AreReadWithTheSameHeights) {
   SKIP_WITHOUT_GWYDDION();
   const ScratchFolder folder;
