@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "command_words.hpp"
 #include "commands.hpp"
 #include "exit_codes.hpp"
 #include "ringfilm/base/error.hpp"
@@ -23,6 +24,8 @@ constexpr const char* kFooter = R"(Examples:
   ringfilm report my_engine.nc --output my_engine.html
   ringfilm reproduce styles2014
   ringfilm verify
+  ringfilm surface liner.x3p --form cylinder --html liner.html
+  ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --fragment contact.toml
 
 Exit codes: 0 done, 1 internal error, 2 bad input, 3 no balance found, 4 a check failed, 5 could not write.
 )";
@@ -225,6 +228,9 @@ class Commands {
     command.footer(kVerifyFooter);
   }
 
+  /// Commands that read instruments.
+  void add_measuring() { add_surface_commands(program_, actions_); }
+
   /// What the chosen command does.
   std::function<void()> chosen() const {
     for (const auto& [command, action] : actions_) {
@@ -250,7 +256,7 @@ class Commands {
   int jobs() const { return jobs_ ? jobs_of(*jobs_) : 0; }
 
   CLI::App& program_;
-  std::vector<std::pair<CLI::App*, std::function<void()>>> actions_;
+  Actions actions_;
   CaseWords run_words_, check_words_;
   std::optional<std::string> output_, csv_, jobs_;
   bool json_ = false, ledger_ = false, error_estimate_ = false;
@@ -276,6 +282,7 @@ Request read_command_line(int argc, const char* const* argv) {
   commands->add_report();
   commands->add_reproduce();
   commands->add_verify();
+  commands->add_measuring();
   commands->add_fields();
   commands->add_new();
   try {

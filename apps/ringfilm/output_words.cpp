@@ -10,7 +10,7 @@ void OutputWords::add_to(CLI::App& command, bool with_fragment) {
   if (with_fragment) {
     command
         .add_option("--fragment", outputs.fragment,
-                    "write what a case needs; a case reads it with include = \"X.toml\"")
+                    "write what a case needs; a case reads it with include = [\"X.toml\"]")
         ->type_name("X.toml");
   }
   command.add_flag("--json", json, "print JSON, SI units, instead of the table");

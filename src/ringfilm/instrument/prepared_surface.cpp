@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "ringfilm/base/error.hpp"
@@ -80,12 +82,19 @@ std::vector<std::string> source_lines(const PreparedSurface& surface) {
 }
 
 std::string measured_with(const PreparedSurface& surface) {
-  std::string pixel = surface::length_text(surface.map.step_x_m);
-  if (!surface.map.is_profile() && surface.map.step_x_m != surface.map.step_y_m) {
-    pixel += " x " + surface::length_text(surface.map.step_y_m);
+  std::string filters;
+  for (const surface::FilterApplied& filter : surface.prepared.filters) {
+    const bool is_short = filter.choice.side == surface::FilterSide::short_cutoff;
+    const bool is_robust = filter.choice.kind == surface::FilterKind::robust_gaussian;
+    filters +=
+        fmt::format("{}{}-filter {:.4g} um", filters.empty() ? "" : ", ",
+                    std::string(is_robust ? "robust " : "") + (is_short ? "S" : "L"), filter.choice.cutoff_m * 1e6);
   }
-  const std::string filter = surface.prepared.filter_text();
-  return (filter == "none" ? "no filter" : filter) + "; pixel " + pixel;
+  const surface::HeightMap& map = surface.map;
+  const bool square = map.is_profile() || map.step_x_m == map.step_y_m;
+  return (filters.empty() ? "no filter" : filters) +
+         (square ? fmt::format("; pixel {:.4g} um", map.step_x_m * 1e6)
+                 : fmt::format("; pixel {:.4g} x {:.4g} um", map.step_x_m * 1e6, map.step_y_m * 1e6));
 }
 
 }  // namespace ringfilm::instrument

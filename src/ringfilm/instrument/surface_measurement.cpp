@@ -87,18 +87,32 @@ io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnal
 
 io::MeasuredGroup summit_group(const surface::HeightMap& map, const std::string& with) {
   io::MeasuredGroup group{"Summits counted one by one (higher than all eight neighbours)", {}};
-  try {
-    const surface::Summits summits = count_summits(map);
-    group.values.push_back(value_of("summit_count", "summits", "", "1", "1", static_cast<double>(summits.count), with));
-    group.values.push_back(
-        value_of("summit_density", "density of summits", "", "m-2", "mm-2", summits.density_per_m2, with));
-    group.values.push_back(
-        value_of("summit_radius", "radius of their mean curvature", "", "m", "um", summits.mean_radius_m, with));
-    group.values.push_back(
-        value_of("summit_rms_height", "rms of their heights", "", "m", "um", summits.rms_height_m, with));
-  } catch (const InputError&) {  // none is left: the group stays empty and is not shown
-  }
+  const surface::Summits summits = count_summits(map);
+  group.values.push_back(value_of("summit_count", "summits", "", "1", "1", static_cast<double>(summits.count), with));
+  group.values.push_back(
+      value_of("summit_density", "density of summits", "", "m-2", "mm-2", summits.density_per_m2, with));
+  group.values.push_back(
+      value_of("summit_radius", "radius of their mean curvature", "", "m", "um", summits.mean_radius_m, with));
+  group.values.push_back(
+      value_of("summit_rms_height", "rms of their heights", "", "m", "um", summits.rms_height_m, with));
   return group;
+}
+
+void add_asperities(const PreparedSurface& surface, const SurfaceAnalysis& analysis,
+                    const surface::SpectralMoments* noise, io::Measurement& to) {
+  const std::vector<surface::SurfaceMeasures> measures = measures_of_regions(surface, analysis, noise);
+  std::vector<surface::AsperityParameters> parameters;
+  for (const surface::SurfaceMeasures& one : measures) {
+    parameters.push_back(single_parameters(one, analysis.sigma_rule));
+  }
+  const std::string with = measured_with(surface), sigma = with + "; " + surface_sigma_text(analysis.sigma_rule);
+  if (parameters.size() < 2) {
+    to.groups.push_back(
+        asperity_group("Asperities, this surface against a smooth one", parameters.front(), with, sigma));
+  } else {
+    to.groups.push_back(scatter_group(surface::scatter_of(parameters), with, sigma));
+  }
+  if (!surface.regions.empty()) to.tables.push_back(region_table(surface, measures, parameters));
 }
 
 }  // namespace
@@ -118,42 +132,32 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
   }
   all.notes = surface_notes(file, surface, analysis);
 
-  all.groups.push_back(height_group(surface));
+  // A map that is too small, flat or empty for one of them still has the others.
+  const auto attempt = [&](const char* what, const auto& add) {
+    try {
+      add();
+    } catch (const InputError& refusal) {
+      all.notes.push_back(std::string("no ") + what + ": " + refusal.faults().front().message);
+    }
+  };
+  attempt("height statistics", [&] { all.groups.push_back(height_group(surface)); });
   const std::vector<double> falling = surface::bearing_curve(surface.map);
-  if (falling.size() >= kEnoughForBearing) all.groups.push_back(bearing_group(falling, with));
-  all.groups.push_back(moment_group(surface, analysis));
-  const std::vector<surface::SurfaceMeasures> measures =
-      measures_of_regions(surface, analysis, noise ? &*noise : nullptr);
-  std::vector<surface::AsperityParameters> parameters;
-  for (const surface::SurfaceMeasures& one : measures) {
-    parameters.push_back(single_parameters(one, analysis.sigma_rule));
+  if (falling.size() >= kEnoughForBearing) {
+    attempt("bearing parameters", [&] { all.groups.push_back(bearing_group(falling, with)); });
   }
-  const std::string rule = with + "; " + surface_sigma_text(analysis.sigma_rule);
-  if (parameters.size() < 2) {
-    all.groups.push_back(asperity_group("Asperities, this surface against a smooth one", parameters.front(), rule));
-  } else {
-    const surface::ParameterScatter scatter = surface::scatter_of(parameters);
-    all.groups.push_back(scatter_group(scatter, rule));
-    all.tables.push_back(region_table(surface, measures, parameters));
-  }
+  attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis)); });
+  attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, noise ? &*noise : nullptr, all); });
   if (!surface.map.is_profile()) {
-    io::MeasuredGroup summits = summit_group(surface.map, with);
-    if (!summits.values.empty()) all.groups.push_back(std::move(summits));
+    attempt("summits", [&] { all.groups.push_back(summit_group(surface.map, with)); });
+    all.maps.push_back(height_map(surface, "height"));
   }
-  if (!surface.map.is_profile()) all.maps.push_back(height_map(surface, "height"));
   all.curves.push_back(profile_curve(surface));
   all.curves.push_back(bearing_curve(falling));
-  try {
-    all.curves.push_back(spectrum_curve(surface));
-  } catch (const InputError& refusal) {
-    all.notes.push_back(std::string("no power spectrum: ") + refusal.what());
-  }
-  try {
+  attempt("power spectrum", [&] { all.curves.push_back(spectrum_curve(surface)); });
+  attempt("table against the short cut-off", [&] {
     all.tables.push_back(scale_table(surface, analysis));
-    all.curves.push_back(scale_curve(all.tables.back(), analysis));
-  } catch (const InputError& refusal) {
-    all.notes.push_back(std::string("no table against the short cut-off: ") + refusal.what());
-  }
+    if (all.tables.back().row_labels.size() > 1) all.curves.push_back(scale_curve(all.tables.back(), analysis));
+  });
   return all;
 }
 

@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/surface/roughness.hpp"
 
 namespace ringfilm::instrument {
@@ -12,6 +15,22 @@ namespace {
 
 constexpr double kMuchTilt = 0.05;     // of Sq that a plane takes off
 constexpr double kManyMissing = 0.05;  // of all points
+
+/// Says how much a tilt that was left in adds, if it adds much.
+std::optional<std::string> tilt_note(surface::HeightMap map) {
+  try {
+    const double as_read = height_statistics(map).Sq_m;
+    surface::Preparation tilt;
+    tilt.form = {surface::FormKind::tilt};
+    prepare(map, tilt);
+    const double levelled = height_statistics(map).Sq_m;
+    if (levelled > (1 - kMuchTilt) * as_read) return std::nullopt;
+    return "tilt was left in: without it the rms height falls from " + surface::length_text(as_read) + " to " +
+           surface::length_text(levelled) + "; --form tilt";
+  } catch (const InputError&) {  // no plane through these points: nothing to say of it
+    return std::nullopt;
+  }
+}
 
 const char* direction_text(surface::MomentDirection direction) {
   switch (direction) {
@@ -46,7 +65,7 @@ io::MeasuredValue value_of(const std::string& name, const std::string& long_name
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 std::string surface_sigma_text(surface::SigmaRule rule) {
-  return rule == surface::SigmaRule::ra ? "sigma is Ra (Sa)" : "sigma is Rq (Sq)";
+  return rule == surface::SigmaRule::ra ? "Ra (Sa)" : "Rq (Sq)";
 }
 
 std::vector<std::string> analysis_lines(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
@@ -61,16 +80,7 @@ std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSu
   std::vector<std::string> notes;
   const auto kind = analysis.preparation.form.kind;
   if (kind == surface::FormKind::none || kind == surface::FormKind::mean) {
-    const double as_read = height_statistics(file.map).Sq_m;
-    surface::HeightMap level = file.map;
-    surface::Preparation tilt;
-    tilt.form = {surface::FormKind::tilt};
-    prepare(level, tilt);
-    const double levelled = surface::height_statistics(level).Sq_m;
-    if (levelled < (1 - kMuchTilt) * as_read) {
-      notes.push_back(fmt::format("tilt was left in: without it the rms height falls from {} to {}; --form tilt",
-                                  surface::length_text(as_read), surface::length_text(levelled)));
-    }
+    if (auto note = tilt_note(file.map)) notes.push_back(std::move(*note));
   }
   if (!analysis.preparation.short_cutoff_m) {
     notes.push_back("no short cut-off: m4, N and beta belong to the step of " +
@@ -85,22 +95,23 @@ std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSu
 }
 
 io::MeasuredGroup asperity_group(const std::string& title, const surface::AsperityParameters& of,
-                                 const std::string& remark) {
+                                 const std::string& remark, const std::string& sigma_text) {
   io::MeasuredGroup group{title, {}};
   group.values.push_back(
       value_of("asperity_density", "density of asperity peaks", "N", "m-2", "mm-2", of.density_per_m2, remark));
   group.values.push_back(value_of("asperity_radius", "mean summit radius", "beta", "m", "um", of.beta_m, remark));
-  group.values.push_back(value_of("roughness", "roughness in contact", "sigma", "m", "um", of.sigma_m, remark));
+  group.values.push_back(value_of("roughness", "roughness in contact", "sigma", "m", "um", of.sigma_m, sigma_text));
   group.values.push_back(
       value_of("tabor_product", "0.03 to 0.05 after Tabor", "N beta sigma", "1", "1", of.tabor(), remark));
   group.values.push_back(value_of("slope_ratio", "roughness over radius", "sigma/beta", "1", "1", of.slope(), remark));
   return group;
 }
 
-io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const std::string& remark) {
+io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const std::string& remark,
+                                const std::string& sigma_text) {
   surface::AsperityParameters mean{scatter.mean[0], scatter.mean[1], scatter.mean[2]};
   io::MeasuredGroup group = asperity_group(
-      fmt::format("Asperities, mean of {} regions with its standard error", scatter.count), mean, remark);
+      fmt::format("Asperities, mean of {} regions with its standard error", scatter.count), mean, remark, sigma_text);
   const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
   const char* symbols[] = {"N", "beta", "sigma"};
   for (std::size_t k = 0; k < 3; ++k) {

@@ -25,12 +25,13 @@ std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSu
 /// Which roughness of one surface stands for sigma.
 std::string surface_sigma_text(surface::SigmaRule rule);
 
-/// N, beta, sigma, N beta sigma and sigma/beta.
+/// N, beta, sigma, N beta sigma and sigma/beta. @param sigma_text how sigma came about
 io::MeasuredGroup asperity_group(const std::string& title, const surface::AsperityParameters& of,
-                                 const std::string& remark);
+                                 const std::string& remark, const std::string& sigma_text);
 
 /// Means of N, beta and sigma over regions with their standard errors, standard deviations and correlations.
-io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const std::string& remark);
+io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const std::string& remark,
+                                const std::string& sigma_text);
 
 /// Place and parameters of each region.
 io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector<surface::SurfaceMeasures>& measures,

@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/instrument/surface_figures.hpp"
+#include "ringfilm/instrument/surface_measurement.hpp"
+#include "ringfilm/instrument/surface_values.hpp"
+#include "ringfilm/io/contact_fragment.hpp"
+#include "ringfilm/surface/scatter.hpp"
+#include "ringfilm/surface/summits.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+constexpr double kSameStep = 1e-6;  // relative
+
+/// All files of one surface.
+struct Side {
+  std::string name;  ///< "ring" or "liner"
+  std::vector<PreparedSurface> surfaces;
+  std::vector<surface::SurfaceMeasures> measures;
+};
+
+Side measured_side(const std::string& name, const std::vector<SurfaceFile>& files, const SurfaceAnalysis& analysis,
+                   const SurfaceFile* flat) {
+  Side side{name, {}, {}};
+  for (const SurfaceFile& file : files) {
+    side.surfaces.push_back(prepare_surface(file, analysis));
+    std::optional<surface::SpectralMoments> noise;
+    if (flat != nullptr) noise = noise_moments(*flat, side.surfaces.back(), analysis);
+    auto measures = measures_of_regions(side.surfaces.back(), analysis, noise ? &*noise : nullptr);
+    std::move(measures.begin(), measures.end(), std::back_inserter(side.measures));
+  }
+  return side;
+}
+
+std::string names_of(const Side& side) {
+  std::string names;
+  for (const PreparedSurface& surface : side.surfaces) {
+    names += (names.empty() ? "" : ", ") + file_name(surface.origin.path);
+  }
+  if (side.measures.size() > side.surfaces.size()) names += fmt::format(" ({} regions)", side.measures.size());
+  return names;
+}
+
+bool steps_differ(const surface::HeightMap& a, const surface::HeightMap& b) {
+  return std::abs(a.step_x_m / b.step_x_m - 1) > kSameStep;
+}
+
+io::MeasuredTable side_table(const Side& side, const SurfaceAnalysis& analysis) {
+  io::MeasuredTable table;
+  table.name = side.name + "_measures";
+  table.title = "What the " + side.name + " brings into the pair";
+  const auto column = [&](const char* tail, const char* words, const char* symbol, const char* unit,
+                          const char* display) {
+    table.columns.push_back(value_of(side.name + "_" + tail, words, symbol, unit, display, 0, ""));
+    table.values.emplace_back();
+  };
+  column("Sa", "mean absolute deviation", "Sa", "m", "um");
+  column("Sq", "rms height", "Sq", "m", "um");
+  column("m2", "variance of slopes", "m2", "1", "1");
+  column("m4", "variance of curvatures", "m4", "m-2", "mm-2");
+  column("asperity_density", "density against a smooth surface", "N", "m-2", "mm-2");
+  column("asperity_radius", "radius against a smooth surface", "beta", "m", "um");
+  std::size_t next = 0;
+  for (const PreparedSurface& surface : side.surfaces) {
+    const std::size_t parts = std::max<std::size_t>(surface.regions.size(), 1);
+    for (std::size_t k = 0; k < parts; ++k, ++next) {
+      const surface::SurfaceMeasures& of = side.measures[next];
+      const surface::AsperityParameters alone = single_parameters(of, analysis.sigma_rule);
+      const double values[] = {of.Sa_m,     of.Sq_m, of.moments.m2, of.moments.m4_per_m2, alone.density_per_m2,
+                               alone.beta_m};
+      for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(values[c]);
+      table.row_labels.push_back(file_name(surface.origin.path) +
+                                 (surface.regions.empty() ? std::string() : fmt::format(", region {}", k + 1)));
+    }
+  }
+  return table;
+}
+
+/// Deviations and correlations of the parameters themselves, from those of their logarithms.
+void add_scatter(const surface::PairScatter& scatter, io::PairOfSurfaces& pair) {
+  const auto& covariance = scatter.covariance_log;
+  const auto deviation = [&](std::size_t k) { return std::sqrt(covariance[k][k]); };
+  const auto correlation = [&](std::size_t a, std::size_t b) {
+    const double both = deviation(a) * deviation(b);
+    return both > 0 ? covariance[a][b] / both : 0.0;
+  };
+  cycle::MeasuredContact& to = pair.measured;
+  to.regions = static_cast<double>(std::max(scatter.first_count, scatter.second_count));
+  if (scatter.without_scatter == "both") return;
+  to.asperity_density_deviation = deviation(0) * scatter.central.density_per_m2;
+  to.asperity_radius_deviation = deviation(1) * scatter.central.beta_m;
+  to.roughness_deviation = deviation(2) * scatter.central.sigma_m;
+  to.density_radius_correlation = correlation(0, 1);
+  to.density_roughness_correlation = correlation(0, 2);
+  to.radius_roughness_correlation = correlation(1, 2);
+}
+
+io::PairOfSurfaces pair_for_case(const Side& ring, const Side& liner, const SurfaceAnalysis& analysis,
+                                 const surface::PairScatter& scatter) {
+  io::PairOfSurfaces pair;
+  pair.asperity_density = scatter.central.density_per_m2;
+  pair.asperity_radius = scatter.central.beta_m;
+  pair.roughness = scatter.central.sigma_m;
+  pair.roughness_measure = cycle::RoughnessMeasure::kAsGiven;
+  pair.measured.ring_surface = names_of(ring);
+  pair.measured.liner_surface = names_of(liner);
+  const PreparedSurface& first = ring.surfaces.front();
+  pair.measured.filter = first.prepared.form.text + " taken off; filter: " + first.prepared.filter_text();
+  pair.measured.short_cutoff = analysis.preparation.short_cutoff_m;
+  pair.measured.long_cutoff = analysis.preparation.long_cutoff_m;
+  pair.measured.step = first.map.step_x_m;
+  pair.measured.roughness_rule = sigma_text(analysis.sigma_rule);
+  pair.measured.difference_scheme = scheme_text(analysis.scheme);
+  add_scatter(scatter, pair);
+  return pair;
+}
+
+io::MeasuredGroup pair_group(const surface::PairScatter& scatter, const std::string& rule, const std::string& sigma) {
+  io::MeasuredGroup group = asperity_group("The pair in contact", scatter.central, rule, sigma);
+  const double central[] = {scatter.central.density_per_m2, scatter.central.beta_m, scatter.central.sigma_m};
+  const char* symbols[] = {"N", "beta", "sigma"};
+  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
+  if (scatter.without_scatter == "both") return group;
+  for (std::size_t k = 0; k < 3; ++k) {
+    group.values[k].standard_error = central[k] * std::sqrt(scatter.mean_covariance_log[k][k]);
+    group.values.push_back(
+        value_of(std::string(names[k]) + "_relative_deviation", "standard deviation of one region of each, relative",
+                 std::string("s(ln ") + symbols[k] + ")", "1", "%", std::sqrt(scatter.covariance_log[k][k]), rule));
+  }
+  return group;
+}
+
+}  // namespace
+
+io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
+                                 const std::vector<SurfaceFile>& liner_files, const SurfaceAnalysis& analysis,
+                                 const SurfaceFile* flat) {
+  const Side ring = measured_side("ring", ring_files, analysis, flat);
+  const Side liner = measured_side("liner", liner_files, analysis, flat);
+  const surface::PairScatter scatter = scatter_of_pair(ring.measures, liner.measures, analysis.sigma_rule);
+
+  io::Measurement all;
+  all.kind = "pair";
+  all.title = "Contact of " + names_of(ring) + " with " + names_of(liner);
+  for (const Side* side : {&ring, &liner}) {
+    for (const PreparedSurface& surface : side->surfaces) {
+      std::vector<std::string> lines = source_lines(surface);
+      lines.front() = side->name + ": " + lines.front();
+      all.sources.insert(all.sources.end(), lines.begin(), lines.end());
+    }
+  }
+  all.statements = analysis_lines(ring.surfaces.front(), analysis);
+  all.statements.push_back("sigma: " + sigma_text(analysis.sigma_rule));
+  all.statements.push_back("m2 and m4 of both surfaces add up");
+  if (flat != nullptr) all.statements.push_back("moments of the flat " + flat->origin.path + " taken off both");
+  const auto add_notes = [&](const Side& side, const std::vector<SurfaceFile>& files) {
+    for (std::size_t k = 0; k < files.size(); ++k) {
+      for (const std::string& note : surface_notes(files[k], side.surfaces[k], analysis)) {
+        all.notes.push_back(file_name(files[k].origin.path) + ": " + note);
+      }
+    }
+  };
+  add_notes(ring, ring_files);
+  add_notes(liner, liner_files);
+  bool same_steps = true;
+  for (const Side* side : {&ring, &liner}) {
+    for (const PreparedSurface& surface : side->surfaces) {
+      same_steps = same_steps && !steps_differ(surface.map, ring.surfaces.front().map);
+    }
+  }
+  if (!same_steps && !analysis.preparation.short_cutoff_m) {
+    all.notes.push_back(
+        "the maps have different steps: without a common --short-cutoff their m4 do not belong together");
+  }
+  if (!scatter.without_scatter.empty()) {
+    all.notes.push_back(scatter.without_scatter == "both"
+                            ? "one region of each surface: N, beta and sigma have no scatter; name more files or --grid"
+                            : "one region of the " +
+                                  std::string(scatter.without_scatter == "first" ? "ring" : "liner") +
+                                  ": it adds nothing to the scatter, which is then too small");
+  }
+
+  const std::string rule = measured_with(ring.surfaces.front());
+  all.groups.push_back(pair_group(scatter, rule, rule + "; " + surface_sigma_text(analysis.sigma_rule)));
+  const surface::HeightMap &first = ring.surfaces.front().map, &second = liner.surfaces.front().map;
+  const bool maps = !first.is_profile() && !second.is_profile();
+  if (maps && !steps_differ(first, second) && std::abs(first.step_y_m / second.step_y_m - 1) <= kSameStep) {
+    const surface::Summits summits = count_summits_of_pair(first, second);
+    io::MeasuredGroup group{"Summits of the composite surface counted one by one (first map of each)", {}};
+    group.values.push_back(
+        value_of("summit_density", "density of summits", "", "m-2", "mm-2", summits.density_per_m2, rule));
+    group.values.push_back(
+        value_of("summit_radius", "radius of their mean curvature", "", "m", "um", summits.mean_radius_m, rule));
+    group.values.push_back(
+        value_of("summit_rms_height", "rms of their heights", "", "m", "um", summits.rms_height_m, rule));
+    all.groups.push_back(std::move(group));
+  }
+  all.tables.push_back(side_table(ring, analysis));
+  all.tables.push_back(side_table(liner, analysis));
+  for (const Side* side : {&ring, &liner}) {
+    const PreparedSurface& surface = side->surfaces.front();
+    if (surface.map.is_profile()) continue;
+    all.maps.push_back(height_map(surface, side->name + "_height"));
+    all.maps.back().title = "Heights of the " + side->name;
+  }
+  all.fragment = contact_fragment(pair_for_case(ring, liner, analysis, scatter),
+                                  {"N, beta and sigma of " + names_of(ring) + " against " + names_of(liner)});
+  return all;
+}
+
+}  // namespace ringfilm::instrument
