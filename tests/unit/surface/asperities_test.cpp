@@ -78,6 +78,18 @@ TEST(Summits, OnLevelTopsAndBesideMissingPointsAreNone) {
   EXPECT_THROW(count_summits(map_of(50, 1, 1e-6, 0, [](double x, double) { return std::sin(x * 1e6); })), InputError);
 }
 
+TEST(Summits, AreHigherThanEachOfTheEightNeighbours) {
+  for (const int dx : {-1, 0, 1}) {
+    for (const int dy : {-1, 0, 1}) {
+      if (dx == 0 && dy == 0) continue;
+      HeightMap map = map_of(9, 9, 1e-6, 1e-6, [](double, double) { return 0.0; });
+      map.height_m[map.index(4, 4)] = 1e-6;
+      map.height_m[map.index(4 + dx, 4 + dy)] = 2e-6;  // the only summit
+      EXPECT_EQ(count_summits(map).count, 1u) << dx << " " << dy;
+    }
+  }
+}
+
 TEST(Summits, OfAGaussianFieldFollowNayak) {
   // l = 14 steps: summits lie some 7 l^2 steps apart, so that eight neighbours see nearly all of them.
   const double l = 14, points = 1500;
