@@ -37,6 +37,13 @@ TEST(Form, APlaneIsTakenOffToRoundOffWithItsSlopes) {
   }
 }
 
+TEST(Form, TellsHowLargeItWas) {
+  HeightMap map = map_of(61, 1, 1e-6, 0, [](double x, double) { return 0.02 * x; });
+  // 61 even steps: variance (61^2 - 1)/12 of a step.
+  EXPECT_NEAR(remove_form(map, {FormKind::tilt, 1}).rms_m, 0.02e-6 * std::sqrt((61.0 * 61 - 1) / 12), 1e-18);
+  EXPECT_EQ(remove_form(map, {FormKind::none, 0}).text, "nothing");
+}
+
 TEST(Form, AMapWithoutAMeanKeepsItsTilt) {
   HeightMap map = map_of(5, 1, 1e-6, 0, [](double x, double) { return 1e-6 + x; });
   remove_form(map, {FormKind::mean, 0});
