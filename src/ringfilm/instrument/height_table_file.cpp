@@ -246,7 +246,7 @@ class Reader {
       }
       const std::optional<double> value = number_of(cell, decimal_commas_);
       if (!value) {
-        refuse_here(cells.column(), "\"" + utf8_from(cell.substr(0, 40)) + "\" is not a finite number",
+        refuse_here(cells.column(), fmt::format("\"{}\" is not a finite number", utf8_from(cell.substr(0, 40))),
                     "a number is wanted here, or nothing where no height was measured");
       }
       row.push_back(*value);

@@ -267,7 +267,7 @@ InstrumentFile read_sdf(const std::string& file, std::shared_ptr<const std::stri
     values.channel = channel;
     values.step_x = header.step_x;
     values.step_y = channel.points_y > 1 ? header.step_y : 0.0;
-    values.step_unit = "m";
+    values.step_unit = values.channel.unit;  // the standard knows metres alone
     values.value.resize(channel.points_x * channel.points_y);
     if (is_text) {
       read_text(data, header, values);

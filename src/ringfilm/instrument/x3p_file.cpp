@@ -451,7 +451,7 @@ InstrumentFile read_x3p(const std::string& path) {
       values.channel.points_x = found.points_x;
       values.channel.points_y = found.points_y;
     }
-    values.step_unit = "m";
+    values.step_unit = values.channel.unit;  // the standard knows metres alone
     return values;
   };
   return result;
