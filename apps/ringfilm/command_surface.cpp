@@ -23,7 +23,7 @@ void write_heights(const std::string& path, const surface::HeightMap& map) {
   const auto put = [&](const std::string& text) {
     if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) io::fail_to_write(path, errno);
   };
-  put("x,y,z\n");
+  put("x [m],y [m],z [m]\n");
   std::vector<std::string> x;
   for (std::size_t i = 0; i < map.points_x; ++i) x.push_back(io::exact_text(static_cast<double>(i) * map.step_x_m));
   for (std::size_t j = 0; j < map.points_y; ++j) {

@@ -17,7 +17,8 @@ constexpr const char* kSurfaceFooter = R"(Examples:
   ringfilm surface liner.x3p --heights heights.csv
 
 Nothing is taken off the heights unless it is asked for. Lengths are written with their unit.
---heights writes the heights as they were read: columns x, y, z in metres, z empty where a point is missing.
+--heights writes the heights as they were read: x, y, z in metres, z empty where a point is missing.
+The file can be read again without any option.
 )";
 
 constexpr const char* kPairFooter = R"(Examples:
@@ -72,7 +73,7 @@ struct SurfaceWords {
         ->type_name("LENGTH");
     command.add_option("--step-y", reading.step_y, "distance of rows; the same as --step-x if left out")
         ->type_name("LENGTH");
-    command.add_option("--layout", layout, "of a text file: matrix, xyz or profile")->type_name("LAYOUT");
+    command.add_option("--layout", layout, "of a text file: matrix, points (x, y, z) or profile")->type_name("LAYOUT");
     command
         .add_option("--form", form, "what is taken off first: none, mean, tilt, cylinder or polynomial-K of degree K")
         ->capture_default_str()
@@ -108,7 +109,7 @@ struct SurfaceWords {
       using instrument::TableLayout;
       of.reading.layout = chosen<TableLayout>(
           "--layout", *layout,
-          {{"matrix", TableLayout::kMatrix}, {"xyz", TableLayout::kPoints}, {"profile", TableLayout::kProfile}});
+          {{"matrix", TableLayout::kMatrix}, {"points", TableLayout::kPoints}, {"profile", TableLayout::kProfile}});
     }
     of.noise = noise;
     of.outputs = outputs.wanted();

@@ -1,5 +1,7 @@
 #include "ringfilm/instrument/surface_figures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +15,14 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kBearingPoints = 1000;
+
+/// A map is filtered once for each cut-off: of a large one its middle tells as much.
+surface::HeightMap middle_part(const surface::HeightMap& map) {
+  constexpr std::size_t kMost = 1024;
+  const auto across = std::min(map.points_x, map.is_profile() ? kMost * kMost : kMost);
+  const auto down = std::min(map.points_y, kMost);
+  return part_of_map(map, {(map.points_x - across) / 2, (map.points_y - down) / 2, across, down});
+}
 
 double height_or_none(const surface::HeightMap& map, std::size_t point) {
   return map.measured(point) ? map.height_m[point] : kNone;
@@ -119,7 +129,11 @@ io::MeasuredCurve spectrum_curve(const PreparedSurface& surface) {
 io::MeasuredTable scale_table(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
   io::MeasuredTable table;
   table.name = "scale";
+  const surface::HeightMap part = middle_part(surface.levelled);
   table.title = "Against the short cut-off, this surface against a smooth one";
+  if (part.points() < surface.levelled.points()) {
+    table.title += fmt::format(", the middle {} x {} points", part.points_x, part.points_y);
+  }
   const auto column = [&](const char* name, const char* long_name, const char* symbol, const char* unit,
                           const char* display) {
     io::MeasuredValue value;
