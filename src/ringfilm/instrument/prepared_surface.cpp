@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ringfilm/base/error.hpp"
@@ -26,6 +27,14 @@ std::vector<surface::Region> chosen_regions(const surface::HeightMap& map, const
   return regions;
 }
 
+/// A map is filtered once for each cut-off: of a large one its middle tells as much.
+surface::HeightMap middle_part(const surface::HeightMap& map) {
+  constexpr std::size_t kMost = 1024;
+  const auto across = std::min(map.points_x, map.is_profile() ? kMost * kMost : kMost);
+  const auto down = std::min(map.points_y, kMost);
+  return part_of_map(map, {(map.points_x - across) / 2, (map.points_y - down) / 2, across, down});
+}
+
 }  // namespace
 
 PreparedSurface prepare_surface(const SurfaceFile& file, const SurfaceAnalysis& analysis) {
@@ -33,7 +42,7 @@ PreparedSurface prepare_surface(const SurfaceFile& file, const SurfaceAnalysis& 
   surface::Preparation form_alone;
   form_alone.form = analysis.preparation.form;
   surface.prepared = prepare(surface.map, form_alone);
-  surface.levelled = surface.map;
+  surface.middle = middle_part(surface.map);
   surface::Preparation filters = analysis.preparation;
   filters.form = {surface::FormKind::none};
   surface.prepared.filters = prepare(surface.map, filters).filters;

@@ -16,14 +16,6 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kBearingPoints = 1000;
 
-/// A map is filtered once for each cut-off: of a large one its middle tells as much.
-surface::HeightMap middle_part(const surface::HeightMap& map) {
-  constexpr std::size_t kMost = 1024;
-  const auto across = std::min(map.points_x, map.is_profile() ? kMost * kMost : kMost);
-  const auto down = std::min(map.points_y, kMost);
-  return part_of_map(map, {(map.points_x - across) / 2, (map.points_y - down) / 2, across, down});
-}
-
 double height_or_none(const surface::HeightMap& map, std::size_t point) {
   return map.measured(point) ? map.height_m[point] : kNone;
 }
@@ -129,9 +121,9 @@ io::MeasuredCurve spectrum_curve(const PreparedSurface& surface) {
 io::MeasuredTable scale_table(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
   io::MeasuredTable table;
   table.name = "scale";
-  const surface::HeightMap part = middle_part(surface.levelled);
+  const surface::HeightMap& part = surface.middle;
   table.title = "Against the short cut-off, this surface against a smooth one";
-  if (part.points() < surface.levelled.points()) {
+  if (part.points() < surface.map.points()) {
     table.title += fmt::format(", the middle {} x {} points", part.points_x, part.points_y);
   }
   const auto column = [&](const char* name, const char* long_name, const char* symbol, const char* unit,
@@ -154,7 +146,7 @@ io::MeasuredTable scale_table(const PreparedSurface& surface, const SurfaceAnaly
   column("asperity_radius", "mean summit radius", "beta", "m", "um");
   column("summit_density", "summits counted", "", "m-2", "mm-2");
   for (const surface::ScaleRow& row :
-       surface::scale_table(surface.levelled, short_cutoffs(surface.levelled), analysis.direction, analysis.scheme)) {
+       surface::scale_table(part, short_cutoffs(part), analysis.direction, analysis.scheme)) {
     const double values[] = {row.short_cutoff_m,    row.Sq_m,           row.Sdq,    row.moments.m2,
                              row.moments.m4_per_m2, row.density_per_m2, row.beta_m, row.summit_density_per_m2};
     for (std::size_t k = 0; k < table.values.size(); ++k) table.values[k].push_back(values[k]);

@@ -141,23 +141,25 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
     }
   };
   attempt("height statistics", [&] { all.groups.push_back(height_group(surface)); });
-  const std::vector<double> falling = surface::bearing_curve(surface.map);
-  if (falling.size() >= kEnoughForBearing) {
-    attempt("bearing parameters", [&] { all.groups.push_back(bearing_group(falling, with)); });
+  {
+    const std::vector<double> falling = surface::bearing_curve(surface.map);
+    if (falling.size() >= kEnoughForBearing) {
+      attempt("bearing parameters", [&] { all.groups.push_back(bearing_group(falling, with)); });
+    }
+    all.curves.push_back(profile_curve(surface));
+    all.curves.push_back(bearing_curve(falling));
   }
   attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis)); });
   attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, noise ? &*noise : nullptr, all); });
   if (!surface.map.is_profile()) {
     attempt("summits", [&] { all.groups.push_back(summit_group(surface.map, with)); });
-    all.maps.push_back(height_map(surface, "height"));
   }
-  all.curves.push_back(profile_curve(surface));
-  all.curves.push_back(bearing_curve(falling));
   attempt("power spectrum", [&] { all.curves.push_back(spectrum_curve(surface)); });
   attempt("table against the short cut-off", [&] {
     all.tables.push_back(scale_table(surface, analysis));
     if (all.tables.back().row_labels.size() > 1) all.curves.push_back(scale_curve(all.tables.back(), analysis));
   });
+  if (!surface.map.is_profile()) all.maps.push_back(height_map(surface, "height"));
   return all;
 }
 

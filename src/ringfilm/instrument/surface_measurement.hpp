@@ -32,7 +32,8 @@ struct SurfaceAnalysis {
 struct PreparedSurface {
   SurfaceOrigin origin;
   std::string plausibility_line;
-  surface::HeightMap map, levelled;  ///< `levelled`: form taken off, not filtered
+  surface::HeightMap map;
+  surface::HeightMap middle;  ///< part of it, form taken off, not filtered: for what is worked out again and again
   surface::Prepared prepared;
   std::vector<surface::Region> regions;  ///< empty: the whole map
 };

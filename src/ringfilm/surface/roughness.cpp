@@ -1,5 +1,6 @@
 #include "ringfilm/surface/roughness.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,21 +13,39 @@ namespace {
 constexpr std::size_t kLeastPoints = 4;
 constexpr std::size_t kLeastPointsOfARow = 8;
 
-/// Mean of the measured points, summed row by row about the first of them.
-double mean_height(const HeightMap& map, std::size_t measured) {
+/// Calls visit(heights of the measured points) row by row.
+template <class Visit>
+void visit_rows(const HeightMap& map, const Visit& visit) {
+  Eigen::ArrayXd kept(static_cast<Eigen::Index>(map.points_x));
+  for (std::size_t j = 0; j < map.points_y; ++j) {
+    Eigen::Index count = 0;
+    for (std::size_t i = map.index(0, j); i < map.index(0, j + 1); ++i) {
+      kept[count] = map.height_m[i];
+      count += map.measured(i);
+    }
+    if (count > 0) visit(kept.head(count));
+  }
+}
+
+struct Extent {
+  double mean_m, lowest_m, highest_m;
+};
+
+/// Of the measured points; the mean is summed row by row about the first of them.
+Extent extent(const HeightMap& map, std::size_t measured) {
   double reference = 0, sum = 0;
   bool first = true;
-  for (std::size_t j = 0; j < map.points_y; ++j) {
-    double row = 0;
-    for (std::size_t i = map.index(0, j); i < map.index(0, j + 1); ++i) {
-      if (!map.measured(i)) continue;
-      if (first) reference = map.height_m[i];
-      first = false;
-      row += map.height_m[i] - reference;
-    }
-    sum += row;
-  }
-  return reference + sum / static_cast<double>(measured);
+  Extent of{};
+  visit_rows(map, [&](const auto& heights) {
+    if (first) of = {0, heights[0], heights[0]};
+    if (first) reference = heights[0];
+    first = false;
+    of.lowest_m = std::min(of.lowest_m, heights.minCoeff());
+    of.highest_m = std::max(of.highest_m, heights.maxCoeff());
+    sum += (heights - reference).sum();
+  });
+  of.mean_m = reference + sum / static_cast<double>(measured);
+  return of;
 }
 
 }  // namespace
@@ -36,36 +55,25 @@ HeightStatistics height_statistics(const HeightMap& map) {
   HeightStatistics of;
   of.points = measured_points(map);
   of.missing = map.points() - of.points;
-  of.mean_m = mean_height(map, of.points);
-  double highest = of.mean_m, lowest = of.mean_m;
-  for (std::size_t i = 0; i < map.points(); ++i) {
-    if (!map.measured(i)) continue;
-    highest = std::max(highest, map.height_m[i]);
-    lowest = std::min(lowest, map.height_m[i]);
-  }
-  of.Sp_m = highest - of.mean_m;
-  of.Sv_m = of.mean_m - lowest;
-  of.Sz_m = highest - lowest;
+  const Extent range = extent(map, of.points);
+  of.mean_m = range.mean_m;
+  of.Sp_m = range.highest_m - of.mean_m;
+  of.Sv_m = of.mean_m - range.lowest_m;
+  of.Sz_m = range.highest_m - range.lowest_m;
   if (!(of.Sz_m > 0)) {
     throw InputError("all heights of the map are the same: it has no roughness", "choose another channel or region");
   }
   // In units of Sz, so that no power of a height in metres runs out of range.
   double absolute = 0, squares = 0, cubes = 0, fourths = 0;
-  for (std::size_t j = 0; j < map.points_y; ++j) {
-    double row_absolute = 0, row_squares = 0, row_cubes = 0, row_fourths = 0;
-    for (std::size_t i = map.index(0, j); i < map.index(0, j + 1); ++i) {
-      if (!map.measured(i)) continue;
-      const double z = (map.height_m[i] - of.mean_m) / of.Sz_m, square = z * z;
-      row_absolute += std::abs(z);
-      row_squares += square;
-      row_cubes += square * z;
-      row_fourths += square * square;
-    }
-    absolute += row_absolute;
-    squares += row_squares;
-    cubes += row_cubes;
-    fourths += row_fourths;
-  }
+  Eigen::ArrayXd z, square;
+  visit_rows(map, [&](const auto& heights) {
+    z = (heights - of.mean_m) / of.Sz_m;
+    square = z.square();
+    absolute += z.abs().sum();
+    squares += square.sum();
+    cubes += (square * z).sum();
+    fourths += square.square().sum();
+  });
   const double count = static_cast<double>(of.points), variance = squares / count;
   of.Sa_m = absolute / count * of.Sz_m;
   of.Sq_m = std::sqrt(variance) * of.Sz_m;
