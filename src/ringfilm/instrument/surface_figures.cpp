@@ -144,7 +144,7 @@ io::MeasuredTable scale_table(const PreparedSurface& surface, const SurfaceAnaly
   column("m4", "variance of curvatures", "m4", "m-2", "mm-2");
   column("asperity_density", "density of asperity peaks", "N", "m-2", "mm-2");
   column("asperity_radius", "mean summit radius", "beta", "m", "um");
-  column("summit_density", "summits counted", "", "m-2", "mm-2");
+  if (!surface.map.is_profile()) column("summit_density", "summits counted", "", "m-2", "mm-2");
   for (const surface::ScaleRow& row :
        surface::scale_table(part, short_cutoffs(part), analysis.direction, analysis.scheme)) {
     const double values[] = {row.short_cutoff_m,    row.Sq_m,           row.Sdq,    row.moments.m2,

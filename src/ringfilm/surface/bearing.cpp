@@ -141,6 +141,7 @@ std::optional<ProbabilityRoughness> probability_roughness(std::span<const double
   const Line plateau = line(0, parting), valley = line(parting, s.size());
   if (!(valley.slope < plateau.slope && plateau.slope < 0)) return std::nullopt;  // no plateau over deeper valleys
   const double meet = (valley.at_zero - plateau.at_zero) / (plateau.slope - valley.slope);
+  if (!(std::abs(meet) < kProbabilityRange)) return std::nullopt;  // they do not meet on the curve
   return ProbabilityRoughness{-plateau.slope, -valley.slope, 0.5 * std::erfc(-meet / root_of_two)};
 }
 

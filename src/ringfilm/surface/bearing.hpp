@@ -31,7 +31,7 @@ struct ProbabilityRoughness {
 
 /// Two straight lines of least squares on the curve over normal probability from -3 to 3 standard deviations, their
 /// parting where both together leave least; the standard finds the parting with a fitted conic. Nothing where one line
-/// is as good: a surface made in one step.
+/// is as good, a surface made in one step, or where both do not meet on the curve.
 /// @param falling_heights_m bearing curve, 100 points or more [m]
 std::optional<ProbabilityRoughness> probability_roughness(std::span<const double> falling_heights_m);
 
