@@ -14,6 +14,7 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr std::size_t kHeaderSize = 512;
+constexpr std::size_t kLongestComment = 2000;
 constexpr char kSignature[] = "DIGITAL SURF";
 constexpr char kCompressed[] = "DSCOMPRESSED";
 
@@ -58,7 +59,8 @@ struct Header {
   std::size_t points_x = 0;
   std::size_t points_y = 0;
   std::size_t point_bytes = 0;
-  std::size_t data = 0;  ///< offset of the first height
+  std::size_t comment = 0;  ///< size of the text behind the header [byte]
+  std::size_t data = 0;     ///< offset of the first height
   double step_x = 0, step_y = 0, step_z = 0, offset_z = 0;
   std::string unit_x, unit_y, unit_z;
   bool has_missing = false;
@@ -123,6 +125,7 @@ Header read_header(const BinaryReader& in) {
   if (comment < 0 || own < 0) {
     in.refuse_at(kCommentSize, "the comment or the private zone has a negative size", "the header is damaged");
   }
+  header.comment = static_cast<std::size_t>(comment);
   header.data = kHeaderSize + static_cast<std::size_t>(comment) + static_cast<std::size_t>(own);
   in.at(header.data, points * header.point_bytes, fmt::format("the map of {} x {} points", points_x, points_y));
 
@@ -224,6 +227,8 @@ InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const 
   if (day >= 1 && day <= 31 && month >= 1 && month <= 12 && year > 0) {
     result.date = fmt::format("{:04}-{:02}-{:02}", year, month, day);
   }
+  const std::string comment = in.text(kHeaderSize, std::min(header.comment, kLongestComment), "the comment");
+  if (!comment.empty()) result.notes.push_back("comment in the file: " + comment);
   const std::string name = in.text(kName, 30, "the name");
   result.channels.push_back({name.empty() ? "Z" : name, header.unit_z, header.points_x, header.points_y});
   result.values = [file, bytes, header, order = in.order(), channel = result.channels[0]](std::size_t) {
@@ -250,7 +255,8 @@ InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const 
   return result;
 }
 
-std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_m, const std::string& name) {
+std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_m, const std::string& name,
+                               const std::string& comment) {
   const double step_z_um = static_cast<float>(resolution_m * 1e6);
   std::vector<std::int32_t> whole(map.points());
   std::int32_t smallest = std::numeric_limits<std::int32_t>::max(), largest = std::numeric_limits<std::int32_t>::min();
@@ -274,8 +280,11 @@ std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_
   for (std::size_t i = 0; i < map.points(); ++i) {
     if (!map.measured(i)) whole[i] = smallest - 2;
   }
-  BinaryWriter out(kHeaderSize);
+  const std::string_view kept = std::string_view(comment).substr(0, kLongestComment);
+  BinaryWriter out(kHeaderSize + kept.size());
   out.text(0, 12, kSignature);
+  out.number<std::int16_t>(kCommentSize, static_cast<std::int16_t>(kept.size()));
+  out.text(kHeaderSize, kept.size(), kept);
   out.number<std::int16_t>(kObjects, 1);
   out.number<std::int16_t>(16, 1);  // version
   out.number<std::int16_t>(kType, map.is_profile() ? 1 : 2);

@@ -17,6 +17,8 @@ InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const 
 
 /// The map as the bytes of a .sur file: 32-bit heights in steps of `resolution_m`, lengths in um. The same map gives
 /// the same bytes. Throws InputError if a height does not fit 32 bit.
-std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_m, const std::string& name);
+/// @param comment what the file says of itself; cut at 2000 bytes
+std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_m, const std::string& name,
+                               const std::string& comment = "");
 
 }  // namespace ringfilm::instrument
