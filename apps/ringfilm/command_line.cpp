@@ -26,6 +26,8 @@ constexpr const char* kFooter = R"(Examples:
   ringfilm verify
   ringfilm surface liner.x3p --form cylinder --html liner.html
   ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --fragment contact.toml
+  ringfilm face trace.csv --heights material --width "1.2 mm" --fragment face.toml
+  ringfilm lateral-force new.csv --silicon silicon.csv --reference ahimou2007 --fragment shear.toml
 
 Exit codes: 0 done, 1 internal error, 2 bad input, 3 no balance found, 4 a check failed, 5 could not write.
 )";
@@ -229,7 +231,11 @@ class Commands {
   }
 
   /// Commands that read instruments.
-  void add_measuring() { add_surface_commands(program_, actions_); }
+  void add_measuring() {
+    add_surface_commands(program_, actions_);
+    add_face_command(program_, actions_);
+    add_lateral_force_command(program_, actions_);
+  }
 
   /// What the chosen command does.
   std::function<void()> chosen() const {

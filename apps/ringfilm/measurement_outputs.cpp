@@ -35,6 +35,14 @@ void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::str
   add("--fragment", outputs.fragment, io::Sink::kFileOrDevice);
 }
 
+io::NamedNumbers numbers_of(const io::Measurement& measurement) {
+  io::NamedNumbers numbers;
+  for (const io::MeasuredGroup& group : measurement.groups) {
+    for (const io::MeasuredValue& value : group.values) numbers.emplace_back(value.name, value.value);
+  }
+  return numbers;
+}
+
 void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers) {
   const io::Units units;
   const io::Provenance provenance = io::this_program();

@@ -20,6 +20,9 @@ struct MeasurementOutputs {
 /// anything is computed.
 void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::string>& inputs);
 
+/// The values of all groups by their names, for the top of the JSON.
+io::NamedNumbers numbers_of(const io::Measurement& measurement);
+
 /// Writes what was asked for and prints the document. Throws OutputError.
 /// @param numbers that stand at the top of the JSON
 void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers);
