@@ -1,17 +1,12 @@
 #include "measurement_example.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
-namespace ringfilm::example {
+namespace ringfilm::io::example {
 namespace {
-
-using io::MeasuredAxis;
-using io::MeasuredCurve;
-using io::MeasuredGroup;
-using io::MeasuredMap;
-using io::MeasuredTable;
-using io::MeasuredValue;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -168,10 +163,10 @@ MeasuredValue value(const char* name, const char* long_name, const char* symbol,
 
 }  // namespace
 
-io::Measurement measurement(std::size_t points_x, std::size_t points_y) {
+Measurement measurement(std::size_t points_x, std::size_t points_y) {
   const char* fine = "S-filter 2.5 um, pixel 1 um";
   const char* waves = "Gaussian filter 0.8 mm, pixel 1 um";
-  io::Measurement document;
+  Measurement document;
   document.kind = "surface";
   document.title = "Liner, honed (made-up numbers)";
   document.sources = {"cases/measured/liner.x3p: X3P, one channel; 900 x 600 points of 1 um, 2 % missing"};
@@ -205,4 +200,4 @@ io::Measurement measurement(std::size_t points_x, std::size_t points_y) {
   return document;
 }
 
-}  // namespace ringfilm::example
+}  // namespace ringfilm::io::example
