@@ -235,6 +235,7 @@ class Commands {
     add_surface_commands(program_, actions_);
     add_face_command(program_, actions_);
     add_lateral_force_command(program_, actions_);
+    add_synthetic_command(program_, actions_);
   }
 
   /// What the chosen command does.

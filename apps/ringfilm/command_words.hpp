@@ -33,5 +33,7 @@ void add_surface_commands(CLI::App& program, Actions& actions);
 void add_face_command(CLI::App& program, Actions& actions);
 /// `ringfilm lateral-force`.
 void add_lateral_force_command(CLI::App& program, Actions& actions);
+/// `ringfilm synthetic`.
+void add_synthetic_command(CLI::App& program, Actions& actions);
 
 }  // namespace ringfilm::app
