@@ -16,8 +16,33 @@ namespace {
 
 /// A spline of so many points is a matter of milliseconds, and its equations are still far from singular.
 constexpr std::size_t kMostPoints = 8192;
-constexpr int kMostPasses = 30;
+constexpr int kMostPasses = 80;
+constexpr int kFreePasses = 8;  ///< steps of the slope itself between a tilt too small and one too large
 constexpr double kTiltSettled = 1e-10;
+
+/// Seeks the tilt with which the land is level. Its slope jumps where a part joins the land or leaves it, and steps of
+/// the slope alone may go round there for ever: between tilts too small and too large the middle is tried.
+class TiltSearch {
+ public:
+  /// The tilt to try next, after the slope that one left; nothing where it is found.
+  std::optional<double> next(double tilt, double slope) {
+    if (std::abs(slope) < kTiltSettled) return std::nullopt;
+    (slope > 0 ? too_small_ : too_large_) = tilt;
+    const double stepped = tilt + slope;
+    if (!too_small_ || !too_large_) return stepped;
+    if (*too_small_ >= *too_large_) {
+      (slope > 0 ? too_large_ : too_small_).reset();
+      return stepped;
+    }
+    if (*too_large_ - *too_small_ < kTiltSettled) return std::nullopt;
+    const bool inside = stepped > *too_small_ && stepped < *too_large_;
+    return inside && ++free_passes_ <= kFreePasses ? stepped : (*too_small_ + *too_large_) / 2;
+  }
+
+ private:
+  std::optional<double> too_small_, too_large_;
+  int free_passes_ = 0;
+};
 
 std::string micrometres(double length_m) {
   char text[32];
@@ -90,18 +115,18 @@ std::string InventedShape::words() const {
 }
 
 FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
-  Trace whole = gap_trace(trace, rule.sense);
-  check_rule(whole, rule);
+  const Trace untilted = gap_trace(trace, rule.sense);
+  check_rule(untilted, rule);
   FaceFit fit;
   fit.spline_cutoff_m = rule.spline_cutoff_m.value_or(rule.width_m / 10);
-  if (rule.levelling == FaceLevelling::kStated) {
-    take_off(whole, rule.tilt);
-    fit.tilt = rule.tilt;
-  }
+  if (rule.levelling == FaceLevelling::kStated) fit.tilt = rule.tilt;
+  TiltSearch search;
   Trace gap;
   Land land{};
   std::vector<double> smooth;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 1;; ++pass) {
+    Trace whole = untilted;
+    take_off(whole, fit.tilt);
     fit.start_m = std::clamp(rule.start_m.value_or(found_start(whole, rule.width_m)), whole.x_m.front(),
                              std::max(whole.x_m.front(), whole.x_m.back() - rule.width_m));
     gap = window(whole, fit.start_m, rule.width_m);
@@ -115,10 +140,14 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
     smooth = SmoothingSpline(gap.x_m, gap.height_m, fit.spline_cutoff_m).height_m();
     land = land_of(smooth, rule.land_height_m);
     if (rule.levelling != FaceLevelling::kLand) break;
-    const double tilt = slope_over(gap, land);
-    if (std::abs(tilt) < kTiltSettled) break;
-    take_off(whole, tilt);
-    fit.tilt += tilt;
+    const std::optional<double> tilt = search.next(fit.tilt, slope_over(gap, land));
+    if (!tilt) break;
+    if (pass == kMostPasses) {
+      throw InputError(
+          "the land of the face cannot be made level: with each tilt another part of the trace is the land",
+          "state the tilt, take the trace as it is, or state a larger height of the land");
+    }
+    fit.tilt = *tilt;
   }
   if (rule.direction == FaceDirection::kTurned) {
     for (double& x : gap.x_m) x = rule.width_m - x;

@@ -176,6 +176,44 @@ TEST(FaceFit, LevelsTheLandOfATiltedTrace) {
   EXPECT_NEAR(fit_face(trace, rule).gap_m.back(), 20e-6, 1e-15);
 }
 
+/// Slope of the line of least squares through the land that is told [-].
+double slope_of_land(const FaceFit& fit) {
+  double n = 0, x_mean = 0, h_mean = 0, xh = 0, xx = 0;
+  const auto over_land = [&](const auto& visit) {
+    for (std::size_t i = 0; i < fit.x_m.size(); ++i) {
+      if (fit.x_m[i] >= fit.land_from_m && fit.x_m[i] <= fit.land_to_m) visit(fit.x_m[i], fit.gap_m[i]);
+    }
+  };
+  over_land([&](double x, double h) { n += 1, x_mean += x, h_mean += h; });
+  over_land([&](double x, double h) {
+    xh += (x - x_mean / n) * (h - h_mean / n);
+    xx += (x - x_mean / n) * (x - x_mean / n);
+  });
+  return xh / xx;
+}
+
+/// A rough and wavy face, tilted by the holder: crests join the land or leave it as the tilt changes.
+TEST(FaceFit, LevelsALandThatGainsAndLosesParts) {
+  FaceRule rule = as_measured();
+  rule.levelling = FaceLevelling::kLand;
+  Normal normal(1);
+  for (int k = 0; k < 24; ++k) {
+    Trace trace;
+    for (int i = 0; i <= 600; ++i) {
+      const double x = 2e-6 * i, s = (x - 0.6e-3) / 0.6e-3;
+      const double wave = 0.1e-6 * std::sin(2 * std::numbers::pi * (2 * s + k / 24.0));
+      trace.x_m.push_back(x);
+      trace.height_m.push_back((2 + k) * 1e-6 * std::pow(s, 4) + wave + 0.1e-6 * normal() + 0.01 * x);
+    }
+    const FaceFit fit = fit_face(trace, rule);
+    // A tilt is sought to 1e-10.
+    EXPECT_NEAR(slope_of_land(fit), 0, 1e-9) << k;
+    // What is told as taken off is what was taken off.
+    const double taken = (trace.height_m.back() - fit.gap_m.back()) - (trace.height_m[0] - fit.gap_m[0]);
+    EXPECT_NEAR(taken, fit.tilt * kWidth, 1e-15) << k;
+  }
+}
+
 TEST(FaceFit, TurnsTheFaceRound) {
   FaceRule rule = as_measured();
   rule.direction = FaceDirection::kTurned;
