@@ -28,6 +28,8 @@ constexpr const char* kFooter = R"(Examples:
   ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --fragment contact.toml
   ringfilm face trace.csv --heights material --width "1.2 mm" --fragment face.toml
   ringfilm lateral-force new.csv --silicon silicon.csv --reference ahimou2007 --fragment shear.toml
+  ringfilm synthetic honed liner.x3p --hatch-angle "45 degree" --seed 7
+  ringfilm reproduce measured
 
 Exit codes: 0 done, 1 internal error, 2 bad input, 3 no balance found, 4 a check failed, 5 could not write.
 )";
@@ -64,6 +66,7 @@ constexpr const char* kNewFooter = R"(Examples:
 constexpr const char* kReproduceFooter = R"(Examples:
   ringfilm reproduce styles2014
   ringfilm reproduce styles2014 --output paper
+  ringfilm reproduce measured --output measured
 )";
 
 constexpr const char* kReportFooter = R"(Examples:
@@ -209,7 +212,9 @@ class Commands {
       reproduce_.jobs = jobs();
       reproduce(reproduce_);
     });
-    command.add_option("publication", reproduce_.publication, "styles2014: three rings, new, run-in and embedded")
+    command
+        .add_option("publication", reproduce_.publication,
+                    "styles2014: three rings, new, run-in and embedded; measured: the same from files of instruments")
         ->required()
         ->type_name("");
     command.add_option("--output", reproduce_.folder, "folder for results and report (default ./<publication>)")

@@ -46,16 +46,16 @@ io::NamedNumbers numbers_of(const io::Measurement& measurement) {
 void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers) {
   const io::Units units;
   const io::Provenance provenance = io::this_program();
-  const std::string text = outputs.summary == SummaryForm::kJson
-                               ? io::measurement_json(measurement, numbers, provenance)
-                               : io::measurement_text(measurement, units);
+  std::string text;
+  if (outputs.summary == SummaryForm::kJson) text = io::measurement_json(measurement, numbers, provenance);
+  if (outputs.summary == SummaryForm::kTable) text = io::measurement_text(measurement, units);
   if (outputs.netcdf) io::write_measurement(*outputs.netcdf, measurement, provenance);
   if (outputs.page) {
     io::write_atomically(*outputs.page, ringfilm::report::measurement_page(measurement, units, provenance));
   }
   if (outputs.fragment) io::write_atomically(*outputs.fragment, measurement.fragment);
   std::cout << text;
-  if (outputs.summary == SummaryForm::kJson) return;
+  if (outputs.summary != SummaryForm::kTable) return;
   for (const auto& path : {outputs.netcdf, outputs.page, outputs.fragment}) {
     if (path) std::cout << "wrote " << *path << "\n";
   }
