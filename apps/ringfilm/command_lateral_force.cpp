@@ -72,7 +72,7 @@ ForceCalibration by_lever(const LateralForceCommand& command, surface::LoadUnit 
   ForceCalibration of;
   of.calibration = surface::calibrate_by_geometry(file.lever, load_unit);
   of.lever = file.lever;
-  of.sources = {*command.lever + ": sizes of a lever", "SHA-256 " + file.sha256};
+  of.sources = {*command.lever + ": sizes of a lever; SHA-256 " + file.sha256};
   of.name = fmt::format("lever {} ({})", file_name(*command.lever), short_digest({file.sha256}));
   return of;
 }

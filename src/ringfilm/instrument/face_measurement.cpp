@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/surface_values.hpp"
 #include "ringfilm/io/contact_fragment.hpp"
 
@@ -100,7 +100,8 @@ class Group {
   io::MeasuredGroup group_;
 };
 
-/// The tilt that comes off with a land of half and of twice the height: a flat land gives the same.
+/// The tilt that comes off with a land of half and of twice the height: a flat land gives the same. NaN where such a
+/// land cannot be made level.
 struct OtherTilts {
   double lower, higher;
   double edge_m;  ///< by which an edge moves between the three, at most
@@ -111,11 +112,29 @@ std::optional<OtherTilts> other_tilts(const surface::Trace& trace, const FaceRul
   const auto tilt = [&](double factor) {
     FaceRule other = rule;
     other.land_height_m *= factor;
-    return surface::fit_face(trace, other).tilt;
+    try {
+      return surface::fit_face(trace, other).tilt;
+    } catch (const InputError&) {
+      return std::nan("");
+    }
   };
   const double lower = tilt(0.5), higher = tilt(2);
-  const auto [least, most] = std::minmax({lower, fit.tilt, higher});
+  const double most = std::fmax(fit.tilt, std::fmax(lower, higher));
+  const double least = std::fmin(fit.tilt, std::fmin(lower, higher));
   return OtherTilts{lower, higher, (most - least) * rule.width_m};
+}
+
+/// "lands of 0.5 um, 1 um, 2 um take 1, 1.2, none mrad off".
+std::string tilts_text(const FaceRule& rule, const FaceFit& fit, const OtherTilts& tilts) {
+  std::string heights, angles;
+  for (const auto& [factor, tilt] :
+       {std::pair(0.5, tilts.lower), std::pair(1.0, fit.tilt), std::pair(2.0, tilts.higher)}) {
+    if (!heights.empty()) heights += ", ";
+    heights += micrometres(factor * rule.land_height_m);
+    if (!angles.empty()) angles += ", ";
+    angles += std::isnan(tilt) ? std::string("none that can be found") : fmt::format("{:.3g}", tilt * 1e3);
+  }
+  return "lands of " + heights + " above the lowest point take " + angles + " mrad off";
 }
 
 io::MeasuredGroup face_group(const FaceRule& rule, const FaceFit& fit, const std::optional<OtherTilts>& tilts) {
@@ -201,12 +220,11 @@ io::MeasuredTable invention_table(const FaceFit& fit) {
   return table;
 }
 
-io::MeasuredSeries series(const char* name, const char* label, std::vector<double> y, bool points) {
+io::MeasuredSeries series(const char* name, const char* label, std::vector<double> y) {
   io::MeasuredSeries of;
   of.name = name;
   of.label = label;
   of.y = std::move(y);
-  of.points = points;
   return of;
 }
 
@@ -226,9 +244,9 @@ io::MeasuredCurve face_curve(const FaceFit& fit) {
   curve.x_axis = {"x", "distance along the face", "m", "mm"};
   curve.y_axis = {"gap", "gap to a straight liner", "m", "um"};
   curve.x = fit.x_m;
-  curve.series = {series("trace", "trace (measured)", fit.gap_m, true),
-                  series("polynomial", "polynomial", polynomial_at_points(fit), false),
-                  series("spline", "smoothing spline", fit.spline_m, false)};
+  curve.series = {series("trace", "trace (measured)", fit.gap_m),
+                  series("polynomial", "polynomial", polynomial_at_points(fit)),
+                  series("spline", "smoothing spline", fit.spline_m)};
   curve.marks = {{fit.land_from_m, "land from"}, {fit.land_to_m, "land to"}};
   return curve;
 }
@@ -249,8 +267,8 @@ io::MeasuredCurve residual_curve(const FaceFit& fit) {
     of_polynomial.push_back(fit.gap_m[i] - polynomial[i]);
     of_spline.push_back(fit.gap_m[i] - fit.spline_m[i]);
   }
-  curve.series = {series("polynomial_residual", "trace less polynomial", std::move(of_polynomial), false),
-                  series("spline_residual", "trace less spline", std::move(of_spline), false)};
+  curve.series = {series("polynomial_residual", "trace less polynomial", std::move(of_polynomial)),
+                  series("spline_residual", "trace less spline", std::move(of_spline))};
   for (const surface::InventedShape& shape : fit.invented) {
     curve.marks.push_back({shape.from_m, "invented from"});
     curve.marks.push_back({shape.to_m, "to"});
@@ -260,16 +278,20 @@ io::MeasuredCurve residual_curve(const FaceFit& fit) {
 
 std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, const std::optional<OtherTilts>& tilts) {
   std::vector<std::string> notes;
-  if (tilts && tilts->edge_m > kEdgeMoved_m) {
-    notes.push_back(fmt::format(
-        "the land is not flat, and its level depends on where it ends: lands of {}, {} and {} "
-        "above the lowest point take {:.3g}, {:.3g} and {:.3g} mrad off, {} from edge to edge; "
-        "where the tilt of the holder is known, state it with --tilt",
-        micrometres(0.5 * rule.land_height_m), micrometres(rule.land_height_m), micrometres(2 * rule.land_height_m),
-        tilts->lower * 1e3, fit.tilt * 1e3, tilts->higher * 1e3, micrometres(tilts->edge_m)));
+  if (tilts && (tilts->edge_m > kEdgeMoved_m || std::isnan(tilts->lower) || std::isnan(tilts->higher))) {
+    notes.push_back(
+        fmt::format("the land is not flat, and its level depends on where it ends: {}, {} from edge to edge; "
+                    "where the tilt of the holder is known, state it with --tilt",
+                    tilts_text(rule, fit, *tilts), micrometres(tilts->edge_m)));
   }
-  for (const surface::InventedShape& shape : fit.invented) notes.push_back(shape.words());
-  if (!fit.invented.empty()) {
+  bool of_its_own = false;
+  for (const surface::InventedShape& shape : fit.invented) {
+    const bool with_trace = shape.reason == surface::InventionReason::kFallsTowardsTheEdge;
+    notes.push_back("polynomial, " + shape.words() +
+                    (with_trace ? "; wear against a straight liner does not do that" : ""));
+    of_its_own = of_its_own || !with_trace;
+  }
+  if (of_its_own) {
     notes.push_back("the spline follows the trace where the polynomial does not: a case takes it with --as points");
   }
   if (fit.pore_share > kManyPores) {

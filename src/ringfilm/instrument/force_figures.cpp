@@ -11,7 +11,9 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostLoops = 4;  // in one figure, so that they can be told apart
+constexpr std::size_t kMostLoops = 3;  // in one figure, so that they can be told apart
+
+constexpr int kLinePoints = 100;  // of a drawn line, so that its signs lie apart from the measured ones
 
 /// Letters, digits and "_"; at least one letter at the start.
 std::string word_of(const std::string& name) {
@@ -125,9 +127,17 @@ io::MeasuredCurve friction_curve(const SampleList& samples, const std::vector<st
     std::size_t sample;
     double tmr_V;
   };
-  std::vector<Place> places = {{0, samples.size(), kNone}};  // where the lines show adhesion
+  std::vector<Place> places;
+  double least = 0, most = 0;  // from zero on: there the lines show adhesion
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    for (const surface::LoadFriction& load : samples[s]->loads) places.push_back({load.load, s, load.tmr_V});
+    for (const surface::LoadFriction& load : samples[s]->loads) {
+      places.push_back({load.load, s, load.tmr_V});
+      least = std::min(least, load.load);
+      most = std::max(most, load.load);
+    }
+  }
+  for (int k = 0; k <= kLinePoints; ++k) {
+    places.push_back({least + (most - least) * k / kLinePoints, samples.size(), kNone});
   }
   std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.load < b.load; });
   for (const Place& place : places) curve.x.push_back(place.load);

@@ -16,9 +16,10 @@ namespace {
 using surface::CalibrationMethod;
 using surface::LoadUnit;
 
-constexpr double kTooSmallChance = 0.01;  // of chi squared: the stated deviations are too small, or the line is none
-constexpr double kLargeShare = 0.5;       // of the variance of a coefficient
-constexpr double kWideMismatch = 0.1;     // of the widths on two facets
+constexpr double kTooSmallChance = 0.01;    // of chi squared: the stated deviations are too small, or the line is none
+constexpr double kLargeShare = 0.5;         // of the variance of a coefficient
+constexpr double kNotableReference = 0.05;  // relative deviation; less is no worry
+constexpr double kWideMismatch = 0.1;       // of the widths on two facets
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
 bool stated(const ForceRule& rule) { return rule.deviations == surface::DeviationScale::kStated; }
@@ -99,8 +100,8 @@ io::MeasuredGroup strength_group(const ForceSample& sample, const surface::Shear
     group.values.push_back(value_of(name + tail, words, symbol, "1", "1", value, remark));
   };
   group.values.push_back(with_error("boundary_shear_strength_coefficient" + tail,
-                                    "coefficient of boundary shear strength", "zeta", "1", "1", strength.zeta,
-                                    strength.deviation(), "all shares together"));
+                                    "coefficient of boundary shear strength, " + sample.name, "zeta", "1", "1",
+                                    strength.zeta, strength.deviation(), "all shares together"));
   add("slope_deviation", "by slope", "share of the slope", strength.slope_deviation, "this sample's own");
   add("calibration_deviation", "by calibration", "share of the calibration's measurement",
       strength.calibration_deviation, "common to all samples");
@@ -187,7 +188,7 @@ io::MeasuredTable correlation_table(const std::vector<ForceSample>& samples, con
   table.name = "correlations";
   table.title = "Correlation of the coefficients, by the common calibration";
   for (std::size_t j = 0; j < samples.size(); ++j) {
-    table.columns.push_back(value_of("with_" + words[j], "", samples[j].name, "1", "1", 0, ""));
+    table.columns.push_back(value_of("with_" + words[j], samples[j].name, samples[j].name, "1", "1", 0, ""));
     table.values.emplace_back();
     for (std::size_t i = 0; i < samples.size(); ++i) table.values[j].push_back(strengths.correlation(i, j));
     table.row_labels.push_back(samples[j].name);
@@ -224,7 +225,7 @@ std::vector<std::string> note_lines(std::size_t n_samples, const SampleList& eve
   std::vector<std::string> notes;
   const surface::ShearStrength& first = strengths.samples.front();
   const double reference = square(of.calibration.reference_deviation / of.calibration.psi);
-  if (reference > kLargeShare * square(first.deviation() / first.zeta)) {
+  if (reference > square(kNotableReference) && reference > kLargeShare * square(first.deviation() / first.zeta)) {
     notes.push_back(
         fmt::format("what was taken over for the calibration alone leaves {:.2g} % of every coefficient "
                     "open, most of its uncertainty; ratios between samples do not have it",
@@ -244,8 +245,12 @@ std::vector<std::string> note_lines(std::size_t n_samples, const SampleList& eve
                       "of the load right?");
     }
   }
+  std::string at_zero;
   for (const surface::ShearStrength& s : strengths.samples) {
-    if (s.low == 0) notes.push_back(s.sample + ": the 95 % interval ends at zero");
+    if (s.low == 0) at_zero += (at_zero.empty() ? std::string() : std::string(", ")) + s.sample;
+  }
+  if (!at_zero.empty()) {
+    notes.push_back(at_zero + ": the 95 % interval reaches zero and was cut off there, since friction is not negative");
   }
   if (of.wedge && std::abs(of.wedge->width_mismatch) > kWideMismatch) {
     notes.push_back(
@@ -271,11 +276,6 @@ std::string fragment_of(const ForceSample& sample, const surface::ShearStrength&
   for (std::size_t k = 0; k < sample.digests.size(); ++k) heading.push_back("loops: SHA-256 " + sample.digests[k]);
   heading.push_back(fmt::format("95 % interval {:.4g} to {:.4g}", strength.low, strength.high));
   return io::shear_strength_fragment(strength, file_names(sample), of.calibration.method, of.name, heading);
-}
-
-void append_sources(const ForceSample& sample, std::vector<std::string>& to) {
-  to.insert(to.end(), sample.sources.begin(), sample.sources.end());
-  for (const std::string& digest : sample.digests) to.push_back("SHA-256 " + digest);
 }
 
 }  // namespace
@@ -330,7 +330,7 @@ io::Measurement force_measurement(const std::vector<ForceSample>& samples, const
   all.title = "Boundary shear strength from friction loops";
   bool loops = false;
   for (const ForceSample* sample : everything) {
-    append_sources(*sample, all.sources);
+    all.sources.insert(all.sources.end(), sample->sources.begin(), sample->sources.end());
     loops = loops || !sample->loops.empty();
   }
   all.sources.insert(all.sources.end(), of.sources.begin(), of.sources.end());

@@ -155,7 +155,7 @@ std::vector<ForceSample> read_force_samples(const std::vector<std::string>& path
     try {
       io::ForceFile file = io::read_force({path, path}, units);
       const std::string name = file.sample.empty() ? std::filesystem::path(path).stem().string() : file.sample;
-      const std::string source = path + ": " + size_text(file) + ", sample " + name;
+      const std::string source = path + ": " + size_text(file) + ", sample " + name + "; SHA-256 " + file.sha256;
       const std::string digest = file.sha256;
       auto known = std::find_if(samples.begin(), samples.end(), [&](const auto& s) { return s.name == name; });
       if (known == samples.end()) {
@@ -208,9 +208,10 @@ ForceSample read_force_scans(const std::string& name, const std::vector<std::str
     std::vector<surface::FrictionLoop> loops =
         surface::loops_of_scan(load, trace.channel.points_x, step_of(trace, paths[k], channels, units),
                                volts(trace, paths[k], channels, units), volts(retrace, paths[k], channels, units));
-    sample.sources.push_back(fmt::format("{}: {} of {} lines at {}, channels {} and {}", paths[k], loops.size(),
-                                         trace.channel.points_y, loads[k], trace.channel.name, retrace.channel.name));
     add_digest(sample, file_sha256(paths[k]), paths[k]);
+    sample.sources.push_back(fmt::format("{}: {} of {} lines at {}, channels {} and {}; SHA-256 {}", paths[k],
+                                         loops.size(), trace.channel.points_y, loads[k], trace.channel.name,
+                                         retrace.channel.name, sample.digests.back()));
     std::move(loops.begin(), loops.end(), std::back_inserter(sample.loops));
   }
   fit(sample, rule, units);
