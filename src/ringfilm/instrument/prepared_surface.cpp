@@ -18,7 +18,9 @@ std::vector<surface::Region> chosen_regions(const surface::HeightMap& map, const
     for (const surface::Region& part : surface::grid_regions(map, choice.across, choice.down)) regions.push_back(part);
   }
   if (choice.prominent > 0) {
-    const auto points = [&](double step) { return static_cast<std::size_t>(std::lround(choice.size_m / step)); };
+    const auto points = [&](double step) {
+      return static_cast<std::size_t>(std::llround(std::min(choice.size_m / step, static_cast<double>(kMostPoints))));
+    };
     for (const surface::Region& part :
          surface::prominent_regions(map, choice.prominent, points(map.step_x_m), points(map.step_y_m))) {
       regions.push_back(part);
@@ -73,6 +75,9 @@ surface::SpectralMoments noise_moments(const SurfaceFile& flat, const PreparedSu
   }
   SurfaceAnalysis alone = analysis;
   alone.regions = {};
+  // A flat has no cylinder: its holder tilts it.
+  using surface::FormKind;
+  if (alone.preparation.form.kind == FormKind::cylinder) alone.preparation.form = {FormKind::tilt};
   return surface_measures(prepare_surface(flat, alone).map, analysis.direction, analysis.scheme).moments;
 }
 
@@ -85,7 +90,7 @@ std::vector<std::string> source_lines(const PreparedSurface& surface) {
   }
   if (!origin.instrument.empty()) file += ", " + origin.instrument;
   if (!origin.date.empty()) file += ", " + origin.date;
-  std::vector<std::string> lines = {file, surface.plausibility_line};
+  std::vector<std::string> lines = {file, surface.plausibility_line, "SHA-256 " + origin.sha256};
   lines.insert(lines.end(), origin.notes.begin(), origin.notes.end());
   return lines;
 }

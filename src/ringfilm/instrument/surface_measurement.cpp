@@ -63,7 +63,8 @@ io::MeasuredGroup bearing_group(const std::vector<double>& falling, const std::s
   return group;
 }
 
-io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
+io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnalysis& analysis,
+                               const surface::SpectralMoments* noise) {
   const surface::MomentTable table = moment_table(surface.map, analysis.scheme);
   const std::string with = measured_with(surface) + "; " + scheme_text(analysis.scheme);
   io::MeasuredGroup group{"Slopes and curvatures", {}};
@@ -79,9 +80,11 @@ io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnal
     add("m4_x", "variance of curvatures along x", "m-2", "mm-2", table.m4_x_per_m2);
     add("m4_y", "variance of curvatures along y", "m-2", "mm-2", table.m4_y_per_m2);
   }
-  const surface::SpectralMoments used = moments(table, analysis.direction);
-  add("m2", "variance of slopes, in use", "1", "1", used.m2);
-  add("m4", "variance of curvatures, in use", "m-2", "mm-2", used.m4_per_m2);
+  surface::SpectralMoments used = moments(table, analysis.direction);
+  if (noise != nullptr) used = without_noise(used, *noise);
+  const std::string use = noise == nullptr ? ", in use" : ", in use, less the noise of the flat";
+  add("m2", "variance of slopes" + use, "1", "1", used.m2);
+  add("m4", "variance of curvatures" + use, "m-2", "mm-2", used.m4_per_m2);
   return group;
 }
 
@@ -149,8 +152,9 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
     all.curves.push_back(profile_curve(surface));
     all.curves.push_back(bearing_curve(falling));
   }
-  attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis)); });
-  attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, noise ? &*noise : nullptr, all); });
+  const surface::SpectralMoments* const taken_off = noise ? &*noise : nullptr;
+  attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis, taken_off)); });
+  attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, taken_off, all); });
   if (!surface.map.is_profile()) {
     attempt("summits", [&] { all.groups.push_back(summit_group(surface.map, with)); });
   }

@@ -46,11 +46,12 @@ std::vector<surface::SurfaceMeasures> measures_of_regions(const PreparedSurface&
                                                           const SurfaceAnalysis& analysis,
                                                           const surface::SpectralMoments* noise);
 
-/// Moments of a flat after the same form and filters. Throws InputError where its step differs from the surface's.
+/// Moments of a flat after the same form and filters; in place of a cylinder its tilt comes off. Throws InputError
+/// where its step differs from the surface's.
 surface::SpectralMoments noise_moments(const SurfaceFile& flat, const PreparedSurface& surface,
                                        const SurfaceAnalysis& analysis);
 
-/// Lines that tell where a map came from: file, format, channel, plausibility, what the user said.
+/// Lines that tell where a map came from: file, format, channel, plausibility, digest, what the user said.
 std::vector<std::string> source_lines(const PreparedSurface& surface);
 
 /// Which filter and pixel the numbers hold for, e.g. "S-filter, Gaussian, cut-off 2.5 um; pixel 0.5 um".

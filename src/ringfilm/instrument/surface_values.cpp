@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kMuchTilt = 0.05;     // of Sq that a plane takes off
 constexpr double kManyMissing = 0.05;  // of all points
+constexpr double kSameStep = 1e-6;     // relative
 
 /// Says how much a tilt that was left in adds, if it adds much.
 std::optional<std::string> tilt_note(surface::HeightMap map) {
@@ -32,7 +33,7 @@ std::optional<std::string> tilt_note(surface::HeightMap map) {
   }
 }
 
-const char* direction_text(surface::MomentDirection direction) {
+std::string direction_text(surface::MomentDirection direction) {
   switch (direction) {
     case surface::MomentDirection::x:
       return "along x";
@@ -62,16 +63,21 @@ io::MeasuredValue value_of(const std::string& name, const std::string& long_name
   return of;
 }
 
+bool same_step(double a_m, double b_m) { return std::abs(a_m / b_m - 1) <= kSameStep; }
+
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 std::string surface_sigma_text(surface::SigmaRule rule) {
   return rule == surface::SigmaRule::ra ? "Ra (Sa)" : "Rq (Sq)";
 }
 
+std::string moment_text(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
+  return scheme_text(analysis.scheme) + (surface.map.is_profile() ? "" : ", " + direction_text(analysis.direction));
+}
+
 std::vector<std::string> analysis_lines(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
   std::vector<std::string> lines = surface.prepared.lines();
-  lines.push_back("spectral moments: " + scheme_text(analysis.scheme) +
-                  (surface.map.is_profile() ? std::string() : std::string(", ") + direction_text(analysis.direction)));
+  lines.push_back("spectral moments: " + moment_text(surface, analysis));
   return lines;
 }
 
@@ -83,6 +89,15 @@ std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSu
     if (auto note = tilt_note(file.map)) notes.push_back(std::move(*note));
   }
   if (!analysis.preparation.short_cutoff_m) {
+    const surface::HeightMap& map = surface.map;
+    const bool both = analysis.direction == surface::MomentDirection::mean ||
+                      analysis.direction == surface::MomentDirection::geometric;
+    if (both && !map.is_profile() && !same_step(map.step_x_m, map.step_y_m)) {
+      notes.push_back("the steps of " + surface::length_text(map.step_x_m) + " along x and " +
+                      surface::length_text(map.step_y_m) +
+                      " along y differ: without --short-cutoff the slopes and curvatures along both do not belong "
+                      "together");
+    }
     notes.push_back("no short cut-off: m4, N and beta belong to the step of " +
                     surface::length_text(surface.map.step_x_m) + "; see the table against the cut-off");
   }
@@ -120,15 +135,19 @@ io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const 
         value_of(std::string(names[k]) + "_relative_deviation", "standard deviation between regions, relative",
                  std::string("s(ln ") + symbols[k] + ")", "1", "%", std::sqrt(scatter.covariance_log[k][k]), remark));
   }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t other = (k + 1) % 3;
-    group.values.push_back(
-        value_of(std::string("correlation_") + names[std::min(k, other)] + "_" + names[std::max(k, other)],
-                 "correlation between regions",
-                 std::string("r(") + symbols[std::min(k, other)] + ", " + symbols[std::max(k, other)] + ")", "1", "1",
-                 scatter.correlation(k, other), remark));
-  }
+  add_correlations(scatter.covariance_log, remark, group);
   return group;
+}
+
+void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, const std::string& remark,
+                      io::MeasuredGroup& group) {
+  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
+  const char* symbols[] = {"N", "beta", "sigma"};
+  for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {0, 2}}) {
+    group.values.push_back(value_of(std::string("correlation_") + names[a] + "_" + names[b],
+                                    "correlation between regions", fmt::format("r({}, {})", symbols[a], symbols[b]),
+                                    "1", "1", surface::correlation(covariance_log, a, b), remark));
+  }
 }
 
 io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector<surface::SurfaceMeasures>& measures,

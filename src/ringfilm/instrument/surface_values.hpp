@@ -15,10 +15,16 @@ io::MeasuredValue value_of(const std::string& name, const std::string& long_name
 /// The last part of a path.
 std::string file_name(const std::string& path);
 
+/// Are two steps one, but for the digits of their files?
+bool same_step(double a_m, double b_m);
+
+/// How slopes and curvatures were made, and along which direction.
+std::string moment_text(const PreparedSurface& surface, const SurfaceAnalysis& analysis);
+
 /// Form, filters, rules, in their order.
 std::vector<std::string> analysis_lines(const PreparedSurface& surface, const SurfaceAnalysis& analysis);
 
-/// What is odd about a surface or how it was measured: tilt left in, nothing left of it, missing points.
+/// What is odd about a surface or how it was measured: tilt left in, steps that differ, missing points.
 std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSurface& surface,
                                        const SurfaceAnalysis& analysis);
 
@@ -32,6 +38,10 @@ io::MeasuredGroup asperity_group(const std::string& title, const surface::Asperi
 /// Means of N, beta and sigma over regions with their standard errors, standard deviations and correlations.
 io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const std::string& remark,
                                 const std::string& sigma_text);
+
+/// The three correlations of N, beta and sigma. @param covariance_log of their logarithms
+void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, const std::string& remark,
+                      io::MeasuredGroup& group);
 
 /// Place and parameters of each region.
 io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector<surface::SurfaceMeasures>& measures,

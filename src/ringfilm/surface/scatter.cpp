@@ -83,9 +83,13 @@ double ParameterScatter::relative_standard_error(std::size_t parameter) const {
   return std::sqrt(mean_covariance_log.at(parameter)[parameter]);
 }
 
+double correlation(const Matrix& covariance, std::size_t first, std::size_t second) {
+  const double spread = std::sqrt(covariance.at(first)[first] * covariance.at(second)[second]);
+  return spread > 0 ? covariance[first][second] / spread : 0.0;
+}
+
 double ParameterScatter::correlation(std::size_t first, std::size_t second) const {
-  const double spread = std::sqrt(covariance_log.at(first)[first] * covariance_log.at(second)[second]);
-  return spread > 0 ? covariance_log[first][second] / spread : 0.0;
+  return surface::correlation(covariance_log, first, second);
 }
 
 ParameterScatter scatter_of(std::span<const AsperityParameters> samples) {

@@ -25,6 +25,9 @@ struct ParameterScatter {
   double correlation(std::size_t first, std::size_t second) const;
 };
 
+/// Correlation of two parameters; 0 where one does not vary.
+double correlation(const ParameterScatter::Matrix& covariance, std::size_t first, std::size_t second);
+
 /// Of parameters that were each taken from a region of its own. Regions that overlap or lie within a correlation length
 /// are no independent samples: the standard error then is too small.
 /// @throws InputError for fewer than two
