@@ -14,8 +14,6 @@
 namespace ringfilm::instrument {
 namespace {
 
-constexpr double kSameStep = 1e-6;  // relative
-
 /// All files of one surface.
 struct Side {
   std::string name;  ///< "ring" or "liner"
@@ -45,8 +43,28 @@ std::string names_of(const Side& side) {
   return names;
 }
 
+/// A profile has no step along y.
 bool steps_differ(const surface::HeightMap& a, const surface::HeightMap& b) {
-  return std::abs(a.step_x_m / b.step_x_m - 1) > kSameStep;
+  return !same_step(a.step_x_m, b.step_x_m) ||
+         (!a.is_profile() && !b.is_profile() && !same_step(a.step_y_m, b.step_y_m));
+}
+
+/// Which filters and pixels the numbers hold for: of all maps in one, or one for each side.
+std::string measured_with(const Side& ring, const Side& liner) {
+  const std::string of_ring = measured_with(ring.surfaces.front()), of_liner = measured_with(liner.surfaces.front());
+  return of_ring == of_liner ? of_ring : "ring: " + of_ring + "; liner: " + of_liner;
+}
+
+/// Name and digest of each file, for the record.
+std::vector<std::string> digest_lines(const Side& side) {
+  std::vector<std::string> lines;
+  for (const PreparedSurface& surface : side.surfaces) {
+    const SurfaceOrigin& origin = surface.origin;
+    lines.push_back(fmt::format("{}: {}{}, SHA-256 {}", side.name, file_name(origin.path),
+                                origin.channels.size() > 1 ? fmt::format(", channel {}", origin.channel_number) : "",
+                                origin.sha256));
+  }
+  return lines;
 }
 
 io::MeasuredTable side_table(const Side& side, const SurfaceAnalysis& analysis) {
@@ -84,23 +102,19 @@ io::MeasuredTable side_table(const Side& side, const SurfaceAnalysis& analysis) 
 void add_scatter(const surface::PairScatter& scatter, io::PairOfSurfaces& pair) {
   const auto& covariance = scatter.covariance_log;
   const auto deviation = [&](std::size_t k) { return std::sqrt(covariance[k][k]); };
-  const auto correlation = [&](std::size_t a, std::size_t b) {
-    const double both = deviation(a) * deviation(b);
-    return both > 0 ? covariance[a][b] / both : 0.0;
-  };
   cycle::MeasuredContact& to = pair.measured;
   to.regions = static_cast<double>(std::max(scatter.first_count, scatter.second_count));
   if (scatter.without_scatter == "both") return;
   to.asperity_density_deviation = deviation(0) * scatter.central.density_per_m2;
   to.asperity_radius_deviation = deviation(1) * scatter.central.beta_m;
   to.roughness_deviation = deviation(2) * scatter.central.sigma_m;
-  to.density_radius_correlation = correlation(0, 1);
-  to.density_roughness_correlation = correlation(0, 2);
-  to.radius_roughness_correlation = correlation(1, 2);
+  to.density_radius_correlation = surface::correlation(covariance, 0, 1);
+  to.density_roughness_correlation = surface::correlation(covariance, 0, 2);
+  to.radius_roughness_correlation = surface::correlation(covariance, 1, 2);
 }
 
 io::PairOfSurfaces pair_for_case(const Side& ring, const Side& liner, const SurfaceAnalysis& analysis,
-                                 const surface::PairScatter& scatter) {
+                                 const surface::PairScatter& scatter, const SurfaceFile* flat) {
   io::PairOfSurfaces pair;
   pair.asperity_density = scatter.central.density_per_m2;
   pair.asperity_radius = scatter.central.beta_m;
@@ -110,11 +124,12 @@ io::PairOfSurfaces pair_for_case(const Side& ring, const Side& liner, const Surf
   pair.measured.liner_surface = names_of(liner);
   const PreparedSurface& first = ring.surfaces.front();
   pair.measured.filter = first.prepared.form.text + " taken off; filter: " + first.prepared.filter_text();
+  if (flat != nullptr) *pair.measured.filter += "; noise of " + file_name(flat->origin.path) + " taken off";
   pair.measured.short_cutoff = analysis.preparation.short_cutoff_m;
   pair.measured.long_cutoff = analysis.preparation.long_cutoff_m;
   pair.measured.step = first.map.step_x_m;
   pair.measured.roughness_rule = sigma_text(analysis.sigma_rule);
-  pair.measured.difference_scheme = scheme_text(analysis.scheme);
+  pair.measured.difference_scheme = moment_text(first, analysis);
   add_scatter(scatter, pair);
   return pair;
 }
@@ -131,6 +146,7 @@ io::MeasuredGroup pair_group(const surface::PairScatter& scatter, const std::str
         value_of(std::string(names[k]) + "_relative_deviation", "standard deviation of one region of each, relative",
                  std::string("s(ln ") + symbols[k] + ")", "1", "%", std::sqrt(scatter.covariance_log[k][k]), rule));
   }
+  add_correlations(scatter.covariance_log, rule, group);
   return group;
 }
 
@@ -184,11 +200,11 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
                                   ": it adds nothing to the scatter, which is then too small");
   }
 
-  const std::string rule = measured_with(ring.surfaces.front());
+  const std::string rule = measured_with(ring, liner);
   all.groups.push_back(pair_group(scatter, rule, rule + "; " + surface_sigma_text(analysis.sigma_rule)));
   const surface::HeightMap &first = ring.surfaces.front().map, &second = liner.surfaces.front().map;
   const bool maps = !first.is_profile() && !second.is_profile();
-  if (maps && !steps_differ(first, second) && std::abs(first.step_y_m / second.step_y_m - 1) <= kSameStep) {
+  if (maps && !steps_differ(first, second)) {
     const surface::Summits summits = count_summits_of_pair(first, second);
     io::MeasuredGroup group{"Summits of the composite surface counted one by one (first map of each)", {}};
     group.values.push_back(
@@ -207,8 +223,11 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
     all.maps.push_back(height_map(surface, side->name + "_height"));
     all.maps.back().title = "Heights of the " + side->name;
   }
-  all.fragment = contact_fragment(pair_for_case(ring, liner, analysis, scatter),
-                                  {"N, beta and sigma of " + names_of(ring) + " against " + names_of(liner)});
+  std::vector<std::string> heading = {"N, beta and sigma of " + names_of(ring) + " against " + names_of(liner)};
+  for (const Side* side : {&ring, &liner}) {
+    for (std::string& line : digest_lines(*side)) heading.push_back(std::move(line));
+  }
+  all.fragment = contact_fragment(pair_for_case(ring, liner, analysis, scatter, flat), heading);
   return all;
 }
 
