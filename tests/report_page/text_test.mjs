@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
-const { angleInWords, crankTicks, display, howOften, logTicks, number, percent, sentence, shortPath, ticks, tickText, typesetSymbol, typesetUnit, withError, withErrorAndPower, withUnit, wrapped } = await load('units.js');
+const { angleInWords, crankTicks, display, howOften, logTicks, number, numberOrCount, percent, sentence, shortPath, ticks, tickText, typesetSymbol, typesetUnit, withError, withErrorAndPower, withUnit, wrapped } = await load('units.js');
 const { namesByInputs, onCycleAxis, shortNames, stoppedAt } = await load('model.js');
 const { figureCsv, fileStem } = await load('downloads.js');
 const { figureSvg } = await load('svg.js');
@@ -28,6 +28,14 @@ test('numbers carry four significant digits and a true minus sign', () => {
 test('a number just below a power of ten has no exponent', () => {
   assert.equal(number(999.97, 3), '1000');
   assert.equal(number(-99999.7, 4), '−100000');
+});
+
+test('a count has neither point nor zeros behind it', () => {
+  assert.equal(numberOrCount(3, ''), '3');
+  assert.equal(numberOrCount(-1624, ''), '−1624');
+  assert.equal(numberOrCount(3, 'µm'), '3.000');
+  assert.equal(numberOrCount(0.5, ''), '0.5000');
+  assert.equal(numberOrCount(null, ''), '–');
 });
 
 test('value and error far from one share their power of ten', () => {

@@ -67,10 +67,11 @@ std::string padded(const Cell& cell, const std::string& text, std::size_t room) 
   return cell.align == Align::kLeft ? text + blanks : blanks + text;
 }
 
-/// Rows under each other; what is wider than its column goes on in further lines of the row.
+/// Rows under each other but empty ones; what is wider than its column goes on in further lines of the row.
 std::string set_out(const std::vector<Row>& rows, const std::vector<std::size_t>& widths) {
   std::string out;
   for (const Row& row : rows) {
+    if (std::all_of(row.begin(), row.end(), [](const Cell& cell) { return cell.text.empty(); })) continue;
     std::vector<std::vector<std::string>> lines;
     std::size_t n_lines = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -152,7 +153,8 @@ std::string table_lines(const MeasuredTable& table, const Units& units) {
   for (std::size_t k = 0; k < n_rows; ++k) {
     labels.push_back({{table.row_labels.empty() ? std::to_string(k + 1) : table.row_labels[k]}});
   }
-  const std::size_t label_width = natural_widths(labels).front();
+  constexpr std::size_t kWidestLabel = 40;
+  const std::size_t label_width = std::min(kWidestLabel, natural_widths(labels).front());
   std::string out = "\n" + table.title + "\n";
   for (std::size_t first = 0; first < table.columns.size();) {
     std::vector<Row> rows = labels;
@@ -209,7 +211,9 @@ std::string measured_number(const MeasuredValue& described, double value, double
   const bool has_error = error > 0 && std::isfinite(error);
   constexpr double kLeastPlain = 1e-3, kMostPlain = 1e6;
   const double size = std::max(std::abs(shown), has_error ? error : 0);
+  const bool is_count = shown_unit(described).empty() && shown == std::floor(shown);
   if (size == 0 || (size >= kLeastPlain && size < kMostPlain)) {
+    if (is_count && !has_error) return fmt::format("{:.0f}", shown + 0.0);
     return shown == 0 && !has_error ? "0" : decimal_text(shown, error, has_error);
   }
   const int power = static_cast<int>(std::floor(std::log10(size)));

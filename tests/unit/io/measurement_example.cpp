@@ -169,7 +169,8 @@ Measurement measurement(std::size_t points_x, std::size_t points_y) {
   Measurement document;
   document.kind = "surface";
   document.title = "Liner, honed (made-up numbers)";
-  document.sources = {"cases/measured/liner.x3p: X3P, one channel; 900 x 600 points of 1 um, 2 % missing"};
+  document.sources = {"cases/measured/liner.x3p: X3P, one channel; 900 x 600 points of 1 um, 2 % missing",
+                      "SHA-256 f735ac19f9270dc92d6d673287338669abf6744042760040459a815ec690802c"};
   document.statements = {"a plane was taken off by least squares",
                          "waves longer than 0.8 mm were taken off by a Gaussian filter (ISO 16610-61)",
                          "waves shorter than 2.5 um were taken off before the moments were formed"};

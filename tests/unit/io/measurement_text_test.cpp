@@ -37,6 +37,13 @@ TEST(MeasuredNumber, HasFourDigitsWithoutAnError) {
   EXPECT_EQ(number(0.3, 0.0, "m", ""), "0.3000");
 }
 
+TEST(MeasuredNumber, WritesACountAsOne) {
+  EXPECT_EQ(number(1624, kNone, "1", "1"), "1624");
+  EXPECT_EQ(number(-3, kNone, "1", ""), "-3");
+  EXPECT_EQ(number(3e-6, kNone), "3.000");
+  EXPECT_EQ(number(3, 1, "1", "1"), "3.0 +- 1.0");
+}
+
 TEST(MeasuredNumber, TakesPowersOfTenFarFromOne) {
   EXPECT_EQ(number(1.23456e-16, kNone, "m", "m"), "1.235e-16");
   EXPECT_EQ(number(1.23456e9, 2.1e7, "m-2", ""), "(1.23 +- 0.03)e9");
@@ -92,6 +99,12 @@ TEST(MeasurementText, BreaksATableThatIsTooWideIntoBlocks) {
   }
   EXPECT_EQ(n_rows, 2);
   for (int i = 0; i < 15; ++i) EXPECT_THAT(text, HasSubstr(std::to_string(1000 + i)));
+}
+
+TEST(MeasurementText, HasNoLineForUnitsWhereThereAreNone) {
+  Measurement document;
+  document.tables = {{"counts", "Counts", {{"n", "", "", "1", "1", kNone, kNone, ""}}, {{3}}, {"a"}}};
+  EXPECT_EQ(measurement_text(document, Units()), "\n\nCounts\n     n\n  a  3\n");
 }
 
 TEST(Measurement, WithoutOrderIsRefused) {

@@ -123,7 +123,8 @@ export class Chart {
   }
 
   seriesOptions(s) {
-    const look = { stroke: caseColour(s.caseIndex), width: 1.8, dash: partDash(s.part), show: this.visible(s) };
+    // A point rounded to whole pixels would make a straight line waver.
+    const look = { stroke: caseColour(s.caseIndex), width: 1.8, pxAlign: 0, dash: partDash(s.part), show: this.visible(s) };
     if (this.panel.inOrderOfTime) {
       return { ...look, facets: [{ scale: 'x', auto: true }, { scale: 'y', auto: true }], paths: (u, i) => this.drawInOrder(u, i) };
     }

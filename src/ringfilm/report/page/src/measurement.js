@@ -3,9 +3,9 @@ import { element } from './dom.js';
 import { FigureView, Visibility } from './figure_view.js';
 import { MapView } from './map_view.js';
 import { curveFigure, withoutPoints } from './measurement_figures.js';
-import { fragmentBlock, groupTable, numbersTable } from './measurement_tables.js';
+import { fragmentBlock, groupTable, numbersTable, shownNumber } from './measurement_tables.js';
 import { section, table } from './tables.js';
-import { sentence, typeset, typesetSymbol, typesetUnit, withErrorAndPower } from './units.js';
+import { sentence, typeset, typesetSymbol, typesetUnit } from './units.js';
 
 const kKinds = {
   surface: 'A measured surface and its roughness',
@@ -25,7 +25,7 @@ function keyValues(measurement) {
 }
 
 function card(value) {
-  const whole = withErrorAndPower(value.value, value.error, '', 4);
+  const whole = shownNumber(value);
   const [shown, error] = whole.startsWith('(') ? [whole] : whole.split(' ± ');
   const unit = typesetUnit(value.unit);
   return element('section', { class: 'card' },

@@ -2,8 +2,9 @@
 import { kOnlyCase } from './model.js';
 import { typeset, typesetUnit } from './units.js';
 
-/** More points than this on a linear axis want the whole width: a profile. */
-const kLong = 600;
+/** A profile of so many points wants the whole width. */
+const kLong = 400;
+const kLengths = ['m', 'mm', 'um', 'nm'];
 
 /** A point that has a place on these axes, else a gap. */
 function placed(curve, series) {
@@ -25,8 +26,8 @@ export function curveFigure(curve) {
     ? ` Drawn from ${curve.drawn} of ${curve.points} points, the lowest and highest of each stretch among them.` : '';
   return {
     id: curve.name,
-    title: curve.title,
-    long: !curve.x.logarithmic && curve.points > kLong,
+    title: typeset(curve.title),
+    long: !curve.x.logarithmic && kLengths.includes(curve.x.unit) && curve.points > kLong,
     panels: [{
       id: curve.name,
       xScale: curve.x.logarithmic ? 'log' : 'linear', yScale: curve.y.logarithmic ? 'log' : 'linear',

@@ -3,15 +3,26 @@ import { element } from './dom.js';
 import { fileStem, heading, save } from './downloads.js';
 import { axisTitle } from './scales.js';
 import { table } from './tables.js';
-import { number, plain, typeset, typesetSymbol, typesetUnit, withErrorAndPower } from './units.js';
+import { numberOrCount, plain, typeset, typesetSymbol, typesetUnit, withErrorAndPower } from './units.js';
 
 const right = (text) => ({ text, attributes: { class: 'number' } });
 
-/** "0.412 ± 0.013 µm" */
-export function shownValue(value) {
-  const text = withErrorAndPower(value.value, value.error, '', 4);
+/** "0.412 ± 0.013", without its unit. */
+export function shownNumber(value) {
+  return value.error > 0 ? withErrorAndPower(value.value, value.error, '', 4) : numberOrCount(value.value, typesetUnit(value.unit), 4);
+}
+
+function shownValue(value) {
+  const text = shownNumber(value);
   const unit = typesetUnit(value.unit);
   return !unit || text === '–' ? text : `${text}\u00a0${unit}`;
+}
+
+/** "mean radius, β [µm]"; a symbol that only repeats a word of the name says nothing. */
+function columnHead(column) {
+  const name = column.long_name || column.name;
+  const tells = column.symbol && !name.toLowerCase().split(/\W+/).includes(column.symbol.toLowerCase());
+  return axisTitle(tells ? `${name}, ${typesetSymbol(column.symbol)}` : name, typesetUnit(column.unit));
 }
 
 function csvButton(title, context, id, columns) {
@@ -25,7 +36,7 @@ function csvButton(title, context, id, columns) {
 }
 
 function headed(title, button) {
-  return element('div', { class: 'table-heading' }, element('h3', {}, title), element('span', { class: 'downloads' }, button));
+  return element('div', { class: 'table-heading' }, element('h3', {}, typeset(title)), element('span', { class: 'downloads' }, button));
 }
 
 export function groupTable(group, index, context) {
@@ -52,13 +63,12 @@ function remarks(columns) {
 export function numbersTable(given, context) {
   const count = given.columns[0]?.values.length ?? 0;
   const labels = given.row_labels.length ? given.row_labels : Array.from({ length: count }, (_, k) => String(k + 1));
-  const title = (column) => axisTitle(column.symbol ? `${column.long_name}, ${typesetSymbol(column.symbol)}` : column.long_name || column.name, typesetUnit(column.unit));
-  const rows = labels.map((label, k) => [typeset(label), ...given.columns.map((column) => right(number(column.values[k], 4)))]);
+  const rows = labels.map((label, k) => [typeset(label), ...given.columns.map((column) => right(numberOrCount(column.values[k], typesetUnit(column.unit), 4)))]);
   const columns = [{ title: '', values: labels }, ...given.columns.map((column) => ({ title: axisTitle(column.name, column.unit === '1' ? '' : column.unit), values: column.values }))];
   return [
     headed(given.title, csvButton(given.title, context, given.name, columns)),
     remarks(given.columns),
-    table(given.title, [given.row_labels.length ? '' : 'row', ...given.columns.map((column) => right(title(column)))], rows, { folds: given.columns.length > 3, classes: 'titled' }),
+    table(given.title, [given.row_labels.length ? '' : 'row', ...given.columns.map((column) => right(columnHead(column)))], rows, { folds: given.columns.length > 3, classes: 'titled' }),
   ];
 }
 

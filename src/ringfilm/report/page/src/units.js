@@ -65,6 +65,11 @@ export function number(value, digits = 4) {
   return text.replace(/^-/, '−').replace(/(\s|·)-/g, '$1−');
 }
 
+/** The same, but a count in all its digits and no more. */
+export function numberOrCount(value, unit, digits = 4) {
+  return !unit && Number.isInteger(value) && Math.abs(value) < 1e6 ? String(value).replace(/^-/, '−') : number(value, digits);
+}
+
 /** An angle to a tenth of a degree, without idle zeros. */
 export function angle(value) {
   return value === null || !Number.isFinite(value) ? '–' : String(Number(value.toFixed(1))).replace(/^-/, '−');
@@ -203,7 +208,7 @@ export function tickText(value, step) {
 }
 
 const kTypeset = [
-  [/\bdegC\b/g, '°C'], [/(\d) degrees?\b/g, '$1°'], [/\bum-2\b/g, 'µm⁻²'], [/\bum\b/g, 'µm'], [/\bmm2\b/g, 'mm²'], [/\bm3\b/g, 'm³'], [/\bPa-1\b/g, 'Pa⁻¹'],
+  [/\bdegC\b/g, '°C'], [/(\d) degrees?\b/g, '$1°'], [/\bum-2\b/g, 'µm⁻²'], [/\bum\b/g, 'µm'], [/\bmm2\b/g, 'mm²'], [/\bmm-2\b/g, 'mm⁻²'], [/ \+- /g, ' ± '], [/\bm3\b/g, 'm³'], [/\bPa-1\b/g, 'Pa⁻¹'],
 ];
 
 /** Units in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy into a case. */
@@ -211,7 +216,9 @@ export function typeset(text) {
   return kTypeset.reduce((out, [plainUnit, printed]) => out.replace(plainUnit, printed), text);
 }
 
-const kGreek = { alpha: 'α', beta: 'β', gamma: 'γ', eta: 'η', theta: 'θ', lambda: 'λ', mu: 'µ', nu: 'ν', rho: 'ρ', sigma: 'σ', tau: 'τ', psi: 'ψ' };
+const kGreek = {
+  alpha: 'α', beta: 'β', gamma: 'γ', delta: 'δ', epsilon: 'ε', zeta: 'ζ', eta: 'η', theta: 'θ', kappa: 'κ', lambda: 'λ', mu: 'µ', nu: 'ν', rho: 'ρ', sigma: 'σ', tau: 'τ', phi: 'φ', psi: 'ψ', omega: 'ω',
+};
 
 /** Greek letters of a symbol as such: "N beta sigma" is N β σ. */
 export function typesetSymbol(symbol) {
