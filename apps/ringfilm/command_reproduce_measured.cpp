@@ -229,7 +229,7 @@ std::string cycles_table(const std::vector<io::ResultDocument>& measured,
 }  // namespace
 
 void reproduce_measured(const ReproduceOptions& options) {
-  const fs::path shipped = fs::path(io::shipped_folder()) / "cases";
+  const fs::path shipped = (fs::path(io::shipped_folder()) / "cases").lexically_normal();
   const fs::path folder = options.folder.empty() ? fs::path("measured") : fs::path(options.folder);
   if (is_same_file(folder.string(), (shipped / "measured").string())) {
     throw InputError("--output " + folder.string() + " is the folder of what is read", "name another one");

@@ -78,7 +78,7 @@ class Kinds(SyntheticTest):
         self.made("gaussian", "a.x3p", "--points", "2000x1", "--sq", "0.2 um")
         of = self.measured("a.x3p")
         self.assertEqual((of["points_x"], of["points_y"]), (2000, 1))
-        self.assertTrue(math.isclose(of["Rq"] if "Rq" in of else of["Sq"], 0.2e-6, rel_tol=1e-9))
+        self.assertTrue(math.isclose(of["Rq"], 0.2e-6, rel_tol=1e-9))
 
 
 class Files(SyntheticTest):
