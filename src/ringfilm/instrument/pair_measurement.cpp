@@ -82,14 +82,29 @@ io::MeasuredTable side_table(const Side& side, const SurfaceAnalysis& analysis) 
   column("m4", "variance of curvatures", "m4", "m-2", "mm-2");
   column("asperity_density", "density against a smooth surface", "N", "m-2", "mm-2");
   column("asperity_radius", "radius against a smooth surface", "beta", "m", "um");
+  column("region_x", "left edge", "x", "m", "um");
+  column("region_y", "upper edge", "y", "m", "um");
+  column("region_width", "width", "", "m", "um");
+  column("region_height", "height", "", "m", "um");
   std::size_t next = 0;
   for (const PreparedSurface& surface : side.surfaces) {
     const std::size_t parts = std::max<std::size_t>(surface.regions.size(), 1);
     for (std::size_t k = 0; k < parts; ++k, ++next) {
       const surface::SurfaceMeasures& of = side.measures[next];
       const surface::AsperityParameters alone = single_parameters(of, analysis.sigma_rule);
-      const double values[] = {of.Sa_m,     of.Sq_m, of.moments.m2, of.moments.m4_per_m2, alone.density_per_m2,
-                               alone.beta_m};
+      const surface::HeightMap& map = surface.map;
+      const surface::Region part =
+          surface.regions.empty() ? surface::Region{0, 0, map.points_x, map.points_y, 0} : surface.regions[k];
+      const double values[] = {of.Sa_m,
+                               of.Sq_m,
+                               of.moments.m2,
+                               of.moments.m4_per_m2,
+                               alone.density_per_m2,
+                               alone.beta_m,
+                               static_cast<double>(part.column) * map.step_x_m,
+                               static_cast<double>(part.row) * map.step_y_m,
+                               static_cast<double>(part.columns) * map.step_x_m,
+                               static_cast<double>(part.rows) * map.step_y_m};
       for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(values[c]);
       table.row_labels.push_back(file_name(surface.origin.path) +
                                  (surface.regions.empty() ? std::string() : fmt::format(", region {}", k + 1)));
@@ -205,15 +220,8 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
   const surface::HeightMap &first = ring.surfaces.front().map, &second = liner.surfaces.front().map;
   const bool maps = !first.is_profile() && !second.is_profile();
   if (maps && !steps_differ(first, second)) {
-    const surface::Summits summits = count_summits_of_pair(first, second);
-    io::MeasuredGroup group{"Summits of the composite surface counted one by one (first map of each)", {}};
-    group.values.push_back(
-        value_of("summit_density", "density of summits", "", "m-2", "mm-2", summits.density_per_m2, rule));
-    group.values.push_back(
-        value_of("summit_radius", "radius of their mean curvature", "", "m", "um", summits.mean_radius_m, rule));
-    group.values.push_back(
-        value_of("summit_rms_height", "rms of their heights", "", "m", "um", summits.rms_height_m, rule));
-    all.groups.push_back(std::move(group));
+    all.groups.push_back(summit_group("Summits of the composite surface counted one by one (first map of each)",
+                                      count_summits_of_pair(first, second), rule));
   }
   all.tables.push_back(side_table(ring, analysis));
   all.tables.push_back(side_table(liner, analysis));

@@ -88,19 +88,6 @@ io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnal
   return group;
 }
 
-io::MeasuredGroup summit_group(const surface::HeightMap& map, const std::string& with) {
-  io::MeasuredGroup group{"Summits counted one by one (higher than all eight neighbours)", {}};
-  const surface::Summits summits = count_summits(map);
-  group.values.push_back(value_of("summit_count", "summits", "", "1", "1", static_cast<double>(summits.count), with));
-  group.values.push_back(
-      value_of("summit_density", "density of summits", "", "m-2", "mm-2", summits.density_per_m2, with));
-  group.values.push_back(
-      value_of("summit_radius", "radius of their mean curvature", "", "m", "um", summits.mean_radius_m, with));
-  group.values.push_back(
-      value_of("summit_rms_height", "rms of their heights", "", "m", "um", summits.rms_height_m, with));
-  return group;
-}
-
 void add_asperities(const PreparedSurface& surface, const SurfaceAnalysis& analysis,
                     const surface::SpectralMoments* noise, io::Measurement& to) {
   const std::vector<surface::SurfaceMeasures> measures = measures_of_regions(surface, analysis, noise);
@@ -156,7 +143,10 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
   attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis, taken_off)); });
   attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, taken_off, all); });
   if (!surface.map.is_profile()) {
-    attempt("summits", [&] { all.groups.push_back(summit_group(surface.map, with)); });
+    attempt("summits", [&] {
+      all.groups.push_back(summit_group("Summits counted one by one (higher than all eight neighbours)",
+                                        count_summits(surface.map), with));
+    });
   }
   attempt("power spectrum", [&] { all.curves.push_back(spectrum_curve(surface)); });
   attempt("table against the short cut-off", [&] {

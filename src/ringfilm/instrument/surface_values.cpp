@@ -150,6 +150,19 @@ void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, c
   }
 }
 
+io::MeasuredGroup summit_group(const std::string& title, const surface::Summits& summits, const std::string& remark) {
+  io::MeasuredGroup group{title, {}};
+  const auto add = [&](const char* name, const char* words, const char* unit, const char* display, double value) {
+    group.values.push_back(value_of(name, words, "", unit, display, value, remark));
+  };
+  add("summit_count", "summits", "1", "1", static_cast<double>(summits.count));
+  add("summit_density", "density of summits", "m-2", "mm-2", summits.density_per_m2);
+  if (summits.count == 0) return group;
+  add("summit_radius", "radius of their mean curvature", "m", "um", summits.mean_radius_m);
+  add("summit_rms_height", "rms of their heights", "m", "um", summits.rms_height_m);
+  return group;
+}
+
 io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector<surface::SurfaceMeasures>& measures,
                                const std::vector<surface::AsperityParameters>& parameters) {
   io::MeasuredTable table;

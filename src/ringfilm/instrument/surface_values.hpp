@@ -4,6 +4,7 @@
 
 #include "ringfilm/instrument/surface_measurement.hpp"
 #include "ringfilm/surface/scatter.hpp"
+#include "ringfilm/surface/summits.hpp"
 
 /// Rows and lines that measurements of one surface and of a pair share.
 namespace ringfilm::instrument {
@@ -42,6 +43,9 @@ io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const 
 /// The three correlations of N, beta and sigma. @param covariance_log of their logarithms
 void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, const std::string& remark,
                       io::MeasuredGroup& group);
+
+/// Number and density of summits; their radius and heights where there are any.
+io::MeasuredGroup summit_group(const std::string& title, const surface::Summits& summits, const std::string& remark);
 
 /// Place and parameters of each region.
 io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector<surface::SurfaceMeasures>& measures,

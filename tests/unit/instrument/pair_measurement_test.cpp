@@ -51,5 +51,21 @@ TEST(PairMeasurement, RecordsTheDirectionAndTheNoise) {
   EXPECT_TRUE(holds({fragment}, "noise of flat.x3p taken off"));
 }
 
+TEST(PairMeasurement, KeepsThePlaceOfEachRegionOfEachFile) {
+  SurfaceAnalysis analysis;
+  analysis.regions.rectangles_m = {{10e-6, 20e-6, 30e-6, 16e-6}};
+  const SurfaceFile ring = rough("ring.x3p", 1e-7, 1), other = rough("other.x3p", 1e-7, 2);
+  const io::Measurement pair = pair_measurement({ring, other}, {ring}, analysis, nullptr);
+  const io::MeasuredTable& table = pair.tables.front();
+  const double places[] = {10e-6, 20e-6, 30e-6, 16e-6};
+  const char* names[] = {"ring_region_x", "ring_region_y", "ring_region_width", "ring_region_height"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t column = table.columns.size() - 4 + k;
+    EXPECT_EQ(table.columns[column].name, names[k]);
+    ASSERT_EQ(table.values[column].size(), 2U);
+    EXPECT_NEAR(table.values[column][1], places[k], 1e-18);
+  }
+}
+
 }  // namespace
 }  // namespace ringfilm::instrument

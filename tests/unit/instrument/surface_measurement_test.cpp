@@ -50,5 +50,19 @@ TEST(SurfaceMeasurement, TellsThatTheStepsAlongXAndYDiffer) {
   EXPECT_FALSE(holds(surface_measurement(oblong, filtered, nullptr).notes, words));
 }
 
+TEST(SurfaceMeasurement, GivesNoRadiusToSummitsThatAreNotThere) {
+  SurfaceFile ridges = rough("ridges.x3p", 1e-7, 1);
+  for (std::size_t j = 1; j < kGrid.points_y; ++j) {
+    for (std::size_t i = 0; i < kGrid.points_x; ++i) {
+      ridges.map.height_m[ridges.map.index(i, j)] = ridges.map.height_m[i];
+    }
+  }
+  const io::Measurement measured = surface_measurement(ridges, {}, nullptr);
+  EXPECT_EQ(value(measured, "summit_count"), 0);
+  for (const io::MeasuredGroup& group : measured.groups) {
+    for (const io::MeasuredValue& of : group.values) EXPECT_NE(of.name, "summit_radius");
+  }
+}
+
 }  // namespace
 }  // namespace ringfilm::instrument
