@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -34,12 +35,18 @@ Side measured_side(const std::string& name, const std::vector<SurfaceFile>& file
   return side;
 }
 
+bool has_regions(const Side& side) {
+  return std::any_of(side.surfaces.begin(), side.surfaces.end(),
+                     [](const PreparedSurface& surface) { return !surface.regions.empty(); });
+}
+
 std::string names_of(const Side& side) {
   std::string names;
   for (const PreparedSurface& surface : side.surfaces) {
     names += (names.empty() ? "" : ", ") + file_name(surface.origin.path);
   }
-  if (side.measures.size() > side.surfaces.size()) names += fmt::format(" ({} regions)", side.measures.size());
+  const std::size_t count = side.measures.size();
+  if (has_regions(side)) names += fmt::format(" ({} {})", count, count == 1 ? "region" : "regions");
   return names;
 }
 
@@ -82,10 +89,12 @@ io::MeasuredTable side_table(const Side& side, const SurfaceAnalysis& analysis) 
   column("m4", "variance of curvatures", "m4", "m-2", "mm-2");
   column("asperity_density", "density against a smooth surface", "N", "m-2", "mm-2");
   column("asperity_radius", "radius against a smooth surface", "beta", "m", "um");
-  column("region_x", "left edge", "x", "m", "um");
-  column("region_y", "upper edge", "y", "m", "um");
-  column("region_width", "width", "", "m", "um");
-  column("region_height", "height", "", "m", "um");
+  if (has_regions(side)) {
+    column("region_x", "left edge", "x", "m", "um");
+    column("region_y", "upper edge", "y", "m", "um");
+    column("region_width", "width", "w", "m", "um");
+    column("region_height", "height", "h", "m", "um");
+  }
   std::size_t next = 0;
   for (const PreparedSurface& surface : side.surfaces) {
     const std::size_t parts = std::max<std::size_t>(surface.regions.size(), 1);

@@ -56,6 +56,7 @@ TEST(PairMeasurement, KeepsThePlaceOfEachRegionOfEachFile) {
   analysis.regions.rectangles_m = {{10e-6, 20e-6, 30e-6, 16e-6}};
   const SurfaceFile ring = rough("ring.x3p", 1e-7, 1), other = rough("other.x3p", 1e-7, 2);
   const io::Measurement pair = pair_measurement({ring, other}, {ring}, analysis, nullptr);
+  EXPECT_TRUE(holds({pair.fragment}, "liner_surface = \"ring.x3p (1 region)\""));
   const io::MeasuredTable& table = pair.tables.front();
   const double places[] = {10e-6, 20e-6, 30e-6, 16e-6};
   const char* names[] = {"ring_region_x", "ring_region_y", "ring_region_width", "ring_region_height"};
