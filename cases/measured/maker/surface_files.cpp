@@ -83,7 +83,6 @@ MadeFile ring_file(const WantedRing& ring, std::uint64_t seed) {
   lose_points(map, seed);
   tilt(map);
   instrument::X3pOrigin origin;
-  origin.date = "2014-02-01T00:00:00Z";
   origin.manufacturer = "ringfilm (cases/measured),";
   origin.model = "SYNTHETIC ring " + ring.name + ", seed " + std::to_string(seed);
   origin.comment = maker_text("ring " + ring.name, seed);
