@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "output_names.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/units.hpp"
@@ -60,12 +59,6 @@ io::NamedNumbers numbers_as_read(const surface::HeightMap& map) {
           {"max", highest}};
 }
 
-void add_values(const io::Measurement& measurement, io::NamedNumbers& numbers) {
-  for (const io::MeasuredGroup& group : measurement.groups) {
-    for (const io::MeasuredValue& value : group.values) numbers.emplace_back(value.name, value.value);
-  }
-}
-
 std::optional<instrument::SurfaceFile> read_flat(const SurfaceCommand& command, const io::Units& units) {
   if (!command.noise) return std::nullopt;
   return instrument::read_surface_file(*command.noise, command.reading, units);
@@ -76,25 +69,17 @@ std::optional<instrument::SurfaceFile> read_flat(const SurfaceCommand& command, 
 void surface(const std::string& path, const std::optional<std::string>& heights, const SurfaceCommand& command) {
   std::vector<std::string> inputs = {path};
   if (command.noise) inputs.push_back(*command.noise);
-  check_outputs(command.outputs, inputs);
-  if (heights) {
-    MeasurementOutputs alone;
-    alone.netcdf = heights;
-    check_outputs(alone, inputs);
-    for (const auto& other : {command.outputs.netcdf, command.outputs.page}) {
-      if (other && is_same_file(*other, *heights)) {
-        throw InputError("--heights and another output name the same file " + *heights, "name two files");
-      }
-    }
-  }
+  MeasurementOutputs outputs = command.outputs;
+  outputs.heights = heights;
+  check_outputs(outputs, inputs);
   const io::Units units;
   const instrument::SurfaceFile file = instrument::read_surface_file(path, command.reading, units);
   const auto flat = read_flat(command, units);
   const io::Measurement measurement = surface_measurement(file, command.analysis, flat ? &*flat : nullptr);
   if (heights) write_heights(*heights, file.map);
-  io::NamedNumbers numbers = numbers_as_read(file.map);
-  add_values(measurement, numbers);
-  deliver(measurement, command.outputs, numbers);
+  io::NamedNumbers numbers = numbers_as_read(file.map), measured = numbers_of(measurement);
+  numbers.insert(numbers.end(), measured.begin(), measured.end());
+  deliver(measurement, outputs, numbers);
 }
 
 void pair(const std::vector<std::string>& ring, const std::vector<std::string>& liner, const SurfaceCommand& command) {
@@ -111,9 +96,7 @@ void pair(const std::vector<std::string>& ring, const std::vector<std::string>& 
   const auto flat = read_flat(command, units);
   const io::Measurement measurement =
       pair_measurement(read(ring), read(liner), command.analysis, flat ? &*flat : nullptr);
-  io::NamedNumbers numbers;
-  add_values(measurement, numbers);
-  deliver(measurement, command.outputs, numbers);
+  deliver(measurement, command.outputs, numbers_of(measurement));
 }
 
 }  // namespace ringfilm::app

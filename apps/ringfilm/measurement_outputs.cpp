@@ -33,6 +33,7 @@ void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::str
   add("--output", outputs.netcdf, io::Sink::kFile);
   add("--html", outputs.page, io::Sink::kFileOrDevice);
   add("--fragment", outputs.fragment, io::Sink::kFileOrDevice);
+  add("--heights", outputs.heights, io::Sink::kFile);
 }
 
 io::NamedNumbers numbers_of(const io::Measurement& measurement) {
@@ -56,7 +57,7 @@ void deliver(const io::Measurement& measurement, const MeasurementOutputs& outpu
   if (outputs.fragment) io::write_atomically(*outputs.fragment, measurement.fragment);
   std::cout << text;
   if (outputs.summary != SummaryForm::kTable) return;
-  for (const auto& path : {outputs.netcdf, outputs.page, outputs.fragment}) {
+  for (const auto& path : {outputs.netcdf, outputs.page, outputs.fragment, outputs.heights}) {
     if (path) std::cout << "wrote " << *path << "\n";
   }
 }

@@ -13,6 +13,7 @@ struct MeasurementOutputs {
   std::optional<std::string> netcdf;    ///< --output
   std::optional<std::string> page;      ///< --html
   std::optional<std::string> fragment;  ///< --fragment: TOML for a case
+  std::optional<std::string> heights;   ///< --heights: of a surface, which its command writes
   SummaryForm summary = SummaryForm::kTable;
 };
 

@@ -97,7 +97,7 @@ class Numbers(SurfaceTest):
         self.assertAlmostEqual(float(read[3 * SIZE + 4]["y [m]"]), 3 * STEP, delta=1e-18)
 
     def test_heights_that_were_written_are_read_again_without_options(self):
-        self.run_well("surface", "map.csv", *self.STATED, "--heights", "out.csv")
+        self.assertIn("wrote out.csv", self.run_well("surface", "map.csv", *self.STATED, "--heights", "out.csv"))
         again = self.json_of("out.csv")
         first = self.json_of("map.csv", *self.STATED)
         for name in ("points_x", "points_y", "missing", "min", "max", "Sq"):
@@ -169,7 +169,8 @@ class Refusals(SurfaceTest):
             (("--noise", "nosuch.csv"), "nosuch.csv"),
             (("--output", "nosuch/map.nc"), "nosuch"),
             (("--output", "map.csv"), "map.csv"),
-            (("--output", "a.nc", "--heights", "a.nc"), "a.nc"),
+            (("--output", "a.nc", "--heights", "a.nc"), "--heights and --output name the same file a.nc"),
+            (("--heights", "map.csv"), "--heights map.csv would replace"),
         ]:
             with self.subTest(words):
                 self.refused("surface", "map.csv", *self.STATED, *words, fragments=[said])
