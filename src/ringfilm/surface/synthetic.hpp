@@ -62,7 +62,7 @@ struct PorousSurface {
   double pore_depth_m = 4e-6;    ///< mean
 };
 
-/// A made face and the height of its pores' walls below the face it was cut into: what a test wants to find again.
+/// A made face, and where its pores are: what a test wants to find again.
 struct PorousMap {
   HeightMap map;
   std::vector<std::uint8_t> pore;  ///< 1 where a pore is
