@@ -176,9 +176,12 @@ LineFit fit_line(const std::vector<LinePoint>& points, DeviationScale scale) {
   fit.slope = slope * unit;
   fit.offset = s.y_middle + s.y_unit * york.y_mean - fit.slope * (s.x_middle + s.x_unit * york.x_mean);
   fit.slope_deviation = std::sqrt(slope_variance) * unit;
-  fit.offset_deviation =
-      std::sqrt(factor / york.weights * s.y_unit * s.y_unit + mean * mean * fit.slope_deviation * fit.slope_deviation);
+  fit.offset_deviation = std::hypot(std::sqrt(factor / york.weights) * s.y_unit, mean * fit.slope_deviation);
   fit.covariance = -mean * fit.slope_deviation * fit.slope_deviation;
+  if (!std::isfinite(fit.slope) || !std::isfinite(fit.offset) || !std::isfinite(fit.slope_deviation) ||
+      !std::isfinite(fit.offset_deviation) || !std::isfinite(fit.covariance)) {
+    throw InputError("the slope of the line is out of the range of numbers", "check the units of load and signal");
+  }
   return fit;
 }
 

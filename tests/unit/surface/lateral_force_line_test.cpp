@@ -21,6 +21,15 @@ TEST(LineFit, PassesThroughPointsOfALine) {
   EXPECT_NEAR(fit.chi_squared, 0, 1e-18);
 }
 
+TEST(LineFit, HoldsFarOffLoadsAndRefusesSlopesThatAreNoNumber) {
+  // Loads so far off zero that the square of their mean has no number, while the offset's error has one.
+  std::vector<LinePoint> points{{1e160, 2, 0, 1}, {2e160, 3, 0, 1}, {3e160, 5, 0, 1}, {4e160, 5, 0, 1}};
+  EXPECT_NEAR(fit_line(points, DeviationScale::kFromResiduals).offset_deviation, std::sqrt(0.35 * (1.0 / 4 + 6.25 / 5)),
+              1e-13);
+  for (LinePoint& p : points) p.y *= 1e200, p.y_deviation *= 1e200, p.x *= 1e-300;
+  EXPECT_THROW(fit_line(points, DeviationScale::kFromResiduals), InputError);
+}
+
 /// Pearson's points with York's weights, the usual check of such fits (york2004, table II).
 TEST(LineFit, AgreesWithTheFiguresOfYorkForPearsonsData) {
   const double x[] = {0.0, 0.9, 1.8, 2.6, 3.3, 4.4, 5.2, 6.1, 6.5, 7.4};
