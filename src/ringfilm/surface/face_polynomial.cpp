@@ -107,6 +107,4 @@ std::vector<double> FacePolynomial::turning_points_m() const {
   return places;
 }
 
-void FacePolynomial::raise(double height_m) { coefficients_.back() += height_m * 1e6; }
-
 }  // namespace ringfilm::surface

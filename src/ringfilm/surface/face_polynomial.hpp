@@ -19,8 +19,6 @@ class FacePolynomial {
 
   const std::vector<double>& coefficients_mm_um() const { return coefficients_; }  ///< highest power first
   double width_m() const { return width_m_; }
-  /// Adds a constant height [m].
-  void raise(double height_m);
 
  private:
   std::vector<double> coefficients_;
