@@ -39,9 +39,9 @@ class Chain {
 
   /// A page for each surface by itself.
   void measure_surfaces() const {
-    surface(file("liner.sur"), std::nullopt, surface_command("surface_liner"));
+    surface({file("liner.sur")}, std::nullopt, surface_command("surface_liner"));
     for (const std::string ring : chain::kRings) {
-      surface(file("ring_" + ring + ".x3p"), std::nullopt, surface_command("surface_" + ring));
+      surface({file("ring_" + ring + ".x3p")}, std::nullopt, surface_command("surface_" + ring));
     }
   }
 

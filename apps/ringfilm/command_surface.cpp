@@ -66,15 +66,26 @@ std::optional<instrument::SurfaceFile> read_flat(const SurfaceCommand& command, 
 
 }  // namespace
 
-void surface(const std::string& path, const std::optional<std::string>& heights, const SurfaceCommand& command) {
-  std::vector<std::string> inputs = {path};
+void surface(const std::vector<std::string>& paths, const std::optional<std::string>& heights,
+             const SurfaceCommand& command) {
+  std::vector<std::string> inputs = paths;
+  if (heights && paths.size() > 1) {
+    throw InputError("--heights writes the heights of one file, and there are " + std::to_string(paths.size()),
+                     "name one file");
+  }
   if (command.noise) inputs.push_back(*command.noise);
   MeasurementOutputs outputs = command.outputs;
   outputs.heights = heights;
   check_outputs(outputs, inputs);
   const io::Units units;
-  const instrument::SurfaceFile file = instrument::read_surface_file(path, command.reading, units);
   const auto flat = read_flat(command, units);
+  if (paths.size() > 1) {
+    std::vector<instrument::SurfaceFile> files;
+    for (const std::string& path : paths) files.push_back(instrument::read_surface_file(path, command.reading, units));
+    const io::Measurement all = surfaces_measurement(files, command.analysis, flat ? &*flat : nullptr);
+    return deliver(all, outputs, numbers_of(all));
+  }
+  const instrument::SurfaceFile file = instrument::read_surface_file(paths.front(), command.reading, units);
   const io::Measurement measurement = surface_measurement(file, command.analysis, flat ? &*flat : nullptr);
   if (heights) write_heights(*heights, file.map);
   io::NamedNumbers numbers = numbers_as_read(file.map), measured = numbers_of(measurement);

@@ -16,8 +16,10 @@ struct SurfaceCommand {
   MeasurementOutputs outputs;
 };
 
-/// Reads a map, measures it, writes what was asked for. @param heights CSV of the heights as read
-void surface(const std::string& path, const std::optional<std::string>& heights, const SurfaceCommand& command);
+/// Reads a map, measures it, writes what was asked for; of several files the mean and its scatter.
+/// @param heights CSV of the heights as read, of one file
+void surface(const std::vector<std::string>& paths, const std::optional<std::string>& heights,
+             const SurfaceCommand& command);
 
 /// Two surfaces in contact; several files a side.
 void pair(const std::vector<std::string>& ring, const std::vector<std::string>& liner, const SurfaceCommand& command);

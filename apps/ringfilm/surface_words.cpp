@@ -56,7 +56,7 @@ Choice chosen(const std::string& option, const std::string& word, const std::map
 /// The words of a surface command, as text.
 struct SurfaceWords {
   instrument::SurfaceOptions reading;
-  std::optional<std::string> layout, short_cutoff, long_cutoff, grid, prominent, noise;
+  std::optional<std::string> layout, short_cutoff, long_cutoff, grid, prominent, noise, angle, cavity_depth;
   std::vector<std::string> rectangles;
   std::string form = "none", direction = "mean", scheme = "neighbours", sigma = "Ra";
   bool robust = false;
@@ -87,6 +87,10 @@ struct SurfaceWords {
     command.add_option("--scheme", scheme, "of slopes and curvatures: neighbours or seven-point")
         ->capture_default_str()
         ->type_name("WORD");
+    command.add_option("--angle", angle, "tell slopes and curvatures of a map at this angle to x, too")
+        ->type_name("ANGLE");
+    command.add_option("--cavity-depth", cavity_depth, "what lies deeper below the median is a cavity")
+        ->type_name("LENGTH");
     command.add_option("--sigma", sigma, "which roughness stands for sigma: Ra or Rq")
         ->capture_default_str()
         ->type_name("WORD");
@@ -120,6 +124,8 @@ struct SurfaceWords {
     }
     if (short_cutoff) of.analysis.preparation.short_cutoff_m = length("--short-cutoff", *short_cutoff, units);
     if (long_cutoff) of.analysis.preparation.long_cutoff_m = length("--long-cutoff", *long_cutoff, units);
+    if (cavity_depth) of.analysis.cavity_depth_m = length("--cavity-depth", *cavity_depth, units);
+    if (angle) of.analysis.angle_rad = angle_of(*angle, units);
     using surface::MomentDirection;
     of.analysis.direction = chosen<MomentDirection>("--direction", direction,
                                                     {{"x", MomentDirection::x},
@@ -147,6 +153,14 @@ struct SurfaceWords {
       throw InputError(option + " " + text + " " + refusal.what(), refusal.remedy);
     }
     throw InputError(option + " " + text + " is not a positive length", "for example " + option + " \"2.5 um\"");
+  }
+
+  static double angle_of(const std::string& text, const io::Units& units) {
+    try {
+      return units.quantity(text, "rad", "30 deg");
+    } catch (const io::UnitError& refusal) {
+      throw InputError("--angle " + text + " " + refusal.what(), refusal.remedy);
+    }
   }
 
   surface::FormChoice form_choice() const {
@@ -214,16 +228,20 @@ void add_surface_commands(CLI::App& program, Actions& actions) {
   {
     CLI::App* command = program.add_subcommand("surface", "Measure a surface: roughness, bearing curve, asperities");
     const auto words = std::make_shared<SurfaceWords>();
-    const auto path = std::make_shared<std::string>();
+    const auto paths = std::make_shared<std::vector<std::string>>();
     const auto heights = std::make_shared<std::optional<std::string>>();
-    command->add_option("FILE", *path, "X3P, SDF, SUR, GSF, CSV; other formats through the program gwyddion")
+    command
+        ->add_option(
+            "FILE", *paths,
+            "X3P, SDF, SUR, GSF, CSV; other formats through the program gwyddion; several files of one surface "
+            "give a mean and its scatter")
         ->required()
-        ->type_name("");
+        ->type_name("...");
     words->add_to(*command);
     words->outputs.add_to(*command, false);
     command->add_option("--heights", *heights, "write the heights as read: x, y, z in metres")->type_name("OUT.csv");
     command->footer(kSurfaceFooter);
-    actions.emplace_back(command, [words, path, heights] { surface(*path, *heights, words->command()); });
+    actions.emplace_back(command, [words, paths, heights] { surface(*paths, *heights, words->command()); });
   }
   {
     CLI::App* command = program.add_subcommand("pair", "Two surfaces in contact: N, beta and sigma for a case");

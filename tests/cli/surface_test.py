@@ -120,6 +120,23 @@ class Numbers(SurfaceTest):
         self.assertEqual(len(of["tables"]["regions"]["row_labels"]), 4)
 
 
+    def test_files_of_one_surface_give_a_mean_and_a_covariance(self):
+        (self.folder / "other.csv").write_text(matrix_text(heights(lambda i, j: wave(i, j, 0.3e-6))))
+        both = self.json_of("map.csv", "other.csv", *self.STATED)
+        one, other = self.json_of("map.csv", *self.STATED), self.json_of("other.csv", *self.STATED)
+        self.assertAlmostEqual(both["roughness"], (one["roughness"] + other["roughness"]) / 2, delta=1e-14)
+        # N does not depend on the amplitude; ln sigma differs by ln 1.5: a variance of half its square.
+        covariance = both["tables"]["covariance"]["columns"]
+        self.assertAlmostEqual(covariance["covariance_with_roughness"]["values"][2], math.log(1.5)**2 / 2, delta=1e-7)
+        self.assertAlmostEqual(covariance["covariance_with_asperity_density"]["values"][0], 0, delta=1e-7)
+
+    def test_slopes_at_an_angle_and_cavities_of_a_depth(self):
+        of = self.json_of("map.csv", *self.STATED, "--angle", "90 deg", "--cavity-depth", "0.39 um")
+        self.assertAlmostEqual(of["m2_at_angle"] / of["m2_y"], 1, delta=0.02)  # another set of complete stencils
+        deep = sum(z < -0.39e-6 for row in heights() for z in row) / SIZE**2  # the median of the sines is 0
+        self.assertAlmostEqual(of["cavity_area_share"], deep, delta=1e-3)
+
+
 class Files(SurfaceTest):
     def test_netcdf_and_page_appear_beside_the_table(self):
         self.run_well("surface", "map.csv", *self.STATED, "--output", "map.nc", "--html", "map.html")
@@ -167,6 +184,9 @@ class Refusals(SurfaceTest):
             (("--sigma", "Rz"), "--sigma Rz"),
             (("--channel", "7"), "channel"),
             (("--noise", "nosuch.csv"), "nosuch.csv"),
+            (("--angle", "30 mm"), "--angle 30 mm"),
+            (("--cavity-depth", "deep"), "--cavity-depth deep"),
+            (("map.csv", "--heights", "out.csv"), "one file"),
             (("--output", "nosuch/map.nc"), "nosuch"),
             (("--output", "map.csv"), "map.csv"),
             (("--output", "a.nc", "--heights", "a.nc"), "--heights and --output name the same file a.nc"),

@@ -6,7 +6,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/surface_figures.hpp"
-#include "ringfilm/instrument/surface_measurement.hpp"
+#include "ringfilm/instrument/surface_side.hpp"
 #include "ringfilm/instrument/surface_values.hpp"
 #include "ringfilm/io/contact_fragment.hpp"
 #include "ringfilm/surface/scatter.hpp"
@@ -14,41 +14,6 @@
 
 namespace ringfilm::instrument {
 namespace {
-
-/// All files of one surface.
-struct Side {
-  std::string name;  ///< "ring" or "liner"
-  std::vector<PreparedSurface> surfaces;
-  std::vector<surface::SurfaceMeasures> measures;
-};
-
-Side measured_side(const std::string& name, const std::vector<SurfaceFile>& files, const SurfaceAnalysis& analysis,
-                   const SurfaceFile* flat) {
-  Side side{name, {}, {}};
-  for (const SurfaceFile& file : files) {
-    side.surfaces.push_back(prepare_surface(file, analysis));
-    std::optional<surface::SpectralMoments> noise;
-    if (flat != nullptr) noise = noise_moments(*flat, side.surfaces.back(), analysis);
-    auto measures = measures_of_regions(side.surfaces.back(), analysis, noise ? &*noise : nullptr);
-    std::move(measures.begin(), measures.end(), std::back_inserter(side.measures));
-  }
-  return side;
-}
-
-bool has_regions(const Side& side) {
-  return std::any_of(side.surfaces.begin(), side.surfaces.end(),
-                     [](const PreparedSurface& surface) { return !surface.regions.empty(); });
-}
-
-std::string names_of(const Side& side) {
-  std::string names;
-  for (const PreparedSurface& surface : side.surfaces) {
-    names += (names.empty() ? "" : ", ") + file_name(surface.origin.path);
-  }
-  const std::size_t count = side.measures.size();
-  if (has_regions(side)) names += fmt::format(" ({} {})", count, count == 1 ? "region" : "regions");
-  return names;
-}
 
 /// A profile has no step along y.
 bool steps_differ(const surface::HeightMap& a, const surface::HeightMap& b) {
@@ -60,66 +25,6 @@ bool steps_differ(const surface::HeightMap& a, const surface::HeightMap& b) {
 std::string measured_with(const Side& ring, const Side& liner) {
   const std::string of_ring = measured_with(ring.surfaces.front()), of_liner = measured_with(liner.surfaces.front());
   return of_ring == of_liner ? of_ring : "ring: " + of_ring + "; liner: " + of_liner;
-}
-
-/// Name and digest of each file, for the record.
-std::vector<std::string> digest_lines(const Side& side) {
-  std::vector<std::string> lines;
-  for (const PreparedSurface& surface : side.surfaces) {
-    const SurfaceOrigin& origin = surface.origin;
-    lines.push_back(fmt::format("{}: {}{}, SHA-256 {}", side.name, file_name(origin.path),
-                                origin.channels.size() > 1 ? fmt::format(", channel {}", origin.channel_number) : "",
-                                origin.sha256));
-  }
-  return lines;
-}
-
-io::MeasuredTable side_table(const Side& side, const SurfaceAnalysis& analysis) {
-  io::MeasuredTable table;
-  table.name = side.name + "_measures";
-  table.title = "What the " + side.name + " brings into the pair";
-  const auto column = [&](const char* tail, const char* words, const char* symbol, const char* unit,
-                          const char* display) {
-    table.columns.push_back(value_of(side.name + "_" + tail, words, symbol, unit, display, 0, ""));
-    table.values.emplace_back();
-  };
-  column("Sa", "mean absolute deviation", "Sa", "m", "um");
-  column("Sq", "rms height", "Sq", "m", "um");
-  column("m2", "variance of slopes", "m2", "1", "1");
-  column("m4", "variance of curvatures", "m4", "m-2", "mm-2");
-  column("asperity_density", "density against a smooth surface", "N", "m-2", "mm-2");
-  column("asperity_radius", "radius against a smooth surface", "beta", "m", "um");
-  if (has_regions(side)) {
-    column("region_x", "left edge", "x", "m", "um");
-    column("region_y", "upper edge", "y", "m", "um");
-    column("region_width", "width", "w", "m", "um");
-    column("region_height", "height", "h", "m", "um");
-  }
-  std::size_t next = 0;
-  for (const PreparedSurface& surface : side.surfaces) {
-    const std::size_t parts = std::max<std::size_t>(surface.regions.size(), 1);
-    for (std::size_t k = 0; k < parts; ++k, ++next) {
-      const surface::SurfaceMeasures& of = side.measures[next];
-      const surface::AsperityParameters alone = single_parameters(of, analysis.sigma_rule);
-      const surface::HeightMap& map = surface.map;
-      const surface::Region part =
-          surface.regions.empty() ? surface::Region{0, 0, map.points_x, map.points_y, 0} : surface.regions[k];
-      const double values[] = {of.Sa_m,
-                               of.Sq_m,
-                               of.moments.m2,
-                               of.moments.m4_per_m2,
-                               alone.density_per_m2,
-                               alone.beta_m,
-                               static_cast<double>(part.column) * map.step_x_m,
-                               static_cast<double>(part.row) * map.step_y_m,
-                               static_cast<double>(part.columns) * map.step_x_m,
-                               static_cast<double>(part.rows) * map.step_y_m};
-      for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(values[c]);
-      table.row_labels.push_back(file_name(surface.origin.path) +
-                                 (surface.regions.empty() ? std::string() : fmt::format(", region {}", k + 1)));
-    }
-  }
-  return table;
 }
 
 /// Deviations and correlations of the parameters themselves, from those of their logarithms.
@@ -224,16 +129,22 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
                                   ": it adds nothing to the scatter, which is then too small");
   }
 
+  if (scatter.without_scatter != "both") {
+    const bool few = std::max(ring.measures.size(), liner.measures.size()) < kEnoughForScatter;
+    if (few) all.notes.push_back(few_samples_note(std::max(ring.measures.size(), liner.measures.size())));
+    all.tables.push_back(covariance_table(scatter.covariance_log));
+  }
+
   const std::string rule = measured_with(ring, liner);
   all.groups.push_back(pair_group(scatter, rule, rule + "; " + surface_sigma_text(analysis.sigma_rule)));
   const surface::HeightMap &first = ring.surfaces.front().map, &second = liner.surfaces.front().map;
   const bool maps = !first.is_profile() && !second.is_profile();
   if (maps && !steps_differ(first, second)) {
     all.groups.push_back(summit_group("Summits of the composite surface counted one by one (first map of each)",
-                                      count_summits_of_pair(first, second), rule));
+                                      count_summits_of_pair(first, second), scatter.central, rule));
   }
-  all.tables.push_back(side_table(ring, analysis));
-  all.tables.push_back(side_table(liner, analysis));
+  all.tables.push_back(side_table(ring, analysis, "What the ring brings into the pair"));
+  all.tables.push_back(side_table(liner, analysis, "What the liner brings into the pair"));
   for (const Side* side : {&ring, &liner}) {
     const PreparedSurface& surface = side->surfaces.front();
     if (surface.map.is_profile()) continue;

@@ -27,7 +27,7 @@ io::MeasuredMap height_map(const PreparedSurface& surface, const std::string& na
   io::MeasuredMap picture;
   picture.name = name;
   picture.title = "Heights";
-  picture.caption = "After: " + surface.prepared.form.text + " taken off; " + measured_with(surface) + ".";
+  picture.caption = fmt::format("After: {} taken off; {}.", surface.prepared.form.text, measured_with(surface));
   picture.points_x = map.points_x;
   picture.points_y = map.points_y;
   picture.step_x = map.step_x_m;
@@ -54,8 +54,8 @@ io::MeasuredCurve profile_curve(const PreparedSurface& surface) {
   curve.name = "profile";
   curve.title = "Profile";
   curve.caption = map.is_profile() ? "The profile after form and filters."
-                                   : "The middle row of the map, number " + std::to_string(row + 1) + " of " +
-                                         std::to_string(map.points_y) + ", after form and filters.";
+                                   : fmt::format("The middle row of the map, number {} of {}, after form and filters.",
+                                                 row + 1, map.points_y);
   curve.x_axis = {"x", "distance along the row", "m", "um"};
   curve.y_axis = {"height", "height", "m", "um"};
   io::MeasuredSeries heights{"profile_height", "height", {}, false};

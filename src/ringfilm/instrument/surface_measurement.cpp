@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
+#include <optional>
+#include <utility>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/surface_figures.hpp"
+#include "ringfilm/instrument/surface_side.hpp"
 #include "ringfilm/instrument/surface_values.hpp"
 #include "ringfilm/surface/bearing.hpp"
 #include "ringfilm/surface/roughness.hpp"
@@ -16,6 +18,7 @@
 namespace ringfilm::instrument {
 namespace {
 
+constexpr double kDegreesPerRadian = 57.29577951308232;
 constexpr std::size_t kEnoughForBearing = 100;  // points of the probability parameters
 
 io::MeasuredGroup height_group(const PreparedSurface& surface) {
@@ -37,7 +40,8 @@ io::MeasuredGroup height_group(const PreparedSurface& surface) {
   return group;
 }
 
-io::MeasuredGroup bearing_group(const std::vector<double>& falling, const std::string& with) {
+io::MeasuredGroup bearing_group(const std::vector<double>& falling, const std::optional<double>& cavity_depth_m,
+                                const std::string& with) {
   io::MeasuredGroup group{"Bearing curve", {}};
   const auto add = [&](const char* name, const char* words, double value, const char* unit, const char* display) {
     group.values.push_back(value_of(name, words, name, unit, display, value, with));
@@ -53,8 +57,11 @@ io::MeasuredGroup bearing_group(const std::vector<double>& falling, const std::s
     add("Rvq", "rms of the valleys", two_steps->Rvq_m, "m", "um");
     add("Rmq", "material ratio where plateau and valleys meet", two_steps->Rmq, "1", "%");
   }
-  const surface::Cavities pores = surface::cavities(falling, surface::CavityRule::below_plateau);
-  const std::string rule = "deeper than 3 standard deviations of the plateau below the median";
+  const surface::Cavities pores = cavity_depth_m
+                                      ? surface::cavities(falling, surface::CavityRule::below_depth, *cavity_depth_m)
+                                      : surface::cavities(falling, surface::CavityRule::below_plateau);
+  const std::string rule = cavity_depth_m ? "deeper than " + surface::length_text(*cavity_depth_m) + " below the median"
+                                          : "deeper than 3 standard deviations of the plateau below the median";
   group.values.push_back(
       value_of("cavity_area_share", "area share of cavities (porosity)", "", "1", "%", pores.area_share, rule));
   group.values.push_back(
@@ -80,6 +87,12 @@ io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnal
     add("m4_x", "variance of curvatures along x", "m-2", "mm-2", table.m4_x_per_m2);
     add("m4_y", "variance of curvatures along y", "m-2", "mm-2", table.m4_y_per_m2);
   }
+  if (analysis.angle_rad) {
+    const surface::SpectralMoments at = moments_at_angle(table, *analysis.angle_rad);
+    const std::string words = fmt::format(", profiles at {:.4g} degree to x", *analysis.angle_rad * kDegreesPerRadian);
+    add("m2_at_angle", "variance of slopes" + words, "1", "1", at.m2);
+    add("m4_at_angle", "variance of curvatures" + words, "m-2", "mm-2", at.m4_per_m2);
+  }
   surface::SpectralMoments used = moments(table, analysis.direction);
   if (noise != nullptr) used = without_noise(used, *noise);
   const std::string use = noise == nullptr ? ", in use" : ", in use, less the noise of the flat";
@@ -100,7 +113,10 @@ void add_asperities(const PreparedSurface& surface, const SurfaceAnalysis& analy
     to.groups.push_back(
         asperity_group("Asperities, this surface against a smooth one", parameters.front(), with, sigma));
   } else {
-    to.groups.push_back(scatter_group(surface::scatter_of(parameters), with, sigma));
+    const surface::ParameterScatter scatter = surface::scatter_of(parameters);
+    to.groups.push_back(scatter_group(scatter, with, sigma));
+    to.tables.push_back(covariance_table(scatter.covariance_log));
+    if (parameters.size() < kEnoughForScatter) to.notes.push_back(few_samples_note(parameters.size()));
   }
   if (!surface.regions.empty()) to.tables.push_back(region_table(surface, measures, parameters));
 }
@@ -134,7 +150,8 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
   {
     const std::vector<double> falling = surface::bearing_curve(surface.map);
     if (falling.size() >= kEnoughForBearing) {
-      attempt("bearing parameters", [&] { all.groups.push_back(bearing_group(falling, with)); });
+      attempt("bearing parameters",
+              [&] { all.groups.push_back(bearing_group(falling, analysis.cavity_depth_m, with)); });
     }
     all.curves.push_back(profile_curve(surface));
     all.curves.push_back(bearing_curve(falling));
@@ -144,8 +161,10 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
   attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, taken_off, all); });
   if (!surface.map.is_profile()) {
     attempt("summits", [&] {
-      all.groups.push_back(summit_group("Summits counted one by one (higher than all eight neighbours)",
-                                        count_summits(surface.map), with));
+      all.groups.push_back(summit_group(
+          "Summits counted one by one (higher than all eight neighbours)", count_summits(surface.map),
+          single_parameters(surface_measures(surface.map, analysis.direction, analysis.scheme), analysis.sigma_rule),
+          with));
     });
   }
   attempt("power spectrum", [&] { all.curves.push_back(spectrum_curve(surface)); });
@@ -154,6 +173,41 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
     if (all.tables.back().row_labels.size() > 1) all.curves.push_back(scale_curve(all.tables.back(), analysis));
   });
   if (!surface.map.is_profile()) all.maps.push_back(height_map(surface, "height"));
+  return all;
+}
+
+io::Measurement surfaces_measurement(const std::vector<SurfaceFile>& files, const SurfaceAnalysis& analysis,
+                                     const SurfaceFile* flat) {
+  const Side side = measured_side("surface", files, analysis, flat);
+  io::Measurement all;
+  all.kind = "surface";
+  all.title = "Surface " + names_of(side);
+  std::vector<surface::AsperityParameters> parameters;
+  for (const surface::SurfaceMeasures& one : side.measures) {
+    parameters.push_back(single_parameters(one, analysis.sigma_rule));
+  }
+  bool unlike = false;
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    const PreparedSurface& surface = side.surfaces[k];
+    for (std::string& line : source_lines(surface)) all.sources.push_back(std::move(line));
+    for (const std::string& note : surface_notes(files[k], surface, analysis)) {
+      all.notes.push_back(file_name(surface.origin.path) + ": " + note);
+    }
+    if (!surface.map.is_profile()) {
+      all.maps.push_back(height_map(surface, fmt::format("height_{}", k + 1)));
+      all.maps.back().title = "Heights of " + file_name(surface.origin.path);
+    }
+    unlike = unlike || measured_with(surface) != measured_with(side.surfaces.front());
+  }
+  if (unlike) all.notes.push_back("the files have different steps: their m4, N and beta do not belong together");
+  if (parameters.size() < kEnoughForScatter) all.notes.push_back(few_samples_note(parameters.size()));
+  all.statements = analysis_lines(side.surfaces.front(), analysis);
+  if (flat != nullptr) all.statements.push_back("moments of the flat " + flat->origin.path + " taken off m2 and m4");
+  const std::string with = measured_with(side.surfaces.front());
+  const surface::ParameterScatter scatter = surface::scatter_of(parameters);
+  all.groups.push_back(scatter_group(scatter, with, with + "; " + surface_sigma_text(analysis.sigma_rule)));
+  all.tables.push_back(side_table(side, analysis, "What each sample measures"));
+  all.tables.push_back(covariance_table(scatter.covariance_log));
   return all;
 }
 

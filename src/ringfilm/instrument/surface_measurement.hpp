@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct SurfaceAnalysis {
   surface::MomentDirection direction = surface::MomentDirection::mean;
   surface::DifferenceScheme scheme = surface::DifferenceScheme::neighbours;
   surface::SigmaRule sigma_rule = surface::SigmaRule::ra;
+  std::optional<double> angle_rad;       ///< slopes and curvatures of a map at this angle to x are told, too
+  std::optional<double> cavity_depth_m;  ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
 };
 
 /// A surface file after form and filters.
@@ -54,12 +57,16 @@ surface::SpectralMoments noise_moments(const SurfaceFile& flat, const PreparedSu
 /// Lines that tell where a map came from: file, format, channel, plausibility, digest, what the user said.
 std::vector<std::string> source_lines(const PreparedSurface& surface);
 
-/// Which filter and pixel the numbers hold for, e.g. "S-filter, Gaussian, cut-off 2.5 um; pixel 0.5 um".
+/// Which filter and pixel the numbers hold for, e.g. "S-filter 2.5 um; pixel 0.5 um".
 std::string measured_with(const PreparedSurface& surface);
 
 /// Everything that is told of one surface. Throws InputError where the analysis refuses it.
 /// @param flat the instrument's noise; nullptr: not taken off
 io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalysis& analysis, const SurfaceFile* flat);
+
+/// Mean and covariance of N, beta and sigma over files and regions of one surface; two files or more.
+io::Measurement surfaces_measurement(const std::vector<SurfaceFile>& files, const SurfaceAnalysis& analysis,
+                                     const SurfaceFile* flat);
 
 /// N, beta and sigma of two surfaces in contact with their scatter, and the fragment for a case. Each side may have
 /// several files, each of them several regions.

@@ -126,7 +126,7 @@ io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const 
                                 const std::string& sigma_text) {
   surface::AsperityParameters mean{scatter.mean[0], scatter.mean[1], scatter.mean[2]};
   io::MeasuredGroup group = asperity_group(
-      fmt::format("Asperities, mean of {} regions with its standard error", scatter.count), mean, remark, sigma_text);
+      fmt::format("Asperities, mean of {} samples with its standard error", scatter.count), mean, remark, sigma_text);
   const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
   const char* symbols[] = {"N", "beta", "sigma"};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -150,7 +150,28 @@ void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, c
   }
 }
 
-io::MeasuredGroup summit_group(const std::string& title, const surface::Summits& summits, const std::string& remark) {
+std::string few_samples_note(std::size_t samples) {
+  return fmt::format("{} samples tell little of deviations and less of correlations: name more files or regions",
+                     samples);
+}
+
+io::MeasuredTable covariance_table(const surface::ParameterScatter::Matrix& covariance_log) {
+  io::MeasuredTable table;
+  table.name = "covariance";
+  table.title = "Covariance of the logarithms of N, beta and sigma, of one sample of each surface";
+  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
+  const char* symbols[] = {"ln N", "ln beta", "ln sigma"};
+  for (std::size_t c = 0; c < 3; ++c) {
+    table.columns.push_back(value_of(std::string("covariance_with_") + names[c], std::string("with ") + symbols[c],
+                                     symbols[c], "1", "1", 0, ""));
+    table.values.push_back({covariance_log[0][c], covariance_log[1][c], covariance_log[2][c]});
+    table.row_labels.push_back(symbols[c]);
+  }
+  return table;
+}
+
+io::MeasuredGroup summit_group(const std::string& title, const surface::Summits& summits,
+                               const surface::AsperityParameters& of_moments, const std::string& remark) {
   io::MeasuredGroup group{title, {}};
   const auto add = [&](const char* name, const char* words, const char* unit, const char* display, double value) {
     group.values.push_back(value_of(name, words, "", unit, display, value, remark));
@@ -160,6 +181,10 @@ io::MeasuredGroup summit_group(const std::string& title, const surface::Summits&
   if (summits.count == 0) return group;
   add("summit_radius", "radius of their mean curvature", "m", "um", summits.mean_radius_m);
   add("summit_rms_height", "rms of their heights", "m", "um", summits.rms_height_m);
+  add("summit_density_ratio", "counted density over N of the moments", "1", "1",
+      summits.density_per_m2 / of_moments.density_per_m2);
+  add("summit_radius_ratio", "counted radius over beta of the moments", "1", "1",
+      summits.mean_radius_m / of_moments.beta_m);
   return group;
 }
 

@@ -45,7 +45,15 @@ void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, c
                       io::MeasuredGroup& group);
 
 /// Number and density of summits; their radius and heights where there are any.
-io::MeasuredGroup summit_group(const std::string& title, const surface::Summits& summits, const std::string& remark);
+io::MeasuredGroup summit_group(const std::string& title, const surface::Summits& summits,
+                               const surface::AsperityParameters& of_moments, const std::string& remark);
+
+/// Fewer samples than this tell little of deviations and correlations.
+inline constexpr std::size_t kEnoughForScatter = 5;
+std::string few_samples_note(std::size_t samples);
+
+/// Covariance of the logarithms of N, beta and sigma of one sample.
+io::MeasuredTable covariance_table(const surface::ParameterScatter::Matrix& covariance_log);
 
 /// Place and parameters of each region.
 io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector<surface::SurfaceMeasures>& measures,

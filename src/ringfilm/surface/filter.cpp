@@ -144,9 +144,13 @@ FilterApplied apply_filter(HeightMap& map, const FilterChoice& choice) {
   applied.choice = choice;
   applied.cutoff_steps = choice.cutoff_m / (map.is_profile() ? map.step_x_m : std::max(map.step_x_m, map.step_y_m));
   const bool keeps_long = choice.side == FilterSide::short_cutoff;
-  applied.text = std::string(keeps_long ? "S-filter" : "L-filter") +
-                 (choice.kind == FilterKind::gaussian ? ", Gaussian" : ", robust Gaussian regression of order 0") +
-                 ", cut-off " + length_text(choice.cutoff_m);
+  const char* kind = map.is_profile() ? "Gaussian (ISO 16610-21)" : "Gaussian (ISO 16610-61)";
+  if (choice.kind == FilterKind::robust_gaussian) {
+    kind = map.is_profile() ? "robust Gaussian regression of order 0 (after ISO 16610-31)"
+                            : "robust Gaussian regression of order 0 (after ISO 16610-71)";
+  }
+  applied.text = std::string(keeps_long ? "S-filter" : "L-filter") + ", " + kind + ", cut-off (nesting index) " +
+                 length_text(choice.cutoff_m);
   const Smoother smoother(map, choice.cutoff_m);
   std::vector<double> smooth = choice.kind == FilterKind::gaussian ? smoother.linear() : robust(smoother, applied);
   if (keeps_long) {

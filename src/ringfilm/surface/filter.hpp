@@ -25,7 +25,7 @@ struct FilterApplied {
   double cutoff_steps = 0.0;               ///< cut-off in steps, the smaller of both directions
   int iterations = 0;                      ///< of the robust filter
   std::size_t points_without_support = 0;  ///< robust: all near points were outliers, the linear filter stands there
-  std::string text;                        ///< one line, for example "S-filter, Gaussian, cut-off 2.5 um"
+  std::string text;                        ///< one line: side, kind, standard, cut-off
 };
 
 /// Filters the measured points in place; missing ones weigh nothing and stay missing. Near the ends and near missing
