@@ -100,6 +100,7 @@ struct Gas {
 /// Where a face came from; recorded, and not used by any model.
 struct MeasuredFace {
   std::optional<std::string> trace;           ///< file of the trace
+  std::optional<double> width;                ///< that the face was fitted over; the ring must have it [m]
   std::optional<std::string> levelling;       ///< how its tilt was taken off
   std::optional<double> residual_rms;         ///< of the trace about the face [m]
   std::optional<double> largest_residual;     ///< [m]

@@ -62,6 +62,7 @@ cycle::MeasuredFace measured_face(const surface::FaceFit& fit, const surface::Fa
                                   const std::string& trace_name, const surface::FaceResidual& residual) {
   cycle::MeasuredFace measured;
   measured.trace = trace_name;
+  measured.width = rule.width_m;
   measured.levelling = fmt::format("{}, {:.6g} mrad taken off", name_of(rule.levelling), fit.tilt * 1e3);
   measured.residual_rms = residual.rms_m;
   measured.largest_residual = std::abs(residual.largest_m);

@@ -137,6 +137,24 @@ TEST(ContactFragment, GivesTheSplineOfAFaceAsPoints) {
   for (std::size_t i = 0; i < fit.x_m.size(); ++i) EXPECT_NEAR(c.ring.face.height[i], fit.spline_m[i], 1e-13);
 }
 
+TEST(ContactFragment, HoldsForTheWidthThatWasFittedOnly) {
+  const surface::FaceFit fit = surface::fit_face(face_trace(), face_rule());
+  const auto faults = [&](const std::string& width) {
+    CaseText text;
+    text.top += "include = [\"face.toml\"]\n";
+    text.face = "";
+    text.ring = "[ring]\nface_width = \"" + width + "\"\nelastic_pressure = \"0.2 MPa\"\n";
+    const CaseFolder folder(text);
+    folder.write("face.toml", face_polynomial_fragment(fit, face_rule(), "new.csv", {}));
+    return folder.faults();
+  };
+  EXPECT_EQ(faults("1.2 mm"), "");
+  EXPECT_EQ(faults("1200.00001 um"), "");
+  for (const char* other : {"1.5 mm", "1.1 mm"}) {
+    EXPECT_THAT(faults(other), HasSubstr("but the face was fitted over 1.2 mm (ring.face.measured.width)"));
+  }
+}
+
 TEST(ContactFragment, TellsWhereThePolynomialInventsShape) {
   surface::FaceFit fit = surface::fit_face(face_trace(), face_rule());
   EXPECT_THAT(face_polynomial_fragment(fit, face_rule(), "a.csv", {}), Not(HasSubstr("invented_shape")));
