@@ -4,10 +4,15 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "ringfilm/io/thinned_curve.hpp"
+
 namespace ringfilm::io {
 namespace {
 
 using nlohmann::ordered_json;
+
+/// A long profile has millions of points: they stand in the NetCDF file.
+constexpr std::size_t kMostPointsOfACurve = 20000;
 
 /// The sign of a zero says nothing, and JSON knows no NaN.
 ordered_json exact(double value) { return std::isfinite(value) ? ordered_json(value + 0.0) : ordered_json(nullptr); }
@@ -54,20 +59,24 @@ ordered_json table_object(const MeasuredTable& table) {
   return {{"title", table.title}, {"row_labels", table.row_labels}, {"columns", columns}};
 }
 
-ordered_json curve_object(const MeasuredCurve& curve) {
+ordered_json curve_object(const MeasuredCurve& whole) {
+  const std::optional<MeasuredCurve> few = thinned(whole, kMostPointsOfACurve);
+  const MeasuredCurve& curve = few ? *few : whole;
   ordered_json series = ordered_json::object(), marks = ordered_json::array();
   for (const MeasuredSeries& one : curve.series) {
     series[one.name] = {{"label", one.label}, {"unit", curve.y_axis.unit}, {"values", list(one.y)}};
   }
   for (const MeasuredMark& mark : curve.marks) marks.push_back({{"x", exact(mark.x)}, {"label", mark.label}});
-  return {{"title", curve.title},
-          {"x",
-           {{"name", curve.x_axis.name},
-            {"long_name", curve.x_axis.long_name},
-            {"unit", curve.x_axis.unit},
-            {"values", list(curve.x)}}},
-          {"series", series},
-          {"marks", marks}};
+  ordered_json object = {{"title", curve.title},
+                         {"x",
+                          {{"name", curve.x_axis.name},
+                           {"long_name", curve.x_axis.long_name},
+                           {"unit", curve.x_axis.unit},
+                           {"values", list(curve.x)}}},
+                         {"series", series},
+                         {"marks", marks}};
+  if (few) object["thinned_from"] = whole.x.size();
+  return object;
 }
 
 ordered_json map_object(const MeasuredMap& map) {

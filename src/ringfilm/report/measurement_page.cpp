@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "ringfilm/io/measurement_text.hpp"
+#include "ringfilm/io/thinned_curve.hpp"
 #include "ringfilm/report/html_text.hpp"
 #include "ringfilm/report/map_picture.hpp"
 #include "ringfilm/report/page_template.hpp"
 #include "ringfilm/report/payload_numbers.hpp"
 #include "ringfilm/report/script_text.hpp"
-#include "ringfilm/report/thinned_curve.hpp"
 
 namespace ringfilm::report {
 namespace {
@@ -80,7 +80,7 @@ ordered_json curve_object(const io::MeasuredCurve& curve, std::size_t stretches,
   ordered_json series = ordered_json::array(), marks = ordered_json::array();
   std::size_t n_drawn = 0;
   for (const io::MeasuredSeries& one : curve.series) {
-    const ThinnedSeries few = thinned(curve, one, stretches);
+    const io::ThinnedSeries few = io::thinned(curve, one, stretches);
     n_drawn = std::max(n_drawn, few.x.size());
     series.push_back({{"label", one.label},
                       {"points", one.points},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -49,6 +50,39 @@ TEST(MeasurementJson, HoldsTablesAndCurvesWithGapsAsNull) {
   EXPECT_EQ(spectrum.at("marks").at(0).at("x").get<double>(), 4e5);
   EXPECT_EQ(object.at("maps").at("surface_height").at("points_x"), 60);
   EXPECT_FALSE(object.at("maps").at("surface_height").contains("values"));
+}
+
+TEST(MeasurementJson, ThinsALongCurveToItsLowsAndHighsAndSaysSo) {
+  Measurement document = example::measurement();
+  MeasuredCurve curve;
+  curve.name = "long_profile";
+  curve.x_axis = {"x", "place", "m", "mm"};
+  curve.y_axis = {"z", "height", "m", "um"};
+  curve.series = {{"height", "height", {}}, {"waviness", "waviness", {}}};
+  constexpr int kPoints = 100000;
+  for (int i = 0; i < kPoints; ++i) {
+    curve.x.push_back(1e-6 * i);
+    curve.series[0].y.push_back(1e-9 * (i % 7));
+    curve.series[1].y.push_back(0);
+  }
+  curve.series[0].y[70001] = 5e-6;
+  curve.series[1].y[31117] = -3e-6;
+  document.curves.push_back(curve);
+  const json curves = json::parse(measurement_json(document, {}, kProgram)).at("curves");
+  const json& few = curves.at("long_profile");
+  EXPECT_EQ(few.at("thinned_from"), kPoints);
+  const auto x = few.at("x").at("values").get<std::vector<double>>();
+  EXPECT_LE(x.size(), 20000U);
+  EXPECT_GT(x.size(), 5000U);
+  const auto value_at = [&](const char* series, int i) {
+    const json& values = few.at("series").at(series).at("values");
+    EXPECT_EQ(values.size(), x.size());
+    const auto place = std::find(x.begin(), x.end(), curve.x[static_cast<std::size_t>(i)]);
+    return place == x.end() ? 0 : values.at(static_cast<std::size_t>(place - x.begin())).get<double>();
+  };
+  EXPECT_EQ(value_at("height", 70001), 5e-6);
+  EXPECT_EQ(value_at("waviness", 31117), -3e-6);
+  EXPECT_FALSE(curves.at("spectrum").contains("thinned_from"));
 }
 
 TEST(MeasurementJson, PutsTheNumbersOfTheCallerFirstAndCountsAsCounts) {

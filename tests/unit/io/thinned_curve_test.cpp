@@ -1,4 +1,4 @@
-#include "ringfilm/report/thinned_curve.hpp"
+#include "ringfilm/io/thinned_curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 namespace {
 
 using namespace ringfilm;
-using report::thinned;
-using report::ThinnedSeries;
+using io::thinned;
+using io::ThinnedSeries;
 
 io::MeasuredCurve long_curve(bool logarithmic) {
   io::MeasuredCurve curve;
