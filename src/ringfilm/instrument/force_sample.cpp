@@ -11,8 +11,8 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/binary_reader.hpp"
-#include "ringfilm/instrument/running_digest.hpp"
 #include "ringfilm/instrument/surface_file.hpp"
+#include "ringfilm/io/digest.hpp"
 #include "ringfilm/io/force_file.hpp"
 
 namespace ringfilm::instrument {
@@ -208,7 +208,7 @@ ForceSample read_force_scans(const std::string& name, const std::vector<std::str
     std::vector<surface::FrictionLoop> loops =
         surface::loops_of_scan(load, trace.channel.points_x, step_of(trace, paths[k], channels, units),
                                volts(trace, paths[k], channels, units), volts(retrace, paths[k], channels, units));
-    add_digest(sample, file_sha256(paths[k]), paths[k]);
+    add_digest(sample, io::file_sha256(paths[k]), paths[k]);
     sample.sources.push_back(fmt::format("{}: {} of {} lines at {}, channels {} and {}; SHA-256 {}", paths[k],
                                          loops.size(), trace.channel.points_y, loads[k], trace.channel.name,
                                          retrace.channel.name, sample.digests.back()));

@@ -14,10 +14,10 @@
 #include "ringfilm/instrument/gwy_file.hpp"
 #include "ringfilm/instrument/gwyddion_program.hpp"
 #include "ringfilm/instrument/regular_grid.hpp"
-#include "ringfilm/instrument/running_digest.hpp"
 #include "ringfilm/instrument/sdf_file.hpp"
 #include "ringfilm/instrument/simple_field_file.hpp"
 #include "ringfilm/instrument/x3p_file.hpp"
+#include "ringfilm/io/digest.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -221,7 +221,7 @@ Loaded load(const std::string& path, const SurfaceOptions& options, const io::Un
   origin.notes.insert(origin.notes.end(), loaded.values.notes.begin(), loaded.values.notes.end());
   const io::Scale scale = height_scale(path, loaded.values, options, units, origin.notes);
   scale_heights(path, loaded.values, scale);
-  origin.sha256 = file_sha256(path);
+  origin.sha256 = io::file_sha256(path);
   return loaded;
 }
 

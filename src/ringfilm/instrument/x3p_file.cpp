@@ -12,8 +12,8 @@
 
 #include "ringfilm/instrument/binary_reader.hpp"
 #include "ringfilm/instrument/regular_grid.hpp"
-#include "ringfilm/instrument/running_digest.hpp"
 #include "ringfilm/instrument/zip_archive.hpp"
+#include "ringfilm/io/digest.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -128,7 +128,7 @@ void check_main(const Description& about, const ZipArchive& archive, const std::
   std::string stated = trimmed(line).substr(0, 32);
   std::transform(stated.begin(), stated.end(), stated.begin(),
                  [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c; });
-  RunningDigest digest(RunningDigest::Kind::kMd5);
+  io::RunningDigest digest(io::RunningDigest::Kind::kMd5);
   digest.add(xml);
   const std::string found = digest.digits();
   if (stated != found) {
@@ -210,7 +210,7 @@ std::size_t point_bytes(const Description& about) {
   return about.z.bytes() + (about.x.by_step ? 0 : about.x.bytes()) + (about.y.by_step ? 0 : about.y.bytes());
 }
 
-void compare_digest(const Description& about, const std::string& entry, std::string stated, RunningDigest& digest) {
+void compare_digest(const Description& about, const std::string& entry, std::string stated, io::RunningDigest& digest) {
   if (stated.empty()) return;
   std::transform(stated.begin(), stated.end(), stated.begin(),
                  [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c; });
@@ -323,7 +323,7 @@ class Collector {
 void read_binary(const Description& about, Collector& collector) {
   const ZipArchive archive(about.path);
   const std::size_t size = point_bytes(about), total = size * about.points() * about.layers;
-  RunningDigest digest(RunningDigest::Kind::kMd5);
+  io::RunningDigest digest(io::RunningDigest::Kind::kMd5);
   std::string rest;
   archive.read_pieces(about.point_entry, total, [&](std::string_view piece) {
     digest.add(piece);
@@ -350,7 +350,7 @@ void read_binary(const Description& about, Collector& collector) {
   compare_digest(about, about.point_entry, about.point_checksum, digest);
   if (about.valid_entry.empty()) return;
   const std::size_t points = about.points() * about.layers;
-  RunningDigest valid_digest(RunningDigest::Kind::kMd5);
+  io::RunningDigest valid_digest(io::RunningDigest::Kind::kMd5);
   std::size_t point = 0;
   archive.read_pieces(about.valid_entry, (points + 7) / 8, [&](std::string_view piece) {
     valid_digest.add(piece);

@@ -8,15 +8,15 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/binary_writer.hpp"
-#include "ringfilm/instrument/running_digest.hpp"
 #include "ringfilm/instrument/zip_archive.hpp"
+#include "ringfilm/io/digest.hpp"
 #include "ringfilm/io/units.hpp"
 
 namespace ringfilm::instrument {
 namespace {
 
 std::string md5(const std::string& bytes) {
-  RunningDigest digest(RunningDigest::Kind::kMd5);
+  io::RunningDigest digest(io::RunningDigest::Kind::kMd5);
   digest.add(bytes);
   return digest.digits();
 }
