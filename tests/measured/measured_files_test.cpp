@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "../unit/instrument/scratch_folder.hpp"
+#include "../unit/instrument/written_files.hpp"
 #include "measured_chain.hpp"
 
 namespace ringfilm::measured_files {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "scratch_folder.hpp"
+#include "written_files.hpp"
 
 namespace ringfilm::instrument {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "scratch_folder.hpp"
+#include "written_files.hpp"
 
 namespace ringfilm::instrument {
 namespace {

@@ -10,7 +10,7 @@
 #include "ringfilm/instrument/gwyddion_program.hpp"
 #include "ringfilm/instrument/simple_field_file.hpp"
 #include "ringfilm/instrument/x3p_writer.hpp"
-#include "scratch_folder.hpp"
+#include "written_files.hpp"
 
 /// Real files and files of our own, read by us and by gwyddion, which shares no line with us.
 namespace ringfilm::instrument {
@@ -175,10 +175,10 @@ TEST(ExportsOfGwyddion, AreReadWithTheSameHeights) {
   SKIP_WITHOUT_GWYDDION();
   const ScratchFolder folder;
   const std::string source = folder.write("source.x3p", x3p_bytes(uneven_map(), X3pHeights::kDouble, {}));
-  std::string command = "HOME='" + folder.path("") +
+  std::string command = "HOME='" + folder.path() +
                         "' python3 '" RINGFILM_SOURCE_FOLDER "/tests/unit/instrument/gwyddion_export.py' '" + source +
                         "'";
-  for (const char* name : {"a.gsf", "b.sdf", "c.sur"}) command += " '" + folder.path(name) + "'";
+  for (const char* name : {"a.gsf", "b.sdf", "c.sur"}) command += " '" + folder / name + "'";
   command += " >/dev/null 2>&1";
   if (std::system(command.c_str()) != 0) GTEST_SKIP() << "SKIPPED: gwyddion's libraries cannot be driven here";
   const surface::HeightMap map = uneven_map();
@@ -187,7 +187,7 @@ TEST(ExportsOfGwyddion, AreReadWithTheSameHeights) {
   const std::vector<std::pair<const char*, double>> files = {
       {"a.gsf", range * 6e-8}, {"b.sdf", range * 5e-6}, {"c.sur", range * 1.2e-7}};
   for (const auto& [name, tolerance] : files) {
-    const SurfaceFile ours = read_surface_file(folder.path(name), {}, units());
+    const SurfaceFile ours = read_surface_file(folder / name, {}, units());
     EXPECT_EQ(ours.map.points_x, 37u) << name;
     EXPECT_NEAR(ours.map.step_x_m, 0.4e-6, 1e-12) << name;
     EXPECT_NEAR(ours.map.step_y_m, 0.7e-6, 1e-12) << name;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ringfilm/base/error.hpp"
-#include "scratch_folder.hpp"
+#include "written_files.hpp"
 
 namespace ringfilm::instrument {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scratch_folder.hpp"
+#include "written_files.hpp"
 
 namespace ringfilm::instrument {
 namespace {

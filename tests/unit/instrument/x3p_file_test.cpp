@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "ringfilm/instrument/x3p_writer.hpp"
-#include "scratch_folder.hpp"
+#include "written_files.hpp"
 
 namespace ringfilm::instrument {
 namespace {

@@ -1,44 +1,18 @@
 #pragma once
 #include <gtest/gtest.h>
 #include <openssl/evp.h>
-#include <stdlib.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
+#include "../io/scratch_folder.hpp"
 #include "handmade_files.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/surface_file.hpp"
 
 namespace ringfilm::instrument {
 
-/// A folder for the files of one test.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "ringfilm-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
-    path_ = name;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
-
-  std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary | std::ios::trunc) << bytes;
-    return path(name);
-  }
-
- private:
-  std::filesystem::path path_;
-};
+using io::ScratchFolder;
 
 /// Building the units takes some ten milliseconds: once is enough.
 inline const io::Units& units() {
