@@ -3,8 +3,10 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdlib.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -55,60 +57,94 @@ std::optional<std::string> program_path() {
   return std::nullopt;
 }
 
-/// Owns what posix_spawn wants to know.
-class SpawnPlan {
+/// While it lives, a wish to end the program waits: first the conversion is stopped and its folder removed. Signals
+/// that the program was told to ignore stay ignored.
+class HeldSignals {
  public:
-  explicit SpawnPlan(const std::string& log) {
-    posix_spawn_file_actions_init(&files_);
-    posix_spawn_file_actions_addopen(&files_, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&files_, 1, log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
-    posix_spawn_file_actions_adddup2(&files_, 1, 2);
-    posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+  HeldSignals() {
+    sigemptyset(&held_);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction now {};
+      if (::sigaction(number, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) sigaddset(&held_, number);
+    }
+    ::pthread_sigmask(SIG_BLOCK, &held_, &before_);
   }
-  SpawnPlan(const SpawnPlan&) = delete;
-  SpawnPlan& operator=(const SpawnPlan&) = delete;
-  ~SpawnPlan() {
-    posix_spawn_file_actions_destroy(&files_);
-    posix_spawnattr_destroy(&attributes_);
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  ~HeldSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+  bool one_came() const {
+    sigset_t waiting;
+    if (::sigpending(&waiting) != 0) return false;
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+      if (sigismember(&held_, number) == 1 && sigismember(&before_, number) == 0 &&
+          sigismember(&waiting, number) == 1) {
+        return true;
+      }
+    }
+    return false;
   }
 
-  pid_t start(std::vector<std::string> arguments, std::vector<std::string> environment) {
-    pid_t process = 0;
-    const int error = posix_spawn(&process, arguments[0].c_str(), &files_, &attributes_, pointers(arguments).data(),
-                                  pointers(environment).data());
-    if (error != 0) refuse(arguments[0], std::string("the program cannot be started: ") + std::strerror(error), "");
-    return process;
-  }
+  const sigset_t& before() const { return before_; }
 
  private:
-  static std::vector<char*> pointers(std::vector<std::string>& texts) {
-    std::vector<char*> result;
-    for (std::string& text : texts) result.push_back(text.data());
-    result.push_back(nullptr);
-    return result;
-  }
-
-  posix_spawn_file_actions_t files_;
-  posix_spawnattr_t attributes_;
+  sigset_t held_{}, before_{};
 };
 
-void bound(pid_t process, const ConversionLimits& limits) {
-#ifdef __linux__
-  const auto set = [process](auto resource, std::size_t value) {
-    const rlimit limit{value, value};
-    ::prlimit(process, resource, &limit, nullptr);
-  };
-  set(RLIMIT_FSIZE, limits.output_bytes);
-  set(RLIMIT_AS, limits.memory_bytes);
-  set(RLIMIT_CORE, 0);
-#else
-  (void)process;
-  (void)limits;
-#endif
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (std::string& text : texts) result.push_back(text.data());
+  result.push_back(nullptr);
+  return result;
 }
 
-enum class Ending { kGood, kFailed, kTooLong };
+void bound(decltype(RLIMIT_CORE) resource, std::size_t value) {
+  const rlimit limit{value, value};
+  ::setrlimit(resource, &limit);
+}
+
+/// What the new process does before it becomes the other program: only calls that are safe after a fork. Returns where
+/// one of them fails.
+void become(char* const* arguments, char* const* environment, const char* log, const ConversionLimits& limits,
+            const sigset_t& signals, pid_t parent) {
+  ::setpgid(0, 0);
+#ifdef __linux__
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  if (::getppid() != parent) return;
+  bound(RLIMIT_FSIZE, limits.output_bytes);
+  bound(RLIMIT_AS, limits.memory_bytes);
+  bound(RLIMIT_CORE, 0);
+  const int in = ::open("/dev/null", O_RDONLY), out = ::open(log, O_WRONLY | O_CREAT | O_APPEND, 0600);
+  if (in < 0 || out < 0 || ::dup2(in, 0) < 0 || ::dup2(out, 1) < 0 || ::dup2(out, 2) < 0) return;
+  ::signal(SIGCHLD, SIG_DFL);
+  ::sigprocmask(SIG_SETMASK, &signals, nullptr);
+  ::execve(arguments[0], arguments, environment);
+}
+
+constexpr int kExitNotStarted = 127;  // as shells have it
+
+pid_t start(std::vector<std::string> arguments, std::vector<std::string> environment, const std::string& log,
+            const ConversionLimits& limits, const sigset_t& signals) {
+  const std::vector<char*> words = pointers(arguments), settings = pointers(environment);
+  const pid_t parent = ::getpid(), process = ::fork();
+  if (process == 0) {
+    become(words.data(), settings.data(), log.c_str(), limits, signals, parent);
+    ::_exit(kExitNotStarted);
+  }
+  if (process < 0) refuse(arguments[0], std::string("the program cannot be started: ") + std::strerror(errno), "");
+  ::setpgid(process, process);  // whichever of the two comes first
+  return process;
+}
+
+/// Unknown: where nobody waits for processes that end (SIGCHLD ignored), none tells how it ended.
+enum class Ending { kGood, kFailed, kNotStarted, kUnknown, kTooLong, kInterrupted };
+
+Ending ending_of(int status) {
+  if (!WIFEXITED(status)) return Ending::kFailed;
+  if (WEXITSTATUS(status) == kExitNotStarted) return Ending::kNotStarted;
+  return WEXITSTATUS(status) == 0 ? Ending::kGood : Ending::kFailed;
+}
 
 double now_s() {
   timespec time{};
@@ -116,19 +152,20 @@ double now_s() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-Ending wait_for(pid_t process, double seconds) {
+Ending wait_for(pid_t process, double seconds, const HeldSignals& signals) {
   const double end = now_s() + seconds;
   timespec pause{0, 1000000};
   while (true) {
     int status = 0;
     const pid_t ended = ::waitpid(process, &status, WNOHANG);
-    if (ended == process) return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Ending::kGood : Ending::kFailed;
-    if (ended < 0 && errno != EINTR) return Ending::kFailed;
-    if (now_s() > end) {
+    if (ended == process) return ending_of(status);
+    if (ended < 0 && errno != EINTR) return Ending::kUnknown;
+    const bool interrupted = signals.one_came();
+    if (interrupted || now_s() > end) {
       ::kill(-process, SIGKILL);
       while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
       }
-      return Ending::kTooLong;
+      return interrupted ? Ending::kInterrupted : Ending::kTooLong;
     }
     ::nanosleep(&pause, nullptr);
     if (pause.tv_nsec < 20000000) pause.tv_nsec *= 2;
@@ -161,20 +198,22 @@ std::shared_ptr<const std::string> converted_by_gwyddion(const std::string& path
            is_talysurf ? talysurf_remedy
                        : "install it (Debian: apt install gwyddion), or export the measurement as X3P, SDF or SUR");
   }
+  const HeldSignals signals;  // let go after the folder is removed
   const ScratchFolder scratch;
   const std::string absolute = fs::absolute(path).string();
   const std::string target = (scratch.path / "converted.gwy").string(), home = scratch.path.string();
   const fs::path log = scratch.path / "log";
-  SpawnPlan plan(log.string());
-  const pid_t process = plan.start({*program, "--convert-to-gwy=" + target, absolute},
-                                   {"HOME=" + home, "TMPDIR=" + home, "XDG_RUNTIME_DIR=" + home, "PATH=/usr/bin:/bin",
-                                    "LC_ALL=C.UTF-8", "G_SLICE=always-malloc"});
-  bound(process, limits);
-  const Ending how = wait_for(process, limits.seconds);
+  const pid_t process = start({*program, "--convert-to-gwy=" + target, absolute},
+                              {"HOME=" + home, "TMPDIR=" + home, "XDG_RUNTIME_DIR=" + home, "PATH=/usr/bin:/bin",
+                               "LC_ALL=C.UTF-8", "G_SLICE=always-malloc"},
+                              log.string(), limits, signals.before());
+  const Ending how = wait_for(process, limits.seconds, signals);
   if (how == Ending::kTooLong) {
     refuse(path, fmt::format("gwyddion was stopped after {} s on this file", limits.seconds),
            "open it in gwyddion by hand and save it as .gwy");
   }
+  if (how == Ending::kInterrupted) refuse(path, "the conversion by gwyddion was interrupted", "");
+  if (how == Ending::kNotStarted) refuse(*program, "the program cannot be started", "reinstall it");
   std::error_code error;
   if (how == Ending::kFailed || !fs::exists(target, error)) {
     const std::string said = first_words(log, absolute);
