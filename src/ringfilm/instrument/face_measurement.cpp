@@ -19,6 +19,7 @@ using surface::FaceRule;
 using surface::FaceZero;
 using surface::HeightSense;
 
+constexpr double kFlatShare = 0.25;    // of a land that is not round
 constexpr double kManyPores = 0.3;     // a sprayed face of styles2014 has 0.15
 constexpr double kEdgeMoved_m = 1e-7;  // as fine as anyone reads the height of an edge
 
@@ -105,23 +106,29 @@ class Group {
 struct OtherTilts {
   double lower, higher;
   double edge_m;  ///< by which an edge moves between the three, at most
+  /// Width of the flat part: the land of height h is flat + k sqrt(h) wide between flanks that begin as parabolas.
+  double flat_m;
 };
 
 std::optional<OtherTilts> other_tilts(const surface::Trace& trace, const FaceRule& rule, const FaceFit& fit) {
   if (rule.levelling != FaceLevelling::kLand) return std::nullopt;
-  const auto tilt = [&](double factor) {
+  struct Land {
+    double tilt = std::nan(""), width_m = std::nan("");
+  };
+  const auto land = [&](double factor) {
     FaceRule other = rule;
     other.land_height_m *= factor;
     try {
-      return surface::fit_face(trace, other).tilt;
+      const FaceFit of = surface::fit_face(trace, other);
+      return Land{of.tilt, of.land_to_m - of.land_from_m};
     } catch (const InputError&) {
-      return std::nan("");
+      return Land{};
     }
   };
-  const double lower = tilt(0.5), higher = tilt(2);
-  const double most = std::fmax(fit.tilt, std::fmax(lower, higher));
-  const double least = std::fmin(fit.tilt, std::fmin(lower, higher));
-  return OtherTilts{lower, higher, (most - least) * rule.width_m};
+  const Land low = land(0.5), high = land(2);
+  const double most = std::fmax(fit.tilt, std::fmax(low.tilt, high.tilt));
+  const double least = std::fmin(fit.tilt, std::fmin(low.tilt, high.tilt));
+  return OtherTilts{low.tilt, high.tilt, (most - least) * rule.width_m, 2 * low.width_m - high.width_m};
 }
 
 /// "lands of 0.5 um, 1 um, 2 um take 1, 1.2, none mrad off".
@@ -283,6 +290,14 @@ std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, co
         fmt::format("the land is not flat, and its level depends on where it ends: {}, {} from edge to edge; "
                     "where the tilt of the holder is known, state it with --tilt",
                     tilts_text(rule, fit, *tilts), micrometres(tilts->edge_m)));
+  }
+  const double land_m = fit.land_to_m - fit.land_from_m;
+  if (tilts && tilts->flat_m < kFlatShare * land_m) {
+    notes.push_back(
+        fmt::format("the land is round: hardly any of its {} is flat. A round land is as round when it is tilted, so "
+                    "that making it level does not find the tilt of the holder; state that tilt with --tilt, or leave "
+                    "the trace as measured with --levelling none",
+                    millimetres(land_m)));
   }
   bool of_its_own = false;
   for (const surface::InventedShape& shape : fit.invented) {

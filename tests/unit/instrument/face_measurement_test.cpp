@@ -14,8 +14,9 @@ using ::testing::Not;
 
 constexpr double kWidth = 1.2e-3;
 
-/// A land of 0.4 mm between two flanks that rise as a parabola, or a face that is crowned more on one side.
-enum class LandOf { kFlat, kCrowned };
+/// A land of 0.4 mm between two flanks that rise as a parabola, or a face that is crowned more on one side, or one that
+/// is round all over and tilted.
+enum class LandOf { kFlat, kCrowned, kRound };
 
 TraceFile trace(LandOf land) {
   TraceFile file;
@@ -25,8 +26,10 @@ TraceFile trace(LandOf land) {
     const double x = kWidth * i / 1200, u = x - kWidth / 2;
     const double beyond = std::max(0.0, std::abs(u) - 0.2e-3);
     file.trace.x_m.push_back(x);
-    file.trace.height_m.push_back(land == LandOf::kFlat ? 60 * beyond * beyond
-                                                        : 25 * u * u + 2e4 * u * u * u + 6e7 * u * u * u * u);
+    double height = 60 * beyond * beyond;
+    if (land == LandOf::kCrowned) height = 25 * u * u + 2e4 * u * u * u + 6e7 * u * u * u * u;
+    if (land == LandOf::kRound) height = 30 * u * u + 3e-3 * u;
+    file.trace.height_m.push_back(height);
   }
   return file;
 }
@@ -60,6 +63,19 @@ TEST(FaceMeasurement, IsSoundAndCarriesOneFragment) {
 TEST(FaceMeasurement, TellsALandThatIsNotFlat) {
   EXPECT_THAT(all_notes(measured(trace(LandOf::kCrowned))), HasSubstr("the land is not flat"));
   EXPECT_THAT(all_notes(measured(trace(LandOf::kFlat))), Not(HasSubstr("the land is not flat")));
+}
+
+TEST(FaceMeasurement, TellsARoundLandWhoseTiltNobodyCanFind) {
+  const io::Measurement round = measured(trace(LandOf::kRound));
+  EXPECT_THAT(all_notes(round), HasSubstr("the land is round"));
+  EXPECT_THAT(all_notes(round), HasSubstr("--levelling none"));
+  EXPECT_THAT(all_notes(measured(trace(LandOf::kFlat))), Not(HasSubstr("the land is round")));
+  surface::FaceRule stated = rule();
+  stated.levelling = surface::FaceLevelling::kStated;
+  stated.tilt = 3e-3;
+  const TraceFile file = trace(LandOf::kRound);
+  const surface::FaceFit fit = surface::fit_face(file.trace, stated);
+  EXPECT_THAT(all_notes(face_measurement(file, stated, fit, std::nullopt)), Not(HasSubstr("the land is round")));
 }
 
 TEST(FaceMeasurement, HasCoefficientsInSi) {
