@@ -95,10 +95,11 @@ LineSpectrum line_spectrum(const HeightMap& map, LineDirection direction) {
   const std::size_t points = along_x ? map.points_x : map.points_y, lines = along_x ? map.points_y : map.points_x;
   if (points < kLeastPoints) too_short();
   LinePower power(points, along_x ? map.step_x_m : map.step_y_m);
-  std::vector<double> heights(kLinesAtATime * points);
-  std::vector<unsigned char> measured(kLinesAtATime * points);
-  for (std::size_t begin = 0; begin < lines; begin += kLinesAtATime) {
-    const std::size_t count = std::min(kLinesAtATime, lines - begin);
+  const std::size_t at_a_time = std::min(kLinesAtATime, lines);  // a long profile is one line
+  std::vector<double> heights(at_a_time * points);
+  std::vector<unsigned char> measured(at_a_time * points);
+  for (std::size_t begin = 0; begin < lines; begin += at_a_time) {
+    const std::size_t count = std::min(at_a_time, lines - begin);
     for (std::size_t i = 0; i < points; ++i) {
       for (std::size_t c = 0; c < count; ++c) {
         const std::size_t point = along_x ? map.index(i, begin + c) : map.index(begin + c, i);

@@ -1,6 +1,7 @@
 #include "ringfilm/surface/spectrum.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <numbers>
 
@@ -69,6 +70,20 @@ TEST(Spectrum, OfAGaussianFieldFollowsItsLaw) {
     // Half of the waves of a ring are independent, the window ties some 2.25 together; 1 % for the ring's width.
     EXPECT_NEAR(of.density_m4[k] / law, 1, 5 * std::sqrt(2 * 2.25 / static_cast<double>(of.waves[k])) + 0.03) << f;
   }
+}
+
+TEST(Spectrum, OfALongProfileTakesASmallMultipleOfItsHeights) {
+  constexpr std::size_t kPoints = 2000000;
+  const HeightMap map = map_of(kPoints, 1, 1e-6, 1e-6, [](double x, double) { return std::sin(1e5 * x); });
+  const auto most_kib = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  const long before = most_kib();
+  EXPECT_EQ(line_spectrum(map, LineDirection::x).lines, 1u);
+  // Heights, mask, window, sums, waves and what the transform holds: 9 times the heights, 16 MB.
+  EXPECT_LT(most_kib() - before, 12 * 8 * static_cast<long>(kPoints) / 1024);
 }
 
 TEST(Spectrum, TooFewPointsAreRefused) {
