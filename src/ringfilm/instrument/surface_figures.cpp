@@ -33,7 +33,7 @@ io::MeasuredMap height_map(const PreparedSurface& surface, const std::string& na
   picture.step_x = map.step_x_m;
   picture.step_y = map.step_y_m;
   picture.long_name = "height";
-  picture.unit = "m";
+  picture.unit = std::string("m");
   picture.display_unit = "um";
   picture.values.resize(map.points());
   for (std::size_t i = 0; i < map.points(); ++i) picture.values[i] = height_or_none(map, i);
