@@ -184,10 +184,10 @@ void ResultFileWriter::describe(const std::string& variable, const char* attribu
   check(nc_put_att_double(file_, number, attribute, NC_DOUBLE, 1, &value), variable);
 }
 
-std::string ResultFileWriter::bytes() {
+std::string_view ResultFileWriter::bytes() {
   NC_memio content{};
   check(nc_close_memio(std::exchange(file_, -1), &content), "the file");
-  const std::unique_ptr<void, decltype(&std::free)> owner(content.memory, &std::free);
+  content_.reset(content.memory);
   const auto* bytes = static_cast<const unsigned char*>(content.memory);
   return {static_cast<const char*>(content.memory), length_in_superblock(bytes, content.size)};
 }
