@@ -132,7 +132,6 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
   if (scatter.without_scatter != "both") {
     const bool few = std::max(ring.measures.size(), liner.measures.size()) < kEnoughForScatter;
     if (few) all.notes.push_back(few_samples_note(std::max(ring.measures.size(), liner.measures.size())));
-    all.tables.push_back(covariance_table(scatter.covariance_log));
   }
 
   const std::string rule = measured_with(ring, liner);
@@ -145,6 +144,7 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
   }
   all.tables.push_back(side_table(ring, analysis, "What the ring brings into the pair"));
   all.tables.push_back(side_table(liner, analysis, "What the liner brings into the pair"));
+  if (scatter.without_scatter != "both") all.tables.push_back(covariance_table(scatter.covariance_log));
   for (const Side* side : {&ring, &liner}) {
     const PreparedSurface& surface = side->surfaces.front();
     if (surface.map.is_profile()) continue;
