@@ -82,6 +82,16 @@ TEST(DigitalSurf, OtherKindsAreRefusedByName) {
   EXPECT_THAT(refusal("a.sur", "DSCOMPRESSED" + std::string(600, 'x')), HasSubstr("save it without compression"));
 }
 
+TEST(DigitalSurf, AFileCutByOneByteSaysFromWhereItCounts) {
+  Sur sur;
+  sur.comment_size = 77;
+  std::string bytes = sur.bytes();
+  bytes.pop_back();
+  EXPECT_THAT(refusal("a.sur", bytes),
+              HasSubstr("byte 589: the map of 3 x 2 points needs 24 bytes from byte 589 on, and there are 23: the file "
+                        "ends after 612"));
+}
+
 TEST(DigitalSurf, WhatIsWrittenIsReadBack) {
   surface::HeightMap map;
   map.points_x = 4;
