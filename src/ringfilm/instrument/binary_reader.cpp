@@ -70,6 +70,12 @@ std::string BinaryReader::text(std::size_t offset, std::size_t length, const std
   return trimmed(utf8_from(field));
 }
 
+void BinaryReader::end_at(std::size_t offset, const std::string& what) const {
+  if (offset >= bytes_.size()) return;
+  refuse_at(offset, fmt::format("{} ends here, and {} more bytes follow", what, bytes_.size() - offset),
+            "the size in the header is smaller than the data: copy or export the file again");
+}
+
 void BinaryReader::refuse_at(std::size_t offset, const std::string& message, const std::string& remedy) const {
   refuse(file_, fmt::format("byte {}: {}", offset, message), remedy);
 }

@@ -92,6 +92,18 @@ TEST(DigitalSurf, AFileCutByOneByteSaysFromWhereItCounts) {
                         "ends after 612"));
 }
 
+TEST(DigitalSurf, AHeaderSmallerThanTheDataIsRefused) {
+  Sur sur;
+  sur.comment_size = 77;
+  sur.points_y = 1;
+  EXPECT_THAT(refusal("a.sur", sur.bytes()),
+              HasSubstr("byte 601: the map of 3 x 1 points ends here, and 12 more bytes follow"));
+  sur.points_y = 2;
+  EXPECT_THAT(refusal("a.sur", sur.bytes() + "x"),
+              HasSubstr("byte 613: the map of 3 x 2 points ends here, and 1 more"));
+  EXPECT_EQ(refusal("a.sur", sur.bytes()), "");
+}
+
 TEST(DigitalSurf, WhatIsWrittenIsReadBack) {
   surface::HeightMap map;
   map.points_x = 4;
