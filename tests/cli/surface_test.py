@@ -118,6 +118,9 @@ class Numbers(SurfaceTest):
         of = self.json_of("rough.csv", *self.STATED, "--grid", "2x2")
         self.assertGreater(of["values"]["asperity_density"]["standard_error"], 0)
         self.assertEqual(len(of["tables"]["regions"]["row_labels"]), 4)
+        self.assertFalse(any("overlap" in note for note in of["notes"]))
+        of = self.json_of("rough.csv", *self.STATED, "--grid", "2x2", "--region", "8, 8, 8, 8 um")
+        self.assertTrue(any("overlap" in note for note in of["notes"]))
 
 
     def test_files_of_one_surface_give_a_mean_and_a_covariance(self):
