@@ -101,7 +101,10 @@ std::string text_of(const pugi::xml_node& parent, const std::string& name) {
 
 std::shared_ptr<pugi::xml_document> parsed(const Description& about, const std::string& xml) {
   auto document = std::make_shared<pugi::xml_document>();
-  const pugi::xml_parse_result result = document->load_buffer(xml.data(), xml.size(), pugi::parse_default);
+  // The bytes are parsed as check_main saw them. Latin-1 passes too: its markup is ASCII, and utf8_from reads its
+  // texts.
+  const pugi::xml_parse_result result =
+      document->load_buffer(xml.data(), xml.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!result) {
     refuse(about.path, fmt::format("main.xml, byte {}: {}", result.offset, result.description()),
            "the file was damaged on its way: copy it again from the instrument");
@@ -116,6 +119,10 @@ std::shared_ptr<pugi::xml_document> parsed(const Description& about, const std::
 /// The check sum of main.xml stands in an entry of its own. An archive without it is let through with a note.
 void check_main(const Description& about, const ZipArchive& archive, const std::string& xml,
                 std::vector<std::string>& notes) {
+  if (const std::size_t zero = xml.find('\0'); zero != std::string::npos) {
+    refuse(about.path, fmt::format("main.xml, byte {}: a zero byte, so that it is not written in UTF-8", zero),
+           "export the file again, with main.xml in UTF-8");
+  }
   if (xml.find("<!DOCTYPE") != std::string::npos) {
     refuse(about.path, "main.xml has a DOCTYPE, which may hide entities that unfold without end",
            "no X3P needs one: export the file again");
