@@ -195,6 +195,17 @@ void read_sizes(Description& about, const pugi::xml_node& record3) {
   about.layers = layers;
 }
 
+/// Of a single row or column, the step across it says nothing: instruments write 0 there.
+void check_increments(const Description& about) {
+  const auto check = [&about](const Axis& axis, std::size_t points, const char* name) {
+    if (axis.increment > 0 || (axis.by_step && points == 1)) return;
+    refuse_element(about, fmt::format("{}/Increment", name), fmt::format("{} is no step", axis.increment),
+                   "a number above zero is wanted: export the file again");
+  };
+  check(about.x, about.points_x, "CX");
+  check(about.y, about.points_y, "CY");
+}
+
 void read_links(Description& about, const pugi::xml_node& record3) {
   if (const pugi::xml_node link = find(record3, "DataLink")) {
     about.point_entry = text_of(link, "PointDataLink");
@@ -284,8 +295,8 @@ class Collector {
       values.missing[i] = 1;
       values.value[i] = 0;
     }
-    values.step_x = std::abs(about_.x.increment);
-    values.step_y = about_.points_y > 1 ? std::abs(about_.y.increment) : 0;
+    values.step_x = about_.x.increment;
+    values.step_y = about_.points_y > 1 ? about_.y.increment : 0;
     return values;
   }
 
@@ -436,6 +447,7 @@ InstrumentFile read_x3p(const std::string& path) {
   }
   about.is_profile = text_of(record1, "FeatureType") == "PRF";
   read_sizes(about, record3);
+  check_increments(about);
   read_links(about, record3);
   read_origin(find(root, "Record2"), result);
   for (std::size_t layer = 0; layer < about.layers; ++layer) {
