@@ -24,8 +24,8 @@ void sweep(LaneBlock& block) {
 }
 
 template <class Real, class One>
-void complete(const FilmView& film, const FittedOilView& oil, const FilmContent& to) {
-  AlongFace<Real, One>::complete(film, oil, to);
+void content(const FilmView& film, const FittedOilView& oil, double* to) {
+  AlongFace<Real, One>::content(film, oil, to);
 }
 
 template <class Real, class One>
@@ -33,9 +33,9 @@ void read_lane(const LaneView& lane, int n_nodes, const FilmPressure& to) {
   AlongFace<Real, One>::read(lane, n_nodes, to);
 }
 
-template <class Real, class One>
-FilmSums sums(const FilmView& film, const StepView& step) {
-  return AlongFace<Real, One>::sums(film, step);
+template <class Real, class One, class Oil>
+FilmSums sums(const FilmView& film, const Oil& oil, const StepView& step, const FluxesWanted& fluxes) {
+  return AlongFace<Real, One>::sums(film, oil, step, fluxes);
 }
 
 template <class Real, class One>
@@ -51,9 +51,10 @@ constexpr FilmKernels kernels_of(std::string_view name) {
           kWidth,
           sweep<Real, Real>,
           sweep<One, Real>,
-          complete<Real, One>,
+          content<Real, One>,
           read_lane<Real, One>,
-          sums<Real, One>,
+          sums<Real, One, FittedOilView>,
+          sums<Real, One, NodalOilView>,
           contact_sums<Real, One>};
 }
 

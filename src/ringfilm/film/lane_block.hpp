@@ -14,6 +14,7 @@ inline constexpr int kFluiditySlopeTerms = models::OilFit::kFluiditySlopeDegree 
 inline constexpr int kDensityTerms = models::OilFit::kDensityDegree + 1;
 inline constexpr int kDensitySlopeTerms = models::OilFit::kDensitySlopeDegree + 1;
 inline constexpr int kContactTerms = models::ContactFit::kDegree + 1;
+inline constexpr int kContactSlopeTerms = models::ContactFit::kSlopeDegree + 1;
 
 /// Where oil and contact come from; one choice for all lanes of a block.
 enum class LaneLaws {
@@ -67,11 +68,12 @@ struct LaneBlock {
   alignas(64) Lanes fit_centre, fit_inverse_half_width;  ///< [Pa], [1/Pa]
   alignas(64) Lanes fit_K[kFluidityTerms], fit_dK[kFluiditySlopeTerms];
   alignas(64) Lanes fit_rho[kDensityTerms], fit_drho[kDensitySlopeTerms];
-  alignas(64) Lanes contact_spread;   ///< 1: contact at the local gap; 0: at h_m on the whole face
-  alignas(64) Lanes contact_reach;    ///< beyond this gap there is none; negative: nowhere [m]
-  alignas(64) Lanes contact_scale;    ///< of the pressure [Pa]
-  alignas(64) Lanes contact_per_gap;  ///< from the gap to the polynomial's t = -1 ... 1 [1/m]
-  double contact[kContactTerms];      ///< eighth root of F_5/2 in t
+  alignas(64) Lanes contact_spread;             ///< 1: contact at the local gap; 0: at h_m on the whole face
+  alignas(64) Lanes contact_reach;              ///< beyond this gap there is none; negative: nowhere [m]
+  alignas(64) Lanes contact_scale;              ///< of the pressure [Pa]
+  alignas(64) Lanes contact_per_gap;            ///< from the gap to the polynomial's t = -1 ... 1 [1/m]
+  double contact[kContactTerms];                ///< eighth root of F_5/2 in t
+  double contact_slope_of[kContactSlopeTerms];  ///< its slope in t
 
   // Outcome of a sweep
   alignas(64) Lanes excess;     ///< W_h + W_a - W before the update [N/m]

@@ -110,6 +110,7 @@ void LaneNewton::bind(int lane, const FilmProblem& problem) {
   block_.contact_scale[lane] = contact.pressure_scale();
   block_.contact_per_gap[lane] = 2 / reach;
   for (int k = 0; k < kContactTerms; ++k) block_.contact[k] = contact.fit()->P52[k];
+  for (int k = 0; k < kContactSlopeTerms; ++k) block_.contact_slope_of[k] = contact.fit()->P52_slope[k];
 }
 
 void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess,

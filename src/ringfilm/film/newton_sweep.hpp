@@ -132,7 +132,7 @@ class NewtonSweep {
       sum<kFluiditySlopeTerms>(b_.fit_dK, t, film.dK, slot);
       sum<kDensityTerms>(b_.fit_rho, t, film.rho, slot);
       sum<kDensitySlopeTerms>(b_.fit_drho, t, film.drho, slot);
-      for (int a = 0; a < kAbreast; ++a) add_contact(i, a);
+      add_contact(i);
     } else {
       for (int a = 0; a < kAbreast; ++a) {
         put(seen(b_.K, i, a), film.K, slot, a);
@@ -143,29 +143,34 @@ class NewtonSweep {
     }
   }
 
-  /// Adds the load of the asperities at nodes abreast, and its slope in h_m.
-  RINGFILM_INLINE void add_contact(int i, int a) {
-    const Visitor gap = of_lanes(b_.h_m) + of_lanes(b_.contact_spread) * seen(b_.node_height, i, a);
-    const auto inside = gap < of_lanes(b_.contact_reach);
-    if (!Visitor::any(inside)) return;
-    const Visitor per_gap = of_lanes(b_.contact_per_gap);
-    const Visitor lowest = max(Visitor(0), gap);  // below no gap both go on along the tangent
-    // Lanes out of reach count for nothing, but must be numbers.
-    const Visitor t = min(Visitor(1), lowest * per_gap - Visitor(1));
-    Visitor root(b_.contact[kContactTerms - 1]);
-    Visitor root_slope(0);
-#pragma GCC unroll 32
-    for (int k = kContactTerms - 2; k >= 0; --k) {
-      root_slope = root_slope * t + root;
-      root = root * t + Visitor(b_.contact[k]);
+  /// Adds the load of the asperities at the nodes abreast from i on, and its slope in h_m.
+  RINGFILM_INLINE void add_contact(int i) {
+    const Visitor h_m = of_lanes(b_.h_m), spread = of_lanes(b_.contact_spread), reach = of_lanes(b_.contact_reach);
+    Visitor gap[kAbreast], least(1e300);
+    for (int a = 0; a < kAbreast; ++a) {
+      gap[a] = h_m + spread * seen(b_.node_height, i, a);
+      least = min(least, gap[a]);
     }
-    const Visitor square = root * root;
-    const Visitor fourth = square * square;
-    const Visitor dF = Visitor(8) * fourth * square * root * root_slope * per_gap;
-    const Visitor F = fourth * fourth + dF * (gap - lowest);
-    const Visitor weight = select(inside, seen(b_.share, i, a) * of_lanes(b_.contact_scale), Visitor(0));
-    load_ += weight * F;
-    slope_ += weight * dF;
+    if (!Visitor::any(least < reach)) return;
+    const Visitor per_gap = of_lanes(b_.contact_per_gap);
+    Visitor lowest[kAbreast], t[kAbreast], root[kAbreast], root_slope[kAbreast];
+    for (int a = 0; a < kAbreast; ++a) {
+      lowest[a] = max(Visitor(0), gap[a]);  // below no gap load and slope go on along the tangent
+      // Lanes out of reach count for nothing, but must be numbers.
+      t[a] = min(Visitor(1), lowest[a] * per_gap - Visitor(1));
+    }
+    base::sum_of_powers<kContactTerms, kAbreast>(b_.contact, t, root);
+    base::sum_of_powers<kContactSlopeTerms, kAbreast>(b_.contact_slope_of, t, root_slope);
+    const Visitor scale = of_lanes(b_.contact_scale);
+    for (int a = 0; a < kAbreast; ++a) {
+      const Visitor square = root[a] * root[a];
+      const Visitor fourth = square * square;
+      const Visitor dF = Visitor(8) * fourth * square * root[a] * root_slope[a] * per_gap;
+      const Visitor F = fourth * fourth + dF * (gap[a] - lowest[a]);
+      const Visitor weight = select(gap[a] < reach, seen(b_.share, i, a) * scale, Visitor(0));
+      load_ += weight * F;
+      slope_ += weight * dF;
+    }
   }
 
   RINGFILM_INLINE Node node(const Film& film, int k) const {
