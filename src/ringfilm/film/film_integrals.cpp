@@ -111,26 +111,15 @@ double front_position(const FilmGrid& grid, const std::vector<double>& p, double
   return grid.x[i] + std::min(straight, 1.0) * cell;
 }
 
-/// The first node from `i` on, and before `n`, that is a cavity, or that is none; n if there is no such.
-int next_node(const double* deficit, int i, int n, bool cavity) {
-  constexpr int kAtOnce = 8;
-  for (; i + kAtOnce <= n; i += kAtOnce) {
-    int cavities = 0;
-    for (int k = 0; k < kAtOnce; ++k) cavities += is_cavity(deficit[i + k]);
-    if (cavities != (cavity ? 0 : kAtOnce)) break;
-  }
-  while (i < n && is_cavity(deficit[i]) != cavity) ++i;
-  return i;
-}
-
 void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, FilmIntegrals& sums) {
   const FilmGrid& grid = problem.grid;
   const int n = grid.n_cells();
   const double* deficit = state.deficit.data();
-  for (int i = next_node(deficit, 1, n, true); i < n; i = next_node(deficit, i, n, true)) {
+  const auto next = [&](int i, bool cavity) { return problem.kernels->next_node(deficit, i, n, cavity); };
+  for (int i = next(1, true); i < n; i = next(i, true)) {
     Cavity cavity;
     cavity.begin = front_position(grid, state.p, inputs.p_cavitation, i - 1, i);
-    i = next_node(deficit, i, n, false);
+    i = next(i, false);
     cavity.end = std::max(front_position(grid, state.p, inputs.p_cavitation, i, i - 1), cavity.begin);
     sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
     sums.cavities.push_back(cavity);

@@ -102,6 +102,17 @@ class AlongFace {
     visit_nodes<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY { read_at<Some>(lane, to, i); });
   }
 
+  /// The first node from `i` on, and before `end`, that is a cavity, or that is none; `end` if there is no such.
+  RINGFILM_INLINE static int next_node(const double* deficit, int i, int end, bool cavity) {
+    const double sign = cavity ? 1 : -1;
+    while (i + Real::kWidth <= end &&
+           !Real::any(Real(sign) * (Real::load(deficit + i) - Real(kHardlyCavity)) > Real(0))) {
+      i += Real::kWidth;
+    }
+    while (i < end && (deficit[i] > kHardlyCavity) != cavity) ++i;
+    return i;
+  }
+
   /// With oil that is given.
   RINGFILM_INLINE static FilmSums sums(const FilmView& film, const NodalOilView& oil, const StepView& step,
                                        const FluxesWanted& fluxes) {

@@ -17,6 +17,7 @@ struct FilmKernels {
   void (*read)(const LaneView&, int n_nodes, const FilmPressure&);
   FilmSums (*sums)(const FilmView&, const FittedOilView&, const StepView&, const FluxesWanted&);
   FilmSums (*sums_of_given_oil)(const FilmView&, const NodalOilView&, const StepView&, const FluxesWanted&);
+  int (*next_node)(const double* deficit, int i, int end, bool cavity);
   ContactSums (*contact)(const FilmView&, const FittedContactView&);
 };
 

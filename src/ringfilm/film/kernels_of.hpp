@@ -39,6 +39,11 @@ FilmSums sums(const FilmView& film, const Oil& oil, const StepView& step, const 
 }
 
 template <class Real, class One>
+int next_node(const double* deficit, int i, int end, bool cavity) {
+  return AlongFace<Real, One>::next_node(deficit, i, end, cavity);
+}
+
+template <class Real, class One>
 ContactSums contact_sums(const FilmView& film, const FittedContactView& contact) {
   return AlongFace<Real, One>::contact(film, contact);
 }
@@ -55,6 +60,7 @@ constexpr FilmKernels kernels_of(std::string_view name) {
           read_lane<Real, One>,
           sums<Real, One, FittedOilView>,
           sums<Real, One, NodalOilView>,
+          next_node<Real, One>,
           contact_sums<Real, One>};
 }
 

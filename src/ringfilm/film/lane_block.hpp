@@ -89,4 +89,7 @@ struct LaneBlock {
 /// its side: of pressure in the film, of the fill in the cavity.
 inline constexpr double kBeyondKink = 1e-10;
 
+/// A node with no larger deficit was left just beyond the kink: it is full, at p_c.
+inline constexpr double kHardlyCavity = 10 * kBeyondKink;
+
 }  // namespace ringfilm::film
