@@ -210,7 +210,9 @@ class NewtonSweep {
   RINGFILM_INLINE Real forward() {
     const int n = b_.n_cells;
     load_ = slope_ = Visitor(0);
-    const Real rate = Real::load(b_.rate);
+    const Real rate = Real::load(b_.rate), left_h = Real::load(b_.left_h);
+    const Mask goes_on = Real::load(b_.goes_on) > Real(0);
+    const bool some_go_on = Real::any(goes_on);
     Real row(0), upper(0), column(0), rhs(0);  // of the node before, eliminated
     Real by_column(0), by_rhs(0);              // what the elimination takes off the load row
 
@@ -235,7 +237,12 @@ class NewtonSweep {
         const Real volume = share * rate;
         const Real stored = volume * h;  // times rho theta
         const Real filled = kFill ? here.rho * here.theta : here.rho;
-        Real residual = stored * filled - at(b_.inflow, i) + (out.value - in.value);
+        Real inflow = at(b_.inflow, i);
+        if (some_go_on) {
+          inflow = select(goes_on, volume * (filled * (left_h + height)), inflow);
+          inflow.store(b_.inflow + i * kWidth);
+        }
+        Real residual = stored * filled - inflow + (out.value - in.value);
         Real diagonal = out.by_left - in.by_right;
         if constexpr (kFill) {
           diagonal += stored * select(here_is_film, here.drho, here.rho * inverse_fill_scale_);
