@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "command_words.hpp"
 #include "commands.hpp"
 #include "exit_codes.hpp"
 #include "ringfilm/base/error.hpp"
@@ -23,6 +24,12 @@ constexpr const char* kFooter = R"(Examples:
   ringfilm report my_engine.nc --output my_engine.html
   ringfilm reproduce styles2014
   ringfilm verify
+  ringfilm surface liner.x3p --form cylinder --html liner.html
+  ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --fragment contact.toml
+  ringfilm face trace.csv --heights material --width "1.2 mm" --fragment face.toml
+  ringfilm lateral-force new.csv --silicon silicon.csv --reference ahimou2007 --fragment shear.toml
+  ringfilm synthetic honed liner.x3p --hatch-angle "45 degree" --seed 7
+  ringfilm reproduce measured
 
 Exit codes: 0 done, 1 internal error, 2 bad input, 3 no balance found, 4 a check failed, 5 could not write.
 )";
@@ -59,6 +66,7 @@ constexpr const char* kNewFooter = R"(Examples:
 constexpr const char* kReproduceFooter = R"(Examples:
   ringfilm reproduce styles2014
   ringfilm reproduce styles2014 --output paper
+  ringfilm reproduce measured --output measured
 )";
 
 constexpr const char* kReportFooter = R"(Examples:
@@ -204,7 +212,9 @@ class Commands {
       reproduce_.jobs = jobs();
       reproduce(reproduce_);
     });
-    command.add_option("publication", reproduce_.publication, "styles2014: three rings, new, run-in and embedded")
+    command
+        .add_option("publication", reproduce_.publication,
+                    "styles2014: three rings, new, run-in and embedded; measured: the same from files of instruments")
         ->required()
         ->type_name("");
     command.add_option("--output", reproduce_.folder, "folder for results and report (default ./<publication>)")
@@ -223,6 +233,14 @@ class Commands {
     command.add_flag("--json", verify_json_, "print the rows as JSON, SI units, instead of the table");
     command.add_option("--output", verify_.output, "write the same as a web page")->type_name("X.html");
     command.footer(kVerifyFooter);
+  }
+
+  /// Commands that read instruments.
+  void add_measuring() {
+    add_surface_commands(program_, actions_);
+    add_face_command(program_, actions_);
+    add_lateral_force_command(program_, actions_);
+    add_synthetic_command(program_, actions_);
   }
 
   /// What the chosen command does.
@@ -250,7 +268,7 @@ class Commands {
   int jobs() const { return jobs_ ? jobs_of(*jobs_) : 0; }
 
   CLI::App& program_;
-  std::vector<std::pair<CLI::App*, std::function<void()>>> actions_;
+  Actions actions_;
   CaseWords run_words_, check_words_;
   std::optional<std::string> output_, csv_, jobs_;
   bool json_ = false, ledger_ = false, error_estimate_ = false;
@@ -276,6 +294,7 @@ Request read_command_line(int argc, const char* const* argv) {
   commands->add_report();
   commands->add_reproduce();
   commands->add_verify();
+  commands->add_measuring();
   commands->add_fields();
   commands->add_new();
   try {

@@ -31,7 +31,7 @@ void report(const ReportOptions& options) {
   std::vector<ringfilm::report::Overlay> overlays;
   const io::Units units;
   for (const std::string& path : options.overlays) {
-    for (const io::MeasuredCurve& curve : io::read_overlay(path, units)) {
+    for (const io::OverlayCurve& curve : io::read_overlay(path, units)) {
       overlays.push_back({curve.name, curve.quantity, curve.source, curve.crank_angle_deg, curve.value});
     }
   }

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "computation.hpp"
 #include "engineering_text.hpp"
-#include "ringfilm/cycle/setup.hpp"
+#include "reproduction.hpp"
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/published_file.hpp"
 #include "ringfilm/report/html.hpp"
@@ -24,26 +23,7 @@ namespace fs = std::filesystem;
 /// The rings of the publication, in the order of their life.
 constexpr std::array kRings = {"new", "run-in", "embedded"};
 constexpr const char* kPublication = "styles2014";
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  if (fs::is_directory(folder, error)) return;
-  if (!fs::create_directory(folder, error)) {
-    throw InputError(
-        folder.string() + ": this folder cannot be made: " + (error ? error.message() : "a file stands there"),
-        "name another one with --output");
-  }
-}
-
-/// Crank angles at which the report can show film and pressure along the face: closer where the load is high.
-std::string field_angles() {
-  std::string list;
-  for (int angle = 0; angle < 720; angle += 5) {
-    const bool is_near_firing = angle <= 60 || angle >= 660;
-    if (is_near_firing || angle % 10 == 0) list += (list.empty() ? "" : ", ") + fmt::format("\"{} degree\"", angle);
-  }
-  return "[" + list + "]";
-}
+constexpr const char* kMeasured = "measured";
 
 /// One ring with what is published of it.
 struct RingInput {
@@ -57,10 +37,8 @@ std::vector<RingInput> ring_inputs(const fs::path& cases) {
   const io::Units units;
   std::vector<RingInput> inputs;
   for (const std::string ring : kRings) {
-    inputs.push_back({ring,
-                      io::read_case((cases / (ring + ".toml")).string(), {{"output.fields", field_angles()}}, units),
+    inputs.push_back({ring, case_for_report((cases / (ring + ".toml")).string(), units),
                       io::read_published((cases / "published.toml").string(), ring, units)});
-    cycle::prepare(inputs.back().input);
   }
   return inputs;
 }
@@ -78,11 +56,6 @@ std::vector<io::ResultDocument> computed_rings(const std::vector<RingInput>& rin
     documents.push_back(std::move(done.document));
   }
   return documents;
-}
-
-double error_of(const io::ResultDocument& document, const std::string& quantity) {
-  return document.errors ? document.errors->values.*cycle_quantity(quantity).value
-                         : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string comparison_table(const std::string& ring, const io::ResultDocument& document) {
@@ -125,8 +98,10 @@ std::string rings_table(const std::vector<io::ResultDocument>& documents) {
 }  // namespace
 
 void reproduce(const ReproduceOptions& options) {
+  if (options.publication == kMeasured) return reproduce_measured(options);
   if (options.publication != kPublication) {
-    throw InputError("no publication is called " + options.publication, "known: " + std::string(kPublication));
+    throw InputError("no publication is called " + options.publication,
+                     fmt::format("known: {}, and {}: the same from files of instruments", kPublication, kMeasured));
   }
   const fs::path folder = options.folder.empty() ? fs::path(kPublication) : fs::path(options.folder);
   const fs::path cases = fs::path(io::shipped_folder()) / "cases" / kPublication;

@@ -10,7 +10,7 @@
 /// ringfilm/base/error.hpp; main turns those into exit codes.
 namespace ringfilm::app {
 
-enum class SummaryForm { kTable, kJson };
+enum class SummaryForm { kTable, kJson, kNothing };
 enum class LedgerWanted { kStatements, kComputed };
 enum class ErrorsWanted { kNone, kEstimated };
 
@@ -48,6 +48,10 @@ struct ReproduceOptions {
   int jobs = 0;  ///< threads; 0: as many as the machine runs at once
 };
 void reproduce(const ReproduceOptions& options);
+
+/// The same rings from the synthetic instrument files of cases/measured/: surfaces, faces and friction loops are
+/// measured as by the single commands, what they give becomes cases, and these are run.
+void reproduce_measured(const ReproduceOptions& options);
 
 enum class VerifyWanted { kTable, kJson, kNames };
 

@@ -4,11 +4,14 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
-const { angleInWords, crankTicks, display, howOften, logTicks, number, percent, sentence, shortPath, ticks, tickText, withError, withUnit, wrapped } = await load('units.js');
+const { angleInWords, crankTicks, display, howOften, logTicks, number, numberOrCount, percent, sentence, shortPath, ticks, tickText, typesetSymbol, typesetUnit, withError, withErrorAndPower, withUnit, wrapped } = await load('units.js');
 const { namesByInputs, onCycleAxis, shortNames, stoppedAt } = await load('model.js');
 const { figureCsv, fileStem } = await load('downloads.js');
 const { figureSvg } = await load('svg.js');
-const { bandOutlines, freePlace } = await load('scales.js');
+const { bandOutlines, freePlace, markIndices, markPlaces } = await load('scales.js');
+const { kHeightColours, kMissingColour } = await load('colour_map.js');
+const { lengthUnit } = await load('map_figure.js');
+const { curveFigure, withoutPoints } = await load('measurement_figures.js');
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
@@ -20,6 +23,85 @@ test('numbers carry four significant digits and a true minus sign', () => {
   assert.equal(number(-0.0005), '−5.000\u202f·\u202f10⁻⁴');
   assert.equal(number(0), '0');
   for (const none of [null, undefined, NaN, Infinity]) assert.equal(number(none), '–');
+});
+
+test('a number just below a power of ten has no exponent', () => {
+  assert.equal(number(999.97, 3), '1000');
+  assert.equal(number(-99999.7, 4), '−100000');
+});
+
+test('a count has neither point nor zeros behind it', () => {
+  assert.equal(numberOrCount(3, ''), '3');
+  assert.equal(numberOrCount(-1624, ''), '−1624');
+  assert.equal(numberOrCount(3, 'µm'), '3.000');
+  assert.equal(numberOrCount(0.5, ''), '0.5000');
+  assert.equal(numberOrCount(null, ''), '–');
+});
+
+test('value and error far from one share their power of ten', () => {
+  assert.equal(withErrorAndPower(8.1e-8, 3.2e-9, ''), '(8.1 ± 0.4)\u202f·\u202f10⁻⁸');
+  assert.equal(withErrorAndPower(0.412, 0.0123, ''), '0.412 ± 0.013');
+  assert.equal(withErrorAndPower(8.1e-8, null, ''), number(8.1e-8));
+  assert.equal(withErrorAndPower(null, 0.1, ''), '–');
+});
+
+test('units and symbols are printed as people write them', () => {
+  assert.equal(typesetUnit('um-2'), 'µm⁻²');
+  assert.equal(typesetUnit('um3'), 'µm³');
+  assert.equal(typesetUnit('nN V-1'), 'nN V⁻¹');
+  assert.equal(typesetUnit('1'), '');
+  assert.equal(typesetSymbol('N beta sigma'), 'N β σ');
+  assert.equal(typesetSymbol('m4'), 'm4');
+  assert.equal(typesetSymbol('sigma_1'), 'σ_1');
+  assert.equal(typesetSymbol('constructor'), 'constructor');
+  assert.deepEqual([3e-3, 5e-5, 1e-9].map((v) => lengthUnit(v, 2).unit), ['mm', 'µm', 'nm']);
+});
+
+/** CIELAB (CIE 1976) of sRGB, D65: shares no line with the making of the colours. */
+function lab(rgb) {
+  const [r, g, b] = rgb.map((v) => v / 255).map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4));
+  const f = (t) => (t > 216 / 24389 ? Math.cbrt(t) : (24389 / 27 * t + 16) / 116);
+  const [x, y, z] = [(0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505, 0.2126 * r + 0.7152 * g + 0.0722 * b, (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089].map(f);
+  return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
+}
+const apart = (a, b) => Math.hypot(...a.map((v, i) => v - b[i]));
+
+test('colours of heights rise evenly in lightness, and no height is grey', () => {
+  const labs = kHeightColours.map(lab);
+  assert.equal(labs.length, 256);
+  labs.slice(1).forEach((v, k) => assert.ok(v[0] > labs[k][0] - 0.2, `lightness falls at ${k}`));
+  assert.ok(labs[255][0] - labs[0][0] > 70);
+  const steps = [];
+  for (let k = 16; k < 256; k += 16) steps.push(apart(labs[k], labs[k - 16]));
+  // CIELAB and OKLab disagree by about so much on what is even; a rainbow of hues reaches 5.
+  assert.ok(Math.max(...steps) / Math.min(...steps) < 1.6, String(steps));
+  const missing = lab(kMissingColour.match(/[0-9a-f]{2}/g).map((hex) => parseInt(hex, 16)));
+  assert.ok(Math.min(...labs.map((v) => apart(v, missing))) > 25);
+});
+
+test('labels of upright lines stand in rows and inside the plot', () => {
+  const places = markPlaces([{ at: 10, label: 'used' }, { at: 15, label: 'other' }, { at: 98, label: 'last' }, { at: 120, label: 'outside' }], (v) => v, () => 30, 0, 100);
+  assert.deepEqual(places.map((p) => p.label), ['used', 'other', 'last']);
+  assert.deepEqual(places.map((p) => p.row), [0, 1, 0]);
+  assert.ok(places.every((p) => p.left >= 0 && p.left + 30 <= 100));
+});
+
+test('points are all marked, and marks of a line keep even distances on a logarithmic axis', () => {
+  const x = Array.from({ length: 400 }, (_, k) => k + 1);
+  assert.deepEqual(markIndices({ part: 'points', caseIndex: null, x: [1, null, 3], y: [1, 1, null] }, 0, 4, 1), [0]);
+  const marks = markIndices({ part: null, caseIndex: 0, x, y: x }, 1, 400, 2, 'log').map((k) => x[k]);
+  const ratios = marks.slice(1).map((v, k) => v / marks[k]).slice(2);
+  assert.ok(Math.max(...ratios) / Math.min(...ratios) < 1.2, String(ratios));
+});
+
+test('a curve has no point where a logarithmic axis has no place, and is said to have none at all', () => {
+  const axis = (logarithmic) => ({ long_name: 'x', unit: 'um', logarithmic });
+  const curve = { name: 'c', title: 'Curve', caption: 'Given.', x: axis(true), y: axis(true), points: 4, drawn: 4, marks: [{ at: null, label: 'none' }], series: [{ label: 'a', points: false, x: [0, 1, 3, 2], y: [1, -1, 5, 4] }] };
+  const { panels: [panel], caption } = curveFigure(curve);
+  assert.deepEqual([panel.series[0].x, panel.series[0].y], [[1, 2, 3], [null, 4, 5]]);
+  assert.deepEqual([panel.xScale, panel.xUnit, panel.xMarks.length, caption], ['log', 'µm', 0, 'Given.']);
+  assert.match(curveFigure({ ...curve, points: 9000 }).caption, /Drawn from 4 of 9000 points/);
+  assert.deepEqual(withoutPoints([curve, { ...curve, series: [{ ...curve.series[0], y: [null, null, null, null] }] }]).length, 1);
 });
 
 test('an error is rounded up to a digit, and its value to the same place', () => {

@@ -4,7 +4,9 @@
 #include <iostream>
 
 #include "example_document.hpp"
+#include "measurement_example.hpp"
 #include "ringfilm/report/html.hpp"
+#include "ringfilm/report/measurement_page.hpp"
 
 /// Writes the pages that the browser test opens: write_example_pages FOLDER
 int main(int argc, char** argv) {
@@ -52,5 +54,20 @@ int main(int argc, char** argv) {
   bare.result.complete = false;
   bare.result.samples.assign(three[0].result.samples.begin(), three[0].result.samples.begin() + 30);
   const bool bare_written = write("bare.html", report::report_page({bare}, {}));
-  return three_written && hostile_written && coarse_written && bare_written ? 0 : 1;
+
+  const io::Units units;
+  const io::Measurement surface = io::example::measurement(900, 600);
+  const bool surface_written =
+      write("measurement.html", report::measurement_page(surface, units, {"ringfilm 0.0.0", "abc", "g++", ""}));
+  io::Measurement hostile_surface = io::example::measurement();
+  hostile_surface.title = hostile_surface.sources[0] = hostile_surface.notes[0] = hostile_surface.maps[0].title =
+      hostile_surface.maps[0].frames[0].label = hostile_surface.curves[0].title =
+          hostile_surface.curves[1].marks[0].label = hostile_surface.fragment = hostile.title;
+  hostile_surface.groups[0].values[0].remark = hostile_surface.tables[0].row_labels[0] = hostile.title;
+  const bool hostile_surface_written =
+      write("hostile_measurement.html", report::measurement_page(hostile_surface, units, {}));
+  return three_written && hostile_written && coarse_written && bare_written && surface_written &&
+                 hostile_surface_written
+             ? 0
+             : 1;
 }

@@ -42,6 +42,7 @@ enum class TraceOrigin { kNotStated, kMeasured, kComputed, kSynthetic };
 enum class FaceForm { kPolynomial, kParabola, kPoints };
 enum class HeightZero { kMinimum, kAsGiven };
 enum class Orientation { kX0Chamber, kX0Crankcase, kLeadingEdge };
+enum class ContactModulus { kCoating, kBase };
 enum class RoughnessMeasure { kAsGiven, kRaToRq };
 enum class ContactIntegrals { kExact, kPolynomial4Digit, kPolynomialAsPrinted };
 enum class FilmParameter { kLocal, kNominal };
@@ -96,6 +97,16 @@ struct Gas {
   double pressure_behind_ring = 1.0;  ///< share of the absolute gas pressure that acts behind the ring [-]
 };
 
+/// Where a face came from; recorded, and not used by any model.
+struct MeasuredFace {
+  std::optional<std::string> trace;           ///< file of the trace
+  std::optional<double> width;                ///< that the face was fitted over; the ring must have it [m]
+  std::optional<std::string> levelling;       ///< how its tilt was taken off
+  std::optional<double> residual_rms;         ///< of the trace about the face [m]
+  std::optional<double> largest_residual;     ///< [m]
+  std::optional<std::string> invented_shape;  ///< where the face has what the trace has not
+};
+
 struct RingFace {
   FaceForm form{};
   HeightZero height_zero = HeightZero::kMinimum;
@@ -111,6 +122,15 @@ struct RingFace {
   std::string points_file;
   std::vector<double> x;       ///< [m], increasing, covers 0 to the face width
   std::vector<double> height;  ///< [m]
+  MeasuredFace measured;
+};
+
+/// What covers the face of the ring. Contact spots are far smaller than usual coatings are thick.
+struct Coating {
+  std::optional<double> youngs_modulus;  ///< [Pa]; absent: no coating
+  double poissons_ratio = 0;             ///< [-]
+  std::optional<double> thickness;       ///< [m]
+  ContactModulus contact_modulus = ContactModulus::kCoating;
 };
 
 struct Ring {
@@ -123,11 +143,37 @@ struct Ring {
   std::optional<double> free_gap;          ///< [m]
   std::optional<double> radial_thickness;  ///< [m]
   RingFace face;
+  Coating coating;
 };
 
 struct Liner {
   double youngs_modulus = 92.3e9;  ///< [Pa]
   double poissons_ratio = 0.211;   ///< [-]
+};
+
+/// How zeta was measured: standard deviations by origin. The last two are common to all samples of one calibration.
+struct MeasuredShearStrength {
+  std::optional<std::string> loops;             ///< file and sample
+  std::optional<std::string> method;            ///< "silicon", "geometry", "wedge"
+  std::optional<std::string> calibration;       ///< its name; cases that share it are correlated
+  std::optional<double> slope_deviation;        ///< [-]
+  std::optional<double> calibration_deviation;  ///< [-]
+  std::optional<double> reference_deviation;    ///< [-]
+};
+
+/// How N, beta and sigma were measured, and their scatter between the regions. The models do not use it; the numbers of
+/// a study of uncertainty start here.
+struct MeasuredContact {
+  std::optional<std::string> ring_surface, liner_surface;  ///< file, channel, region
+  std::optional<std::string> filter;                       ///< in words
+  std::optional<double> long_cutoff, short_cutoff, step;   ///< [m]
+  std::optional<std::string> roughness_rule, difference_scheme;
+  std::optional<double> regions;                     ///< how many were measured [-]
+  std::optional<double> asperity_density_deviation;  ///< standard deviation between regions [1/m2]
+  std::optional<double> asperity_radius_deviation;   ///< [m]
+  std::optional<double> roughness_deviation;         ///< [m]
+  std::optional<double> density_radius_correlation, density_roughness_correlation, radius_roughness_correlation;
+  MeasuredShearStrength shear_strength;
 };
 
 struct Contact {
@@ -140,6 +186,7 @@ struct Contact {
   std::optional<double> composite_modulus;         ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
   ContactIntegrals integrals = ContactIntegrals::kExact;
   FilmParameter film_parameter = FilmParameter::kLocal;
+  MeasuredContact measured;
 };
 
 struct Lubricant {

@@ -47,6 +47,7 @@ std::vector<Field> all_fields() {
   append_gas_fields(fields);
   append_ring_fields(fields);
   append_contact_fields(fields);
+  append_measured_fields(fields);
   append_lubricant_fields(fields);
   append_run_fields(fields);
   append_pad_fields(fields);

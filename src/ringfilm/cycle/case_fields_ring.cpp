@@ -15,6 +15,10 @@ constexpr When kFourModuliOrFreeGap{
     [](const Case& c) { return !c.contact.composite_modulus || c.ring.free_gap || c.ring.radial_thickness; },
     "contact.composite_modulus is not stated, or the tension comes from ring.free_gap"};
 
+constexpr When kCoated{
+    [](const Case& c) { return !c.contact.composite_modulus && c.ring.coating.youngs_modulus.has_value(); },
+    "ring.coating.youngs_modulus is stated, and contact.composite_modulus is not"};
+
 constexpr Unit kLength{"m", "mm"};
 constexpr Unit kModulus{"Pa", "GPa"};
 
@@ -79,6 +83,42 @@ void append_ring_fields(std::vector<Field>& fields) {
           field("ring.face.file", FileKind{member<&Case::ring, &Ring::face, &RingFace::points_file>}, kNoUnit, {},
                 Need::kRequired, kPoints,
                 {"CSV file of measured points: x [mm],height [um], from x = 0 to the face width", "\"face.csv\""}),
+          field("ring.face.measured.trace",
+                OptionalTextKind{member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::trace>}, kNoUnit,
+                {}, Need::kOptional, {}, {"file of the trace that the face was fitted to", "\"new.csv\""}),
+          field("ring.face.measured.width",
+                OptionalNumberKind{member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::width>},
+                kLength, above(0, 0.05), Need::kOptional, {},
+                {"width that the face was fitted over; ring.face_width must be the same", "\"1.2 mm\""}),
+          field("ring.face.measured.levelling",
+                OptionalTextKind{member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::levelling>},
+                kNoUnit, {}, Need::kOptional, {}, {"how the tilt of the trace was taken off", "\"land\""}),
+          field("ring.face.measured.residual_rms",
+                OptionalNumberKind{member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::residual_rms>},
+                {"m", "um"}, between(0, 1e-3), Need::kOptional, {}, {"rms distance of trace and face", "\"0.05 um\""}),
+          field("ring.face.measured.largest_residual",
+                OptionalNumberKind{
+                    member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::largest_residual>},
+                {"m", "um"}, between(0, 1e-2), Need::kOptional, {},
+                {"largest distance of trace and face", "\"0.2 um\""}),
+          field("ring.face.measured.invented_shape",
+                OptionalTextKind{member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::invented_shape>},
+                kNoUnit, {}, Need::kOptional, {},
+                {"where the face has a shape that its trace has not", "\"x = 1.14 to 1.2 mm: falls\""}),
+          field("ring.coating.youngs_modulus",
+                OptionalNumberKind{member<&Case::ring, &Ring::coating, &Coating::youngs_modulus>}, kModulus,
+                between(1e8, 1e13), Need::kOptional, kFourModuli,
+                {"Young's modulus of the coating on the face; enters E' in place of the ring's", "\"280 GPa\""}),
+          field("ring.coating.poissons_ratio",
+                NumberKind{member<&Case::ring, &Ring::coating, &Coating::poissons_ratio>}, kPlainNumber,
+                Range{0, 0.5, false, true}, Need::kRequired, kCoated, {"Poisson's ratio of the coating", "0.3"}),
+          field("ring.coating.thickness", OptionalNumberKind{member<&Case::ring, &Ring::coating, &Coating::thickness>},
+                {"m", "um"}, above(0, 1e-2), Need::kOptional, kCoated,
+                {"thickness of the coating; a note says where contact spots feel what is below", "\"100 um\""}),
+          field("ring.coating.contact_modulus",
+                choice<&Case::ring, &Ring::coating, &Coating::contact_modulus>({"coating", "base"}), kNoUnit, {},
+                Need::kDefault, kCoated,
+                {"whose modulus the contact spots feel: that of the coating, or of the ring below", "\"coating\""}),
           field("liner.youngs_modulus", NumberKind{member<&Case::liner, &Liner::youngs_modulus>}, kModulus,
                 between(1e8, 1e13), Need::kDefault, kFourModuli,
                 {"Young's modulus of the liner, E_2; commonly quoted, not verified", "\"92.3 GPa\""}),

@@ -62,6 +62,7 @@ inline Field field(std::string key, Kind kind, Unit unit, std::optional<Range> r
 void append_gas_fields(std::vector<Field>& fields);
 void append_ring_fields(std::vector<Field>& fields);
 void append_contact_fields(std::vector<Field>& fields);
+void append_measured_fields(std::vector<Field>& fields);
 void append_lubricant_fields(std::vector<Field>& fields);
 void append_run_fields(std::vector<Field>& fields);
 void append_pad_fields(std::vector<Field>& fields);

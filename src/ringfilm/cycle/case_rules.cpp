@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/case_rules_measured.hpp"
 #include "ringfilm/cycle/case_rules_pad.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/models/gas.hpp"
@@ -130,6 +131,18 @@ void check_face_points(const Ring& ring, Breaches& breaches) {
                       "points are wanted from x = 0 to ring.face_width; no height is invented beyond them"});
 }
 
+/// A fit holds over the width of its trace only: beyond it a polynomial runs away, and less of it is another face.
+void check_measured_width(const Ring& ring, Breaches& breaches) {
+  constexpr double kRounding = 1e-6;  // both are typed or written with eight digits
+  const std::optional<double>& fitted = ring.face.measured.width;
+  if (!fitted || std::abs(ring.face_width - *fitted) <= kRounding * *fitted) return;
+  breaches.push_back(
+      {"ring.face_width",
+       "ring.face_width = " + number(ring.face_width * 1e3) + " mm, but the face was fitted over " +
+           number(*fitted * 1e3) + " mm (ring.face.measured.width)",
+       "state the width that was measured, or fit the trace again over this one: ringfilm face --width"});
+}
+
 /// Increasing temperatures; `falling`: values that fall with them.
 enum class Trend { kAny, kFalling };
 
@@ -213,6 +226,8 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   check_crankcase(c.gas, breaches);
   check_tension(c.ring, breaches);
   if (c.ring.face.form == FaceForm::kPoints) check_face_points(c.ring, breaches);
+  check_measured_width(c.ring, breaches);
+  append_measured_breaches(c.contact.measured, breaches);
   if (!c.lubricant.table_file) check_laws(c.lubricant, breaches);
   check_angles(c, breaches);
   return breaches;

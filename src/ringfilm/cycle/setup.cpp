@@ -65,8 +65,11 @@ double elastic_pressure(const Case& c) {
 
 double composite_modulus(const Case& c) {
   if (c.contact.composite_modulus) return *c.contact.composite_modulus;
-  return models::composite_modulus(c.ring.youngs_modulus, c.ring.poissons_ratio, c.liner.youngs_modulus,
-                                   c.liner.poissons_ratio);
+  const Coating& coating = c.ring.coating;
+  const bool of_coating = coating.youngs_modulus && coating.contact_modulus == ContactModulus::kCoating;
+  const double E_1 = of_coating ? *coating.youngs_modulus : c.ring.youngs_modulus;
+  const double nu_1 = of_coating ? coating.poissons_ratio : c.ring.poissons_ratio;
+  return models::composite_modulus(E_1, nu_1, c.liner.youngs_modulus, c.liner.poissons_ratio);
 }
 
 double roughness(const Case& c) {

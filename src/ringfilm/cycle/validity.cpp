@@ -41,6 +41,27 @@ void append_face_note(const Setup& setup, std::vector<Note>& notes) {
                    1});
 }
 
+/// From this share on the modulus below the coating moves E' by about as much as moduli are known.
+constexpr double kCoatingFelt = 0.1;
+
+void append_coating_note(const Setup& setup, double lowest_film_parameter, std::vector<Note>& notes) {
+  const Case& c = setup.input;
+  const Coating& coating = c.ring.coating;
+  const bool acts = coating.youngs_modulus && coating.thickness && !c.contact.composite_modulus &&
+                    coating.contact_modulus == ContactModulus::kCoating;
+  if (!acts) return;
+  // Spots are largest where the film is thinnest.
+  const double lambda = std::clamp(lowest_film_parameter, 0.0, 8.0);
+  const double radius = models::contact_spot_radius(c.contact.asperity_radius, setup.sigma, lambda);
+  const double share = models::share_below_coating(radius, *coating.thickness, coating.poissons_ratio);
+  if (share <= kCoatingFelt) return;
+  notes.push_back({"coating-thin",
+                   text("the coating of %.3g um is thin for contact spots of %.3g um radius: about %.0f %% of their "
+                        "approach comes from below it, and E' has the coating's modulus alone",
+                        *coating.thickness * 1e6, radius * 1e6, 100 * share),
+                   1});
+}
+
 void append_oil_table_note(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
   if (!setup.input.lubricant.table_file) return;
   const double highest = setup.input.lubricant.table.pressure.back();
@@ -93,6 +114,7 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
     notes.push_back({"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
   }
   append_face_note(setup, notes);
+  append_coating_note(setup, lowest->film_parameter, notes);
   append_oil_table_note(setup, base, notes);
   if (polynomial.steps > 0) {
     notes.push_back({"polynomial-beyond-range",

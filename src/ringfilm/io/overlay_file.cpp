@@ -30,11 +30,11 @@ Fault unknown_curve(const CsvFile& csv, std::size_t i_column) {
 
 }  // namespace
 
-std::vector<MeasuredCurve> read_overlay(const std::string& path, const Units& units) {
+std::vector<OverlayCurve> read_overlay(const std::string& path, const Units& units) {
   const CsvFile csv = read_csv({path, path});
   std::vector<Fault> faults;
   const std::vector<double> angle = quantity_column(csv, kAngle, "degree", "crank_angle [degree]", units, faults);
-  std::vector<MeasuredCurve> curves;
+  std::vector<OverlayCurve> curves;
   for (std::size_t i = 0; i < csv.columns.size(); ++i) {
     const CsvColumn& column = csv.columns[i];
     if (column.name == kAngle) continue;

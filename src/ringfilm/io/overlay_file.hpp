@@ -7,7 +7,7 @@
 namespace ringfilm::io {
 
 /// A measured curve to be laid over a computed one.
-struct MeasuredCurve {
+struct OverlayCurve {
   std::string name;                     ///< of the file, without folder and ending
   std::string quantity;                 ///< name from cycle::curve_quantities()
   std::string source;                   ///< the file
@@ -18,6 +18,6 @@ struct MeasuredCurve {
 /// Reads a CSV with a column `crank_angle [degree]` and columns named and measured like the curves of a result, e.g.
 /// `friction_on_liner [N]` or `min_film_thickness [um]`; one curve each, in the order of the file.
 /// Throws InputError with every fault of the header: an unknown name, a missing or wrong unit, no curve at all.
-std::vector<MeasuredCurve> read_overlay(const std::string& path, const Units& units);
+std::vector<OverlayCurve> read_overlay(const std::string& path, const Units& units);
 
 }  // namespace ringfilm::io

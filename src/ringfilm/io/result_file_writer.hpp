@@ -1,10 +1,13 @@
 #pragma once
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -62,8 +65,12 @@ class ResultFileWriter {
   void scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
                const std::map<std::string, double>& values);
 
-  /// The whole file. Call once, at the end.
-  std::string bytes();
+  /// One more attribute of a variable that is there; nothing where the variable was left out.
+  void describe(const std::string& variable, const char* attribute, const std::string& text);
+  void describe(const std::string& variable, const char* attribute, double value);
+
+  /// The whole file, without a copy: it lives as long as the writer. Call once, at the end.
+  std::string_view bytes();
 
  private:
   // What stands in the file for a value of that type.
@@ -92,6 +99,7 @@ class ResultFileWriter {
   std::string path_;
   std::unique_lock<std::mutex> lock_;
   int file_ = -1;
+  std::unique_ptr<void, void (*)(void*)> content_{nullptr, &std::free};  ///< of the closed file
 };
 
 }  // namespace ringfilm::io

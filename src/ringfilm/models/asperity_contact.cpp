@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 namespace ringfilm::models {
@@ -168,6 +169,14 @@ GreenwoodTripp::Contact GreenwoodTripp::contact(double h) const {
   pressure(h, c.pressure, c.pressure_slope);
   c.area_share = area_scale_ * integral(kF2, quintics_ ? &quintics_->F_2 : nullptr, h / parameters_.sigma).value;
   return c;
+}
+
+double contact_spot_radius(double beta, double sigma, double lambda) {
+  return std::sqrt(beta * sigma * gaussian_integral(2, lambda) / (4 * gaussian_integral(1, lambda)));
+}
+
+double share_below_coating(double spot_radius, double thickness, double nu) {
+  return std::min(1.0, 2 / (3 * std::numbers::pi) * (3 - 2 * nu) / (1 - nu) * spot_radius / thickness);
 }
 
 double composite_modulus(double E_1, double nu_1, double E_2, double nu_2) {

@@ -69,6 +69,13 @@ class GreenwoodTripp {
   std::optional<Quintics> quintics_;
 };
 
+/// Radius of the mean contact spot at the film parameter lambda, eq-contact-spot [m].
+double contact_spot_radius(double beta, double sigma, double lambda);
+
+/// Share of a contact spot's approach that comes from below a coating of this thickness, eq-share-below-coating [-];
+/// 1 at the most. Poisson's ratio is that of the coating.
+double share_below_coating(double spot_radius, double thickness, double nu);
+
 /// E' of 2/E' = sum (1 - nu^2)/E, eq-composite-modulus [Pa].
 double composite_modulus(double E_1, double nu_1, double E_2, double nu_2);
 

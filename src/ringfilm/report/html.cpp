@@ -5,34 +5,12 @@
 #include <algorithm>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/report/html_text.hpp"
 #include "ringfilm/report/page_template.hpp"
 #include "ringfilm/report/payload.hpp"
 
 namespace ringfilm::report {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
 
 void check_overlays(const std::vector<Overlay>& overlays) {
   std::vector<Fault> faults;
@@ -67,7 +45,7 @@ std::string report_page(const std::vector<io::ResultDocument>& documents, const 
   check_overlays(overlays);
   const page_template::PageTemplate parts = page_template::report();
   std::string page(parts.before_title);
-  page += escaped(page_title(documents));
+  page += html_text(page_title(documents));
   page += parts.before_data;
   page += payload(documents, overlays);
   page += parts.after_data;

@@ -12,5 +12,6 @@ struct PageTemplate {
 
 PageTemplate report();
 PageTemplate verification();
+PageTemplate measurement();
 
 }  // namespace ringfilm::report::page_template

@@ -1,12 +1,9 @@
 #include "ringfilm/report/payload.hpp"
 
-#include <fmt/format.h>
-
-#include <charconv>
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "ringfilm/report/payload_numbers.hpp"
 #include "ringfilm/report/script_text.hpp"
 
 namespace ringfilm::report {
@@ -19,23 +16,6 @@ constexpr int kFieldDigits = 5;
 constexpr int kErrorDigits = 3;
 /// Numbers of one field that a page may carry: a phone still opens some megabytes.
 constexpr std::size_t kFieldNumbers = 60000;
-
-ordered_json rounded(double value, int digits) {
-  if (!std::isfinite(value)) return nullptr;
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "{:.{}g}", value, digits);
-  double parsed = 0;
-  std::from_chars(text.data(), text.data() + text.size(), parsed);
-  return parsed;
-}
-
-ordered_json exact(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
-
-ordered_json numbers(const std::vector<double>& values, int digits) {
-  ordered_json list = ordered_json::array();
-  for (double value : values) list.push_back(rounded(value, digits));
-  return list;
-}
 
 ordered_json described(const cycle::Quantity& q) {
   return {{"name", q.name},           {"unit", q.unit},     {"display_unit", q.display_unit},
@@ -88,7 +68,7 @@ ordered_json field(const std::vector<double>& values, std::size_t n_nodes, const
   for (std::size_t k : kept) {
     if ((k + 1) * n_nodes > values.size()) return ordered_json::array();
     const auto begin = values.begin() + static_cast<std::ptrdiff_t>(k * n_nodes);
-    list.push_back(numbers({begin, begin + static_cast<std::ptrdiff_t>(n_nodes)}, kFieldDigits));
+    list.push_back(rounded_list({begin, begin + static_cast<std::ptrdiff_t>(n_nodes)}, kFieldDigits));
   }
   return list;
 }
@@ -104,10 +84,10 @@ ordered_json face_fields(const cycle::FaceFields& fields) {
     kept.push_back(k);
     angles.push_back(fields.crank_angle_deg[k]);
   }
-  return {{"x", numbers(fields.x, kCurveDigits)},
-          {"face_height", numbers(fields.face_height, kCurveDigits)},
+  return {{"x", rounded_list(fields.x, kCurveDigits)},
+          {"face_height", rounded_list(fields.face_height, kCurveDigits)},
           {"stored_angles", n_angles},
-          {"crank_angle", numbers(angles, kCurveDigits)},
+          {"crank_angle", rounded_list(angles, kCurveDigits)},
           {"film_thickness", field(fields.film_thickness, n_nodes, kept)},
           {"film_pressure", field(fields.film_pressure, n_nodes, kept)},
           {"asperity_pressure", field(fields.asperity_pressure, n_nodes, kept)},
@@ -182,8 +162,8 @@ ordered_json document(const io::ResultDocument& d) {
           {"values", cycle_values(d.result.values)},
           {"fields", face_fields(d.result.fields)},
           {"stroke",
-           {{"liner_position", numbers(d.result.stroke.liner_position, kCurveDigits)},
-            {"wear_drive_density", numbers(d.result.stroke.wear_drive_density, kCurveDigits)}}},
+           {{"liner_position", rounded_list(d.result.stroke.liner_position, kCurveDigits)},
+            {"wear_drive_density", rounded_list(d.result.stroke.wear_drive_density, kCurveDigits)}}},
           {"derived", std::move(derived)},
           {"notes", std::move(notes)},
           {"input_notes", d.input_notes},
@@ -216,8 +196,8 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
     root["overlays"].push_back({{"name", o.name},
                                 {"quantity", o.quantity},
                                 {"source", o.source},
-                                {"crank_angle", numbers(o.crank_angle_deg, kCurveDigits)},
-                                {"value", numbers(o.value, kCurveDigits)}});
+                                {"crank_angle", rounded_list(o.crank_angle_deg, kCurveDigits)},
+                                {"value", rounded_list(o.value, kCurveDigits)}});
   }
   // A file name or a title may hold bytes that are no UTF-8: they are shown as a replacement sign, not refused.
   return script_text(root.dump(-1, ' ', false, ordered_json::error_handler_t::replace));

@@ -1,23 +1,15 @@
 #include "ringfilm/report/verification_page.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "ringfilm/report/page_template.hpp"
+#include "ringfilm/report/payload_numbers.hpp"
 #include "ringfilm/report/script_text.hpp"
 
 namespace ringfilm::report {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json exact(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
-
-ordered_json numbers(const std::vector<double>& values) {
-  ordered_json list = ordered_json::array();
-  for (const double value : values) list.push_back(exact(value));
-  return list;
-}
 
 const char* verdict_word(study::Verdict verdict) { return verdict == study::Verdict::kHolds ? "holds" : "fails"; }
 
@@ -41,8 +33,8 @@ ordered_json line_object(const study::ConvergenceLine& line) {
   return {{"label", line.label},
           {"refinement", line.refinement == study::Refinement::kCells ? "cells" : "time"},
           {"step_unit", line.step_unit},
-          {"levels", numbers(line.levels)},
-          {"errors", numbers(line.errors)},
+          {"levels", exact_list(line.levels)},
+          {"errors", exact_list(line.errors)},
           {"expected_order", line.expected_order},
           {"observed_order", line.observed_order ? exact(*line.observed_order) : ordered_json(nullptr)},
           {"bound", line.bound ? exact(*line.bound) : ordered_json(nullptr)}};

@@ -90,6 +90,16 @@ Assumption oil_laws(const Case& c) {
 // --- inputs that sources leave open -----------------------------------------------------------------------------
 
 Assumption composite_modulus(const cycle::Setup& setup) {
+  const Case& c = setup.input;
+  if (c.ring.coating.youngs_modulus && !c.contact.composite_modulus) {
+    const char* key = "ring.coating.contact_modulus";
+    const bool of_coating = c.ring.coating.contact_modulus == cycle::ContactModulus::kCoating;
+    return assumption("composite-modulus",
+                      text("E' is %.1f GPa, with the modulus of the %s", setup.E_prime / 1e9,
+                           of_coating ? "coating" : "ring below its coating"),
+                      "contact spots far smaller than the coating is thick feel the coating alone",
+                      other_choices(key, c));
+  }
   const double other = other_than(setup.E_prime, 190e9, 135e9);
   return assumption(
       "composite-modulus", text("E' is %.1f GPa; the coating's own modulus is not known", setup.E_prime / 1e9),

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 class OverlayFile : public testing::Test {
  protected:
-  std::vector<MeasuredCurve> read(const std::string& text) {
+  std::vector<OverlayCurve> read(const std::string& text) {
     std::ofstream(path_) << text;
     return read_overlay(path_, Units());
   }

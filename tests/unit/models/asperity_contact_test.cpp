@@ -11,9 +11,11 @@
 namespace {
 
 using ringfilm::models::composite_modulus;
+using ringfilm::models::contact_spot_radius;
 using ringfilm::models::ContactIntegralForm;
 using ringfilm::models::gaussian_integral;
 using ringfilm::models::GreenwoodTripp;
+using ringfilm::models::share_below_coating;
 
 /// F_n straight from its definition, cut where the Gaussian has fallen below 1e-40 of its start.
 double definition_by_gauss_kronrod(double n, double lambda) {
@@ -187,6 +189,35 @@ TEST(CompositeModulus, IsThatOfThePaperConvention) {
   EXPECT_NEAR(composite_modulus(203e9, 0.3, 92.3e9, 0.211), 134.8e9, 0.05e9);
   // Two equal bodies: 2/E' = 2 (1 - nu^2)/E.
   EXPECT_NEAR(composite_modulus(200e9, 0.3, 200e9, 0.3), 200e9 / 0.91, 1);
+}
+
+TEST(ContactSpot, HasTheRealAreaOverTheNumberOfSpots) {
+  // F_1 and F_2 at 0 and 1 from the normal density and distribution: phi(1) = 0.24197072, Q(1) = 0.15865525.
+  EXPECT_NEAR(contact_spot_radius(1.56e-6, 0.48e-6, 0), std::sqrt(1.56 * 0.48 * 0.5 / (4 * 0.39894228)) * 1e-6, 1e-14);
+  const double F_1 = 0.24197072 - 0.15865525, F_2 = 2 * 0.15865525 - 0.24197072;
+  EXPECT_NEAR(contact_spot_radius(1.56e-6, 0.48e-6, 1), std::sqrt(1.56 * 0.48 * F_2 / (4 * F_1)) * 1e-6, 1e-13);
+}
+
+TEST(Coating, LetsTheShareOfTheApproachThroughThatBoussinesqGives) {
+  // Depth below the middle of a Hertz pressure, radius 1: displacement by point loads of Boussinesq,
+  // u = (1 + nu) P/(2 pi E) [z^2/rho^3 + 2 (1 - nu)/rho], summed over rings of sqrt(1 - r^2).
+  for (const double nu : {0.2, 0.3}) {
+    const auto displacement = [nu](double z) {
+      double sum = 0;
+      const int n = 20000;
+      for (int i = 0; i < n; ++i) {
+        const double r = (i + 0.5) / n, rho = std::hypot(r, z);
+        sum += std::sqrt(1 - r * r) * r * (z * z / (rho * rho * rho) + 2 * (1 - nu) / rho) / n;
+      }
+      return sum;
+    };
+    for (const double thickness : {10.0, 30.0}) {
+      // A point load is left at depth, up to the square of radius over thickness.
+      EXPECT_NEAR(share_below_coating(1, thickness, nu) / (displacement(thickness) / displacement(0)), 1,
+                  2 / (thickness * thickness));
+    }
+  }
+  EXPECT_EQ(share_below_coating(1, 0.01, 0.3), 1);
 }
 
 TEST(GreenwoodTripp, GivesNaNForASeparationThatIsNoNumber) {

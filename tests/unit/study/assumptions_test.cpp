@@ -134,6 +134,13 @@ TEST(Assumptions, NoAlternativeIsTheCaseItself) {
   EXPECT_EQ(settings(c, "pressure-behind-ring"), std::vector<std::string>{"gas.pressure_behind_ring = 1"});
 }
 
+TEST(Assumptions, SetTheCoatingsModulusAgainstThatOfTheRingBelow) {
+  cycle::Case c = coarse_case();
+  c.ring.coating.youngs_modulus = 280e9;
+  c.ring.coating.poissons_ratio = 0.25;
+  EXPECT_EQ(settings(c, "composite-modulus"), std::vector<std::string>{"ring.coating.contact_modulus = \"base\""});
+}
+
 TEST(Assumptions, OfferAllOtherChoicesOfAKey) {
   EXPECT_EQ(settings(coarse_case(), "contact-integrals"),
             (std::vector<std::string>{"contact.integrals = \"polynomial-4-digit\"",

@@ -1,7 +1,7 @@
 // One panel as an interactive uPlot chart. The panel's plain data decide everything; this file only draws.
 import uPlot from 'uplot';
 import { onNewWidth } from './dom.js';
-import { arrowHeads, arrowPath, bandOutlines, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
+import { arrowHeads, arrowPath, bandOutlines, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, markPlaces, xRange, xTicks, yRange, yTicks } from './scales.js';
 import { caseColour, caseMark, kBandOpacity, markPath, partDash } from './palette.js';
 import { tickText } from './units.js';
 
@@ -49,6 +49,17 @@ function line(ctx, x1, y1, x2, y2, stroke, dash = []) {
   ctx.moveTo(x1, y1);
   ctx.lineTo(x2, y2);
   ctx.stroke();
+}
+
+/** Words with a white rim, legible where a curve runs behind them. */
+function rimmed(ctx, label, x, y) {
+  ctx.textAlign = 'left';
+  ctx.fillStyle = kFaint;
+  ctx.setLineDash([]);
+  ctx.lineWidth = 3;
+  ctx.strokeStyle = '#fff';
+  ctx.strokeText(label, x, y);
+  ctx.fillText(label, x, y);
 }
 
 export class Chart {
@@ -112,11 +123,14 @@ export class Chart {
   }
 
   seriesOptions(s) {
-    const look = { stroke: caseColour(s.caseIndex), width: 1.8, dash: partDash(s.part), show: this.visible(s) };
+    // A point rounded to whole pixels would make a straight line waver.
+    const look = { stroke: caseColour(s.caseIndex), width: 1.8, pxAlign: 0, dash: partDash(s.part), show: this.visible(s) };
     if (this.panel.inOrderOfTime) {
       return { ...look, facets: [{ scale: 'x', auto: true }, { scale: 'y', auto: true }], paths: (u, i) => this.drawInOrder(u, i) };
     }
     if (s.part === 'measured') return { ...look, stroke: '#000', width: 0, paths: () => null, points: { show: true, size: 4.5, width: 1, stroke: '#000', fill: '#fff' } };
+    // Drawn over all lines, with the marks.
+    if (s.part === 'points') return { ...look, paths: () => null, points: { show: false } };
     return { ...look, points: { show: false } };
   }
 
@@ -183,7 +197,7 @@ export class Chart {
     ctx.setLineDash([]);
     const count = panel.series.filter((s) => s.caseIndex !== null).length;
     for (const s of panel.series.filter(this.visible)) {
-      for (const k of markIndices(s, ...this.window, count)) {
+      for (const k of markIndices(s, ...this.window, count, panel.xScale)) {
         const outline = new Path2D(markPath(caseMark(s.caseIndex), box.x(s.x[k]), box.y(s.y[k]), 3.4));
         ctx.fillStyle = '#fff';
         ctx.fill(outline);
@@ -192,19 +206,17 @@ export class Chart {
         ctx.stroke(outline);
       }
     }
+    ctx.font = kSmallFont;
+    for (const mark of markPlaces(panel.xMarks ?? [], box.x, (label) => ctx.measureText(label).width, box.left, box.left + box.width)) {
+      line(ctx, mark.line, box.top, mark.line, box.top + box.height, kFaint, [4, 3]);
+      rimmed(ctx, mark.label, mark.left, box.top + 11 + 13 * mark.row);
+    }
     for (const mark of panel.yMarks ?? []) {
       if (mark.at < bottom || mark.at > top) continue;
       line(ctx, box.left, box.y(mark.at), box.left + box.width, box.y(mark.at), kFaint, [2, 3]);
       ctx.font = kSmallFont;
-      ctx.textAlign = 'left';
-      ctx.fillStyle = kFaint;
       const place = freePlace(panel, this.visible, mark.at, ctx.measureText(mark.label).width, box);
-      // A white rim keeps the words legible where a curve runs behind them.
-      ctx.setLineDash([]);
-      ctx.lineWidth = 3;
-      ctx.strokeStyle = '#fff';
-      ctx.strokeText(mark.label, place.x, place.y);
-      ctx.fillText(mark.label, place.x, place.y);
+      rimmed(ctx, mark.label, place.x, place.y);
     }
     if (this.marked) this.drawMarked(ctx, box);
   }

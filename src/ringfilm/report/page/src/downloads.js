@@ -33,7 +33,7 @@ export function savePng(name, svg) {
 }
 
 /** A column name that a spreadsheet reads as text, never as a formula. */
-function heading(text) {
+export function heading(text) {
   const harmless = /^[=+\-@\t]/.test(text) ? `'${text}` : text;
   return `"${harmless.replace(/"/g, '""')}"`;
 }

@@ -13,7 +13,7 @@ const kPrinted = { half: 450, whole: 900 };
 
 /** Two such figures stand side by side on paper. */
 function isHalfAPage(figure) {
-  return figure.layout !== 'row' && !figure.panels.some((panel) => panel.bars);
+  return figure.layout !== 'row' && !figure.long && !figure.panels.some((panel) => panel.bars);
 }
 
 const kChartHeight = { crank: 280, plain: 250 };

@@ -71,7 +71,8 @@ export function yTicks(panel, low, high, count) {
 }
 
 /** Where the marks of a case stand on its line: a few, at places of its own so that they do not hide each other. */
-export function markIndices(series, low, high, nSeries) {
+export function markIndices(series, low, high, nSeries, xScale = 'linear') {
+  if (series.part === 'points') return [...series.x.keys()].filter((k) => series.x[k] !== null && series.y[k] !== null);
   if (!isOneOfSeveral(series.caseIndex) || nSeries < 2) return [];
   const kMarks = 7;
   const found = [];
@@ -82,7 +83,8 @@ export function markIndices(series, low, high, nSeries) {
   }
   let k = 0;
   for (let m = 0; m < kMarks; m++) {
-    const wanted = low + ((high - low) * (m + (series.caseIndex + 0.5) / nSeries)) / kMarks;
+    const share = (m + (series.caseIndex + 0.5) / nSeries) / kMarks;
+    const wanted = xScale === 'log' ? low * (high / low) ** share : low + (high - low) * share;
     while (k < series.x.length && series.x[k] < wanted) k++;
     if (k < series.x.length && series.y[k] !== null) found.push(k);
   }
@@ -116,6 +118,24 @@ export function freePlace(panel, visible, at, width, box) {
     }
   }
   return best;
+}
+
+/**
+ * The labels of upright lines: beside their line, in rows so that none covers another.
+ * @param marks { at, label }; @param x scale to pixels; @param widthOf width of a label; @returns { at, label, line, left, row }, pixels
+ */
+export function markPlaces(marks, x, widthOf, left, right) {
+  const kGap = 4;
+  const rows = [];
+  return marks.map((mark) => ({ ...mark, line: x(mark.at), width: widthOf(mark.label) })).filter(({ line }) => line >= left - 0.5 && line <= right + 0.5)
+    .sort((a, b) => a.line - b.line)
+    .map(({ at, label, line, width }) => {
+      const start = line + kGap + width > right ? line - kGap - width : line + kGap;
+      let row = 0;
+      while (rows[row]?.some(([from, to]) => start < to + kGap && start + width > from - kGap)) row++;
+      (rows[row] ??= []).push([start, start + width]);
+      return { at, label, line, left: start, row };
+    });
 }
 
 /** Outlines of the band about a curve, one for each piece without a gap, in the units of the axes. */

@@ -1,5 +1,5 @@
 // A figure as a static SVG: to take away, and in print. Drawn from the same plain data as the charts on the screen.
-import { arrowHeads, arrowPath, axisTitle, bandOutlines, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, xRange, xTicks, yRange, yTicks } from './scales.js';
+import { arrowHeads, arrowPath, axisTitle, bandOutlines, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, markPlaces, xRange, xTicks, yRange, yTicks } from './scales.js';
 import { caseColour, caseMark, isOneOfSeveral, kBandOpacity, markPath, partDash } from './palette.js';
 import { barPanel, rankedHeight, rankedPanel } from './svg_bars.js';
 import { kFaint, kInk, kMargin, px, rule, scaler, text } from './svg_shapes.js';
@@ -8,6 +8,8 @@ import { tickText } from './units.js';
 const kPanelHeight = 262;
 /** A letter of a label is at most about so wide: a drawing cannot measure its text [pixel]. */
 const kLetter = 6.6;
+/** The same of a bold letter, as a share of its size. */
+const kBoldLetter = 0.6;
 
 function linePanel(panel, box, visible, window, clip) {
   const range = window ?? xRange(panel);
@@ -37,6 +39,9 @@ function linePanel(panel, box, visible, window, clip) {
   out.push(`<g clip-path="url(#${clip})">`);
   panel.series.filter(visible).forEach((s) => out.push(...seriesShapes(panel, s, x, y, range)));
   out.push('</g>');
+  for (const mark of markPlaces(panel.xMarks ?? [], x, (label) => kLetter * label.length, left, right)) {
+    out.push(rule(mark.line, low, mark.line, high, kFaint, 1, '4 3'), text(mark.left, high + 11 + 13 * mark.row, mark.label, { size: 11, fill: kFaint, halo: '#fff' }));
+  }
   out.push(rule(left, low, right, low, kInk), rule(left, low, left, high, kInk));
   out.push(text(box.x + 4, box.y + 14, axisTitle(panel.yLabel, panel.yUnit), { weight: 600 }));
   out.push(text((left + right) / 2, low + (panel.crank ? 47 : 36), axisTitle(panel.xLabel, panel.xUnit), { anchor: 'middle', fill: kFaint }));
@@ -79,9 +84,9 @@ function seriesShapes(panel, s, x, y, range) {
   }
   const dash = partDash(s.part);
   const bands = bandOutlines(s).map((outline) => `<path class="band" d="M${outline.map(([a, b]) => `${px(x(a))} ${px(y(b))}`).join('L')}Z" fill="${colour}" fill-opacity="${kBandOpacity}"/>`);
-  const out = [...bands, `<path d="${path}" fill="none" stroke="${colour}" stroke-width="1.8" stroke-linejoin="round"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>`];
+  const out = s.part === 'points' ? [] : [...bands, `<path d="${path}" fill="none" stroke="${colour}" stroke-width="1.8" stroke-linejoin="round"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>`];
   const count = panel.series.filter((other) => other.caseIndex !== null).length;
-  for (const k of markIndices(s, range[0], range[1], count)) {
+  for (const k of markIndices(s, range[0], range[1], count, panel.xScale)) {
     if (points[k]) out.push(`<path d="${markPath(caseMark(s.caseIndex), points[k][0], points[k][1], 3.2)}" fill="#fff" stroke="${colour}" stroke-width="1.4"/>`);
   }
   if (panel.inOrderOfTime) out.push(...arrowHeads(points, 6).map((head) => `<path d="${arrowPath(head, 6)}" fill="${colour}"/>`));
@@ -116,7 +121,7 @@ function legend(figure, visible, width, y) {
   let x = 8;
   let row = y;
   for (const e of entries) {
-    const label = e.part && e.part !== 'measured' && e.part !== 'total' && !e.label.includes(e.part) ? `${e.label}, ${e.part}` : e.label;
+    const label = e.part && !['measured', 'total', 'points'].includes(e.part) && !e.label.includes(e.part) ? `${e.label}, ${e.part}` : e.label;
     const needed = 50 + 7 * label.length;
     if (x + needed > width && x > 8) {
       x = 8;
@@ -134,7 +139,8 @@ function swatch({ caseIndex, part, bars }, x, y) {
   if (bars) return `<rect x="${x + 8}" y="${y - 6}" width="12" height="12" fill="${colour}"/>`;
   if (part === 'measured') return [6, 14, 22].map((dx) => `<circle cx="${x + dx}" cy="${y}" r="2" fill="none" stroke="#000"/>`).join('');
   const dash = partDash(part);
-  const mark = !isOneOfSeveral(caseIndex) ? '' : `<path d="${markPath(caseMark(caseIndex), x + 14, y, 3.4)}" fill="#fff" stroke="${colour}" stroke-width="1.4"/>`;
+  const mark = part !== 'points' && !isOneOfSeveral(caseIndex) ? '' : `<path d="${markPath(caseMark(caseIndex), x + 14, y, 3.4)}" fill="#fff" stroke="${colour}" stroke-width="1.4"/>`;
+  if (part === 'points') return mark;
   return `<line x1="${x}" y1="${y}" x2="${x + 28}" y2="${y}" stroke="${colour}" stroke-width="2"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>${mark}`;
 }
 
@@ -153,7 +159,7 @@ export function figureSvg(figure, visible, { width = 760, heading = true, window
   const out = [];
   let y = 4;
   if (heading) {
-    out.push(text(8, 20, figure.title, { size: 16, weight: 600 }));
+    out.push(text(8, 20, figure.title, { size: Math.min(16, (width - 16) / (kBoldLetter * figure.title.length)), weight: 600 }));
     y = 26;
     if (subtitle) {
       out.push(text(8, 37, subtitle, { fill: kFaint }));

@@ -27,6 +27,13 @@ export function shownUnit(unit) {
   return unit in kShownUnit ? kShownUnit[unit] : unit;
 }
 
+/** Any unit in the spelling of the program: "um3" is µm³, "nN V-1" is nN V⁻¹. */
+export function typesetUnit(unit) {
+  if (unit in kShownUnit) return kShownUnit[unit];
+  const raised = (power) => [...power].map((c) => kSuperscript[c]).join('');
+  return unit.replace(/\bu(?=[A-Za-z])/g, 'µ').replace(/(?<=[A-Za-z])-?\d+/g, raised).replace(/\./g, '\u202f');
+}
+
 /** How to show a quantity: { unit, convert }. Without a known display unit the SI value stands. */
 export function display(quantity) {
   const { unit, display_unit: wanted } = quantity;
@@ -53,8 +60,14 @@ export function number(value, digits = 4) {
     text = value.toFixed(0);
   } else {
     text = value.toPrecision(digits);
+    if (text.includes('e')) text = Number(text).toFixed(0); // 999.97 to three digits
   }
   return text.replace(/^-/, '−').replace(/(\s|·)-/g, '$1−');
+}
+
+/** The same, but a count in all its digits and no more. */
+export function numberOrCount(value, unit, digits = 4) {
+  return !unit && Number.isInteger(value) && Math.abs(value) < 1e6 ? String(value).replace(/^-/, '−') : number(value, digits);
 }
 
 /** An angle to a tenth of a degree, without idle zeros. */
@@ -95,6 +108,15 @@ export function withError(value, error, unit, digits = 4) {
   const step = 10 ** -places;
   const text = (v) => v.toFixed(Math.max(0, places)).replace(/^-/, '−');
   return `${text(Math.round(value / step) * step)} ± ${text(Math.ceil((error / step) * (1 - 1e-9)) * step)}`;
+}
+
+/** The same far from one with one power of ten for both: "(8.1 ± 0.4) · 10⁻⁸". */
+export function withErrorAndPower(value, error, unit, digits = 4) {
+  const size = Math.max(Math.abs(value ?? NaN), error > 0 ? error : 0);
+  if (!(error > 0) || !(size > 0) || (size >= 1e-3 && size < 1e6)) return withError(value, error, unit, digits);
+  const exponent = Math.floor(Math.log10(size));
+  const power = [...String(exponent)].map((c) => kSuperscript[c]).join('');
+  return `(${withError(value / 10 ** exponent, error / 10 ** exponent, unit, digits)})\u202f·\u202f10${power}`;
 }
 
 /** A signed change in per cent. */
@@ -186,12 +208,21 @@ export function tickText(value, step) {
 }
 
 const kTypeset = [
-  [/\bdegC\b/g, '°C'], [/(\d) degrees?\b/g, '$1°'], [/\bum-2\b/g, 'µm⁻²'], [/\bum\b/g, 'µm'], [/\bmm2\b/g, 'mm²'], [/\bm3\b/g, 'm³'], [/\bPa-1\b/g, 'Pa⁻¹'],
+  [/\bdegC\b/g, '°C'], [/(\d) degrees?\b/g, '$1°'], [/\bum-2\b/g, 'µm⁻²'], [/\bum\b/g, 'µm'], [/\bmm2\b/g, 'mm²'], [/\bmm-2\b/g, 'mm⁻²'], [/ \+- /g, ' ± '], [/\bm3\b/g, 'm³'], [/\bPa-1\b/g, 'Pa⁻¹'],
 ];
 
 /** Units in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy into a case. */
 export function typeset(text) {
   return kTypeset.reduce((out, [plainUnit, printed]) => out.replace(plainUnit, printed), text);
+}
+
+const kGreek = {
+  alpha: 'α', beta: 'β', gamma: 'γ', delta: 'δ', epsilon: 'ε', zeta: 'ζ', eta: 'η', theta: 'θ', kappa: 'κ', lambda: 'λ', mu: 'µ', nu: 'ν', rho: 'ρ', sigma: 'σ', tau: 'τ', phi: 'φ', psi: 'ψ', omega: 'ω',
+};
+
+/** Greek letters of a symbol as such: "N beta sigma" is N β σ. */
+export function typesetSymbol(symbol) {
+  return symbol.replace(/(?<![A-Za-z])[a-z]+(?![a-z])/g, (word) => (Object.hasOwn(kGreek, word) ? kGreek[word] : word));
 }
 
 /** A statement as a sentence of its own. */

@@ -1,0 +1,39 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "measurement_outputs.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ringfilm::app {
+
+/// Commands of the program and what each does once its words are read.
+using Actions = std::vector<std::pair<CLI::App*, std::function<void()>>>;
+
+/// Words that all measuring commands share: --output, --html, --json and, where there is something for a case,
+/// --fragment.
+struct OutputWords {
+  MeasurementOutputs outputs;
+  bool json = false;
+
+  void add_to(CLI::App& command, bool with_fragment);
+  MeasurementOutputs wanted() const;
+};
+
+/// `ringfilm surface` and `ringfilm pair`.
+void add_surface_commands(CLI::App& program, Actions& actions);
+/// `ringfilm face`.
+void add_face_command(CLI::App& program, Actions& actions);
+/// `ringfilm lateral-force`.
+void add_lateral_force_command(CLI::App& program, Actions& actions);
+/// `ringfilm synthetic`.
+void add_synthetic_command(CLI::App& program, Actions& actions);
+
+}  // namespace ringfilm::app

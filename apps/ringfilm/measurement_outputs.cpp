@@ -1,0 +1,65 @@
+#include "measurement_outputs.hpp"
+
+#include <iostream>
+#include <utility>
+
+#include "output_names.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/measurement_netcdf.hpp"
+#include "ringfilm/io/measurement_text.hpp"
+#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/report/measurement_page.hpp"
+
+namespace ringfilm::app {
+
+void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::string>& inputs) {
+  std::vector<std::pair<std::string, std::string>> named;
+  const auto add = [&](const char* option, const std::optional<std::string>& path, io::Sink sink) {
+    if (!path) return;
+    io::check_can_write(*path, sink);
+    for (const std::string& input : inputs) {
+      if (is_same_file(input, *path)) {
+        throw InputError(std::string(option) + " " + *path + " would replace what is read", "name another file");
+      }
+    }
+    for (const auto& [other, other_path] : named) {
+      if (is_same_file(other_path, *path)) {
+        throw InputError(std::string(option) + " and " + other + " name the same file " + *path, "name two files");
+      }
+    }
+    named.emplace_back(option, *path);
+  };
+  add("--output", outputs.netcdf, io::Sink::kFile);
+  add("--html", outputs.page, io::Sink::kFileOrDevice);
+  add("--fragment", outputs.fragment, io::Sink::kFileOrDevice);
+  add("--heights", outputs.heights, io::Sink::kFile);
+}
+
+io::NamedNumbers numbers_of(const io::Measurement& measurement) {
+  io::NamedNumbers numbers;
+  for (const io::MeasuredGroup& group : measurement.groups) {
+    for (const io::MeasuredValue& value : group.values) numbers.emplace_back(value.name, value.value);
+  }
+  return numbers;
+}
+
+void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers) {
+  const io::Units units;
+  const io::Provenance provenance = io::this_program();
+  std::string text;
+  if (outputs.summary == SummaryForm::kJson) text = io::measurement_json(measurement, numbers, provenance);
+  if (outputs.summary == SummaryForm::kTable) text = io::measurement_text(measurement, units);
+  if (outputs.netcdf) io::write_measurement(*outputs.netcdf, measurement, provenance);
+  if (outputs.page) {
+    io::write_atomically(*outputs.page, ringfilm::report::measurement_page(measurement, units, provenance));
+  }
+  if (outputs.fragment) io::write_atomically(*outputs.fragment, measurement.fragment);
+  std::cout << text;
+  if (outputs.summary != SummaryForm::kTable) return;
+  for (const auto& path : {outputs.netcdf, outputs.page, outputs.fragment, outputs.heights}) {
+    if (path) std::cout << "wrote " << *path << "\n";
+  }
+}
+
+}  // namespace ringfilm::app

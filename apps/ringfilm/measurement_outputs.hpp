@@ -1,0 +1,31 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "commands.hpp"
+#include "ringfilm/io/measurement.hpp"
+#include "ringfilm/io/measurement_json.hpp"
+
+namespace ringfilm::app {
+
+/// Where the document of a measuring command goes.
+struct MeasurementOutputs {
+  std::optional<std::string> netcdf;    ///< --output
+  std::optional<std::string> page;      ///< --html
+  std::optional<std::string> fragment;  ///< --fragment: TOML for a case
+  std::optional<std::string> heights;   ///< --heights: of a surface, which its command writes
+  SummaryForm summary = SummaryForm::kTable;
+};
+
+/// Can all be written, and are they different files, none of them among `inputs`? Throws InputError; to be asked before
+/// anything is computed.
+void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::string>& inputs);
+
+/// The values of all groups by their names, for the top of the JSON.
+io::NamedNumbers numbers_of(const io::Measurement& measurement);
+
+/// Writes what was asked for and prints the document. Throws OutputError.
+/// @param numbers that stand at the top of the JSON
+void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers);
+
+}  // namespace ringfilm::app

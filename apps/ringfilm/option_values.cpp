@@ -1,0 +1,56 @@
+#include "option_values.hpp"
+
+#include <fmt/format.h>
+
+#include "ringfilm/io/uncertain_quantity.hpp"
+
+namespace ringfilm::app {
+
+double OptionValues::quantity(const std::string& option, const std::string& text, const std::string& si_unit,
+                              const std::string& example) {
+  try {
+    return units_.quantity(text, si_unit, "\"" + example + "\"");
+  } catch (const io::UnitError& problem) {
+    refuse(option + " \"" + text + "\" " + problem.what(), problem.remedy);
+    return 0;
+  }
+}
+
+double OptionValues::length(const std::string& option, const std::string& text, const std::string& example) {
+  const std::size_t before = faults_.size();
+  const double value = quantity(option, text, "m", example);
+  if (faults_.size() == before && !(value > 0)) {
+    refuse(option + " \"" + text + "\" is no length above zero", "for example \"" + example + "\"");
+  }
+  return value;
+}
+
+double OptionValues::number(const std::string& option, const std::string& text, double least, double most,
+                            const std::string& example) {
+  const std::size_t before = faults_.size();
+  const double value = uncertain(option, text, "1", example).value;
+  if (faults_.size() == before && !(value >= least && value <= most)) {
+    refuse(fmt::format("{} {} is not between {} and {}", option, text, least, most), "for example " + example);
+  }
+  return value;
+}
+
+surface::Uncertain OptionValues::uncertain(const std::string& option, const std::string& text,
+                                           const std::string& si_unit, const std::string& example) {
+  try {
+    return io::uncertain_quantity(text, si_unit, "\"" + example + "\"", units_);
+  } catch (const io::UnitError& problem) {
+    refuse(option + " \"" + text + "\" " + problem.what(), problem.remedy);
+    return {};
+  }
+}
+
+void OptionValues::refuse(const std::string& message, const std::string& remedy) {
+  faults_.push_back(Fault{SourceMark{}, message, remedy});
+}
+
+void OptionValues::check() const {
+  if (!faults_.empty()) throw InputError(faults_);
+}
+
+}  // namespace ringfilm::app

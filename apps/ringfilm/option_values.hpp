@@ -1,0 +1,50 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/units.hpp"
+#include "ringfilm/surface/lateral_force_calibration.hpp"
+
+namespace ringfilm::app {
+
+/// Reads the words behind options and keeps what is wrong with them, so that all of it is told at once.
+class OptionValues {
+ public:
+  explicit OptionValues(const io::Units& units) : units_(units) {}
+
+  /// In `si_unit`; 0 where the text is refused. @param example what one could have written
+  double quantity(const std::string& option, const std::string& text, const std::string& si_unit,
+                  const std::string& example);
+  /// A length above zero [m].
+  double length(const std::string& option, const std::string& text, const std::string& example);
+  /// A number without unit between both, ends included.
+  double number(const std::string& option, const std::string& text, double least, double most,
+                const std::string& example);
+  /// A value and its standard deviation in `si_unit`, "1" for none.
+  surface::Uncertain uncertain(const std::string& option, const std::string& text, const std::string& si_unit,
+                               const std::string& example);
+
+  template <class Choice>
+  Choice chosen(const std::string& option, const std::string& word,
+                const std::vector<std::pair<std::string, Choice>>& choices) {
+    std::string names;
+    for (const auto& [name, choice] : choices) {
+      if (name == word) return choice;
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    refuse(option + " " + word + ": this is no choice", "one of: " + names);
+    return choices.front().second;
+  }
+
+  void refuse(const std::string& message, const std::string& remedy);
+  /// Throws InputError if anything was refused.
+  void check() const;
+
+ private:
+  const io::Units& units_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace ringfilm::app

@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <vector>
+
+/// Synthetic files of instruments, made such that the chain of docs/manual/measured-chain.md gives Tables 1, 2 and 4 of
+/// styles2014 back. What it should give back is read from cases/styles2014/.
+namespace ringfilm::measured_files {
+
+struct MadeFile {
+  std::string name;
+  std::string bytes;
+};
+
+/// What one ring should come out as.
+struct WantedRing {
+  std::string name;                ///< as the files are named
+  double density_per_m2;           ///< N
+  double beta_m;                   ///< beta
+  double sigma_m;                  ///< sigma
+  double shear_strength;           ///< zeta
+  std::vector<double> face_mm_um;  ///< coefficients, highest power first
+};
+
+/// The rings of cases/styles2014/. @param cases the folder that holds it
+std::vector<WantedRing> wanted_rings(const std::string& cases);
+
+/// liner.sur and ring_<name>.x3p: Gaussian surfaces, tilted, some points of the rings missing.
+std::vector<MadeFile> surface_files(const std::vector<WantedRing>& rings);
+
+/// face_<name>.csv: traces longer than the face, tilted, with noise.
+std::vector<MadeFile> face_files(const std::vector<WantedRing>& rings);
+
+/// loops_silicon.csv and loops_<name>.csv: friction loops at several loads, with noise.
+std::vector<MadeFile> loop_files(const std::vector<WantedRing>& rings);
+
+/// All of them.
+std::vector<MadeFile> all_files(const std::string& cases);
+
+}  // namespace ringfilm::measured_files

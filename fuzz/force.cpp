@@ -1,0 +1,18 @@
+#include "input_file.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/force_file.hpp"
+
+/// Friction loops or their summary as CSV; what passes becomes a friction-load line.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ringfilm;
+  static const io::Units units;
+  const std::string path = fuzz::input_file(data, size, "force.csv");
+  try {
+    const io::ForceFile file = io::read_force({path, "force.csv"}, units);
+    const auto loads = file.loops.empty() ? file.loads : surface::friction_of_loads(file.loops, 0.1, 0);
+    surface::friction_load_line(loads, surface::DeviationScale::kFromResiduals);
+  } catch (const InputError& error) {
+    describe(error.faults());
+  }
+  return 0;
+}

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ringfilm::instrument {
+
+/// No map may have more points than this: 1 GiB of heights.
+inline constexpr std::size_t kMostPoints = std::size_t{1} << 27;
+/// No file may be larger [byte].
+inline constexpr std::size_t kLargestInstrumentFile = std::size_t{1} << 30;
+
+/// What a file tells of one of its maps before the values are read.
+struct Channel {
+  std::string name;  ///< as the file writes it; may be empty
+  std::string unit;  ///< of the values, e.g. "um"; empty where the file does not say
+  std::size_t points_x = 0;
+  std::size_t points_y = 0;  ///< 1 for a profile
+};
+
+/// One map of any quantity: heights, a lateral signal, a light intensity. Row after row, the first row at y = 0.
+struct ChannelValues {
+  Channel channel;
+  double step_x = 0.0;                ///< [step_unit]; 0 where the file does not say
+  double step_y = 0.0;                ///< [step_unit]; 0 where the file does not say, and of a profile
+  std::string step_unit;              ///< e.g. "m"; empty where the file does not say
+  std::vector<double> x;              ///< [step_unit] places of a profile that need not be even; else empty
+  std::vector<double> value;          ///< points_x * points_y [channel.unit]; 0 where missing
+  std::vector<std::uint8_t> missing;  ///< 1 where nothing was measured; empty if every point was
+  std::vector<std::string> notes;     ///< what a user should know of the values
+};
+
+/// A file whose header was read and found sound. The values come when asked for, one channel at a time.
+struct InstrumentFile {
+  std::string format;      ///< e.g. "X3P (ISO 25178-72)"
+  std::string instrument;  ///< as the file names it; may be empty
+  std::string date;        ///< as the file writes it; may be empty
+  std::vector<std::string> notes;
+  std::vector<Channel> channels;                           ///< one or more
+  std::function<ChannelValues(std::size_t index)> values;  ///< of channels[index]; throws InputError
+};
+
+}  // namespace ringfilm::instrument

@@ -1,0 +1,359 @@
+#include "ringfilm/instrument/surface_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/instrument/binary_reader.hpp"
+#include "ringfilm/instrument/digital_surf_file.hpp"
+#include "ringfilm/instrument/gwy_file.hpp"
+#include "ringfilm/instrument/gwyddion_program.hpp"
+#include "ringfilm/instrument/regular_grid.hpp"
+#include "ringfilm/instrument/sdf_file.hpp"
+#include "ringfilm/instrument/simple_field_file.hpp"
+#include "ringfilm/instrument/x3p_file.hpp"
+#include "ringfilm/io/digest.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+/// No rough surface is that high: a wrong unit or a wrong byte order is.
+constexpr double kHighest_m = 1.0;
+
+InstrumentFile through_gwyddion(const std::string& path) {
+  InstrumentFile result = read_gwy(path, converted_by_gwyddion(path));
+  const std::size_t source = result.format.find("read by gwyddion");
+  result.format = source == std::string::npos ? "read by gwyddion" : result.format.substr(source);
+  return result;
+}
+
+bool starts_with(const std::string& bytes, std::string_view signature) {
+  return std::string_view(bytes).substr(0, signature.size()) == signature;
+}
+
+bool is_length(const std::string& unit, const io::Units& units) { return !unit.empty() && units.measures(unit, "m"); }
+
+std::size_t channel_by_text(const InstrumentFile& file, const std::string& path, const std::string& text) {
+  std::vector<std::size_t> named;
+  for (std::size_t i = 0; i < file.channels.size(); ++i) {
+    if (file.channels[i].name == text) named.push_back(i);
+  }
+  if (named.size() == 1) return named[0];
+  if (named.size() > 1) {
+    refuse(path, fmt::format("{} channels are named \"{}\":\n{}", named.size(), text, channel_list(file.channels)),
+           "choose one by its number: --channel N");
+  }
+  std::size_t number = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc{} && rest == text.data() + text.size() && number >= 1 && number <= file.channels.size()) {
+    return number - 1;
+  }
+  refuse(path, fmt::format("there is no channel {} among:\n{}", text, channel_list(file.channels)),
+         "choose one of them: --channel N");
+}
+
+std::size_t chosen_channel(const InstrumentFile& file, const std::string& path, const SurfaceOptions& options,
+                           const io::Units& units, std::vector<std::string>& notes) {
+  if (options.channel) return channel_by_text(file, path, *options.channel);
+  if (file.channels.size() == 1) return 0;
+  std::vector<std::size_t> heights;
+  for (std::size_t i = 0; i < file.channels.size(); ++i) {
+    if (is_length(file.channels[i].unit, units)) heights.push_back(i);
+  }
+  if (heights.size() != 1) {
+    refuse(path,
+           fmt::format("the file has {} channels, {} of them in a unit of length:\n{}", file.channels.size(),
+                       heights.empty() ? "none" : std::to_string(heights.size()), channel_list(file.channels)),
+           "choose one: --channel N");
+  }
+  notes.push_back(fmt::format("channel {} ({}) of {} was taken: the only one in a unit of length", heights[0] + 1,
+                              file.channels[heights[0]].name, file.channels.size()));
+  return heights[0];
+}
+
+/// The scale of a unit of length to metres.
+io::Scale length_scale(const std::string& path, const std::string& unit, const std::string& what,
+                       const std::string& remedy, const io::Units& units) {
+  if (!is_length(unit, units)) refuse(path, fmt::format("{} \"{}\", which is no unit of length", what, unit), remedy);
+  return units.scale(unit, "m");
+}
+
+io::Scale height_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
+                       const io::Units& units, std::vector<std::string>& notes) {
+  const std::string& stated = values.channel.unit;
+  if (options.height_unit) {
+    notes.push_back(fmt::format(
+        "unit of heights: {} as the user says{}", *options.height_unit,
+        stated.empty() || stated == *options.height_unit ? "" : ", against the file, which says " + stated));
+    return length_scale(path, *options.height_unit, "--unit says", "give a length, for example --unit um", units);
+  }
+  if (stated.empty()) {
+    refuse(path, fmt::format("the file does not say in which unit channel \"{}\" is", values.channel.name),
+           "say it, for example --unit um");
+  }
+  return length_scale(path, stated, fmt::format("channel \"{}\" is in", values.channel.name),
+                      "choose a channel of heights with --channel N; where the unit is wrong, say it: --unit um",
+                      units);
+}
+
+double length_of_user(const std::string& path, const std::string& text, const std::string& option,
+                      const io::Units& units) {
+  try {
+    const double length = units.quantity(text, "m", "0.5 um");
+    if (length > 0) return length;
+    refuse(path, fmt::format("{} {} is no step", option, text), "a length above zero is wanted");
+  } catch (const io::UnitError& error) {
+    refuse(path, fmt::format("{} \"{}\" {}", option, text, error.what()), error.remedy);
+  }
+}
+
+/// The scale of places and steps to metres.
+io::Scale lateral_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
+                        const io::Units& units, std::vector<std::string>& notes) {
+  if (options.lateral_unit) {
+    notes.push_back(fmt::format("unit of x and y: {} as the user says{}", *options.lateral_unit,
+                                values.step_unit.empty() || values.step_unit == *options.lateral_unit
+                                    ? ""
+                                    : ", against the file, which says " + values.step_unit));
+    return length_scale(path, *options.lateral_unit, "--lateral-unit says", "give a length, for example mm", units);
+  }
+  if (values.step_unit.empty()) {
+    refuse(path, "the file does not say in which unit x and y are", "say it, for example --lateral-unit um");
+  }
+  return length_scale(path, values.step_unit, "x and y are in", "say the step, for example --step-x \"0.5 um\"", units);
+}
+
+struct Steps {
+  double x_m = 0;
+  double y_m = 0;
+};
+
+/// What the file says of a step that the user states otherwise.
+std::string against(double step, const ChannelValues& values) {
+  return step > 0 ? fmt::format("; the file says {:.6g} {}", step, values.step_unit) : "";
+}
+
+Steps steps_of(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
+               const io::Units& units, std::vector<std::string>& notes) {
+  const bool is_profile = values.channel.points_y == 1;
+  Steps steps;
+  if (options.step_x) {
+    steps.x_m = length_of_user(path, *options.step_x, "--step-x", units);
+    notes.push_back(fmt::format("step x: {} as the user says{}", *options.step_x, against(values.step_x, values)));
+  }
+  if (options.step_y) {
+    steps.y_m = length_of_user(path, *options.step_y, "--step-y", units);
+    notes.push_back(fmt::format("step y: {} as the user says{}", *options.step_y, against(values.step_y, values)));
+  } else if (options.step_x) {
+    steps.y_m = steps.x_m;
+  }
+  const bool wants_x = steps.x_m == 0, wants_y = steps.y_m == 0 && !is_profile;
+  if (wants_x || wants_y) {
+    if ((wants_x && values.step_x == 0) || (wants_y && values.step_y == 0)) {
+      refuse(path, "the file does not say the step between its points", "say it, for example --step-x \"0.5 um\"");
+    }
+    const io::Scale scale = lateral_scale(path, values, options, units, notes);
+    if (wants_x) steps.x_m = scale.to_si(values.step_x);
+    if (wants_y) steps.y_m = scale.to_si(values.step_y);
+  }
+  for (const double step : {steps.x_m, is_profile ? steps.x_m : steps.y_m}) {
+    if (!std::isfinite(step) || !(step > 1e-13) || !(step < 1)) {
+      refuse(path, fmt::format("a step of {} m between points is none", step),
+             "the header is damaged, or its unit or byte order is not the one it states");
+    }
+  }
+  return steps;
+}
+
+/// A column of points is a profile that was stored upright.
+void turn_column(ChannelValues& values) {
+  if (values.channel.points_x != 1 || values.channel.points_y <= 1) return;
+  std::swap(values.channel.points_x, values.channel.points_y);
+  std::swap(values.step_x, values.step_y);
+  values.notes.push_back("the map has one column: it was read as a profile");
+}
+
+void scale_heights(const std::string& path, ChannelValues& values, const io::Scale& scale) {
+  double largest = 0;
+  bool any = false;
+  for (std::size_t i = 0; i < values.value.size(); ++i) {
+    if (!values.missing.empty() && values.missing[i] != 0) continue;
+    values.value[i] = scale.to_si(values.value[i]);
+    if (!std::isfinite(values.value[i])) {
+      refuse(path, fmt::format("point {}: a height is not a finite number", i + 1),
+             "the heights are damaged, or their byte order is not the one of the format");
+    }
+    largest = std::max(largest, std::abs(values.value[i]));
+    any = true;
+  }
+  if (!any) refuse(path, "no point was measured: all are missing", "is it the right file or channel?");
+  if (largest > kHighest_m) {
+    refuse(path, fmt::format("the largest height is {:.4g} m, over {} m", largest, kHighest_m),
+           "the unit is wrong (say it: --unit um), or the heights are damaged or in another byte order");
+  }
+}
+
+struct Loaded {
+  ChannelValues values;  ///< heights in metres
+  SurfaceOrigin origin;
+};
+
+Loaded load(const std::string& path, const SurfaceOptions& options, const io::Units& units) {
+  const InstrumentFile file = open_instrument_file(path, options.layout);
+  Loaded loaded;
+  SurfaceOrigin& origin = loaded.origin;
+  origin.path = path;
+  origin.format = file.format;
+  origin.instrument = file.instrument;
+  origin.date = file.date;
+  origin.channels = file.channels;
+  origin.notes = file.notes;
+  const std::size_t index = chosen_channel(file, path, options, units, origin.notes);
+  origin.channel = file.channels[index].name;
+  origin.channel_number = index + 1;
+  loaded.values = file.values(index);
+  turn_column(loaded.values);
+  origin.notes.insert(origin.notes.end(), loaded.values.notes.begin(), loaded.values.notes.end());
+  const io::Scale scale = height_scale(path, loaded.values, options, units, origin.notes);
+  scale_heights(path, loaded.values, scale);
+  origin.sha256 = io::file_sha256(path);
+  return loaded;
+}
+
+std::string shown_length(double length_m) {
+  const double size = std::abs(length_m);
+  if (size >= 1e-3) return fmt::format("{:.5g} mm", length_m * 1e3);
+  if (size >= 1e-7 || size == 0) return fmt::format("{:.5g} um", length_m * 1e6);
+  return fmt::format("{:.5g} nm", length_m * 1e9);
+}
+
+}  // namespace
+
+InstrumentFile open_instrument_file(const std::string& path, TableLayout layout) {
+  auto bytes = std::make_shared<const std::string>(file_bytes(path, kLargestInstrumentFile));
+  if (starts_with(*bytes, "PK\x03\x04")) {
+    bytes.reset();
+    return is_x3p(path) ? read_x3p(path) : through_gwyddion(path);
+  }
+  if (is_sdf(*bytes)) return read_sdf(path, bytes);
+  if (starts_with(*bytes, "DIGITAL SURF") || starts_with(*bytes, "DSCOMPRESSED")) return read_digital_surf(path, bytes);
+  if (starts_with(*bytes, "Gwyddion Simple Field 1.0")) return read_simple_field(path, bytes);
+  if (starts_with(*bytes, "GWYP")) return read_gwy(path, bytes);
+  if (layout != TableLayout::kByContent || looks_like_table(*bytes)) return read_height_table(path, *bytes, layout);
+  bytes.reset();
+  return through_gwyddion(path);
+}
+
+SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& options, const io::Units& units) {
+  Loaded loaded = load(path, options, units);
+  ChannelValues& values = loaded.values;
+  if (!values.x.empty() && !options.step_x) {
+    values.step_x = even_step(values.x);
+    if (values.step_x == 0) {
+      refuse(path, "the places of the profile are not even, and a map wants even steps",
+             "resample it in the program that wrote it");
+    }
+  }
+  const Steps steps = steps_of(path, values, options, units, loaded.origin.notes);
+  SurfaceFile result;
+  result.origin = std::move(loaded.origin);
+  surface::HeightMap& map = result.map;
+  map.points_x = values.channel.points_x;
+  map.points_y = values.channel.points_y;
+  map.step_x_m = steps.x_m;
+  map.step_y_m = map.is_profile() ? 0.0 : steps.y_m;
+  map.height_m = std::move(values.value);
+  map.missing = std::move(values.missing);
+  for (std::size_t i = 0; i < map.missing.size(); ++i) {
+    if (map.missing[i] != 0) map.height_m[i] = 0;
+  }
+  result.plausibility_line = plausibility_line(map);
+  return result;
+}
+
+TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options, const io::Units& units) {
+  Loaded loaded = load(path, options, units);
+  ChannelValues& values = loaded.values;
+  if (values.channel.points_y != 1) {
+    refuse(path, fmt::format("a profile is wanted, and the file has {} rows", values.channel.points_y),
+           "export one profile from it");
+  }
+  TraceFile result;
+  io::Scale scale;
+  double step_m = 0;
+  if (values.x.empty() || options.step_x) {
+    step_m = steps_of(path, values, options, units, loaded.origin.notes).x_m;
+  } else {
+    scale = lateral_scale(path, values, options, units, loaded.origin.notes);
+  }
+  surface::HeightMap map;
+  for (std::size_t i = 0; i < values.value.size(); ++i) {
+    if (!values.missing.empty() && values.missing[i] != 0) continue;
+    result.trace.x_m.push_back(step_m > 0 ? step_m * static_cast<double>(i) : scale.to_si(values.x[i]));
+    result.trace.height_m.push_back(values.value[i]);
+  }
+  if (result.trace.x_m.size() < 2) refuse(path, "the profile has one measured point", "two or more are wanted");
+  map.points_x = values.channel.points_x;
+  map.points_y = 1;
+  map.step_x_m = (result.trace.x_m.back() - result.trace.x_m.front()) / static_cast<double>(values.value.size() - 1);
+  map.height_m = std::move(values.value);
+  map.missing = std::move(values.missing);
+  result.plausibility_line = plausibility_line(map);
+  result.origin = std::move(loaded.origin);
+  return result;
+}
+
+std::vector<ChannelValues> read_channels(const std::string& path) {
+  const InstrumentFile file = open_instrument_file(path);
+  std::vector<ChannelValues> channels;
+  for (std::size_t i = 0; i < file.channels.size(); ++i) channels.push_back(file.values(i));
+  return channels;
+}
+
+std::string channel_list(const std::vector<Channel>& channels) {
+  std::string list;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const Channel& channel = channels[i];
+    list += fmt::format("{}    {}: {} [{}], {} x {} points", i == 0 ? "" : "\n", i + 1,
+                        channel.name.empty() ? "(no name)" : channel.name,
+                        channel.unit.empty() ? "unit not stated" : channel.unit, channel.points_x, channel.points_y);
+  }
+  return list;
+}
+
+std::string plausibility_line(const surface::HeightMap& map) {
+  double sum = 0, lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  std::size_t measured = 0;
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (!map.measured(i)) continue;
+    ++measured;
+    sum += map.height_m[i];
+    lowest = std::min(lowest, map.height_m[i]);
+    highest = std::max(highest, map.height_m[i]);
+  }
+  if (measured == 0) return fmt::format("{} x {} points, none measured", map.points_x, map.points_y);
+  const double mean = sum / static_cast<double>(measured);
+  double squares = 0;
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (map.measured(i)) squares += (map.height_m[i] - mean) * (map.height_m[i] - mean);
+  }
+  const double missing = 100 * (1 - static_cast<double>(measured) / static_cast<double>(map.points()));
+  const bool is_profile = map.is_profile();
+  std::string line = is_profile ? fmt::format("{} points, {}, step {}", map.points_x,
+                                              shown_length(map.step_x_m * static_cast<double>(map.points_x)),
+                                              shown_length(map.step_x_m))
+                                : fmt::format("{} x {} points, {} x {}, step {} x {}", map.points_x, map.points_y,
+                                              shown_length(map.step_x_m * static_cast<double>(map.points_x)),
+                                              shown_length(map.step_y_m * static_cast<double>(map.points_y)),
+                                              shown_length(map.step_x_m), shown_length(map.step_y_m));
+  return line + fmt::format("; {} {} about the mean as read, min {}, max {}; {:.3g} % missing",
+                            is_profile ? "Rq" : "Sq", shown_length(std::sqrt(squares / static_cast<double>(measured))),
+                            shown_length(lowest), shown_length(highest), missing);
+}
+
+}  // namespace ringfilm::instrument

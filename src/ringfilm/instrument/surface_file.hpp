@@ -1,0 +1,72 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/instrument/channel.hpp"
+#include "ringfilm/instrument/height_table_file.hpp"
+#include "ringfilm/io/units.hpp"
+#include "ringfilm/surface/topography.hpp"
+
+/// The door for measured surfaces: any known format in, a height map in metres out, with what was taken from where.
+namespace ringfilm::instrument {
+
+/// What the user says because the file does not, or against it. Nothing is guessed in their place.
+struct SurfaceOptions {
+  std::optional<std::string> channel;            ///< --channel: number counted from 1, or name
+  std::optional<std::string> height_unit;        ///< --unit: of the heights, e.g. "um"
+  std::optional<std::string> lateral_unit;       ///< --lateral-unit: of x and y, e.g. "mm"
+  std::optional<std::string> step_x;             ///< --step-x: e.g. "0.5 um"
+  std::optional<std::string> step_y;             ///< --step-y: the same as --step-x if left out
+  TableLayout layout = TableLayout::kByContent;  ///< --layout: of a text file
+};
+
+/// Where a map or a trace comes from, for the record.
+struct SurfaceOrigin {
+  std::string path;
+  std::string sha256;  ///< of the file
+  std::string format;
+  std::string channel;             ///< name of the one that was taken
+  std::size_t channel_number = 1;  ///< counted from 1
+  std::string instrument;          ///< as the file names it; may be empty
+  std::string date;                ///< as the file writes it; may be empty
+  std::vector<Channel> channels;   ///< all of the file
+  std::vector<std::string> notes;  ///< what the user said, what was chosen, what is odd
+};
+
+struct SurfaceFile {
+  surface::HeightMap map;
+  SurfaceOrigin origin;
+  /// Size in points and lengths, step, Sq, min, max, share of missing points: to be shown on every read.
+  std::string plausibility_line;
+};
+
+struct TraceFile {
+  surface::Trace trace;  ///< places that rise; points that were not measured are left out
+  SurfaceOrigin origin;
+  std::string plausibility_line;
+};
+
+/// Opens a file of any known format: X3P, SDF, SUR, GSF, .gwy and text by our own readers, all else through the program
+/// gwyddion. Throws InputError with file, place, rule and remedy.
+InstrumentFile open_instrument_file(const std::string& path, TableLayout layout = TableLayout::kByContent);
+
+/// Reads one map of heights. Of several channels the chosen one, else the only one whose unit is a length. Rows and
+/// columns stand as gwyddion shows them: row 0 is the upper edge of its picture. A map of one column is turned into a
+/// profile. Throws InputError: no such channel or several to choose from, a unit or a step that neither the file nor
+/// the user states, no measured point, heights beyond 1 m, and all faults of the file.
+SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& options, const io::Units& units);
+
+/// Reads a profile, whose places need not be even. Throws InputError also for a map of more than one row.
+TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options, const io::Units& units);
+
+/// All channels of a file with their own units: lateral signals of an AFM, voltages, light. Throws InputError.
+std::vector<ChannelValues> read_channels(const std::string& path);
+
+/// A table of the channels for a person: number, name, unit, points.
+std::string channel_list(const std::vector<Channel>& channels);
+
+/// The line that says whether a map can be what its user thinks it is.
+std::string plausibility_line(const surface::HeightMap& map);
+
+}  // namespace ringfilm::instrument

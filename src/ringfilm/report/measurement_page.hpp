@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+
+#include "ringfilm/io/measurement.hpp"
+#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/units.hpp"
+
+namespace ringfilm::report {
+
+/// What instruments gave, as one self-contained web page: key values, height maps, curves, tables and the fragment for
+/// a case. Maps are averaged over blocks and long curves thinned to their highs and lows, which their captions tell.
+/// Throws std::logic_error as io::check_measurement does.
+std::string measurement_page(const io::Measurement& measurement, const io::Units& units,
+                             const io::Provenance& provenance);
+
+}  // namespace ringfilm::report

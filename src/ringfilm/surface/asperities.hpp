@@ -1,0 +1,52 @@
+#pragma once
+#include <string>
+
+#include "ringfilm/surface/spectral_moments.hpp"
+#include "ringfilm/surface/topography.hpp"
+
+namespace ringfilm::surface {
+
+/// Which height statistic stands for sigma: Ra (Sa of a map), as in styles2014, or Rq (Sq).
+enum class SigmaRule { ra, rq };
+
+/// What one surface brings into a pair, all after the same form and filters.
+struct SurfaceMeasures {
+  double Sa_m = 0.0;
+  double Sq_m = 0.0;
+  SpectralMoments moments;
+};
+
+/// Density of asperity peaks, mean radius of their summits, roughness: what a contact model takes.
+struct AsperityParameters {
+  double density_per_m2 = 0.0;  ///< N [1/m^2]
+  double beta_m = 0.0;          ///< mean summit radius [m]
+  double sigma_m = 0.0;         ///< composite roughness [m]
+
+  double tabor() const { return density_per_m2 * beta_m * sigma_m; }  ///< N beta sigma [-]
+  double slope() const { return sigma_m / beta_m; }                   ///< sigma/beta [-]
+};
+
+/// Measures of a map that was levelled and filtered.
+/// @throws InputError for flat surfaces, too few points, heights that are no numbers
+SurfaceMeasures surface_measures(const HeightMap& map, MomentDirection direction = MomentDirection::mean,
+                                 DifferenceScheme scheme = DifferenceScheme::neighbours);
+
+/// N and beta of moments, eq-asperity-density and eq-asperity-radius.
+/// @param sigma_m taken over as it is
+/// @throws InputError where m2 or m4 is not positive: the radius would be infinite
+AsperityParameters asperity_parameters(const SpectralMoments& moments, double sigma_m);
+
+/// N, beta, sigma of two surfaces in contact after @cite styles2014, eqs (1) to (4), as corrected in
+/// docs/theory/surface.md: m2 and m4 add up, sigma is the root of the sum of squares, eq-asperity-pair.
+AsperityParameters pair_parameters(const SurfaceMeasures& first, const SurfaceMeasures& second, SigmaRule rule);
+
+/// The same for one surface against a smooth flat.
+AsperityParameters single_parameters(const SurfaceMeasures& surface, SigmaRule rule);
+
+/// One line for tables and files, for example "root of the sum of squares of Ra (Sa)".
+std::string sigma_text(SigmaRule rule);
+
+/// Moments that give N and beta, the inverse of asperity_parameters; m0 stays 0.
+SpectralMoments moments_of(double density_per_m2, double beta_m);
+
+}  // namespace ringfilm::surface

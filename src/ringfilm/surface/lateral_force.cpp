@@ -1,0 +1,72 @@
+#include "ringfilm/surface/lateral_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ringfilm/base/error.hpp"
+
+namespace ringfilm::surface {
+namespace {
+
+constexpr double kConfidence = 0.95;
+
+double square(double x) { return x * x; }
+
+/// Degrees of freedom of a sum of variances after Welch and Satterthwaite; a share without scatter of its own has
+/// infinitely many.
+double joint_freedom(const ShearStrength& s, double of_slope, double of_calibration) {
+  const double total = square(s.deviation());
+  const double shares =
+      square(square(s.slope_deviation)) / of_slope + square(square(s.calibration_deviation)) / of_calibration;
+  return shares > 0 ? square(total) / shares : std::numeric_limits<double>::infinity();
+}
+
+ShearStrength shear_strength(const FrictionSample& sample, const Calibration& calibration) {
+  if (sample.load_unit != calibration.load_unit) {
+    throw InputError("the loads of " + sample.name + " and those of the calibration are not in one kind of unit",
+                     "both in volts of the normal signal, or both in newtons");
+  }
+  if (!(sample.line.slope > 0)) {
+    throw InputError("the friction on " + sample.name + " does not rise with load",
+                     "are trace and retrace exchanged, or the loads of the wrong sign?");
+  }
+  ShearStrength s;
+  s.sample = sample.name;
+  s.zeta = calibration.psi * sample.line.slope;
+  s.slope_deviation = calibration.psi * sample.line.slope_deviation;
+  s.calibration_deviation = calibration.measurement_deviation * sample.line.slope;
+  s.reference_deviation = calibration.reference_deviation * sample.line.slope;
+  const double freedom = joint_freedom(s, sample.line.degrees_of_freedom(), calibration.degrees_of_freedom);
+  const double half_width = coverage_factor(kConfidence, freedom) * s.deviation();
+  s.low = std::max(0.0, s.zeta - half_width);
+  s.high = s.zeta + half_width;
+  return s;
+}
+
+}  // namespace
+
+double ShearStrength::deviation() const {
+  return std::hypot(slope_deviation, calibration_deviation, reference_deviation);
+}
+
+double ShearStrengths::correlation(std::size_t i, std::size_t j) const {
+  const std::size_t n = samples.size();
+  const double scale = std::sqrt(covariance[i * n + i] * covariance[j * n + j]);
+  return scale > 0 ? covariance[i * n + j] / scale : (i == j ? 1.0 : 0.0);
+}
+
+ShearStrengths boundary_shear_strengths(const std::vector<FrictionSample>& samples, const Calibration& calibration) {
+  ShearStrengths result;
+  for (const FrictionSample& sample : samples) result.samples.push_back(shear_strength(sample, calibration));
+  const double common = square(calibration.deviation());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (std::size_t j = 0; j < samples.size(); ++j) {
+      const double shared = common * samples[i].line.slope * samples[j].line.slope;
+      result.covariance.push_back(shared + (i == j ? square(result.samples[i].slope_deviation) : 0.0));
+    }
+  }
+  return result;
+}
+
+}  // namespace ringfilm::surface

@@ -1,0 +1,40 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/surface/lateral_force_calibration.hpp"
+
+/// Friction loops to the coefficient of boundary shear strength (docs/theory/boundary-shear.md).
+namespace ringfilm::surface {
+
+/// A sample as measured: its friction-load line.
+struct FrictionSample {
+  std::string name;
+  LineFit line;
+  LoadUnit load_unit{};
+};
+
+/// zeta = psi m of one sample, eq-zeta, and what makes it uncertain, eq-zeta-shares.
+struct ShearStrength {
+  std::string sample;
+  double zeta = 0;                   ///< [-]
+  double slope_deviation = 0;        ///< from the sample's own line [-]
+  double calibration_deviation = 0;  ///< from the measurement of psi; common to all samples [-]
+  double reference_deviation = 0;    ///< from the value taken over for psi; common to all samples [-]
+  double low = 0, high = 0;          ///< 95 % interval, not below 0 [-]
+
+  double deviation() const;
+};
+
+struct ShearStrengths {
+  std::vector<ShearStrength> samples;
+  /// Of zeta of all samples, row after row: those of one calibration rise and fall together, eq-zeta-covariance.
+  std::vector<double> covariance;
+
+  double correlation(std::size_t i, std::size_t j) const;
+};
+
+/// Throws InputError where loads of samples and calibration differ in kind, or a slope is not positive.
+ShearStrengths boundary_shear_strengths(const std::vector<FrictionSample>& samples, const Calibration& calibration);
+
+}  // namespace ringfilm::surface

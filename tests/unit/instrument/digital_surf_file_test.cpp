@@ -1,0 +1,107 @@
+#include "ringfilm/instrument/digital_surf_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "written_files.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+using handmade::Sur;
+using testing::HasSubstr;
+
+// Heights are whole numbers times 0.25 nm and 5 nm more; these are exact in single precision.
+double height_m(std::int64_t whole) { return (static_cast<double>(whole) * 0.25 + 5) * 1e-9; }
+
+class EveryKindOfSur : public testing::TestWithParam<std::tuple<int, bool>> {};
+
+TEST_P(EveryKindOfSur, IsReadPointByPoint) {
+  Sur sur;
+  std::tie(sur.bits, sur.high_byte_first) = GetParam();
+  sur.heights = {-10, 20, 30, 40, 50, 32000};
+  const SurfaceFile file = read_bytes("a.sur", sur.bytes());
+  ASSERT_EQ(file.map.points_x, 3u);
+  ASSERT_EQ(file.map.points_y, 2u);
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 2e-6);
+  EXPECT_DOUBLE_EQ(file.map.step_y_m, 3e-6);
+  EXPECT_TRUE(file.map.missing.empty());
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_DOUBLE_EQ(file.map.height_m[i], height_m(sur.heights[i])) << i;
+  EXPECT_EQ(file.origin.date, "2019-03-07");
+  EXPECT_EQ(file.origin.channel, "a scratch");
+}
+
+INSTANTIATE_TEST_SUITE_P(WidthAndOrder, EveryKindOfSur, testing::Combine(testing::Values(16, 32), testing::Bool()));
+
+TEST(DigitalSurf, PointsTwoBelowTheSmallestAreMissing) {
+  Sur sur;
+  sur.special_points = 1;
+  sur.smallest = 10;
+  sur.heights = {10, 8, 30, 40, 50, 8};
+  const SurfaceFile file = read_bytes("a.sur", sur.bytes());
+  EXPECT_EQ(file.map.missing, (std::vector<std::uint8_t>{0, 1, 0, 0, 0, 1}));
+  EXPECT_EQ(file.map.height_m[1], 0);
+  EXPECT_THAT(file.plausibility_line, HasSubstr("33.3 % missing"));
+  sur.special_points = 0;
+  EXPECT_TRUE(read_bytes("a.sur", sur.bytes()).map.missing.empty());
+}
+
+TEST(DigitalSurf, ACommentIsSkippedAndLatinUnitsAreRead) {
+  Sur sur;
+  sur.comment_size = 77;
+  sur.unit_z = "\xB5m";
+  const SurfaceFile file = read_bytes("a.sur", sur.bytes());
+  EXPECT_DOUBLE_EQ(file.map.height_m[0], 7.5e-6);
+  EXPECT_EQ(file.origin.channels[0].unit, "\u00B5m");
+}
+
+TEST(DigitalSurf, AnInvertedSurfaceIsTurnedBack) {
+  Sur sur;
+  sur.inverted = 2;
+  sur.heights = {10, 20, 70, 45, 50, 90};  // mean 47.5
+  const SurfaceFile file = read_bytes("a.sur", sur.bytes());
+  // Each height mirrored about the mean, each row turned: as gwyddion 2.62 gives the same bytes.
+  const std::vector<double> expected = {25, 75, 85, 5, 45, 50};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(file.map.height_m[i], (expected[i] * 0.25 + 5) * 1e-9, 1e-22) << i;  // rounding of the mean
+  }
+}
+
+TEST(DigitalSurf, OtherKindsAreRefusedByName) {
+  Sur sur;
+  sur.type = 5;
+  EXPECT_THAT(refusal("a.sur", sur.bytes()), HasSubstr("byte 18: the file holds a series of surfaces (kind 5)"));
+  sur.type = 2;
+  sur.objects = 3;
+  EXPECT_THAT(refusal("a.sur", sur.bytes()), HasSubstr("the file holds 3 objects"));
+  sur.objects = 1;
+  sur.bits = 8;
+  EXPECT_THAT(refusal("a.sur", sur.bytes()), HasSubstr("a height has 8 bits; 16 or 32 are known"));
+  EXPECT_THAT(refusal("a.sur", "DSCOMPRESSED" + std::string(600, 'x')), HasSubstr("save it without compression"));
+}
+
+TEST(DigitalSurf, WhatIsWrittenIsReadBack) {
+  surface::HeightMap map;
+  map.points_x = 4;
+  map.points_y = 3;
+  map.step_x_m = 0.5e-6;
+  map.step_y_m = 1.25e-6;
+  for (int i = 0; i < 12; ++i) map.height_m.push_back(1e-6 * std::sin(1.7 * i));
+  map.missing.assign(12, 0);
+  map.missing[5] = 1;
+  map.height_m[5] = 0;
+  const std::string bytes = digital_surf_bytes(map, 1e-10, "made");
+  EXPECT_EQ(bytes, digital_surf_bytes(map, 1e-10, "made"));
+  const surface::HeightMap back = read_bytes("a.sur", bytes).map;
+  EXPECT_EQ(back.missing, map.missing);
+  EXPECT_DOUBLE_EQ(back.step_y_m, 1.25e-6);
+  // Half a step of the resolution, and the step itself is kept in single precision.
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(back.height_m[i], map.height_m[i], 0.51e-10) << i;
+  map.height_m[0] = 0.9;
+  EXPECT_THROW(digital_surf_bytes(map, 1e-10, "made"), InputError);
+}
+
+}  // namespace
+}  // namespace ringfilm::instrument

@@ -1,0 +1,126 @@
+#include "ringfilm/instrument/height_table_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "written_files.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+using testing::HasSubstr;
+
+SurfaceOptions with(const char* height_unit, const char* lateral_unit, const char* step = nullptr) {
+  SurfaceOptions options;
+  if (height_unit != nullptr) options.height_unit = height_unit;
+  if (lateral_unit != nullptr) options.lateral_unit = lateral_unit;
+  if (step != nullptr) options.step_x = step;
+  return options;
+}
+
+TEST(HeightTable, AMatrixAsksForItsUnitAndStep) {
+  const std::string text = "1;2;3;4\n5;;7;nan\n";
+  EXPECT_THAT(refusal("a.csv", text), HasSubstr("--unit um"));
+  EXPECT_THAT(refusal("a.csv", text, with("um", nullptr)), HasSubstr("--step-x"));
+  const SurfaceFile file = read_bytes("a.csv", text, with("um", nullptr, "2 um"));
+  ASSERT_EQ(file.map.points_x, 4u);
+  ASSERT_EQ(file.map.points_y, 2u);
+  EXPECT_DOUBLE_EQ(file.map.step_y_m, 2e-6);
+  EXPECT_DOUBLE_EQ(file.map.height_m[4], 5e-6);
+  EXPECT_EQ(file.map.missing, (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 0, 1}));
+}
+
+TEST(HeightTable, SeparatorsAndDecimalCommas) {
+  for (const char* text :
+       {"1.5,2,3,4\n5,6,7,8\n", "1,5;2;3;4\n5;6;7;8\n", "1.5\t2\t3\t4\n5\t6\t7\t8\n", "  1.5 2  3 4\r\n5 6 7 8\r\n",
+        "1,5 2,0 3,0 4,0\n5,0 6,0 7,0 8,0\n", "1.5, 2, 3, 4\n5, 6, 7, 8",
+        "\xEF\xBB\xBF"
+        "1.5;2;3;4;\n5;6;7;8;\n"}) {
+    const SurfaceFile file = read_bytes("a.csv", text, with("um", nullptr, "2 um"));
+    ASSERT_EQ(file.map.points_x, 4u) << text;
+    EXPECT_DOUBLE_EQ(file.map.height_m[0], 1.5e-6) << text;
+    EXPECT_DOUBLE_EQ(file.map.height_m[7], 8e-6) << text;
+  }
+}
+
+TEST(HeightTable, ARowOfTabulatorsIsARowOfMissingHeights) {
+  const SurfaceFile file = read_bytes("a.txt", "\t\n1\t2\t3\t4\n\t\t\t\n5\t6\t7\t8\n", with("um", nullptr, "2 um"));
+  ASSERT_EQ(file.map.points_y, 3u) << "the blank line in front is none";
+  EXPECT_EQ(std::count(file.map.missing.begin(), file.map.missing.end(), 1), 4);
+  EXPECT_FALSE(file.map.measured(file.map.index(3, 1)));
+}
+
+TEST(HeightTable, TheCommentsOfGwyddionSayUnitAndSize) {
+  const SurfaceFile file =
+      read_bytes("a.txt",
+                 "# Channel: Topography\n# Width: 8.0 \u00B5m\n# Height: 4.0 \u00B5m\n# Value units: m\n1e-9 2e-9 3e-9 "
+                 "4e-9\n5e-9 6e-9 7e-9 8e-9\n");
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 2e-6);
+  EXPECT_DOUBLE_EQ(file.map.height_m[7], 8e-9);
+}
+
+TEST(HeightTable, PointsInAnyOrderWithHoles) {
+  const SurfaceFile file =
+      read_bytes("a.csv",
+                 "x [mm],y [mm],z [um]\n0.2,0.1,23\n0,0,11\n0.1,0,12\n0.2,0,13\n0,0.1,21\n0.1,0.1,\n"
+                 "0,0.2,31\n0.2,0.2,33\n");
+  ASSERT_EQ(file.map.points_x, 3u);
+  ASSERT_EQ(file.map.points_y, 3u);
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 1e-4);
+  EXPECT_DOUBLE_EQ(file.map.height_m[file.map.index(2, 1)], 23e-6);
+  EXPECT_EQ(file.map.missing, (std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 1, 0}));
+}
+
+TEST(HeightTable, PointsWithoutNamesAskForTheirUnits) {
+  const std::string text = "0 0 1\n1 0 2\n0 1 3\n1 1 4\n";
+  EXPECT_THAT(refusal("a.xyz", text, with("um", nullptr)), HasSubstr("--lateral-unit"));
+  const SurfaceFile file = read_bytes("a.xyz", text, with("um", "mm"));
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 1e-3);
+  EXPECT_DOUBLE_EQ(file.map.height_m[3], 4e-6);
+}
+
+TEST(HeightTable, PlacesRoundedToFewDigitsStillLieOnTheGrid) {
+  std::string text;
+  for (int j = 0; j < 30; ++j) {
+    for (int i = 0; i < 40; ++i) {
+      char line[80];
+      std::snprintf(line, sizeof line, "%.3f\t%.3f\t%d\n", i / 3.0, j / 7.0, 100 * j + i);
+      text += line;
+    }
+  }
+  const SurfaceFile file = read_bytes("a.xyz", text, with("nm", "um"));
+  ASSERT_EQ(file.map.points_x, 40u);
+  ASSERT_EQ(file.map.points_y, 30u);
+  EXPECT_DOUBLE_EQ(file.map.height_m[file.map.index(17, 23)], 2317e-9);
+  EXPECT_NEAR(file.map.step_x_m, 1e-6 / 3, 1e-10);  // three digits over 39 steps
+}
+
+TEST(HeightTable, PointsOffTheGridAreRefused) {
+  EXPECT_THAT(refusal("a.xyz", "0 0 1\n1 0 2\n0 1 3\n1.3 1 4\n", with("um", "mm")), HasSubstr("off the grid"));
+  EXPECT_THAT(refusal("a.xyz", "0 0 1\n1 0 2\n0 1 3\n0 1 4\n", with("um", "mm")),
+              HasSubstr("point 4: a second height"));
+}
+
+TEST(HeightTable, ProfilesKeepTheirPlaces) {
+  const ScratchFolder folder;
+  const std::string path = folder.write("a.csv", "x [mm];height [um]\n0,0;1,5\n0,1;2\n0,25;\n0,4;3\n");
+  const TraceFile file = read_trace_file(path, {}, units());
+  ASSERT_EQ(file.trace.x_m.size(), 3u);
+  EXPECT_DOUBLE_EQ(file.trace.x_m[2], 4e-4);
+  EXPECT_DOUBLE_EQ(file.trace.height_m[0], 1.5e-6);
+  EXPECT_THAT(refusal("a.csv", "x [mm],z [um]\n0,1\n1,2\n1,3\n"), HasSubstr("a.csv:4:1: x falls or stands"));
+}
+
+TEST(HeightTable, FaultsNameLineAndColumn) {
+  EXPECT_THAT(refusal("a.csv", "1,2,3,4\n5,6,seven,8\n", with("um", nullptr, "1 um")),
+              HasSubstr("a.csv:2:5: \"seven\" is not a finite number"));
+  EXPECT_THAT(refusal("a.csv", "1,2,3,4\n5,6,7\n", with("um", nullptr, "1 um")),
+              HasSubstr("a.csv:2:1: the row has 3 values, and 4 are wanted"));
+  EXPECT_THAT(refusal("a.csv", "x [mm],q [um]\n1,2\n2,3\n"), HasSubstr("there is no column z among: x, q"));
+  EXPECT_THAT(refusal("a.csv", "1,2,3,inf\n5,6,7,8\n", with("um", nullptr, "1 um")), HasSubstr("not a finite number"));
+}
+
+}  // namespace
+}  // namespace ringfilm::instrument
