@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -55,7 +56,9 @@ std::size_t checked_points(const std::string& file, std::uint64_t points_x, std:
 
 std::string_view BinaryReader::at(std::size_t offset, std::size_t length, const std::string& what) const {
   if (offset > bytes_.size() || length > bytes_.size() - offset) {
-    refuse_at(offset, fmt::format("{} needs {} bytes, and the file ends after {}", what, length, bytes_.size()),
+    refuse_at(offset,
+              fmt::format("{} needs {} bytes from byte {} on, and there are {}: the file ends after {}", what, length,
+                          offset, bytes_.size() - std::min(offset, bytes_.size()), bytes_.size()),
               "the file was cut short or its header is damaged: copy it again from the instrument");
   }
   return bytes_.substr(offset, length);
@@ -65,6 +68,12 @@ std::string BinaryReader::text(std::size_t offset, std::size_t length, const std
   std::string_view field = at(offset, length, what);
   field = field.substr(0, field.find('\0'));
   return trimmed(utf8_from(field));
+}
+
+void BinaryReader::end_at(std::size_t offset, const std::string& what) const {
+  if (offset >= bytes_.size()) return;
+  refuse_at(offset, fmt::format("{} ends here, and {} more bytes follow", what, bytes_.size() - offset),
+            "the size in the header is smaller than the data: copy or export the file again");
 }
 
 void BinaryReader::refuse_at(std::size_t offset, const std::string& message, const std::string& remedy) const {

@@ -59,6 +59,9 @@ class BinaryReader {
   /// A text field of fixed length without the blanks and zeros around it; Latin-1 becomes UTF-8.
   std::string text(std::size_t offset, std::size_t length, const std::string& what) const;
 
+  /// Refuses the file if bytes follow `offset`, where `what` ends.
+  void end_at(std::size_t offset, const std::string& what) const;
+
   /// Refuses the file for what stands at `offset`.
   [[noreturn]] void refuse_at(std::size_t offset, const std::string& message, const std::string& remedy) const;
 

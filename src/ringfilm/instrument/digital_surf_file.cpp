@@ -127,7 +127,9 @@ Header read_header(const BinaryReader& in) {
   }
   header.comment = static_cast<std::size_t>(comment);
   header.data = kHeaderSize + static_cast<std::size_t>(comment) + static_cast<std::size_t>(own);
-  in.at(header.data, points * header.point_bytes, fmt::format("the map of {} x {} points", points_x, points_y));
+  const std::string map = fmt::format("the map of {} x {} points", points_x, points_y);
+  in.at(header.data, points * header.point_bytes, map);
+  in.end_at(header.data + points * header.point_bytes, map);
 
   header.step_x = in.number<float>(kStepX, "the step x");
   header.step_y = in.number<float>(kStepY, "the step y");

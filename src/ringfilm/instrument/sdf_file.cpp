@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -47,6 +48,15 @@ void check_header(const BinaryReader& in, const Header& header) {
   checked_points(in.file(), header.points_x, header.points_y);
 }
 
+/// Behind the heights of a binary file may stand a trailer: elements such as <OperatorName>, in text alone.
+void check_trailer(const BinaryReader& in, std::size_t offset, const std::string& map) {
+  const std::string_view rest = in.at(offset, in.size() - offset, "the trailer");
+  const auto is_text = [](char c) { return (c >= ' ' && c <= '~') || c == '\t' || c == '\r' || c == '\n'; };
+  const std::size_t first = rest.find_first_not_of(" \t\r\n*");
+  const bool opens = first == std::string_view::npos || rest[first] == '<';
+  if (!opens || !std::all_of(rest.begin(), rest.end(), is_text)) in.end_at(offset, map);
+}
+
 Header read_binary_header(const BinaryReader& in) {
   Header header;
   header.version = in.text(0, kVersionSize, "the version");
@@ -70,13 +80,15 @@ Header read_binary_header(const BinaryReader& in) {
   header.data = scales + 35;
   check_header(in, header);
   const std::size_t needed = header.points_x * header.points_y * kTypeBytes[header.type];
-  in.at(header.data, needed, fmt::format("the map of {} x {} points", header.points_x, header.points_y));
+  const std::string map = fmt::format("the map of {} x {} points", header.points_x, header.points_y);
+  in.at(header.data, needed, map);
   // Instruments of one maker put two numbers of 4 bytes behind the header that no standard knows.
   if (header.version == "bISO-1.0" && in.size() == header.data + needed + 8 &&
       in.number<std::uint32_t>(header.data, "an extra field") == 5 &&
       in.number<std::uint32_t>(header.data + 4, "an extra field") == 1) {
     header.data += 8;
   }
+  check_trailer(in, header.data + needed, map);
   return header;
 }
 
@@ -168,8 +180,11 @@ void read_text(const BinaryReader& in, const Header& header, ChannelValues& valu
   const std::string_view all = in.at(0, in.size(), "the heights");
   const char* place = all.data() + header.data;
   const char* const end = all.data() + all.size();
-  for (std::size_t i = 0; i < values.value.size(); ++i) {
+  const auto skip_blanks = [&place, end] {
     while (place != end && (*place == ' ' || *place == '\t' || *place == '\r' || *place == '\n')) ++place;
+  };
+  for (std::size_t i = 0; i < values.value.size(); ++i) {
+    skip_blanks();
     const auto offset = static_cast<std::size_t>(place - all.data());
     if (place == end || *place == '*') {
       in.refuse_at(offset, fmt::format("the heights end after {} of {}", i, values.value.size()),
@@ -192,6 +207,12 @@ void read_text(const BinaryReader& in, const Header& header, ChannelValues& valu
       values.value[i] = height * header.scale_z;
     }
     place = rest;
+  }
+  skip_blanks();
+  if (place != end && *place != '*') {
+    in.refuse_at(static_cast<std::size_t>(place - all.data()),
+                 fmt::format("the map of {} x {} points ends here, and more follows", header.points_x, header.points_y),
+                 "after the last height a line \"*\" is wanted; else the size in the header is smaller than the data");
   }
 }
 

@@ -98,7 +98,9 @@ InstrumentFile read_simple_field(const std::string& file, std::shared_ptr<const 
   const Header header(in);
   const std::uint64_t points_x = header.count("XRes"), points_y = header.count("YRes");
   const std::size_t points = checked_points(file, points_x, points_y);
-  in.at(header.data(), points * sizeof(float), fmt::format("the map of {} x {} points", points_x, points_y));
+  const std::string map = fmt::format("the map of {} x {} points", points_x, points_y);
+  in.at(header.data(), points * sizeof(float), map);
+  in.end_at(header.data() + points * sizeof(float), map);
   const std::optional<double> length_x = header.length("XReal"), length_y = header.length("YReal");
 
   InstrumentFile result;

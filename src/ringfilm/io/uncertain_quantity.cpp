@@ -69,7 +69,8 @@ surface::Uncertain uncertain_quantity(const std::string& text, const std::string
   surface::Uncertain result{read(value), 0};
   if (deviation.empty()) return result;
   if (relative) {
-    result.deviation = number_of(trimmed(deviation.substr(0, deviation.find('%'))), example) / 100 * std::abs(result.value);
+    result.deviation =
+        number_of(trimmed(deviation.substr(0, deviation.find('%'))), example) / 100 * std::abs(result.value);
   } else {
     result.deviation = read(deviation);
   }

@@ -82,6 +82,28 @@ TEST(DigitalSurf, OtherKindsAreRefusedByName) {
   EXPECT_THAT(refusal("a.sur", "DSCOMPRESSED" + std::string(600, 'x')), HasSubstr("save it without compression"));
 }
 
+TEST(DigitalSurf, AFileCutByOneByteSaysFromWhereItCounts) {
+  Sur sur;
+  sur.comment_size = 77;
+  std::string bytes = sur.bytes();
+  bytes.pop_back();
+  EXPECT_THAT(refusal("a.sur", bytes),
+              HasSubstr("byte 589: the map of 3 x 2 points needs 24 bytes from byte 589 on, and there are 23: the file "
+                        "ends after 612"));
+}
+
+TEST(DigitalSurf, AHeaderSmallerThanTheDataIsRefused) {
+  Sur sur;
+  sur.comment_size = 77;
+  sur.points_y = 1;
+  EXPECT_THAT(refusal("a.sur", sur.bytes()),
+              HasSubstr("byte 601: the map of 3 x 1 points ends here, and 12 more bytes follow"));
+  sur.points_y = 2;
+  EXPECT_THAT(refusal("a.sur", sur.bytes() + "x"),
+              HasSubstr("byte 613: the map of 3 x 2 points ends here, and 1 more"));
+  EXPECT_EQ(refusal("a.sur", sur.bytes()), "");
+}
+
 TEST(DigitalSurf, WhatIsWrittenIsReadBack) {
   surface::HeightMap map;
   map.points_x = 4;

@@ -88,6 +88,25 @@ TEST(Sdf, WhatIsNotReadIsNamed) {
   EXPECT_THAT(refusal("a.sdf", sdf_text("1 2 3", 3000, 2000)), HasSubstr("have no place in the"));
 }
 
+TEST(Sdf, AHeaderSmallerThanTheDataIsRefused) {
+  Bytes half = sdf_header(7, 3, 2), narrow = sdf_header(3, 3, 2);
+  for (int i = 0; i < 12; ++i) half.f64(1.5 * i);
+  for (int i = 0; i < 6; ++i) narrow.f64(1.5 * i);
+  EXPECT_THAT(refusal("a.sdf", half),
+              HasSubstr("byte 129: the map of 3 x 2 points ends here, and 48 more bytes follow"));
+  EXPECT_THAT(refusal("a.sdf", narrow),
+              HasSubstr("byte 105: the map of 3 x 2 points ends here, and 24 more bytes follow"));
+  EXPECT_THAT(refusal("a.sdf", binary_sdf(0, {1, 2, 3, 4, 5, 6}) + "abc"), HasSubstr("and 3 more bytes follow"));
+  EXPECT_THAT(refusal("a.sdf", sdf_text("1 2 3 4 5 6 7 8 9", 3, 2)),
+              HasSubstr("the map of 3 x 2 points ends here, and more follows"));
+}
+
+TEST(Sdf, ATrailerBehindTheHeightsIsNoData) {
+  const std::string trailer = "\r\n<PartName> a liner </PartName>\r\n*\r\n";
+  EXPECT_EQ(refusal("a.sdf", binary_sdf(5, {1, 2, 3, 4, 5, 6}) + trailer), "");
+  EXPECT_EQ(refusal("a.sdf", sdf_text("1 2 3 4 5 6", 3, 2) + trailer), "");
+}
+
 TEST(Sdf, TheExtraFieldsOfOneMakerAreSkipped) {
   Bytes out = sdf_header(5, 3, 1);
   out.i32(5).i32(1).i16(7).i16(8).i16(9);

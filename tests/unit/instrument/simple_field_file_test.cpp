@@ -57,6 +57,13 @@ TEST(SimpleField, FaultsNameTheirByte) {
   EXPECT_THAT(refusal("a.gsf", "Gwyddion Simple Field 1.0\nXRes = 3\n"), HasSubstr("no zero byte ends the header"));
 }
 
+TEST(SimpleField, AHeaderSmallerThanTheDataIsRefused) {
+  EXPECT_THAT(refusal("a.gsf", field(kLines, std::vector<float>(9, 1.0f))),
+              HasSubstr("byte 132: the map of 3 x 2 points ends here, and 12 more bytes follow"));
+  EXPECT_THAT(refusal("a.gsf", field(kLines, std::vector<float>(6, 1.0f)) + std::string(400, '\0')),
+              HasSubstr("and 400 more bytes follow"));
+}
+
 TEST(SimpleField, WhatIsWrittenIsReadBack) {
   surface::HeightMap map;
   map.points_x = 3;
