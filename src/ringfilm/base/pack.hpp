@@ -9,6 +9,8 @@ namespace ringfilm::base {
 enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 
 #define RINGFILM_INLINE [[gnu::always_inline]] inline
+/// The same behind the parameters of a lambda.
+#define RINGFILM_INLINE_BODY __attribute__((always_inline))
 
 template <int kWidth>
 struct PackValues {
@@ -127,13 +129,15 @@ struct Pack {
   }
 };
 
-/// Value of the polynomial with `kTerms` coefficients, lowest power first, `stride` apart.
-template <int kTerms, class Real>
-RINGFILM_INLINE Real polynomial(const double* c, int stride, Real t) {
-  Real value = Real::load(c + (kTerms - 1) * stride);
+/// One polynomial with `kTerms` coefficients, lowest power first, at several packs: side by side, so that no sum waits
+/// for its last term.
+template <int kTerms, int kAbreast, class Real>
+RINGFILM_INLINE void sum_of_powers(const double* c, const Real* t, Real* value) {
+  for (int a = 0; a < kAbreast; ++a) value[a] = Real(c[kTerms - 1]);
 #pragma GCC unroll 32
-  for (int k = kTerms - 2; k >= 0; --k) value = value * t + Real::load(c + k * stride);
-  return value;
+  for (int k = kTerms - 2; k >= 0; --k) {
+    for (int a = 0; a < kAbreast; ++a) value[a] = value[a] * t[a] + Real(c[k]);
+  }
 }
 
 }  // namespace ringfilm::base

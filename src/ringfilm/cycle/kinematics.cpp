@@ -21,11 +21,10 @@ Motion motion(double crank_angle_deg) {
   return in_turn > 0 && in_turn <= 180 ? Motion::kTowardsCrankcase : Motion::kTowardsTdc;
 }
 
-double sliding_distance(const models::CrankSlider& crank, double crank_angle_deg) {
+double sliding_distance(const models::CrankSlider& crank, double crank_angle_deg, double below_tdc) {
   const double angle = wrapped(crank_angle_deg);
   const double strokes_done = std::floor(angle / 180);
   const bool downwards = std::fmod(strokes_done, 2.0) == 0;
-  const double below_tdc = crank.position(radians(angle));
   return strokes_done * crank.stroke() + (downwards ? below_tdc : crank.stroke() - below_tdc);
 }
 

@@ -19,7 +19,7 @@ int steps_per_cycle(const Solver& solver);
 enum class Motion { kTowardsTdc, kTowardsCrankcase };
 Motion motion(double crank_angle_deg);
 
-/// Path of the ring on the liner since firing TDC [m]; eq-sliding-distance.
-double sliding_distance(const models::CrankSlider& crank, double crank_angle_deg);
+/// Path of the ring on the liner since firing TDC [m]; eq-sliding-distance. @param below_tdc where the ring is [m]
+double sliding_distance(const models::CrankSlider& crank, double crank_angle_deg, double below_tdc);
 
 }  // namespace ringfilm::cycle

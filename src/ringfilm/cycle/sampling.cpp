@@ -48,7 +48,7 @@ Sample sample(const Setup& setup, const March& march, const Instant& instant, co
   s.piston_position = setup.crank.position(radians(angle));
   const bool from_chamber_edge = instant.axis == Axis::kFromChamber;
   s.piston_velocity = from_chamber_edge ? in.U : -in.U;
-  s.sliding_distance = sliding_distance(setup.crank, angle);
+  s.sliding_distance = sliding_distance(setup.crank, angle, s.piston_position);
   s.gas_pressure = from_chamber_edge ? in.p_left : in.p_right;
   s.crankcase_pressure = from_chamber_edge ? in.p_right : in.p_left;
   s.applied_load = in.load * circumference;

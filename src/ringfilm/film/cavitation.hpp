@@ -11,10 +11,7 @@ inline double fill(Cavitation cavitation, double deficit) {
   return cavitation == Cavitation::kMassConserving ? 1 - deficit : 1.0;
 }
 
-/// Is the node part of a cavity? One that the iteration left just beyond the kink is full at p_c.
-inline bool is_cavity(double deficit) {
-  constexpr double kRounding = 1e-9;  // ten times as far as a node is put beyond the kink
-  return deficit > kRounding;
-}
+/// Is the node part of a cavity?
+inline bool is_cavity(double deficit) { return deficit > kHardlyCavity; }
 
 }  // namespace ringfilm::film

@@ -1,6 +1,7 @@
 #include "ringfilm/film/film_integrals.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ringfilm/film/cavitation.hpp"
@@ -39,29 +40,41 @@ void add_fitted_contact(const FilmProblem& problem, const FilmView& film, FilmIn
   sums.asperity_area = contact_sums.area;
 }
 
-/// Mass flux through the middle of the gap: of the face that lies there, or between two faces.
-double middle_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
-  const FilmGrid& grid = problem.grid;
-  const double middle = 0.5 * grid.width;
-  const auto face = [&](int i) { return grid.x[i] + 0.5 * grid.spacing[i]; };
-  // The last face that is neither beyond the middle nor the last of all.
-  const auto node = std::lower_bound(grid.x.begin(), grid.x.end(), middle) - grid.x.begin();
-  int i = std::clamp(static_cast<int>(node), 0, grid.n_cells() - 2);
-  while (i > 0 && face(i) > middle) --i;
-  const double share = (middle - face(i)) / (face(i + 1) - face(i));
-  const double flux = mass_flux(problem, inputs, state, i);
-  return flux + share * (mass_flux(problem, inputs, state, i + 1) - flux);
-}
+/// Where the flow is told: through the first and the last face, and through the middle of the gap, which lies between
+/// two faces or in one.
+class FlowFaces {
+ public:
+  explicit FlowFaces(const FilmGrid& grid) {
+    const double middle = 0.5 * grid.width;
+    const auto place = [&](int i) { return grid.x[i] + 0.5 * grid.spacing[i]; };
+    const int n = grid.n_cells();
+    // The last face that is neither beyond the middle nor the last of all.
+    const auto node = std::lower_bound(grid.x.begin(), grid.x.end(), middle) - grid.x.begin();
+    int i = std::clamp(static_cast<int>(node), 0, n - 2);
+    while (i > 0 && place(i) > middle) --i;
+    face_ = {0, i, i + 1, n - 1};
+    share_ = (middle - place(i)) / (place(i + 1) - place(i));
+  }
+  FluxesWanted wanted() { return {face_.data(), flux_.data(), static_cast<int>(face_.size())}; }
+  double left() const { return flux_[0]; }
+  double middle() const { return flux_[1] + share_ * (flux_[2] - flux_[1]); }
+  double right() const { return flux_[3]; }
+
+ private:
+  std::array<int, 4> face_;
+  std::array<double, 4> flux_;
+  double share_;  ///< of the second face at the middle
+};
 
 void add_flow(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous, const FilmState& state,
-              FilmIntegrals& sums) {
+              const FlowFaces& flow, FilmIntegrals& sums) {
   const int n = problem.grid.n_cells();
   const auto storage = [&](int i) {
     return problem.grid.share[i] / inputs.time_step * (state.content[i] - previous.content[i]);
   };
-  sums.flow_left = mass_flux(problem, inputs, state, 0) + storage(0);
-  sums.flow_right = mass_flux(problem, inputs, state, n - 1) - storage(n);
-  sums.flow_middle = middle_flux(problem, inputs, state);
+  sums.flow_left = flow.left() + storage(0);
+  sums.flow_right = flow.right() - storage(n);
+  sums.flow_middle = flow.middle();
   sums.mass_defect += sums.flow_right - sums.flow_left;
 }
 
@@ -102,16 +115,23 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   const FilmGrid& grid = problem.grid;
   const int n = grid.n_cells();
   const double* deficit = state.deficit.data();
-  for (int i = 1; i < n; ++i) {
-    while (i < n && !is_cavity(deficit[i])) ++i;
-    if (i == n) return;
+  const auto next = [&](int i, bool cavity) { return problem.kernels->next_node(deficit, i, n, cavity); };
+  for (int i = next(1, true); i < n; i = next(i, true)) {
     Cavity cavity;
     cavity.begin = front_position(grid, state.p, inputs.p_cavitation, i - 1, i);
-    while (i < n && is_cavity(deficit[i])) ++i;
+    i = next(i, false);
     cavity.end = std::max(front_position(grid, state.p, inputs.p_cavitation, i, i - 1), cavity.begin);
     sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
     sums.cavities.push_back(cavity);
   }
+}
+
+FilmSums sums_of_film(const FilmProblem& problem, const FilmState& state, const FilmView& film, const StepView& step,
+                      const FluxesWanted& fluxes) {
+  if (state.laws == LaneLaws::kFitted) return problem.kernels->sums(film, fitted_oil_view(problem), step, fluxes);
+  NodalOil oil;
+  oil.update(*problem.oil, state.p);
+  return problem.kernels->sums_of_given_oil(film, {oil.rho.data(), oil.K.data()}, step, fluxes);
 }
 
 }  // namespace
@@ -120,7 +140,9 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
                              const FilmState& state) {
   FilmIntegrals sums;
   const FilmView film = film_view(problem, state);
-  const FilmSums of_film = problem.kernels->sums(film, {inputs.U, 1 / inputs.time_step, previous.content.data()});
+  FlowFaces flow(problem.grid);
+  const FilmSums of_film =
+      sums_of_film(problem, state, film, {inputs.U, 1 / inputs.time_step, previous.content.data()}, flow.wanted());
   sums.hydrodynamic_load = of_film.hydrodynamic_load;
   sums.shear_couette = of_film.shear_couette;
   sums.shear_poiseuille = of_film.shear_poiseuille;
@@ -131,7 +153,7 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   } else if (problem.contact != nullptr) {
     add_contact(problem, state, sums);
   }
-  add_flow(problem, inputs, previous, state, sums);
+  add_flow(problem, inputs, previous, state, flow, sums);
   add_cavities(problem, inputs, state, sums);
   return sums;
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include <vector>
+#include <boost/container/small_vector.hpp>
 
 #include "ringfilm/film/film_state.hpp"
 
@@ -23,9 +23,9 @@ struct FilmIntegrals {
   double flow_middle = 0;       ///< through x = b/2
   double flow_right = 0;        ///< through x = b
   double mass_defect = 0;  ///< storage + outflow - inflow of the whole film [kg/(m s)]; round-off if mass is conserved
-  double peak_pressure = 0;       ///< [Pa]
-  double cavitated_fraction = 0;  ///< share of the width that is a cavity [-]
-  std::vector<Cavity> cavities;   ///< from x = 0 on
+  double peak_pressure = 0;                            ///< [Pa]
+  double cavitated_fraction = 0;                       ///< share of the width that is a cavity [-]
+  boost::container::small_vector<Cavity, 4> cavities;  ///< from x = 0 on
 };
 
 /// Integrals of `state`, solved with `inputs` from `previous`.

@@ -87,7 +87,7 @@ struct FilmState {
   std::vector<double> p;        ///< pressure at the nodes, absolute [Pa]
   std::vector<double> deficit;  ///< 0 where the film is full; 1 - theta, or the scaled multiplier of Reynolds exit [-]
   std::vector<double> content;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
-  std::vector<double> rho, K;   ///< density and density over viscosity at the nodes of a solved film [kg/m3], [s/m2]
+  LaneLaws laws = LaneLaws::kGiven;  ///< whose oil a solved film holds: kGiven, that of the laws themselves
 };
 
 enum class Route { kNewton, kSecant };

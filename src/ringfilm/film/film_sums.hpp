@@ -9,15 +9,9 @@ namespace ringfilm::film {
 struct FilmView {
   int n_cells;
   const double *node_height, *face_height, *share, *spacing;
-  const double *p, *deficit;
-  const double *rho, *K, *content;
+  const double *p, *deficit, *content;
   double h_m;         ///< [m]
   double fill_share;  ///< 1: theta = 1 - deficit; 0: theta = 1
-};
-
-/// Where oil and content of a film go.
-struct FilmContent {
-  double *rho, *K, *content;
 };
 
 /// One lane of a block: z, and how far apart its numbers are.
@@ -45,6 +39,18 @@ struct FittedOilView {
   double centre, inverse_half_width;
 };
 
+/// Oil at n+1 nodes.
+struct NodalOilView {
+  const double *rho, *K;
+};
+
+/// Faces through which the flux is wanted, in rising order, and where it goes [kg/(m s)].
+struct FluxesWanted {
+  const int* face;
+  double* flux;
+  int count;
+};
+
 /// Sums over the face of one film.
 struct FilmSums {
   double hydrodynamic_load;                ///< [N/m]
@@ -66,59 +72,95 @@ struct ContactSums {
   double area;               ///< [m]
 };
 
-/// One polynomial at several packs, side by side so that no sum waits for its last term.
-template <int kTerms, int kAbreast, class Real>
-RINGFILM_INLINE void sum_of_powers(const double* c, const Real* t, Real* value) {
-  for (int a = 0; a < kAbreast; ++a) value[a] = Real(c[kTerms - 1]);
-#pragma GCC unroll 32
-  for (int k = kTerms - 2; k >= 0; --k) {
-    for (int a = 0; a < kAbreast; ++a) value[a] = value[a] * t[a] + Real(c[k]);
-  }
+/// Mass flux in +x through the face between nodes i and i+1 (eq-discrete-balance). @param rho,K of these two nodes
+RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double* rho, const double* K, int i) {
+  const double h = film.h_m + film.face_height[i];
+  const double fill = 1 - film.fill_share * film.deficit[U >= 0 ? i : i + 1];
+  return 0.25 * U * h * fill * (rho[0] + rho[1]) -
+         h * h * h / (24 * film.spacing[i]) * (K[0] + K[1]) * (film.p[i + 1] - film.p[i]);
 }
 
 /// Sums along the face with packs of Real, and what is left over one by one.
 template <class Real, class One>
 class AlongFace {
  public:
-  /// Oil at the nodes from the fits, and what each node holds.
-  RINGFILM_INLINE static void complete(const FilmView& film, const FittedOilView& oil, const FilmContent& to) {
-    constexpr int kAbreast = 4;
-    const int n_nodes = film.n_cells + 1;
-    int i = 0;
-    for (; i + kAbreast * Real::kWidth <= n_nodes; i += kAbreast * Real::kWidth) {
-      complete_at<Real, kAbreast>(film, oil, to, i);
-    }
-    for (; i + Real::kWidth <= n_nodes; i += Real::kWidth) complete_at<Real, 1>(film, oil, to, i);
-    for (; i < n_nodes; ++i) complete_at<One, 1>(film, oil, to, i);
+  /// What each node holds, its oil from the fits.
+  RINGFILM_INLINE static void content(const FilmView& film, const FittedOilView& oil, double* to) {
+    visit_nodes<kAbreast>(0, film.n_cells + 1, [&]<class Some, int kPacks>(int begin) RINGFILM_INLINE_BODY {
+      Some t[kPacks], rho[kPacks];
+      for (int a = 0; a < kPacks; ++a) t[a] = fit_place<Some>(film, oil, begin + a * Some::kWidth);
+      base::sum_of_powers<kDensityTerms, kPacks>(oil.rho, t, rho);
+      for (int a = 0; a < kPacks; ++a) {
+        const int i = begin + a * Some::kWidth;
+        (rho[a] * theta<Some>(film, i) * (Some(film.h_m) + Some::load(film.node_height + i))).store(to + i);
+      }
+    });
   }
 
   /// Pressure and deficit of n+1 nodes from a lane.
   RINGFILM_INLINE static void read(const LaneView& lane, int n_nodes, const FilmPressure& to) {
-    int i = 0;
-    for (; i + Real::kWidth <= n_nodes; i += Real::kWidth) read_at<Real>(lane, to, i);
-    for (; i < n_nodes; ++i) read_at<One>(lane, to, i);
+    visit_nodes<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY { read_at<Some>(lane, to, i); });
   }
 
-  RINGFILM_INLINE static FilmSums sums(const FilmView& film, const StepView& step) {
+  /// The first node from `i` on, and before `end`, that is a cavity, or that is none; `end` if there is no such.
+  RINGFILM_INLINE static int next_node(const double* deficit, int i, int end, bool cavity) {
+    const double sign = cavity ? 1 : -1;
+    while (i + Real::kWidth <= end &&
+           !Real::any(Real(sign) * (Real::load(deficit + i) - Real(kHardlyCavity)) > Real(0))) {
+      i += Real::kWidth;
+    }
+    while (i < end && (deficit[i] > kHardlyCavity) != cavity) ++i;
+    return i;
+  }
+
+  /// With oil that is given.
+  RINGFILM_INLINE static FilmSums sums(const FilmView& film, const NodalOilView& oil, const StepView& step,
+                                       const FluxesWanted& fluxes) {
     Sums<Real> packs(film);
     Sums<One> rest(film);
-    int i = 0;
-    for (; i + Real::kWidth <= film.n_cells; i += Real::kWidth) {
-      packs.add_node(film, step, i);
-      packs.add_face(film, i);
-    }
-    for (; i < film.n_cells; ++i) {
-      rest.add_node(film, step, i);
-      rest.add_face(film, i);
+    visit_nodes<1>(0, film.n_cells, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+      Sums<Some>& to = sums_of<Some>(packs, rest);
+      to.add_node(film, step, i);
+      to.add_face(film, oil.rho + i, oil.K + i, i);
+    });
+    for (int k = 0; k < fluxes.count; ++k) {
+      const int i = fluxes.face[k];
+      fluxes.flux[k] = flux_through(film, step.U, oil.rho + i, oil.K + i, i);
     }
     rest.add_node(film, step, film.n_cells);
-    double peak = rest.peak.v;
-    double lanes[Real::kWidth];
-    packs.peak.store(lanes);
-    for (const double lane : lanes) peak = peak > lane ? peak : lane;
-    return {packs.load.sum() + rest.load.v, 0.25 * step.U * (packs.couette.sum() + rest.couette.v),
-            0.5 * (packs.poiseuille.sum() + rest.poiseuille.v), step.rate * (packs.storage.sum() + rest.storage.v),
-            peak};
+    return total(packs, rest, step);
+  }
+
+  /// With oil from the fits.
+  RINGFILM_INLINE static FilmSums sums(const FilmView& film, const FittedOilView& oil, const StepView& step,
+                                       const FluxesWanted& fluxes) {
+    Sums<Real> packs(film);
+    Sums<One> rest(film);
+    double rho[kStretch], K[kStretch];  // of the nodes from `begin` on
+    const int n = film.n_cells;
+    int flux = 0;
+    for (int begin = 0; begin < n; begin += kStretch - 1) {  // the last node of a stretch is the first of the next
+      const int end = begin + kStretch < n + 1 ? begin + kStretch : n + 1;
+      visit_nodes<kAbreast>(begin, end, [&]<class Some, int kPacks>(int i) RINGFILM_INLINE_BODY {
+        Some t[kPacks], value[kPacks];
+        for (int a = 0; a < kPacks; ++a) t[a] = fit_place<Some>(film, oil, i + a * Some::kWidth);
+        base::sum_of_powers<kFluidityTerms, kPacks>(oil.K, t, value);
+        for (int a = 0; a < kPacks; ++a) value[a].store(K + (i - begin) + a * Some::kWidth);
+        base::sum_of_powers<kDensityTerms, kPacks>(oil.rho, t, value);
+        for (int a = 0; a < kPacks; ++a) value[a].store(rho + (i - begin) + a * Some::kWidth);
+      });
+      visit_nodes<1>(begin, end - 1, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+        Sums<Some>& to = sums_of<Some>(packs, rest);
+        to.add_node(film, step, i);
+        to.add_face(film, rho + (i - begin), K + (i - begin), i);
+      });
+      for (; flux < fluxes.count && fluxes.face[flux] < end - 1; ++flux) {
+        const int i = fluxes.face[flux];
+        fluxes.flux[flux] = flux_through(film, step.U, rho + (i - begin), K + (i - begin), i);
+      }
+    }
+    rest.add_node(film, step, n);
+    return total(packs, rest, step);
   }
 
   RINGFILM_INLINE static ContactSums contact(const FilmView& film, const FittedContactView& contact) {
@@ -133,6 +175,26 @@ class AlongFace {
   }
 
  private:
+  static constexpr int kAbreast = 4;    ///< packs whose polynomials are summed side by side
+  static constexpr int kStretch = 257;  ///< nodes whose oil is at hand at a time
+
+  /// Calls visit<Pack, packs>(first node) for all nodes from `begin` to before `end`: with kPacks packs of Real as
+  /// often as they fit, then with one, then node by node.
+  template <int kPacks, class Visit>
+  RINGFILM_INLINE static void visit_nodes(int begin, int end, const Visit& visit) {
+    int i = begin;
+    if constexpr (kPacks > 1) {
+      for (; i + kPacks * Real::kWidth <= end; i += kPacks * Real::kWidth) visit.template operator()<Real, kPacks>(i);
+    }
+    for (; i + Real::kWidth <= end; i += Real::kWidth) visit.template operator()<Real, 1>(i);
+    for (; i < end; ++i) visit.template operator()<One, 1>(i);
+  }
+
+  template <class Some>
+  RINGFILM_INLINE static Some fit_place(const FilmView& film, const FittedOilView& oil, int i) {
+    return min(Some(1), (Some::load(film.p + i) - Some(oil.centre)) * Some(oil.inverse_half_width));
+  }
+
   template <class Some>
   RINGFILM_INLINE static Some theta(const FilmView& film, int i) {
     return Some(1) - Some(film.fill_share) * Some::load(film.deficit + i);
@@ -143,24 +205,6 @@ class AlongFace {
     const Some z = Some::gather(lane.z + i * lane.stride, lane.stride);
     (Some(lane.p_cavitation) + max(Some(0), z)).store(to.p + i);
     max(Some(0), -z * Some(lane.inverse_fill_scale)).store(to.deficit + i);
-  }
-
-  template <class Some, int kAbreast>
-  RINGFILM_INLINE static void complete_at(const FilmView& film, const FittedOilView& oil, const FilmContent& to,
-                                          int begin) {
-    Some t[kAbreast], K[kAbreast], rho[kAbreast];
-    for (int a = 0; a < kAbreast; ++a) {
-      const Some p = Some::load(film.p + begin + a * Some::kWidth);
-      t[a] = min(Some(1), (p - Some(oil.centre)) * Some(oil.inverse_half_width));
-    }
-    sum_of_powers<kFluidityTerms, kAbreast>(oil.K, t, K);
-    sum_of_powers<kDensityTerms, kAbreast>(oil.rho, t, rho);
-    for (int a = 0; a < kAbreast; ++a) {
-      const int i = begin + a * Some::kWidth;
-      K[a].store(to.K + i);
-      rho[a].store(to.rho + i);
-      (rho[a] * theta<Some>(film, i) * (Some(film.h_m) + Some::load(film.node_height + i))).store(to.content + i);
-    }
   }
 
   template <class Some>
@@ -176,17 +220,37 @@ class AlongFace {
       storage += share * (Some::load(film.content + i) - Some::load(step.content_before + i));
       peak = max(peak, p);
     }
-    RINGFILM_INLINE void add_face(const FilmView& film, int i) {
+    /// @param rho,K of node i and the one after it
+    RINGFILM_INLINE void add_face(const FilmView& film, const double* rho, const double* K, int i) {
       const Some h = Some(film.h_m) + Some::load(film.face_height + i);
-      const Some K_left = Some::load(film.K + i);
-      const Some K_right = Some::load(film.K + i + 1);
+      const Some K_left = Some::load(K);
+      const Some K_right = Some::load(K + 1);
       // Twice the mean viscosity, times K of both: one division serves viscosity and gap.
-      const Some eta = Some::load(film.rho + i) * K_right + Some::load(film.rho + i + 1) * K_left;
+      const Some eta = Some::load(rho) * K_right + Some::load(rho + 1) * K_left;
       const Some fill = theta<Some>(film, i) + theta<Some>(film, i + 1);
       couette += Some::load(film.spacing + i) * fill * eta / (h * K_left * K_right);
       poiseuille += h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
     }
   };
+
+  template <class Some>
+  RINGFILM_INLINE static Sums<Some>& sums_of(Sums<Real>& packs, Sums<One>& rest) {
+    if constexpr (Some::kWidth == Real::kWidth) {
+      return packs;
+    } else {
+      return rest;
+    }
+  }
+
+  RINGFILM_INLINE static FilmSums total(const Sums<Real>& packs, const Sums<One>& rest, const StepView& step) {
+    double peak = rest.peak.v;
+    double lanes[Real::kWidth];
+    packs.peak.store(lanes);
+    for (const double lane : lanes) peak = peak > lane ? peak : lane;
+    return {packs.load.sum() + rest.load.v, 0.25 * step.U * (packs.couette.sum() + rest.couette.v),
+            0.5 * (packs.poiseuille.sum() + rest.poiseuille.v), step.rate * (packs.storage.sum() + rest.storage.v),
+            peak};
+  }
 
   template <class Some>
   struct Contact {

@@ -13,9 +13,11 @@ struct FilmKernels {
   int width;                         ///< lanes of `sweep`
   void (*sweep)(LaneBlock&);         ///< Newton's iteration, `width` films
   void (*single_sweep)(LaneBlock&);  ///< one film
-  void (*complete)(const FilmView&, const FittedOilView&, const FilmContent&);
+  void (*content)(const FilmView&, const FittedOilView&, double* to);
   void (*read)(const LaneView&, int n_nodes, const FilmPressure&);
-  FilmSums (*sums)(const FilmView&, const StepView&);
+  FilmSums (*sums)(const FilmView&, const FittedOilView&, const StepView&, const FluxesWanted&);
+  FilmSums (*sums_of_given_oil)(const FilmView&, const NodalOilView&, const StepView&, const FluxesWanted&);
+  int (*next_node)(const double* deficit, int i, int end, bool cavity);
   ContactSums (*contact)(const FilmView&, const FittedContactView&);
 };
 

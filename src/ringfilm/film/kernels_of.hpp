@@ -24,8 +24,8 @@ void sweep(LaneBlock& block) {
 }
 
 template <class Real, class One>
-void complete(const FilmView& film, const FittedOilView& oil, const FilmContent& to) {
-  AlongFace<Real, One>::complete(film, oil, to);
+void content(const FilmView& film, const FittedOilView& oil, double* to) {
+  AlongFace<Real, One>::content(film, oil, to);
 }
 
 template <class Real, class One>
@@ -33,9 +33,14 @@ void read_lane(const LaneView& lane, int n_nodes, const FilmPressure& to) {
   AlongFace<Real, One>::read(lane, n_nodes, to);
 }
 
+template <class Real, class One, class Oil>
+FilmSums sums(const FilmView& film, const Oil& oil, const StepView& step, const FluxesWanted& fluxes) {
+  return AlongFace<Real, One>::sums(film, oil, step, fluxes);
+}
+
 template <class Real, class One>
-FilmSums sums(const FilmView& film, const StepView& step) {
-  return AlongFace<Real, One>::sums(film, step);
+int next_node(const double* deficit, int i, int end, bool cavity) {
+  return AlongFace<Real, One>::next_node(deficit, i, end, cavity);
 }
 
 template <class Real, class One>
@@ -51,9 +56,11 @@ constexpr FilmKernels kernels_of(std::string_view name) {
           kWidth,
           sweep<Real, Real>,
           sweep<One, Real>,
-          complete<Real, One>,
+          content<Real, One>,
           read_lane<Real, One>,
-          sums<Real, One>,
+          sums<Real, One, FittedOilView>,
+          sums<Real, One, NodalOilView>,
+          next_node<Real, One>,
           contact_sums<Real, One>};
 }
 

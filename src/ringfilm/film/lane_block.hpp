@@ -14,6 +14,7 @@ inline constexpr int kFluiditySlopeTerms = models::OilFit::kFluiditySlopeDegree 
 inline constexpr int kDensityTerms = models::OilFit::kDensityDegree + 1;
 inline constexpr int kDensitySlopeTerms = models::OilFit::kDensitySlopeDegree + 1;
 inline constexpr int kContactTerms = models::ContactFit::kDegree + 1;
+inline constexpr int kContactSlopeTerms = models::ContactFit::kSlopeDegree + 1;
 
 /// Where oil and contact come from; one choice for all lanes of a block.
 enum class LaneLaws {
@@ -57,21 +58,24 @@ struct LaneBlock {
   alignas(64) Lanes fill_scale;            ///< by which z of a cavity is its fill; stays from step to step [Pa]
   alignas(64) Lanes inverse_fill_scale;    ///< [1/Pa]
   alignas(64) Lanes load;                  ///< [N/m]
-  alignas(64) Lanes movable;               ///< 1: h_m is unknown; 0: it is given
-  alignas(64) Lanes start_h;               ///< h_m that weighs the multiplier [m]
-  alignas(64) Lanes cavity_K;              ///< K at the cavitation pressure [s/m2]
-  alignas(64) Lanes contact_load;          ///< W_a where no fit gives it [N/m]
-  alignas(64) Lanes contact_slope;         ///< dW_a/dh_m of it [N/m2]
+  alignas(64) Lanes goes_on;   ///< 1: the film in z is what the step before left, at h_m = `left_h`: inflow is its own
+  alignas(64) Lanes left_h;    ///< [m]
+  alignas(64) Lanes movable;   ///< 1: h_m is unknown; 0: it is given
+  alignas(64) Lanes start_h;   ///< h_m that weighs the multiplier [m]
+  alignas(64) Lanes cavity_K;  ///< K at the cavitation pressure [s/m2]
+  alignas(64) Lanes contact_load;   ///< W_a where no fit gives it [N/m]
+  alignas(64) Lanes contact_slope;  ///< dW_a/dh_m of it [N/m2]
 
   // Fits
   alignas(64) Lanes fit_centre, fit_inverse_half_width;  ///< [Pa], [1/Pa]
   alignas(64) Lanes fit_K[kFluidityTerms], fit_dK[kFluiditySlopeTerms];
   alignas(64) Lanes fit_rho[kDensityTerms], fit_drho[kDensitySlopeTerms];
-  alignas(64) Lanes contact_spread;   ///< 1: contact at the local gap; 0: at h_m on the whole face
-  alignas(64) Lanes contact_reach;    ///< beyond this gap there is none; negative: nowhere [m]
-  alignas(64) Lanes contact_scale;    ///< of the pressure [Pa]
-  alignas(64) Lanes contact_per_gap;  ///< from the gap to the polynomial's t = -1 ... 1 [1/m]
-  double contact[kContactTerms];      ///< eighth root of F_5/2 in t
+  alignas(64) Lanes contact_spread;             ///< 1: contact at the local gap; 0: at h_m on the whole face
+  alignas(64) Lanes contact_reach;              ///< beyond this gap there is none; negative: nowhere [m]
+  alignas(64) Lanes contact_scale;              ///< of the pressure [Pa]
+  alignas(64) Lanes contact_per_gap;            ///< from the gap to the polynomial's t = -1 ... 1 [1/m]
+  double contact[kContactTerms];                ///< eighth root of F_5/2 in t
+  double contact_slope_of[kContactSlopeTerms];  ///< its slope in t
 
   // Outcome of a sweep
   alignas(64) Lanes excess;     ///< W_h + W_a - W before the update [N/m]
@@ -86,5 +90,8 @@ struct LaneBlock {
 /// How far beyond the kink a node is put, and below which a change of sides does not count; relative to the scale of
 /// its side: of pressure in the film, of the fill in the cavity.
 inline constexpr double kBeyondKink = 1e-10;
+
+/// A node with no larger deficit was left just beyond the kink: it is full, at p_c.
+inline constexpr double kHardlyCavity = 10 * kBeyondKink;
 
 }  // namespace ringfilm::film

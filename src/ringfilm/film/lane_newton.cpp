@@ -56,6 +56,7 @@ void LaneNewton::clear(int lane) {
   block_.contact_reach[lane] = kNowhere;
   block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
   block_.quarter_U[lane] = block_.rate[lane] = block_.load[lane] = block_.movable[lane] = 0;
+  block_.goes_on[lane] = block_.left_h[lane] = 0;
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
   clear_from(lane, 0);
   fit_block();
@@ -110,6 +111,7 @@ void LaneNewton::bind(int lane, const FilmProblem& problem) {
   block_.contact_scale[lane] = contact.pressure_scale();
   block_.contact_per_gap[lane] = 2 / reach;
   for (int k = 0; k < kContactTerms; ++k) block_.contact[k] = contact.fit()->P52[k];
+  for (int k = 0; k < kContactSlopeTerms; ++k) block_.contact_slope_of[k] = contact.fit()->P52_slope[k];
 }
 
 void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess,
@@ -119,7 +121,7 @@ void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& prev
     block_.fill_scale[lane] = inputs.mean_pressure(at.problem->grid);
     block_.inverse_fill_scale[lane] = 1 / block_.fill_scale[lane];
   }
-  set_step(lane, inputs, previous, h_m, unknowns, laws);
+  set_step(lane, inputs, previous, h_m, unknowns, laws, Inflow::kOfTheState);
   const double *p = guess.p.data(), *deficit = guess.deficit.data();
   const double p_c = inputs.p_cavitation, fill_scale = block_.fill_scale[lane];
   const double beyond = kBeyondKink * block_.scale[lane];
@@ -136,7 +138,7 @@ void LaneNewton::go_on(int lane, const FilmInputs& inputs, const FilmState& prev
   const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane];
   const Unknowns unknowns = Unknowns::kFilmAndSeparation;
   if (!same_zero) return start(lane, inputs, previous, previous, h_m, unknowns, block_.laws);
-  set_step(lane, inputs, previous, h_m, unknowns, block_.laws);
+  set_step(lane, inputs, previous, h_m, unknowns, block_.laws, Inflow::kOfTheLane);
   set_edges(lane);
 }
 
@@ -147,7 +149,7 @@ void LaneNewton::set_edges(int lane) {
 }
 
 void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
-                          LaneLaws laws) {
+                          LaneLaws laws, Inflow inflow_is) {
   Lane& at = lanes_[lane];
   const FilmProblem& problem = *at.problem;
   const FilmGrid& grid = problem.grid;
@@ -179,6 +181,9 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   if (block_.cavity == LaneCavity::kMultiplier) {
     block_.cavity_K[lane] = problem.oil->density(inputs.p_cavitation) / problem.oil->viscosity(inputs.p_cavitation);
   }
+  block_.goes_on[lane] = inflow_is == Inflow::kOfTheLane && inputs.source.empty() ? 1 : 0;
+  block_.left_h[lane] = previous.h_m;
+  if (block_.goes_on[lane] > 0) return;
   const double *content = previous.content.data(), *share = grid.share.data();
   double* inflow = block_.inflow + lane;
   for (int i = 0; i <= at.n_cells; ++i) inflow[i * width_] = share[i] * rate * content[i];
@@ -221,6 +226,7 @@ void LaneNewton::conclude(int lane) {
   const double d_ln_h = block_.d_ln_h[lane];
   const double largest = block_.largest[lane];
   ++at.iterations;
+  block_.goes_on[lane] = 0;
   const bool sound = std::isfinite(block_.check[lane]) && std::isfinite(block_.excess[lane]) &&
                      std::isfinite(largest) && std::isfinite(d_ln_h);
   at.phase = Phase::kFailed;

@@ -78,8 +78,9 @@ class LaneNewton {
   };
   double& nodal(double* array, int i, int lane) const { return array[i * width_ + lane]; }
   void clear_from(int lane, int node);
+  enum class Inflow { kOfTheState, kOfTheLane };  ///< where the oil is that the step before left
   void set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
-                LaneLaws laws);
+                LaneLaws laws, Inflow inflow_is);
   void set_edges(int lane);
   void fit_block();
   void give_laws(int lane);

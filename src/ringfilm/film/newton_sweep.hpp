@@ -132,7 +132,7 @@ class NewtonSweep {
       sum<kFluiditySlopeTerms>(b_.fit_dK, t, film.dK, slot);
       sum<kDensityTerms>(b_.fit_rho, t, film.rho, slot);
       sum<kDensitySlopeTerms>(b_.fit_drho, t, film.drho, slot);
-      for (int a = 0; a < kAbreast; ++a) add_contact(i, a);
+      add_contact(i);
     } else {
       for (int a = 0; a < kAbreast; ++a) {
         put(seen(b_.K, i, a), film.K, slot, a);
@@ -143,29 +143,34 @@ class NewtonSweep {
     }
   }
 
-  /// Adds the load of the asperities at nodes abreast, and its slope in h_m.
-  RINGFILM_INLINE void add_contact(int i, int a) {
-    const Visitor gap = of_lanes(b_.h_m) + of_lanes(b_.contact_spread) * seen(b_.node_height, i, a);
-    const auto inside = gap < of_lanes(b_.contact_reach);
-    if (!Visitor::any(inside)) return;
-    const Visitor per_gap = of_lanes(b_.contact_per_gap);
-    const Visitor lowest = max(Visitor(0), gap);  // below no gap both go on along the tangent
-    // Lanes out of reach count for nothing, but must be numbers.
-    const Visitor t = min(Visitor(1), lowest * per_gap - Visitor(1));
-    Visitor root(b_.contact[kContactTerms - 1]);
-    Visitor root_slope(0);
-#pragma GCC unroll 32
-    for (int k = kContactTerms - 2; k >= 0; --k) {
-      root_slope = root_slope * t + root;
-      root = root * t + Visitor(b_.contact[k]);
+  /// Adds the load of the asperities at the nodes abreast from i on, and its slope in h_m.
+  RINGFILM_INLINE void add_contact(int i) {
+    const Visitor h_m = of_lanes(b_.h_m), spread = of_lanes(b_.contact_spread), reach = of_lanes(b_.contact_reach);
+    Visitor gap[kAbreast], least(1e300);
+    for (int a = 0; a < kAbreast; ++a) {
+      gap[a] = h_m + spread * seen(b_.node_height, i, a);
+      least = min(least, gap[a]);
     }
-    const Visitor square = root * root;
-    const Visitor fourth = square * square;
-    const Visitor dF = Visitor(8) * fourth * square * root * root_slope * per_gap;
-    const Visitor F = fourth * fourth + dF * (gap - lowest);
-    const Visitor weight = select(inside, seen(b_.share, i, a) * of_lanes(b_.contact_scale), Visitor(0));
-    load_ += weight * F;
-    slope_ += weight * dF;
+    if (!Visitor::any(least < reach)) return;
+    const Visitor per_gap = of_lanes(b_.contact_per_gap);
+    Visitor lowest[kAbreast], t[kAbreast], root[kAbreast], root_slope[kAbreast];
+    for (int a = 0; a < kAbreast; ++a) {
+      lowest[a] = max(Visitor(0), gap[a]);  // below no gap load and slope go on along the tangent
+      // Lanes out of reach count for nothing, but must be numbers.
+      t[a] = min(Visitor(1), lowest[a] * per_gap - Visitor(1));
+    }
+    base::sum_of_powers<kContactTerms, kAbreast>(b_.contact, t, root);
+    base::sum_of_powers<kContactSlopeTerms, kAbreast>(b_.contact_slope_of, t, root_slope);
+    const Visitor scale = of_lanes(b_.contact_scale);
+    for (int a = 0; a < kAbreast; ++a) {
+      const Visitor square = root[a] * root[a];
+      const Visitor fourth = square * square;
+      const Visitor dF = Visitor(8) * fourth * square * root[a] * root_slope[a] * per_gap;
+      const Visitor F = fourth * fourth + dF * (gap[a] - lowest[a]);
+      const Visitor weight = select(gap[a] < reach, seen(b_.share, i, a) * scale, Visitor(0));
+      load_ += weight * F;
+      slope_ += weight * dF;
+    }
   }
 
   RINGFILM_INLINE Node node(const Film& film, int k) const {
@@ -205,7 +210,9 @@ class NewtonSweep {
   RINGFILM_INLINE Real forward() {
     const int n = b_.n_cells;
     load_ = slope_ = Visitor(0);
-    const Real rate = Real::load(b_.rate);
+    const Real rate = Real::load(b_.rate), left_h = Real::load(b_.left_h);
+    const Mask goes_on = Real::load(b_.goes_on) > Real(0);
+    const bool some_go_on = Real::any(goes_on);
     Real row(0), upper(0), column(0), rhs(0);  // of the node before, eliminated
     Real by_column(0), by_rhs(0);              // what the elimination takes off the load row
 
@@ -230,7 +237,12 @@ class NewtonSweep {
         const Real volume = share * rate;
         const Real stored = volume * h;  // times rho theta
         const Real filled = kFill ? here.rho * here.theta : here.rho;
-        Real residual = stored * filled - at(b_.inflow, i) + (out.value - in.value);
+        Real inflow = at(b_.inflow, i);
+        if (some_go_on) {
+          inflow = select(goes_on, volume * (filled * (left_h + height)), inflow);
+          inflow.store(b_.inflow + i * kWidth);
+        }
+        Real residual = stored * filled - inflow + (out.value - in.value);
         Real diagonal = out.by_left - in.by_right;
         if constexpr (kFill) {
           diagonal += stored * select(here_is_film, here.drho, here.rho * inverse_fill_scale_);

@@ -19,13 +19,28 @@ void NodalOil::update(const models::OilAtTemperature& oil, const std::vector<dou
   }
 }
 
+namespace {
+
+struct OilHere {
+  double rho, K;
+};
+
+OilHere oil_at(const FilmProblem& problem, const FilmState& state, int i) {
+  const double p = state.p[i];
+  if (state.laws == LaneLaws::kFitted) {
+    const auto fitted = problem.oil->fit()->at(p);
+    return {fitted.rho, fitted.K};
+  }
+  const double rho = problem.oil->density(p);
+  return {rho, rho / problem.oil->viscosity(p)};
+}
+
+}  // namespace
+
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i) {
-  const double h = state.h_m + problem.grid.face_height[i];
-  const double upstream = state.deficit[inputs.U >= 0 ? i : i + 1];
-  const double rho = 0.5 * (state.rho[i] + state.rho[i + 1]);
-  const double K = 0.5 * (state.K[i] + state.K[i + 1]);
-  return 0.5 * inputs.U * h * fill(problem.cavitation, upstream) * rho -
-         h * h * h / (12 * problem.grid.spacing[i]) * K * (state.p[i + 1] - state.p[i]);
+  const OilHere left = oil_at(problem, state, i), right = oil_at(problem, state, i + 1);
+  const double rho[] = {left.rho, right.rho}, K[] = {left.K, right.K};
+  return flux_through(film_view(problem, state), inputs.U, rho, K, i);
 }
 
 void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const NodalOil& oil,
@@ -39,19 +54,15 @@ void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const
 
 void complete_state(const FilmProblem& problem, LaneLaws laws, FilmState& state) {
   const std::size_t n_nodes = state.p.size();
-  for (auto* array : {&state.rho, &state.K, &state.content}) array->resize(n_nodes);
+  state.content.resize(n_nodes);
+  state.laws = laws;
   if (laws == LaneLaws::kFitted) {
-    const models::OilFit& fit = *problem.oil->fit();
-    problem.kernels->complete(film_view(problem, state), {fit.K.data(), fit.rho.data(), fit.centre, 1 / fit.half_width},
-                              {state.rho.data(), state.K.data(), state.content.data()});
+    problem.kernels->content(film_view(problem, state), fitted_oil_view(problem), state.content.data());
     return;
   }
-  std::vector<double> slope(n_nodes);
-  problem.oil->properties(state.p, {state.rho, slope, state.K, slope});
   for (std::size_t i = 0; i < n_nodes; ++i) {
-    state.K[i] = state.rho[i] / state.K[i];  // until here the viscosity
-    state.content[i] =
-        state.rho[i] * fill(problem.cavitation, state.deficit[i]) * (state.h_m + problem.grid.node_height[i]);
+    state.content[i] = problem.oil->density(state.p[i]) * fill(problem.cavitation, state.deficit[i]) *
+                       (state.h_m + problem.grid.node_height[i]);
   }
 }
 
@@ -64,11 +75,14 @@ FilmView film_view(const FilmProblem& problem, const FilmState& state) {
           grid.spacing.data(),
           state.p.data(),
           state.deficit.data(),
-          state.rho.data(),
-          state.K.data(),
           state.content.data(),
           state.h_m,
           problem.cavitation == Cavitation::kMassConserving ? 1.0 : 0.0};
+}
+
+FittedOilView fitted_oil_view(const FilmProblem& problem) {
+  const models::OilFit& fit = *problem.oil->fit();
+  return {fit.K.data(), fit.rho.data(), fit.centre, 1 / fit.half_width};
 }
 
 }  // namespace ringfilm::film

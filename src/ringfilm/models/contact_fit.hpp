@@ -9,11 +9,13 @@ namespace ringfilm::models {
 /// for 0 <= lambda <= kEnd and zero beyond, eq-contact-fit; P in t = 2 lambda/kEnd - 1, lowest power first. The eighth
 /// root falls by a factor of 50 where F falls by 14 decades, and stays positive: so does F.
 struct ContactFit {
-  static constexpr int kDegree = 15;
+  static constexpr int kDegree = 15, kSlopeDegree = 8;
   static constexpr double kEnd = 7;  ///< where 5e-14 of F(0) is left
 
   using Coefficients = std::array<double, kDegree + 1>;
   Coefficients P52, P2;
+  /// dP52/dt where it only steers the iteration: within 3e-5 of the derivative.
+  std::array<double, kSlopeDegree + 1> P52_slope;
   double error;  ///< bound of |P^8 - F|/F(0) for all lambda >= 0, of both [-]
 
   /// P^8 and its slope in lambda, 0 <= lambda <= kEnd.

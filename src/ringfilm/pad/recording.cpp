@@ -17,10 +17,11 @@ double largest_flux(const film::FilmProblem& problem, const film::FilmInputs& in
   constexpr double kOfPressures = 1e-8, kSmallestPressure = 1.0, kOfOil = 1e-8;  // shares, but for the second [Pa]
   const auto [low, high] = std::minmax_element(state.p.begin(), state.p.end());
   const auto thickest = std::max_element(problem.grid.node_height.begin(), problem.grid.node_height.end());
-  const double h = state.h_m + *thickest, rho = state.rho.front(), L = problem.grid.width;
+  const double h = state.h_m + *thickest, L = problem.grid.width;
+  const double rho = problem.oil->density(state.p.front()), K = rho / problem.oil->viscosity(state.p.front());
   const double pressure = std::max({std::abs(*low), std::abs(*high), kSmallestPressure});
-  double largest = std::max(kOfPressures * pressure * h * h * h * state.K.front() / (12 * L),
-                            kOfOil * rho * h * L / inputs.time_step);
+  double largest =
+      std::max(kOfPressures * pressure * h * h * h * K / (12 * L), kOfOil * rho * h * L / inputs.time_step);
   for (int i = 0; i < problem.grid.n_cells(); ++i) {
     largest = std::max(largest, std::abs(film::mass_flux(problem, inputs, state, i)));
   }

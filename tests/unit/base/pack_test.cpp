@@ -128,18 +128,18 @@ TYPED_TEST(PackOf, GathersNumbersThatLieApart) {
   }
 }
 
-TYPED_TEST(PackOf, APolynomialOfItsOwnInEveryLane) {
-  constexpr int kTerms = 4;
-  constexpr int kStride = 3;  // room for more lanes than there are
-  std::vector<double> c;
-  for (int i = 0; i < kTerms * kStride; ++i) c.push_back(std::cos(i));
-  const TypeParam t = this->ramp(-0.7, 1.1);
-  const auto values = this->numbers(polynomial<kTerms>(c.data(), kStride, t));
-  for (int lane = 0; lane < TypeParam::kWidth; ++lane) {
-    const double x = this->numbers(t)[lane];
-    const double direct =
-        c[lane] + c[kStride + lane] * x + c[2 * kStride + lane] * x * x + c[3 * kStride + lane] * x * x * x;
-    EXPECT_NEAR(values[lane], direct, 1e-14) << "lane " << lane;  // a handful of operations of order one
+TYPED_TEST(PackOf, OnePolynomialAtPacksAbreast) {
+  const double c[] = {0.7, -1.3, 0.4, 2.1};
+  const TypeParam t[] = {this->ramp(-0.7, 1.1), this->ramp(0.2, -0.3)};
+  TypeParam value[2];
+  sum_of_powers<4, 2>(c, t, value);
+  for (int a = 0; a < 2; ++a) {
+    for (int lane = 0; lane < TypeParam::kWidth; ++lane) {
+      const double x = this->numbers(t[a])[lane];
+      const double direct = c[0] + c[1] * x + c[2] * x * x + c[3] * x * x * x;
+      // a handful of operations of order one, but for powers of steps beyond one
+      EXPECT_NEAR(this->numbers(value[a])[lane], direct, 1e-14 * (1 + std::abs(x * x * x))) << "lane " << lane;
+    }
   }
 }
 

@@ -53,4 +53,12 @@ TEST(ContactFit, FallsStrictlyWithTheSlopeOfTheIntegrals) {
   }
 }
 
+TEST(ContactFit, SteersByAShorterSlope) {
+  for (double lambda = 0; lambda <= ContactFit::kEnd; lambda += kStep) {
+    const double t = lambda * (2 / ContactFit::kEnd) - 1;
+    const double slope = polynomial_and_slope(contact_fit().P52, t).slope;
+    EXPECT_NEAR(polynomial(contact_fit().P52_slope, t) / slope, 1, 3e-5) << lambda;
+  }
+}
+
 }  // namespace
