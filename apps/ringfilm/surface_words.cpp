@@ -1,9 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <map>
 
 #include "command_surface.hpp"
 #include "command_words.hpp"
+#include "option_values.hpp"
 #include "ringfilm/base/error.hpp"
 
 namespace ringfilm::app {
@@ -42,15 +42,6 @@ std::pair<std::size_t, std::size_t> counts_of(const std::string& option, const s
                      "for example " + option + " 3x2");
   }
   return {across, down};
-}
-
-template <class Choice>
-Choice chosen(const std::string& option, const std::string& word, const std::map<std::string, Choice>& choices) {
-  const auto known = choices.find(word);
-  if (known != choices.end()) return known->second;
-  std::string names;
-  for (const auto& [name, choice] : choices) names += (names.empty() ? "" : ", ") + name;
-  throw InputError(option + " " + word + ": this is no choice", "write one of " + names);
 }
 
 /// The words of a surface command, as text.
@@ -108,62 +99,46 @@ struct SurfaceWords {
   SurfaceCommand command() const {
     SurfaceCommand of;
     const io::Units units;
+    OptionValues values(units);
     of.reading = reading;
     if (layout) {
       using instrument::TableLayout;
-      of.reading.layout = chosen<TableLayout>(
+      of.reading.layout = values.chosen<TableLayout>(
           "--layout", *layout,
           {{"matrix", TableLayout::kMatrix}, {"points", TableLayout::kPoints}, {"profile", TableLayout::kProfile}});
     }
     of.noise = noise;
     of.outputs = outputs.wanted();
-    of.analysis.preparation.form = form_choice();
+    of.analysis.preparation.form = form_choice(values);
     of.analysis.preparation.filter = robust ? surface::FilterKind::robust_gaussian : surface::FilterKind::gaussian;
     if (robust && !short_cutoff && !long_cutoff) {
       throw InputError("--robust names a filter, but there is no cut-off", "add --short-cutoff or --long-cutoff");
     }
-    if (short_cutoff) of.analysis.preparation.short_cutoff_m = length("--short-cutoff", *short_cutoff, units);
-    if (long_cutoff) of.analysis.preparation.long_cutoff_m = length("--long-cutoff", *long_cutoff, units);
-    if (cavity_depth) of.analysis.cavity_depth_m = length("--cavity-depth", *cavity_depth, units);
-    if (angle) of.analysis.angle_rad = angle_of(*angle, units);
+    if (short_cutoff) of.analysis.preparation.short_cutoff_m = values.length("--short-cutoff", *short_cutoff, "2.5 um");
+    if (long_cutoff) of.analysis.preparation.long_cutoff_m = values.length("--long-cutoff", *long_cutoff, "2.5 um");
+    if (cavity_depth) of.analysis.cavity_depth_m = values.length("--cavity-depth", *cavity_depth, "2.5 um");
+    if (angle) of.analysis.angle_rad = values.quantity("--angle", *angle, "rad", "30 deg");
     using surface::MomentDirection;
-    of.analysis.direction = chosen<MomentDirection>("--direction", direction,
-                                                    {{"x", MomentDirection::x},
-                                                     {"y", MomentDirection::y},
-                                                     {"mean", MomentDirection::mean},
-                                                     {"geometric", MomentDirection::geometric}});
+    of.analysis.direction = values.chosen<MomentDirection>("--direction", direction,
+                                                           {{"x", MomentDirection::x},
+                                                            {"y", MomentDirection::y},
+                                                            {"mean", MomentDirection::mean},
+                                                            {"geometric", MomentDirection::geometric}});
     using surface::DifferenceScheme;
-    of.analysis.scheme = chosen<DifferenceScheme>(
+    of.analysis.scheme = values.chosen<DifferenceScheme>(
         "--scheme", scheme,
         {{"neighbours", DifferenceScheme::neighbours}, {"seven-point", DifferenceScheme::seven_point}});
-    of.analysis.sigma_rule =
-        chosen<surface::SigmaRule>("--sigma", sigma, {{"Ra", surface::SigmaRule::ra}, {"Rq", surface::SigmaRule::rq}});
+    of.analysis.sigma_rule = values.chosen<surface::SigmaRule>(
+        "--sigma", sigma, {{"Ra", surface::SigmaRule::ra}, {"Rq", surface::SigmaRule::rq}});
     for (const std::string& text : rectangles) of.analysis.regions.rectangles_m.push_back(rectangle(text, units));
     if (grid) std::tie(of.analysis.regions.across, of.analysis.regions.down) = counts_of("--grid", *grid);
-    if (prominent) add_prominent(of.analysis.regions, units);
+    if (prominent) add_prominent(of.analysis.regions, values);
+    values.check();
     return of;
   }
 
  private:
-  static double length(const std::string& option, const std::string& text, const io::Units& units) {
-    try {
-      const double value = units.quantity(text, "m", "2.5 um");
-      if (value > 0) return value;
-    } catch (const io::UnitError& refusal) {
-      throw InputError(option + " " + text + " " + refusal.what(), refusal.remedy);
-    }
-    throw InputError(option + " " + text + " is not a positive length", "for example " + option + " \"2.5 um\"");
-  }
-
-  static double angle_of(const std::string& text, const io::Units& units) {
-    try {
-      return units.quantity(text, "rad", "30 deg");
-    } catch (const io::UnitError& refusal) {
-      throw InputError("--angle " + text + " " + refusal.what(), refusal.remedy);
-    }
-  }
-
-  surface::FormChoice form_choice() const {
+  surface::FormChoice form_choice(OptionValues& values) const {
     using surface::FormKind;
     const std::string polynomial = "polynomial-";
     if (form.rfind(polynomial, 0) == 0) {
@@ -173,12 +148,12 @@ struct SurfaceWords {
       if (error == std::errc() && stop == end && degree >= 0 && degree <= 12) return {FormKind::polynomial, degree};
       throw InputError("--form " + form + ": the degree is no number from 0 to 12", "for example --form polynomial-2");
     }
-    return {chosen<FormKind>("--form", form,
-                             {{"none", FormKind::none},
-                              {"mean", FormKind::mean},
-                              {"tilt", FormKind::tilt},
-                              {"cylinder", FormKind::cylinder},
-                              {"polynomial-2", FormKind::polynomial}}),
+    return {values.chosen<FormKind>("--form", form,
+                                    {{"none", FormKind::none},
+                                     {"mean", FormKind::mean},
+                                     {"tilt", FormKind::tilt},
+                                     {"cylinder", FormKind::cylinder},
+                                     {"polynomial-2", FormKind::polynomial}}),
             2};
   }
 
@@ -209,7 +184,7 @@ struct SurfaceWords {
     return of;
   }
 
-  void add_prominent(instrument::RegionChoice& to, const io::Units& units) const {
+  void add_prominent(instrument::RegionChoice& to, OptionValues& values) const {
     const std::string of = " of ";
     const std::size_t word = prominent->find(of);
     const InputError refusal("--prominent " + *prominent + ": this is not a count and a size",
@@ -218,7 +193,7 @@ struct SurfaceWords {
     const auto [end, error] = std::from_chars(prominent->data(), prominent->data() + word, to.prominent);
     if (error != std::errc() || end != prominent->data() + word || to.prominent < 1 || to.prominent > 1000)
       throw refusal;
-    to.size_m = length("--prominent", prominent->substr(word + of.size()), units);
+    to.size_m = values.length("--prominent", prominent->substr(word + of.size()), "50 um");
   }
 };
 

@@ -76,6 +76,13 @@ class Numbers(FaceTest):
         self.assertIn("the land is not flat", " ".join(told["notes"]))
         self.assertNotIn("the land is not flat", " ".join(self.json_of(*PLACED)["notes"]))
 
+    def test_a_spline_that_is_too_stiff_for_the_edges_is_told(self):
+        (self.folder / "trace_of_face.csv").write_text(trace(NEW, 0.01))
+        stiff = self.json_of(*PLACED, "--spline-cutoff", "200 um")
+        self.assertIn("the spline misses the trace", " ".join(stiff["notes"]))
+        soft = self.json_of(*PLACED, "--spline-cutoff", "15 um")
+        self.assertNotIn("the spline misses the trace", " ".join(soft["notes"]))
+
     def test_gap_and_material_are_mirrors(self):
         rows = (self.folder / "trace_of_face.csv").read_text().splitlines()
         turned = [rows[0]] + [f"{row.split(',')[0]},{-float(row.split(',')[1]):.5f}" for row in rows[1:]]

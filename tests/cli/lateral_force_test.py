@@ -109,6 +109,13 @@ class Numbers(LateralForceTest):
         told = self.json_of(self.rings[0], "--silicon", "silicon.csv", "--reference", "0.38 \u00b1 0.01")
         self.assertAlmostEqual(told["boundary_shear_strength_coefficient"], 2 * 0.3581, delta=1e-6)
 
+    def test_a_reference_without_its_error_is_told(self):
+        exact = self.json_of(self.rings[0], "--silicon", "silicon.csv", "--reference", "0.19")
+        self.assertEqual(exact["reference_deviation"], 0)
+        self.assertTrue(any("taken as exact" in note for note in exact["notes"]))
+        known = self.json_of(self.rings[0], "--silicon", "silicon.csv", "--reference", "0.19 +- 0.03")
+        self.assertFalse(any("taken as exact" in note for note in known["notes"]))
+
     def test_a_summary_is_as_good_as_loops(self):
         rows = "".join(f"{load},{0.5 + SILICON_SLOPE * 0.3581 / REFERENCE * load}\n" for load in LOADS)
         (self.folder / "summary.csv").write_text("# sample: summary\nload [nN],tmr [mV]\n" + rows)

@@ -118,6 +118,9 @@ class Numbers(SurfaceTest):
         of = self.json_of("rough.csv", *self.STATED, "--grid", "2x2")
         self.assertGreater(of["values"]["asperity_density"]["standard_error"], 0)
         self.assertEqual(len(of["tables"]["regions"]["row_labels"]), 4)
+        self.assertFalse(any("overlap" in note for note in of["notes"]))
+        of = self.json_of("rough.csv", *self.STATED, "--grid", "2x2", "--region", "8, 8, 8, 8 um")
+        self.assertTrue(any("overlap" in note for note in of["notes"]))
 
 
     def test_files_of_one_surface_give_a_mean_and_a_covariance(self):
@@ -172,8 +175,8 @@ class Refusals(SurfaceTest):
         for words, said in [
             (("--form", "sphere"), "--form sphere"),
             (("--form", "polynomial-99"), "0 to 12"),
-            (("--short-cutoff", "5"), "--short-cutoff 5"),
-            (("--short-cutoff", "-5 um"), "--short-cutoff -5 um"),
+            (("--short-cutoff", "5"), '--short-cutoff "5"'),
+            (("--short-cutoff", "-5 um"), '--short-cutoff "-5 um"'),
             (("--short-cutoff", "9 um", "--long-cutoff", "3 um"), "not below"),
             (("--short-cutoff", "0.6 um"), "two steps"),
             (("--robust",), "--robust"),
@@ -184,8 +187,9 @@ class Refusals(SurfaceTest):
             (("--sigma", "Rz"), "--sigma Rz"),
             (("--channel", "7"), "channel"),
             (("--noise", "nosuch.csv"), "nosuch.csv"),
-            (("--angle", "30 mm"), "--angle 30 mm"),
-            (("--cavity-depth", "deep"), "--cavity-depth deep"),
+            (("--sigma", "Rz", "--short-cutoff", "5"), "2 errors"),
+            (("--angle", "30 mm"), '--angle "30 mm"'),
+            (("--cavity-depth", "deep"), '--cavity-depth "deep"'),
             (("map.csv", "--heights", "out.csv"), "one file"),
             (("--output", "nosuch/map.nc"), "nosuch"),
             (("--output", "map.csv"), "map.csv"),

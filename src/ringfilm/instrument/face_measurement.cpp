@@ -283,6 +283,8 @@ io::MeasuredCurve residual_curve(const FaceFit& fit) {
   return curve;
 }
 
+constexpr double kManyNoises = 8;  // of a residual that noise hardly reaches
+
 std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, const std::optional<OtherTilts>& tilts) {
   std::vector<std::string> notes;
   if (tilts && (tilts->edge_m > kEdgeMoved_m || std::isnan(tilts->lower) || std::isnan(tilts->higher))) {
@@ -306,7 +308,16 @@ std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, co
                     (with_trace ? "; wear against a straight liner does not do that" : ""));
     of_its_own = of_its_own || !with_trace;
   }
-  if (of_its_own) {
+  const bool stiff = std::abs(fit.spline_residual.largest_m) > kManyNoises * fit.noise_m;
+  if (stiff) {
+    notes.push_back(
+        fmt::format("the spline misses the trace by {} at x = {}: it ends straight, and the face does not; "
+                    "--spline-cutoff below {} "
+                    "lets it follow",
+                    micrometres(fit.spline_residual.largest_m), millimetres(fit.spline_residual.largest_at_m),
+                    micrometres(fit.spline_cutoff_m)));
+  }
+  if (of_its_own && !stiff) {
     notes.push_back("the spline follows the trace where the polynomial does not: a case takes it with --as points");
   }
   if (fit.pore_share > kManyPores) {

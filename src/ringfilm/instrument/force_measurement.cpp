@@ -225,6 +225,11 @@ std::vector<std::string> note_lines(std::size_t n_samples, const SampleList& eve
   std::vector<std::string> notes;
   const surface::ShearStrength& first = strengths.samples.front();
   const double reference = square(of.calibration.reference_deviation / of.calibration.psi);
+  if (of.calibration.method == surface::CalibrationMethod::kSilicon && of.silicon_coefficient.deviation == 0) {
+    notes.push_back(
+        "the coefficient of silicon is taken as exact: no coefficient here is known better than it; state it with its "
+        "+-");
+  }
   if (reference > square(kNotableReference) && reference > kLargeShare * square(first.deviation() / first.zeta)) {
     notes.push_back(
         fmt::format("what was taken over for the calibration alone leaves {:.2g} % of every coefficient "

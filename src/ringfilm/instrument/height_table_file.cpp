@@ -122,8 +122,18 @@ Column column_of(std::string_view header) {
 /// "10.0 um" of a comment.
 struct StatedLength {
   double value = 0;
+  double rounding = 0;  ///< half a unit of its last digit
   std::string unit;
 };
+
+/// Half a unit of the last digit that a number was written with.
+double rounding_of(std::string_view number) {
+  const std::size_t power = std::min(number.find_first_of("eE"), number.size());
+  const std::size_t point = number.substr(0, power).find('.');
+  const double decimals = point == std::string_view::npos ? 0 : static_cast<double>(power - point - 1);
+  const double exponent = power < number.size() ? number_of(number.substr(power + 1), false).value_or(0) : 0;
+  return 0.5 * std::pow(10.0, exponent - decimals);
+}
 
 class Reader {
  public:
@@ -182,9 +192,11 @@ class Reader {
       stated_unit_ = value;
     } else if (key == "width" || key == "height") {
       const std::size_t blank = value.find(' ');
-      const std::optional<double> length = number_of(std::string_view(value).substr(0, blank), false);
+      const std::string_view number = std::string_view(value).substr(0, blank);
+      const std::optional<double> length = number_of(number, false);
       if (length && *length > 0 && blank != std::string::npos) {
-        (key == "width" ? width_ : height_) = {*length, trimmed(value.substr(blank))};
+        (key == "width" ? width_ : height_) =
+            StatedLength{*length, rounding_of(number), trimmed(std::string_view(value).substr(blank))};
       }
     }
   }
@@ -280,8 +292,21 @@ class Reader {
       values.step_x = width_->value / static_cast<double>(values.channel.points_x);
       values.step_y = height_->value / static_cast<double>(values.channel.points_y);
       values.step_unit = width_->unit;
+      note_uneven_steps(values);
     }
     return values;
+  }
+
+  /// A matrix that was cut behind a row shows only in this: its stated height spreads over fewer rows.
+  void note_uneven_steps(ChannelValues& values) const {
+    const double rounding = width_->rounding / static_cast<double>(values.channel.points_x) +
+                            height_->rounding / static_cast<double>(values.channel.points_y);
+    if (std::abs(values.step_x - values.step_y) <= rounding) return;
+    values.notes.push_back(fmt::format(
+        "{} columns over the stated width of {:.6g} {} and {} rows over the stated height of {:.6g} {} give "
+        "steps of {:.6g} and {:.6g} {}: if they should be equal, the file lacks rows or columns",
+        values.channel.points_x, width_->value, width_->unit, values.channel.points_y, height_->value, height_->unit,
+        values.step_x, values.step_y, values.step_unit));
   }
 
   static void take_missing(ChannelValues& values) {

@@ -208,7 +208,12 @@ void read_text(const BinaryReader& in, const Header& header, ChannelValues& valu
     }
     place = rest;
   }
+  if (place == end) {
+    in.refuse_at(all.size(), "the file ends within its last height: nothing tells whether a digit is missing",
+                 "the file was cut short: copy it again; after the last height a line \"*\" is wanted");
+  }
   skip_blanks();
+  if (place == end) values.notes.push_back("the line \"*\" that ends the heights is missing; all heights are there");
   if (place != end && *place != '*') {
     in.refuse_at(static_cast<std::size_t>(place - all.data()),
                  fmt::format("the map of {} x {} points ends here, and more follows", header.points_x, header.points_y),

@@ -155,6 +155,10 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
     }
     all.curves.push_back(profile_curve(surface));
     all.curves.push_back(bearing_curve(falling));
+    attempt("marks of the core", [&] {
+      const surface::CoreRoughness core = surface::core_roughness(falling);
+      all.curves.back().marks = {{core.Mr1, "Mr1"}, {core.Mr2, "Mr2"}};
+    });
   }
   const surface::SpectralMoments* const taken_off = noise ? &*noise : nullptr;
   attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis, taken_off)); });

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -45,6 +46,19 @@ std::string direction_text(surface::MomentDirection direction) {
       return "geometric mean of x and y";
   }
   return "";
+}
+
+bool regions_overlap(const std::vector<surface::Region>& regions) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    for (std::size_t k = i + 1; k < regions.size(); ++k) {
+      const surface::Region &a = regions[i], &b = regions[k];
+      if (a.column < b.column + b.columns && b.column < a.column + a.columns && a.row < b.row + b.rows &&
+          b.row < a.row + a.rows) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -100,6 +114,9 @@ std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSu
     }
     notes.push_back("no short cut-off: m4, N and beta belong to the step of " +
                     surface::length_text(surface.map.step_x_m) + "; see the table against the cut-off");
+  }
+  if (regions_overlap(surface.regions)) {
+    notes.push_back("regions overlap: they are no independent samples, and the scatter is too small");
   }
   const double missing = 1 - static_cast<double>(measured_points(file.map)) / static_cast<double>(file.map.points());
   if (missing > kManyMissing) {
@@ -202,22 +219,24 @@ io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector
   column("region_y", "upper edge", "y", "m", "um");
   column("region_width", "width", "", "m", "um");
   column("region_height", "height", "", "m", "um");
-  column("region_prominence", "prominence", "", "m", "um");
+  const bool proposed = std::any_of(surface.regions.begin(), surface.regions.end(),
+                                    [](const surface::Region& region) { return region.prominence_m != 0; });
   column("region_Sa", "mean absolute deviation", "Sa", "m", "um");
   column("region_Sq", "rms height", "Sq", "m", "um");
   column("region_asperity_density", "density of asperity peaks", "N", "m-2", "mm-2");
   column("region_asperity_radius", "mean summit radius", "beta", "m", "um");
+  if (proposed) column("region_prominence", "prominence", "", "m", "um");
   for (std::size_t k = 0; k < surface.regions.size(); ++k) {
     const surface::Region& region = surface.regions[k];
     const double values[] = {static_cast<double>(region.column) * surface.map.step_x_m,
                              static_cast<double>(region.row) * surface.map.step_y_m,
                              static_cast<double>(region.columns) * surface.map.step_x_m,
                              static_cast<double>(region.rows) * surface.map.step_y_m,
-                             region.prominence_m,
                              measures[k].Sa_m,
                              measures[k].Sq_m,
                              parameters[k].density_per_m2,
-                             parameters[k].beta_m};
+                             parameters[k].beta_m,
+                             region.prominence_m};
     for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(values[c]);
     table.row_labels.push_back(std::to_string(k + 1));
   }

@@ -101,7 +101,10 @@ std::string text_of(const pugi::xml_node& parent, const std::string& name) {
 
 std::shared_ptr<pugi::xml_document> parsed(const Description& about, const std::string& xml) {
   auto document = std::make_shared<pugi::xml_document>();
-  const pugi::xml_parse_result result = document->load_buffer(xml.data(), xml.size(), pugi::parse_default);
+  // The bytes are parsed as check_main saw them. Latin-1 passes too: its markup is ASCII, and utf8_from reads its
+  // texts.
+  const pugi::xml_parse_result result =
+      document->load_buffer(xml.data(), xml.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!result) {
     refuse(about.path, fmt::format("main.xml, byte {}: {}", result.offset, result.description()),
            "the file was damaged on its way: copy it again from the instrument");
@@ -116,6 +119,10 @@ std::shared_ptr<pugi::xml_document> parsed(const Description& about, const std::
 /// The check sum of main.xml stands in an entry of its own. An archive without it is let through with a note.
 void check_main(const Description& about, const ZipArchive& archive, const std::string& xml,
                 std::vector<std::string>& notes) {
+  if (const std::size_t zero = xml.find('\0'); zero != std::string::npos) {
+    refuse(about.path, fmt::format("main.xml, byte {}: a zero byte, so that it is not written in UTF-8", zero),
+           "export the file again, with main.xml in UTF-8");
+  }
   if (xml.find("<!DOCTYPE") != std::string::npos) {
     refuse(about.path, "main.xml has a DOCTYPE, which may hide entities that unfold without end",
            "no X3P needs one: export the file again");
@@ -186,6 +193,17 @@ void read_sizes(Description& about, const pugi::xml_node& record3) {
     refuse_element(about, "SizeZ", fmt::format("{} layers are too many", layers), "export single layers");
   }
   about.layers = layers;
+}
+
+/// Of a single row or column, the step across it says nothing: instruments write 0 there.
+void check_increments(const Description& about) {
+  const auto check = [&about](const Axis& axis, std::size_t points, const char* name) {
+    if (axis.increment > 0 || (axis.by_step && points == 1)) return;
+    refuse_element(about, fmt::format("{}/Increment", name), fmt::format("{} is no step", axis.increment),
+                   "a number above zero is wanted: export the file again");
+  };
+  check(about.x, about.points_x, "CX");
+  check(about.y, about.points_y, "CY");
 }
 
 void read_links(Description& about, const pugi::xml_node& record3) {
@@ -277,8 +295,8 @@ class Collector {
       values.missing[i] = 1;
       values.value[i] = 0;
     }
-    values.step_x = std::abs(about_.x.increment);
-    values.step_y = about_.points_y > 1 ? std::abs(about_.y.increment) : 0;
+    values.step_x = about_.x.increment;
+    values.step_y = about_.points_y > 1 ? about_.y.increment : 0;
     return values;
   }
 
@@ -429,6 +447,7 @@ InstrumentFile read_x3p(const std::string& path) {
   }
   about.is_profile = text_of(record1, "FeatureType") == "PRF";
   read_sizes(about, record3);
+  check_increments(about);
   read_links(about, record3);
   read_origin(find(root, "Record2"), result);
   for (std::size_t layer = 0; layer < about.layers; ++layer) {

@@ -61,6 +61,21 @@ TEST(HeightTable, TheCommentsOfGwyddionSayUnitAndSize) {
   EXPECT_DOUBLE_EQ(file.map.height_m[7], 8e-9);
 }
 
+TEST(HeightTable, RowsThatDoNotFillTheStatedHeightAreNoted) {
+  const auto notes = [](const std::string& height, int rows) {
+    std::string text = "# Width: 1.00 \u00B5m\n# Height: " + height + " \u00B5m\n# Value units: m\n";
+    for (int row = 0; row < rows; ++row) text += "1e-9 2e-9 4e-9 3e-9 5e-9 7e-9\n";
+    return read_bytes("a.txt", text).origin.notes;
+  };
+  const auto uneven = HasSubstr("give steps of 0.166667 and 0.2");
+  EXPECT_THAT(notes("1.00", 5), testing::Contains(uneven));
+  EXPECT_TRUE(notes("1.00", 6).empty());
+  // 7/6 is written as 1.17: steps of 0.16667 and 0.16714 differ by less than the digits say.
+  EXPECT_TRUE(notes("1.17", 7).empty());
+  EXPECT_TRUE(notes("1.17e0", 7).empty());
+  EXPECT_FALSE(notes("1.1700", 7).empty() && notes("1.1800", 7).empty());
+}
+
 TEST(HeightTable, PointsInAnyOrderWithHoles) {
   const SurfaceFile file =
       read_bytes("a.csv",

@@ -88,6 +88,26 @@ TEST(HostileFile, WrongSizesInTheHeader) {
   EXPECT_THAT(refusal("a.sur", sur.bytes()), HasSubstr("byte 512: the map of 3 x 2000 points needs 24000 bytes"));
 }
 
+/// Every character in two bytes, behind the mark of their order.
+std::string in_utf16(const std::string& ascii, bool high_byte_first) {
+  std::string bytes = high_byte_first ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : ascii) bytes += high_byte_first ? std::string{'\0', c} : std::string{c, '\0'};
+  return bytes;
+}
+
+TEST(HostileFile, ADoctypeCannotHideInUtf16) {
+  X3p x3p;
+  x3p.before_root = "<!DOCTYPE p:ISO5436_2 [<!ENTITY a \"b\">]>";
+  const std::string points = six_heights();
+  for (const bool high_byte_first : {false, true}) {
+    for (const std::size_t mark : {0, 2}) {
+      const std::string xml = in_utf16(x3p.xml(), high_byte_first).substr(mark);
+      const std::string archive = handmade::zip({{"main.xml", xml}, {"bindata/data.bin", points}});
+      EXPECT_THAT(refusal("a.x3p", archive), HasSubstr("it is not written in UTF-8")) << high_byte_first << mark;
+    }
+  }
+}
+
 /// An archive with one entry of zeros, packed a thousand times smaller.
 std::string bomb(const std::string& path, const X3p& x3p, std::size_t size) {
   int code = 0;

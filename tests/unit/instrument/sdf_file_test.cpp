@@ -101,6 +101,19 @@ TEST(Sdf, AHeaderSmallerThanTheDataIsRefused) {
               HasSubstr("the map of 3 x 2 points ends here, and more follows"));
 }
 
+TEST(Sdf, TextCutWithinItsLastHeightIsRefused) {
+  const std::string whole = sdf_text("1 2 3 4 5 6.25", 3, 2);
+  const std::size_t end = whole.rfind("6.25") + 4;
+  EXPECT_THAT(refusal("a.sdf", whole.substr(0, end - 1)),
+              HasSubstr("byte " + std::to_string(end - 1) + ": the file ends within its last height"));
+  EXPECT_THAT(refusal("a.sdf", whole.substr(0, end)), HasSubstr("the file ends within its last height"));
+  for (const std::string& complete : {whole.substr(0, end) + "*", whole}) {
+    EXPECT_TRUE(read_bytes("a.sdf", complete).origin.notes.empty());
+  }
+  EXPECT_THAT(read_bytes("a.sdf", whole.substr(0, end) + "\n").origin.notes,
+              testing::Contains(HasSubstr("the line \"*\" that ends the heights is missing")));
+}
+
 TEST(Sdf, ATrailerBehindTheHeightsIsNoData) {
   const std::string trailer = "\r\n<PartName> a liner </PartName>\r\n*\r\n";
   EXPECT_EQ(refusal("a.sdf", binary_sdf(5, {1, 2, 3, 4, 5, 6}) + trailer), "");

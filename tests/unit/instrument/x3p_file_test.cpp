@@ -150,6 +150,20 @@ TEST(X3p, FaultsNameTheirElement) {
   EXPECT_THAT(refusal("a.x3p", x3p_archive(x3p)), HasSubstr("SizeY"));
 }
 
+TEST(X3p, AStepMustBeAboveZero) {
+  for (const std::string step : {"0", "-2e-6"}) {
+    const std::string axis = "<AxisType>I</AxisType><DataType>D</DataType><Increment>" + step + "</Increment>";
+    X3p x3p = of_type('D', {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6});
+    x3p.axis_x = axis;
+    EXPECT_THAT(refusal("a.x3p", x3p_archive(x3p)), HasSubstr("main.xml, CX/Increment: ")) << step;
+    x3p = of_type('D', {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6});
+    x3p.axis_y = axis;
+    EXPECT_THAT(refusal("a.x3p", x3p_archive(x3p)), HasSubstr("main.xml, CY/Increment: ")) << step;
+    x3p.dimension = "<MatrixDimension><SizeX>6</SizeX><SizeY>1</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
+    EXPECT_EQ(refusal("a.x3p", x3p_archive(x3p)), "") << "one row has no step along y";
+  }
+}
+
 surface::HeightMap waves(bool with_hole) {
   surface::HeightMap map;
   map.points_x = 5;

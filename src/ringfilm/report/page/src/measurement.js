@@ -49,12 +49,14 @@ function notesBox(notes) {
     others.length ? element('details', { class: 'fold' }, element('summary', {}, `${others.length} more ${others.length === 1 ? 'note' : 'notes'}`), noteList(others)) : null);
 }
 
+const kSourcesOnFirstScreen = 2; // the file and whether it can be what it seems; all of them stand at the end
+
 function firstScreen(measurement) {
   const cards = keyValues(measurement);
   return element('header', { class: 'first-screen' },
     element('p', { class: 'kind' }, kKinds[measurement.kind] ?? 'A measurement'),
     element('h1', {}, measurement.title),
-    measurement.sources.map((source) => element('p', { class: 'operating' }, typeset(source))),
+    measurement.sources.slice(0, kSourcesOnFirstScreen).map((source) => element('p', { class: 'operating' }, typeset(source))),
     cards.length ? element('div', { class: 'cards' }, cards.map(card)) : null,
     notesBox(measurement.notes));
 }
@@ -87,7 +89,9 @@ function buildPage(measurement) {
     ['tables', 'Tables', measurement.tables.length > 0, () => measurement.tables.map((given) => numbersTable(given, context))],
     ['fragment', 'For a case', measurement.fragment !== '', () => fragmentBlock(measurement.fragment, context)],
     ['done', 'What was done', measurement.statements.length > 0, () => element('ol', { class: 'done' }, measurement.statements.map((statement) => element('li', {}, sentence(statement))))],
-    ['provenance', 'Where this comes from', true, () => provenanceTable(measurement.provenance)],
+    ['provenance', 'Where this comes from', true, () => [
+      element('ul', { class: 'done' }, measurement.sources.map((source) => element('li', {}, typeset(source)))),
+      provenanceTable(measurement.provenance)]],
   ].filter(([, , there]) => there);
   document.getElementById('report').replaceChildren(
     firstScreen(measurement),
