@@ -130,8 +130,8 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
   }
 
   if (scatter.without_scatter != "both") {
-    const bool few = std::max(ring.measures.size(), liner.measures.size()) < kEnoughForScatter;
-    if (few) all.notes.push_back(few_samples_note(std::max(ring.measures.size(), liner.measures.size())));
+    const std::size_t samples = std::max(ring.measures.size(), liner.measures.size());
+    if (samples < kEnoughForScatter) all.notes.push_back(few_samples_note(samples));
   }
 
   const std::string rule = measured_with(ring, liner);

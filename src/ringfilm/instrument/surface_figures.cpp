@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ringfilm/instrument/surface_values.hpp"
 #include "ringfilm/surface/roughness.hpp"
 #include "ringfilm/surface/scale.hpp"
 #include "ringfilm/surface/spectrum.hpp"
@@ -38,11 +39,7 @@ io::MeasuredMap height_map(const PreparedSurface& surface, const std::string& na
   picture.values.resize(map.points());
   for (std::size_t i = 0; i < map.points(); ++i) picture.values[i] = height_or_none(map, i);
   for (std::size_t k = 0; k < surface.regions.size(); ++k) {
-    const surface::Region& region = surface.regions[k];
-    picture.frames.push_back({static_cast<double>(region.column) * map.step_x_m,
-                              static_cast<double>(region.row) * map.step_y_m,
-                              static_cast<double>(region.columns) * map.step_x_m,
-                              static_cast<double>(region.rows) * map.step_y_m, std::to_string(k + 1)});
+    picture.frames.push_back(frame_of(surface.regions[k], map, std::to_string(k + 1)));
   }
   return picture;
 }
@@ -126,31 +123,19 @@ io::MeasuredTable scale_table(const PreparedSurface& surface, const SurfaceAnaly
   if (part.points() < surface.map.points()) {
     table.title += fmt::format(", the middle {} x {} points", part.points_x, part.points_y);
   }
-  const auto column = [&](const char* name, const char* long_name, const char* symbol, const char* unit,
-                          const char* display) {
-    io::MeasuredValue value;
-    value.name = name;
-    value.long_name = long_name;
-    value.symbol = symbol;
-    value.unit = unit;
-    value.display_unit = display;
-    table.columns.push_back(value);
-    table.values.emplace_back();
-  };
-  column("short_cutoff", "short cut-off", "lambda_s", "m", "um");
-  column("Sq", "rms height", "Sq", "m", "um");
-  column("Sdq", "rms slope", "Sdq", "1", "1");
-  column("m2", "variance of slopes", "m2", "1", "1");
-  column("m4", "variance of curvatures", "m4", "m-2", "mm-2");
-  column("asperity_density", "density of asperity peaks", "N", "m-2", "mm-2");
-  column("asperity_radius", "mean summit radius", "beta", "m", "um");
-  if (!surface.map.is_profile()) column("summit_density", "summits counted", "", "m-2", "mm-2");
+  add_column(table, "short_cutoff", "short cut-off", "lambda_s", "m", "um");
+  add_column(table, "Sq", "rms height", "Sq", "m", "um");
+  add_column(table, "Sdq", "rms slope", "Sdq", "1", "1");
+  add_column(table, "m2", "variance of slopes", "m2", "1", "1");
+  add_column(table, "m4", "variance of curvatures", "m4", "m-2", "mm-2");
+  add_column(table, "asperity_density", "density of asperity peaks", "N", "m-2", "mm-2");
+  add_column(table, "asperity_radius", "mean summit radius", "beta", "m", "um");
+  if (!surface.map.is_profile()) add_column(table, "summit_density", "summits counted", "", "m-2", "mm-2");
   for (const surface::ScaleRow& row :
        surface::scale_table(part, short_cutoffs(part), analysis.direction, analysis.scheme)) {
     const double values[] = {row.short_cutoff_m,    row.Sq_m,           row.Sdq,    row.moments.m2,
                              row.moments.m4_per_m2, row.density_per_m2, row.beta_m, row.summit_density_per_m2};
-    for (std::size_t k = 0; k < table.values.size(); ++k) table.values[k].push_back(values[k]);
-    table.row_labels.push_back(row.short_cutoff_m > 0 ? "" : "none, the step alone");
+    add_row(table, row.short_cutoff_m > 0 ? "" : "none, the step alone", values);
   }
   return table;
 }

@@ -58,8 +58,7 @@ io::MeasuredTable side_table(const Side& side, const SurfaceAnalysis& analysis, 
   table.title = title;
   const auto column = [&](const char* tail, const char* words, const char* symbol, const char* unit,
                           const char* display) {
-    table.columns.push_back(value_of(side.name + "_" + tail, words, symbol, unit, display, 0, ""));
-    table.values.emplace_back();
+    add_column(table, side.name + "_" + tail, words, symbol, unit, display);
   };
   column("Sa", "mean absolute deviation", "Sa", "m", "um");
   column("Sq", "rms height", "Sq", "m", "um");
@@ -82,19 +81,11 @@ io::MeasuredTable side_table(const Side& side, const SurfaceAnalysis& analysis, 
       const surface::HeightMap& map = surface.map;
       const surface::Region part =
           surface.regions.empty() ? surface::Region{0, 0, map.points_x, map.points_y, 0} : surface.regions[k];
-      const double values[] = {of.Sa_m,
-                               of.Sq_m,
-                               of.moments.m2,
-                               of.moments.m4_per_m2,
-                               alone.density_per_m2,
-                               alone.beta_m,
-                               static_cast<double>(part.column) * map.step_x_m,
-                               static_cast<double>(part.row) * map.step_y_m,
-                               static_cast<double>(part.columns) * map.step_x_m,
-                               static_cast<double>(part.rows) * map.step_y_m};
-      for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(values[c]);
-      table.row_labels.push_back(file_name(surface.origin.path) +
-                                 (surface.regions.empty() ? std::string() : fmt::format(", region {}", k + 1)));
+      const io::MeasuredFrame place =
+          frame_of(part, map, surface.regions.empty() ? std::string() : fmt::format(", region {}", k + 1));
+      const double values[] = {of.Sa_m,      of.Sq_m, of.moments.m2, of.moments.m4_per_m2, alone.density_per_m2,
+                               alone.beta_m, place.x, place.y,       place.width,          place.height};
+      add_row(table, file_name(surface.origin.path) + place.label, values);
     }
   }
   return table;

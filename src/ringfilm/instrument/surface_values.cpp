@@ -77,6 +77,22 @@ io::MeasuredValue value_of(const std::string& name, const std::string& long_name
   return of;
 }
 
+void add_column(io::MeasuredTable& table, const std::string& name, const std::string& long_name,
+                const std::string& symbol, const std::string& unit, const std::string& display_unit) {
+  table.columns.push_back(value_of(name, long_name, symbol, unit, display_unit, 0, ""));
+  table.values.emplace_back();
+}
+
+void add_row(io::MeasuredTable& table, const std::string& label, std::span<const double> values) {
+  for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(values[c]);
+  table.row_labels.push_back(label);
+}
+
+io::MeasuredFrame frame_of(const surface::Region& region, const surface::HeightMap& map, const std::string& label) {
+  return {static_cast<double>(region.column) * map.step_x_m, static_cast<double>(region.row) * map.step_y_m,
+          static_cast<double>(region.columns) * map.step_x_m, static_cast<double>(region.rows) * map.step_y_m, label};
+}
+
 bool same_step(double a_m, double b_m) { return std::abs(a_m / b_m - 1) <= kSameStep; }
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -210,35 +226,29 @@ io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector
   io::MeasuredTable table;
   table.name = "regions";
   table.title = "Regions";
-  const auto column = [&](const char* name, const char* long_name, const char* symbol, const char* unit,
-                          const char* display) {
-    table.columns.push_back(value_of(name, long_name, symbol, unit, display, 0, ""));
-    table.values.emplace_back();
-  };
-  column("region_x", "left edge", "x", "m", "um");
-  column("region_y", "upper edge", "y", "m", "um");
-  column("region_width", "width", "", "m", "um");
-  column("region_height", "height", "", "m", "um");
+  add_column(table, "region_x", "left edge", "x", "m", "um");
+  add_column(table, "region_y", "upper edge", "y", "m", "um");
+  add_column(table, "region_width", "width", "", "m", "um");
+  add_column(table, "region_height", "height", "", "m", "um");
   const bool proposed = std::any_of(surface.regions.begin(), surface.regions.end(),
                                     [](const surface::Region& region) { return region.prominence_m != 0; });
-  column("region_Sa", "mean absolute deviation", "Sa", "m", "um");
-  column("region_Sq", "rms height", "Sq", "m", "um");
-  column("region_asperity_density", "density of asperity peaks", "N", "m-2", "mm-2");
-  column("region_asperity_radius", "mean summit radius", "beta", "m", "um");
-  if (proposed) column("region_prominence", "prominence", "", "m", "um");
+  add_column(table, "region_Sa", "mean absolute deviation", "Sa", "m", "um");
+  add_column(table, "region_Sq", "rms height", "Sq", "m", "um");
+  add_column(table, "region_asperity_density", "density of asperity peaks", "N", "m-2", "mm-2");
+  add_column(table, "region_asperity_radius", "mean summit radius", "beta", "m", "um");
+  if (proposed) add_column(table, "region_prominence", "prominence", "", "m", "um");
   for (std::size_t k = 0; k < surface.regions.size(); ++k) {
-    const surface::Region& region = surface.regions[k];
-    const double values[] = {static_cast<double>(region.column) * surface.map.step_x_m,
-                             static_cast<double>(region.row) * surface.map.step_y_m,
-                             static_cast<double>(region.columns) * surface.map.step_x_m,
-                             static_cast<double>(region.rows) * surface.map.step_y_m,
+    const io::MeasuredFrame place = frame_of(surface.regions[k], surface.map, std::to_string(k + 1));
+    const double values[] = {place.x,
+                             place.y,
+                             place.width,
+                             place.height,
                              measures[k].Sa_m,
                              measures[k].Sq_m,
                              parameters[k].density_per_m2,
                              parameters[k].beta_m,
-                             region.prominence_m};
-    for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(values[c]);
-    table.row_labels.push_back(std::to_string(k + 1));
+                             surface.regions[k].prominence_m};
+    add_row(table, place.label, values);
   }
   return table;
 }

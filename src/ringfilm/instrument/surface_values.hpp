@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,16 @@ namespace ringfilm::instrument {
 io::MeasuredValue value_of(const std::string& name, const std::string& long_name, const std::string& symbol,
                            const std::string& unit, const std::string& display_unit, double value,
                            const std::string& remark);
+
+/// Another column of a table, empty.
+void add_column(io::MeasuredTable& table, const std::string& name, const std::string& long_name,
+                const std::string& symbol, const std::string& unit, const std::string& display_unit);
+
+/// Another row. @param values as many as there are columns, or more, of which the rest is left out
+void add_row(io::MeasuredTable& table, const std::string& label, std::span<const double> values);
+
+/// Where a region lies on its map.
+io::MeasuredFrame frame_of(const surface::Region& region, const surface::HeightMap& map, const std::string& label);
 
 /// The last part of a path.
 std::string file_name(const std::string& path);
