@@ -175,4 +175,47 @@ const std::vector<Quantity>& derived_quantities() {
   return table;
 }
 
+const std::vector<UnrolledQuantity>& unrolled_quantities() {
+  using S = UnrolledSample;
+  static const std::vector<UnrolledQuantity> table = {
+      {{"gap_leakage", "kg/s", "mg/s", "oil out of the film into the ring's gap", "m_gap", ""}, &S::gap_leakage},
+      {{"ends_share_load", "1", "%", "share of the gap's ends in the hydrodynamic load", "s_W", ""},
+       &S::ends_share_load},
+      {{"ends_share_friction", "1", "%", "share of the gap's ends in the friction", "s_f", ""},
+       &S::ends_share_friction},
+      {{"ends_share_flow", "1", "%", "share of the gap's ends in the oil flow", "s_m", ""}, &S::ends_share_flow},
+  };
+  return table;
+}
+
+const std::vector<UnrolledField>& unrolled_fields() {
+  using F = UnrolledFields;
+  static const std::vector<UnrolledField> table = {
+      {{"film_thickness", "m", "um", "film thickness", "h", "eq-film-thickness"}, &F::film_thickness},
+      {{"film_pressure", "Pa", "bar", "film pressure, absolute", "p", "eq-reynolds"}, &F::film_pressure},
+      {{"fill", "1", "1", "liquid share of the gap", "theta", "eq-fill"}, &F::fill},
+      {{"asperity_pressure", "Pa", "bar", "asperity contact pressure", "p_a", "eq-asperity-load"},
+       &F::asperity_pressure},
+  };
+  return table;
+}
+
+const std::vector<UnrolledField>& strip_fields() {
+  using F = UnrolledFields;
+  static const std::vector<UnrolledField> table = {
+      {{"strip_hydrodynamic_load", "N/m", "N/mm", "load carried by the film, per length of ring", "w_h",
+        "eq-hydrodynamic-load"},
+       &F::strip_hydrodynamic_load},
+      {{"strip_asperity_load", "N/m", "N/mm", "load carried by asperities, per length of ring", "w_a",
+        "eq-asperity-load"},
+       &F::strip_asperity_load},
+      {{"strip_peak_film_pressure", "Pa", "bar", "peak film pressure across the face, absolute", "p_max",
+        "eq-reynolds"},
+       &F::strip_peak_film_pressure},
+      {{"strip_cavitated_fraction", "1", "%", "cavitated share of the face", "x_c", "eq-complementarity"},
+       &F::strip_cavitated_fraction},
+  };
+  return table;
+}
+
 }  // namespace ringfilm::cycle

@@ -80,6 +80,47 @@ struct FaceFields {
   std::vector<double> asperity_pressure;  ///< [Pa]
 };
 
+/// What one crank angle gives beyond `Sample` where the film is unrolled.
+struct UnrolledSample {
+  double gap_leakage = 0;          ///< oil out of the film through both ends of the ring [kg/s]; negative: drawn in
+  double ends_share_load = 0;      ///< 1 - strip opposite the gap x length / whole ring [-]
+  double ends_share_friction = 0;  ///< the same of the total friction [-]
+  double ends_share_flow = 0;      ///< the same of the oil flow at the middle section [-]
+};
+
+struct UnrolledQuantity : Quantity {
+  double UnrolledSample::*value;
+};
+/// In the order of their CSV columns.
+const std::vector<UnrolledQuantity>& unrolled_quantities();
+
+/// Fields of the unrolled film at some crank angles: x from the chamber edge, y from one end of the gap around to the
+/// other, or from the joint of a closed ring. In full over [angle][y][x], or reduced along the face to [angle][y];
+/// what was not asked for is empty.
+struct UnrolledFields {
+  double circumference = 0;              ///< pi x bore [m]
+  double end_gap = 0;                    ///< between y = length and y = 0 [m]; 0: a closed ring
+  double gap_position = 0;               ///< of the middle of the gap around the bore [rad]
+  std::vector<double> x, y;              ///< [m]
+  std::vector<double> crank_angle_deg;   ///< may be empty
+  std::vector<float> film_thickness;     ///< [m], [angle][y][x]
+  std::vector<float> film_pressure;      ///< [Pa] absolute
+  std::vector<float> fill;               ///< theta, liquid share of the gap [-]
+  std::vector<float> asperity_pressure;  ///< [Pa]
+  std::vector<float> strip_hydrodynamic_load, strip_asperity_load;  ///< per length in y [N/m], [angle][y]
+  std::vector<float> strip_peak_film_pressure;                      ///< [Pa] absolute
+  std::vector<float> strip_cavitated_fraction;                      ///< share of the width [-]
+
+  bool empty() const { return crank_angle_deg.empty(); }
+};
+
+struct UnrolledField : Quantity {
+  std::vector<float> UnrolledFields::*values;
+};
+/// Fields over (crank_angle, y, x), then those over (crank_angle, y).
+const std::vector<UnrolledField>& unrolled_fields();
+const std::vector<UnrolledField>& strip_fields();
+
 /// Where on the stroke asperities rub: contact work per liner length over one cycle.
 struct StrokeProfile {
   std::vector<double> liner_position;      ///< distance below the ring's TDC position, bin centres [m]
@@ -109,6 +150,8 @@ struct CycleResult {
   std::vector<Sample> samples;  ///< at the crank angles asked for
   CycleValues values;           ///< from the whole march, whatever was asked for
   FaceFields fields;
+  std::vector<UnrolledSample> unrolled_samples;  ///< beside `samples`; empty without an unrolled film
+  UnrolledFields unrolled;
   StrokeProfile stroke;
   std::map<std::string, double> derived;  ///< composite_modulus, elastic_pressure, ... [SI]; see derived_quantities()
   std::vector<Note> notes;
