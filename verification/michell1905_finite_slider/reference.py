@@ -77,7 +77,7 @@ for name, width in (("B/L = 2", 0.02), ("B/L = 1", 0.01), ("B/L = 0.5", 0.005)):
         expected[f"{name}, place of the peak"] = place
 load, peak, *_ = finite(0.0005)
 expected["B/L = 0.05, load"] = load / 0.0005
-expected["B/L = 0.05, limit of narrow pads"] = narrow(0.0005) / 0.0005
+expected["B/L = 0.01, limit of narrow pads"] = narrow(0.0001) / 0.0001
 expected["B/L = 1, order in cells"] = expected["B/L = 1, load"]
 if __name__ == "__main__":
     print(json.dumps(expected, indent=1))

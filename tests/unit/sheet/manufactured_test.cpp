@@ -29,7 +29,6 @@ double pad(double x, double y) {
   return 3e-6 * (1 - u) * (1 - u) * (1 + 0.5 * v) + 1e-6 * (1 + std::cos(2 * kPi * v)) * u * (1 - 0.5 * u);
 }
 double separation(double t) { return 2e-6 * (1 + 0.3 * std::sin(kOmega * t)); }
-double gap(double x, double y, double t) { return separation(t) + pad(x, y); }
 
 /// Up to some 600 bar, where viscosity more than doubles; at the edge's on all four sides.
 double pressure(double x, double y, double t) {
