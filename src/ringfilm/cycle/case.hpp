@@ -36,6 +36,7 @@ struct OilTable {
 
 enum class Problem { kCycle, kPad };
 enum class Direction { kPlusX, kMinusX };
+enum class Sides { kOpen, kPeriodic, kClosed };
 enum class GasModel { kTrace, kWiebe };
 enum class PressureReference { kAbsolute, kGauge };
 enum class AngleZero { kFiringTdc, kGasExchangeTdc };
@@ -244,17 +245,22 @@ struct Output {
 };
 
 /// A film of stated shape without ring and engine (docs/theory/pad.md). Pressures count from one zero, which the case
-/// chooses; loads are per metre of width.
+/// chooses; loads are per metre of width, means over it where it is finite.
 struct Pad {
   double length = 0;            ///< [m]
-  std::optional<double> width;  ///< absent: infinitely wide, the only choice so far [m]
+  std::optional<double> width;  ///< absent: infinitely wide [m]
   std::string gap_file;
   std::vector<double> gap_x;       ///< [m], from 0 to the length, increasing; a step stands there twice
-  std::vector<double> gap_height;  ///< as many [m]
+  std::vector<double> gap_y;       ///< of a map, from 0 to the width, likewise; empty: the same gap at every y [m]
+  std::vector<double> gap_height;  ///< for each x; of a map, for each x of the first y, then of the next [m]
   double speed = 0;                ///< of the flat surface [m/s]
   Direction direction = Direction::kPlusX;
   double left_pressure = 0;   ///< at x = 0 [Pa]
   double right_pressure = 0;  ///< at x = length [Pa]
+  // width
+  Sides sides = Sides::kOpen;
+  double front_pressure = 0;  ///< at y = 0, open sides [Pa]
+  double back_pressure = 0;   ///< at y = width, open sides [Pa]
   // exactly one of: separation | load | separation_history
   std::optional<double> separation;  ///< adds to the gap [m]
   std::optional<double> load;        ///< [N/m]
@@ -265,6 +271,8 @@ struct Pad {
   double time_step = 0;               ///< [s]
   std::optional<double> end_time;     ///< absent: end of the history [s]
   std::optional<double> output_step;  ///< absent: every time step is kept [s]
+
+  bool has_sides_at_pressures() const { return width && sides == Sides::kOpen; }
 
   /// Where the march ends [s].
   double last_time() const { return end_time.value_or(history_time.empty() ? 0.0 : history_time.back()); }
