@@ -44,7 +44,7 @@ TEST(SeparationSearch, FindsWhereTheLoadBalances) {
 
 TEST(SeparationSearch, StartsFromAThickerFilmWhereNoneIsFound) {
   const ringfilm::testing::NoTraps no_traps;  // films that are no numbers, on purpose
-  Inverse film(kLoad * 4e-12, 1.9e-6);
+  Inverse film(kLoad * 4e-12, 1.2e-6);
   FilmReport report;
   ASSERT_TRUE(search_separation(film, 1e-7, kLimits, report));
   EXPECT_NEAR(film.h / 2e-6, 1, 1e-8);
