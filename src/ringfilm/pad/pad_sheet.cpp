@@ -124,8 +124,10 @@ class Builder {
     for (int j = 0; j < sheet_.around.n_cells(); ++j) {
       for (const Sides& x : sides_x_) add(face_y(x, j), gap.face_y, gap.face_y_second, gap.face_y_third);
     }
-    drop_if_zero(gap.face_x_second, gap.face_x_third);
-    drop_if_zero(gap.face_y_second, gap.face_y_third);
+    if (has_steps(gap)) return;
+    for (auto* moments : {&gap.face_x_second, &gap.face_x_third, &gap.face_y_second, &gap.face_y_third}) {
+      moments->clear();
+    }
   }
 
  private:
@@ -166,11 +168,10 @@ class Builder {
     third.push_back(shares.moment(3));
   }
 
-  /// No step anywhere: the arrays are left out.
-  static void drop_if_zero(std::vector<double>& second, std::vector<double>& third) {
-    if (std::any_of(second.begin(), second.end(), [](double moment) { return moment > 0; })) return;
-    second.clear();
-    third.clear();
+  static bool has_steps(const sheet::SheetGap& gap) {
+    const auto is_step = [](double moment) { return moment > 0; };
+    return std::any_of(gap.face_x_second.begin(), gap.face_x_second.end(), is_step) ||
+           std::any_of(gap.face_y_second.begin(), gap.face_y_second.end(), is_step);
   }
 
   const GapSurface& surface_;

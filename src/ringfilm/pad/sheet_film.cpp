@@ -119,7 +119,8 @@ Sample SheetFilm::sample(const film::FilmInputs& inputs, const film::FilmState& 
   add_peak(state, out);
   const double largest_flow = largest_flux(inputs, state, sums);
   out.mass_residual = largest_flow > 0 ? std::abs(sums.mean.mass_defect) / largest_flow : 0.0;
-  const auto strip = state.deficit.begin() + static_cast<std::ptrdiff_t>(middle_strip()) * problem_.n_across();
+  const auto strip =
+      state.deficit.begin() + static_cast<std::ptrdiff_t>(problem_.around.halfway()) * problem_.n_across();
   add_fronts(setup(), inputs, {strip, strip + problem_.n_across()}, sums.mean, out);
   out.total_load = out.load * width;
   out.total_friction_moving = out.friction_moving * width;
@@ -151,14 +152,6 @@ std::vector<SheetFilm::Row> SheetFilm::rows() const {
   return rows;
 }
 
-int SheetFilm::middle_strip() const {
-  const std::vector<double>& y = problem_.around.y;
-  const double middle = 0.5 * problem_.around.length;
-  const auto nearest = std::min_element(
-      y.begin(), y.end(), [middle](double a, double b) { return std::abs(a - middle) < std::abs(b - middle); });
-  return static_cast<int>(nearest - y.begin());
-}
-
 void SheetFilm::append_row(const film::FilmState& state, const Row& row, Profile& to) const {
   const film::FilmGrid& grid = problem_.strip.grid;
   const auto thickness = [&](int i, int cell) {
@@ -176,7 +169,7 @@ void SheetFilm::append_row(const film::FilmState& state, const Row& row, Profile
 }
 
 Profile SheetFilm::profile(const film::FilmState& state, double time) const {
-  const int middle = middle_strip();
+  const int middle = problem_.around.halfway();
   Profile along;
   along.time = time;
   for (const Row& row : rows()) {

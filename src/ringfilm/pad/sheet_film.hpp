@@ -38,8 +38,6 @@ class SheetFilm : public PadFilm {
   };
   std::vector<Row> rows() const;
   void append_row(const film::FilmState& state, const Row& row, Profile& to) const;
-  /// The one next to the middle of the width.
-  int middle_strip() const;
   sheet::SheetInputs inputs_of(const film::FilmInputs& inputs) const;
   double largest_flux(const film::FilmInputs& inputs, const film::FilmState& state,
                       const sheet::SheetIntegrals& sums) const;

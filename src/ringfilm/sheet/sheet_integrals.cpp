@@ -74,7 +74,7 @@ class Strips {
 SheetIntegrals sheet_integrals(const SheetProblem& problem, const SheetInputs& inputs, const film::FilmState& previous,
                                const film::FilmState& state) {
   const Around& around = problem.around;
-  const int n_strips = around.n_strips();
+  const int n_strips = around.n_strips(), halfway = around.halfway();
   SheetIntegrals sums;
   Strips strips(problem, inputs, previous, state);
   for (int j = 0; j < n_strips; ++j) {
@@ -92,7 +92,7 @@ SheetIntegrals sheet_integrals(const SheetProblem& problem, const SheetInputs& i
       mean.*sum += share * (of.*sum);
     }
     mean.peak_pressure = j == 0 ? of.peak_pressure : std::max(mean.peak_pressure, of.peak_pressure);
-    if (j == n_strips / 2) mean.cavities = of.cavities;
+    if (j == halfway) mean.cavities = of.cavities;
     // What a strip misses, its neighbours have, or it left through an end.
     const bool is_end = around.ends == Ends::kOpen && (j == 0 || j == n_strips - 1);
     if (!is_end) mean.mass_defect += share * of.mass_defect;
