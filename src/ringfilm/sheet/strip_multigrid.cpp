@@ -123,6 +123,7 @@ void StripMultigrid::coarsen(Level& fine, Level& coarse) {
         if (of_pair == first) low = weight * from.low[at] * coarse.low_ratio[s];
         if (of_pair == second) high = weight * from.high[at] * coarse.high_ratio[s];
       }
+      if (n == 1 && fine.places.ends == Ends::kJoined) low = high = 0;  // a strip beside itself exchanges nothing
       const double diagonal = film > 0 ? along - low - high : 1;
       const double inverse = 1 / diagonal;
       const std::size_t at = to.shape.at(i, s);
@@ -149,6 +150,15 @@ void StripMultigrid::coarsen(Level& fine, Level& coarse) {
   }
 }
 
+void StripMultigrid::start_ends(const Level& coarse, const Level& fine, double* x) {
+  const ZebraShape &from = coarse.system.shape, &to = fine.system.shape;
+  for (int i = 1; i < from.n_across - 1; ++i) {
+    for (const int s : {0, to.n_strips - 1}) {
+      x[to.at(i, s)] = fine.film[to.at(i, s)] * coarse.x[from.at(i, s / 2)];
+    }
+  }
+}
+
 void StripMultigrid::solve(const double* rhs, double* x) { solve_level(0, rhs, x); }
 
 void StripMultigrid::solve_level(std::size_t level, const double* rhs, double* x) {
@@ -160,6 +170,7 @@ void StripMultigrid::solve_level(std::size_t level, const double* rhs, double* x
     kernels_->to_coarse(shape, here.to_coarse.data(), rhs, coarse.system.shape, coarse.rhs);
     solve_level(level + 1, coarse.rhs, coarse.x);
     kernels_->from_coarse(coarse.system.shape, coarse.x, shape, here.of_own.data(), here.of_beside.data(), x);
+    if (ends == Ends::kJoined && shape.n_strips % 2 == 1) start_ends(coarse, here, x);
   } else {
     std::fill_n(x, shape.size(), 0.0);
   }

@@ -58,6 +58,8 @@ class StripMultigrid {
   };
   static Level coarser(Level& fine);
   static void coarsen(Level& fine, Level& coarse);
+  /// Of an odd number of joined strips, the first and the last are beside each other, both even.
+  static void start_ends(const Level& coarse, const Level& fine, double* x);
   void solve_level(std::size_t level, const double* rhs, double* x);
 
   const SheetKernels* kernels_;
