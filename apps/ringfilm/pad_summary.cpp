@@ -53,9 +53,10 @@ std::string pad_summary(const cycle::Case& input, const io::PadDocument& documen
   const cycle::Pad& pad = input.pad;
   const std::string size = pad.width ? fmt::format("{:.6g} x {:.6g} mm", pad.length * 1e3, *pad.width * 1e3)
                                      : fmt::format("{:.6g} mm", pad.length * 1e3);
-  std::string text = fmt::format("{}\npad of {}, {:.6g} m/s towards {}; all per metre of width{}\n\n", document.title,
-                                 size, pad.speed, pad.direction == cycle::Direction::kPlusX ? "+x" : "-x",
-                                 pad.width ? ", means over it, but what its unit tells to be of the whole" : "");
+  std::string text =
+      fmt::format("{}\npad of {}, {:.6g} m/s towards {}; {}\n\n", document.title, size, pad.speed,
+                  pad.direction == cycle::Direction::kPlusX ? "+x" : "-x",
+                  pad.width ? "what is told per metre of width is the mean over it" : "all per metre of width");
   if (result.effort.time_steps > 0)
     text += fmt::format("at {:.6g} s, the last of {} instants\n", last.time, result.samples.size());
   text += values_table(last, pad) + "\n" + solver_line(result.effort) + assumed_lines(document.inputs);

@@ -82,8 +82,9 @@ class Refusals(SheetTest):
         self.assertEqual(self.names(), before, "something was written")
 
     def refuse_map(self, text, *fragments, words=()):
+        """A map that is right by itself or not; its own faults start with its name."""
         (self.folder / "map.csv").write_text(text)
-        self.refuse("map.csv", *fragments, words=("--set", "pad.gap=map.csv", *words))
+        self.refuse(*fragments, words=("--set", "pad.gap=map.csv", *words))
 
     def refuse_netcdf(self, content, *fragments):
         (self.folder / "map.nc").write_bytes(content)

@@ -209,6 +209,24 @@ TEST(SheetPad, APeriodicMapMayBeginAnywhere) {
   EXPECT_NEAR(load(0) / load(0.003), 1, 1e-9);
 }
 
+// Grooves along the whole length, of a flat pad without pressures: nothing but eta U/h, in each part of the width.
+TEST(SheetPad, GroovesAlongTheMotionShearAndLeakAsTheirParts) {
+  cycle::Case c = with_width(slider(), 0.012, cycle::Sides::kPeriodic);
+  set_map(c, {0, kLength}, {0, 0.002, 0.002, 0.006, 0.006, 0.012},
+          [](std::size_t, std::size_t j) { return j == 2 || j == 3 ? 30e-6 : 10e-6; });
+  c.solver.cells_y = 12;
+  const double mean = (1 / 30e-6 + 2 / 10e-6) / 3;  // a third of the width is groove
+  EXPECT_NEAR(solved(c).friction_moving / (kEta * kU * kLength * mean), 1, 1e-9);
+  // A drop of pressure along it: what flows goes with the cube of each part's height.
+  c.pad.speed = 0;
+  c.pad.left_pressure = 1e6;
+  const double cube = (std::pow(30e-6, 3) + 2 * std::pow(10e-6, 3)) / 3;
+  const Sample s = solved(c);
+  EXPECT_NEAR(s.flow_left / (cube / (12 * kEta) * 1e6 / kLength), 1, 1e-9);
+  EXPECT_NEAR(s.flow_right / s.flow_left, 1, 1e-9);
+  EXPECT_LT(s.mass_residual, 1e-9);
+}
+
 TEST(SheetPad, FindsTheSeparationForALoad) {
   cycle::Case c = with_width(slider(), 0.02);
   c.pad.gap_height = {10e-6, 0};
