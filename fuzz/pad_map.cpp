@@ -4,8 +4,8 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/pad_file.hpp"
 
-/// The gap of a pad over x and y, as CSV or NetCDF. Of NetCDF only the classic form: the other is read by a library of
-/// its own, whose faults are not ours to find.
+/// The gap of a pad over x and y, as CSV or NetCDF. Of NetCDF only the classic form, ours to read: for the other there
+/// is a library, whose faults are not ours to find.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ringfilm;
   static const io::Units units;

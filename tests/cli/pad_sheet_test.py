@@ -67,6 +67,7 @@ class Numbers(SheetTest):
         self.assertEqual(film[:4], b"\x89HDF")
         for name in (b"film_thickness", b"pressure", b"fill", b"total_load", b"ringfilm_pad_schema"):
             self.assertIn(name, film)
+        self.assert_refused(self.run_program("report", "film.nc", "--output", "film.html"), "the film of a pad")
 
     def test_a_history_has_its_numbers_over_time(self):
         told = self.json_of("--set", "pad.separation=", "--set", "pad.separation_history=h.csv", "--set",

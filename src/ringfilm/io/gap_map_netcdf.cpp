@@ -7,8 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <optional>
 
+#include "ringfilm/io/classic_netcdf.hpp"
 #include "ringfilm/io/digest.hpp"
 #include "ringfilm/io/gap_map_file.hpp"
 #include "ringfilm/io/result_file_netcdf.hpp"
@@ -19,124 +21,167 @@ namespace {
 constexpr std::size_t kLargestMap = std::size_t{256} << 20;  // [byte]
 constexpr const char* kWanted = "a variable h(y, x) is wanted, with coordinates x(x) and y(y), each with units";
 
-/// An open file of the library. A file that is damaged is told, never trusted.
-class MapReader {
+[[noreturn]] void refuse(const std::string& shown, const std::string& what, const std::string& remedy) {
+  throw InputError(std::vector<Fault>{{{shown, 0, 0, ""}, what, remedy}});
+}
+
+[[noreturn]] void refuse_damaged(const std::string& shown, const std::string& what) {
+  refuse(shown, "cannot be read as NetCDF: " + what, "the file may be damaged or cut off");
+}
+
+/// A file of NetCDF-4, open as long as this lives.
+class OpenFile {
  public:
-  MapReader(const std::string& shown, const std::string& bytes, const Units& units)
-      : shown_(shown), units_(units), lock_(netcdf_in_use()) {
+  OpenFile(const std::string& shown, const std::string& bytes) : shown_(shown), lock_(netcdf_in_use()) {
     // The library promises not to write into memory that is opened NC_NOWRITE.
     check(nc_open_mem("gap", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file_), "the file");
   }
-  MapReader(const MapReader&) = delete;
-  MapReader& operator=(const MapReader&) = delete;
-  ~MapReader() {
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
     if (file_ >= 0) nc_close(file_);
   }
 
-  GapMap read() {
-    const std::string name = !find("h") && find("height") ? "height" : "h";
-    const int h = wanted(name);
-    const std::vector<int> of_x = dimensions(wanted("x"), "x"), of_y = dimensions(wanted("y"), "y");
-    if (of_x.size() != 1 || of_y.size() != 1 || of_x == of_y) refuse("x and y are no two axes", kWanted);
-    const std::vector<int> of_h = dimensions(h, name);
-    if (of_h != std::vector<int>{of_y[0], of_x[0]}) {
-      refuse(name + " does not run over (y, x)", "store it with a row of all x for each y");
+  std::optional<StoredVariable> find(const std::string& name) const {
+    int variable = 0, n = 0;
+    if (nc_inq_varid(file_, name.c_str(), &variable) != NC_NOERR) return std::nullopt;
+    check(nc_inq_varndims(file_, variable, &n), name);
+    StoredVariable found;
+    found.dimensions.resize(static_cast<std::size_t>(n));
+    check(nc_inq_vardimid(file_, variable, found.dimensions.data()), name);
+    std::size_t all = 1;
+    for (const int dimension : found.dimensions) {
+      std::size_t length = 0;
+      check(nc_inq_dimlen(file_, dimension, &length), name);
+      found.lengths.push_back(length);
+      all *= length;
     }
-    GapMap map;
-    map.x = values("x", length(of_x[0], "x"));
-    map.y = values("y", length(of_y[0], "y"));
-    map.height = values(name, map.x.size() * map.y.size());
-    return map;
+    found.units = units_of(variable, name);
+    for (const char* packed : {"scale_factor", "add_offset"}) {
+      if (nc_inq_att(file_, variable, packed, nullptr, nullptr) == NC_NOERR) found.packed_by = packed;
+    }
+    for (const char* mark : {"_FillValue", "missing_value"}) {
+      std::size_t size = 0;
+      double missing = 0;
+      if (nc_inq_attlen(file_, variable, mark, &size) == NC_NOERR && size == 1 &&
+          nc_get_att_double(file_, variable, mark, &missing) == NC_NOERR) {
+        found.missing.push_back(missing);
+      }
+    }
+    found.values = [this, variable, name, all] {
+      std::vector<double> values(all);
+      check(nc_get_var_double(file_, variable, values.data()), name);
+      return values;
+    };
+    return found;
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
-    throw InputError(std::vector<Fault>{{{shown_, 0, 0, ""}, what, remedy}});
-  }
-
   void check(int status, const std::string& what) const {
-    if (status != NC_NOERR) {
-      refuse("cannot be read as NetCDF: " + what + ": " + nc_strerror(status), "the file may be damaged or cut off");
-    }
+    if (status != NC_NOERR) refuse_damaged(shown_, what + ": " + nc_strerror(status));
   }
 
-  std::optional<int> find(const std::string& name) const {
-    int variable = 0;
-    return nc_inq_varid(file_, name.c_str(), &variable) == NC_NOERR ? std::optional(variable) : std::nullopt;
-  }
-
-  int wanted(const std::string& name) const {
-    const auto variable = find(name);
-    if (!variable) refuse("the file has no variable " + name, kWanted);
-    return *variable;
-  }
-
-  std::vector<int> dimensions(int variable, const std::string& name) const {
-    int n = 0;
-    check(nc_inq_varndims(file_, variable, &n), name);
-    std::vector<int> numbers(static_cast<std::size_t>(n));
-    check(nc_inq_vardimid(file_, variable, numbers.data()), name);
-    return numbers;
-  }
-
-  std::size_t length(int dimension, const std::string& name) const {
-    std::size_t n = 0;
-    check(nc_inq_dimlen(file_, dimension, &n), name);
-    if (n < 2) refuse("the map has " + std::to_string(n) + " places along " + name, "two or more are wanted");
-    if (n > kMostGapPlaces) {
-      refuse(fmt::format("the map has {} places along {}", n, name),
-             fmt::format("at the most {} are read; thin it out", kMostGapPlaces));
-    }
-    return n;
-  }
-
+  /// Empty for none.
   std::string units_of(int variable, const std::string& name) const {
     nc_type type = 0;
     std::size_t size = 0;
     constexpr std::size_t kLongest = 100;
     const int status = nc_inq_att(file_, variable, "units", &type, &size);
-    if (status != NC_NOERR || type != NC_CHAR || size == 0 || size > kLongest) {
-      refuse("the variable " + name + " has no units", "give it the attribute units, for example \"mm\"");
-    }
+    if (status != NC_NOERR || type != NC_CHAR || size == 0 || size > kLongest) return "";
     std::string text(size, '\0');
     check(nc_get_att_text(file_, variable, "units", text.data()), name);
     return text.substr(0, text.find('\0'));
   }
 
-  /// In metres; a value that the file marks as missing is a NaN.
-  std::vector<double> values(const std::string& name, std::size_t n) const {
-    const int variable = wanted(name);
-    for (const char* packed : {"scale_factor", "add_offset"}) {
-      if (nc_inq_att(file_, variable, packed, nullptr, nullptr) == NC_NOERR) {
-        refuse("the variable " + name + " is packed with " + packed, "store the values themselves");
-      }
+  std::string shown_;
+  std::unique_lock<std::mutex> lock_;
+  int file_ = -1;
+};
+
+using Find = std::function<std::optional<StoredVariable>(const std::string& name)>;
+
+/// The map of a file, whatever reads it.
+class MapReader {
+ public:
+  MapReader(const std::string& shown, const Find& find, const Units& units)
+      : shown_(shown), find_(find), units_(units) {}
+
+  GapMap read() const {
+    const std::string name = !find_("h") && find_("height") ? "height" : "h";
+    const StoredVariable h = wanted(name), x = wanted("x"), y = wanted("y");
+    if (x.dimensions.size() != 1 || y.dimensions.size() != 1 || x.dimensions == y.dimensions) {
+      refuse(shown_, "x and y are no two axes", kWanted);
     }
-    std::vector<double> all(n);
-    check(nc_get_var_double(file_, variable, all.data()), name);
-    for (const char* mark : {"_FillValue", "missing_value"}) {
-      std::size_t size = 0;
-      double missing = 0;
-      if (nc_inq_attlen(file_, variable, mark, &size) != NC_NOERR || size != 1 ||
-          nc_get_att_double(file_, variable, mark, &missing) != NC_NOERR) {
-        continue;
-      }
+    if (h.dimensions != std::vector<int>{y.dimensions[0], x.dimensions[0]}) {
+      refuse(shown_, name + " does not run over (y, x)", "store it with a row of all x for each y");
+    }
+    check_length(x.lengths[0], "x");
+    check_length(y.lengths[0], "y");
+    return {values(x, "x"), values(y, "y"), values(h, name)};
+  }
+
+ private:
+  StoredVariable wanted(const std::string& name) const {
+    auto variable = find_(name);
+    if (!variable) refuse(shown_, "the file has no variable " + name, kWanted);
+    return std::move(*variable);
+  }
+
+  void check_length(std::size_t n, const std::string& name) const {
+    if (n < 2) {
+      refuse(shown_, "the map has " + std::to_string(n) + " places along " + name,
+             "two or more are wanted, of a fixed number");
+    }
+    if (n > kMostGapPlaces) {
+      refuse(shown_, fmt::format("the map has {} places along {}", n, name),
+             fmt::format("at the most {} are read; thin it out", kMostGapPlaces));
+    }
+  }
+
+  /// In metres; a value that the file marks as missing is a NaN.
+  std::vector<double> values(const StoredVariable& variable, const std::string& name) const {
+    if (!variable.packed_by.empty()) {
+      refuse(shown_, "the variable " + name + " is packed with " + variable.packed_by, "store the values themselves");
+    }
+    if (variable.units.empty()) {
+      refuse(shown_, "the variable " + name + " has no units", "give it the attribute units, for example \"mm\"");
+    }
+    std::vector<double> all = variable.values();
+    for (const double missing : variable.missing) {
       for (double& value : all) value = value == missing ? std::nan("") : value;
     }
     try {
-      const Scale scale = units_.scale(units_of(variable, name), "m");
+      const Scale scale = units_.scale(variable.units, "m");
       for (double& value : all) value = scale.to_si(value);
     } catch (const UnitError& problem) {
-      refuse("the variable " + name + " " + problem.what(),
+      refuse(shown_, "the variable " + name + " " + problem.what(),
              problem.remedy.empty() ? "for example \"mm\"" : problem.remedy);
     }
     return all;
   }
 
   std::string shown_;
+  const Find& find_;
   const Units& units_;
-  std::unique_lock<std::mutex> lock_;
-  int file_ = -1;
 };
+
+GapMap map_of(const std::string& shown, const std::string& bytes, const Units& units) {
+  if (bytes.rfind("CDF", 0) != 0) {
+    const OpenFile file(shown, bytes);
+    const Find find = [&file](const std::string& name) { return file.find(name); };
+    return MapReader(shown, find, units).read();
+  }
+  try {
+    const auto all = classic_netcdf_variables(bytes);
+    const Find find = [&all](const std::string& name) {
+      const auto found = all.find(name);
+      return found == all.end() ? std::nullopt : std::optional(found->second);
+    };
+    return MapReader(shown, find, units).read();
+  } catch (const ClassicNetcdfError& problem) {
+    refuse_damaged(shown, problem.what());
+  }
+}
 
 /// The number of the first value that is none.
 std::optional<std::size_t> hole(const std::vector<double>& values) {
@@ -179,7 +224,7 @@ bool is_netcdf(const std::string& path) {
 
 GapMapFile read_gap_netcdf(const NamedFile& file, const Units& units) {
   const std::string bytes = read_source_bytes(file.path, file.shown, kLargestMap);
-  GapMapFile read{MapReader(file.shown, bytes, units).read(), sha256(bytes)};
+  GapMapFile read{map_of(file.shown, bytes, units), sha256(bytes)};
   const GapMap& map = read.map;
   std::vector<Fault> faults;
   check_axis(file.shown, "x", map.x, faults);
