@@ -24,6 +24,7 @@ if sys.argv[1:] == ["--swing"]:
 import numpy as np  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+sys.dont_write_bytecode = True  # a folder of its own among the verifications would be taken for one
 from film_in_two_dimensions import Film  # noqa: E402
 
 

@@ -20,6 +20,7 @@ if sys.argv[1:] == ["--gap"]:
 import numpy as np  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+sys.dont_write_bytecode = True  # a folder of its own among the verifications would be taken for one
 from film_in_two_dimensions import Film, limit  # noqa: E402
 
 AMBIENT, CAVITATION = 1e5, 0.3e5

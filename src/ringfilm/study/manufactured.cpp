@@ -33,6 +33,7 @@ Pressure pressure(double x, double t, double swing) {
       amplitude * 2 * k * k * (c * c - s * s)};
 }
 
+double separation(double t, double swing) { return kFilm * (1 + swing * std::sin(kOmega * t)); }
 double wedge(double x) { return kWedge * (1 - x / kWidth) * (1 - x / kWidth); }
 
 Varying gap(double x, double t, double swing) {

@@ -29,6 +29,4 @@ inline Property viscosity(double p) {
   return {eta, eta * depth * kZ / scale * std::pow(1 + p / scale, kZ - 1)};
 }
 
-inline double separation(double t, double swing) { return kFilm * (1 + swing * std::sin(kOmega * t)); }
-
 }  // namespace ringfilm::study::manufactured
