@@ -65,7 +65,8 @@ export class Model {
     this.payload = payload;
     this.curveQuantities = payload.curve_quantities;
     const byName = (list) => new Map(list.map((q) => [q.name, q]));
-    this.curveQuantity = byName(payload.curve_quantities);
+    this.unrolledQuantities = payload.unrolled_quantities;
+    this.curveQuantity = byName([...payload.curve_quantities, ...payload.unrolled_quantities]);
     this.cycleQuantity = byName(payload.cycle_quantities);
     this.derivedQuantity = byName(payload.derived_quantities);
     const { shared, names } = named(payload.cases);
@@ -77,6 +78,12 @@ export class Model {
       values: c.complete ? c.values : {},
     }));
     this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;
+  }
+
+  /** The same page with some of its cases. */
+  withCases(cases) {
+    const { allCases } = cases.length === this.cases.length ? this : { allCases: `these ${cases.length} cases` };
+    return Object.assign(Object.create(Object.getPrototypeOf(this)), this, { cases, several: cases.length > 1, allCases });
   }
 
   /** Name, unit and values of one cycle value of one case as shown. */
