@@ -44,9 +44,10 @@ function(ringfilm_test_program target sources)
   gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60)
 endfunction()
 
-# ringfilm_film_kernels(): the inner loops of the film.
+# ringfilm_film_kernels(): the inner loops of the film, across and around.
 function(ringfilm_film_kernels)
   ringfilm_instruction_sets("${CMAKE_SOURCE_DIR}/src/ringfilm/film/kernels")
+  ringfilm_instruction_sets("${CMAKE_SOURCE_DIR}/src/ringfilm/sheet/kernels")
 endfunction()
 
 # ringfilm_instruction_sets(<stem>): compiles <stem>_avx2.cpp and <stem>_avx512.cpp, each for the kind of machine in its

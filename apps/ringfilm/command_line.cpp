@@ -43,7 +43,7 @@ constexpr const char* kRunFooter = R"(Examples:
   ringfilm run verification/rayleigh1918_step/best.toml
 
 A case with a table [pad] instead of [engine] and [ring] is the film of a slider, a step or two plates that approach
-each other, steady or in time; --output, --ledger and --error-estimate are for rings.
+each other, steady or in time; --ledger and --error-estimate are for rings.
 
 --set KEY= takes a key out of the case, e.g. --set ring.elastic_pressure= --set ring.tangential_force='12.5 N'.
 An output that exists is replaced at once when the new one is complete; a kill or a full disk leaves the old one.

@@ -1,21 +1,10 @@
 #include "ringfilm/film/film_solver.hpp"
 
-#include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
-#include <cmath>
-
 #include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/reynolds.hpp"
+#include "ringfilm/film/separation_search.hpp"
 
 namespace ringfilm::film {
-namespace {
-
-constexpr double kRunaway = 1e6;       // multiple of the load beyond which only the sign counts
-const double kStride = std::log(1.5);  // of the search, in ln h_m
-const double kThicker = std::log(2.5);
-
-}  // namespace
-
 /// The solve of one step over the workspace.
 class FilmSolve {
  public:
@@ -47,82 +36,41 @@ class FilmSolve {
     return solved;
   }
 
-  /// The fallback: the load carried falls with h_m, so that a bracket can be closed on it.
+  /// The fallback, with the laws themselves.
   bool solve_by_search(const FilmState& guess, FilmReport& report) {
-    report.route = Route::kSecant;
-    report.exact_laws = true;
-    bool solved = true;
-    const auto excess_at = [&](double ln_h) {
-      state_.h_m = std::exp(ln_h);
-      double excess = 0;
-      if (solve_alone(report)) {
-        excess = load_excess();
-      } else {
-        const double unfinished = load_excess();
-        state_ = guess;
-        state_.h_m = std::exp(ln_h);
-        if (solve_alone(report)) {
-          excess = load_excess();
-        } else {
-          // Pressures that run away tell enough for a bracket: the film is too thin. If one of the two films is no
-          // number, the other one tells.
-          excess = std::fmax(unfinished, load_excess());
-          solved = solved && excess > inputs_.load;
-        }
-      }
-      solved = solved && !std::isnan(excess);
-      return solved ? std::min(excess, kRunaway * inputs_.load) : 0.0;
-    };
-    state_ = guess;
-    double a = std::log(guess.h_m);
-    double excess_a = excess_at(a);
-    // A film that is far too thin for the load may itself be beyond Newton's method; a thicker one never is.
-    while (!solved && a < std::log(thickest(problem_.grid))) {
-      solved = true;
-      a += kThicker;
-      excess_a = excess_at(a);
-    }
-    const double stride = std::copysign(kStride, excess_a);
-    double b = a;
-    double excess_b = excess_a;
-    while (solved && excess_a * excess_b > 0) {
-      if (b < std::log(kThinnest)) report.failure = Failure::kOverloaded;
-      if (b > std::log(thickest(problem_.grid))) report.failure = Failure::kLiftedOff;
-      if (b < std::log(kThinnest) || b > std::log(thickest(problem_.grid))) return false;
-      a = b;
-      excess_a = excess_b;
-      b = a + stride;
-      excess_b = excess_at(b);
-    }
-    if (!solved) return false;
-    if (excess_b == 0) return finish();
-    if (a > b) {
-      std::swap(a, b);
-      std::swap(excess_a, excess_b);
-    }
-    boost::uintmax_t evaluations = 60;
-    const auto close_enough = [&](double low, double high) { return high - low < 0.1 * problem_.tolerance; };
-    const auto [low, high] =
-        boost::math::tools::toms748_solve(excess_at, a, b, excess_a, excess_b, close_enough, evaluations);
-    if (!solved) return false;
-    const double rest = excess_at(0.5 * (low + high));
-    report.last_step = high - low;
-    return solved && close_enough(low, high) && std::abs(rest) < std::sqrt(problem_.tolerance) * inputs_.load &&
-           finish();
+    Sought sought(*this, guess, report);
+    const SearchLimits limits{thickest(problem_.grid), inputs_.load, problem_.tolerance};
+    const bool found = search_separation(sought, guess.h_m, limits, report);
+    if (found) complete_state(problem_, LaneLaws::kGiven, state_);
+    return found;
   }
 
  private:
-  bool solve_alone(FilmReport& report) { return solve(Unknowns::kFilmAlone, LaneLaws::kGiven, report); }
+  class Sought : public SoughtFilm {
+   public:
+    Sought(FilmSolve& solve, const FilmState& guess, FilmReport& report)
+        : solve_(solve), guess_(guess), report_(report) {
+      solve_.state_ = guess_;
+    }
+    bool solve_at(double h_m) override {
+      solve_.state_.h_m = h_m;
+      return solve_.solve(Unknowns::kFilmAlone, LaneLaws::kGiven, report_);
+    }
+    bool solve_afresh_at(double h_m) override {
+      solve_.state_ = guess_;
+      return solve_at(h_m);
+    }
+    double excess() const override {
+      const FilmState& state = solve_.state_;
+      return hydrodynamic_load(solve_.problem_, state) + asperity_load(solve_.problem_, state.h_m) -
+             solve_.inputs_.load;
+    }
 
-  bool finish() {
-    complete_state(problem_, LaneLaws::kGiven, state_);
-    return true;
-  }
-
-  /// W_h + W_a - W per length [N/m].
-  double load_excess() const {
-    return hydrodynamic_load(problem_, state_) + asperity_load(problem_, state_.h_m) - inputs_.load;
-  }
+   private:
+    FilmSolve& solve_;
+    const FilmState& guess_;
+    FilmReport& report_;
+  };
 
   const FilmProblem& problem_;
   const FilmInputs& inputs_;

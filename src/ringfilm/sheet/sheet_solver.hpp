@@ -40,7 +40,10 @@ film::FilmReport solve_sheet_at_separation(const SheetProblem& problem, const Sh
 /// Every strip like the one of a film across.
 film::FilmState of_strips(const SheetProblem& problem, const film::FilmState& strip);
 
-/// rho theta h of every node, from pressure, deficit and h_m, by the laws themselves.
+/// rho theta h of every node, from pressure, deficit and h_m, by the laws that `state.laws` names.
 void complete_state(const SheetProblem& problem, const SheetInputs& inputs, film::FilmState& state);
+
+/// W_h + W_a per length in y [N/m].
+double mean_load(const SheetProblem& problem, const SheetInputs& inputs, const film::FilmState& state);
 
 }  // namespace ringfilm::sheet

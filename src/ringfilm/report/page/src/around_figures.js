@@ -113,13 +113,13 @@ function largest(model, c, name) {
 
 const kShares = [['ends_share_load', 'load'], ['ends_share_friction', 'friction'], ['ends_share_flow', 'flow']];
 
-/** Leakage and the shares of the gap's ends over the cycle; null without an unrolled film. */
+/** Leakage and the shares of the gap's ends over the cycle; null where no ring has a gap. */
 export function gapFigure(model) {
-  const { unrolledQuantities: names } = model;
-  const unrolled = model.cases.filter((c) => names.some((q) => c.curves[q.name]));
+  const names = ['gap_leakage', ...kShares.map(([name]) => name)];
+  const unrolled = model.cases.filter((c) => names.some((name) => c.curves[name]?.some((v) => v)));
   if (unrolled.length === 0) return null;
   const one = model.withCases(unrolled);
-  const panels = names.map((q) => cyclePanel(one, q.name, { zeroLine: true }));
+  const panels = names.map((name) => cyclePanel(one, name, { zeroLine: true }));
   return {
     id: 'gap-of-the-ring', title: 'What the ends of the gap do', group: 'cycle', layout: 'row', panels,
     caption: `Oil that flows out of the film through both ends of the ring, and by how much load, friction and oil flow of the whole ring differ from those of a ring all of whose strips were like the one opposite the gap. Largest: leakage ${

@@ -65,7 +65,6 @@ export class Model {
     this.payload = payload;
     this.curveQuantities = payload.curve_quantities;
     const byName = (list) => new Map(list.map((q) => [q.name, q]));
-    this.unrolledQuantities = payload.unrolled_quantities;
     this.curveQuantity = byName([...payload.curve_quantities, ...payload.unrolled_quantities]);
     this.cycleQuantity = byName(payload.cycle_quantities);
     this.derivedQuantity = byName(payload.derived_quantities);

@@ -1,0 +1,110 @@
+#include "ringfilm/sheet/sheet_integrals.hpp"
+
+#include <algorithm>
+
+#include "ringfilm/film/reynolds.hpp"
+
+namespace ringfilm::sheet {
+namespace {
+
+/// A strip of the sheet as a film of its own.
+class Strips {
+ public:
+  Strips(const SheetProblem& problem, const SheetInputs& inputs, const film::FilmState& previous,
+         const film::FilmState& state)
+      : problem_(problem), inputs_(inputs), previous_(previous), state_(state), strip_(problem.strip) {}
+
+  film::FilmIntegrals integrals(int j) {
+    const int n_across = problem_.n_across();
+    const auto row = [&](const std::vector<double>& from, int width) {
+      const auto begin = from.begin() + static_cast<std::ptrdiff_t>(j) * width;
+      return std::vector<double>(begin, begin + width);
+    };
+    strip_.grid.node_height = row(problem_.gap.node, n_across);
+    strip_.grid.face_height = row(problem_.gap.face_x, n_across - 1);
+    now_.h_m = state_.h_m + (inputs_.rise.empty() ? 0.0 : inputs_.rise[j]);
+    now_.laws = state_.laws;
+    now_.p = row(state_.p, n_across);
+    now_.deficit = row(state_.deficit, n_across);
+    now_.content = row(state_.content, n_across);
+    before_.content = row(previous_.content, n_across);
+    return film::film_integrals(strip_, inputs_.strip, before_, now_);
+  }
+  double lowest() const {
+    return now_.h_m + *std::min_element(strip_.grid.node_height.begin(), strip_.grid.node_height.end());
+  }
+
+  /// Mass flow in +y through the cell between strips, where the balance of mass counts it [kg/s].
+  double cross_flow(int cell) const {
+    const Around& around = problem_.around;
+    const int n_across = problem_.n_across();
+    const int high = (cell + 1) % around.n_strips();
+    const auto low_row = static_cast<std::size_t>(cell) * n_across,
+               high_row = static_cast<std::size_t>(high) * n_across;
+    const double h_m = state_.h_m + (inputs_.rise.empty() ? 0.0 : 0.5 * (inputs_.rise[cell] + inputs_.rise[high]));
+    double flow = 0;
+    for (int i = 1; i + 1 < n_across; ++i) {
+      const double h = h_m + problem_.gap.face_y[low_row + i];
+      double cube = h * h * h;
+      if (!problem_.gap.face_y_second.empty()) {
+        cube += 3 * h * problem_.gap.face_y_second[low_row + i] + problem_.gap.face_y_third[low_row + i];
+      }
+      const double K = fluidity(state_.p[low_row + i]) + fluidity(state_.p[high_row + i]);
+      flow -= problem_.strip.grid.share[i] * cube * K / (24 * around.spacing[cell]) *
+              (state_.p[high_row + i] - state_.p[low_row + i]);
+    }
+    return flow;
+  }
+
+ private:
+  double fluidity(double p) const {
+    const models::OilAtTemperature& oil = *problem_.strip.oil;
+    return state_.laws == film::LaneLaws::kFitted ? oil.fit()->at(p).K : oil.density(p) / oil.viscosity(p);
+  }
+
+  const SheetProblem& problem_;
+  const SheetInputs& inputs_;
+  const film::FilmState &previous_, &state_;
+  film::FilmProblem strip_;
+  film::FilmState now_, before_;
+};
+
+}  // namespace
+
+SheetIntegrals sheet_integrals(const SheetProblem& problem, const SheetInputs& inputs, const film::FilmState& previous,
+                               const film::FilmState& state) {
+  const Around& around = problem.around;
+  const int n_strips = around.n_strips();
+  SheetIntegrals sums;
+  Strips strips(problem, inputs, previous, state);
+  for (int j = 0; j < n_strips; ++j) {
+    const film::FilmIntegrals of = strips.integrals(j);
+    sums.strips.push_back({of.hydrodynamic_load, of.asperity_load, of.shear_couette, of.shear_poiseuille, of.flow_left,
+                           of.flow_middle, of.flow_right, of.peak_pressure, of.cavitated_fraction, strips.lowest()});
+    const double share = around.share[j] / around.length;
+    film::FilmIntegrals& mean = sums.mean;
+    for (double film::FilmIntegrals::*sum :
+         {&film::FilmIntegrals::hydrodynamic_load, &film::FilmIntegrals::asperity_load,
+          &film::FilmIntegrals::asperity_load_beyond_polynomial, &film::FilmIntegrals::asperity_area,
+          &film::FilmIntegrals::shear_couette, &film::FilmIntegrals::shear_poiseuille, &film::FilmIntegrals::flow_left,
+          &film::FilmIntegrals::flow_middle, &film::FilmIntegrals::flow_right,
+          &film::FilmIntegrals::cavitated_fraction}) {
+      mean.*sum += share * (of.*sum);
+    }
+    mean.peak_pressure = j == 0 ? of.peak_pressure : std::max(mean.peak_pressure, of.peak_pressure);
+    if (j == n_strips / 2) mean.cavities = of.cavities;
+    // What a strip misses, its neighbours have, or it left through an end.
+    const bool is_end = around.ends == Ends::kOpen && (j == 0 || j == n_strips - 1);
+    if (!is_end) mean.mass_defect += share * of.mass_defect;
+    if (is_end) (j == 0 ? sums.flow_low : sums.flow_high) -= around.share[j] * of.mass_defect;
+  }
+  if (around.ends == Ends::kOpen) {
+    const double low = strips.cross_flow(0), high = strips.cross_flow(around.n_cells() - 1);
+    sums.flow_low -= low;
+    sums.flow_high += high;
+    sums.mean.mass_defect += (high - low) / around.length;
+  }
+  return sums;
+}
+
+}  // namespace ringfilm::sheet

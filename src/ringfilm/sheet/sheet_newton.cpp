@@ -1,0 +1,370 @@
+#include "ringfilm/sheet/sheet_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/newton_sweep.hpp"
+
+namespace ringfilm::sheet {
+namespace {
+
+constexpr int kMostIterations = 60;  // of Newton's method with the load
+constexpr int kGrowthAfter = 3;      // fronts that only advanced in so many iterations in a row are helped along
+constexpr int kLargestReach = 1 << 20;
+constexpr int kRetreats = 6;
+
+/// By how much GMRES must reduce what is left of a linear system: far from the solution little is gained by more.
+constexpr double kLooseReduction = 1e-2;
+/// Of the last step, linear errors may leave what its nonlinear ones do: the square root of the tolerance.
+constexpr double kFarStep = 0.1;
+/// A step that is not even half solved is none.
+constexpr double kUnsolved = 0.5;
+
+constexpr std::size_t kPerLine = 8;
+
+StripPlaces places_of(const Around& around, int first, int n_strips) {
+  StripPlaces places;
+  places.ends = around.ends;
+  places.length = around.length;
+  places.centre.assign(around.y.begin() + first, around.y.begin() + first + n_strips);
+  places.share.assign(around.share.begin() + first, around.share.begin() + first + n_strips);
+  return places;
+}
+
+int solved_strips(const Around& around) {
+  return around.ends == Ends::kOpen ? around.n_strips() - 2 : around.n_strips();
+}
+
+}  // namespace
+
+SheetNewton::SheetNewton(const SheetProblem& problem)
+    : kernels_(&sheet_kernels(problem.strip.kernels->name)),
+      shape_(problem.n_across(), solved_strips(problem.around)),
+      ends_(problem.around.ends),
+      first_(problem.around.ends == Ends::kOpen ? 1 : 0),
+      gmres_(*kernels_, shape_.size() + 1),
+      step_(shape_.size() + 1, 0.0),
+      rhs_(shape_.size() + 1, 0.0),
+      product_(shape_.size(), 0.0),
+      column_solution_(shape_.size(), 0.0) {
+  StripSystem& system = block_.system;
+  system.shape = shape_;
+  block_.has_steps = !problem.gap.face_x_second.empty();
+  std::vector<double**> nodal = {&system.west,      &system.diagonal,    &system.east,    &system.low,
+                                 &system.high,      &system.inverse,     &system.upper,   &block_.z,
+                                 &block_.inflow,    &block_.node_height, &block_.face_x,  &block_.low_face,
+                                 &block_.high_face, &block_.rho,         &block_.drho_dp, &block_.K,
+                                 &block_.dK_dp,     &block_.column,      &block_.rhs,     &block_.load_row};
+  if (block_.has_steps) {
+    for (double** moment : {&block_.face_x_second, &block_.face_x_third, &block_.low_second, &block_.low_third,
+                            &block_.high_second, &block_.high_third}) {
+      nodal.push_back(moment);
+    }
+  }
+  const std::vector<double**> of_strips = {&block_.h_m, &block_.is_strip, &block_.weight, &block_.low_conductance,
+                                           &block_.high_conductance};
+  const auto across = static_cast<std::size_t>(2 * shape_.n_across);
+  memory_.assign(nodal.size() * shape_.size() + of_strips.size() * shape_.strip_size() + across + kPerLine, 0.0);
+  double* array = memory_.data();
+  while (reinterpret_cast<std::uintptr_t>(array) % (kPerLine * sizeof(double)) != 0) ++array;
+  for (double** of : nodal) {
+    *of = array;
+    array += shape_.size();
+  }
+  for (double** of : of_strips) {
+    *of = array;
+    array += shape_.strip_size();
+  }
+  const film::FilmGrid& grid = problem.strip.grid;
+  double* share = array;
+  double* conductance = array + shape_.n_across;
+  for (int i = 0; i < shape_.n_across; ++i) share[i] = grid.share[i];
+  for (int i = 0; i < grid.n_cells(); ++i) conductance[i] = 1 / (24 * grid.spacing[i]);
+  block_.share = share;
+  block_.conductance = conductance;
+  for (double* ones : {block_.z, block_.rho, block_.K, system.diagonal}) std::fill_n(ones, shape_.size(), 1.0);
+  std::fill_n(block_.h_m, shape_.strip_size(), 1.0);
+  set_gap(problem);
+  multigrid_.emplace(*kernels_, system, places_of(problem.around, first_, shape_.n_strips), grid.width);
+}
+
+void SheetNewton::set_gap(const SheetProblem& problem) {
+  const Around& around = problem.around;
+  const SheetGap& gap = problem.gap;
+  const int n_across = shape_.n_across, n_strips = around.n_strips(), n_cells = around.n_cells();
+  for (int j = 0; j < n_strips; ++j) block_.weight[shape_.strip(strip_of(j))] = around.share[j] / around.length;
+  for (int s = 0; s < shape_.n_strips; ++s) {
+    const int j = s + first_;
+    const std::size_t strip = shape_.strip(s);
+    block_.is_strip[strip] = 1;
+    const int low_cell = j > 0 ? j - 1 : (ends_ == Ends::kJoined ? n_cells - 1 : -1);
+    const int high_cell = j < n_cells ? j : -1;
+    const auto per_share = [&](int cell) { return 1 / (24 * around.spacing[cell] * around.share[j]); };
+    if (low_cell >= 0) block_.low_conductance[strip] = per_share(low_cell);
+    if (high_cell >= 0) block_.high_conductance[strip] = per_share(high_cell);
+    for (int i = 0; i < n_across; ++i) {
+      const std::size_t place = shape_.at(i, s);
+      const auto node = static_cast<std::size_t>(j) * n_across + i;
+      const auto low = static_cast<std::size_t>(std::max(low_cell, 0)) * n_across + i;
+      const auto high = static_cast<std::size_t>(high_cell >= 0 ? high_cell : n_cells - 1) * n_across + i;
+      block_.node_height[place] = gap.node[node];
+      block_.low_face[place] = gap.face_y[low];
+      block_.high_face[place] = gap.face_y[high];
+      const auto face = static_cast<std::size_t>(j) * (n_across - 1) + i;
+      if (i + 1 < n_across) block_.face_x[place] = gap.face_x[face];
+      if (!block_.has_steps) continue;
+      block_.low_second[place] = gap.face_y_second[low];
+      block_.low_third[place] = gap.face_y_third[low];
+      block_.high_second[place] = gap.face_y_second[high];
+      block_.high_third[place] = gap.face_y_third[high];
+      if (i + 1 == n_across) continue;
+      block_.face_x_second[place] = gap.face_x_second[face];
+      block_.face_x_third[place] = gap.face_x_third[face];
+    }
+  }
+}
+
+void SheetNewton::set_separation(const SheetInputs& inputs, double h_m) {
+  block_.ln_h_scale = h_m;
+  for (int s = 0; s < shape_.n_strips; ++s) {
+    block_.h_m[shape_.strip(s)] = h_m + (inputs.rise.empty() ? 0.0 : inputs.rise[s + first_]);
+  }
+}
+
+void SheetNewton::set_given(const SheetProblem& problem, const SheetInputs& inputs) {
+  const int last = shape_.n_across - 1;
+  const auto put = [&](int s, double p) {
+    for (int i = 0; i <= last; ++i) block_.z[shape_.at(i, s)] = p - inputs.strip.p_cavitation;
+  };
+  if (ends_ == Ends::kOpen) {
+    put(-1, inputs.p_low);
+    put(shape_.n_strips, inputs.p_high);
+  }
+  for (int s = 0; s < shape_.n_strips; ++s) {
+    block_.z[shape_.at(0, s)] = inputs.strip.p_left - inputs.strip.p_cavitation;
+    block_.z[shape_.at(last, s)] = inputs.strip.p_right - inputs.strip.p_cavitation;
+  }
+  static_cast<void>(problem);
+}
+
+void SheetNewton::set_step(const SheetProblem& problem, const SheetInputs& inputs, const film::FilmState& previous,
+                           film::LaneLaws laws, const film::FilmState& guess) {
+  const film::FilmInputs& strip = inputs.strip;
+  const bool at_rest = strip.U == 0 && strip.time_step == film::kSteady;
+  block_.laws = laws;
+  block_.cavity = problem.strip.cavitation == film::Cavitation::kMassConserving && !at_rest
+                      ? film::LaneCavity::kFill
+                      : film::LaneCavity::kMultiplier;
+  block_.quarter_U = 0.25 * strip.U;
+  block_.rate = 1 / strip.time_step;
+  block_.p_cavitation = strip.p_cavitation;
+  block_.scale = block_.fill_scale = strip.mean_pressure(problem.strip.grid);
+  block_.start_h = guess.h_m;
+  block_.cavity_K = problem.strip.oil->density(strip.p_cavitation) / problem.strip.oil->viscosity(strip.p_cavitation);
+  if (const models::OilFit* fit = problem.strip.oil->fit()) {
+    block_.fit_centre = fit->centre;
+    block_.fit_inverse_half_width = 1 / fit->half_width;
+    block_.fit_K = fit->K.data();
+    block_.fit_dK = fit->dK_dp.data();
+    block_.fit_rho = fit->rho.data();
+    block_.fit_drho = fit->drho_dp.data();
+  }
+  border_scale_ = block_.scale * std::sqrt(static_cast<double>(shape_.n_across) * shape_.n_strips);
+  reach_ = advances_ = 0;
+  largest_reach_ = kLargestReach;
+  retreats_left_ = kRetreats;
+
+  const double beyond = film::kBeyondKink * block_.scale;
+  for (int s = 0; s < shape_.n_strips; ++s) {
+    const auto from = static_cast<std::size_t>(s + first_) * shape_.n_across;
+    for (int i = 0; i < shape_.n_across; ++i) {
+      const std::size_t place = shape_.at(i, s);
+      const double over = guess.p[from + i] - strip.p_cavitation;
+      const double film = over < beyond ? beyond : over;  // a NaN stays
+      block_.z[place] = guess.deficit[from + i] > 0 ? -guess.deficit[from + i] * block_.fill_scale : film;
+      const double source = strip.source.empty() ? 0.0 : strip.source[from + i];
+      block_.inflow[place] = block_.share[i] * (block_.rate * previous.content[from + i] + source);
+    }
+  }
+  set_given(problem, inputs);
+  set_separation(inputs, guess.h_m);
+}
+
+void SheetNewton::give_oil(const SheetProblem& problem) {
+  StripMultigrid::join_ends(shape_, ends_, block_.z);
+  if (block_.laws == film::LaneLaws::kFitted) return kernels_->oil(block_);
+  p_.resize(shape_.n_across);
+  for (int s = -1; s <= shape_.n_strips; ++s) {
+    for (int i = 0; i < shape_.n_across; ++i) {
+      p_[i] = block_.p_cavitation + std::max(block_.z[shape_.at(i, s)], 0.0);
+    }
+    oil_.update(*problem.strip.oil, p_);
+    for (int i = 0; i < shape_.n_across; ++i) {
+      const std::size_t place = shape_.at(i, s);
+      block_.rho[place] = oil_.rho[i];
+      block_.drho_dp[place] = oil_.drho_dp[i];
+      block_.K[place] = oil_.K[i];
+      block_.dK_dp[place] = oil_.dK_dp[i];
+    }
+  }
+}
+
+SheetNewton::LoadRow SheetNewton::load_row(const SheetProblem& problem, const SheetInputs& inputs, double h_m) const {
+  LoadRow row{block_.load - inputs.strip.load, 0};
+  if (problem.strip.contact == nullptr) return row;
+  const Around& around = problem.around;
+  const auto add = [&](double rise, double share) {
+    double slope = 0;
+    row.excess += share * film::asperity_load(problem.strip, h_m + rise, &slope);
+    row.slope += share * slope * h_m;
+  };
+  if (inputs.rise.empty()) {
+    add(0, 1);
+  } else {
+    for (int j = 0; j < around.n_strips(); ++j) add(inputs.rise[j], around.share[j] / around.length);
+  }
+  return row;
+}
+
+bool SheetNewton::solve_at(double d_ln_h, double reduction) {
+  const std::size_t n = shape_.size();
+  std::copy_n(block_.rhs, n, rhs_.begin());
+  kernels_->add(-d_ln_h, block_.column, rhs_.data(), n);
+  multigrid_->solve(rhs_.data(), product_.data());
+  std::copy_n(product_.begin(), n, rhs_.begin());
+  rhs_[n] = 0;
+  const auto map = [&](const double* x, double* y) {
+    kernels_->product(block_.system, x, product_.data());
+    multigrid_->solve(product_.data(), y);
+    y[n] = x[n];
+  };
+  return gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction < kUnsolved;
+}
+
+std::optional<double> SheetNewton::solve_linear(const LoadRow& load, film::Unknowns unknowns, double reduction) {
+  multigrid_->prepare(block_.z);
+  if (unknowns == film::Unknowns::kFilmAlone) {
+    return solve_at(0, reduction) ? std::optional(0.0) : std::nullopt;
+  }
+  // The border is eliminated with what the preconditioner makes of its column.
+  const std::size_t n = shape_.size();
+  multigrid_->solve(block_.column, column_solution_.data());
+  const double corner = load.slope - kernels_->dot(block_.load_row, column_solution_.data(), n);
+  if (!(corner < 0)) {
+    const double blind = load.excess < 0 ? -film::kBlindStep : film::kBlindStep;
+    return solve_at(blind, reduction) ? std::optional(blind) : std::nullopt;
+  }
+  const auto precondition = [&](const double* mass, double border, double* x) {
+    multigrid_->solve(mass, x);
+    const double d_ln_h = (border - kernels_->dot(block_.load_row, x, n)) / corner;
+    kernels_->add(-d_ln_h, column_solution_.data(), x, n);
+    x[n] = d_ln_h * border_scale_;
+  };
+  const auto map = [&](const double* x, double* y) {
+    const double d_ln_h = x[n] / border_scale_;
+    kernels_->product(block_.system, x, product_.data());
+    kernels_->add(d_ln_h, block_.column, product_.data(), n);
+    precondition(product_.data(), kernels_->dot(block_.load_row, x, n) + load.slope * d_ln_h, y);
+  };
+  precondition(block_.rhs, -load.excess, rhs_.data());
+  if (!(gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction < kUnsolved)) return std::nullopt;
+  const double d_ln_h = step_[n] / border_scale_;
+  const double limited = std::clamp(d_ln_h, film::kLargestFall, film::kLargestRise);
+  if (limited != d_ln_h && !solve_at(limited, reduction)) return std::nullopt;
+  return limited;
+}
+
+void SheetNewton::help_along(bool only_advanced) {
+  if (!only_advanced) {
+    if (reach_ > 0) largest_reach_ = --retreats_left_ > 0 ? std::max(reach_ / 2, 1) : 0;
+    reach_ = advances_ = 0;
+    return;
+  }
+  if (++advances_ < kGrowthAfter || largest_reach_ == 0) return;
+  reach_ = std::min(std::max(2 * reach_, 1), largest_reach_);
+  const double beyond = film::kBeyondKink * block_.scale;
+  std::vector<int> entered;  // nodes of a strip that the iteration has just put beyond the kink
+  for (int s = 0; s < shape_.n_strips; ++s) {
+    entered.clear();
+    for (int i = 1; i + 1 < shape_.n_across; ++i) {
+      if (block_.z[shape_.at(i, s)] == beyond) entered.push_back(i);
+    }
+    for (const int i : entered) {
+      for (const int way : {-1, 1}) {
+        for (int k = 1; k <= reach_; ++k) {
+          const int next = i + way * k;
+          if (next <= 0 || next + 1 >= shape_.n_across || block_.z[shape_.at(next, s)] > 0) break;
+          block_.z[shape_.at(next, s)] = beyond;
+        }
+      }
+    }
+  }
+}
+
+SheetNewton::Outcome SheetNewton::solve(const SheetProblem& problem, const SheetInputs& inputs,
+                                        const film::FilmState& previous, film::Unknowns unknowns, film::LaneLaws laws,
+                                        film::FilmState& state) {
+  set_step(problem, inputs, previous, laws, state);
+  const double enough = std::sqrt(problem.strip.tolerance);
+  const int most_iterations =
+      unknowns == film::Unknowns::kFilmAndSeparation ? kMostIterations : kMostIterations + shape_.n_across;
+  Outcome outcome;
+  double h_m = state.h_m;
+  outcome.last_step = 1;
+  while (outcome.iterations < most_iterations) {
+    ++outcome.iterations;
+    give_oil(problem);
+    kernels_->balance(block_);
+    const LoadRow load = load_row(problem, inputs, h_m);
+    const double reduction = outcome.last_step > kFarStep ? kLooseReduction : enough;
+    const auto d_ln_h = solve_linear(load, unknowns, reduction);
+    if (!d_ln_h) break;
+    kernels_->update(block_, step_.data());
+    if (!std::isfinite(block_.check) || !std::isfinite(block_.largest) || !std::isfinite(*d_ln_h)) break;
+    outcome.last_step = std::max(block_.largest, std::abs(*d_ln_h));
+    if (*d_ln_h != 0) {
+      h_m *= std::exp(*d_ln_h);
+      if (h_m < film::kThinnest || h_m > film::thickest(problem.strip.grid)) break;
+      set_separation(inputs, h_m);
+    }
+    const bool nothing_crossed = !block_.to_film && !block_.to_cavity;
+    outcome.solved = nothing_crossed && outcome.last_step <= enough && reduction <= enough;
+    if (outcome.solved) break;
+    help_along(block_.to_film && !block_.to_cavity);
+  }
+  state.h_m = h_m;
+  read(problem, inputs, state);
+  outcome.peak_pressure =
+      std::max({inputs.strip.p_cavitation + block_.peak, inputs.strip.p_left, inputs.strip.p_right});
+  if (ends_ == Ends::kOpen) outcome.peak_pressure = std::max({outcome.peak_pressure, inputs.p_low, inputs.p_high});
+  return outcome;
+}
+
+void SheetNewton::read(const SheetProblem& problem, const SheetInputs& inputs, film::FilmState& state) const {
+  const film::FilmInputs& strip = inputs.strip;
+  const int n_strips = problem.around.n_strips(), last = shape_.n_across - 1;
+  state.p.resize(problem.n_nodes());
+  state.deficit.resize(problem.n_nodes());
+  for (int j = 0; j < n_strips; ++j) {
+    for (int i = 0; i <= last; ++i) {
+      const auto node = static_cast<std::size_t>(j) * shape_.n_across + i;
+      const double z = block_.z[shape_.at(i, strip_of(j))];
+      state.p[node] = strip.p_cavitation + std::max(0.0, z);
+      state.deficit[node] = std::max(0.0, -z / block_.fill_scale);
+    }
+    const auto first = static_cast<std::size_t>(j) * shape_.n_across;
+    const bool is_given = ends_ == Ends::kOpen && (j == 0 || j == n_strips - 1);
+    if (is_given) {
+      std::fill_n(state.p.begin() + static_cast<std::ptrdiff_t>(first), shape_.n_across,
+                  j == 0 ? inputs.p_low : inputs.p_high);
+    } else {
+      state.p[first] = strip.p_left;
+      state.p[first + last] = strip.p_right;
+    }
+    state.deficit[first] = state.deficit[first + last] = 0;
+  }
+}
+
+}  // namespace ringfilm::sheet

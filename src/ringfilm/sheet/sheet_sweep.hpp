@@ -1,0 +1,375 @@
+#pragma once
+#include "ringfilm/base/pack.hpp"
+#include "ringfilm/film/newton_sweep.hpp"
+#include "ringfilm/sheet/sheet_kernels.hpp"
+
+/// One iteration of Newton's method on a sheet, pack by pack: a lane is a strip. docs/theory/sheet.md.
+namespace ringfilm::sheet {
+
+/// Calls body(colour, k): packs that start at slot k, of both colours.
+template <class Real, class Body>
+RINGFILM_INLINE void for_packs(const ZebraShape& shape, const Body& body) {
+  for (int colour = 0; colour < 2; ++colour) {
+    for (int k = 0; k < shape.slots(colour); k += Real::kWidth) body(colour, k);
+  }
+}
+
+template <class Real, film::LaneCavity kCavity, bool kSteps>
+class SheetBalance {
+  using Mask = typename Real::Mask;
+  static constexpr bool kFill = kCavity == film::LaneCavity::kFill;
+
+ public:
+  RINGFILM_INLINE explicit SheetBalance(SheetBlock& block)
+      : b_(block),
+        shape_(block.system.shape),
+        quarter_U_(block.quarter_U),
+        inverse_fill_scale_(1 / block.fill_scale),
+        ln_h_scale_(block.ln_h_scale) {
+    const double to_right = block.quarter_U >= 0 ? 1 : 0;
+    fill_from_left_ = Real(to_right * block.quarter_U / block.fill_scale);
+    fill_from_right_ = Real((1 - to_right) * block.quarter_U / block.fill_scale);
+  }
+
+  RINGFILM_INLINE void run() {
+    for_packs<Real>(shape_, [&](int colour, int k) RINGFILM_INLINE_BODY { strips(colour, k); });
+    b_.load = mean_load();
+  }
+
+ private:
+  struct Node {
+    Real p, theta, rho, drho, K, dK;
+    Mask is_film;
+  };
+  struct Flux {
+    Real value, by_left, by_right, by_h;
+  };
+  /// Through a face in y: no motion, no fill.
+  struct CrossFlux {
+    Real value, by_low, by_high, by_h;
+  };
+
+  RINGFILM_INLINE Node node(std::size_t place) const {
+    const Real z = Real::load(b_.z + place);
+    return {max(Real(0), z),  // over p_c: gradients alone count
+            kFill ? Real(1) + min(Real(0), z) * inverse_fill_scale_ : Real(1),
+            Real::load(b_.rho + place),
+            Real::load(b_.drho_dp + place),
+            Real::load(b_.K + place),
+            Real::load(b_.dK_dp + place),
+            z > Real(0)};
+  }
+
+  /// Mean of h^3 over a face, and a third of its slope in h_m.
+  struct Cube {
+    Real value, square;
+  };
+  RINGFILM_INLINE Cube cube(Real h, const double* second, const double* third, std::size_t place) const {
+    const Real square = h * h;
+    if constexpr (kSteps) {
+      const Real variance = Real::load(second + place);
+      return {h * (square + Real(3) * variance) + Real::load(third + place), square + variance};
+    } else {
+      return {square * h, square};
+    }
+  }
+
+  RINGFILM_INLINE Flux flux(Real h, Cube cubed, Real conductance, const Node& left, const Node& right) const {
+    const Real K = left.K + right.K;
+    const Real rho = left.rho + right.rho;
+    const Real dp = right.p - left.p;
+    const Real poiseuille = conductance * cubed.value;
+    const Real upwind = kFill ? quarter_U_ * select(quarter_U_ >= Real(0), left.theta, right.theta) : quarter_U_;
+    const Real couette = upwind * h;
+    const Real gradient = K * dp;
+    Flux flux;
+    flux.value = couette * rho - poiseuille * gradient;
+    const Real film_left = couette * left.drho + poiseuille * (K - left.dK * dp);
+    const Real film_right = couette * right.drho - poiseuille * (K + right.dK * dp);
+    const Real stream = h * rho;
+    flux.by_left = select(left.is_film, film_left, kFill ? fill_from_left_ * stream : Real(0));
+    flux.by_right = select(right.is_film, film_right, kFill ? fill_from_right_ * stream : Real(0));
+    flux.by_h = upwind * rho - Real(3) * conductance * cubed.square * gradient;
+    return flux;
+  }
+
+  RINGFILM_INLINE CrossFlux cross_flux(Cube cubed, Real conductance, const Node& low, const Node& high) const {
+    const Real K = low.K + high.K;
+    const Real dp = high.p - low.p;
+    const Real poiseuille = conductance * cubed.value;
+    CrossFlux flux;
+    flux.value = -poiseuille * K * dp;
+    flux.by_low = select(low.is_film, poiseuille * (K - low.dK * dp), Real(0));
+    flux.by_high = select(high.is_film, -poiseuille * (K + high.dK * dp), Real(0));
+    flux.by_h = Real(-3) * conductance * cubed.square * K * dp;
+    return flux;
+  }
+
+  RINGFILM_INLINE Flux flux_after(int i, std::size_t place, Real h_m, const Node& left, const Node& right) const {
+    const Real h = h_m + Real::load(b_.face_x + place);
+    return flux(h, cube(h, b_.face_x_second, b_.face_x_third, place), Real(b_.conductance[i]), left, right);
+  }
+
+  RINGFILM_INLINE void strips(int colour, int k) {
+    const StripSystem& to = b_.system;
+    const int n = shape_.n_across - 1;
+    const std::size_t first = static_cast<std::size_t>(colour) * shape_.colour_size() + kPackRoom + k;
+    const std::size_t across = static_cast<std::size_t>(1 - colour) * shape_.colour_size() + kPackRoom + k;
+    const std::size_t strip = static_cast<std::size_t>(colour) * shape_.stride + kPackRoom + k;
+    const Real h_m = Real::load(b_.h_m + strip);
+    const Real low_conductance = Real::load(b_.low_conductance + strip);
+    const Real high_conductance = Real::load(b_.high_conductance + strip);
+    const Real weight = Real::load(b_.weight + strip);
+    const Mask inside = Real::load(b_.is_strip + strip) > Real(0);
+    const Real rate(b_.rate);
+
+    Node here = node(first + shape_.stride);
+    Flux in = flux_after(0, first, h_m, node(first), here);
+    in.by_left = Real(0);  // the edge is given
+    for (int i = 1; i < n; ++i) {
+      const std::size_t row = static_cast<std::size_t>(i) * shape_.stride;
+      const std::size_t place = first + row;
+      const Node after = node(place + shape_.stride);
+      Flux out = flux_after(i, place, h_m, here, after);
+      if (i == n - 1) out.by_right = Real(0);
+      const Node low = node(across + row + low_shift(colour)), high = node(across + row + high_shift(colour));
+      const Cube low_cube = cube(h_m + Real::load(b_.low_face + place), b_.low_second, b_.low_third, place);
+      const Cube high_cube = cube(h_m + Real::load(b_.high_face + place), b_.high_second, b_.high_third, place);
+      const Real share(b_.share[i]);
+      const CrossFlux from = cross_flux(low_cube, share * low_conductance, low, here);
+      const CrossFlux on = cross_flux(high_cube, share * high_conductance, here, high);
+
+      const Real height = Real::load(b_.node_height + place);
+      const Real h = h_m + height;
+      const Real volume = share * rate;
+      const Real stored = volume * h;  // times rho theta
+      const Real filled = kFill ? here.rho * here.theta : here.rho;
+      Real residual =
+          stored * filled - Real::load(b_.inflow + place) + (out.value - in.value) + (on.value - from.value);
+      Real diagonal = (out.by_left - in.by_right) + (on.by_low - from.by_high);
+      if constexpr (kFill) {
+        diagonal += stored * select(here.is_film, here.drho, here.rho * inverse_fill_scale_);
+      } else {
+        const Real gap = Real(b_.start_h) + height;
+        const Real multiplier = Real(2 * (b_.conductance[i - 1] + b_.conductance[i]) * b_.cavity_K) * (gap * gap * gap);
+        diagonal = select(here.is_film, diagonal + stored * here.drho, multiplier);
+        residual += multiplier * min(Real(0), Real::load(b_.z + place));
+      }
+      const Real by_h = (volume * filled + (out.by_h - in.by_h) + (on.by_h - from.by_h)) * ln_h_scale_;
+      // Rows of the system in units of z: what is left of them can be compared.
+      const Real per_diagonal = select(inside, Real(1) / select(inside, diagonal, Real(1)), Real(0));
+      (-(in.by_left * per_diagonal)).store(to.west + place);
+      (out.by_right * per_diagonal).store(to.east + place);
+      (-(from.by_low * per_diagonal)).store(to.low + place);
+      (on.by_high * per_diagonal).store(to.high + place);
+      (by_h * per_diagonal).store(b_.column + place);
+      (-(residual * per_diagonal)).store(b_.rhs + place);
+      select(here.is_film, share * weight, Real(0)).store(b_.load_row + place);
+      diagonal.store(to.diagonal + place);
+      here = after;
+      in = out;
+    }
+  }
+
+  /// Over all nodes, of strips that are given too.
+  RINGFILM_INLINE double mean_load() const {
+    Real load(0);
+    for (int colour = 0; colour < 2; ++colour) {
+      for (int i = 0; i < shape_.n_across; ++i) {
+        const std::size_t row = static_cast<std::size_t>(colour * shape_.n_across + i) * shape_.stride;
+        Real along(0);
+        for (int k = 0; k + Real::kWidth <= shape_.stride; k += Real::kWidth) {
+          const Real weight = Real::load(b_.weight + static_cast<std::size_t>(colour) * shape_.stride + k);
+          along += weight * (Real(b_.p_cavitation) + max(Real(0), Real::load(b_.z + row + k)));
+        }
+        load += Real(b_.share[i]) * along;
+      }
+    }
+    return load.sum();
+  }
+
+  SheetBlock& b_;
+  const ZebraShape shape_;
+  Real quarter_U_, inverse_fill_scale_, ln_h_scale_;
+  Real fill_from_left_, fill_from_right_;
+};
+
+template <class Real>
+void oil(SheetBlock& b) {
+  constexpr int kAbreast = 2;
+  static_assert(kPackRoom % (Real::kWidth) == 0);
+  const std::size_t n = b.system.shape.size();
+  for (std::size_t place = 0; place < n; place += kAbreast * Real::kWidth) {
+    Real t[kAbreast], value[kAbreast];
+    const auto store = [&](double* to) RINGFILM_INLINE_BODY {
+      for (int a = 0; a < kAbreast; ++a) value[a].store(to + place + a * Real::kWidth);
+    };
+    for (int a = 0; a < kAbreast; ++a) {
+      const Real p = Real(b.p_cavitation) + max(Real(0), Real::load(b.z + place + a * Real::kWidth));
+      t[a] = min(Real(1), (p - Real(b.fit_centre)) * Real(b.fit_inverse_half_width));
+    }
+    base::sum_of_powers<film::kFluidityTerms, kAbreast>(b.fit_K, t, value);
+    store(b.K);
+    base::sum_of_powers<film::kFluiditySlopeTerms, kAbreast>(b.fit_dK, t, value);
+    store(b.dK_dp);
+    base::sum_of_powers<film::kDensityTerms, kAbreast>(b.fit_rho, t, value);
+    store(b.rho);
+    base::sum_of_powers<film::kDensitySlopeTerms, kAbreast>(b.fit_drho, t, value);
+    store(b.drho_dp);
+  }
+}
+
+template <class Real>
+void balance(SheetBlock& b) {
+  const bool fill = b.cavity == film::LaneCavity::kFill;
+  if (b.has_steps) {
+    if (fill) {
+      SheetBalance<Real, film::LaneCavity::kFill, true>(b).run();
+    } else {
+      SheetBalance<Real, film::LaneCavity::kMultiplier, true>(b).run();
+    }
+  } else if (fill) {
+    SheetBalance<Real, film::LaneCavity::kFill, false>(b).run();
+  } else {
+    SheetBalance<Real, film::LaneCavity::kMultiplier, false>(b).run();
+  }
+}
+
+template <class Real>
+void update(SheetBlock& b, const double* step) {
+  using Mask = typename Real::Mask;
+  const ZebraShape& shape = b.system.shape;
+  const bool fill = b.cavity == film::LaneCavity::kFill;
+  const Real scale(b.scale), inverse_scale(1 / b.scale);
+  const Real cavity_inverse(fill ? 1 / b.fill_scale : 1 / b.scale);
+  const Real beyond(film::kBeyondKink * b.scale), hardly_empty(film::kBeyondKink * b.fill_scale);
+  const Real most(film::kLargestPressureRise * b.scale);
+  Real largest(0), peak(0), check(0), to_film(0), to_cavity(0);
+  for_packs<Real>(shape, [&](int colour, int k) RINGFILM_INLINE_BODY {
+    const Mask inside =
+        Real::load(b.is_strip + static_cast<std::size_t>(colour) * shape.stride + kPackRoom + k) > Real(0);
+    for (int i = 1; i < shape.n_across - 1; ++i) {
+      const std::size_t place = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackRoom + k;
+      const Real before = Real::load(b.z + place);
+      const Real move = select(inside, Real::load(step + place), Real(0));
+      const Mask was_film = before > Real(0);
+      Real after = before + select(was_film, min(move, most), move);
+      const Mask is_film = after > Real(0);
+      if (Real::any(Real::differ(is_film, was_film))) {
+        const Mask entered = Real::only(is_film, was_film);
+        const Mask left = Real::only(was_film, is_film);
+        to_film = select(Real::both(entered, after > beyond), Real(1), to_film);
+        to_cavity = select(Real::both(left, after < -hardly_empty), Real(1), to_cavity);
+        after = select(entered, beyond, select(left, -hardly_empty, after));
+      }
+      Real change = abs(after - before) * select(was_film, inverse_scale, cavity_inverse);
+      if (!fill) change = select(-after > scale, abs(after - before) / max(-after, scale), change);
+      largest = max(largest, change);
+      check += select(inside, after, Real(0));
+      peak = max(peak, select(inside, after, Real(0)));
+      after.store(b.z + place);
+    }
+  });
+  double lanes[Real::kWidth];
+  const auto highest = [&](Real of) RINGFILM_INLINE_BODY {
+    of.store(lanes);
+    double most_of_all = lanes[0];
+    for (const double lane : lanes) most_of_all = lane > most_of_all ? lane : most_of_all;
+    return most_of_all;
+  };
+  b.largest = highest(largest);
+  b.peak = highest(peak);
+  b.check = check.sum();
+  b.to_film = highest(to_film) > 0;
+  b.to_cavity = highest(to_cavity) > 0;
+}
+
+/// The system's diagonal is 1: what is left of it after the elimination of the node before is inverted.
+template <class Real>
+void factor(const StripSystem& s) {
+  for_packs<Real>(s.shape, [&](int colour, int k) RINGFILM_INLINE_BODY {
+    Real upper(0);
+    for (int i = 1; i < s.shape.n_across - 1; ++i) {
+      const std::size_t place =
+          static_cast<std::size_t>(colour * s.shape.n_across + i) * s.shape.stride + kPackRoom + k;
+      const Real inverse = Real(1) / (Real(1) - Real::load(s.west + place) * upper);
+      upper = Real::load(s.east + place) * inverse;
+      inverse.store(s.inverse + place);
+      upper.store(s.upper + place);
+    }
+  });
+}
+
+template <class Real>
+void relax(const StripSystem& s, int colour, const double* rhs, double* x) {
+  const int n = s.shape.n_across - 1;
+  const std::size_t stride = s.shape.stride;
+  const std::size_t other = static_cast<std::size_t>(1 - colour) * s.shape.colour_size() + kPackRoom;
+  for (int k = 0; k < s.shape.slots(colour); k += Real::kWidth) {
+    const std::size_t first = static_cast<std::size_t>(colour) * s.shape.colour_size() + kPackRoom + k;
+    Real before(0);
+    for (int i = 1; i < n; ++i) {
+      const std::size_t place = first + i * stride, beside = other + i * stride + k;
+      const Real given = Real::load(rhs + place) -
+                         Real::load(s.low + place) * Real::load(x + beside + low_shift(colour)) -
+                         Real::load(s.high + place) * Real::load(x + beside + high_shift(colour));
+      before = (given - Real::load(s.west + place) * before) * Real::load(s.inverse + place);
+      before.store(x + place);
+    }
+    Real after(0);
+    for (int i = n - 1; i > 0; --i) {
+      const std::size_t place = first + i * stride;
+      after = Real::load(x + place) - Real::load(s.upper + place) * after;
+      after.store(x + place);
+    }
+  }
+}
+
+template <class Real>
+void product(const StripSystem& s, const double* x, double* y) {
+  const std::size_t stride = s.shape.stride;
+  for_packs<Real>(s.shape, [&](int colour, int k) RINGFILM_INLINE_BODY {
+    const std::size_t first = static_cast<std::size_t>(colour) * s.shape.colour_size() + kPackRoom + k;
+    const std::size_t other = static_cast<std::size_t>(1 - colour) * s.shape.colour_size() + kPackRoom + k;
+    for (int i = 1; i < s.shape.n_across - 1; ++i) {
+      const std::size_t place = first + i * stride, beside = other + i * stride;
+      const Real sum = Real::load(x + place) + Real::load(s.west + place) * Real::load(x + place - stride) +
+                       Real::load(s.east + place) * Real::load(x + place + stride) +
+                       Real::load(s.low + place) * Real::load(x + beside + low_shift(colour)) +
+                       Real::load(s.high + place) * Real::load(x + beside + high_shift(colour));
+      sum.store(y + place);
+    }
+  });
+}
+
+template <class Real>
+double dot(const double* a, const double* b, std::size_t n) {
+  Real sum[4] = {Real(0), Real(0), Real(0), Real(0)};
+  std::size_t i = 0;
+  for (; i + 4 * Real::kWidth <= n; i += 4 * Real::kWidth) {
+    for (int s = 0; s < 4; ++s) {
+      const std::size_t at = i + static_cast<std::size_t>(s) * Real::kWidth;
+      sum[s] += Real::load(a + at) * Real::load(b + at);
+    }
+  }
+  double total = ((sum[0] + sum[1]) + (sum[2] + sum[3])).sum();
+  for (; i < n; ++i) total += a[i] * b[i];
+  return total;
+}
+
+template <class Real>
+void add(double c, const double* x, double* y, std::size_t n) {
+  std::size_t i = 0;
+  for (; i + Real::kWidth <= n; i += Real::kWidth) {
+    (Real::load(y + i) + Real(c) * Real::load(x + i)).store(y + i);
+  }
+  for (; i < n; ++i) y[i] += c * x[i];
+}
+
+template <int kWidth, base::InstructionSet kSet>
+constexpr SheetKernels sheet_kernels_of(std::string_view name) {
+  using Real = base::Pack<kWidth, kSet>;
+  return {name, oil<Real>, balance<Real>, update<Real>, factor<Real>, relax<Real>, product<Real>, dot<Real>, add<Real>};
+}
+
+}  // namespace ringfilm::sheet

@@ -1,0 +1,67 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/sheet/sheet.hpp"
+#include "ringfilm/sheet/sheet_kernels.hpp"
+
+namespace ringfilm::sheet {
+
+/// Strips of a system and the part of the length in y that is theirs.
+struct StripPlaces {
+  Ends ends = Ends::kOpen;
+  double length = 0;           ///< [m]
+  std::vector<double> centre;  ///< [m]
+  std::vector<double> share;   ///< [m]
+
+  int n_strips() const { return static_cast<int>(centre.size()); }
+  /// From strip s-1 to strip s, 0 <= s <= n_strips: to the ends where they are open, round where they are joined [m].
+  double distance(int s) const;
+};
+
+/// Solves a system of strips approximately, for a Krylov method: one sawtooth cycle of a multigrid that joins strips in
+/// pairs, down to a few, and relaxes each sheet once, even strips first, every strip solved along its length.
+///
+/// A coarse sheet stands for the slow changes in y of the pressure: its nodes are those where at least one strip of the
+/// pair has a film. Balances are summed over the pair, couplings between pairs reduced as the distance between their
+/// centres grows, corrections interpolated along a straight line in y.
+class StripMultigrid {
+ public:
+  /// @param system whose couplings are those of the pressure where `is_film` > 0
+  /// @param width of the strips: those that lie farther apart than they are wide need no coarser sheet [m]
+  StripMultigrid(const SheetKernels& kernels, const StripSystem& system, StripPlaces places, double width);
+  StripMultigrid(StripMultigrid&&) noexcept = default;
+  StripMultigrid& operator=(StripMultigrid&&) noexcept = default;
+
+  /// For the numbers that the system holds now. @param z > 0 where there is a film
+  void prepare(const double* z);
+
+  /// x = about A^-1 rhs. Slots without a strip stay as they are in `x`: 0.
+  void solve(const double* rhs, double* x);
+
+  /// Copies what strips beside joined ends see of each other.
+  static void join_ends(const ZebraShape& shape, Ends ends, double* x);
+
+ private:
+  struct Level {
+    StripPlaces places;
+    StripSystem system;
+    std::vector<double> memory;
+    double *film = nullptr, *rhs = nullptr, *x = nullptr;
+    // Of each strip, to the coarser sheet
+    std::vector<double> share;   ///< of its pair [-]
+    std::vector<int> beside;     ///< the strip beside its pair, towards which it lies
+    std::vector<double> toward;  ///< and how far, of the way there [-]
+    // Of each strip, from the finer sheet: what is left of couplings that reach farther [-]
+    std::vector<double> low_ratio, high_ratio;
+  };
+  static Level coarser(Level& fine);
+  static void coarsen(const Level& fine, Level& coarse);
+  static void restrict_to(const Level& fine, const double* rhs, Level& coarse);
+  static void interpolate(const Level& coarse, const Level& fine, double* x);
+  void solve_level(std::size_t level, const double* rhs, double* x);
+
+  const SheetKernels* kernels_;
+  std::vector<Level> levels_;  ///< the first is the given system, without memory of its own but for `film`
+};
+
+}  // namespace ringfilm::sheet
