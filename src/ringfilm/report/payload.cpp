@@ -163,6 +163,7 @@ ordered_json document(const io::ResultDocument& d) {
           {"curves", curves(d.result)},
           {"values", cycle_values(d.result.values)},
           {"fields", face_fields(d.result.fields)},
+          {"unrolled_values", unrolled_values(d.result)},
           {"unrolled", unrolled_payload(d.result.unrolled)},
           {"stroke",
            {{"liner_position", rounded_list(d.result.stroke.liner_position, kCurveDigits)},
@@ -193,6 +194,7 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
   root["cycle_quantities"] = described_all(cycle::cycle_quantities());
   root["derived_quantities"] = described_all(cycle::derived_quantities());
   root["unrolled_quantities"] = described_all(cycle::unrolled_quantities());
+  root["unrolled_cycle_quantities"] = described_all(cycle::unrolled_cycle_quantities());
   root["unrolled_fields"] = described_all(cycle::unrolled_fields());
   root["strip_fields"] = described_all(cycle::strip_fields());
   root["cases"] = ordered_json::array();

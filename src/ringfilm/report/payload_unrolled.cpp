@@ -51,6 +51,15 @@ ordered_json unrolled_payload(const cycle::UnrolledFields& fields) {
             {"fields", packed_fields(strips.fields)}}}};
 }
 
+ordered_json unrolled_values(const cycle::CycleResult& result) {
+  if (result.unrolled.is_absent()) return nullptr;
+  ordered_json object = ordered_json::object();
+  for (const cycle::UnrolledCycleQuantity& q : cycle::unrolled_cycle_quantities()) {
+    object[q.name] = exact(result.unrolled_values.*q.value);
+  }
+  return object;
+}
+
 void add_unrolled_curves(const cycle::CycleResult& result, int digits, ordered_json& curves) {
   if (result.unrolled_samples.empty() || result.unrolled_samples.size() != result.samples.size()) return;
   for (const cycle::UnrolledQuantity& q : cycle::unrolled_quantities()) {

@@ -274,8 +274,17 @@ void add_unrolled_film(io::ResultDocument& document, Around wanted) {
   for (const cycle::Sample& s : document.result.samples) {
     const double phi = s.crank_angle_deg * pi / 180;
     document.result.unrolled_samples.push_back(
-        {2e-9 * s.gas_pressure / 62e5, 2e-3 + 1e-3 * std::cos(phi), -4e-4, 1e-3 * std::sin(2 * phi)});
+        {.gap_leakage = 2e-9 * s.gas_pressure / 62e5,
+         .ends_share_load = 2e-3 + 1e-3 * std::cos(phi),
+         .ends_share_friction = -4e-4,
+         .ends_share_flow = s.oil_flow_middle == 0 ? kNaN : 1e-3 + 1e-6 / s.oil_flow_middle,
+         .gap_leakage_low_end = 0,
+         .gap_leakage_high_end = 0,
+         .oil_flow_without_ends = s.oil_flow_middle});
   }
+  document.result.unrolled_values.mean_absolute_gap_leakage = 0.7e-9;
+  document.result.unrolled_values.gap_leakage_share = 1.2e-4;
+  document.result.unrolled_values.ends_share_mean_load = 2e-3;
 }
 
 }  // namespace example

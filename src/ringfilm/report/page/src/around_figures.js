@@ -1,8 +1,8 @@
 // The maps around the ring and the curves of the gap, as plain data for drawing.
-import { bandSentence, cyclePanel, forEachCase } from './cycle_figures.js';
+import { bandSentence, cyclePanel, ofEachCycle, valueWithUnit } from './cycle_figures.js';
 import { FieldMaps } from './field_maps.js';
 import { crankAxis, faceAxis, ringAxis } from './unrolled.js';
-import { angleInWords, display, number, ticks, tickText, withUnit, wrapped } from './units.js';
+import { angleInWords, number, ticks, tickText, withUnit, wrapped } from './units.js';
 
 const kHeight = { low: 118, usual: 150, high: 230, overCrank: 260 };
 
@@ -103,26 +103,27 @@ export function stripRows(data) {
   return { header, rows };
 }
 
-/** Largest value of a curve without its sign, with its angle. */
-function largest(model, c, name) {
-  const { unit, convert } = display(model.curveQuantity.get(name));
-  const list = c.curves[name];
-  const k = list.reduce((best, v, n) => (v !== null && (best < 0 || Math.abs(v) > Math.abs(list[best])) ? n : best), -1);
-  return k < 0 ? 'none' : `${withUnit(convert(list[k]), unit, 2)} ${angleInWords(c.curves.crank_angle[k])}`;
-}
+/** Less flow than this share of the largest tells nothing by shares of it. */
+const kFlowWorthAShare = 0.1;
 
-const kShares = [['ends_share_load', 'load'], ['ends_share_friction', 'friction'], ['ends_share_flow', 'flow']];
+/** The case with the share in the flow only where there is a flow to speak of. */
+function withoutTurning(c) {
+  const flow = c.curves.oil_flow_middle;
+  const least = kFlowWorthAShare * Math.max(...flow.map((v) => Math.abs(v ?? 0)));
+  return { ...c, curves: { ...c.curves, ends_share_flow: c.curves.ends_share_flow.map((v, k) => (Math.abs(flow[k] ?? 0) < least ? null : v)) } };
+}
 
 /** Leakage and the shares of the gap's ends over the cycle; null where no ring has a gap. */
 export function gapFigure(model) {
-  const names = ['gap_leakage', ...kShares.map(([name]) => name)];
-  const unrolled = model.cases.filter((c) => names.some((name) => c.curves[name]?.some((v) => v)));
+  const names = ['gap_leakage', 'ends_share_load', 'ends_share_friction', 'ends_share_flow'];
+  const unrolled = model.cases.filter((c) => names.every((name) => c.curves[name]) && c.curves.gap_leakage.some((v) => v));
   if (unrolled.length === 0) return null;
-  const one = model.withCases(unrolled);
-  const panels = names.map((name) => cyclePanel(one, name, { zeroLine: true }));
+  const shown = model.withCases(unrolled.map(withoutTurning));
+  const panels = names.map((name) => cyclePanel(shown, name, { zeroLine: true }));
+  const told = (name) => ofEachCycle(shown, (c) => valueWithUnit(shown, c, name, 2));
   return {
     id: 'gap-of-the-ring', title: 'What the ends of the gap do', group: 'cycle', layout: 'row', panels,
-    caption: `Oil that flows out of the film through both ends of the ring, and by how much load, friction and oil flow of the whole ring differ from those of a ring all of whose strips were like the one opposite the gap. Largest: leakage ${
-      forEachCase(one, (c) => largest(model, c, 'gap_leakage'))}; ${kShares.map(([name, word]) => `${word} ${forEachCase(one, (c) => largest(model, c, name))}`).join('; ')}.${bandSentence(panels)}`,
+    caption: `Oil that leaves the film through both ends of the ring, and by which share its ends change load, friction and oil flow of the ring against one whose strips were all like the one opposite the gap; negative where the ends do less. The share in the flow is left out where less than a tenth of the largest flow passes.
+      Mean flow between film and gap: ${told('mean_absolute_gap_leakage')}, that is ${told('gap_leakage_share')} of the flow under the ring. Shares in the mean load: ${told('ends_share_mean_load')}; in the friction power: ${told('ends_share_friction_power')}; in the mean flow without sign: ${told('ends_share_absolute_flow')}.${bandSentence(panels)}`,
   };
 }

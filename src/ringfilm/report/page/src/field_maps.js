@@ -125,26 +125,32 @@ export class FieldMaps {
     const columns = Array.from({ length: width }, (_, k) => share(this.columns, k, width));
     const rows = Array.from({ length: height }, (_, k) => share(this.rows, k, height));
     const [from, to] = map.range;
-    // A cell is wider than a pixel: its colour is found once.
-    const found = new Map();
+    const [nColumns, nRows] = [Math.max(...columns) + 1, Math.max(...rows) + 1];
+    // A cell is wider than a pixel: its colour is found once, when it is first met.
+    const kUnknown = -1;
+    const kHatched = -2;
+    const cells = new Int32Array(nColumns * nRows).fill(kUnknown);
+    const packedColour = ([r, g, b]) => r | (g << 8) | (b << 16);
+    const [white, light, dark] = [[255, 255, 255], kHatch.light, kHatch.dark].map(packedColour);
     const colour = (c, r) => {
-      const key = c * 65536 + r;
-      if (!found.has(key)) {
-        const value = map.value(c, r);
-        found.set(key, value === null ? null : { rgb: heightColour((value - from) / (to - from)), hatched: Boolean(map.hatched?.(c, r)) });
-      }
-      return found.get(key);
+      const value = map.value(c, r);
+      if (value === null) return white;
+      return map.hatched?.(c, r) ? kHatched : packedColour(heightColour((value - from) / (to - from)));
     };
-    for (let py = 0; py < height; py++) {
-      for (let qx = 0; qx < width; qx++) {
-        const at = columns[qx] < 0 || rows[py] < 0 ? null : colour(columns[qx], rows[py]);
-        let rgb = [255, 255, 255];
-        if (at) rgb = at.hatched ? (((qx + py) / ratio) % kHatch.period < kHatch.width ? kHatch.dark : kHatch.light) : at.rgb;
-        const k = 4 * (py * width + qx);
-        pixels.data[k] = rgb[0];
-        pixels.data[k + 1] = rgb[1];
-        pixels.data[k + 2] = rgb[2];
-        pixels.data[k + 3] = 255;
+    const { data } = pixels;
+    for (let py = 0, at = 0; py < height; py++) {
+      for (let qx = 0; qx < width; qx++, at += 4) {
+        let found = white;
+        if (columns[qx] >= 0 && rows[py] >= 0) {
+          const cell = rows[py] * nColumns + columns[qx];
+          if (cells[cell] === kUnknown) cells[cell] = colour(columns[qx], rows[py]);
+          found = cells[cell];
+        }
+        if (found === kHatched) found = ((qx + py) / ratio) % kHatch.period < kHatch.width ? dark : light;
+        data[at] = found & 255;
+        data[at + 1] = (found >> 8) & 255;
+        data[at + 2] = (found >> 16) & 255;
+        data[at + 3] = 255;
       }
     }
     context.putImageData(pixels, 0, 0);

@@ -66,7 +66,7 @@ export class Model {
     this.curveQuantities = payload.curve_quantities;
     const byName = (list) => new Map(list.map((q) => [q.name, q]));
     this.curveQuantity = byName([...payload.curve_quantities, ...payload.unrolled_quantities]);
-    this.cycleQuantity = byName(payload.cycle_quantities);
+    this.cycleQuantity = byName([...payload.cycle_quantities, ...payload.unrolled_cycle_quantities]);
     this.derivedQuantity = byName(payload.derived_quantities);
     const { shared, names } = named(payload.cases);
     this.sharedTitle = shared;
@@ -74,7 +74,7 @@ export class Model {
     this.cases = payload.cases.map((c, index) => ({
       ...c, index, series: this.several ? index : kOnlyCase, name: names[index],
       // Sums and extremes of a march that stopped early stand for no cycle: better none than wrong ones.
-      values: c.complete ? c.values : {},
+      values: c.complete ? { ...c.values, ...c.unrolled_values } : {},
     }));
     this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;
   }
