@@ -38,7 +38,7 @@ void check_output_apart(const ReportOptions& options) {
   }
 }
 
-void write_page(const ReportOptions& options, const std::vector<io::ResultDocument>& documents) {
+std::string page_of(const ReportOptions& options, const std::vector<io::ResultDocument>& documents) {
   std::vector<ringfilm::report::Overlay> overlays;
   const io::Units units;
   for (const std::string& path : options.overlays) {
@@ -46,8 +46,7 @@ void write_page(const ReportOptions& options, const std::vector<io::ResultDocume
       overlays.push_back({curve.name, curve.quantity, curve.source, curve.crank_angle_deg, curve.value});
     }
   }
-  io::write_atomically(*options.output, ringfilm::report::report_page(documents, overlays));
-  std::cout << "wrote " << *options.output << "\n";
+  return ringfilm::report::report_page(documents, overlays);
 }
 
 }  // namespace
@@ -61,14 +60,17 @@ void report(const ReportOptions& options) {
   if (options.vts_folder) io::check_can_write_series(*options.vts_folder);
   std::vector<io::ResultDocument> documents;
   for (const std::string& path : options.results) documents.push_back(io::read_result(path));
-  // First what can still be refused.
+  // Whatever can be refused is, before anything is written.
+  const std::string page = options.output ? page_of(options, documents) : "";
   if (options.vts_folder) {
     const std::string stem = std::filesystem::path(options.results.front()).stem().string();
     std::cout << "wrote "
               << io::write_vts_series(*options.vts_folder, stem, documents.front().result.unrolled, options.vts_shape)
               << "\n";
   }
-  if (options.output) write_page(options, documents);
+  if (!options.output) return;
+  io::write_atomically(*options.output, page);
+  std::cout << "wrote " << *options.output << "\n";
 }
 
 }  // namespace ringfilm::app
