@@ -89,7 +89,8 @@ TEST(StripPicture, KeepsAllStrips) {
   f.y.resize(300);
   std::iota(f.y.begin(), f.y.end(), 0.0);
   for (int k = 0; k < 720; ++k) f.crank_angle_deg.push_back(k);
-  for (int k = 0; k < 720; ++k) f.strip_peak_film_pressure.insert(f.strip_peak_film_pressure.end(), 300, 1e5F + k);
+  auto& peak = f.strip_peak_film_pressure;
+  for (int k = 0; k < 720; ++k) peak.insert(peak.end(), 300, static_cast<float>(1e5 + k));
   const auto picture = report::strip_picture(f);
   ASSERT_EQ(picture.fields.size(), 1u);
   EXPECT_EQ(picture.fields[0].name, "strip_peak_film_pressure");
