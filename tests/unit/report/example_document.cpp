@@ -274,7 +274,7 @@ void add_unrolled_film(io::ResultDocument& document, Around wanted) {
   for (const cycle::Sample& s : document.result.samples) {
     const double phi = s.crank_angle_deg * pi / 180;
     document.result.unrolled_samples.push_back(
-        {.gap_leakage = 2e-9 * s.gas_pressure / 62e5,
+        {.gap_leakage = (is_full ? 2e-9 : 1.4e-9) * s.gas_pressure / 62e5,
          .ends_share_load = 2e-3 + 1e-3 * std::cos(phi),
          .ends_share_friction = -4e-4,
          .ends_share_flow = s.oil_flow_middle == 0 ? kNaN : 1e-3 + 1e-6 / s.oil_flow_middle,

@@ -2,7 +2,7 @@
 import { bandSentence, cyclePanel, ofEachCycle, valueWithUnit } from './cycle_figures.js';
 import { FieldMaps } from './field_maps.js';
 import { crankAxis, faceAxis, ringAxis } from './unrolled.js';
-import { angleInWords, number, ticks, tickText, withUnit, wrapped } from './units.js';
+import { angleInWords, crankTicks, number, tickText, withUnit, wrapped } from './units.js';
 
 const kHeight = { low: 118, usual: 150, high: 230, overCrank: 260 };
 
@@ -20,7 +20,7 @@ function above(data, axis) {
   return {
     title: 'around the bore [°]',
     marks: (width) => {
-      const { values, step } = ticks(0, 360, width / 70);
+      const { values, step } = crankTicks(0, 359, width / 70);
       return values.map((turned) => {
         // The gap lies between the end of the ring and its beginning.
         const from = (((turned - data.gapPosition) % 360) + 360) % 360;
