@@ -254,6 +254,16 @@ test('fields around the ring come back from their words', () => {
   assert.deepEqual([ring.isCavity(0, 0, 0), ring.isCavity(0, 1, 0), ring.isCavity(0, 2, 0)], [false, true, false]);
 });
 
+test('the gap is felt as far as pressures differ from those opposite', () => {
+  // Of the strips at 0, 40 and 90 mm that in the middle has 2 and 3 bar; all three differ.
+  assert.equal(smallRing(0.01).endReach(0), 0);
+  const ring = smallRing(0.01);
+  ring.y = [0, 20, 50];
+  ring.yEdges = cellEdges(ring.y, 0, 90);
+  assert.equal(ring.endReach(0), 20);
+  assert.equal(smallRing(0).endReach(0), null);
+});
+
 test('the ends of the ring lie beside each other with the gap between them', () => {
   const ring = smallRing(0.01);
   const axis = ringAxis(ring, { ends: true, face: 2 });

@@ -76,8 +76,7 @@ export function fieldCaption(data, name) {
   const cavities = data.angles.filter((_, k) => data.hasCavity(k)).length;
   const alike = reach !== null && Math.min(y, data.length - y) > reach;
   const felt = reach === null ? ''
-    : reach === 0 ? ' At that angle the highest pressure of no strip differs by 1 % from that opposite the gap.'
-      : ` At that angle the gap changes the highest pressure of a strip by more than 1 % up to ${withUnit(reach, 'mm', 2)} from its end (${number(reach / data.face, 2)} face widths); further on the strips are alike.`;
+    : ` At that angle the gap changes the pressure by more than 1 % of the highest up to ${withUnit(reach, 'mm', 2)} from its ends (${number(reach / data.face, 2)} face widths); further on the strips are alike.`;
   return `${name ? `${name}: a` : 'A'}bsolute pressure of the oil and liquid share of the space between ring and liner, ${data.closed ? 'around a ring without a gap' : `from one end of the ring's gap of ${withUnit(data.gap, 'mm', 2)} around to the other`}; in the view of the whole ring the face is drawn much wider than it is.
     Highest: ${withUnit(value, 'bar', 3)} ${angleInWords(data.angles[best])}, at x = ${withUnit(x, 'mm', 3)}${alike ? '' : `, y = ${withUnit(y, 'mm', 4)}`}.${felt}
     ${cavities ? `Hatched: cavities, where oil fills less than the whole space (at ${cavities} of the ${data.angles.length} angles).` : 'No angle has a cavity.'}${thinning(data)}`;

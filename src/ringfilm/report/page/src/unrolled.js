@@ -8,7 +8,7 @@ const kFull = 0.9995;
 /** So many face widths of the ring on each side of its gap are enlarged. */
 const kEndWidths = 3;
 
-/** A strip differs from the one opposite the gap where its highest pressure does by this share. */
+/** A strip differs from the one opposite the gap where a pressure in it does by this share of the highest there. */
 const kFelt = 0.01;
 
 /** Bounds of what belongs to each node: halfway to its neighbours, the outer ones at `from` and `to`. */
@@ -105,14 +105,15 @@ export class Unrolled {
     return [low, high];
   }
 
-  /** How far from the gap its ends are felt in the highest pressure of a strip [mm]; null for a closed ring. */
+  /** How far from the gap it is felt in the pressure anywhere across the face [mm]; null for a closed ring. */
   endReach(k) {
     if (this.closed || !this.hasFields) return null;
-    const peak = (j) => Math.max(...this.x.map((_, i) => this.value('film_pressure', k, j, i) ?? -Infinity));
-    const opposite = peak(cellAt(this.yEdges, this.length / 2));
+    const strip = (j) => this.x.map((_, i) => this.value('film_pressure', k, j, i) ?? 0);
+    const opposite = strip(cellAt(this.yEdges, this.length / 2));
+    const least = kFelt * Math.max(...opposite);
     let reach = 0;
     this.y.forEach((y, j) => {
-      if (Math.abs(peak(j) - opposite) > kFelt * Math.abs(opposite)) reach = Math.max(reach, Math.min(y, this.length - y));
+      if (strip(j).some((p, i) => Math.abs(p - opposite[i]) > least)) reach = Math.max(reach, Math.min(y, this.length - y));
     });
     return reach;
   }
