@@ -64,9 +64,9 @@ void report(const ReportOptions& options) {
   const std::string page = options.output ? page_of(options, documents) : "";
   if (options.vts_folder) {
     const std::string stem = std::filesystem::path(options.results.front()).stem().string();
-    std::cout << "wrote "
-              << io::write_vts_series(*options.vts_folder, stem, documents.front().result.unrolled, options.vts_shape)
-              << "\n";
+    const std::string series =
+        io::write_vts_series(*options.vts_folder, stem, documents.front().result.unrolled, options.vts_shape);
+    std::cout << "wrote " << series << "\n";
   }
   if (!options.output) return;
   io::write_atomically(*options.output, page);

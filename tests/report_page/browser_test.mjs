@@ -204,7 +204,7 @@ test('sums of strips are drawn over the cycle, and a case without an unrolled fi
   assert.match(rows[0], /^"crank angle \[degree\]","y \[mm\]"/);
   assert.ok(rows.length > 240 * 50);
   assert.ok(await colouredPixels(page, '#gap-of-the-ring') > 200);
-  assert.match(await page.textContent('#gap-of-the-ring figcaption'), /between film and gap: .*7.0.*mg\/s.*0\.012 %.*mean load: .*0\.20 %/s);
+  assert.match(await page.textContent('#gap-of-the-ring figcaption'), /between film and gap: 7\.0.*mg\/s.*0\.012\s%.*mean load: 0\.20\s%/s);
   await page.emulateMedia({ media: 'print' });
   await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
   assert.equal(await page.locator('#around-the-ring .print-only image').count(), 2);

@@ -123,6 +123,6 @@ export function gapFigure(model) {
   return {
     id: 'gap-of-the-ring', title: 'What the ends of the gap do', group: 'cycle', layout: 'row', panels,
     caption: `Oil that leaves the film through both ends of the ring, and by which share its ends change load, friction and oil flow of the ring against one whose strips were all like the one opposite the gap; negative where the ends do less. The share in the flow is left out where less than a tenth of the largest flow passes.
-      Mean flow between film and gap: ${told('mean_absolute_gap_leakage')}, that is ${told('gap_leakage_share')} of the flow under the ring. Shares in the mean load: ${told('ends_share_mean_load')}; in the friction power: ${told('ends_share_friction_power')}; in the mean flow without sign: ${told('ends_share_absolute_flow')}.${bandSentence(panels)}`,
+      Mean flow between film and gap: ${told('mean_absolute_gap_leakage')}; its share of the flow under the ring: ${told('gap_leakage_share')}. Shares of the ends in the mean load: ${told('ends_share_mean_load')}; in the friction power: ${told('ends_share_friction_power')}; in the mean flow without sign: ${told('ends_share_absolute_flow')}.${bandSentence(panels)}`,
   };
 }
