@@ -76,7 +76,7 @@ class Unrolled(program.ProgramTest):
     def test_bad_input_is_refused(self):
         cases = {
             "the circumference of the bore": ("film.dimension=unrolled", "ring.end_gap=280 mm"),
-            "must be above 0": ("film.dimension=unrolled", "ring.end_gap=-0.3 mm"),
+            "ring.end_gap = \"-0.3 mm\" is out of range": ("film.dimension=unrolled", "ring.end_gap=-0.3 mm"),
             'film.dimension = "unrolled"': ("ring.end_gap=0.3 mm",),
             "ring.gap_position": ("film.dimension=unrolled", "ring.gap_position=10 degree"),
             "coupled-newton": ("film.dimension=unrolled", "solver.method=point-relaxation"),

@@ -90,6 +90,16 @@ void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
        1});
 }
 
+/// Flow beside a jump of pressure goes with one over the distance from it, so that its sum has no limit.
+void append_gap_leakage_note(const Case& c, std::vector<Note>& notes) {
+  if (!c.is_unrolled() || !c.ring.end_gap) return;
+  notes.push_back({"gap-leakage-grows",
+                   "the leakage into the gap grows with the logarithm of shorter cells at the ends: there the mean "
+                   "pressure meets those at the edges of the face in a jump; what the ends do to load, friction and "
+                   "flow of the ring does not",
+                   1});
+}
+
 double shear_rate(const Sample& s) {
   return (s.piston_velocity < 0 ? -s.piston_velocity : s.piston_velocity) / s.min_film_thickness;
 }
@@ -130,6 +140,7 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
   }
   append_face_note(setup, notes);
   append_end_cell_note(setup.input, notes);
+  append_gap_leakage_note(setup.input, notes);
   append_coating_note(setup, lowest->film_parameter, notes);
   append_oil_table_note(setup, base, notes);
   if (polynomial.steps > 0) {

@@ -37,6 +37,7 @@ struct SheetBlock {
   double* is_strip;                            ///< 1, or 0 where the slot has none
   double* weight;                              ///< share of the length in y, of neighbours that are given too [-]
   double *low_conductance, *high_conductance;  ///< 1/(24 dy) over the share of the strip [1/m2]
+  double *flux, *flux_by_left, *flux_by_right, *flux_by_h;  ///< scratch: through the face that was passed last
 
   // Of places across
   const double* share;        ///< [m]

@@ -20,6 +20,12 @@ struct SheetKernels {
   void (*relax)(const StripSystem&, int colour, const double* rhs, double* x);
   /// y = A x.
   void (*product)(const StripSystem&, const double* x, double* y);
+  /// The right-hand side of a coarser sheet: `weight` has a number for each node of the finer one.
+  void (*to_coarse)(const ZebraShape& fine, const double* weight, const double* rhs, const ZebraShape& coarse,
+                    double* to);
+  /// The odd strips of a finer sheet, each between the strip that stands for it and the one after.
+  void (*from_coarse)(const ZebraShape& coarse, const double* x, const ZebraShape& fine, const double* own,
+                      const double* beside, double* to);
   double (*dot)(const double* a, const double* b, std::size_t n);
   /// y += c x.
   void (*add)(double c, const double* x, double* y, std::size_t n);

@@ -16,7 +16,7 @@ constexpr int kLargestReach = 1 << 20;
 constexpr int kRetreats = 6;
 
 /// By how much GMRES must reduce what is left of a linear system: far from the solution little is gained by more.
-constexpr double kLooseReduction = 1e-2;
+constexpr double kLooseReduction = 1e-4;
 /// Of the last step, linear errors may leave what its nonlinear ones do: the square root of the tolerance.
 constexpr double kFarStep = 0.1;
 /// A step that is not even half solved is none.
@@ -63,8 +63,9 @@ SheetNewton::SheetNewton(const SheetProblem& problem)
       nodal.push_back(moment);
     }
   }
-  const std::vector<double**> of_strips = {&block_.h_m, &block_.is_strip, &block_.weight, &block_.low_conductance,
-                                           &block_.high_conductance};
+  const std::vector<double**> of_strips = {
+      &block_.h_m,  &block_.is_strip,     &block_.weight,        &block_.low_conductance, &block_.high_conductance,
+      &block_.flux, &block_.flux_by_left, &block_.flux_by_right, &block_.flux_by_h};
   const auto across = static_cast<std::size_t>(2 * shape_.n_across);
   memory_.assign(nodal.size() * shape_.size() + of_strips.size() * shape_.strip_size() + across + kPerLine, 0.0);
   double* array = memory_.data();

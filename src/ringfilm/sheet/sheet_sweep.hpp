@@ -32,7 +32,9 @@ class SheetBalance {
   }
 
   RINGFILM_INLINE void run() {
-    for_packs<Real>(shape_, [&](int colour, int k) RINGFILM_INLINE_BODY { strips(colour, k); });
+    for (int colour = 0; colour < 2; ++colour) {
+      for (int i = 0; i < shape_.n_across - 1; ++i) row(colour, i);
+    }
     b_.load = mean_load();
   }
 
@@ -110,65 +112,72 @@ class SheetBalance {
     return flux(h, cube(h, b_.face_x_second, b_.face_x_third, place), Real(b_.conductance[i]), left, right);
   }
 
-  RINGFILM_INLINE void strips(int colour, int k) {
-    const StripSystem& to = b_.system;
-    const int n = shape_.n_across - 1;
-    const std::size_t first = static_cast<std::size_t>(colour) * shape_.colour_size() + kPackRoom + k;
-    const std::size_t across = static_cast<std::size_t>(1 - colour) * shape_.colour_size() + kPackRoom + k;
-    const std::size_t strip = static_cast<std::size_t>(colour) * shape_.stride + kPackRoom + k;
-    const Real h_m = Real::load(b_.h_m + strip);
-    const Real low_conductance = Real::load(b_.low_conductance + strip);
-    const Real high_conductance = Real::load(b_.high_conductance + strip);
-    const Real weight = Real::load(b_.weight + strip);
-    const Mask inside = Real::load(b_.is_strip + strip) > Real(0);
-    const Real rate(b_.rate);
-
-    Node here = node(first + shape_.stride);
-    Flux in = flux_after(0, first, h_m, node(first), here);
-    in.by_left = Real(0);  // the edge is given
-    for (int i = 1; i < n; ++i) {
-      const std::size_t row = static_cast<std::size_t>(i) * shape_.stride;
-      const std::size_t place = first + row;
-      const Node after = node(place + shape_.stride);
-      Flux out = flux_after(i, place, h_m, here, after);
-      if (i == n - 1) out.by_right = Real(0);
-      const Node low = node(across + row + low_shift(colour)), high = node(across + row + high_shift(colour));
-      const Cube low_cube = cube(h_m + Real::load(b_.low_face + place), b_.low_second, b_.low_third, place);
-      const Cube high_cube = cube(h_m + Real::load(b_.high_face + place), b_.high_second, b_.high_third, place);
-      const Real share(b_.share[i]);
-      const CrossFlux from = cross_flux(low_cube, share * low_conductance, low, here);
-      const CrossFlux on = cross_flux(high_cube, share * high_conductance, here, high);
-
-      const Real height = Real::load(b_.node_height + place);
-      const Real h = h_m + height;
-      const Real volume = share * rate;
-      const Real stored = volume * h;  // times rho theta
-      const Real filled = kFill ? here.rho * here.theta : here.rho;
-      Real residual =
-          stored * filled - Real::load(b_.inflow + place) + (out.value - in.value) + (on.value - from.value);
-      Real diagonal = (out.by_left - in.by_right) + (on.by_low - from.by_high);
-      if constexpr (kFill) {
-        diagonal += stored * select(here.is_film, here.drho, here.rho * inverse_fill_scale_);
-      } else {
-        const Real gap = Real(b_.start_h) + height;
-        const Real multiplier = Real(2 * (b_.conductance[i - 1] + b_.conductance[i]) * b_.cavity_K) * (gap * gap * gap);
-        diagonal = select(here.is_film, diagonal + stored * here.drho, multiplier);
-        residual += multiplier * min(Real(0), Real::load(b_.z + place));
-      }
-      const Real by_h = (volume * filled + (out.by_h - in.by_h) + (on.by_h - from.by_h)) * ln_h_scale_;
-      // Rows of the system in units of z: what is left of them can be compared.
-      const Real per_diagonal = select(inside, Real(1) / select(inside, diagonal, Real(1)), Real(0));
-      (-(in.by_left * per_diagonal)).store(to.west + place);
-      (out.by_right * per_diagonal).store(to.east + place);
-      (-(from.by_low * per_diagonal)).store(to.low + place);
-      (on.by_high * per_diagonal).store(to.high + place);
-      (by_h * per_diagonal).store(b_.column + place);
-      (-(residual * per_diagonal)).store(b_.rhs + place);
-      select(here.is_film, share * weight, Real(0)).store(b_.load_row + place);
-      diagonal.store(to.diagonal + place);
-      here = after;
-      in = out;
+  /// Flux on from node i, and the balance of node i if it is not an edge.
+  RINGFILM_INLINE void row(int colour, int i) {
+    const std::size_t begin = static_cast<std::size_t>(colour * shape_.n_across + i) * shape_.stride + kPackRoom;
+    const std::size_t strips = static_cast<std::size_t>(colour) * shape_.stride + kPackRoom;
+    const std::ptrdiff_t other = static_cast<std::ptrdiff_t>(shape_.colour_size()) * (1 - 2 * colour);
+    for (int k = 0; k < shape_.slots(colour); k += Real::kWidth) {
+      const std::size_t place = begin + k, strip = strips + k;
+      const Node here = node(place);
+      Flux out = flux_after(i, place, Real::load(b_.h_m + strip), here, node(place + shape_.stride));
+      if (i == shape_.n_across - 2) out.by_right = Real(0);  // the edges are given
+      if (i == 0) out.by_left = Real(0);
+      if (i > 0)
+        balance(i, place, strip, here, node(place + other + low_shift(colour)),
+                node(place + other + high_shift(colour)), taken(strip), out);
+      give(strip, out);
     }
+  }
+
+  /// The flux that the row before has left, of each strip.
+  RINGFILM_INLINE Flux taken(std::size_t strip) const {
+    return {Real::load(b_.flux + strip), Real::load(b_.flux_by_left + strip), Real::load(b_.flux_by_right + strip),
+            Real::load(b_.flux_by_h + strip)};
+  }
+  RINGFILM_INLINE void give(std::size_t strip, const Flux& flux) {
+    flux.value.store(b_.flux + strip);
+    flux.by_left.store(b_.flux_by_left + strip);
+    flux.by_right.store(b_.flux_by_right + strip);
+    flux.by_h.store(b_.flux_by_h + strip);
+  }
+
+  RINGFILM_INLINE void balance(int i, std::size_t place, std::size_t strip, const Node& here, const Node& low,
+                               const Node& high, const Flux& in, const Flux& out) {
+    const StripSystem& to = b_.system;
+    const Real h_m = Real::load(b_.h_m + strip);
+    const Mask inside = Real::load(b_.is_strip + strip) > Real(0);
+    const Real share(b_.share[i]);
+    const Cube low_cube = cube(h_m + Real::load(b_.low_face + place), b_.low_second, b_.low_third, place);
+    const Cube high_cube = cube(h_m + Real::load(b_.high_face + place), b_.high_second, b_.high_third, place);
+    const CrossFlux from = cross_flux(low_cube, share * Real::load(b_.low_conductance + strip), low, here);
+    const CrossFlux on = cross_flux(high_cube, share * Real::load(b_.high_conductance + strip), here, high);
+
+    const Real height = Real::load(b_.node_height + place);
+    const Real volume = share * Real(b_.rate);
+    const Real stored = volume * (h_m + height);  // times rho theta
+    const Real filled = kFill ? here.rho * here.theta : here.rho;
+    Real residual = stored * filled - Real::load(b_.inflow + place) + (out.value - in.value) + (on.value - from.value);
+    Real diagonal = (out.by_left - in.by_right) + (on.by_low - from.by_high);
+    if constexpr (kFill) {
+      diagonal += stored * select(here.is_film, here.drho, here.rho * inverse_fill_scale_);
+    } else {
+      const Real gap = Real(b_.start_h) + height;
+      const Real multiplier = Real(2 * (b_.conductance[i - 1] + b_.conductance[i]) * b_.cavity_K) * (gap * gap * gap);
+      diagonal = select(here.is_film, diagonal + stored * here.drho, multiplier);
+      residual += multiplier * min(Real(0), Real::load(b_.z + place));
+    }
+    const Real by_h = (volume * filled + (out.by_h - in.by_h) + (on.by_h - from.by_h)) * ln_h_scale_;
+    // Rows of the system in units of z: what is left of them can be compared.
+    const Real per_diagonal = select(inside, Real(1) / select(inside, diagonal, Real(1)), Real(0));
+    (-(in.by_left * per_diagonal)).store(to.west + place);
+    (out.by_right * per_diagonal).store(to.east + place);
+    (-(from.by_low * per_diagonal)).store(to.low + place);
+    (on.by_high * per_diagonal).store(to.high + place);
+    (by_h * per_diagonal).store(b_.column + place);
+    (-(residual * per_diagonal)).store(b_.rhs + place);
+    select(here.is_film, share * Real::load(b_.weight + strip), Real(0)).store(b_.load_row + place);
+    diagonal.store(to.diagonal + place);
   }
 
   /// Over all nodes, of strips that are given too.
@@ -284,62 +293,114 @@ void update(SheetBlock& b, const double* step) {
   b.to_cavity = highest(to_cavity) > 0;
 }
 
+/// Calls body(place) for the packs of a row that hold strips: node i across, strips of one colour. Rows are worked on
+/// one after the other, as they lie in memory.
+template <class Real, class Body>
+RINGFILM_INLINE void for_row(const ZebraShape& shape, int colour, int i, const Body& body) {
+  const std::size_t row = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackRoom;
+  const int slots = shape.slots(colour);
+  for (int k = 0; k < slots; k += Real::kWidth) body(row + k);
+}
+
 /// The system's diagonal is 1: what is left of it after the elimination of the node before is inverted.
 template <class Real>
 void factor(const StripSystem& s) {
-  for_packs<Real>(s.shape, [&](int colour, int k) RINGFILM_INLINE_BODY {
-    Real upper(0);
+  const std::size_t stride = s.shape.stride;
+  for (int colour = 0; colour < 2; ++colour) {
     for (int i = 1; i < s.shape.n_across - 1; ++i) {
-      const std::size_t place =
-          static_cast<std::size_t>(colour * s.shape.n_across + i) * s.shape.stride + kPackRoom + k;
-      const Real inverse = Real(1) / (Real(1) - Real::load(s.west + place) * upper);
-      upper = Real::load(s.east + place) * inverse;
-      inverse.store(s.inverse + place);
-      upper.store(s.upper + place);
+      for_row<Real>(s.shape, colour, i, [&](std::size_t place) RINGFILM_INLINE_BODY {
+        const Real inverse = Real(1) / (Real(1) - Real::load(s.west + place) * Real::load(s.upper + place - stride));
+        inverse.store(s.inverse + place);
+        (Real::load(s.east + place) * inverse).store(s.upper + place);
+      });
     }
-  });
+  }
 }
 
 template <class Real>
 void relax(const StripSystem& s, int colour, const double* rhs, double* x) {
   const int n = s.shape.n_across - 1;
   const std::size_t stride = s.shape.stride;
-  const std::size_t other = static_cast<std::size_t>(1 - colour) * s.shape.colour_size() + kPackRoom;
-  for (int k = 0; k < s.shape.slots(colour); k += Real::kWidth) {
-    const std::size_t first = static_cast<std::size_t>(colour) * s.shape.colour_size() + kPackRoom + k;
-    Real before(0);
-    for (int i = 1; i < n; ++i) {
-      const std::size_t place = first + i * stride, beside = other + i * stride + k;
-      const Real given = Real::load(rhs + place) -
-                         Real::load(s.low + place) * Real::load(x + beside + low_shift(colour)) -
-                         Real::load(s.high + place) * Real::load(x + beside + high_shift(colour));
-      before = (given - Real::load(s.west + place) * before) * Real::load(s.inverse + place);
-      before.store(x + place);
-    }
-    Real after(0);
-    for (int i = n - 1; i > 0; --i) {
-      const std::size_t place = first + i * stride;
-      after = Real::load(x + place) - Real::load(s.upper + place) * after;
-      after.store(x + place);
-    }
+  // From a place to the same slot of the other colour.
+  const std::ptrdiff_t other = static_cast<std::ptrdiff_t>(s.shape.colour_size()) * (1 - 2 * colour);
+  for (int i = 1; i < n; ++i) {
+    for_row<Real>(s.shape, colour, i, [&](std::size_t place) RINGFILM_INLINE_BODY {
+      const double* beside = x + place + other;
+      const Real given = Real::load(rhs + place) - Real::load(s.low + place) * Real::load(beside + low_shift(colour)) -
+                         Real::load(s.high + place) * Real::load(beside + high_shift(colour));
+      const Real before = Real::load(x + place - stride);
+      ((given - Real::load(s.west + place) * before) * Real::load(s.inverse + place)).store(x + place);
+    });
+  }
+  for (int i = n - 2; i > 0; --i) {
+    for_row<Real>(s.shape, colour, i, [&](std::size_t place) RINGFILM_INLINE_BODY {
+      (Real::load(x + place) - Real::load(s.upper + place) * Real::load(x + place + stride)).store(x + place);
+    });
   }
 }
 
 template <class Real>
 void product(const StripSystem& s, const double* x, double* y) {
   const std::size_t stride = s.shape.stride;
-  for_packs<Real>(s.shape, [&](int colour, int k) RINGFILM_INLINE_BODY {
-    const std::size_t first = static_cast<std::size_t>(colour) * s.shape.colour_size() + kPackRoom + k;
-    const std::size_t other = static_cast<std::size_t>(1 - colour) * s.shape.colour_size() + kPackRoom + k;
+  for (int colour = 0; colour < 2; ++colour) {
+    const std::ptrdiff_t other = static_cast<std::ptrdiff_t>(s.shape.colour_size()) * (1 - 2 * colour);
     for (int i = 1; i < s.shape.n_across - 1; ++i) {
-      const std::size_t place = first + i * stride, beside = other + i * stride;
-      const Real sum = Real::load(x + place) + Real::load(s.west + place) * Real::load(x + place - stride) +
-                       Real::load(s.east + place) * Real::load(x + place + stride) +
-                       Real::load(s.low + place) * Real::load(x + beside + low_shift(colour)) +
-                       Real::load(s.high + place) * Real::load(x + beside + high_shift(colour));
-      sum.store(y + place);
+      for_row<Real>(s.shape, colour, i, [&](std::size_t place) RINGFILM_INLINE_BODY {
+        const double* beside = x + place + other;
+        const Real sum = Real::load(x + place) + Real::load(s.west + place) * Real::load(x + place - stride) +
+                         Real::load(s.east + place) * Real::load(x + place + stride) +
+                         Real::load(s.low + place) * Real::load(beside + low_shift(colour)) +
+                         Real::load(s.high + place) * Real::load(beside + high_shift(colour));
+        sum.store(y + place);
+      });
     }
-  });
+  }
+}
+
+/// Strips that are worked on at a time between a sheet and a coarser one.
+inline constexpr int kTransfer = 64;
+
+template <class Real>
+void to_coarse(const ZebraShape& fine, const double* weight, const double* rhs, const ZebraShape& coarse, double* to) {
+  const int n = coarse.n_strips;
+  for (int i = 1; i < fine.n_across - 1; ++i) {
+    const std::size_t even = fine.at(i, 0), odd = fine.at(i, 1);
+    double* to_even = to + coarse.at(i, 0);
+    double* to_odd = to + coarse.at(i, 1);
+    for (int begin = 0; begin < n; begin += kTransfer) {
+      alignas(64) double sum[kTransfer];
+      for (int k = 0; k < kTransfer && begin + k < n; k += Real::kWidth) {
+        const std::size_t a = even + begin + k, b = odd + begin + k;
+        (Real::load(weight + a) * Real::load(rhs + a) + Real::load(weight + b) * Real::load(rhs + b)).store(sum + k);
+      }
+      const int count = n - begin < kTransfer ? n - begin : kTransfer;
+      for (int k = 0; k < count; k += 2) to_even[(begin + k) / 2] = sum[k];
+      for (int k = 1; k < count; k += 2) to_odd[(begin + k) / 2] = sum[k];
+    }
+  }
+}
+
+/// Of the odd strips alone: the even ones are relaxed first, whatever they are.
+template <class Real>
+void from_coarse(const ZebraShape& coarse, const double* x, const ZebraShape& fine, const double* own,
+                 const double* beside, double* to) {
+  const int n = fine.slots(1);
+  for (int i = 1; i < fine.n_across - 1; ++i) {
+    const double* from_even = x + coarse.at(i, 0);
+    const double* from_odd = x + coarse.at(i, 1);
+    const std::size_t odd = fine.at(i, 1);
+    for (int begin = 0; begin < n; begin += kTransfer) {
+      alignas(64) double strip[kTransfer + kPackRoom] = {};
+      const int count = n - begin < kTransfer ? n - begin : kTransfer;
+      for (int k = 0; k <= count; k += 2) strip[k] = from_even[(begin + k) / 2];
+      for (int k = 1; k <= count; k += 2) strip[k] = from_odd[(begin + k) / 2];
+      for (int k = 0; k < count; k += Real::kWidth) {
+        const std::size_t place = odd + begin + k;
+        (Real::load(own + place) * Real::load(strip + k) + Real::load(beside + place) * Real::load(strip + k + 1))
+            .store(to + place);
+      }
+    }
+  }
 }
 
 template <class Real>
@@ -369,7 +430,8 @@ void add(double c, const double* x, double* y, std::size_t n) {
 template <int kWidth, base::InstructionSet kSet>
 constexpr SheetKernels sheet_kernels_of(std::string_view name) {
   using Real = base::Pack<kWidth, kSet>;
-  return {name, oil<Real>, balance<Real>, update<Real>, factor<Real>, relax<Real>, product<Real>, dot<Real>, add<Real>};
+  return {name,          oil<Real>,       balance<Real>,     update<Real>, factor<Real>, relax<Real>,
+          product<Real>, to_coarse<Real>, from_coarse<Real>, dot<Real>,    add<Real>};
 }
 
 }  // namespace ringfilm::sheet

@@ -50,12 +50,15 @@ StripMultigrid::Level StripMultigrid::coarser(Level& fine) {
     const int next = away < 0 ? own - 1 : own + 1;
     const bool is_wall = fine.places.ends == Ends::kClosed && (next < 0 || next >= n);
     fine.share.push_back(fine.places.share[s] / coarse.places.share[own]);
-    fine.beside.push_back(next);
     fine.toward.push_back(is_wall ? 0.0 : std::abs(away) / coarse.places.distance(std::max(next, own)));
   }
   for (int s = 0; s < n; ++s) {
     coarse.low_ratio.push_back(fine.places.distance(2 * s) / coarse.places.distance(s));
     coarse.high_ratio.push_back(fine.places.distance(std::min(2 * s + 2, n_fine)) / coarse.places.distance(s + 1));
+  }
+
+  for (std::vector<double>* of : {&fine.to_coarse, &fine.of_own, &fine.of_beside}) {
+    of->assign(fine.system.shape.size(), 0.0);
   }
 
   coarse.system.shape = ZebraShape(fine.system.shape.n_across, n);
@@ -100,66 +103,58 @@ void StripMultigrid::prepare(const double* z) {
   for (Level& level : levels_) kernels_->factor(level.system);
 }
 
-void StripMultigrid::coarsen(const Level& fine, Level& coarse) {
+void StripMultigrid::coarsen(Level& fine, Level& coarse) {
   const StripSystem &from = fine.system, &to = coarse.system;
   const int n_fine = fine.places.n_strips(), n = coarse.places.n_strips();
   const std::size_t stride = from.shape.stride;
   for (int i = 1; i < from.shape.n_across - 1; ++i) {
     for (int s = 0; s < n; ++s) {
       // What the strips of the pair give; without a second one the first stands for both.
+      const int first = 2 * s, second = std::min(2 * s + 1, n_fine - 1);
       double west = 0, along = 0, east = 0, low = 0, high = 0, film = 0;
-      for (int of_pair = 2 * s; of_pair < std::min(2 * s + 2, n_fine); ++of_pair) {
+      for (int of_pair = first; of_pair <= second; ++of_pair) {
         const std::size_t at = from.shape.at(i, of_pair);
-        if (fine.film[at] == 0) continue;
-        const double weight = fine.share[of_pair] * from.diagonal[at];
-        film = 1;
+        const double weight = fine.share[of_pair] * fine.film[at] * from.diagonal[at];
+        fine.to_coarse[at] = weight;
+        film = std::max(film, fine.film[at]);
         along += weight * (1 + from.low[at] + from.high[at]);
         west += weight * fine.film[at - stride] * from.west[at];
         east += weight * fine.film[at + stride] * from.east[at];
-        if (of_pair == 2 * s) low = weight * from.low[at] * coarse.low_ratio[s];
-        if (of_pair == std::min(2 * s + 1, n_fine - 1)) high = weight * from.high[at] * coarse.high_ratio[s];
+        if (of_pair == first) low = weight * from.low[at] * coarse.low_ratio[s];
+        if (of_pair == second) high = weight * from.high[at] * coarse.high_ratio[s];
       }
+      if (n == 1 && fine.places.ends == Ends::kJoined) low = high = 0;  // a strip beside itself exchanges nothing
       const double diagonal = film > 0 ? along - low - high : 1;
+      const double inverse = 1 / diagonal;
       const std::size_t at = to.shape.at(i, s);
       coarse.film[at] = film;
       to.diagonal[at] = diagonal;
-      to.west[at] = west / diagonal;
-      to.east[at] = east / diagonal;
-      to.low[at] = low / diagonal;
-      to.high[at] = high / diagonal;
+      to.west[at] = west * inverse;
+      to.east[at] = east * inverse;
+      to.low[at] = low * inverse;
+      to.high[at] = high * inverse;
+      for (int of_pair = first; of_pair <= second; ++of_pair) fine.to_coarse[from.shape.at(i, of_pair)] *= inverse;
     }
   }
   join_ends(to.shape, coarse.places.ends, coarse.film);
-  if (coarse.places.ends != Ends::kOpen) return;
-  for (int i = 0; i < to.shape.n_across; ++i) coarse.film[to.shape.at(i, -1)] = coarse.film[to.shape.at(i, n)] = 1;
-}
-
-void StripMultigrid::restrict_to(const Level& fine, const double* rhs, Level& coarse) {
-  const ZebraShape &from = fine.system.shape, &to = coarse.system.shape;
-  const int n_fine = fine.places.n_strips(), n = coarse.places.n_strips();
-  for (int i = 1; i < from.n_across - 1; ++i) {
-    for (int s = 0; s < n; ++s) {
-      double sum = 0;
-      for (int of_pair = 2 * s; of_pair < std::min(2 * s + 2, n_fine); ++of_pair) {
-        const std::size_t at = from.at(i, of_pair);
-        sum += fine.share[of_pair] * fine.film[at] * fine.system.diagonal[at] * rhs[at];
-      }
-      const std::size_t at = to.at(i, s);
-      coarse.rhs[at] = sum / coarse.system.diagonal[at];
+  if (coarse.places.ends == Ends::kOpen) {  // at the end, nothing is corrected
+    for (int i = 0; i < to.shape.n_across; ++i) coarse.film[to.shape.at(i, -1)] = coarse.film[to.shape.at(i, n)] = 1;
+  }
+  for (int i = 1; i < from.shape.n_across - 1; ++i) {
+    for (int s = 1; s < n_fine; s += 2) {
+      const std::size_t at = from.shape.at(i, s);
+      const double toward = fine.toward[s] * coarse.film[to.shape.at(i, s / 2 + 1)];
+      fine.of_own[at] = fine.film[at] * (1 - toward);
+      fine.of_beside[at] = fine.film[at] * toward;
     }
   }
 }
 
-void StripMultigrid::interpolate(const Level& coarse, const Level& fine, double* x) {
+void StripMultigrid::start_ends(const Level& coarse, const Level& fine, double* x) {
   const ZebraShape &from = coarse.system.shape, &to = fine.system.shape;
-  const int n = fine.places.n_strips();
   for (int i = 1; i < from.n_across - 1; ++i) {
-    for (int s = 0; s < n; ++s) {
-      // Beside the last strip of an open sheet stands its end, where nothing is corrected.
-      const double own = coarse.x[from.at(i, s / 2)];
-      const std::size_t beside = from.at(i, fine.beside[s]);
-      const std::size_t at = to.at(i, s);
-      x[at] = fine.film[at] * (own + fine.toward[s] * coarse.film[beside] * (coarse.x[beside] - own));
+    for (const int s : {0, to.n_strips - 1}) {
+      x[to.at(i, s)] = fine.film[to.at(i, s)] * coarse.x[from.at(i, s / 2)];
     }
   }
 }
@@ -172,9 +167,10 @@ void StripMultigrid::solve_level(std::size_t level, const double* rhs, double* x
   const Ends ends = here.places.ends;
   if (level + 1 < levels_.size()) {
     Level& coarse = levels_[level + 1];
-    restrict_to(here, rhs, coarse);
+    kernels_->to_coarse(shape, here.to_coarse.data(), rhs, coarse.system.shape, coarse.rhs);
     solve_level(level + 1, coarse.rhs, coarse.x);
-    interpolate(coarse, here, x);
+    kernels_->from_coarse(coarse.system.shape, coarse.x, shape, here.of_own.data(), here.of_beside.data(), x);
+    if (ends == Ends::kJoined && shape.n_strips % 2 == 1) start_ends(coarse, here, x);
   } else {
     std::fill_n(x, shape.size(), 0.0);
   }

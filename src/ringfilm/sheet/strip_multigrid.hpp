@@ -47,17 +47,19 @@ class StripMultigrid {
     StripSystem system;
     std::vector<double> memory;
     double *film = nullptr, *rhs = nullptr, *x = nullptr;
-    // Of each strip, to the coarser sheet
+    // To the coarser sheet, if there is one: of each strip
     std::vector<double> share;   ///< of its pair [-]
-    std::vector<int> beside;     ///< the strip beside its pair, towards which it lies
-    std::vector<double> toward;  ///< and how far, of the way there [-]
+    std::vector<double> toward;  ///< how far it lies towards the pair beside its own, of the way there [-]
+    // and of each node
+    std::vector<double> to_coarse;          ///< weights of its row in that of the coarse node
+    std::vector<double> of_own, of_beside;  ///< of an odd strip's corrections
     // Of each strip, from the finer sheet: what is left of couplings that reach farther [-]
     std::vector<double> low_ratio, high_ratio;
   };
   static Level coarser(Level& fine);
-  static void coarsen(const Level& fine, Level& coarse);
-  static void restrict_to(const Level& fine, const double* rhs, Level& coarse);
-  static void interpolate(const Level& coarse, const Level& fine, double* x);
+  static void coarsen(Level& fine, Level& coarse);
+  /// Of an odd number of joined strips, the first and the last are beside each other, both even.
+  static void start_ends(const Level& coarse, const Level& fine, double* x);
   void solve_level(std::size_t level, const double* rhs, double* x);
 
   const SheetKernels* kernels_;

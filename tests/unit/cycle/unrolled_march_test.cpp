@@ -95,8 +95,11 @@ TEST(UnrolledMarch, WhatTheEndsChangeIsOfTheOrderOfTheFaceOverTheRing) {
   // Twelve cells cannot be short at the ends, so that these count for more than they should.
   EXPECT_LT(std::abs(ring.unrolled_values.ends_share_mean_load), 0.1);
   EXPECT_NEAR(ring.values.min_film_thickness / face.values.min_film_thickness, 1, 0.1);
-  const auto is_it = [](const Note& note) { return note.topic == "end-cells-long"; };
-  EXPECT_TRUE(std::any_of(ring.notes.begin(), ring.notes.end(), is_it));
+  for (const char* topic : {"end-cells-long", "gap-leakage-grows"}) {
+    const auto is_it = [&](const Note& note) { return note.topic == topic; };
+    EXPECT_TRUE(std::any_of(ring.notes.begin(), ring.notes.end(), is_it)) << topic;
+    EXPECT_FALSE(std::any_of(face.notes.begin(), face.notes.end(), is_it)) << topic;
+  }
 }
 
 TEST(UnrolledMarch, FieldsAreKeptInFullOrByStripsAndTheFaceHasTheStripHalfway) {
