@@ -235,7 +235,7 @@ const std::vector<UnrolledField>& unrolled_fields() {
   static const std::vector<UnrolledField> table = {
       {{"film_thickness", "m", "um", "film thickness", "h", "eq-film-thickness"}, &F::film_thickness},
       {{"film_pressure", "Pa", "bar", "film pressure, absolute", "p", "eq-sheet-reynolds"}, &F::film_pressure},
-      {{"fill", "1", "1", "liquid share of the gap", "theta", "eq-fill"}, &F::fill},
+      {{"fill", "1", "1", "liquid share of the film", "theta", "eq-fill"}, &F::fill},
       {{"asperity_pressure", "Pa", "bar", "asperity contact pressure", "p_a", "eq-asperity-load"},
        &F::asperity_pressure},
   };
