@@ -13,6 +13,11 @@ std::vector<double> quantity_column(const CsvFile& csv, const std::string& name,
     return {};
   }
   const CsvColumn& column = csv.columns[*i_column];
+  for (std::size_t k = *i_column + 1; k < csv.columns.size(); ++k) {
+    if (csv.columns[k].name != column.name || name != column.name) continue;
+    faults.push_back({csv.header_mark(k), "the file has two columns " + name, "which one is meant? take one out"});
+    return {};
+  }
   if (!column.unit) {
     faults.push_back({csv.header_mark(*i_column), "the column " + name + " has no unit", "write it as " + example});
     return {};

@@ -35,6 +35,7 @@ class Lines {
     const std::vector<double>& b = across_.values;
     n_ = 1;
     while (n_ < a.size() && a[n_] >= a[n_ - 1] && b[n_] == b[0]) ++n_;
+    check_first_line();
     for (std::size_t k = 0; k < a.size(); ++k) {
       if (b[k] != b[k - k % n_]) {
         refuse(k, across_,
@@ -58,10 +59,47 @@ class Lines {
   std::size_t n_across() const { return along_.values.size() / n_; }
 
  private:
+  /// The others are measured by the first line: what is wrong with that would be told of them.
+  void check_first_line() const {
+    const std::vector<double>& a = along_.values;
+    const std::vector<double>& b = across_.values;
+    const std::size_t n = a.size();
+    if (n_ < n && b[n_] == b[0] && a[n_] < a[n_ - 1] && a[n_] > a[0]) {
+      refuse(n_, along_, fmt::format("{0} falls within the first {1}", along_.name, across_.name));
+    }
+    std::size_t falls = 1;
+    while (falls < n && a[falls] < a[falls - 1] && b[falls] == b[0]) ++falls;
+    if (falls > 1) {
+      refuse(1, along_, fmt::format("{0} falls within the first {1}", along_.name, across_.name),
+             along_.name + " must not fall from point to point: turn the lines round");
+    }
+    // A point that is missing in the first line stands in all others.
+    std::size_t begin = n_, longest = 0, alike = 0, n_lines = 0;
+    while (begin < n) {
+      std::size_t end = begin + 1;
+      while (end < n && b[end] == b[begin] && a[end] >= a[end - 1]) ++end;
+      if (end - begin == n_ + 1) ++alike;
+      longest = std::max(longest, end - begin);
+      ++n_lines;
+      begin = end;
+    }
+    if (n_lines == 0 || alike != n_lines || longest != n_ + 1) return;
+    std::size_t k = 0;
+    while (k < n_ && a[k] == a[n_ + k]) ++k;
+    refuse(std::min(k, n_ - 1), along_,
+           fmt::format("the first {} has no point at {} = {:.6g} mm, which all others have", across_.name, along_.name,
+                       1e3 * a[n_ + k]));
+  }
+
+  [[noreturn]] void refuse(std::size_t row, const Column& column, const std::string& message,
+                           const std::string& remedy) const {
+    throw InputError(std::vector<Fault>{{csv_.cell_mark(row, column.index), message, remedy}});
+  }
+
   [[noreturn]] void refuse(std::size_t row, const Column& column, const std::string& message) const {
-    throw InputError(std::vector<Fault>{{csv_.cell_mark(row, column.index), message,
-                                         "a full rectangle is wanted: every x with every y, all x of one y and then of "
-                                         "the next, each in the same order"}});
+    refuse(row, column, message,
+           "a full rectangle is wanted: every x with every y, all x of one y and then of the next, each in the same "
+           "order");
   }
 
   const CsvFile& csv_;
@@ -107,7 +145,9 @@ GapMap gap_map_of(const CsvFile& csv, const Units& units) {
   const Column h = column_of(csv, word, word + " [um]", units, faults);
   if (!faults.empty()) throw InputError(faults);
   // Where y runs first, x stays.
-  const bool y_runs_first = x.values[0] == x.values[1];
+  std::size_t turn = 1;
+  while (turn + 1 < x.values.size() && x.values[turn] == x.values[0] && y.values[turn] == y.values[0]) ++turn;
+  const bool y_runs_first = x.values[turn] == x.values[0];
   const Column &along = y_runs_first ? y : x, &across = y_runs_first ? x : y;
   Lines lines(csv, along, across);
   lines.check();

@@ -87,10 +87,20 @@ class OpenFile {
     std::size_t size = 0;
     constexpr std::size_t kLongest = 100;
     const int status = nc_inq_att(file_, variable, "units", &type, &size);
+    if (status == NC_NOERR && type == NC_STRING && size == 1) return string_of(variable, name);
     if (status != NC_NOERR || type != NC_CHAR || size == 0 || size > kLongest) return "";
     std::string text(size, '\0');
     check(nc_get_att_text(file_, variable, "units", text.data()), name);
     return text.substr(0, text.find('\0'));
+  }
+
+  /// An attribute that is one string of any length, as some programs write what is not ASCII.
+  std::string string_of(int variable, const std::string& name) const {
+    char* stored = nullptr;
+    check(nc_get_att_string(file_, variable, "units", &stored), name);
+    const std::string text = stored == nullptr ? "" : stored;
+    if (stored != nullptr) nc_free_string(1, &stored);
+    return text;
   }
 
   std::string shown_;

@@ -31,8 +31,16 @@ GapFile read_gap(const NamedFile& file, const Units& units) {
   GapFile gap;
   gap.x = quantity_column(csv, "x", "m", "x [mm]", units, faults);
   gap.height = thickness_column(csv, "height", units, faults);
+  std::vector<Fault> of_places;
   check_gap_places(
-      "x", gap.x, [&](std::size_t i) { return csv.cell_mark(i, *csv.find("x")); }, faults);
+      "x", gap.x, [&](std::size_t i) { return csv.cell_mark(i, *csv.find("x")); }, of_places);
+  constexpr std::size_t kAlongX = 2;  // columns
+  if (!of_places.empty() && faults.empty() && csv.columns.size() > kAlongX) {
+    faults.push_back({csv.source.mark(csv.header_line, 1), "x runs to and fro as in a map, and there is no column y",
+                      "a map has the columns x, y and h; this file has: " + csv.names()});
+  } else {
+    faults.insert(faults.end(), of_places.begin(), of_places.end());
+  }
   if (!faults.empty()) throw InputError(faults);
   gap.sha256 = csv.source.sha256;
   gap.notes = csv.notes;

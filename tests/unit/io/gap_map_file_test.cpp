@@ -58,7 +58,30 @@ TEST(GapMapFile, RefusesWhatIsNoFullRectangle) {
   EXPECT_THAT(refusal("x [mm],y,h [um]\n0,0,1\n5,0,2\n"), HasSubstr("the column y has no unit"));
 }
 
+TEST(GapMapFile, TellsWhatIsWrongWithTheFirstLineOfItAlone) {
+  const std::string head = kHead;
+  EXPECT_THAT(refusal(head + "5,0,1\n0,0,2\n5,2,3\n0,2,4\n"), HasSubstr("gap.csv:3:1: x falls within the first y"));
+  EXPECT_THAT(refusal(head + "0,2,1\n0,0,2\n5,2,3\n5,0,4\n"), HasSubstr("gap.csv:3:3: y falls within the first x"));
+  EXPECT_THAT(refusal(head + "0,0,1\n3,0,2\n2,0,2\n5,0,2\n0,2,1\n2,2,2\n3,2,2\n5,2,2\n"),
+              HasSubstr("gap.csv:4:1: x falls within the first y"));
+  for (const char* first : {"0,0,1\n9,0,1\n", "0,0,1\n5,0,1\n", "5,0,1\n9,0,1\n"}) {
+    EXPECT_THAT(refusal(head + first + "0,2,1\n5,2,1\n9,2,1\n0,3,1\n5,3,1\n9,3,1\n"),
+                HasSubstr("the first y has no point at x = "))
+        << first;
+  }
+  EXPECT_THAT(refusal(head + "0,0,1\n9,0,1\n0,2,1\n5,2,1\n9,2,1\n"), HasSubstr("gap.csv:3:1: the first y has no"));
+}
+
+TEST(GapMapFile, RefusesColumnsThatMakeNoMap) {
+  EXPECT_THAT(refusal("x [mm],z [mm],h [um]\n0,0,1\n5,0,2\n0,2,3\n5,2,4\n"),
+              HasSubstr("gap.csv:1:1: x runs to and fro as in a map, and there is no column y"));
+  EXPECT_THAT(refusal("x [mm],x [mm],y [mm],h [um]\n0,0,0,1\n5,5,0,2\n0,0,2,3\n5,5,2,4\n"),
+              HasSubstr("gap.csv:1:8: the file has two columns x"));
+}
+
 TEST(GapMapFile, RefusesAStepAtASide) {
+  EXPECT_THAT(refusal(std::string(kHead) + "0,0,1\n0,0,2\n5,0,3\n0,2,1\n0,2,2\n5,2,3\n"),
+              HasSubstr("gap.csv:3:1: a step at an end of the pad"));
   EXPECT_THAT(refusal(std::string(kHead) + "0,0,1\n5,0,2\n0,0,3\n5,0,4\n0,2,3\n5,2,4\n"),
               HasSubstr("gap.csv:4:3: a step at an end of the pad"));
 }
@@ -96,6 +119,20 @@ TEST(GapMapFile, ReadsNetcdf) {
   EXPECT_THAT(gap.y, ElementsAre(0, 0.5));
   EXPECT_THAT(gap.height, ElementsAre(1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6));
   EXPECT_EQ(gap.sha256.size(), 64u);
+}
+
+TEST(GapMapFile, ReadsUnitsThatAreStoredAsAString) {
+  const ScratchFolder folder;
+  const std::string path = folder / "gap.nc";
+  write_netcdf(path);
+  int file = 0, variable = 0;
+  ASSERT_EQ(nc_open(path.c_str(), NC_WRITE, &file), NC_NOERR);
+  nc_inq_varid(file, "height", &variable);
+  nc_del_att(file, variable, "units");
+  const char* unit = "\u00b5m";
+  ASSERT_EQ(nc_put_att_string(file, variable, "units", 1, &unit), NC_NOERR);
+  nc_close(file);
+  EXPECT_THAT(read_gap({path, "gap.nc"}, Units()).height, ElementsAre(1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6));
 }
 
 }  // namespace
