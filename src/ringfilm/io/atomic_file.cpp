@@ -162,6 +162,12 @@ AsideFile::~AsideFile() {
   if (!path_.empty()) ::unlink(path_.c_str());
 }
 
+void AsideFile::fill(std::string_view bytes) {
+  write_directly(path_, bytes, O_TRUNC, target_);
+  const Descriptor file(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0 || ::fsync(file.number()) != 0) fail_to_write(target_, errno);
+}
+
 void AsideFile::put_in_place() {
   {
     const Descriptor file(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));

@@ -29,6 +29,10 @@ class AsideFile {
   /// The name to write to.
   const std::string& path() const { return path_; }
 
+  /// Writes these bytes alone into it and flushes them to the disk, so that it is full before another is put in place;
+  /// throws OutputError.
+  void fill(std::string_view bytes);
+
   /// Flushes and renames; throws OutputError, what stood there before is then untouched.
   void put_in_place();
 

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <memory>
 #include <numbers>
 #include <system_error>
 
@@ -96,6 +98,47 @@ std::string in_quotes(const std::string& text) {
   return safe;
 }
 
+/// Files of an older, longer series that its list names; others of that look may be somebody's own.
+std::vector<fs::path> left_of_older(const fs::path& folder, const std::string& stem, std::size_t n_files) {
+  std::ifstream list(folder / fmt::format("{}.pvd", stem));
+  std::vector<fs::path> left;
+  const std::string before = fmt::format("file=\"{}_", in_quotes(stem)), after = ".vts\"";
+  for (std::string line; std::getline(list, line);) {
+    const std::size_t begin = line.find(before), end = line.find(after);
+    if (begin == std::string::npos || end == std::string::npos || end < begin + before.size()) continue;
+    const std::string number = line.substr(begin + before.size(), end - begin - before.size());
+    constexpr std::size_t kMostDigits = 9;
+    const bool is_number =
+        !number.empty() && number.size() <= kMostDigits && number.find_first_not_of("0123456789") == std::string::npos;
+    if (is_number && std::stoul(number) >= n_files) left.push_back(folder / fmt::format("{}_{}.vts", stem, number));
+  }
+  return left;
+}
+
+/// All files are full and on the disk before the first takes its name.
+std::string write_series(const fs::path& folder, const std::string& stem, const cycle::UnrolledFields& fields,
+                         VtsShape shape) {
+  std::vector<std::string> names;
+  std::vector<std::unique_ptr<AsideFile>> files;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    const std::string path = (folder / name).string();
+    if (fs::is_directory(path)) fail_to_write(path, EISDIR);
+    files.push_back(std::make_unique<AsideFile>(path));
+    files.back()->fill(text);
+  };
+  for (std::size_t k = 0; k < fields.crank_angle_deg.size(); ++k) {
+    names.push_back(fmt::format("{}_{:04}.vts", stem, k));
+    write(names.back(), vts_text(fields, k, shape));
+  }
+  const std::string collection = fmt::format("{}.pvd", stem);
+  write(collection, pvd_text(names, fields.crank_angle_deg));
+  const std::vector<fs::path> left = left_of_older(folder, stem, names.size());
+  for (const auto& file : files) file->put_in_place();
+  std::error_code error;
+  for (const fs::path& file : left) fs::remove(file, error);
+  return (folder / collection).string();
+}
+
 }  // namespace
 
 std::string vts_text(const cycle::UnrolledFields& fields, std::size_t angle, VtsShape shape) {
@@ -163,17 +206,14 @@ std::string write_vts_series(const std::string& folder, const std::string& stem,
   }
   check_can_write_series(folder);
   std::error_code error;
-  fs::create_directory(folder, error);
+  const bool is_made = fs::create_directory(folder, error);
   if (error) fail_to_write(folder, error.value());
-  const fs::path where(folder);
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < fields.crank_angle_deg.size(); ++k) {
-    names.push_back(fmt::format("{}_{:04}.vts", stem, k));
-    write_atomically((where / names.back()).string(), vts_text(fields, k, shape));
+  try {
+    return write_series(folder, stem, fields, shape);
+  } catch (...) {
+    if (is_made) fs::remove(folder, error);  // nothing is in it
+    throw;
   }
-  const std::string collection = (where / fmt::format("{}.pvd", stem)).string();
-  write_atomically(collection, pvd_text(names, fields.crank_angle_deg));
-  return collection;
 }
 
 }  // namespace ringfilm::io

@@ -138,6 +138,36 @@ TEST(VtsFile, ListsItsSeriesWithCrankAnglesAsTimes) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "fields"), {}), 3);
 }
 
+TEST(VtsFile, LeavesTheOldSeriesWhereTheNewOneCannotBeWritten) {
+  const io::ScratchFolder folder;
+  const std::string where = folder / "fields";
+  // A value that is missing is found at the last angle alone, after the first has been written.
+  cycle::UnrolledFields damaged = fields(0.0003);
+  damaged.crank_angle_deg.push_back(45);
+  std::filesystem::create_directories(where + "/a.pvd");  // a folder that no file can replace
+  EXPECT_THROW(io::write_vts_series(where, "a", fields(0.0003), io::VtsShape::kPlane), OutputError);
+  EXPECT_FALSE(std::filesystem::exists(where + "/a_0000.vts"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(where), {}), 1);
+  EXPECT_THROW(io::write_vts_series(folder / "none", "a", damaged, io::VtsShape::kPlane), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "none"));
+}
+
+TEST(VtsFile, RemovesWhatAnOlderSeriesListsBeyondIt) {
+  const io::ScratchFolder folder;
+  const std::string where = folder / "fields";
+  io::write_vts_series(where, "a", fields(0.0003), io::VtsShape::kPlane);
+  std::ofstream(where + "/a_0007.vts") << "somebody's own";
+  cycle::UnrolledFields one = fields(0.0003);
+  one.crank_angle_deg.pop_back();
+  for (const cycle::UnrolledField& field : cycle::unrolled_fields()) {
+    (one.*field.values).resize((one.*field.values).size() / 2);
+  }
+  io::write_vts_series(where, "a", one, io::VtsShape::kPlane);
+  EXPECT_TRUE(std::filesystem::exists(where + "/a_0000.vts"));
+  EXPECT_FALSE(std::filesystem::exists(where + "/a_0001.vts"));
+  EXPECT_TRUE(std::filesystem::exists(where + "/a_0007.vts"));
+}
+
 TEST(VtsFile, RefusesWhatHasNoFieldsOrNoFolder) {
   const io::ScratchFolder folder;
   EXPECT_THROW(io::write_vts_series(folder / "fields", "a", {}, io::VtsShape::kPlane), InputError);
