@@ -11,10 +11,11 @@ namespace ringfilm::app {
 std::string EngineeringText::operator()(const cycle::Quantity& quantity, double si_value) const {
   const double value = units_.scale(quantity.display_unit, quantity.unit).from_si(si_value);
   // From here on four significant digits reach the units; a point after them would promise more.
-  constexpr double kNoFraction = 999.95;
-  const std::string number = quantity.display_unit == "degree" ? fmt::format("{:.1f}", value)
-                             : std::abs(value) >= kNoFraction  ? fmt::format("{:.0f}", value)
-                                                               : fmt::format("{:#.4g}", value);
+  constexpr double kNoFraction = 999.95, kTooLongToRead = 1e9;
+  const std::string number = quantity.display_unit == "degree"   ? fmt::format("{:.1f}", value)
+                             : std::abs(value) >= kTooLongToRead ? fmt::format("{:.3e}", value)
+                             : std::abs(value) >= kNoFraction    ? fmt::format("{:.0f}", value)
+                                                                 : fmt::format("{:#.4g}", value);
   return quantity.display_unit == "1" ? number : number + " " + quantity.display_unit;
 }
 

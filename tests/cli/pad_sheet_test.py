@@ -48,6 +48,13 @@ class Numbers(SheetTest):
             over = self.json_of("--set", f"pad.gap={name}")
             self.assertAlmostEqual(over["load"] / along["load"], 1, delta=1e-9, msg=name)
 
+    def test_side_flows_are_told_in_milligrams_and_no_number_fills_the_line(self):
+        said = self.run_well("run", "pad.toml")
+        self.assertRegex(said, r"-[\d.]+ mg/s +mass flow through y = 0")
+        thin = self.run_well("run", "pad.toml", "--set", "pad.gap=map.csv", "--set", "pad.separation=-9.99999999 um")
+        self.assertIn("length of molecules of oil", thin)
+        self.assertNotRegex(thin, r"\d{11}")
+
     def test_a_load_finds_its_separation(self):
         told = self.json_of("--set", "pad.separation=", "--set", "pad.load=20 kN/m")
         self.assertAlmostEqual(told["total_load"] / 400, 1, delta=1e-6)

@@ -10,6 +10,15 @@ namespace {
 constexpr double kMassLost = 1e-4;
 /// A lowest place of the gap that the grid misses by more than this share of the film changes what the pad carries.
 constexpr double kMissed = 0.01;
+/// Thinner than molecules of oil are long, no film is one of a liquid.
+constexpr double kMolecules = 1e-9;  // [m]
+
+/// Do stated pressures of edge and side meet in a corner with a jump?
+bool has_jumps_in_corners(const cycle::Pad& pad) {
+  if (!pad.width || !pad.has_sides_at_pressures()) return false;
+  const auto differs = [&](double side) { return side != pad.left_pressure || side != pad.right_pressure; };
+  return differs(pad.front_pressure) || differs(pad.back_pressure);
+}
 
 }  // namespace
 
@@ -41,6 +50,19 @@ void append_notes(const PadFilm& film, PadResult& result) {
     note("pressed-closer-than-gap",
          text("the load presses the pad %.6g um closer than the gap is given, to a smallest film of %.6g um",
               -last.separation * um, last.min_film_thickness * um));
+  }
+  const long too_thin = std::count_if(result.samples.begin(), result.samples.end(),
+                                      [](const Sample& s) { return s.min_film_thickness < kMolecules; });
+  if (too_thin > 0) {
+    note("film-below-molecules",
+         text("the smallest film is thinner than %.3g nm, about the length of molecules of oil: it is none of a liquid",
+              kMolecules * 1e9),
+         too_thin);
+  }
+  if (has_film && has_jumps_in_corners(pad)) {
+    note("edge-flow-grows",
+         "the flows through edges and sides grow with the logarithm of finer cells: in the corners of the pad their "
+         "pressures differ and meet in a jump; load and friction do not grow");
   }
   if (setup.p_cavitation < setup.input.film.cavitation_pressure) {
     note("cavitation-pressure-lowered",

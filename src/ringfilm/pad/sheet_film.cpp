@@ -96,13 +96,15 @@ void SheetFilm::add_peak(const film::FilmState& state, Sample& sample) const {
   const auto smooth = [&](std::ptrdiff_t before, std::ptrdiff_t after) {
     return !(state.deficit[before] > 0) && !(state.deficit[after] > 0);
   };
-  if (i > 0 && i + 1 < n && !contains(grid_.steps_x, i) && smooth(top - 1, top + 1)) {
+  // In the corners stated pressures meet in a jump: no parabola goes through an edge or along one.
+  const bool inside_x = i > 1 && i + 2 < n, on_edge_x = i == 0 || i + 1 == n;
+  const bool inside_y = is_joined() || (j > 1 && j + 2 < m), on_edge_y = !is_joined() && (j == 0 || j + 1 == m);
+  if (inside_x && !on_edge_y && !contains(grid_.steps_x, i) && smooth(top - 1, top + 1)) {
     along = top_of_parabola(in_x, state.p[top - 1], state.p[top + 1], grid.spacing[i]);
   }
-  const bool inside = is_joined() || (j > 0 && j + 1 < m);
   const std::ptrdiff_t before = static_cast<std::ptrdiff_t>((j + m - 1) % m) * n + i;
   const std::ptrdiff_t after = static_cast<std::ptrdiff_t>((j + 1) % m) * n + i;
-  if (inside && !contains(grid_.steps_y, j) && smooth(before, after)) {
+  if (inside_y && !on_edge_x && !contains(grid_.steps_y, j) && smooth(before, after)) {
     across = top_of_parabola(in_y, state.p[before], state.p[after], around.spacing[j]);
   }
   sample.peak_film_pressure = along.pressure + (across.pressure - in_y.pressure);

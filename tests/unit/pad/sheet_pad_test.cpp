@@ -255,6 +255,21 @@ TEST(SheetPad, PressuresAtTheSidesAloneMakeALineOfPressure) {
 
 // The film ruptures where the surface enters the pocket and forms again in it; what the side walls hold is part of the
 // balance.
+TEST(SheetPad, NoPeakIsMadeUpInACornerWherePressuresJump) {
+  for (const bool in_x : {true, false}) {
+    cycle::Case c = with_width(slider(), 0.015);
+    c.pad.speed = 0;
+    (in_x ? c.pad.left_pressure : c.pad.front_pressure) = 7e5;
+    const PadResult result = solve_pad(c);
+    EXPECT_EQ(result.samples.back().peak_film_pressure, 7e5);
+    const auto is_told = [](const auto& note) { return note.topic == "edge-flow-grows"; };
+    EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(), is_told));
+    c.pad.left_pressure = c.pad.front_pressure = 0;
+    const PadResult without = solve_pad(c);
+    EXPECT_FALSE(std::any_of(without.notes.begin(), without.notes.end(), is_told));
+  }
+}
+
 TEST(SheetPad, MassIsKeptWithACavityInAPocket) {
   cycle::Case c = pocketed(0.012);
   c.film.cavitation_pressure = 0;
