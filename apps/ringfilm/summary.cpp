@@ -111,7 +111,8 @@ std::string unrolled_lines(const cycle::Case& input, const cycle::CycleResult& r
       return in_words(*found, result.unrolled_values.*found->value);
     };
     text += fmt::format(
-        "; oil into the gap {} on average, {} at the most ({}), to and fro {} of the flow at the middle section; share "
+        "; oil into the gap {} on average, negative out of it; the largest flow either way {} ({}), to and fro {} of "
+        "the flow at the middle section; share "
         "of the ends in load {}, friction power {}, flow {}",
         shown("mean_gap_leakage"), shown("peak_gap_leakage"), shown("peak_gap_leakage_angle"),
         shown("gap_leakage_share"), shown("ends_share_mean_load"), shown("ends_share_friction_power"),

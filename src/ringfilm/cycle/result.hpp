@@ -101,7 +101,7 @@ const std::vector<UnrolledQuantity>& unrolled_quantities();
 /// What the ends of the gap do over a cycle, in the order of `unrolled_cycle_quantities()`.
 struct UnrolledValues {
   double mean_gap_leakage = 0, mean_absolute_gap_leakage = 0;  ///< [kg/s]
-  double peak_gap_leakage = 0;                                 ///< largest out of the film [kg/s]
+  double peak_gap_leakage = 0;                                 ///< largest either way, with its sign [kg/s]
   double peak_gap_leakage_angle = 0;                           ///< [degree]
   double gap_leakage_share = 0;          ///< mean absolute leakage over mean absolute flow at the middle section [-]
   double ends_share_mean_load = 0;       ///< [-]

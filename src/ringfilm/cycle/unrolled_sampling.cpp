@@ -53,12 +53,11 @@ UnrolledSample unrolled_sample(const Setup& setup, const March& march, const Ins
 UnrolledValues unrolled_values(const std::vector<Sample>& whole, const std::vector<UnrolledSample>& samples) {
   UnrolledValues v;
   double load = 0, load_of_ends = 0, power = 0, power_of_ends = 0, flow = 0, flow_without_ends = 0;
-  v.peak_gap_leakage = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < whole.size(); ++k) {
     const UnrolledSample& s = samples[k];
     v.mean_gap_leakage += s.gap_leakage;
     v.mean_absolute_gap_leakage += std::abs(s.gap_leakage);
-    if (s.gap_leakage > v.peak_gap_leakage) {
+    if (k == 0 || std::abs(s.gap_leakage) > std::abs(v.peak_gap_leakage)) {
       v.peak_gap_leakage = s.gap_leakage;
       v.peak_gap_leakage_angle = whole[k].crank_angle_deg;
     }

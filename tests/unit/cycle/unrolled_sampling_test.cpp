@@ -116,6 +116,9 @@ TEST(UnrolledSampling, ValuesOfTheCycleWeighSharesByWhatTheyAreSharesOf) {
   EXPECT_DOUBLE_EQ(values.ends_share_mean_load, (0.02 * 300 - 0.01 * 100) / 400);
   EXPECT_DOUBLE_EQ(values.ends_share_friction_power, (0.1 * 10 - 0.02 * 30) / 40);
   EXPECT_NEAR(values.ends_share_absolute_flow, 0.04, 1e-15);  // rounding of a difference
+  ends[0].gap_leakage = -4e-8;
+  EXPECT_DOUBLE_EQ(unrolled_values(whole, ends).peak_gap_leakage, -4e-8);
+  EXPECT_EQ(unrolled_values(whole, ends).peak_gap_leakage_angle, 0);
 }
 
 }  // namespace
