@@ -63,7 +63,7 @@ class Report(program.ProgramTest):
 
 class FieldsForParaView(program.ProgramTest):
     UNROLLED = ("--set", "film.dimension=unrolled", "--set", "ring.end_gap=0.3 mm", "--set", "solver.cells=24",
-                "--set", "solver.cells_y=12", "--set", "solver.crank_step=6 degree", "--set",
+                "--set", "solver.cells_y=32", "--set", "solver.crank_step=6 degree", "--set",
                 "output.crank_angles=6 degree", "--set", 'output.fields=["0 degree", "18 degree", "180 degree"]')
 
     def test_a_series_and_a_page_are_drawn_from_the_result(self):

@@ -1,9 +1,11 @@
 #include "ringfilm/cycle/case_rules_unrolled.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
 #include "ringfilm/cycle/kinematics.hpp"
+#include "ringfilm/cycle/march_film.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -47,23 +49,57 @@ bool check_gap(const Case& c, Breaches& breaches) {
   return false;
 }
 
+double length_of_end_cell(const Case& c, int cells_y) {
+  return sheet::refined_around(cells_y, c.ring_length(), c.end_cell()).spacing.front();
+}
+
+/// The fewest cells around, above those of the case, whose end cell is no longer than asked for, up to a tenth.
+int cells_that_would_do(const Case& c) {
+  const auto is_enough = [&c](int cells) { return length_of_end_cell(c, cells) <= kEndCellMissed * c.end_cell(); };
+  int few = c.solver.cells_y, enough = 2 * few;
+  while (!is_enough(enough)) {
+    few = enough;
+    enough *= 2;
+  }
+  while (enough - few > 1) {
+    const int middle = few + (enough - few) / 2;
+    (is_enough(middle) ? enough : few) = middle;
+  }
+  return enough;
+}
+
+/// Cells at the ends longer than the face is wide see nothing of what the ends do.
+void check_end_cell_reached(const Case& c, Breaches& breaches) {
+  const double reached = length_of_end_cell(c, c.solver.cells_y);
+  if (reached <= std::max(c.ring.face_width, kEndCellMissed * c.end_cell())) return;
+  breaches.push_back(
+      {"solver.cells_y",
+       "solver.cells_y = " + number(c.solver.cells_y) + " makes the cells at the ends of the gap " +
+           number(reached * 1e3) + " mm long, more than the face is wide, " + number(c.ring.face_width * 1e3) + " mm",
+       "take " + number(cells_that_would_do(c)) + " or more: cells grow by at most 1.3 times each from " +
+           number(c.end_cell() * 1e6) + " um at the ends"});
+}
+
 void check_end_cell(const Case& c, Breaches& breaches) {
   const double longest = c.ring_length() / c.solver.cells_y;
-  if (!c.ring.end_gap || c.end_cell() <= longest) return;
+  if (!c.ring.end_gap) return;
+  if (c.end_cell() <= longest) return check_end_cell_reached(c, breaches);
   breaches.push_back({"solver.end_cell",
                       "solver.end_cell = " + number(c.end_cell() * 1e6) + " um is longer than " +
                           number(c.solver.cells_y) + " cells that are all alike, " + number(longest * 1e6) + " um",
                       "cells are shortest at the ends of the gap: state a shorter one, or fewer solver.cells_y"});
 }
 
-void check_nodes(const Case& c, Breaches& breaches) {
+/// @returns whether they are few enough
+bool check_nodes(const Case& c, Breaches& breaches) {
   const double nodes = (c.solver.cells + 1.0) * strips(c);
-  if (nodes <= kMostNodes) return;
+  if (nodes <= kMostNodes) return true;
   breaches.push_back({"solver.cells_y",
                       "solver.cells = " + number(c.solver.cells) + " and solver.cells_y = " + number(c.solver.cells_y) +
                           " make " + number(nodes) + " nodes, more than " + number(kMostNodes) +
                           ", of which each takes about a kilobyte",
                       "take fewer cells; 200 by 180 are usual"});
+  return false;
 }
 
 void check_fields(const Case& c, Breaches& breaches) {
@@ -95,8 +131,8 @@ void check_fields(const Case& c, Breaches& breaches) {
 void append_unrolled_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   if (!c.is_unrolled()) return;
   check_method(c, breaches);
-  if (check_gap(c, breaches)) check_end_cell(c, breaches);
-  check_nodes(c, breaches);
+  const bool is_on_ring = check_gap(c, breaches);
+  if (check_nodes(c, breaches) && is_on_ring) check_end_cell(c, breaches);
   check_fields(c, breaches);
 }
 

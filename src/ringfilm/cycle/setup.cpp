@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/march_film.hpp"
 #include "ringfilm/cycle/oil.hpp"
 
 namespace ringfilm::cycle {
@@ -85,10 +87,24 @@ models::GreenwoodTripp asperity_contact(const Case& c) {
       {c.contact.asperity_density, c.contact.asperity_radius, roughness(c), composite_modulus(c), form});
 }
 
+void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
+  if (!c.is_unrolled() || !c.ring.end_gap) return;
+  const double reached = strips_of(c).spacing.front();
+  if (reached <= kEndCellMissed * c.end_cell()) return;
+  char text[512];
+  std::snprintf(
+      text, sizeof text,
+      "the cells at the ends of the gap are %.3g um long, not %.3g um: %d around the ring are too few to grow "
+      "from there by %.1f times each; take more solver.cells_y",
+      reached * 1e6, c.end_cell() * 1e6, c.solver.cells_y, sheet::kSteepestGrowth);
+  notes.push_back({"end-cells-long", text, 1});
+}
+
 }  // namespace
 
 Setup prepare(const Case& c) {
   PreparedOil oil = oil_at_temperature(c.lubricant, c.operating.oil_temperature);
+  append_end_cell_note(c, oil.notes);
   models::CyclePressure cylinder = cylinder_pressure(c);
   const double p_e = elastic_pressure(c);
   if (c.solver.properties == Properties::kFitted) {

@@ -5,6 +5,7 @@
 
 #include "ringfilm/cycle/case_fields.hpp"
 #include "ringfilm/cycle/march_film.hpp"
+#include "ringfilm/cycle/setup.hpp"
 #include "unrolled_cases.hpp"
 
 /// Keys and rules of a film on the unrolled ring.
@@ -74,6 +75,30 @@ TEST(UnrolledCase, RefusesEndCellsLongerThanCellsThatAreAllAlike) {
   EXPECT_THAT(blamed(c), Contains("solver.end_cell"));
   c.solver.end_cell = c.ring_length() / c.solver.cells_y * (1 - 1e-9);
   EXPECT_THAT(blamed(c), IsEmpty());
+}
+
+bool tells_long_end_cells(const Case& c) {
+  const std::vector<Note> notes = prepare(c).notes;
+  return std::any_of(notes.begin(), notes.end(), [](const Note& note) { return note.topic == "end-cells-long"; });
+}
+
+TEST(UnrolledCase, RefusesEndCellsLongerThanTheFaceIsWideAndTellsHowManyWouldDo) {
+  Case c = unrolled_ring();
+  c.solver.cells_y = 20;
+  EXPECT_THAT(message(c, "solver.cells_y"), HasSubstr("mm long, more than the face is wide"));
+  const std::string told = message(c, "solver.cells_y");
+  c.solver.cells_y = std::stoi(told.substr(told.find("; take ") + 7));
+  EXPECT_LE(strips_of(c).spacing.front(), 1.1 * c.end_cell());  // longer than that is told
+  EXPECT_FALSE(tells_long_end_cells(c));
+  --c.solver.cells_y;
+  EXPECT_GT(strips_of(c).spacing.front(), 1.1 * c.end_cell());
+}
+
+TEST(UnrolledCase, TellsLongEndCellsBeforeItIsMarched) {
+  Case c = unrolled_ring();
+  c.solver.cells_y = 40;
+  ASSERT_THAT(blamed(c), IsEmpty());
+  EXPECT_TRUE(tells_long_end_cells(c));
 }
 
 TEST(UnrolledCase, RefusesWhatWouldFillTheMemoryAndStatesTheMemory) {
