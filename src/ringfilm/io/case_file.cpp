@@ -161,6 +161,8 @@ class Reader {
 
   /// May the key `other` decide whether `field` is in use? A trace does for the pressures that join a partial one.
   static bool decides(const Field& other, const Field& field) {
+    // A key of another section decides where the words on its use name it.
+    if (field.active_when.find(other.key) != std::string::npos) return true;
     if (group_of(other.key) != group_of(field.key)) return false;
     if (std::holds_alternative<cycle::FileKind>(other.kind)) {
       return std::holds_alternative<cycle::OptionalNumberKind>(field.kind);
@@ -213,20 +215,25 @@ class Reader {
     }
   }
 
-  /// A case with keys of both problems: told once a section.
+  /// Has either problem keys of its own there?
+  static bool is_shared(const std::string& section) {
+    return section == "lubricant" || section == "film" || section == "solver";
+  }
+
+  /// A case with keys of both problems: told once a section that the case must not have at all, else for each key.
   void check_mixed() {
     std::map<std::string, const TomlEntry*> first;
     for (const auto& [key, entry] : given_) {
       if (cycle::belongs(*cycle::find_field(key), case_)) continue;
-      const TomlEntry*& of_section = first[section_of(key)];
+      const std::string section = section_of(key);
+      const TomlEntry*& of_section = first[is_shared(section) ? key : section];
       if (of_section == nullptr || entry->value.key_mark.line < of_section->value.key_mark.line) of_section = entry;
     }
-    for (const auto& [section, entry] : first) {
-      const bool whole_section = section != "lubricant" && section != "solver";
+    for (const auto& [what, entry] : first) {
       tree_.faults.push_back({entry->value.key_mark, entry->key + " is not used in this case",
                               case_.problem == cycle::Problem::kPad
                                   ? "a case with [pad] is a film without engine, gas and ring: take " +
-                                        (whole_section ? "[" + section + "]" : entry->key) + " out, or [pad]"
+                                        (what == entry->key ? what : "[" + what + "]") + " out, or [pad]"
                                   : "it is used in a pad, a film without engine, gas and ring; take it out"});
     }
   }
