@@ -184,9 +184,10 @@ class Gatherer {
   }
 
   /// Reads a TOML file that `mark` names; `use` gets its tree. A file that cannot be read is a fault at `mark`.
+  /// @param remedy instead of that of a file that cannot be read, unless empty
   template <typename Use>
   void read_named(const SourceMark& mark, const std::string& key, const NamedFile& file, const std::string& role,
-                  const Use& use) {
+                  const Use& use, const std::string& remedy = "") {
     try {
       const SourceText source = read_source_text(file.path, file.shown, kLargestToml);
       const TomlValue root = parse_toml(source);
@@ -196,7 +197,9 @@ class Gatherer {
       tree_.complete = false;
       for (const Fault& f : error.faults()) {
         const bool in_file = f.mark.line > 0;
-        tree_.faults.push_back(in_file ? f : Fault{mark, key + " = \"" + file.shown + "\": " + f.message, f.remedy});
+        tree_.faults.push_back(
+            in_file ? f
+                    : Fault{mark, key + " = \"" + file.shown + "\": " + f.message, remedy.empty() ? f.remedy : remedy});
       }
     }
   }
@@ -210,7 +213,7 @@ class Gatherer {
     if (named == nullptr || named->value.kind != TomlValue::Kind::kText || named->value.text.empty()) return;
     const NamedFile file = locate(named->value.text, named->folder);
     const SourceMark mark = named->value.mark;
-    read_named(mark, key, file, key, [&](const TomlValue& root) {
+    const auto use = [&](const TomlValue& root) {
       for (const auto& [name, value] : root.members) {
         if (name == "file" || value.kind == TomlValue::Kind::kTable) {
           fault(value.key_mark, name + " has no place in an oil file",
@@ -220,7 +223,19 @@ class Gatherer {
           add({kOilSection + name, value, folder_of(file.shown)});
         }
       }
-    });
+    };
+    const std::string shipped = shipped_name(named->value.text, named->folder);
+    read_named(
+        mark, key, file, key, use,
+        shipped.empty() ? "" : "this path was tried; the shipped oil is found from anywhere as \"" + shipped + "\"");
+  }
+
+  /// What a shipped oil is called from anywhere, of a name that leads to it through other folders; empty for none.
+  static std::string shipped_name(const std::string& name, const std::string& folder) {
+    const std::size_t begin = name.rfind("/data/");
+    if (begin == std::string::npos) return "";
+    const std::string bare = name.substr(begin + 1);
+    return locate(bare, folder).shown == bare ? bare : "";
   }
 
   std::vector<TomlEntry> read_overrides(const std::vector<Override>& overrides) {

@@ -159,6 +159,20 @@ TEST(CaseSources, TextThatBreaksTomlParsersIsRefused) {
   }
 }
 
+TEST(CaseSources, AShippedOilOutOfReachIsToldByTheNameThatIsFoundFromAnywhere) {
+  ASSERT_EQ(::setenv("RINGFILM_DATA", RINGFILM_SOURCE_FOLDER, 1), 0);
+  const ScratchFolder folder;
+  const std::string path =
+      folder.write("case.toml", "[lubricant]\nfile = \"../gone/data/lubricants/styles2014.toml\"\n");
+  try {
+    read_case(path, {});
+    FAIL() << "an oil that is not there was read";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("found from anywhere as \"data/lubricants/styles2014.toml\""));
+  }
+  ASSERT_EQ(::unsetenv("RINGFILM_DATA"), 0);
+}
+
 TEST(CaseSources, TheShippedFolderIsFoundByTheEnvironment) {
   ASSERT_EQ(::setenv("RINGFILM_DATA", RINGFILM_SOURCE_FOLDER, 1), 0);
   EXPECT_EQ(shipped_folder(), RINGFILM_SOURCE_FOLDER);
