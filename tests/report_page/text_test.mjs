@@ -10,6 +10,7 @@ const { figureCsv, fileStem } = await load('downloads.js');
 const { figureSvg } = await load('svg.js');
 const { bandOutlines, freePlace, markIndices, markPlaces } = await load('scales.js');
 const { kHeightColours, kMissingColour } = await load('colour_map.js');
+const { fieldCaption } = await load('around_figures.js');
 const { cellAt, cellEdges, crankAxis, ringAxis, Unrolled } = await load('unrolled.js');
 const { lengthUnit } = await load('map_figure.js');
 const { curveFigure, withoutPoints } = await load('measurement_figures.js');
@@ -236,13 +237,13 @@ test('every place belongs to the nearest node, and none outside', () => {
 });
 
 /** A ring of 100 mm with three strips 0, 40 and L; one angle, two nodes, values 0 to 5 bar. */
-function smallRing(endGap) {
+function smallRing(endGap, more = {}) {
   const words = (...list) => Buffer.from(Uint16Array.from(list).buffer).toString('base64');
   const quantity = (name, displayUnit) => ({ name, unit: displayUnit === 'bar' ? 'Pa' : '1', display_unit: displayUnit, long_name: name });
   return new Unrolled({
     circumference: 0.1, end_gap: endGap, gap_position: Math.PI / 2, stored: { angles: 1, y: 3, x: 2 }, crank_angle: [20], x: [0, 1e-3], y: [0, 0.04, endGap ? 0.1 - endGap : 0.09],
     fields: { film_pressure: { low: 0, high: 5e5, data: words(0, 13107, 26214, 39320, 52427, 65534) }, fill: { low: 0.5, high: 1, data: words(65534, 65534, 0, 65534, 65535, 65534) } },
-    highest_pressure: [{ x: 1e-3, y: 0.09, value: 5e5 }], lowest_fill: [{ x: 0, y: 0.04, value: 0.5 }], strips: { crank_angle: [], y: [], fields: {} },
+    highest_pressure: [{ x: 1e-3, y: 0.09, value: 5e5 }], lowest_fill: [{ x: 0, y: 0.04, value: 0.5 }], strips: { crank_angle: [], y: [], fields: {} }, ...more,
   }, { fields: [quantity('film_pressure', 'bar'), quantity('fill', '1')], strips: [] });
 }
 
@@ -252,6 +253,18 @@ test('fields around the ring come back from their words', () => {
   [[0, 0, 0], [1, 0, 2], [2, 1, 5]].forEach(([j, i, bar]) => assert.ok(Math.abs(ring.value('film_pressure', 0, j, i) - bar) < 5e-5));
   assert.equal(ring.value('fill', 0, 2, 0), null);
   assert.deepEqual([ring.isCavity(0, 0, 0), ring.isCavity(0, 1, 0), ring.isCavity(0, 2, 0)], [false, true, false]);
+});
+
+test('a model without a fill has cavities where the pressure is theirs', () => {
+  const ring = smallRing(0.01, { rupture_pressure: 0, lowest_fill: [{ x: 0, y: 0, value: 1 }] });
+  assert.equal(ring.fields.fill, undefined);
+  assert.deepEqual([ring.isCavity(0, 0, 0), ring.hasCavity(0)], [false, false], 'edges are full');
+  ring.x = [-1, ...ring.x.slice(0, 1), 1];
+  ring.value = (name, k, j, i) => (j === 1 && i === 1 ? 0 : 2);
+  assert.deepEqual([ring.isCavity(0, 0, 1), ring.isCavity(0, 1, 1), ring.hasCavity(0)], [false, true, true]);
+  assert.match(fieldCaption(ring, ''), /Hatched: cavities, where the pressure is that of a cavity; .* Reynolds' exit, does not tell how much oil.*at 1 of the 1 angles/);
+  assert.match(fieldCaption(smallRing(0.01, { rupture_pressure: -1e5 }), ''), /No angle has a cavity/);
+  assert.doesNotMatch(fieldCaption(smallRing(0.01), ''), /Reynolds/);
 });
 
 test('the gap is felt as far as pressures differ from those opposite', () => {

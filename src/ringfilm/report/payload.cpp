@@ -1,8 +1,11 @@
 #include "ringfilm/report/payload.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "ringfilm/io/units.hpp"
 #include "ringfilm/report/payload_numbers.hpp"
 #include "ringfilm/report/payload_unrolled.hpp"
 #include "ringfilm/report/script_text.hpp"
@@ -144,6 +147,20 @@ ordered_json comparison(const std::vector<study::ComparisonRow>& rows) {
   return list;
 }
 
+/// At which a film ruptures whose model knows no fill [Pa]; nothing for other models, or if it is not told.
+std::optional<double> rupture_pressure(const std::vector<io::CaseEntry>& inputs) {
+  const auto shown = [&inputs](const char* key) {
+    const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& entry) { return entry.key == key; });
+    return found == inputs.end() ? std::string() : found->shown;
+  };
+  if (shown("film.cavitation") != "reynolds-exit") return std::nullopt;
+  try {
+    return io::Units().quantity(shown("film.cavitation_pressure"), "Pa", "0 bar");
+  } catch (const io::UnitError&) {
+    return std::nullopt;
+  }
+}
+
 ordered_json document(const io::ResultDocument& d) {
   ordered_json inputs = ordered_json::array();
   for (const io::CaseEntry& e : d.inputs) {
@@ -164,7 +181,7 @@ ordered_json document(const io::ResultDocument& d) {
           {"values", cycle_values(d.result.values)},
           {"fields", face_fields(d.result.fields)},
           {"unrolled_values", unrolled_values(d.result)},
-          {"unrolled", unrolled_payload(d.result.unrolled)},
+          {"unrolled", unrolled_payload(d.result.unrolled, rupture_pressure(d.inputs))},
           {"stroke",
            {{"liner_position", rounded_list(d.result.stroke.liner_position, kCurveDigits)},
             {"wear_drive_density", rounded_list(d.result.stroke.wear_drive_density, kCurveDigits)}}},

@@ -31,7 +31,7 @@ ordered_json points(const std::vector<MapPoint>& list) {
 
 }  // namespace
 
-ordered_json unrolled_payload(const cycle::UnrolledFields& fields) {
+ordered_json unrolled_payload(const cycle::UnrolledFields& fields, std::optional<double> rupture_pressure) {
   const UnrolledPicture picture = unrolled_picture(fields);
   const StripPicture strips = strip_picture(fields);
   if (picture.fields.empty() && strips.fields.empty()) return nullptr;
@@ -45,6 +45,7 @@ ordered_json unrolled_payload(const cycle::UnrolledFields& fields) {
           {"fields", packed_fields(picture.fields)},
           {"highest_pressure", points(picture.highest_pressure)},
           {"lowest_fill", points(picture.lowest_fill)},
+          {"rupture_pressure", rupture_pressure ? exact(*rupture_pressure) : ordered_json(nullptr)},
           {"strips",
            {{"crank_angle", rounded_list(strips.crank_angle_deg, kPlaceDigits)},
             {"y", rounded_list(strips.fields.empty() ? std::vector<double>{} : fields.y, kPlaceDigits)},

@@ -1,12 +1,14 @@
 #pragma once
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "ringfilm/cycle/result.hpp"
 
 namespace ringfilm::report {
 
 /// Pictures of the unrolled film for the script of the page; null where the result has none.
-nlohmann::ordered_json unrolled_payload(const cycle::UnrolledFields& fields);
+/// @param rupture_pressure of a model without a fill, whose cavities have this pressure [Pa]
+nlohmann::ordered_json unrolled_payload(const cycle::UnrolledFields& fields, std::optional<double> rupture_pressure);
 
 /// What the ends of the gap do over a cycle, by name; null without an unrolled film.
 nlohmann::ordered_json unrolled_values(const cycle::CycleResult& result);

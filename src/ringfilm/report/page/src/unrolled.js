@@ -62,6 +62,13 @@ export class Unrolled {
     const inMm = (point) => ({ x: point.x * 1e3, y: point.y * 1e3, value: point.value });
     this.highestPressure = payload.highest_pressure.map((p) => ({ ...inMm(p), value: this.fields.film_pressure ? p.value / 1e5 : null }));
     this.lowestFill = payload.lowest_fill.map(inMm);
+    // Reynolds' exit knows no fill: what is stored of it is 1 everywhere, and cavities are where the pressure is theirs.
+    const pressure = payload.fields.film_pressure;
+    const told = payload.rupture_pressure !== undefined && payload.rupture_pressure !== null;
+    this.hasNoFill = told;
+    // Half a step of what was rounded.
+    this.ruptureBelow = told && pressure ? (payload.rupture_pressure + ((0.5 + 1e-6) * (pressure.high - pressure.low)) / (kMissing - 1)) / 1e5 : null;
+    if (told) delete this.fields.fill;
     // A closed ring: what is nearer to the joint than to the last strip belongs to the first again.
     this.yEdges = cellEdges(this.closed ? [...this.y, this.circumference] : this.y, 0, this.length);
     this.xEdges = cellEdges(this.x, 0, this.face);
@@ -77,11 +84,17 @@ export class Unrolled {
   }
 
   isCavity(k, j, i) {
+    if (this.hasNoFill) {
+      const pressure = this.value('film_pressure', k, j, i);
+      // At the edges of the face the film is full, whatever its pressure.
+      return i > 0 && i + 1 < this.x.length && pressure !== null && pressure <= this.ruptureBelow;
+    }
     const fill = this.value('fill', k, j, i);
     return fill !== null && fill < kFull;
   }
 
   hasCavity(k) {
+    if (this.hasNoFill) return this.y.some((_, j) => this.x.some((__, i) => this.isCavity(k, j, i)));
     return this.lowestFill[k]?.value < kFull;
   }
 
