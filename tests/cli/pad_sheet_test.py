@@ -107,6 +107,12 @@ class Refusals(SheetTest):
             self.refuse("pad.front_pressure is not used", "pad.back_pressure is not used", 'pad.sides = "open"',
                         words=("--set", f"pad.sides={sides}"))
 
+    def test_keys_of_a_ring_name_themselves_and_not_the_section_that_pads_need(self):
+        self.refuse("take film.dimension out", words=("--set", "film.dimension=unrolled"))
+
+    def test_a_faulty_width_is_all_that_is_told(self):
+        self.refuse("pad.width", "1 error", words=("--set", "pad.width=0 mm"))
+
     def test_keys_of_a_width_without_one(self):
         for key in ("pad.front_pressure", "pad.back_pressure", "solver.cells_y"):
             self.refuse(f"{key} is not used", "pad.width is given", words=("--set", "pad.width="))

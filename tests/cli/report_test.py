@@ -83,7 +83,7 @@ class FieldsForParaView(program.ProgramTest):
             self.run_well("report", "ring.nc", "--vts", shape, "--vts-shape", shape)
         (on_bore, pressures), (flat, same) = (self.grid(shape) for shape in ("cylinder", "plane"))
         self.assertEqual(pressures, same)
-        self.assertEqual(len(pressures), 25 * 13)
+        self.assertEqual(len(pressures), 25 * 33)
         self.assertGreater(max(pressures), 10e5)
         for x, y, z in on_bore:
             self.assertAlmostEqual(math.hypot(x, y), 0.0445, places=12)

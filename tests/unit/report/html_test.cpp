@@ -147,6 +147,19 @@ TEST(ReportPage, ThinsOutFieldsThatAPageCannotCarry) {
   EXPECT_EQ(fields["film_thickness"].size(), 360u);
 }
 
+TEST(ReportPage, TellsAtWhichPressureAFilmWithoutFillIsRuptured) {
+  auto document = example::document("around");
+  example::add_unrolled_film(document, example::Around::kFields);
+  const auto rupture_pressure = [&document](const std::string& cavitation, const std::string& pressure) {
+    document.inputs = {{"film.cavitation", "", cavitation, false, ""},
+                       {"film.cavitation_pressure", "", pressure, true, ""}};
+    return data_of(report::report_page({document}, {}))["cases"][0]["unrolled"]["rupture_pressure"];
+  };
+  EXPECT_NEAR(rupture_pressure("reynolds-exit", "0.5 bar").get<double>(), 5e4, 1e-6);
+  EXPECT_TRUE(rupture_pressure("mass-conserving", "0.5 bar").is_null());
+  EXPECT_TRUE(rupture_pressure("reynolds-exit", "").is_null());
+}
+
 TEST(ReportPage, CarriesTheUnrolledFilmWithinBounds) {
   auto document = example::document("around");
   EXPECT_TRUE(data_of(report::report_page({document}, {}))["cases"][0]["unrolled"].is_null());
