@@ -52,9 +52,9 @@ film::FilmState SheetFilm::full(double h_m) const {
   state.h_m = h_m;
   for (int j = 0; j < n_strips; ++j) state.p.insert(state.p.end(), along.begin(), along.end());
   if (problem_.around.ends == sheet::Ends::kOpen) {
-    // The corners belong to the edges across the motion.
-    std::fill(state.p.begin() + 1, state.p.begin() + n - 1, setup().input.pad.front_pressure);
-    std::fill(state.p.end() - n + 1, state.p.end() - 1, setup().input.pad.back_pressure);
+    // Whole strips, corners too, as in sheet/ (eq-sheet-ends).
+    std::fill(state.p.begin(), state.p.begin() + n, setup().input.pad.front_pressure);
+    std::fill(state.p.end() - n, state.p.end(), setup().input.pad.back_pressure);
   }
   state.deficit.assign(state.p.size(), 0.0);
   state.content.assign(state.p.size(), 0.0);

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <span>
 
 #include "pad_cases.hpp"
+#include "ringfilm/pad/sheet_film.hpp"
 
 namespace ringfilm::pad::testing {
 namespace {
@@ -141,6 +143,27 @@ TEST(SheetPad, AMirroredMapMirrorsTheFilm) {
   EXPECT_NEAR(one.flow_front / -other.flow_back, 1, 1e-8);
   EXPECT_NEAR(one.peak_position_y, 0.02 - other.peak_position_y, 1e-8);
   EXPECT_GT(std::abs(one.flow_front / one.flow_back - 1), 0.1) << "the film is not symmetric by itself";
+}
+
+TEST(SheetPad, OpenSidesHaveTheirPressureUpToTheCorners) {
+  cycle::Case c = with_width(slider(), 0.02);
+  c.solver.cells = c.solver.cells_y = 8;
+  c.pad.left_pressure = c.pad.right_pressure = 1e5;
+  c.pad.front_pressure = 4e5;
+  c.pad.back_pressure = 2e5;
+  const PadSetup setup = prepare_pad(c);
+  SheetFilm film(setup, {8, 8});
+  film::FilmInputs inputs = setup.steady_inputs();
+  inputs.load = 1e6 * kLength;  // the scale of its pressures
+  const film::FilmState start = film.full(0);
+  film::FilmState solved = start;
+  ASSERT_TRUE(film.solve_at_separation(inputs, start, solved).converged);
+  for (const film::FilmState& state : {start, solved}) {
+    const std::span<const double> p(state.p);
+    EXPECT_THAT(p.first(9), ::testing::Each(4e5));
+    EXPECT_THAT(p.last(9), ::testing::Each(2e5));
+    EXPECT_EQ(p[9], 1e5);  // x = 0 next to the side
+  }
 }
 
 TEST(SheetPad, ASymmetricPocketMakesASymmetricFilm) {
