@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/pad/recording.hpp"
@@ -125,7 +126,12 @@ Sample SheetFilm::sample(const film::FilmInputs& inputs, const film::FilmState& 
   out.total_load = out.load * width;
   out.total_friction_moving = out.friction_moving * width;
   out.total_friction_fixed = out.friction_fixed * width;
-  out.mass_flow_front = -sums.flow_low;  // what leaves through y = 0 flows in -y
+  if (is_joined()) {
+    constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
+    out.mass_flow_front = out.mass_flow_back = out.flow_front = out.flow_back = kNotTold;
+    return out;
+  }
+  out.mass_flow_front = 0 - sums.flow_low;  // what leaves through y = 0 flows in -y; of closed sides +0
   out.mass_flow_back = sums.flow_high;
   out.flow_front = out.mass_flow_front / density;
   out.flow_back = out.mass_flow_back / density;
