@@ -206,7 +206,7 @@ class Commands {
 
   void add_report() {
     auto& command = add("report", "Draw results as one self-contained web page, or fields for ParaView", [this] {
-      report_.vts_shape = vts_shape_of(vts_shape_);
+      if (vts_shape_) report_.vts_shape = vts_shape_of(*vts_shape_);
       report(report_);
     });
     command.add_option("X.nc", report_.results, "results of ringfilm run --output")->required()->type_name("...");
@@ -287,11 +287,10 @@ class Commands {
   CLI::App& program_;
   Actions actions_;
   CaseWords run_words_, check_words_;
-  std::optional<std::string> output_, csv_, jobs_;
+  std::optional<std::string> output_, csv_, jobs_, vts_shape_;
   bool json_ = false, ledger_ = false, error_estimate_ = false;
   std::string start_path_;
   ReportOptions report_;
-  std::string vts_shape_ = "cylinder";
   ReproduceOptions reproduce_;
   VerifyOptions verify_;
   bool list_ = false, verify_json_ = false;

@@ -21,6 +21,9 @@ void check_wanted(const ReportOptions& options) {
   if (!options.overlays.empty() && !options.output) {
     throw InputError("--overlay lays curves over those of a page, but no page is named", "add --output X.html");
   }
+  if (options.vts_shape && !options.vts_folder) {
+    throw InputError("--vts-shape shapes fields for ParaView, but no folder for them is named", "add --vts DIR");
+  }
   if (options.vts_folder && options.results.size() > 1) {
     throw InputError(fmt::format("--vts {}: {} results are named", *options.vts_folder, options.results.size()),
                      "write the fields of one result at a time");
@@ -64,8 +67,8 @@ void report(const ReportOptions& options) {
   const std::string page = options.output ? page_of(options, documents) : "";
   if (options.vts_folder) {
     const std::string stem = std::filesystem::path(options.results.front()).stem().string();
-    const std::string series =
-        io::write_vts_series(*options.vts_folder, stem, documents.front().result.unrolled, options.vts_shape);
+    const std::string series = io::write_vts_series(*options.vts_folder, stem, documents.front().result.unrolled,
+                                                    options.vts_shape.value_or(io::VtsShape::kCylinder));
     std::cout << "wrote " << series << "\n";
   }
   if (!options.output) return;

@@ -41,7 +41,7 @@ struct ReportOptions {
   std::vector<std::string> overlays;
   std::optional<std::string> output;      ///< web page
   std::optional<std::string> vts_folder;  ///< of the fields around the ring for ParaView
-  io::VtsShape vts_shape = io::VtsShape::kCylinder;
+  std::optional<io::VtsShape> vts_shape;
 };
 void report(const ReportOptions& options);
 

@@ -41,6 +41,20 @@ class Numbers(SheetTest):
         (self.folder / "pad.toml").write_text(PAD)
         self.assertNotIn("total_load", self.json_of())
 
+    def test_flow_through_joined_sides_is_not_told_and_through_closed_ones_is_none(self):
+        joined = self.json_of(*PERIODIC)
+        self.assertEqual([name for name in joined if "front" in name or "back" in name], [])
+        self.assertNotIn("flow_front", joined["units"])
+        self.assertIn("total_load", joined)
+        self.assertNotIn("through y = 0", self.run_well("run", "pad.toml", *PERIODIC))
+        self.run_well("run", "pad.toml", *PERIODIC, "--output", "joined.nc")
+        self.assertNotIn(b"flow_front", (self.folder / "joined.nc").read_bytes())
+        closed = [word.replace("periodic", "closed") for word in PERIODIC]
+        told = self.run_well("run", "pad.toml", *closed)
+        self.assertIn("through y = 0", told)
+        self.assertNotIn("-0 ", told)
+        self.assertEqual(self.json_of(*closed)["flow_front"], 0)
+
     def test_a_map_and_the_same_gap_along_x_give_the_same(self):
         along = self.json_of()
         for name in ("map.csv", "map.nc"):
@@ -154,6 +168,11 @@ class Refusals(SheetTest):
         self.refuse_netcdf(gap_map(x, y, [20, 10, float("nan"), 10]), "a hole at x = 0 mm, y = 20 mm")
         self.refuse_netcdf(gap_map(x, y, [20, 10, 20, -99], attributes={"units": "um", "_FillValue": -99.0}),
                            "a hole at x = 10 mm, y = 20 mm")
+        # What NetCDF leaves where nothing is written.
+        self.refuse_netcdf(gap_map(x, y, [20, 10, 9.9692099683868690e36, 10]), "a hole at x = 0 mm, y = 20 mm")
+
+    def test_heights_beyond_reason(self):
+        self.refuse_map(MAP.replace("0,20,20", "0,20,9.969e36"), "map.csv:4", "no gap of an oil film", "marks a hole")
 
     def test_netcdf_that_is_no_map(self):
         x, y, h = [0, 5, 10], [0, 20], [20, 15, 10, 20, 15, 10]
@@ -161,7 +180,7 @@ class Refusals(SheetTest):
         self.refuse_netcdf(gap_map(x, y, h, attributes={}), "the variable h has no units", "for example \"mm\"")
         self.refuse_netcdf(gap_map(x, y, h, attributes={"units": "kg"}), "the variable h", "length")
         self.refuse_netcdf(gap_map(x, y, h, attributes={"units": "um", "scale_factor": 2.0}), "packed with scale_factor")
-        self.refuse_netcdf(gap_map(x, [20, 0], h), "y[1] = 0 mm: y falls")
+        self.refuse_netcdf(gap_map(x, [20, 0], h), "y[1] = 0 mm lies below y[0] = 20 mm")
         self.refuse_netcdf(gap_map(x, y, h)[:60], "cannot be read as NetCDF")
         self.refuse_netcdf(gap_map(x, y, h).replace(b"\0\0\0\1h\0", b"\0\0\0\1g\0"), "no variable h")
 

@@ -113,6 +113,8 @@ class FieldsForParaView(program.ProgramTest):
         self.assert_refused(self.run_program("report", "face.nc", "--vts", "none/fields"), "does not exist")
         self.assert_refused(self.run_program("report", "face.nc", "face.nc", "--vts", "fields"), "one result at a time")
         self.assert_refused(self.run_program("report", "face.nc", "--vts", "fields", "--vts-shape", "ball"), "cylinder, plane")
+        self.assert_refused(self.run_program("report", "face.nc", "--vts-shape", "plane", "--output", "page.html"),
+                            "--vts-shape", "add --vts DIR")
         self.assert_refused(self.run_program("report", "face.nc"), "--output", "--vts")
         self.assertEqual(self.names(), before)
 

@@ -12,6 +12,7 @@ const { bandOutlines, freePlace, markIndices, markPlaces } = await load('scales.
 const { kHeightColours, kMissingColour } = await load('colour_map.js');
 const { fieldCaption } = await load('around_figures.js');
 const { cellAt, cellEdges, crankAxis, ringAxis, Unrolled } = await load('unrolled.js');
+const { fieldMaps, stripMaps } = await load('around_figures.js');
 const { lengthUnit } = await load('map_figure.js');
 const { curveFigure, withoutPoints } = await load('measurement_figures.js');
 
@@ -297,6 +298,24 @@ test('crank angles of the file find their place on the axis of the charts', () =
   assert.deepEqual([0, 80, 100, 180, 360, -180, -350, -260].map((v) => axis.index(v)), [0, 0, 1, 1, 2, 3, 2, 3]);
   const few = crankAxis([0, 10]);
   assert.deepEqual([-6, -4, 4, 6, 14, 16].map((v) => few.index(v)), [-1, 0, 0, 1, 1, -1]);
+});
+
+test('one crank angle alone has a place of some degrees', () => {
+  const one = crankAxis([20]);
+  assert.deepEqual([17, 18, 20, 22, 23].map((v) => one.index(v)), [-1, 0, 0, 0, -1]);
+  assert.deepEqual([-342, -340, -338, 20].map((v) => crankAxis([380]).index(v)), [0, 0, 0, -1]);
+});
+
+test('maps over the crank angle name strokes and dead centres, other maps do not', () => {
+  const named = ['intake', 'compression', 'power', 'exhaust', 'firing TDC', 'BDC'];
+  const words = (maps) => maps.svg({ width: 900, pictures: false });
+  const ring = smallRing(0.01);
+  ring.strips = { strip_hydrodynamic_load: { longName: 'load', unit: 'N/mm', range: [0, 1] } };
+  ring.stripAngles = [20];
+  const over = words(stripMaps(ring, { ends: false, face: 2 }));
+  for (const name of named) assert.ok(over.includes(`>${name}</text>`), name);
+  const along = words(fieldMaps(ring, 0, { ends: false, own: false }));
+  for (const name of named) assert.ok(!along.includes(`>${name}</text>`), name);
 });
 
 const series = (label, x, y) => ({ caseIndex: 0, part: null, label, x, y });

@@ -1,6 +1,6 @@
 #include <cmath>
-#include <cstdio>
 
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case_fields.hpp"
 #include "ringfilm/cycle/case_rules_measured.hpp"
 #include "ringfilm/cycle/case_rules_pad.hpp"
@@ -12,12 +12,6 @@ namespace ringfilm::cycle {
 namespace {
 
 using Breaches = std::vector<RuleBreach>;
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 /// Do whole steps make one cycle? A step typed with few digits ("0.333333 degree") does not.
 bool divides_cycle(double step_deg) {
@@ -36,8 +30,8 @@ void check_field_size(const Case& c, Breaches& breaches) {
   const double angles = output.fields == FieldsWanted::kAll ? all : static_cast<double>(output.field_angles_deg.size());
   if (angles * c.solver.cells <= kMostFieldValues) return;
   breaches.push_back({"output.fields",
-                      "output.fields asks for " + number(angles) + " angles on " + number(c.solver.cells) +
-                          " cells, more than " + number(kMostFieldValues) + " values a field",
+                      "output.fields asks for " + number_text(angles) + " angles on " + number_text(c.solver.cells) +
+                          " cells, more than " + number_text(kMostFieldValues) + " values a field",
                       "list the angles that matter, for example [\"0 degree\", \"20 degree\"]"});
 }
 
@@ -45,21 +39,22 @@ void check_cavitation_pressure(const Film& film, Breaches& breaches) {
   constexpr double kHighest = 1e7;
   if (film.cavitation_pressure > kHighest) {
     breaches.push_back({"film.cavitation_pressure",
-                        "film.cavitation_pressure = " + number(film.cavitation_pressure / 1e5) + " bar is above " +
-                            number(kHighest / 1e5) + " bar",
+                        "film.cavitation_pressure = " + number_text(film.cavitation_pressure / 1e5) + " bar is above " +
+                            number_text(kHighest / 1e5) + " bar",
                         "no oil film of a ring ruptures there; give the absolute pressure of the cavity"});
   }
   if (film.cavitation_pressure >= 0) return;
-  breaches.push_back({"film.cavitation_pressure",
-                      "film.cavitation_pressure = " + number(film.cavitation_pressure / 1e5) + " bar is below zero",
-                      "pressures around a ring are absolute, for example \"1.01325 bar\""});
+  breaches.push_back(
+      {"film.cavitation_pressure",
+       "film.cavitation_pressure = " + number_text(film.cavitation_pressure / 1e5) + " bar is below zero",
+       "pressures around a ring are absolute, for example \"1.01325 bar\""});
 }
 
 void check_engine(const Case& c, Breaches& breaches) {
   if (c.engine.connecting_rod_length > c.engine.stroke / 2) return;
   breaches.push_back({"engine.connecting_rod_length",
-                      "engine.connecting_rod_length = " + number(c.engine.connecting_rod_length * 1e3) +
-                          " mm is not longer than the crank radius, " + number(c.engine.stroke * 500) + " mm",
+                      "engine.connecting_rod_length = " + number_text(c.engine.connecting_rod_length * 1e3) +
+                          " mm is not longer than the crank radius, " + number_text(c.engine.stroke * 500) + " mm",
                       "the crank could not turn; check engine.stroke and engine.connecting_rod_length"});
 }
 
@@ -81,8 +76,8 @@ void check_wiebe(const Gas& gas, Breaches& breaches) {
 void check_trace(const Gas& gas, Breaches& breaches) {
   const auto& angles = gas.cylinder_pressure.crank_angle_deg;
   if (angles.empty() || models::covers_cycle(angles)) return;
-  const std::string span =
-      "the trace covers only " + number(angles.front()) + " to " + number(angles.back()) + " degree of the cycle, and ";
+  const std::string span = "the trace covers only " + number_text(angles.front()) + " to " +
+                           number_text(angles.back()) + " degree of the cycle, and ";
   const std::string remedy = " is wanted to join the rest smoothly, for example ";
   if (!gas.intake_pressure) {
     breaches.push_back({"gas.intake_pressure", span + "gas.intake_pressure is not stated",
@@ -126,9 +121,9 @@ void check_face_points(const Ring& ring, Breaches& breaches) {
   const RingFace& face = ring.face;
   if (face.x.empty() || (face.x.front() <= 0 && face.x.back() >= ring.face_width)) return;
   breaches.push_back({"ring.face.file",
-                      "the points of the face run from x = " + number(face.x.front() * 1e3) + " to " +
-                          number(face.x.back() * 1e3) + " mm and do not cover the face width of " +
-                          number(ring.face_width * 1e3) + " mm",
+                      "the points of the face run from x = " + number_text(face.x.front() * 1e3) + " to " +
+                          number_text(face.x.back() * 1e3) + " mm and do not cover the face width of " +
+                          number_text(ring.face_width * 1e3) + " mm",
                       "points are wanted from x = 0 to ring.face_width; no height is invented beyond them"});
 }
 
@@ -139,8 +134,8 @@ void check_measured_width(const Ring& ring, Breaches& breaches) {
   if (!fitted || std::abs(ring.face_width - *fitted) <= kRounding * *fitted) return;
   breaches.push_back(
       {"ring.face_width",
-       "ring.face_width = " + number(ring.face_width * 1e3) + " mm, but the face was fitted over " +
-           number(*fitted * 1e3) + " mm (ring.face.measured.width)",
+       "ring.face_width = " + number_text(ring.face_width * 1e3) + " mm, but the face was fitted over " +
+           number_text(*fitted * 1e3) + " mm (ring.face.measured.width)",
        "state the width that was measured, or fit the trace again over this one: ringfilm face --width"});
 }
 
@@ -151,12 +146,12 @@ void check_points(const std::string& key, const std::vector<TemperatureValue>& p
                   Breaches& breaches) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].temperature == points[i - 1].temperature) {
-      breaches.push_back(
-          {key, key + " has two values at " + number(points[i].temperature - 273.15) + " degC", "keep one of them"});
+      breaches.push_back({key, key + " has two values at " + number_text(points[i].temperature - 273.15) + " degC",
+                          "keep one of them"});
     } else if (trend == Trend::kFalling && points[i].value >= points[i - 1].value) {
       breaches.push_back({key,
-                          key + " does not fall from " + number(points[i - 1].temperature - 273.15) + " to " +
-                              number(points[i].temperature - 273.15) + " degC",
+                          key + " does not fall from " + number_text(points[i - 1].temperature - 273.15) + " to " +
+                              number_text(points[i].temperature - 273.15) + " degC",
                           "the viscosity of an oil falls with temperature; are two values exchanged?"});
     }
   }
@@ -166,7 +161,7 @@ void check_points(const std::string& key, const std::vector<TemperatureValue>& p
 void check_density(const Lubricant& oil, Breaches& breaches) {
   const auto refuse_unless_oil = [&breaches](double density) {
     if (density > 100 && density < 5000) return;
-    breaches.push_back({"lubricant.density", "lubricant.density = " + number(density) + " kg/m3 is out of range",
+    breaches.push_back({"lubricant.density", "lubricant.density = " + number_text(density) + " kg/m3 is out of range",
                         "allowed is above 100 to below 5000 kg/m3"});
   };
   if (oil.constant_density) refuse_unless_oil(*oil.constant_density);
@@ -192,7 +187,7 @@ void check_laws(const Lubricant& oil, Breaches& breaches) {
 
 void check_angles(const Case& c, Breaches& breaches) {
   const auto refuse_step = [&breaches](const std::string& key, double step_deg) {
-    breaches.push_back({key, key + " = " + number(step_deg) + " degree does not divide the cycle of 720 degrees",
+    breaches.push_back({key, key + " = " + number_text(step_deg) + " degree does not divide the cycle of 720 degrees",
                         "whole steps must make a cycle, for example \"1 degree\" or \"0.5 degree\""});
   };
   if (!divides_cycle(c.solver.crank_step_deg)) refuse_step("solver.crank_step", c.solver.crank_step_deg);

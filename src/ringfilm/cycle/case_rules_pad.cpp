@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/case_rules_sheet.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -13,14 +15,6 @@ using Breaches = std::vector<RuleBreach>;
 constexpr double kMostSteps = 1e6;
 /// Rows of the CSV file, some 80 bytes each; values of a field.
 constexpr double kMostRows = 1e7;
-/// Of a film in two dimensions: its solver needs about a kilobyte for each.
-constexpr double kMostNodes = 2e6;
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 void check_what_is_given(const Pad& pad, Breaches& breaches) {
   std::vector<std::string> given;
@@ -53,16 +47,16 @@ bool check_gap(const Pad& pad, Breaches& breaches) {
   const bool is_long = covers(pad.gap_x, pad.length), is_wide = !is_map || covers(pad.gap_y, *pad.width);
   if (!is_long) {
     breaches.push_back({"pad.gap",
-                        "the points of the gap run from x = " + number(pad.gap_x.front() * 1e3) + " to " +
-                            number(pad.gap_x.back() * 1e3) + " mm, the pad from 0 to " + number(pad.length * 1e3) +
-                            " mm",
+                        "the points of the gap run from x = " + number_text(pad.gap_x.front() * 1e3) + " to " +
+                            number_text(pad.gap_x.back() * 1e3) + " mm, the pad from 0 to " +
+                            number_text(pad.length * 1e3) + " mm",
                         "points are wanted from x = 0 to pad.length, both included"});
   }
   if (!is_wide) {
     breaches.push_back({"pad.gap",
-                        "the rows of the gap run from y = " + number(pad.gap_y.front() * 1e3) + " to " +
-                            number(pad.gap_y.back() * 1e3) + " mm, the pad from 0 to " + number(*pad.width * 1e3) +
-                            " mm",
+                        "the rows of the gap run from y = " + number_text(pad.gap_y.front() * 1e3) + " to " +
+                            number_text(pad.gap_y.back() * 1e3) + " mm, the pad from 0 to " +
+                            number_text(*pad.width * 1e3) + " mm",
                         "rows are wanted from y = 0 to pad.width, both included"});
   }
   return is_long && is_wide;
@@ -76,11 +70,11 @@ void check_joined_gap(const Pad& pad, Breaches& breaches) {
   for (std::size_t i = 0; i < n_x; ++i) {
     const double front = pad.gap_height[i], back = pad.gap_height[last + i];
     if (std::abs(front - back) <= kRounding * std::max(std::abs(front), std::abs(back))) continue;
-    breaches.push_back(
-        {"pad.sides",
-         "pad.sides = \"periodic\" joins the sides of the pad, and at x = " + number(pad.gap_x[i] * 1e3) +
-             " mm the gap is " + number(front * 1e6) + " um at y = 0 and " + number(back * 1e6) + " um at y = width",
-         "give the map the same first and last row, or take open or closed sides"});
+    breaches.push_back({"pad.sides",
+                        "pad.sides = \"periodic\" joins the sides of the pad, and at x = " +
+                            number_text(pad.gap_x[i] * 1e3) + " mm the gap is " + number_text(front * 1e6) +
+                            " um at y = 0 and " + number_text(back * 1e6) + " um at y = width",
+                        "give the map the same first and last row, or take open or closed sides"});
     return;
   }
 }
@@ -93,9 +87,9 @@ void check_edge_pressures(const Case& c, Breaches& breaches) {
   const auto check = [&](const char* key, double pressure) {
     if (pressure >= c.film.cavitation_pressure) return;
     breaches.push_back({key,
-                        std::string(key) + " = " + number(pressure / 1e5) +
-                            " bar is below film.cavitation_pressure = " + number(c.film.cavitation_pressure / 1e5) +
-                            " bar: the film cannot be full there",
+                        std::string(key) + " = " + number_text(pressure / 1e5) +
+                            " bar is below film.cavitation_pressure = " +
+                            number_text(c.film.cavitation_pressure / 1e5) + " bar: the film cannot be full there",
                         "raise it, or lower film.cavitation_pressure"});
   };
   check("pad.left_pressure", pad.left_pressure);
@@ -108,20 +102,21 @@ void check_edge_pressures(const Case& c, Breaches& breaches) {
 void check_film(const Pad& pad, Breaches& breaches) {
   const auto lowest = std::min_element(pad.gap_height.begin(), pad.gap_height.end());
   const std::size_t k = lowest - pad.gap_height.begin(), n_x = pad.gap_x.size();
-  std::string place = "at x = " + number(pad.gap_x[k % n_x] * 1e3) + " mm";
-  if (!pad.gap_y.empty()) place += ", y = " + number(pad.gap_y[k / n_x] * 1e3) + " mm";
-  place += " the gap is " + number(*lowest * 1e6) + " um";
+  std::string place = "at x = " + number_text(pad.gap_x[k % n_x] * 1e3) + " mm";
+  if (!pad.gap_y.empty()) place += ", y = " + number_text(pad.gap_y[k / n_x] * 1e3) + " mm";
+  place += " the gap is " + number_text(*lowest * 1e6) + " um";
   const std::string remedy = "the separation adds to the gap, and their sum must be above zero everywhere";
   if (pad.separation && !(*lowest + *pad.separation > 0)) {
     breaches.push_back({"pad.separation",
-                        place + ", with pad.separation = " + number(*pad.separation * 1e6) + " um no film is left",
+                        place + ", with pad.separation = " + number_text(*pad.separation * 1e6) + " um no film is left",
                         remedy});
   }
   const auto closest = std::min_element(pad.history_separation.begin(), pad.history_separation.end());
   if (closest != pad.history_separation.end() && !(*lowest + *closest > 0)) {
     breaches.push_back({"pad.separation_history",
-                        place + ", with the separation of " + number(*closest * 1e6) + " um at " +
-                            number(pad.history_time[closest - pad.history_separation.begin()]) + " s no film is left",
+                        place + ", with the separation of " + number_text(*closest * 1e6) + " um at " +
+                            number_text(pad.history_time[closest - pad.history_separation.begin()]) +
+                            " s no film is left",
                         remedy});
   }
 }
@@ -139,10 +134,10 @@ double most_nodes(const Case& c) {
 }
 
 void check_nodes(const Case& c, Breaches& breaches) {
-  if (!c.pad.width || most_nodes(c) <= kMostNodes) return;
+  if (!c.pad.width || most_nodes(c) <= kMostSheetNodes) return;
   breaches.push_back({"solver.cells_y",
                       "solver.cells and solver.cells_y, with the steps of the gap, make a grid of " +
-                          number(most_nodes(c)) + " nodes, more than " + number(kMostNodes),
+                          number_text(most_nodes(c)) + " nodes, more than " + number_text(kMostSheetNodes),
                       "take fewer cells in one direction or both"});
 }
 
@@ -151,27 +146,27 @@ void check_times(const Case& c, Breaches& breaches) {
   const double begin = pad.history_time.front(), end = pad.last_time();
   if (!(end > begin) || end > pad.history_time.back()) {
     breaches.push_back({"pad.end_time",
-                        "pad.end_time = " + number(end) + " s does not lie in the history, which runs from " +
-                            number(begin) + " to " + number(pad.history_time.back()) + " s",
+                        "pad.end_time = " + number_text(end) + " s does not lie in the history, which runs from " +
+                            number_text(begin) + " to " + number_text(pad.history_time.back()) + " s",
                         "choose an end after the first and not after the last time of the history"});
     return;
   }
   const double steps = std::ceil((end - begin) / pad.time_step);
   if (steps > kMostSteps) {
-    breaches.push_back({"pad.time_step", "pad.time_step asks for " + number(steps) + " steps",
-                        "at the most " + number(kMostSteps) + " are marched; take a longer step"});
+    breaches.push_back({"pad.time_step", "pad.time_step asks for " + number_text(steps) + " steps",
+                        "at the most " + number_text(kMostSteps) + " are marched; take a longer step"});
     return;
   }
   const double every = pad.output_step ? *pad.output_step / pad.time_step : 1;
   if (every < 1 - 1e-6 || std::abs(every - std::round(every)) > 1e-6 * every) {
     breaches.push_back({"pad.output_step",
-                        "pad.output_step = " + number(*pad.output_step) + " s is no whole number of time steps of " +
-                            number(pad.time_step) + " s",
+                        "pad.output_step = " + number_text(*pad.output_step) +
+                            " s is no whole number of time steps of " + number_text(pad.time_step) + " s",
                         "take one, two, three ... times pad.time_step"});
   } else if (steps / every * most_nodes(c) > kMostRows) {
     breaches.push_back({pad.output_step ? "pad.output_step" : "pad.time_step",
-                        "the result would hold " + number(std::ceil(steps / every)) + " instants of " +
-                            number(most_nodes(c)) + " nodes, more than " + number(kMostRows) + " rows",
+                        "the result would hold " + number_text(std::ceil(steps / every)) + " instants of " +
+                            number_text(most_nodes(c)) + " nodes, more than " + number_text(kMostRows) + " rows",
                         "keep fewer instants with a longer pad.output_step"});
   }
 }

@@ -1,9 +1,10 @@
 #include "ringfilm/cycle/case_rules_unrolled.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/case_rules_sheet.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/cycle/march_film.hpp"
 
@@ -12,19 +13,11 @@ namespace {
 
 using Breaches = std::vector<RuleBreach>;
 
-/// The solver needs about a kilobyte for each.
-constexpr double kMostNodes = 2e6;
 /// Four fields of four bytes each are kept at every node: 320 MB, and while the result is written two copies more.
 constexpr double kMostFieldValues = 2e7;
 constexpr double kBytesOfFields = 4 * 4;
 /// Sums of a strip that are kept at every angle with output.reduction = "along-face".
 constexpr double kMostStripValues = 1e7;
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 double strips(const Case& c) { return c.ring.end_gap ? c.solver.cells_y + 1 : c.solver.cells_y; }
 
@@ -42,9 +35,9 @@ void check_method(const Case& c, Breaches& breaches) {
 bool check_gap(const Case& c, Breaches& breaches) {
   if (c.ring_length() > 0) return true;
   breaches.push_back({"ring.end_gap",
-                      "ring.end_gap = " + number(*c.ring.end_gap * 1e3) +
+                      "ring.end_gap = " + number_text(*c.ring.end_gap * 1e3) +
                           " mm is not below the circumference of the bore, " +
-                          number(std::numbers::pi * c.engine.bore * 1e3) + " mm",
+                          number_text(std::numbers::pi * c.engine.bore * 1e3) + " mm",
                       "state the gap between the ends of the ring in the bore, for example \"0.3 mm\""});
   return false;
 }
@@ -72,12 +65,13 @@ int cells_that_would_do(const Case& c) {
 void check_end_cell_reached(const Case& c, Breaches& breaches) {
   const double reached = length_of_end_cell(c, c.solver.cells_y);
   if (reached <= std::max(c.ring.face_width, kEndCellMissed * c.end_cell())) return;
-  breaches.push_back(
-      {"solver.cells_y",
-       "solver.cells_y = " + number(c.solver.cells_y) + " makes the cells at the ends of the gap " +
-           number(reached * 1e3) + " mm long, more than the face is wide, " + number(c.ring.face_width * 1e3) + " mm",
-       "take " + number(cells_that_would_do(c)) + " or more: cells grow by at most 1.3 times each from " +
-           number(c.end_cell() * 1e6) + " um at the ends"});
+  breaches.push_back({"solver.cells_y",
+                      "solver.cells_y = " + number_text(c.solver.cells_y) + " makes the cells at the ends of the gap " +
+                          number_text(reached * 1e3) + " mm long, more than the face is wide, " +
+                          number_text(c.ring.face_width * 1e3) + " mm",
+                      "take " + number_text(cells_that_would_do(c)) +
+                          " or more: cells grow by at most 1.3 times each from " + number_text(c.end_cell() * 1e6) +
+                          " um at the ends"});
 }
 
 void check_end_cell(const Case& c, Breaches& breaches) {
@@ -85,19 +79,20 @@ void check_end_cell(const Case& c, Breaches& breaches) {
   if (!c.ring.end_gap) return;
   if (c.end_cell() <= longest) return check_end_cell_reached(c, breaches);
   breaches.push_back({"solver.end_cell",
-                      "solver.end_cell = " + number(c.end_cell() * 1e6) + " um is longer than " +
-                          number(c.solver.cells_y) + " cells that are all alike, " + number(longest * 1e6) + " um",
+                      "solver.end_cell = " + number_text(c.end_cell() * 1e6) + " um is longer than " +
+                          number_text(c.solver.cells_y) + " cells that are all alike, " + number_text(longest * 1e6) +
+                          " um",
                       "cells are shortest at the ends of the gap: state a shorter one, or fewer solver.cells_y"});
 }
 
 /// @returns whether they are few enough
 bool check_nodes(const Case& c, Breaches& breaches) {
   const double nodes = (c.solver.cells + 1.0) * strips(c);
-  if (nodes <= kMostNodes) return true;
+  if (nodes <= kMostSheetNodes) return true;
   breaches.push_back({"solver.cells_y",
-                      "solver.cells = " + number(c.solver.cells) + " and solver.cells_y = " + number(c.solver.cells_y) +
-                          " make " + number(nodes) + " nodes, more than " + number(kMostNodes) +
-                          ", of which each takes about a kilobyte",
+                      "solver.cells = " + number_text(c.solver.cells) + " and solver.cells_y = " +
+                          number_text(c.solver.cells_y) + " make " + number_text(nodes) + " nodes, more than " +
+                          number_text(kMostSheetNodes) + ", of which each takes about a kilobyte",
                       "take fewer cells; 200 by 180 are usual"});
   return false;
 }
@@ -111,17 +106,18 @@ void check_fields(const Case& c, Breaches& breaches) {
   if (output.reduction == FieldReduction::kAlongFace) {
     if (angles * strips(c) <= kMostStripValues) return;
     breaches.push_back({"output.fields",
-                        "output.fields asks for " + number(angles) + " angles of " + number(strips(c)) +
-                            " strips, more than " + number(kMostStripValues) + " values a field",
+                        "output.fields asks for " + number_text(angles) + " angles of " + number_text(strips(c)) +
+                            " strips, more than " + number_text(kMostStripValues) + " values a field",
                         "list the angles that matter, for example [\"0 degree\", \"20 degree\"]"});
     return;
   }
   const double values = angles * (c.solver.cells + 1.0) * strips(c);
   if (values <= kMostFieldValues) return;
   breaches.push_back({"output.fields",
-                      "output.fields asks for " + number(angles) + " angles of " + number(c.solver.cells + 1) + " x " +
-                          number(strips(c)) + " nodes, which take " + number(values * kBytesOfFields / 1e6) +
-                          " MB of memory; allowed are " + number(kMostFieldValues * kBytesOfFields / 1e6) + " MB",
+                      "output.fields asks for " + number_text(angles) + " angles of " +
+                          number_text(c.solver.cells + 1) + " x " + number_text(strips(c)) + " nodes, which take " +
+                          number_text(values * kBytesOfFields / 1e6) + " MB of memory; allowed are " +
+                          number_text(kMostFieldValues * kBytesOfFields / 1e6) + " MB",
                       "list the angles that matter, for example [\"0 degree\", \"20 degree\"], or keep what each "
                       "strip sums up to: output.reduction = \"along-face\""});
 }

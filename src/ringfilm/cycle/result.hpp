@@ -90,6 +90,8 @@ struct UnrolledSample {
   double ends_share_flow = 0;      ///< the same of the oil flow at the middle section; NaN where that is 0 [-]
   double gap_leakage_low_end = 0, gap_leakage_high_end = 0;  ///< of it, through y = 0 and y = length [kg/s]
   double oil_flow_without_ends = 0;  ///< at the middle section, if all were like the strip opposite the gap [kg/s]
+  /// Load [N] and total friction [N] likewise: what the shares over the cycle are made of; in no file.
+  double load_without_ends = 0, friction_without_ends = 0;
 };
 
 struct UnrolledQuantity : Quantity {

@@ -28,11 +28,11 @@ FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) 
           -f.flow_left,     width - end,         width - begin};
 }
 
-double boundary_friction(const Contact& contact, const film::FilmIntegrals& f) {
-  return contact.eyring_shear_stress * f.asperity_area + contact.boundary_shear_strength_coefficient * f.asperity_load;
-}
-
 }  // namespace
+
+double boundary_friction(const Contact& contact, double load, double area) {
+  return contact.eyring_shear_stress * area + contact.boundary_shear_strength_coefficient * load;
+}
 
 Sample sample(const Setup& setup, const March& march, const Instant& instant, const film::FilmIntegrals& integrals) {
   const double length = setup.input.ring_length();
@@ -57,7 +57,8 @@ Sample sample(const Setup& setup, const March& march, const Instant& instant, co
   s.min_film_thickness = instant.state->h_m;
   s.film_parameter = instant.state->h_m / setup.sigma;
   s.asperity_contact_area = integrals.asperity_area * length;
-  s.boundary_friction = boundary_friction(setup.input.contact, integrals) * length;
+  s.boundary_friction =
+      boundary_friction(setup.input.contact, integrals.asperity_load, integrals.asperity_area) * length;
   s.viscous_friction_liner = (f.shear_couette + f.shear_poiseuille) * length;
   s.viscous_friction_ring = (f.shear_couette - f.shear_poiseuille) * length;
   s.viscous_friction = std::abs(s.viscous_friction_liner);
@@ -97,7 +98,7 @@ void append_fields(const Setup& setup, const March& march, const Instant& instan
   const film::FilmProblem& problem = march.problem();
   const film::FilmState& state = *instant.state;
   const int n = problem.grid.n_cells();
-  const int strip = march.sheet() == nullptr ? 0 : march.sheet()->around.n_strips() / 2;
+  const int strip = march.sheet() == nullptr ? 0 : march.sheet()->around.halfway();
   fields.crank_angle_deg.push_back(instant.crank_angle_deg);
   for (int k = 0; k <= n; ++k) {
     const int i = instant.axis == Axis::kFromChamber ? k : n - k;

@@ -5,6 +5,10 @@
 
 namespace ringfilm::cycle {
 
+/// Friction of what touches [N/m], eq-boundary-friction.
+/// @param load of it [N/m] @param area of it [m2/m]
+double boundary_friction(const Contact& contact, double load, double area);
+
 /// Every quantity of one solved instant, for the whole ring.
 /// @param integrals of the instant's state, of an unrolled film its means
 Sample sample(const Setup& setup, const March& march, const Instant& instant, const film::FilmIntegrals& integrals);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "ringfilm/cycle/kinematics.hpp"
+#include "ringfilm/cycle/sampling.hpp"
 #include "ringfilm/film/cavitation.hpp"
 
 namespace ringfilm::cycle {
@@ -16,17 +17,12 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// The part of `whole` that is not there if all of the ring is like its strip halfway; NaN where there is no whole.
 double share_of_ends(double whole, double without_ends) { return whole == 0 ? kNone : 1 - without_ends / whole; }
 
-const sheet::StripIntegrals& strip_halfway(const sheet::SheetIntegrals& integrals) {
-  return integrals.strips[integrals.strips.size() / 2];
-}
-
 double flow_from_chamber(double flow_middle, Axis axis) {
   return axis == Axis::kFromChamber ? flow_middle : -flow_middle;
 }
 
 double total_friction(const Contact& contact, const sheet::StripIntegrals& strip, double asperity_area) {
-  return contact.eyring_shear_stress * asperity_area +
-         contact.boundary_shear_strength_coefficient * strip.asperity_load +
+  return boundary_friction(contact, strip.asperity_load, asperity_area) +
          std::abs(strip.shear_couette + strip.shear_poiseuille);
 }
 
@@ -34,25 +30,26 @@ double total_friction(const Contact& contact, const sheet::StripIntegrals& strip
 
 UnrolledSample unrolled_sample(const Setup& setup, const March& march, const Instant& instant,
                                const sheet::SheetIntegrals& integrals, const Sample& whole) {
-  const double length = march.sheet()->around.length;
-  const sheet::StripIntegrals& strip = strip_halfway(integrals);
+  const sheet::Around& around = march.sheet()->around;
+  const double length = around.length;
+  const sheet::StripIntegrals& strip = integrals.strips.at(around.halfway());
   UnrolledSample s;
   s.gap_leakage_low_end = integrals.flow_low;
   s.gap_leakage_high_end = integrals.flow_high;
   s.gap_leakage = integrals.flow_low + integrals.flow_high;
   s.oil_flow_without_ends = flow_from_chamber(strip.flow_middle, instant.axis) * length;
-  s.ends_share_load = share_of_ends(whole.hydrodynamic_load + whole.asperity_load,
-                                    (strip.hydrodynamic_load + strip.asperity_load) * length);
+  s.load_without_ends = (strip.hydrodynamic_load + strip.asperity_load) * length;
+  s.ends_share_load = share_of_ends(whole.hydrodynamic_load + whole.asperity_load, s.load_without_ends);
   // One separation: spots of contact cover as much of each strip.
-  const double friction = total_friction(setup.input.contact, strip, integrals.mean.asperity_area);
-  s.ends_share_friction = share_of_ends(whole.total_friction, friction * length);
+  s.friction_without_ends = total_friction(setup.input.contact, strip, integrals.mean.asperity_area) * length;
+  s.ends_share_friction = share_of_ends(whole.total_friction, s.friction_without_ends);
   s.ends_share_flow = share_of_ends(whole.oil_flow_middle, s.oil_flow_without_ends);
   return s;
 }
 
 UnrolledValues unrolled_values(const std::vector<Sample>& whole, const std::vector<UnrolledSample>& samples) {
   UnrolledValues v;
-  double load = 0, load_of_ends = 0, power = 0, power_of_ends = 0, flow = 0, flow_without_ends = 0;
+  double load = 0, load_without_ends = 0, power = 0, power_without_ends = 0, flow = 0, flow_without_ends = 0;
   for (std::size_t k = 0; k < whole.size(); ++k) {
     const UnrolledSample& s = samples[k];
     v.mean_gap_leakage += s.gap_leakage;
@@ -61,11 +58,10 @@ UnrolledValues unrolled_values(const std::vector<Sample>& whole, const std::vect
       v.peak_gap_leakage = s.gap_leakage;
       v.peak_gap_leakage_angle = whole[k].crank_angle_deg;
     }
-    const double carried = whole[k].hydrodynamic_load + whole[k].asperity_load;
-    load += carried;
-    load_of_ends += s.ends_share_load * carried;
+    load += whole[k].hydrodynamic_load + whole[k].asperity_load;
+    load_without_ends += s.load_without_ends;
     power += whole[k].power_loss;
-    power_of_ends += s.ends_share_friction * whole[k].power_loss;
+    power_without_ends += s.friction_without_ends * std::abs(whole[k].piston_velocity);
     flow += std::abs(whole[k].oil_flow_middle);
     flow_without_ends += std::abs(s.oil_flow_without_ends);
   }
@@ -73,8 +69,8 @@ UnrolledValues unrolled_values(const std::vector<Sample>& whole, const std::vect
   v.mean_gap_leakage /= n;
   v.mean_absolute_gap_leakage /= n;
   v.gap_leakage_share = flow == 0 ? kNone : v.mean_absolute_gap_leakage / (flow / n);
-  v.ends_share_mean_load = load_of_ends / load;
-  v.ends_share_friction_power = power_of_ends / power;
+  v.ends_share_mean_load = share_of_ends(load, load_without_ends);
+  v.ends_share_friction_power = share_of_ends(power, power_without_ends);
   v.ends_share_absolute_flow = share_of_ends(flow, flow_without_ends);
   return v;
 }

@@ -115,6 +115,7 @@ class Parser {
       if (called == "scale_factor" || called == "add_offset") variable.packed_by = called;
       if ((called == "_FillValue" || called == "missing_value") && type != kChar && many == 1) {
         variable.missing.push_back(number(type, value));
+        variable.has_fill = variable.has_fill || called == "_FillValue";
       }
     }
   }
@@ -135,6 +136,7 @@ class Parser {
     read_attributes(variable);
     const std::uint32_t type = word();
     const std::size_t size = size_of(type);
+    variable.add_default_fill(static_cast<int>(type));
     count();  // size in the file, which the lengths tell as well
     const std::uint64_t begin = whole_number(take(version_ == 1 ? 4 : 8));
     variable.values = [bytes = bytes_, type, size, begin, values] {

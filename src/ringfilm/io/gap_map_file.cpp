@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ringfilm/io/csv_quantity.hpp"
@@ -115,26 +116,52 @@ void check_number(const std::string& name, std::size_t n, const SourceMark& mark
 
 }  // namespace
 
-void check_gap_places(const std::string& name, const std::vector<double>& places,
-                      const std::function<SourceMark(std::size_t)>& mark_of, std::vector<Fault>& faults) {
+std::optional<WrongPlace> wrong_place(const std::vector<double>& places) {
   const std::size_t n = places.size();
   for (std::size_t i = 1; i < n; ++i) {
-    if (places[i] < places[i - 1]) {
-      faults.push_back(
-          {mark_of(i), name + " falls from the row before to this one", name + " must not fall from row to row"});
-      return;
-    }
+    if (places[i] < places[i - 1]) return WrongPlace{i, PlaceFault::kFalls};
     if (places[i] != places[i - 1]) continue;
-    if (i >= 2 && places[i - 2] == places[i]) {
-      faults.push_back({mark_of(i), "this " + name + " comes three times",
-                        "the same " + name + " twice is a step; keep two of them"});
-      return;
-    }
-    if (i == 1 || i + 1 == n) {
+    if (i >= 2 && places[i - 2] == places[i]) return WrongPlace{i, PlaceFault::kThreeTimes};
+    if (i == 1 || i + 1 == n) return WrongPlace{i, PlaceFault::kStepAtEnd};
+  }
+  return std::nullopt;
+}
+
+void check_gap_column(const std::string& name, const std::vector<double>& places,
+                      const std::function<SourceMark(std::size_t)>& mark_of, std::vector<Fault>& faults) {
+  const auto wrong = wrong_place(places);
+  if (!wrong) return;
+  const SourceMark mark = mark_of(wrong->index);
+  switch (wrong->fault) {
+    case PlaceFault::kFalls:
       faults.push_back(
-          {mark_of(i), "a step at an end of the pad", "a step is wanted inside, with a gap on both sides"});
+          {mark, name + " falls from the row before to this one", name + " must not fall from row to row"});
       return;
-    }
+    case PlaceFault::kThreeTimes:
+      faults.push_back({mark, fmt::format("this {} comes three times", name),
+                        fmt::format("the same {} twice is a step; keep two of them", name)});
+      return;
+    case PlaceFault::kStepAtEnd:
+      faults.push_back({mark, "a step at an end of the pad", "a step is wanted inside, with a gap on both sides"});
+      return;
+  }
+}
+
+std::optional<std::size_t> implausible_height(const std::vector<double>& heights) {
+  const auto found =
+      std::find_if(heights.begin(), heights.end(), [](double height) { return std::abs(height) > kLargestGap; });
+  return found == heights.end() ? std::nullopt : std::optional<std::size_t>(found - heights.begin());
+}
+
+std::string implausible_height_text(double height) {
+  return fmt::format("a gap of {:.6g} m is no gap of an oil film", height);
+}
+
+void check_height_column(const CsvFile& csv, const std::string& name, const std::vector<double>& heights,
+                         std::vector<Fault>& faults) {
+  if (const auto k = implausible_height(heights)) {
+    faults.push_back(
+        {csv.cell_mark(*k, *csv.find(name)), implausible_height_text(heights[*k]), kImplausibleHeightRemedy});
   }
 }
 
@@ -143,6 +170,7 @@ GapMap gap_map_of(const CsvFile& csv, const Units& units) {
   const std::string word = !csv.find("h") && csv.find("height") ? "height" : "h";
   const Column x = column_of(csv, "x", "x [mm]", units, faults), y = column_of(csv, "y", "y [mm]", units, faults);
   const Column h = column_of(csv, word, word + " [um]", units, faults);
+  check_height_column(csv, word, h.values, faults);
   if (!faults.empty()) throw InputError(faults);
   // Where y runs first, x stays.
   std::size_t turn = 1;
@@ -156,9 +184,9 @@ GapMap gap_map_of(const CsvFile& csv, const Units& units) {
   for (std::size_t k = 0; k < m; ++k) second.push_back(across.values[k * n]);
   check_number(along.name, n, csv.source.mark(0), faults);
   check_number(across.name, m, csv.source.mark(0), faults);
-  check_gap_places(
+  check_gap_column(
       along.name, first, [&](std::size_t i) { return csv.cell_mark(i, along.index); }, faults);
-  check_gap_places(
+  check_gap_column(
       across.name, second, [&](std::size_t i) { return csv.cell_mark(i * n, across.index); }, faults);
   if (!faults.empty()) throw InputError(faults);
   if (!y_runs_first) return {first, second, h.values};

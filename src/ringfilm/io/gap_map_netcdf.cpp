@@ -66,8 +66,12 @@ class OpenFile {
       if (nc_inq_attlen(file_, variable, mark, &size) == NC_NOERR && size == 1 &&
           nc_get_att_double(file_, variable, mark, &missing) == NC_NOERR) {
         found.missing.push_back(missing);
+        found.has_fill = found.has_fill || mark == std::string_view("_FillValue");
       }
     }
+    nc_type type = 0;
+    check(nc_inq_vartype(file_, variable, &type), name);
+    found.add_default_fill(type);
     found.values = [this, variable, name, all] {
       std::vector<double> values(all);
       check(nc_get_var_double(file_, variable, values.data()), name);
@@ -206,18 +210,23 @@ void check_axis(const std::string& shown, const std::string& name, const std::ve
     faults.push_back({mark, name + " has a value that is missing or not finite", "give every place a number"});
     return;
   }
-  std::vector<Fault> found;
-  check_gap_places(
-      name, places,
-      [&](std::size_t i) {
-        return SourceMark{shown, static_cast<int>(i), 0, ""};
-      },
-      found);
-  for (const Fault& fault : found) {
-    faults.push_back({mark,
-                      fmt::format("{}[{}] = {:.6g} mm: {}", name, fault.mark.line,
-                                  1e3 * places[static_cast<std::size_t>(fault.mark.line)], fault.message),
-                      fault.remedy});
+  const auto wrong = wrong_place(places);
+  if (!wrong) return;
+  const auto fault = [&](const std::string& what, const std::string& remedy) {
+    faults.push_back(
+        {mark, fmt::format("{}[{}] = {:.6g} mm {}", name, wrong->index, 1e3 * places[wrong->index], what), remedy});
+  };
+  switch (wrong->fault) {
+    case PlaceFault::kFalls:
+      fault(fmt::format("lies below {}[{}] = {:.6g} mm", name, wrong->index - 1, 1e3 * places[wrong->index - 1]),
+            fmt::format("store {} so that it rises, and h in the same order", name));
+      return;
+    case PlaceFault::kThreeTimes:
+      fault("comes three times", fmt::format("the same {} twice is a step; keep two of them", name));
+      return;
+    case PlaceFault::kStepAtEnd:
+      fault("is a step at an end of the pad", "a step is wanted inside, with a gap on both sides");
+      return;
   }
 }
 
@@ -239,12 +248,15 @@ GapMapFile read_gap_netcdf(const NamedFile& file, const Units& units) {
   std::vector<Fault> faults;
   check_axis(file.shown, "x", map.x, faults);
   check_axis(file.shown, "y", map.y, faults);
+  const auto at = [&map](std::size_t k) {
+    return fmt::format("at x = {:.6g} mm, y = {:.6g} mm", 1e3 * map.x[k % map.x.size()], 1e3 * map.y[k / map.x.size()]);
+  };
+  const SourceMark mark{file.shown, 0, 0, ""};
   if (const auto k = hole(map.height); k && faults.empty()) {
-    faults.push_back(
-        {{file.shown, 0, 0, ""},
-         fmt::format("the map has a hole at x = {:.6g} mm, y = {:.6g} mm: the value is missing or not finite",
-                     1e3 * map.x[*k % map.x.size()], 1e3 * map.y[*k / map.x.size()]),
-         "give every point a height"});
+    faults.push_back({mark, fmt::format("the map has a hole {}: the value is missing or not finite", at(*k)),
+                      "give every point a height"});
+  } else if (const auto thick = implausible_height(map.height); thick && faults.empty()) {
+    faults.push_back({mark, at(*thick) + ": " + implausible_height_text(map.height[*thick]), kImplausibleHeightRemedy});
   }
   if (!faults.empty()) throw InputError(faults);
   return read;

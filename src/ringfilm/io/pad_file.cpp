@@ -12,7 +12,9 @@ namespace {
 std::vector<double> thickness_column(const CsvFile& csv, const std::string& word, const Units& units,
                                      std::vector<Fault>& faults) {
   const std::string name = !csv.find("h") && csv.find(word) ? word : "h";
-  return quantity_column(csv, name, "m", name + " [um]", units, faults);
+  std::vector<double> values = quantity_column(csv, name, "m", name + " [um]", units, faults);
+  check_height_column(csv, name, values, faults);
+  return values;
 }
 
 }  // namespace
@@ -32,7 +34,7 @@ GapFile read_gap(const NamedFile& file, const Units& units) {
   gap.x = quantity_column(csv, "x", "m", "x [mm]", units, faults);
   gap.height = thickness_column(csv, "height", units, faults);
   std::vector<Fault> of_places;
-  check_gap_places(
+  check_gap_column(
       "x", gap.x, [&](std::size_t i) { return csv.cell_mark(i, *csv.find("x")); }, of_places);
   constexpr std::size_t kAlongX = 2;  // columns
   if (!of_places.empty() && faults.empty() && csv.columns.size() > kAlongX) {

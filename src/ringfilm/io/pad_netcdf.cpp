@@ -10,11 +10,10 @@ namespace {
 
 constexpr long kPadSchema = 1;
 
-void write_numbers(ResultFileWriter& file, const std::vector<pad::PadQuantity>& quantities,
-                   const std::vector<pad::Sample>& samples) {
-  for (const pad::PadQuantity& quantity : quantities) {
+void write_numbers(ResultFileWriter& file, const pad::PadResult& result) {
+  for (const pad::PadQuantity& quantity : pad::told_quantities(result)) {
     std::vector<double> values;
-    for (const pad::Sample& sample : samples) values.push_back(sample.*quantity.value);
+    for (const pad::Sample& sample : result.samples) values.push_back(sample.*quantity.value);
     file.numbers({"time"}, quantity, values);
   }
 }
@@ -68,8 +67,7 @@ void write_pad(const std::string& path, const PadDocument& document) {
   file.attribute("compiler", document.provenance.compiler);
   file.attribute("kernels", document.provenance.kernels);
   file.attribute("complete", document.result.complete);
-  write_numbers(file, pad::pad_quantities(), document.result.samples);
-  if (!document.result.y.empty()) write_numbers(file, pad::width_quantities(), document.result.samples);
+  write_numbers(file, document.result);
   write_fields(file, document.result);
   write_words(file, document);
   write_atomically(path, file.bytes());

@@ -13,16 +13,9 @@ using nlohmann::ordered_json;
 /// The sign of a zero says nothing.
 double unsigned_zero(double value) { return value + 0.0; }
 
-/// All single numbers that the result has.
-std::vector<pad::PadQuantity> numbers_of(const pad::PadResult& result) {
-  std::vector<pad::PadQuantity> all = pad::pad_quantities();
-  if (!result.y.empty()) all.insert(all.end(), pad::width_quantities().begin(), pad::width_quantities().end());
-  return all;
-}
-
 ordered_json history_object(const pad::PadResult& result) {
   ordered_json history = ordered_json::object();
-  for (const auto& quantity : numbers_of(result)) {
+  for (const auto& quantity : pad::told_quantities(result)) {
     ordered_json& values = history[quantity.name] = ordered_json::array();
     for (const pad::Sample& sample : result.samples) values.push_back(unsigned_zero(sample.*quantity.value));
   }
@@ -58,7 +51,7 @@ std::string pad_json(const PadDocument& document) {
   const pad::Sample& last = result.samples.back();
   ordered_json units = ordered_json::object();
   ordered_json object = {{"title", document.title}};
-  for (const auto& quantity : numbers_of(result)) {
+  for (const auto& quantity : pad::told_quantities(result)) {
     object[quantity.name] = unsigned_zero(last.*quantity.value);
     units[quantity.name] = quantity.unit;
   }

@@ -16,8 +16,8 @@ struct PadDocument {
   pad::PadResult result;
 };
 
-/// The numbers of the last instant as one flat JSON object, SI: title, every entry of pad::pad_quantities(),
-/// of a pad with a width also of pad::width_quantities(), and of pad::front_quantities() by its name; for a march in
+/// The numbers of the last instant as one flat JSON object, SI: title, every entry of
+/// pad::told_quantities() and of pad::front_quantities() by its name; for a march in
 /// time `history` with the same as arrays; then `units`, `notes`, `assumed`, `effort`, `program`, `commit`, `kernels`
 /// and `complete`. JSON knows no NaN: such a value is null.
 std::string pad_json(const PadDocument& document);

@@ -4,23 +4,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/models/gas_checks.hpp"
 
 namespace ringfilm::models {
 namespace {
 
 constexpr double kCycle = 720;  // [degree]
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 /// Congruent angle in [0, 720).
 double wrapped(double angle) {
@@ -73,9 +67,9 @@ bool samples_are_sound(const std::vector<double>& angle, const std::vector<doubl
 
 }  // namespace
 
-std::string in_degrees(double angle) { return number(angle) + " degree"; }
+std::string in_degrees(double angle) { return number_text(angle) + " degree"; }
 
-std::string in_bar(double pressure) { return number(pressure / 1e5) + " bar"; }
+std::string in_bar(double pressure) { return number_text(pressure / 1e5) + " bar"; }
 
 void check_trace(const std::vector<double>& crank_angle_deg, const std::vector<double>& pressure) {
   if (crank_angle_deg.empty() || crank_angle_deg.size() != pressure.size()) {

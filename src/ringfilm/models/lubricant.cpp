@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/base/table.hpp"
 
 namespace ringfilm::models {
@@ -19,13 +19,7 @@ constexpr double kHoupertPole = 138;          // [K]
 constexpr double kMm2PerSecond = 1e-6;        // [m2/s]
 constexpr double kWaltherOffset = 0.7;        // [mm2/s]
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
-std::string in_degC(double T) { return number(T - 273.15) + " degC"; }
+std::string in_degC(double T) { return number_text(T - 273.15) + " degC"; }
 
 double walther_ordinate(double nu) { return std::log10(std::log10(nu / kMm2PerSecond + kWaltherOffset)); }
 
@@ -33,9 +27,10 @@ double walther_ordinate(double nu) { return std::log10(std::log10(nu / kMm2PerSe
 double roelands_logarithm(double eta) {
   const double logarithm = std::log(eta) + kRoelandsOffset;
   if (!(logarithm > 0)) {
-    throw InputError("an oil viscosity of " + number(eta * 1e3) + " mPa.s is below the 0.0632 mPa.s of Roelands' law",
-                     "check lubricant.kinematic_viscosity and the oil temperature, or choose "
-                     "lubricant.viscosity_pressure = \"none\"");
+    throw InputError(
+        "an oil viscosity of " + number_text(eta * 1e3) + " mPa.s is below the 0.0632 mPa.s of Roelands' law",
+        "check lubricant.kinematic_viscosity and the oil temperature, or choose "
+        "lubricant.viscosity_pressure = \"none\"");
   }
   return logarithm;
 }
@@ -165,7 +160,7 @@ Walther Walther::fit(std::span<const double> temperature, std::span<const double
   for (std::size_t i = 0; i < n; ++i) {
     const double nu = kinematic_viscosity[i];
     if (!(nu > (1 - kWaltherOffset) * kMm2PerSecond)) {
-      throw InputError("lubricant.kinematic_viscosity = " + number(nu / kMm2PerSecond) + " mm2/s at " +
+      throw InputError("lubricant.kinematic_viscosity = " + number_text(nu / kMm2PerSecond) + " mm2/s at " +
                            in_degC(temperature[i]) + " is not above 0.3 mm2/s, where Walther's law begins",
                        "give values such as \"60 mm2/s\" at 40 degC and \"9.6 mm2/s\" at 100 degC");
     }
@@ -214,7 +209,7 @@ OilState oil_state(const OilLaws& laws, double T) {
   const auto density = [&](double at) {
     const double rho = laws.density.density(at);
     if (rho > 0) return rho;
-    throw InputError("the oil's density at " + in_degC(at) + " comes out as " + number(rho) + " kg/m3",
+    throw InputError("the oil's density at " + in_degC(at) + " comes out as " + number_text(rho) + " kg/m3",
                      "check lubricant.density, lubricant.thermal_expansivity and the oil temperature");
   };
   const auto after_walther = [&](double at) {
@@ -235,7 +230,7 @@ OilState oil_state(const OilLaws& laws, double T) {
       break;
   }
   if (!(state.eta_T > 0)) {
-    throw InputError("the oil's viscosity at " + in_degC(T) + " comes out as " + number(state.eta_T) + " Pa.s",
+    throw InputError("the oil's viscosity at " + in_degC(T) + " comes out as " + number_text(state.eta_T) + " Pa.s",
                      "check operating.oil_temperature against the temperatures of lubricant.kinematic_viscosity");
   }
   if (laws.viscosity_pressure_law == ViscosityPressureLaw::kRoelands) {

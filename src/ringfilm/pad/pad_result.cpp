@@ -1,5 +1,8 @@
 #include "ringfilm/pad/pad_result.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ringfilm::pad {
 
 const std::vector<PadQuantity>& pad_quantities() {
@@ -83,6 +86,16 @@ const std::vector<cycle::Quantity>& profile_quantities() {
 const cycle::Quantity& place_across() {
   static const cycle::Quantity quantity = {"y", "m", "mm", "place across the pad", "y", "eq-pad-gap"};
   return quantity;
+}
+
+std::vector<PadQuantity> told_quantities(const PadResult& result) {
+  std::vector<PadQuantity> told = pad_quantities();
+  if (result.y.empty()) return told;
+  for (const PadQuantity& quantity : width_quantities()) {
+    const auto has_value = [&](const Sample& sample) { return !std::isnan(sample.*quantity.value); };
+    if (std::any_of(result.samples.begin(), result.samples.end(), has_value)) told.push_back(quantity);
+  }
+  return told;
 }
 
 }  // namespace ringfilm::pad

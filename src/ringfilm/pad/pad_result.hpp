@@ -24,8 +24,8 @@ struct Sample {
   // with a width; the positions above are then those on the strip halfway across
   double total_load = 0;                                       ///< [N]
   double total_friction_moving = 0, total_friction_fixed = 0;  ///< [N]
-  double flow_front = 0, flow_back = 0;                        ///< through the whole sides, positive in +y [m3/s]
-  double mass_flow_front = 0, mass_flow_back = 0;              ///< [kg/s]
+  double flow_front = 0, flow_back = 0;                        ///< through the whole sides, +y [m3/s]; NaN where joined
+  double mass_flow_front = 0, mass_flow_back = 0;              ///< [kg/s], likewise
   double peak_position_y = 0;                                  ///< [m]
 };
 
@@ -76,5 +76,9 @@ struct PadResult {
   bool is_history = false;  ///< of a separation history, however far it came; else a steady film
   bool complete = true;     ///< false: the film could not be solved further; `samples` are those before
 };
+
+/// The single numbers that a result tells: without a width none of those of a width, with joined sides no flow through
+/// them.
+std::vector<PadQuantity> told_quantities(const PadResult& result);
 
 }  // namespace ringfilm::pad

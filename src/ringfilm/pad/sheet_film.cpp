@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/pad/recording.hpp"
@@ -52,9 +53,9 @@ film::FilmState SheetFilm::full(double h_m) const {
   state.h_m = h_m;
   for (int j = 0; j < n_strips; ++j) state.p.insert(state.p.end(), along.begin(), along.end());
   if (problem_.around.ends == sheet::Ends::kOpen) {
-    // The corners belong to the edges across the motion.
-    std::fill(state.p.begin() + 1, state.p.begin() + n - 1, setup().input.pad.front_pressure);
-    std::fill(state.p.end() - n + 1, state.p.end() - 1, setup().input.pad.back_pressure);
+    // Whole strips, corners too, as in sheet/ (eq-sheet-ends).
+    std::fill(state.p.begin(), state.p.begin() + n, setup().input.pad.front_pressure);
+    std::fill(state.p.end() - n, state.p.end(), setup().input.pad.back_pressure);
   }
   state.deficit.assign(state.p.size(), 0.0);
   state.content.assign(state.p.size(), 0.0);
@@ -127,7 +128,12 @@ Sample SheetFilm::sample(const film::FilmInputs& inputs, const film::FilmState& 
   out.total_load = out.load * width;
   out.total_friction_moving = out.friction_moving * width;
   out.total_friction_fixed = out.friction_fixed * width;
-  out.mass_flow_front = -sums.flow_low;  // what leaves through y = 0 flows in -y
+  if (is_joined()) {
+    constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
+    out.mass_flow_front = out.mass_flow_back = out.flow_front = out.flow_back = kNotTold;
+    return out;
+  }
+  out.mass_flow_front = 0 - sums.flow_low;  // what leaves through y = 0 flows in -y; of closed sides +0
   out.mass_flow_back = sums.flow_high;
   out.flow_front = out.mass_flow_front / density;
   out.flow_back = out.mass_flow_back / density;

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "ringfilm/cycle/case_fields.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/film/kernels.hpp"
@@ -111,6 +112,15 @@ Ending refused(std::size_t index, const InputError& refusal) {
   return ending;
 }
 
+/// Throws InputError with every rule that a case breaks: one that was made from another was never checked as a file is.
+void check_rules(const cycle::Case& c) {
+  std::vector<Fault> faults;
+  for (cycle::RuleBreach& breach : cycle::broken_rules(c)) {
+    faults.push_back({{}, std::move(breach.message), std::move(breach.remedy)});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
 /// All that one thread does.
 cycle::LaneEffort serve(Desk& desk, int thread) {
   std::map<std::size_t, std::size_t> index;  // in the batch, of scenarios on their way, by their number on this thread
@@ -118,6 +128,7 @@ cycle::LaneEffort serve(Desk& desk, int thread) {
   const auto setup = [&]() -> std::optional<cycle::Setup> {
     while (std::optional<Numbered> one = desk.take(thread)) {
       try {
+        check_rules(one->input);
         cycle::Setup ready = cycle::prepare(one->input);
         index[n_begun++] = one->index;
         return ready;
@@ -135,6 +146,17 @@ cycle::LaneEffort serve(Desk& desk, int thread) {
 }
 
 }  // namespace
+
+std::string Ending::reason() const {
+  if (stop) return stop->message;
+  std::string reason;
+  if (!refusal) return reason;
+  for (const Fault& fault : refusal->faults()) {
+    if (!reason.empty()) reason.append("; ");
+    reason.append(fault.message);
+  }
+  return reason;
+}
 
 void add(const cycle::LaneEffort& part, cycle::LaneEffort& all) {
   all.sweeps += part.sweeps;

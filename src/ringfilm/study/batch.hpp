@@ -22,11 +22,11 @@ struct Ending {
   /// All up to the last good angle if the march stopped, nothing if the case was refused; both with every value NaN.
   cycle::CycleResult result;
   std::optional<cycle::Stop> stop;    ///< why the march stopped
-  std::optional<InputError> refusal;  ///< why the case could not be prepared
+  std::optional<InputError> refusal;  ///< why the case could not be prepared, or which rules it breaks
 
   bool is_solved() const { return !stop && !refusal; }
-  /// Why not; empty if solved.
-  std::string reason() const { return stop ? stop->message : refusal ? refusal->what() : ""; }
+  /// Why not, on one line; empty if solved.
+  std::string reason() const;
 };
 
 /// Gives the cases one by one; nothing: there are no more.

@@ -97,7 +97,8 @@ Case on_grid(Case c, int cells, double crank_step_deg) {
   if (c.is_unrolled() && cells != c.solver.cells) {
     const double end_cell = c.end_cell() * c.solver.cells / cells;
     c.solver.cells_y = cells > c.solver.cells ? 2 * c.solver.cells_y : half(c.solver.cells_y);
-    if (c.ring.end_gap) c.solver.end_cell = end_cell;
+    // Half of an odd number is rounded up: no longer than cells that are all alike.
+    if (c.ring.end_gap) c.solver.end_cell = std::min(end_cell, c.ring_length() / c.solver.cells_y);
   }
   c.solver.cells = cells;
   c.solver.crank_step_deg = crank_step_deg;
@@ -255,11 +256,11 @@ ErrorEstimate error_estimate(const Case& c, const CycleResult& result, const Pro
 
 std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate) {
   std::vector<cycle::Note> notes;
-  const auto stopped = [&](std::size_t i) { return i < estimate.runs.size() && !estimate.runs[i].solved; };
+  const auto missing = [&](std::size_t i) { return i < estimate.runs.size() && !estimate.runs[i].solved; };
   for (std::size_t i = 1; i < estimate.runs.size(); ++i) {
-    if (!stopped(i)) continue;
+    if (!missing(i)) continue;
     const GridRun& run = estimate.runs[i];
-    const bool other_side_too = stopped(i % 2 == 1 ? i + 1 : i - 1);
+    const bool other_side_too = missing(i % 2 == 1 ? i + 1 : i - 1);
     char around[32] = "";
     if (run.cells_y > 0) std::snprintf(around, sizeof around, " x %ld", run.cells_y);
     char grid[128];
@@ -268,7 +269,7 @@ std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate) {
     notes.push_back(
         {other_side_too ? "error-estimate-missing" : "error-estimate-one-sided",
          std::string(other_side_too ? "there is no error estimate" : "the error estimate has one side only") +
-             ": the march with " + grid + " stopped: " + run.reason,
+             ": the march with " + grid + " was not solved: " + run.reason,
          1});
   }
   return notes;

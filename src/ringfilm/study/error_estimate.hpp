@@ -36,9 +36,9 @@ bool has_error(const cycle::CurveQuantity& quantity);
 /// unrolled film the cells around the ring go with those across the face, and so does the length of those at its ends.
 std::vector<cycle::Case> other_grids(const cycle::Case& c);
 
-/// The errors of `result`, a complete result of `c`, from how its `other_grids` ended. One that was not solved leaves
-/// the one on its other side to go by, and both no estimate. Throws std::logic_error if there are not as many
-/// endings as grids.
+/// The errors of `result`, a complete result of `c`, from how its `other_grids` ended. One that was not solved, be it
+/// that its march stopped or that it breaks a rule of cases (too many nodes), leaves the one on its other side to go
+/// by, and both no estimate. Throws std::logic_error if there are not as many endings as grids.
 ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, std::span<const Ending> others);
 
 /// The same, marching them; costs about five times what `c` cost.

@@ -58,13 +58,10 @@ void add_events(const pad::PadResult& result, Measurement& measurement) {
 
 Measurement of_pad(const pad::PadResult& result) {
   Measurement measurement;
+  const std::vector<pad::PadQuantity> told = pad::told_quantities(result);
   for (const pad::Sample& sample : result.samples) {
     measurement.instants.push_back(sample.time);
-    for (const auto& quantity : pad::pad_quantities()) {
-      measurement.values[quantity.name].push_back(sample.*quantity.value);
-    }
-    if (result.y.empty()) continue;
-    for (const auto& quantity : pad::width_quantities()) {
+    for (const auto& quantity : told) {
       measurement.values[quantity.name].push_back(sample.*quantity.value);
     }
   }

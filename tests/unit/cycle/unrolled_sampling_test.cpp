@@ -87,6 +87,52 @@ TEST(UnrolledSampling, AShareOfNoFlowIsNone) {
   EXPECT_TRUE(std::isnan(unrolled_sample(setup, march, instant, integrals, whole).ends_share_flow));
 }
 
+// An odd number of cells has no strip at its middle, and rounding decides which is next to it: both the fields along
+// the face and the shares take the one that the sheet names.
+TEST(UnrolledSampling, TheStripHalfwayIsThatOfTheSheet) {
+  Case c = small_ring();
+  c.solver.cells_y = 9;
+  const cycle::Setup setup = prepare(c);
+  const March march(setup);
+  const auto halfway = static_cast<std::size_t>(march.sheet()->around.halfway());
+  film::FilmState state;
+  state.h_m = 1e-6;
+  const std::size_t n = march.sheet()->n_nodes(), n_across = static_cast<std::size_t>(march.sheet()->n_across());
+  state.p.assign(n, 0.0);
+  state.deficit.assign(n, 0.0);
+  state.p[halfway * n_across + 3] = 5e5;
+  Instant instant;
+  instant.inputs.load = 980;
+  instant.state = &state;
+  sheet::SheetIntegrals integrals = made_up();
+  integrals.strips.push_back(integrals.strips.front());  // nine cells have ten strips
+  integrals.strips[halfway].flow_middle = 3e-4;
+  const Sample whole = sample(setup, march, instant, integrals.mean);
+  const UnrolledSample ends = unrolled_sample(setup, march, instant, integrals, whole);
+  EXPECT_DOUBLE_EQ(ends.oil_flow_without_ends, 3e-4 * setup.input.ring_length());
+  FaceFields fields = empty_fields(setup, march);
+  append_fields(setup, march, instant, fields);
+  EXPECT_EQ(fields.film_pressure[3], 5e5);
+}
+
+// An instant that carries nothing has no share of its own; that of the cycle stays a number.
+TEST(UnrolledSampling, AnInstantWithoutAShareLeavesThatOfTheCycle) {
+  std::vector<Sample> whole(2);
+  whole[0].hydrodynamic_load = 0;
+  whole[0].power_loss = 0;
+  whole[1].hydrodynamic_load = 200;
+  whole[1].power_loss = 40;
+  whole[1].piston_velocity = 8;
+  std::vector<UnrolledSample> ends(2);
+  ends[0].ends_share_load = ends[0].ends_share_friction = std::nan("");
+  ends[0].load_without_ends = 2;
+  ends[1].load_without_ends = 194;
+  ends[1].friction_without_ends = 4.5;
+  const UnrolledValues values = unrolled_values(whole, ends);
+  EXPECT_NEAR(values.ends_share_mean_load, 0.02, 1e-15);  // rounding of a difference
+  EXPECT_NEAR(values.ends_share_friction_power, 0.1, 1e-15);
+}
+
 TEST(UnrolledSampling, ValuesOfTheCycleWeighSharesByWhatTheyAreSharesOf) {
   std::vector<Sample> whole(2);
   whole[0].crank_angle_deg = 0;
@@ -98,14 +144,16 @@ TEST(UnrolledSampling, ValuesOfTheCycleWeighSharesByWhatTheyAreSharesOf) {
   whole[1].asperity_load = 20;
   whole[1].power_loss = 30;
   whole[1].oil_flow_middle = -1e-6;
+  whole[0].piston_velocity = 2;
+  whole[1].piston_velocity = -5;
   std::vector<UnrolledSample> ends(2);
   ends[0].gap_leakage = -1e-8;
-  ends[0].ends_share_load = 0.02;
-  ends[0].ends_share_friction = 0.1;
+  ends[0].load_without_ends = 0.98 * 300;
+  ends[0].friction_without_ends = 0.9 * 10 / 2;
   ends[0].oil_flow_without_ends = 3.6e-6;
   ends[1].gap_leakage = 3e-8;
-  ends[1].ends_share_load = -0.01;
-  ends[1].ends_share_friction = -0.02;
+  ends[1].load_without_ends = 1.01 * 100;
+  ends[1].friction_without_ends = 1.02 * 30 / 5;
   ends[1].oil_flow_without_ends = -1.2e-6;
   const UnrolledValues values = unrolled_values(whole, ends);
   EXPECT_DOUBLE_EQ(values.mean_gap_leakage, 1e-8);
@@ -113,9 +161,10 @@ TEST(UnrolledSampling, ValuesOfTheCycleWeighSharesByWhatTheyAreSharesOf) {
   EXPECT_DOUBLE_EQ(values.peak_gap_leakage, 3e-8);
   EXPECT_EQ(values.peak_gap_leakage_angle, 360);
   EXPECT_DOUBLE_EQ(values.gap_leakage_share, 2e-8 / 2.5e-6);
-  EXPECT_DOUBLE_EQ(values.ends_share_mean_load, (0.02 * 300 - 0.01 * 100) / 400);
-  EXPECT_DOUBLE_EQ(values.ends_share_friction_power, (0.1 * 10 - 0.02 * 30) / 40);
-  EXPECT_NEAR(values.ends_share_absolute_flow, 0.04, 1e-15);  // rounding of a difference
+  constexpr double kRounding = 1e-15;  // of a difference
+  EXPECT_NEAR(values.ends_share_mean_load, (0.02 * 300 - 0.01 * 100) / 400, kRounding);
+  EXPECT_NEAR(values.ends_share_friction_power, (0.1 * 10 - 0.02 * 30) / 40, kRounding);
+  EXPECT_NEAR(values.ends_share_absolute_flow, 0.04, kRounding);
   ends[0].gap_leakage = -4e-8;
   EXPECT_DOUBLE_EQ(unrolled_values(whole, ends).peak_gap_leakage, -4e-8);
   EXPECT_EQ(unrolled_values(whole, ends).peak_gap_leakage_angle, 0);

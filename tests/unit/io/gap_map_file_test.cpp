@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 GapFile gap_of(const std::string& text) {
   const ScratchFolder folder;
@@ -94,21 +95,56 @@ TEST(GapMapFile, RefusesMorePlacesThanAreRead) {
   EXPECT_THAT(refusal(text), HasSubstr("the map has 4097 places along x"));
 }
 
-/// A file of NetCDF-4 with h(y, x), as most programs write it.
-void write_netcdf(const std::string& path) {
+TEST(GapMapFile, RefusesHeightsThatNoOilFilmHas) {
+  // The default fill of NetCDF as a table would print it.
+  EXPECT_THAT(refusal(std::string(kHead) + "0,0,1\n5,0,2\n0,2,3\n5,2,9.969e36\n"),
+              HasSubstr("gap.csv:5:5: a gap of 9.969e+30 m is no gap of an oil film"));
+  EXPECT_THAT(refusal(std::string(kHead) + "0,0,1\n5,0,-1.1e6\n0,2,3\n5,2,4\n"),
+              HasSubstr("gap.csv:3:5: a gap of -1.1 m"));
+  EXPECT_EQ(refusal(std::string(kHead) + "0,0,1\n5,0,1e6\n0,2,3\n5,2,4\n"), "");  // a metre is allowed
+}
+
+struct Netcdf {
+  std::vector<double> x = {0, 2, 6}, y = {0, 0.5};
+  std::vector<double> height = {1, 2, 3, 4, 5, 6};
+  nc_type type = NC_DOUBLE;
+  std::size_t n_written = 6;  ///< of the heights; the others are left to the library
+  int kind = NC_NETCDF4;
+};
+
+/// A file with h(y, x), as most programs write it.
+void write_netcdf(const std::string& path, const Netcdf& map = {}) {
   int file = 0, dimensions[2], variable = 0;
-  ASSERT_EQ(nc_create(path.c_str(), NC_NETCDF4, &file), NC_NOERR);
-  nc_def_dim(file, "y", 2, &dimensions[0]);
-  nc_def_dim(file, "x", 3, &dimensions[1]);
-  const auto put = [&](const char* name, int n, const int* of, const char* unit, const std::vector<double>& values) {
-    nc_def_var(file, name, NC_DOUBLE, n, of, &variable);
-    nc_put_att_text(file, variable, "units", std::string(unit).size(), unit);
-    ASSERT_EQ(nc_put_var_double(file, variable, values.data()), NC_NOERR);
+  ASSERT_EQ(nc_create(path.c_str(), map.kind, &file), NC_NOERR);
+  nc_def_dim(file, "y", map.y.size(), &dimensions[0]);
+  nc_def_dim(file, "x", map.x.size(), &dimensions[1]);
+  int x = 0, y = 0;
+  const auto define = [&](const char* name, nc_type type, int n, const int* of, const char* unit, int* number) {
+    ASSERT_EQ(nc_def_var(file, name, type, n, of, number), NC_NOERR);
+    nc_put_att_text(file, *number, "units", std::string(unit).size(), unit);
   };
-  put("x", 1, &dimensions[1], "mm", {0, 2, 6});
-  put("y", 1, &dimensions[0], "m", {0, 0.5});
-  put("height", 2, dimensions, "um", {1, 2, 3, 4, 5, 6});
+  define("x", NC_DOUBLE, 1, &dimensions[1], "mm", &x);
+  define("y", NC_DOUBLE, 1, &dimensions[0], "m", &y);
+  define("height", map.type, 2, dimensions, "um", &variable);
+  ASSERT_EQ(nc_enddef(file), NC_NOERR);
+  ASSERT_EQ(nc_put_var_double(file, x, map.x.data()), NC_NOERR);
+  ASSERT_EQ(nc_put_var_double(file, y, map.y.data()), NC_NOERR);
+  for (std::size_t k = 0; k < map.n_written; ++k) {
+    const std::size_t at[] = {k / map.x.size(), k % map.x.size()};
+    ASSERT_EQ(nc_put_var1_double(file, variable, at, &map.height[k]), NC_NOERR);
+  }
   nc_close(file);
+}
+
+std::string netcdf_refusal(const Netcdf& map) {
+  const ScratchFolder folder;
+  write_netcdf(folder / "gap.nc", map);
+  try {
+    read_gap({folder / "gap.nc", "gap.nc"}, Units());
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
 }
 
 TEST(GapMapFile, ReadsNetcdf) {
@@ -133,6 +169,44 @@ TEST(GapMapFile, ReadsUnitsThatAreStoredAsAString) {
   ASSERT_EQ(nc_put_att_string(file, variable, "units", 1, &unit), NC_NOERR);
   nc_close(file);
   EXPECT_THAT(read_gap({path, "gap.nc"}, Units()).height, ElementsAre(1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6));
+}
+
+// NetCDF leaves what is never written at the default fill of its type, without an attribute that says so.
+TEST(GapMapFile, PointsOfNetcdfThatWereNeverWrittenAreHoles) {
+  for (const int kind : {NC_NETCDF4, NC_CLASSIC_MODEL, NC_64BIT_OFFSET}) {
+    for (const nc_type type : {NC_DOUBLE, NC_FLOAT, NC_INT, NC_SHORT}) {
+      Netcdf map;
+      map.kind = kind;
+      map.type = type;
+      EXPECT_EQ(netcdf_refusal(map), "") << kind << " " << type;
+      map.n_written = 4;
+      EXPECT_THAT(netcdf_refusal(map), HasSubstr("the map has a hole at x = 2 mm, y = 500 mm")) << kind << " " << type;
+    }
+  }
+}
+
+TEST(GapMapFile, RefusesHeightsInNetcdfThatNoOilFilmHas) {
+  for (const int kind : {NC_NETCDF4, NC_CLASSIC_MODEL}) {
+    Netcdf map;
+    map.kind = kind;
+    map.height[5] = -1e20;  // a hole of some program, in um
+    EXPECT_THAT(netcdf_refusal(map), HasSubstr("at x = 6 mm, y = 500 mm: a gap of -1e+14 m is no gap of an oil film"));
+  }
+}
+
+TEST(GapMapFile, TellsAxesOfNetcdfByTheirIndex) {
+  Netcdf falls;
+  falls.x = {0, 6, 2};
+  EXPECT_THAT(netcdf_refusal(falls), HasSubstr("gap.nc: x[2] = 2 mm lies below x[1] = 6 mm"));
+  EXPECT_THAT(netcdf_refusal(falls), Not(HasSubstr("row before")));
+  Netcdf step;
+  step.x = {0, 2, 2};
+  EXPECT_THAT(netcdf_refusal(step), HasSubstr("x[2] = 2 mm is a step at an end of the pad"));
+  Netcdf thrice;
+  thrice.x = {0, 2, 2, 2, 6};
+  thrice.height = {1, 2, 3, 4, 5, 1, 2, 3, 4, 5};
+  thrice.n_written = 10;
+  EXPECT_THAT(netcdf_refusal(thrice), HasSubstr("x[3] = 2 mm comes three times"));
 }
 
 }  // namespace

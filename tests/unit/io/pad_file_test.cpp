@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "case_example.hpp"
 #include "ringfilm/io/pad_output.hpp"
 
@@ -11,6 +13,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 GapFile gap_of(const std::string& text) {
   const ScratchFolder folder;
@@ -42,6 +45,10 @@ TEST(PadFile, RefusesStepsThatAreNone) {
   EXPECT_THAT(refusal("x [mm],h [um]\n0,1\n2,2\n1,1\n"), HasSubstr("gap.csv:4:1: x falls"));
 }
 
+TEST(PadFile, RefusesAGapThatNoOilFilmHas) {
+  EXPECT_THAT(refusal("x [mm],h [um]\n0,1\n1,9.969e36\n"), HasSubstr("gap.csv:3:3: a gap of 9.969e+30 m"));
+}
+
 TEST(PadFile, ReadsAHistoryOfSeparations) {
   const ScratchFolder folder;
   write_text(folder / "h.csv", "time [ms],separation [um]\n0,10\n2,5\n");
@@ -61,6 +68,21 @@ TEST(PadOutput, WritesAllRowsOfAllInstants) {
             "time [s],x [m],film_thickness [m],pressure [Pa],fill\n"
             "0,0,2,0,1\n0,0.5,2,0,0.5\n0,0.5,1,3,1\n0,1,1,0,1\n"
             "0.25,0,2,0,1\n0.25,0.5,2,0,0.5\n0.25,0.5,1,3,1\n0.25,1,1,0,1\n");
+}
+
+TEST(PadOutput, LeavesOutFlowsThatAreNotTold) {
+  PadDocument document;
+  document.result.x = {0, 1};
+  document.result.y = {0, 1};
+  document.result.samples.resize(1);
+  EXPECT_THAT(pad_json(document), HasSubstr("flow_front"));
+  pad::Sample& sample = document.result.samples.front();
+  sample.flow_front = sample.flow_back = sample.mass_flow_front = sample.mass_flow_back = std::nan("");
+  EXPECT_THAT(pad_json(document), Not(HasSubstr("flow_front")));
+  EXPECT_THAT(pad_json(document), Not(HasSubstr("flow_back")));
+  EXPECT_THAT(pad_json(document), HasSubstr("total_load"));
+  document.result.is_history = true;
+  EXPECT_THAT(pad_json(document), Not(HasSubstr("flow_front")));
 }
 
 /// A pad that is complete, beside its gap.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
+#include <cmath>
+
 #include "scratch_folder.hpp"
 
 namespace ringfilm::io {
@@ -93,6 +95,13 @@ TEST(PadNetcdf, HoldsTheFieldsOfAPadWithAWidth) {
   EXPECT_EQ(file.values("film_thickness", 16)[12], 4);
   EXPECT_EQ(file.values("pressure", 16)[15], 0.25);
   EXPECT_EQ(file.values("total_load", 2), (std::vector<double>{0, 7}));
+  EXPECT_TRUE(file.has("flow_front"));
+
+  for (pad::Sample& sample : document.result.samples) sample.flow_front = std::nan("");
+  write_pad(folder / "joined.nc", document);
+  const Opened joined(folder / "joined.nc");
+  EXPECT_FALSE(joined.has("flow_front")) << "a flow that is not told";
+  EXPECT_TRUE(joined.has("flow_back"));
 }
 
 }  // namespace

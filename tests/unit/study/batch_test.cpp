@@ -88,6 +88,22 @@ TEST(Batch, AStopAndARefusalLeaveTheOthersAlone) {
   EXPECT_NE(ended[kRefused].reason().find("outside the oil table"), std::string::npos) << ended[kRefused].reason();
 }
 
+TEST(Batch, ACaseThatBreaksARuleIsRefusedBeforeItTakesMemory) {
+  Case c = testing::coarse_case();
+  c.film.dimension = cycle::FilmDimension::kUnrolled;
+  c.ring.end_gap = 0.3e-3;
+  c.solver.cells = 4000;
+  c.solver.cells_y = 4000;
+  c.solver.method = cycle::Method::kPointRelaxation;
+  const std::vector<Ending> ended = endings({c, testing::coarse_case()});
+  ASSERT_TRUE(ended[0].refusal.has_value());
+  EXPECT_EQ(ended[0].refusal->faults().size(), 2u);
+  EXPECT_NE(ended[0].reason().find("nodes, more than 2e+06"), std::string::npos) << ended[0].reason();
+  EXPECT_NE(ended[0].reason().find("point-relaxation"), std::string::npos) << ended[0].reason();
+  EXPECT_EQ(ended[0].reason().find('\n'), std::string::npos) << ended[0].reason();
+  EXPECT_TRUE(ended[1].is_solved()) << ended[1].reason();
+}
+
 TEST(Batch, EachOfMoreThanAreReadAheadEndsOnce) {
   std::vector<Case> cases(150, testing::coarse_case());
   for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "error_coverage.hpp"
+#include "ringfilm/cycle/case_fields.hpp"
 #include "study_case.hpp"
 
 namespace {
@@ -78,6 +79,48 @@ TEST(ErrorEstimate, CellsAroundTheRingGoWithThoseAcrossTheFace) {
   EXPECT_DOUBLE_EQ(grids[0].end_cell(), 0.5 * c.end_cell());
   EXPECT_DOUBLE_EQ(grids[1].end_cell(), 2 * c.end_cell());
   EXPECT_DOUBLE_EQ(grids[2].end_cell(), c.end_cell());
+}
+
+TEST(ErrorEstimate, CellsThatAreAllAlikeStayAlikeOnHalfOfAnOddNumber) {
+  cycle::Case c = coarse_case();
+  c.film.dimension = cycle::FilmDimension::kUnrolled;
+  c.ring.end_gap = 0.3e-3;
+  c.solver.cells = 40;
+  c.solver.cells_y = 61;
+  c.solver.end_cell = c.ring_length() / c.solver.cells_y;
+  ASSERT_TRUE(cycle::broken_rules(c).empty());
+  for (const cycle::Case& other : study::other_grids(c)) {
+    EXPECT_TRUE(cycle::broken_rules(other).empty()) << cycle::broken_rules(other)[0].message;
+  }
+}
+
+// 601 x 1001 nodes are allowed, four times as many are not.
+TEST(ErrorEstimate, AGridWithTooManyNodesIsRefusedAndTold) {
+  cycle::Case c = coarse_case();
+  c.film.dimension = cycle::FilmDimension::kUnrolled;
+  c.ring.end_gap = 0.3e-3;
+  c.solver.cells = 600;
+  c.solver.cells_y = 1000;
+  ASSERT_TRUE(cycle::broken_rules(c).empty());
+  cycle::CycleResult result;
+  result.samples.resize(3);
+  result.values.mean_power_loss = 100;
+  std::vector<study::Ending> ended(4);
+  for (std::size_t i = 0; i < ended.size(); ++i) {
+    ended[i].result = result;
+    ended[i].result.values.mean_power_loss += static_cast<double>(i);
+  }
+  ended[0] = study::endings({study::other_grids(c)[0]})[0];
+  const ErrorEstimate errors = study::error_estimate(c, result, ended);
+  EXPECT_FALSE(errors.runs[1].solved);
+  EXPECT_EQ(errors.runs[1].cells_y, 2000);
+  const auto notes = study::notes_on(errors);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].topic, "error-estimate-one-sided");
+  EXPECT_NE(notes[0].message.find("1200 x 2000 cells"), std::string::npos) << notes[0].message;
+  EXPECT_NE(notes[0].message.find("make 2.4032e+06 nodes, more than 2e+06"), std::string::npos) << notes[0].message;
+  // Three times the change to the coarser grid, 1 W, and what no order is seen in on the pair of steps, 3 x 3 W.
+  EXPECT_NEAR(errors.values.mean_power_loss, 3 * 1 + 3 * 3, 0.1);
 }
 
 TEST(ErrorEstimate, NeedsAnEndingOnEachOtherGrid) {

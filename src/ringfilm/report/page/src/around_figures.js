@@ -1,6 +1,7 @@
 // The maps around the ring and the curves of the gap, as plain data for drawing.
 import { bandSentence, cyclePanel, ofEachCycle, valueWithUnit } from './cycle_figures.js';
 import { FieldMaps } from './field_maps.js';
+import { kStrokeBands } from './scales.js';
 import { crankAxis, faceAxis, ringAxis } from './unrolled.js';
 import { angleInWords, crankTicks, number, tickText, withUnit, wrapped } from './units.js';
 
@@ -30,6 +31,9 @@ function above(data, axis) {
   };
 }
 
+/** The strokes above a map over the crank angle; its dead centres have their names under their numbers. */
+const kStrokesAbove = { title: '', marks: () => kStrokeBands.map(({ from, to, name }) => ({ at: (from + to) / 2, label: name, tick: false })) };
+
 /**
  * Film pressure over liquid share at one angle.
  * @param ends the ends of the gap enlarged, not the whole ring; @param own colours of this angle alone
@@ -58,7 +62,7 @@ export function stripMaps(data, { ends, face }) {
   const maps = ['strip_hydrodynamic_load', 'strip_peak_film_pressure'].filter((name) => data.strips[name]).map((name) => ({
     title: data.strips[name].longName, unit: data.strips[name].unit, range: spread(data.strips[name].range), value: (k, j) => data.stripValue(name, k, j),
   }));
-  return new FieldMaps({ title: 'Around the ring over the cycle', columns: crankAxis(data.stripAngles), rows, maps, height: () => kHeight.overCrank });
+  return new FieldMaps({ title: 'Around the ring over the cycle', columns: crankAxis(data.stripAngles), rows, maps, height: () => kHeight.overCrank, above: kStrokesAbove });
 }
 
 /** What the reader is told about how the drawing came from the file. */

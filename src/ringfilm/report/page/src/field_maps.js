@@ -1,6 +1,6 @@
 // Maps of fields one under the other over the same two axes: axes and colour bars as SVG, the fields as pixels.
 import { heightColour } from './colour_map.js';
-import { axisTitle } from './scales.js';
+import { axisTitle, deadCentre } from './scales.js';
 import { colourBar, numbersBelow, numbersBeside } from './svg_colour_bar.js';
 import { kFaint, kInk, px, rule, scaler, text } from './svg_shapes.js';
 import { number, tickText } from './units.js';
@@ -16,6 +16,9 @@ const kHatch = { dark: [48, 52, 59], light: [255, 255, 255], period: 6, width: 1
 
 /** A letter is at most about so wide: a drawing cannot measure its text [pixel]. */
 const kLetter = 6.6;
+
+/** The names of dead centres under the numbers of a crank axis are so high [pixel]. */
+const kNameRow = 13;
 
 let drawn = 0;
 
@@ -41,11 +44,12 @@ export class FieldMaps {
     const beside = width >= kWide;
     const w = width - kLeft - (beside ? kBarRoom : kRight);
     const h = this.height(w);
+    const names = this.columns.crank ? kNameRow : 0;
     let y = top;
     const plots = this.maps.map((map, n) => {
       y += 24 + (n === 0 && this.above ? 30 : 0);
       const plot = { left: kLeft, top: y, width: w, height: h };
-      y += h + 24 + (n === this.maps.length - 1 ? 20 : 0);
+      y += h + 24 + names + (n === this.maps.length - 1 ? 20 : 0);
       const bar = beside ? { left: kLeft + w + 16, top: plot.top, width: 14, height: h } : { left: kLeft, top: y + 4, width: w, height: 12 };
       if (!beside) y += 44;
       return { ...plot, bar };
@@ -96,6 +100,7 @@ export class FieldMaps {
     }
     const across = this.columns.ticks(plot.width / 70);
     for (const v of across.values) out.push(rule(x(v), low, x(v), low + 5, kInk), text(x(v), low + 18, tickText(v, across.step), { anchor: 'middle' }));
+    for (const v of across.values.filter((at) => deadCentre(this.columns, at))) out.push(text(x(v), low + 31, deadCentre(this.columns, v), { anchor: 'middle', size: 11, fill: kFaint }));
     const down = this.rows.ticks(Math.max(2, plot.height / 36));
     for (const v of down.values) out.push(rule(plot.left - 5, y(v), plot.left, y(v), kInk), text(plot.left - 8, y(v) + 4, tickText(v, down.step), { anchor: 'end' }));
     out.push(`<text transform="translate(13 ${px((plot.top + low) / 2)}) rotate(-90)" text-anchor="middle" font-size="12" fill="${kFaint}">${axisTitle(this.rows.title, this.rows.unit)}</text>`);
@@ -103,7 +108,7 @@ export class FieldMaps {
     if (this.edgeWords) {
       out.push(text(plot.left + 5, plot.top + 13, this.edgeWords[0], { size: 11, halo: '#fff' }), text(plot.left + 5, low - 5, this.edgeWords[1], { size: 11, halo: '#fff' }));
     }
-    if (n === this.maps.length - 1) out.push(text((plot.left + right) / 2, low + 35, axisTitle(this.columns.title, this.columns.unit), { anchor: 'middle', fill: kFaint }));
+    if (n === this.maps.length - 1) out.push(text((plot.left + right) / 2, low + 35 + (this.columns.crank ? kNameRow : 0), axisTitle(this.columns.title, this.columns.unit), { anchor: 'middle', fill: kFaint }));
     out.push(...colourBar(plot.bar, beside), ...(beside ? numbersBeside(plot.bar, map.range) : numbersBelow(plot.bar, map.range)));
     return out;
   }
@@ -111,8 +116,8 @@ export class FieldMaps {
   /** A second axis on top of the first map: other words for the same places. */
   axisAbove(plot, x) {
     const out = [];
-    for (const { at, label, anchor = 'middle' } of this.above.marks(plot.width)) {
-      out.push(rule(x(at), plot.top - 5, x(at), plot.top, kInk), text(x(at), plot.top - 9, label, { anchor }));
+    for (const { at, label, anchor = 'middle', tick = true } of this.above.marks(plot.width)) {
+      out.push(tick ? rule(x(at), plot.top - 5, x(at), plot.top, kInk) : '', text(x(at), plot.top - 9, label, { anchor }));
     }
     if (this.above.title) out.push(text(plot.left + plot.width / 2, plot.top - 24, this.above.title, { anchor: 'middle', fill: kFaint }));
     return out;

@@ -8,6 +8,9 @@ const kFull = 0.9995;
 /** So many face widths of the ring on each side of its gap are enlarged. */
 const kEndWidths = 3;
 
+/** One crank angle alone is drawn this wide [degree]. */
+const kLoneAngle = 5;
+
 /** A strip differs from the one opposite the gap where a pressure in it does by this share of the highest there. */
 const kFelt = 0.01;
 
@@ -168,7 +171,7 @@ export function ringAxis(data, { ends, face }) {
 /** Crank angles as on every chart of the cycle, whatever their order in the file. */
 export function crankAxis(angles) {
   const sorted = angles.map((angle, k) => ({ at: wrapped(angle), k })).sort((a, b) => a.at - b.at);
-  const widest = Math.max(...sorted.slice(1).map(({ at }, n) => at - sorted[n].at), 0);
+  const widest = sorted.length === 1 ? kLoneAngle : Math.max(...sorted.slice(1).map(({ at }, n) => at - sorted[n].at));
   // Angles all around the cycle: the first follows the last.
   const around = sorted[0].at + 720 - sorted[sorted.length - 1].at <= 1.5 * widest;
   const shown = around ? [{ ...sorted[sorted.length - 1], at: sorted[sorted.length - 1].at - 720 }, ...sorted, { ...sorted[0], at: sorted[0].at + 720 }] : sorted;

@@ -1,0 +1,13 @@
+#include "ringfilm/base/number_text.hpp"
+
+#include <cstdio>
+
+namespace ringfilm {
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+}  // namespace ringfilm
