@@ -24,10 +24,9 @@ std::string pvd_text(const std::vector<std::string>& names, const std::vector<do
 /// Can a series be written there? Throws InputError if `folder` is something else, or cannot be made or written to.
 void check_can_write_series(const std::string& folder);
 
-/// Writes `stem`_0000.vts, ... and last of all `stem`.pvd into `folder`, which is made if it is not there. The files take
-/// their names when all of them are on the disk; those that an older `stem`.pvd lists beyond them are removed. Returns
-/// the path of the .pvd file.
-/// Throws InputError if there are no fields over (crank_angle, y, x), OutputError.
+/// Writes `stem`_0000.vts, ... and last of all `stem`.pvd into `folder`, which is made if it is not there. The files
+/// take their names when all of them are on the disk; those that an older `stem`.pvd lists beyond them are removed.
+/// Returns the path of the .pvd file. Throws InputError if there are no fields over (crank_angle, y, x), OutputError.
 std::string write_vts_series(const std::string& folder, const std::string& stem, const cycle::UnrolledFields& fields,
                              VtsShape shape);
 
