@@ -72,7 +72,9 @@ TEST(UnrolledMarch, AGapLeaksWhatTheFilmTakesInAndDoesNotGiveBack) {
   c.film.cavitation = Cavitation::kMassConserving;
   c.solver.tolerance = 1e-12;
   const CycleResult result = simulated(c);
-  EXPECT_LT(result.effort.max_mass_residual, 2e-11);  // round-off: see March.MassIsKeptFromStepToStepAndOverTheCycle
+  // A last step is below a millionth of the pressures and GMRES leaves at most a millionth of it: 1e-12 of the terms of
+  // a balance, which are up to a hundred times the flow that passes.
+  EXPECT_LT(result.effort.max_mass_residual, 1e-10);
   double taken = 0, leaked = 0, leaked_either_way = 0, scale = 0;
   for (std::size_t k = 0; k < result.samples.size(); ++k) {
     taken += result.samples[k].oil_flow_chamber_edge - result.samples[k].oil_flow_crankcase_edge;
