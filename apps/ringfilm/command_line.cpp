@@ -43,7 +43,7 @@ constexpr const char* kRunFooter = R"(Examples:
   ringfilm run verification/rayleigh1918_step/best.toml
 
 A case with a table [pad] instead of [engine] and [ring] is the film of a slider, a step or two plates that approach
-each other, steady or in time; --output, --ledger and --error-estimate are for rings.
+each other, steady or in time; --ledger and --error-estimate are for rings.
 
 --set KEY= takes a key out of the case, e.g. --set ring.elastic_pressure= --set ring.tangential_force='12.5 N'.
 An output that exists is replaced at once when the new one is complete; a kill or a full disk leaves the old one.
@@ -72,6 +72,7 @@ constexpr const char* kReproduceFooter = R"(Examples:
 constexpr const char* kReportFooter = R"(Examples:
   ringfilm report new.nc worn.nc --output comparison.html
   ringfilm report new.nc --overlay floating_liner.csv --output measured.html
+  ringfilm report unrolled.nc --vts fields
 
 The overlay has a column crank_angle [degree] (0 at firing TDC) and columns named like the curves of a result, with
 their units: friction_on_liner [N], min_film_thickness [um], ...
@@ -111,6 +112,12 @@ int jobs_of(const std::string& text) {
                      "leave it out for as many as the machine runs at once");
   }
   return jobs;
+}
+
+io::VtsShape vts_shape_of(const std::string& word) {
+  if (word == "cylinder") return io::VtsShape::kCylinder;
+  if (word == "plane") return io::VtsShape::kPlane;
+  throw InputError("--vts-shape " + word + ": this is no choice", "one of: cylinder, plane");
 }
 
 /// The case and the settings on the command line of `run` and `check`. A setting may follow --set or the one before it,
@@ -198,12 +205,22 @@ class Commands {
   }
 
   void add_report() {
-    auto& command = add("report", "Draw results as one self-contained web page", [this] { report(report_); });
+    auto& command = add("report", "Draw results as one self-contained web page, or fields for ParaView", [this] {
+      report_.vts_shape = vts_shape_of(vts_shape_);
+      report(report_);
+    });
     command.add_option("X.nc", report_.results, "results of ringfilm run --output")->required()->type_name("...");
     command.add_option("--overlay", report_.overlays, "measured curves to lay over; may be repeated")
         ->allow_extra_args(false)
         ->type_name("X.csv");
-    command.add_option("--output", report_.output, "the page to write")->required()->type_name("X.html");
+    command.add_option("--output", report_.output, "the page to write")->type_name("X.html");
+    command
+        .add_option(
+            "--vts", report_.vts_folder,
+            "write the fields around the ring of one result: a .vts file for each crank angle, a .pvd file of all")
+        ->type_name("DIR");
+    command.add_option("--vts-shape", vts_shape_, "cylinder (default): on the bore; plane: unrolled")
+        ->type_name("SHAPE");
     command.footer(kReportFooter);
   }
 
@@ -274,6 +291,7 @@ class Commands {
   bool json_ = false, ledger_ = false, error_estimate_ = false;
   std::string start_path_;
   ReportOptions report_;
+  std::string vts_shape_ = "cylinder";
   ReproduceOptions reproduce_;
   VerifyOptions verify_;
   bool list_ = false, verify_json_ = false;

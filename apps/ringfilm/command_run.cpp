@@ -77,7 +77,8 @@ void run(const RunOptions& options) {
   const bool is_worth_writing = !done.document.result.samples.empty();
   if (options.output && is_worth_writing) io::write_result(*options.output, done.document);
   if (options.csv && is_worth_writing) {
-    io::write_atomically(*options.csv, io::result_csv(done.document.result.samples, done.document.errors));
+    const cycle::CycleResult& result = done.document.result;
+    io::write_atomically(*options.csv, io::result_csv(result.samples, done.document.errors, result.unrolled_samples));
   }
   if (options.summary == SummaryForm::kJson) {
     std::cout << io::result_json(done.document);

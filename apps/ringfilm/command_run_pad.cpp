@@ -8,7 +8,7 @@
 #include "progress.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/atomic_file.hpp"
-#include "ringfilm/io/pad_output.hpp"
+#include "ringfilm/io/pad_netcdf.hpp"
 #include "ringfilm/pad/solve_pad.hpp"
 
 namespace ringfilm::app {
@@ -27,10 +27,6 @@ class PadProgress : public pad::Observer {
 };
 
 void check_wishes(const RunOptions& options) {
-  if (options.output) {
-    throw InputError("--output " + *options.output + ": a pad has no NetCDF file yet",
-                     "--csv X.csv writes the film along the pad, --json its numbers");
-  }
   if (options.ledger == LedgerWanted::kComputed) {
     throw InputError("--ledger: a pad has no assumptions that could be lifted", "leave it out");
   }
@@ -59,11 +55,13 @@ void run_pad(const RunOptions& options, const cycle::Case& input) {
     stopped = stop;
   }
   if (!document.result.samples.empty()) {
+    if (options.output) io::write_pad(*options.output, document);
     if (options.csv) io::write_atomically(*options.csv, io::pad_csv(document.result));
     if (options.summary == SummaryForm::kJson) {
       std::cout << io::pad_json(document);
     } else {
       std::cout << pad_summary(input, document);
+      if (options.output) std::cout << "wrote " << *options.output << "\n";
       if (options.csv) std::cout << "wrote " << *options.csv << "\n";
     }
   }

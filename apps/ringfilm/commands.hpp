@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ringfilm/io/case_file.hpp"
+#include "ringfilm/io/vts_file.hpp"
 
 /// The commands of the program: words in, words and files out. Each returns normally or throws one of the errors of
 /// ringfilm/base/error.hpp; main turns those into exit codes.
@@ -38,7 +39,9 @@ void check(const CheckOptions& options);
 struct ReportOptions {
   std::vector<std::string> results;
   std::vector<std::string> overlays;
-  std::string output;
+  std::optional<std::string> output;      ///< web page
+  std::optional<std::string> vts_folder;  ///< of the fields around the ring for ParaView
+  io::VtsShape vts_shape = io::VtsShape::kCylinder;
 };
 void report(const ReportOptions& options);
 

@@ -11,14 +11,18 @@ namespace {
 
 constexpr int kValueWidth = 14;
 
-std::string values_table(const pad::Sample& sample) {
+std::string values_table(const pad::Sample& sample, const cycle::Pad& pad) {
   const EngineeringText in_words;
   std::string text;
-  for (const pad::PadQuantity& quantity : pad::pad_quantities()) {
-    const double value = sample.*quantity.value;
-    if (std::isnan(value) || quantity.name == "time") continue;
-    text += fmt::format("{:>{}}   {}\n", in_words(quantity, value), kValueWidth, quantity.long_name);
-  }
+  const auto append = [&](const std::vector<pad::PadQuantity>& quantities) {
+    for (const pad::PadQuantity& quantity : quantities) {
+      const double value = sample.*quantity.value;
+      if (std::isnan(value) || quantity.name == "time") continue;
+      text += fmt::format("{:>{}}   {}\n", in_words(quantity, value), kValueWidth, quantity.long_name);
+    }
+  };
+  append(pad::pad_quantities());
+  if (pad.width) append(pad::width_quantities());
   for (const pad::FrontQuantity& quantity : pad::front_quantities()) {
     for (const double place : sample.*quantity.value) {
       text += fmt::format("{:>{}}   {}\n", in_words(quantity, place), kValueWidth, quantity.long_name);
@@ -46,12 +50,16 @@ std::string assumed_lines(const std::vector<io::CaseEntry>& inputs) {
 std::string pad_summary(const cycle::Case& input, const io::PadDocument& document) {
   const pad::PadResult& result = document.result;
   const pad::Sample& last = result.samples.back();
-  std::string text = fmt::format("{}\npad of {:.6g} mm, {:.6g} m/s towards {}; all per metre of width\n\n",
-                                 document.title, input.pad.length * 1e3, input.pad.speed,
-                                 input.pad.direction == cycle::Direction::kPlusX ? "+x" : "-x");
+  const cycle::Pad& pad = input.pad;
+  const std::string size = pad.width ? fmt::format("{:.6g} x {:.6g} mm", pad.length * 1e3, *pad.width * 1e3)
+                                     : fmt::format("{:.6g} mm", pad.length * 1e3);
+  std::string text =
+      fmt::format("{}\npad of {}, {:.6g} m/s towards {}; {}\n\n", document.title, size, pad.speed,
+                  pad.direction == cycle::Direction::kPlusX ? "+x" : "-x",
+                  pad.width ? "what is told per metre of width is the mean over it" : "all per metre of width");
   if (result.effort.time_steps > 0)
     text += fmt::format("at {:.6g} s, the last of {} instants\n", last.time, result.samples.size());
-  text += values_table(last) + "\n" + solver_line(result.effort) + assumed_lines(document.inputs);
+  text += values_table(last, pad) + "\n" + solver_line(result.effort) + assumed_lines(document.inputs);
   for (const std::string& note : document.input_notes) text += "note: " + note + "\n";
   for (const auto& [topic, message, count] : result.notes) {
     text += "note: " + message + (count > 1 ? fmt::format(" ({} times)", count) : "") + "\n";

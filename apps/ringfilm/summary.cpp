@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -96,10 +97,35 @@ std::string values_table(const CycleValues& values, const std::optional<study::E
   return table.text();
 }
 
+/// What only an unrolled film has: its grid, and what the ends of the gap do.
+std::string unrolled_lines(const cycle::Case& input, const cycle::CycleResult& result) {
+  const EngineeringText in_words;
+  std::string text = fmt::format("film on the unrolled ring: {} x {} cells, {:.6g} mm around", input.solver.cells,
+                                 input.solver.cells_y, input.ring_length() * 1e3);
+  if (!input.ring.end_gap) return wrapped(words(text + ", joined without a gap"));
+  text += fmt::format(", gap of {:.4g} mm at {:.4g} degree", *input.ring.end_gap * 1e3, input.ring.gap_position_deg);
+  if (result.complete) {
+    const auto shown = [&](const char* name) {
+      const auto& all = cycle::unrolled_cycle_quantities();
+      const auto found = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
+      return in_words(*found, result.unrolled_values.*found->value);
+    };
+    text += fmt::format(
+        "; oil into the gap {} on average, {} at the most ({}), to and fro {} of the flow at the middle section; share "
+        "of the ends in load {}, friction power {}, flow {}",
+        shown("mean_gap_leakage"), shown("peak_gap_leakage"), shown("peak_gap_leakage_angle"),
+        shown("gap_leakage_share"), shown("ends_share_mean_load"), shown("ends_share_friction_power"),
+        shown("ends_share_absolute_flow"));
+  }
+  return wrapped(words(text));
+}
+
 std::string error_lines(const study::ErrorEstimate& errors, cycle::StepControl control) {
   std::string grids;
   for (const study::GridRun& run : errors.runs) {
-    grids += fmt::format("{}{} cells at {:.4g} degree", grids.empty() ? "" : ", ", run.cells, run.crank_step_deg);
+    const std::string around = run.cells_y > 0 ? fmt::format(" x {}", run.cells_y) : "";
+    grids +=
+        fmt::format("{}{}{} cells at {:.4g} degree", grids.empty() ? "" : ", ", run.cells, around, run.crank_step_deg);
     if (control == cycle::StepControl::kAdaptive) grids += fmt::format(" (step_error {:.3g})", run.step_error);
   }
   return wrapped(words("+- is the error of cells and crank steps, from the grids " + grids +
@@ -165,6 +191,7 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
         result.samples.size());
   }
   if (result.complete && !result.samples.empty()) text += values_table(result.values, document.errors) + "\n";
+  if (!result.unrolled.is_absent()) text += unrolled_lines(input, result);
   if (document.errors) text += error_lines(*document.errors, input.solver.crank_step_control);
   text += result.complete ? solver_lines(result.effort) : stopped_solver_lines(result.effort);
   text += assumed_lines(document.inputs) + simplification_lines(document) + note_lines(document);

@@ -92,6 +92,13 @@ class Numbers(PadTest):
         self.assertEqual([float(row[2]) for row in at_step], [20e-6, 10e-6])
         self.assertEqual(at_step[0][3], at_step[1][3])
 
+    def test_netcdf_holds_the_film_along_the_pad(self):
+        self.run_well("run", "pad.toml", "--output", "film.nc")
+        film = (self.folder / "film.nc").read_bytes()
+        self.assertEqual(film[:4], b"\x89HDF")
+        for name in (b"film_thickness", b"pressure", b"fill", b"load", b"ringfilm_pad_schema"):
+            self.assertIn(name, film)
+
     def test_a_load_finds_its_separation(self):
         told = self.json_of("--set", "pad.separation=", "--set", "pad.load=100 kN/m")
         self.assertAlmostEqual(told["load"] / 1e5, 1, delta=1e-7)
@@ -178,9 +185,6 @@ class Refusals(PadTest):
         self.refuse_set("pad.load=1 kN/m", "pad.separation and pad.load", "exactly one of")
         self.refuse_set("pad.separation=", "exactly one of")
 
-    def test_width(self):
-        self.refuse_set("pad.width=20 mm", "two-dimensional film, which is not there yet")
-
     def test_keys_of_an_engine(self):
         (self.folder / "pad.toml").write_text(PAD + '[engine]\nbore = "89 mm"\nstroke = "80 mm"\n[ring]\nface_width = "1 mm"\n')
         self.refuse("pad.toml:17:1", "engine.bore", "without engine, gas and ring", "take [ring] out", "2 errors")
@@ -238,7 +242,6 @@ class Refusals(PadTest):
         self.refuse_set('lubricant.density=[{ temperature = "15 degC", value = "850 kg/m3" }]', "no temperature")
 
     def test_outputs_of_a_cycle(self):
-        self.refuse("no NetCDF", words=("--output", "out.nc"))
         self.refuse("--ledger", words=("--ledger",))
 
     def test_a_load_that_nothing_carries_is_exit_code_3(self):

@@ -1,7 +1,11 @@
 """ringfilm report and reproduce: the files they make and what they refuse."""
 
+import base64
+import math
 import re
+import struct
 import unittest
+import xml.etree.ElementTree
 
 import program
 
@@ -55,6 +59,62 @@ class Report(program.ProgramTest):
         result = (self.folder / "a.nc").read_bytes()
         self.assert_refused(self.run_program("report", "a.nc", "--output", "./a.nc"), "a.nc")
         self.assertEqual((self.folder / "a.nc").read_bytes(), result)
+
+
+class FieldsForParaView(program.ProgramTest):
+    UNROLLED = ("--set", "film.dimension=unrolled", "--set", "ring.end_gap=0.3 mm", "--set", "solver.cells=24",
+                "--set", "solver.cells_y=12", "--set", "solver.crank_step=6 degree", "--set",
+                "output.crank_angles=6 degree", "--set", 'output.fields=["0 degree", "18 degree", "180 degree"]')
+
+    def test_a_series_and_a_page_are_drawn_from_the_result(self):
+        self.run_well("run", "case.toml", *self.UNROLLED, "--output", "ring.nc")
+        said = self.run_well("report", "ring.nc", "--vts", "fields", "--output", "page.html")
+        self.assertIn("fields/ring.pvd", said)
+        self.assertEqual([name for name in self.names() if name.startswith("fields/")],
+                         ["fields/ring.pvd", "fields/ring_0000.vts", "fields/ring_0001.vts", "fields/ring_0002.vts"])
+        listed = xml.etree.ElementTree.parse(self.folder / "fields" / "ring.pvd")
+        self.assertEqual([(one.get("timestep"), one.get("file")) for one in listed.iter("DataSet")],
+                         [("0", "ring_0000.vts"), ("18", "ring_0001.vts"), ("180", "ring_0002.vts")])
+        self.assertIn('"film_pressure":{"low":', (self.folder / "page.html").read_text())
+
+    def test_cylinder_and_plane_hold_the_same_pressures(self):
+        self.run_well("run", "case.toml", *self.UNROLLED, "--output", "ring.nc")
+        for shape in ("cylinder", "plane"):
+            self.run_well("report", "ring.nc", "--vts", shape, "--vts-shape", shape)
+        (on_bore, pressures), (flat, same) = (self.grid(shape) for shape in ("cylinder", "plane"))
+        self.assertEqual(pressures, same)
+        self.assertEqual(len(pressures), 25 * 13)
+        self.assertGreater(max(pressures), 10e5)
+        for x, y, z in on_bore:
+            self.assertAlmostEqual(math.hypot(x, y), 0.0445, places=12)
+            self.assertLessEqual(-0.0012 - 1e-15, z)
+        # The last strip ends one gap before the circumference.
+        self.assertAlmostEqual(max(y for _, y, _ in flat), math.pi * 0.089 - 0.0003, places=12)
+
+    def grid(self, folder):
+        """Points and film pressure of the second angle."""
+        piece = xml.etree.ElementTree.parse(self.folder / folder / "ring_0001.vts").find(".//Piece")
+
+        def numbers(array, letter, size):
+            data = base64.b64decode(array.text)
+            self.assertEqual(struct.unpack("<Q", data[:8])[0], len(data) - 8)
+            return struct.unpack(f"<{(len(data) - 8) // size}{letter}", data[8:])
+
+        flat = numbers(piece.find("Points/DataArray"), "d", 8)
+        return list(zip(flat[::3], flat[1::3], flat[2::3])), numbers(
+            piece.find("PointData/DataArray[@Name='film_pressure']"), "f", 4)
+
+    def test_what_has_no_such_fields_is_refused(self):
+        self.run_well("run", "case.toml", "--output", "face.nc")
+        before = self.names()
+        self.assert_refused(self.run_program("report", "face.nc", "--vts", "fields", "--output", "page.html"),
+                            'film.dimension = "unrolled"')
+        self.assert_refused(self.run_program("report", "face.nc", "--vts", "case.toml"), "not a folder")
+        self.assert_refused(self.run_program("report", "face.nc", "--vts", "none/fields"), "does not exist")
+        self.assert_refused(self.run_program("report", "face.nc", "face.nc", "--vts", "fields"), "one result at a time")
+        self.assert_refused(self.run_program("report", "face.nc", "--vts", "fields", "--vts-shape", "ball"), "cylinder, plane")
+        self.assert_refused(self.run_program("report", "face.nc"), "--output", "--vts")
+        self.assertEqual(self.names(), before)
 
 
 class Reproduce(program.ProgramTest):

@@ -128,6 +128,93 @@ for (const width of [390, 1400]) {
   });
 }
 
+/** Pixels of a map: how many are violet (low), yellow (high), black or white (hatched, or nothing). */
+function mapPixels(page, n) {
+  return page.$eval(`#around-the-ring .maps canvas:nth-of-type(${n})`, (canvas) => {
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    const count = { low: 0, high: 0, white: 0, dark: 0, all: canvas.width * canvas.height };
+    for (let k = 0; k < data.length; k += 4) {
+      const [r, g, b] = [data[k], data[k + 1], data[k + 2]];
+      if (r > 250 && g > 250 && b > 250) count.white++;
+      else if (Math.abs(r - g) < 12 && Math.abs(g - b) < 12) count.dark++;
+      else if (r > 200 && g > 200) count.high++;
+      else if (g < 90) count.low++;
+    }
+    return count;
+  });
+}
+
+for (const width of [390, 1400]) {
+  test(`the film around the ring is drawn, read and enlarged at ${width} px`, async () => {
+    const { page, faults } = await opened('unrolled.html', width);
+    const [wide, shown] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+    assert.ok(wide <= shown, `the page is ${wide} px wide in a window of ${shown} px`);
+    // At the peak of the gas pressure: all colours, and a cavity that takes 0.22 of the face.
+    assert.match(await page.textContent('#around-the-ring output'), /20° after firing TDC/);
+    const whole = await mapPixels(page, 1);
+    assert.ok(whole.low > 0.05 * whole.all && whole.high > 0.02 * whole.all, JSON.stringify(whole));
+    const hatched = (whole.white + whole.dark) / whole.all;
+    assert.ok(hatched > 0.17 && hatched < 0.27, `hatched: ${hatched}`);
+    const fill = await mapPixels(page, 2);
+    assert.equal(fill.white, 0);
+    assert.ok(fill.high > 0.6 * fill.all);
+    // 0.3 mm between 7.2 mm of ring: 4 % more is white, and what was hatched is not so near the ends.
+    await page.click('#around-the-ring button:text-is("Ends of the gap")');
+    const ends = await mapPixels(page, 2);
+    const share = ends.white / ends.all;
+    assert.ok(Math.abs(share - 0.3 / 7.5) < 0.01, `the gap takes ${share}`);
+    await page.locator('#around-the-ring .maps').scrollIntoViewIfNeeded();
+    const box = await page.locator('#around-the-ring .maps canvas').first().boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + 50);
+    assert.match(await page.textContent('#around-the-ring .map-value'), /in the gap of the ring/);
+    await page.mouse.move(box.x + box.width - 4, box.y + 30);
+    assert.match(await page.textContent('#around-the-ring .map-value'), /^x [\d.]+\smm, y [\d.]+\smm \([\d.]+° around the bore\): p [\d.]+\sbar, θ 1.00, h [\d.]+\sµm$/);
+    assert.match(await page.textContent('#around-the-ring figcaption'), /from one end of the ring's gap of 0.30.mm.*Highest: .*bar 20° after firing TDC.*face widths.*Hatched: cavities.*61 of 121 nodes/s);
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
+}
+
+test('the slider moves the maps around the ring, and their colours follow if asked', async () => {
+  const { page, faults } = await opened('unrolled.html', 1400);
+  const far = async (own) => {
+    await page.click(`#around-the-ring button:text-is("${own ? 'Of this angle' : 'Colours of all angles'}")`);
+    return mapPixels(page, 1);
+  };
+  await page.focus('#around-angle');
+  await page.keyboard.press('Home');
+  assert.match(await page.textContent('#around-the-ring h3'), /before firing TDC/);
+  assert.match(await page.getAttribute('#around-angle', 'aria-valuetext'), /before firing TDC/);
+  assert.equal((await far(false)).high, 0, 'a low pressure has no high colour among those of all angles');
+  assert.ok((await far(true)).high > 1000);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('sums of strips are drawn over the cycle, and a case without an unrolled film has no map', async () => {
+  const { page, faults } = await opened('unrolled.html', 1400);
+  assert.deepEqual(await page.$$eval('#around-the-ring .choices .tools:first-child button', (list) => list.map((b) => b.textContent)), ['fields', 'strips']);
+  await page.click('#around-the-ring button:text-is("strips")');
+  assert.equal(await page.isVisible('#around-angle'), false);
+  assert.match(await page.textContent('#around-the-ring figcaption'), /sums over the strips/);
+  const load = await mapPixels(page, 1);
+  assert.equal(load.white, 0);
+  assert.ok(load.high > 0.02 * load.all && load.low > 0.3 * load.all, JSON.stringify(load));
+  const rows = (await downloaded(page, 'around-the-ring', 'CSV')).bytes.toString('utf8').trim().split('\r\n');
+  assert.match(rows[0], /^"crank angle \[degree\]","y \[mm\]"/);
+  assert.ok(rows.length > 240 * 50);
+  assert.ok(await colouredPixels(page, '#gap-of-the-ring') > 200);
+  assert.match(await page.textContent('#gap-of-the-ring figcaption'), /between film and gap: 7\.0.*mg\/s.*0\.012\s%.*mean load: 0\.20\s%/s);
+  await page.emulateMedia({ media: 'print' });
+  await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+  assert.equal(await page.locator('#around-the-ring .print-only image').count(), 2);
+  const none = await opened('three.html', 1400);
+  assert.equal(await none.page.$('#around'), null);
+  assert.deepEqual([...faults, ...none.faults], []);
+  await none.page.close();
+  await page.close();
+});
+
 test('every part of the report is there, in order', async () => {
   const { page } = await opened('three.html', 1400);
   const ids = await page.$$eval('main figure, main section[id]', (nodes) => nodes.map((n) => n.id));

@@ -10,6 +10,7 @@ const { figureCsv, fileStem } = await load('downloads.js');
 const { figureSvg } = await load('svg.js');
 const { bandOutlines, freePlace, markIndices, markPlaces } = await load('scales.js');
 const { kHeightColours, kMissingColour } = await load('colour_map.js');
+const { cellAt, cellEdges, crankAxis, ringAxis, Unrolled } = await load('unrolled.js');
 const { lengthUnit } = await load('map_figure.js');
 const { curveFigure, withoutPoints } = await load('measurement_figures.js');
 
@@ -226,6 +227,63 @@ test('cases of one title are named after the inputs in which they differ', () =>
   assert.deepEqual(namesByInputs(cases('/home/x/y/a.csv', '/home/x/y/b.csv')), ['speed y/a.csv', 'speed y/b.csv']);
   assert.deepEqual(namesByInputs(cases('1500 rpm', '1500 rpm')), ['case 1', 'case 2']);
   assert.deepEqual(namesByInputs(cases('1500 rpm', '1500 rpm', '3000 rpm')), ['1: speed 1500 rpm', '2: speed 1500 rpm', '3: speed 3000 rpm']);
+});
+
+test('every place belongs to the nearest node, and none outside', () => {
+  const edges = cellEdges([0, 1, 4], 0, 4);
+  assert.deepEqual(edges, [0, 0.5, 2.5, 4]);
+  assert.deepEqual([-0.1, 0, 0.49, 0.5, 2.4, 4, 4.1].map((v) => cellAt(edges, v)), [-1, 0, 0, 1, 1, 2, -1]);
+});
+
+/** A ring of 100 mm with three strips 0, 40 and L; one angle, two nodes, values 0 to 5 bar. */
+function smallRing(endGap) {
+  const words = (...list) => Buffer.from(Uint16Array.from(list).buffer).toString('base64');
+  const quantity = (name, displayUnit) => ({ name, unit: displayUnit === 'bar' ? 'Pa' : '1', display_unit: displayUnit, long_name: name });
+  return new Unrolled({
+    circumference: 0.1, end_gap: endGap, gap_position: Math.PI / 2, stored: { angles: 1, y: 3, x: 2 }, crank_angle: [20], x: [0, 1e-3], y: [0, 0.04, endGap ? 0.1 - endGap : 0.09],
+    fields: { film_pressure: { low: 0, high: 5e5, data: words(0, 13107, 26214, 39320, 52427, 65534) }, fill: { low: 0.5, high: 1, data: words(65534, 65534, 0, 65534, 65535, 65534) } },
+    highest_pressure: [{ x: 1e-3, y: 0.09, value: 5e5 }], lowest_fill: [{ x: 0, y: 0.04, value: 0.5 }], strips: { crank_angle: [], y: [], fields: {} },
+  }, { fields: [quantity('film_pressure', 'bar'), quantity('fill', '1')], strips: [] });
+}
+
+test('fields around the ring come back from their words', () => {
+  const ring = smallRing(0.01);
+  // Half a step of 5 bar in 65534.
+  [[0, 0, 0], [1, 0, 2], [2, 1, 5]].forEach(([j, i, bar]) => assert.ok(Math.abs(ring.value('film_pressure', 0, j, i) - bar) < 5e-5));
+  assert.equal(ring.value('fill', 0, 2, 0), null);
+  assert.deepEqual([ring.isCavity(0, 0, 0), ring.isCavity(0, 1, 0), ring.isCavity(0, 2, 0)], [false, true, false]);
+});
+
+test('the gap is felt as far as pressures differ from those opposite', () => {
+  // Of the strips at 0, 40 and 90 mm that in the middle has 2 and 3 bar; all three differ.
+  assert.equal(smallRing(0.01).endReach(0), 0);
+  const ring = smallRing(0.01);
+  ring.y = [0, 20, 50];
+  ring.yEdges = cellEdges(ring.y, 0, 90);
+  assert.equal(ring.endReach(0), 20);
+  assert.equal(smallRing(0).endReach(0), null);
+});
+
+test('the ends of the ring lie beside each other with the gap between them', () => {
+  const ring = smallRing(0.01);
+  const axis = ringAxis(ring, { ends: true, face: 2 });
+  assert.deepEqual([axis.from, axis.to, axis.pieces], [-11, 11, [[-11, -5], [5, 11]]]);
+  assert.deepEqual([-5.5, -4, 0, 4, 5.5].map((v) => axis.index(v)), [2, -1, -1, -1, 0]);
+  assert.deepEqual([-11, -5, 5, 11].map((v) => Math.round(1e6 * axis.y(v)) / 1e6), [84, 90, 0, 6]);
+  // The gap of 36 degree has its middle at 90 degree.
+  assert.deepEqual([0, 90].map((y) => Math.round(ring.around(y))), [108, 72]);
+});
+
+test('a closed ring begins again where its last strip ends', () => {
+  const axis = ringAxis(smallRing(0), { ends: false, face: 2 });
+  assert.deepEqual([0, 19, 21, 64, 66, 94, 96, 100].map((v) => axis.index(v)), [0, 0, 1, 1, 2, 2, 0, 0]);
+});
+
+test('crank angles of the file find their place on the axis of the charts', () => {
+  const axis = crankAxis([0, 180, 360, 540]);
+  assert.deepEqual([0, 80, 100, 180, 360, -180, -350, -260].map((v) => axis.index(v)), [0, 0, 1, 1, 2, 3, 2, 3]);
+  const few = crankAxis([0, 10]);
+  assert.deepEqual([-6, -4, 4, 6, 14, 16].map((v) => few.index(v)), [-1, 0, 0, 1, 1, -1]);
 });
 
 const series = (label, x, y) => ({ caseIndex: 0, part: null, label, x, y });

@@ -55,6 +55,13 @@ int main(int argc, char** argv) {
   bare.result.samples.assign(three[0].result.samples.begin(), three[0].result.samples.begin() + 30);
   const bool bare_written = write("bare.html", report::report_page({bare}, {}));
 
+  std::vector<io::ResultDocument> around = {example::document("unrolled, fields"),
+                                            example::document("unrolled, strips", 0.7),
+                                            example::document("unrolled, face", 0.35)};
+  example::add_unrolled_film(around[0], example::Around::kFields);
+  example::add_unrolled_film(around[1], example::Around::kStripsOnly);
+  const bool around_written = write("unrolled.html", report::report_page(around, {}));
+
   const io::Units units;
   const io::Measurement surface = io::example::measurement(900, 600);
   const bool surface_written =
@@ -66,7 +73,7 @@ int main(int argc, char** argv) {
   hostile_surface.groups[0].values[0].remark = hostile_surface.tables[0].row_labels[0] = hostile.title;
   const bool hostile_surface_written =
       write("hostile_measurement.html", report::measurement_page(hostile_surface, units, {}));
-  return three_written && hostile_written && coarse_written && bare_written && surface_written &&
+  return three_written && around_written && hostile_written && coarse_written && bare_written && surface_written &&
                  hostile_surface_written
              ? 0
              : 1;

@@ -1,4 +1,5 @@
 #pragma once
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
@@ -6,9 +7,9 @@
 
 #include "ringfilm/models/lubricant.hpp"
 
-/// The input of one engine cycle, or of a pad, as one plain value: SI units, complete, checked. Crank angles alone are
-/// in degrees (suffix `_deg`, 0 = firing TDC), because that is the grid on which everything is asked for and stored
-/// (docs/decisions/0002-crank-angle-in-degrees.md).
+/// The input of one engine cycle, or of a pad, as one plain value: SI units, complete, checked. Angles alone are in
+/// degrees (suffix `_deg`; of the crank 0 = firing TDC), because that is the grid on which everything is asked for and
+/// stored (docs/decisions/0002-crank-angle-in-degrees.md).
 ///
 /// A default is written here and nowhere else. A member without a default belongs to a key that must be stated;
 /// `cycle/case_fields.hpp` has the one table of keys, units, ranges and meanings.
@@ -35,6 +36,7 @@ struct OilTable {
 
 enum class Problem { kCycle, kPad };
 enum class Direction { kPlusX, kMinusX };
+enum class Sides { kOpen, kPeriodic, kClosed };
 enum class GasModel { kTrace, kWiebe };
 enum class PressureReference { kAbsolute, kGauge };
 enum class AngleZero { kFiringTdc, kGasExchangeTdc };
@@ -50,11 +52,13 @@ enum class ViscosityTemperature { kWalther, kHoupert };
 enum class ViscosityPressure { kRoelands, kNone, kBarus };
 enum class DensityTemperature { kTable, kThermalExpansivity };
 enum class Compressibility { kDowsonHigginson, kNone };
+enum class FilmDimension { kFace, kUnrolled };
 enum class Cavitation { kReynoldsExit, kMassConserving };
 enum class StepControl { kAdaptive, kFixed };
 enum class Method { kCoupledNewton, kPointRelaxation, kNestedSecant };
 enum class Properties { kFitted, kExact };
 enum class FieldsWanted { kNone, kListed, kAll };
+enum class FieldReduction { kNone, kAlongFace };
 
 struct Engine {
   double bore = 0;                   ///< [m]
@@ -142,6 +146,9 @@ struct Ring {
   std::optional<double> tangential_force;  ///< [N]
   std::optional<double> free_gap;          ///< [m]
   std::optional<double> radial_thickness;  ///< [m]
+  // film.dimension = "unrolled"
+  std::optional<double> end_gap;  ///< between the ends of the ring in the bore; absent: a closed ring [m]
+  double gap_position_deg = 0;    ///< of the gap's middle around the bore [degree]
   RingFace face;
   Coating coating;
 };
@@ -211,13 +218,17 @@ struct Lubricant {
 };
 
 struct Film {
+  FilmDimension dimension = FilmDimension::kFace;
   Cavitation cavitation = Cavitation::kMassConserving;
   double cavitation_pressure = 101325;  ///< [Pa] absolute; of a pad counted like its other pressures
 };
 
 struct Solver {
   int cells = 200;
-  double crank_step_deg = 1.0;  ///< [degree]
+  int cells_y = 180;                            ///< of a film in two dimensions: around the ring, or across the pad
+  std::optional<double> end_cell;               ///< length of the cells at the ends of the gap [m]
+  static constexpr double kEndCell = 1.0 / 50;  ///< where it is not stated, of the face width [-]
+  double crank_step_deg = 1.0;                  ///< [degree]
   StepControl crank_step_control = StepControl::kAdaptive;
   double step_error = 1e-3;  ///< error in time let through per step, adaptive: in ln h_m; half of it in the oil [-]
   double tolerance = 1e-8;   ///< relative error left by the Newton iteration in film and pressure [-]
@@ -229,21 +240,27 @@ struct Output {
   double crank_angle_step_deg = 1.0;     ///< used where the list is empty [degree]
   std::vector<double> crank_angles_deg;  ///< explicit list, increasing, within [0, 720)
   FieldsWanted fields = FieldsWanted::kNone;
-  std::vector<double> field_angles_deg;  ///< fields = [angles]
+  std::vector<double> field_angles_deg;              ///< fields = [angles]
+  FieldReduction reduction = FieldReduction::kNone;  ///< of the fields of an unrolled film
 };
 
 /// A film of stated shape without ring and engine (docs/theory/pad.md). Pressures count from one zero, which the case
-/// chooses; loads are per metre of width.
+/// chooses; loads are per metre of width, means over it where it is finite.
 struct Pad {
   double length = 0;            ///< [m]
-  std::optional<double> width;  ///< absent: infinitely wide, the only choice so far [m]
+  std::optional<double> width;  ///< absent: infinitely wide [m]
   std::string gap_file;
   std::vector<double> gap_x;       ///< [m], from 0 to the length, increasing; a step stands there twice
-  std::vector<double> gap_height;  ///< as many [m]
+  std::vector<double> gap_y;       ///< of a map, from 0 to the width, likewise; empty: the same gap at every y [m]
+  std::vector<double> gap_height;  ///< for each x; of a map, for each x of the first y, then of the next [m]
   double speed = 0;                ///< of the flat surface [m/s]
   Direction direction = Direction::kPlusX;
   double left_pressure = 0;   ///< at x = 0 [Pa]
   double right_pressure = 0;  ///< at x = length [Pa]
+  // width
+  Sides sides = Sides::kOpen;
+  double front_pressure = 0;  ///< at y = 0, open sides [Pa]
+  double back_pressure = 0;   ///< at y = width, open sides [Pa]
   // exactly one of: separation | load | separation_history
   std::optional<double> separation;  ///< adds to the gap [m]
   std::optional<double> load;        ///< [N/m]
@@ -254,6 +271,8 @@ struct Pad {
   double time_step = 0;               ///< [s]
   std::optional<double> end_time;     ///< absent: end of the history [s]
   std::optional<double> output_step;  ///< absent: every time step is kept [s]
+
+  bool has_sides_at_pressures() const { return width && sides == Sides::kOpen; }
 
   /// Where the march ends [s].
   double last_time() const { return end_time.value_or(history_time.empty() ? 0.0 : history_time.back()); }
@@ -281,11 +300,22 @@ struct Case {
   Output output;
   Pad pad;
 
+  bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
+  /// Around the bore; of an unrolled film without the gap [m].
+  double ring_length() const;
+  /// Of the cells at the ends of the ring, as asked for [m].
+  double end_cell() const { return solver.end_cell.value_or(Solver::kEndCell * ring.face_width); }
+
   std::set<std::string> stated;  ///< keys that the user gave; every other active key is an assumption
   std::vector<InputFile> files;  ///< everything that was read
   std::vector<std::string>
       notes;  ///< what the reader had to say about the input (byte-order mark, synthetic trace, ...)
 };
+
+inline double Case::ring_length() const {
+  const double circumference = std::numbers::pi * engine.bore;
+  return is_unrolled() ? circumference - ring.end_gap.value_or(0) : circumference;
+}
 
 /// The case before anything is stated. What is usual for a ring's oil and its absolute pressures is not for a pad.
 inline Case blank_case(Problem problem) {

@@ -22,6 +22,7 @@ std::optional<Problem> problem_of(const std::string& key) {
                                                "film.cavitation",
                                                "film.cavitation_pressure",
                                                "solver.cells",
+                                               "solver.cells_y",
                                                "solver.tolerance"};
   if (shared.contains(key)) return std::nullopt;
   return key.rfind("pad.", 0) == 0 || key == "lubricant.viscosity" ? Problem::kPad : Problem::kCycle;

@@ -5,6 +5,9 @@ namespace {
 
 constexpr When kHistory{[](const Case& c) { return c.pad.separation_history_file.has_value(); },
                         "pad.separation_history is given"};
+constexpr When kFiniteWidth{[](const Case& c) { return c.pad.width.has_value(); }, "pad.width is given"};
+constexpr When kOpenSides{[](const Case& c) { return c.pad.has_sides_at_pressures(); },
+                          "pad.width is given and pad.sides = \"open\""};
 
 }  // namespace
 
@@ -20,10 +23,10 @@ void append_pad_fields(std::vector<Field>& fields) {
                  "gas and ring",
                  "\"76.2 mm\""}),
           field("pad.width", OptionalNumberKind{member<&Case::pad, &Pad::width>}, mm, above(0, 1e3), Need::kOptional,
-                {}, {"width across the motion; not there yet: leave it out, the pad is infinitely wide", "\"50 mm\""}),
+                {}, {"width across the motion, B; if left out, the pad is infinitely wide", "\"50 mm\""}),
           field("pad.gap", FileKind{member<&Case::pad, &Pad::gap_file>}, kNoUnit, {}, Need::kRequired, {},
                 {"CSV file x [mm],h [um] of the gap from x = 0 to the length, g; straight between points, the same x "
-                 "twice is a step",
+                 "twice is a step; with a width also a map, CSV x [mm],y [mm],h [um] or NetCDF h(y, x)",
                  "\"gap.csv\""}),
           field("pad.speed", NumberKind{member<&Case::pad, &Pad::speed>}, {"m/s", "m/s"}, between(0, 1e5),
                 Need::kRequired, {}, {"speed of the flat surface, U; the pad and its gap stand still", "\"4.57 m/s\""}),
@@ -33,6 +36,14 @@ void append_pad_fields(std::vector<Field>& fields) {
                 Need::kRequired, {}, {"pressure at x = 0, from the zero that the case chooses", "\"0 bar\""}),
           field("pad.right_pressure", NumberKind{member<&Case::pad, &Pad::right_pressure>}, bar, pressure,
                 Need::kRequired, {}, {"pressure at x = length, from the same zero", "\"0 bar\""}),
+          field(
+              "pad.sides", choice<&Case::pad, &Pad::sides>({"open", "periodic", "closed"}), kNoUnit, {}, Need::kDefault,
+              kFiniteWidth,
+              {"what the film ends at across the motion: stated pressures, its own other side, or walls", "\"open\""}),
+          field("pad.front_pressure", NumberKind{member<&Case::pad, &Pad::front_pressure>}, bar, pressure,
+                Need::kRequired, kOpenSides, {"pressure at y = 0, from the same zero", "\"0 bar\""}),
+          field("pad.back_pressure", NumberKind{member<&Case::pad, &Pad::back_pressure>}, bar, pressure,
+                Need::kRequired, kOpenSides, {"pressure at y = width, from the same zero", "\"0 bar\""}),
           field("pad.separation", OptionalNumberKind{member<&Case::pad, &Pad::separation>}, um, between(-1, 1),
                 Need::kOptional, {}, {"added to the gap everywhere: h = g + s", "\"0 um\""}),
           field("pad.load", OptionalNumberKind{member<&Case::pad, &Pad::load>}, {"N/m", "N/m"}, above(0, 1e12),

@@ -15,6 +15,9 @@ constexpr When kFourModuliOrFreeGap{
     [](const Case& c) { return !c.contact.composite_modulus || c.ring.free_gap || c.ring.radial_thickness; },
     "contact.composite_modulus is not stated, or the tension comes from ring.free_gap"};
 
+constexpr When kUnrolled{[](const Case& c) { return c.is_unrolled(); }, "film.dimension = \"unrolled\""};
+constexpr When kGapped{[](const Case& c) { return c.is_unrolled() && c.ring.end_gap.has_value(); },
+                       "ring.end_gap is stated"};
 constexpr When kCoated{
     [](const Case& c) { return !c.contact.composite_modulus && c.ring.coating.youngs_modulus.has_value(); },
     "ring.coating.youngs_modulus is stated, and contact.composite_modulus is not"};
@@ -50,6 +53,13 @@ void append_ring_fields(std::vector<Field>& fields) {
           field("ring.radial_thickness", OptionalNumberKind{member<&Case::ring, &Ring::radial_thickness>}, kLength,
                 above(0, 0.2), Need::kOptional, {},
                 {"radial thickness of the ring, t; with ring.free_gap one of the three ways", "\"3.5 mm\""}),
+          field("ring.end_gap", OptionalNumberKind{member<&Case::ring, &Ring::end_gap>}, kLength, above(0, 1),
+                Need::kOptional, kUnrolled,
+                {"gap between the ends of the ring in the bore, g; if left out, the ring is closed", "\"0.3 mm\""}),
+          field("ring.gap_position", NumberKind{member<&Case::ring, &Ring::gap_position_deg>}, {"degree", "degree"},
+                between(-360, 360), Need::kDefault, kGapped,
+                {"where around the bore the middle of the gap is; in a round bore a label of the results alone",
+                 "\"0 degree\""}),
           field(
               "ring.face.form", choice<&Case::ring, &Ring::face, &RingFace::form>({"polynomial", "parabola", "points"}),
               kNoUnit, {}, Need::kRequired, {},

@@ -1,12 +1,27 @@
 #include "ringfilm/cycle/case_fields_table.hpp"
 
 namespace ringfilm::cycle::table {
+namespace {
+
+constexpr When kTwoDimensions{
+    [](const Case& c) { return c.is_unrolled() || (c.problem == Problem::kPad && c.pad.width.has_value()); },
+    "film.dimension = \"unrolled\", or pad.width is given"};
+constexpr When kGapEnds{[](const Case& c) { return c.is_unrolled() && c.ring.end_gap.has_value(); },
+                        "ring.end_gap is stated"};
+constexpr When kUnrolledFields{[](const Case& c) { return c.is_unrolled() && c.output.fields != FieldsWanted::kNone; },
+                               "film.dimension = \"unrolled\" and output.fields are asked for"};
+
+}  // namespace
 
 void append_run_fields(std::vector<Field>& fields) {
   const Unit degree{"degree", "degree"};
   fields.insert(
       fields.end(),
       {
+          field("film.dimension", choice<&Case::film, &Film::dimension>({"face", "unrolled"}), kNoUnit, {},
+                Need::kDefault, {},
+                {"film across the face alone, alike all around, or on the whole unrolled ring with the ends of its gap",
+                 "\"face\""}),
           field("film.cavitation", choice<&Case::film, &Film::cavitation>({"reynolds-exit", "mass-conserving"}),
                 kNoUnit, {}, Need::kDefault, {},
                 {"where the film ruptures: pressure never below p_c (Reynolds), or also mass kept (JFO)",
@@ -18,6 +33,12 @@ void append_run_fields(std::vector<Field>& fields) {
                "\"1.01325 bar\""}),
           field("solver.cells", CountKind{member<&Case::solver, &Solver::cells>}, kPlainNumber, between(8, 100000),
                 Need::kDefault, {}, {"cells across the face", "200"}),
+          field("solver.cells_y", CountKind{member<&Case::solver, &Solver::cells_y>}, kPlainNumber, between(4, 100000),
+                Need::kDefault, kTwoDimensions, {"cells around the ring, or across the pad", "180"}),
+          field("solver.end_cell", OptionalNumberKind{member<&Case::solver, &Solver::end_cell>}, {"m", "um"},
+                above(0, 1), Need::kOptional, kGapEnds,
+                {"length around the ring of the cells at the ends of its gap; if left out, 1/50 of the face width",
+                 "\"24 um\""}),
           field("solver.crank_step", NumberKind{member<&Case::solver, &Solver::crank_step_deg>}, degree, above(0, 10),
                 Need::kDefault, {}, {"crank step of the march; whole steps must make 720 degrees", "\"1 degree\""}),
           field("solver.crank_step_control", choice<&Case::solver, &Solver::crank_step_control>({"adaptive", "fixed"}),
@@ -45,6 +66,10 @@ void append_run_fields(std::vector<Field>& fields) {
                 {"crank angles of the result: a step, or a list of angles counted from firing TDC", "\"1 degree\""}),
           field("output.fields", FieldAnglesKind{}, degree, {}, Need::kDefault, {},
                 {"pressure and film along the face: \"none\", \"all\", or a list of crank angles", "\"none\""}),
+          field("output.reduction", choice<&Case::output, &Output::reduction>({"none", "along-face"}), kNoUnit, {},
+                Need::kDefault, kUnrolledFields,
+                {"fields of an unrolled film at each place, or only what each strip across the face sums up to",
+                 "\"none\""}),
       });
 }
 

@@ -4,6 +4,7 @@
 #include "ringfilm/cycle/case_fields.hpp"
 #include "ringfilm/cycle/case_rules_measured.hpp"
 #include "ringfilm/cycle/case_rules_pad.hpp"
+#include "ringfilm/cycle/case_rules_unrolled.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/models/gas.hpp"
 
@@ -230,6 +231,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   append_measured_breaches(c.contact.measured, breaches);
   if (!c.lubricant.table_file) check_laws(c.lubricant, breaches);
   check_angles(c, breaches);
+  append_unrolled_breaches(c, breaches);
   return breaches;
 }
 

@@ -11,19 +11,15 @@ namespace {
 using Breaches = std::vector<RuleBreach>;
 
 constexpr double kMostSteps = 1e6;
-/// Rows of the CSV file, some 80 bytes each.
+/// Rows of the CSV file, some 80 bytes each; values of a field.
 constexpr double kMostRows = 1e7;
+/// Of a film in two dimensions: its solver needs about a kilobyte for each.
+constexpr double kMostNodes = 2e6;
 
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
-}
-
-void check_width(const Pad& pad, Breaches& breaches) {
-  if (!pad.width) return;
-  breaches.push_back({"pad.width", "pad.width asks for the two-dimensional film, which is not there yet",
-                      "take it out: without it the pad is infinitely wide and all results are per metre of width"});
 }
 
 void check_what_is_given(const Pad& pad, Breaches& breaches) {
@@ -42,21 +38,79 @@ void check_what_is_given(const Pad& pad, Breaches& breaches) {
   breaches.push_back({given.back(), names + " are stated together", ways});
 }
 
-/// @returns whether the points run from 0 to the length
+/// Do places run from 0 to the end?
+bool covers(const std::vector<double>& places, double end) { return places.front() == 0 && places.back() == end; }
+
+/// @returns whether the points run from 0 to the length, and to the width
 bool check_gap(const Pad& pad, Breaches& breaches) {
   if (pad.gap_x.empty()) return false;
-  if (pad.gap_x.front() == 0 && pad.gap_x.back() == pad.length) return true;
-  breaches.push_back({"pad.gap",
-                      "the points of the gap run from x = " + number(pad.gap_x.front() * 1e3) + " to " +
-                          number(pad.gap_x.back() * 1e3) + " mm, the pad from 0 to " + number(pad.length * 1e3) + " mm",
-                      "points are wanted from x = 0 to pad.length, both included"});
-  return false;
+  const bool is_map = !pad.gap_y.empty();
+  if (is_map && !pad.width) {
+    breaches.push_back({"pad.gap", "the gap is a map over x and y, and the pad has no width",
+                        "state pad.width, or give the gap along x alone"});
+    return false;
+  }
+  const bool is_long = covers(pad.gap_x, pad.length), is_wide = !is_map || covers(pad.gap_y, *pad.width);
+  if (!is_long) {
+    breaches.push_back({"pad.gap",
+                        "the points of the gap run from x = " + number(pad.gap_x.front() * 1e3) + " to " +
+                            number(pad.gap_x.back() * 1e3) + " mm, the pad from 0 to " + number(pad.length * 1e3) +
+                            " mm",
+                        "points are wanted from x = 0 to pad.length, both included"});
+  }
+  if (!is_wide) {
+    breaches.push_back({"pad.gap",
+                        "the rows of the gap run from y = " + number(pad.gap_y.front() * 1e3) + " to " +
+                            number(pad.gap_y.back() * 1e3) + " mm, the pad from 0 to " + number(*pad.width * 1e3) +
+                            " mm",
+                        "rows are wanted from y = 0 to pad.width, both included"});
+  }
+  return is_long && is_wide;
+}
+
+/// Where the gap is joined with itself it must not jump.
+void check_joined_gap(const Pad& pad, Breaches& breaches) {
+  if (pad.sides != Sides::kPeriodic || pad.gap_y.empty()) return;
+  constexpr double kRounding = 1e-9;
+  const std::size_t n_x = pad.gap_x.size(), last = pad.gap_height.size() - n_x;
+  for (std::size_t i = 0; i < n_x; ++i) {
+    const double front = pad.gap_height[i], back = pad.gap_height[last + i];
+    if (std::abs(front - back) <= kRounding * std::max(std::abs(front), std::abs(back))) continue;
+    breaches.push_back(
+        {"pad.sides",
+         "pad.sides = \"periodic\" joins the sides of the pad, and at x = " + number(pad.gap_x[i] * 1e3) +
+             " mm the gap is " + number(front * 1e6) + " um at y = 0 and " + number(back * 1e6) + " um at y = width",
+         "give the map the same first and last row, or take open or closed sides"});
+    return;
+  }
+}
+
+/// An edge below the pressure of cavities would be filled with gas. That of an infinitely wide pad lowers the pressure
+/// of its cavities, with a note.
+void check_edge_pressures(const Case& c, Breaches& breaches) {
+  const Pad& pad = c.pad;
+  if (!pad.width) return;
+  const auto check = [&](const char* key, double pressure) {
+    if (pressure >= c.film.cavitation_pressure) return;
+    breaches.push_back({key,
+                        std::string(key) + " = " + number(pressure / 1e5) +
+                            " bar is below film.cavitation_pressure = " + number(c.film.cavitation_pressure / 1e5) +
+                            " bar: the film cannot be full there",
+                        "raise it, or lower film.cavitation_pressure"});
+  };
+  check("pad.left_pressure", pad.left_pressure);
+  check("pad.right_pressure", pad.right_pressure);
+  if (!pad.has_sides_at_pressures()) return;
+  check("pad.front_pressure", pad.front_pressure);
+  check("pad.back_pressure", pad.back_pressure);
 }
 
 void check_film(const Pad& pad, Breaches& breaches) {
   const auto lowest = std::min_element(pad.gap_height.begin(), pad.gap_height.end());
-  const std::string place = "at x = " + number(pad.gap_x[lowest - pad.gap_height.begin()] * 1e3) + " mm the gap is " +
-                            number(*lowest * 1e6) + " um";
+  const std::size_t k = lowest - pad.gap_height.begin(), n_x = pad.gap_x.size();
+  std::string place = "at x = " + number(pad.gap_x[k % n_x] * 1e3) + " mm";
+  if (!pad.gap_y.empty()) place += ", y = " + number(pad.gap_y[k / n_x] * 1e3) + " mm";
+  place += " the gap is " + number(*lowest * 1e6) + " um";
   const std::string remedy = "the separation adds to the gap, and their sum must be above zero everywhere";
   if (pad.separation && !(*lowest + *pad.separation > 0)) {
     breaches.push_back({"pad.separation",
@@ -72,11 +126,24 @@ void check_film(const Pad& pad, Breaches& breaches) {
   }
 }
 
-/// Nodes of the grid at the most: each piece between steps of the gap gets two cells or more.
-double most_nodes(const Case& c) {
+/// Nodes in one direction at the most: each piece between steps of the gap gets two cells or more.
+double most_nodes(int cells, const std::vector<double>& places) {
   double pieces = 1;
-  for (std::size_t i = 1; i < c.pad.gap_x.size(); ++i) pieces += c.pad.gap_x[i] == c.pad.gap_x[i - 1];
-  return c.solver.cells + 3 * pieces + 1;
+  for (std::size_t i = 1; i < places.size(); ++i) pieces += places[i] == places[i - 1];
+  return cells + 3 * pieces + 1;
+}
+
+double most_nodes(const Case& c) {
+  const double along = most_nodes(c.solver.cells, c.pad.gap_x);
+  return c.pad.width ? along * most_nodes(c.solver.cells_y, c.pad.gap_y) : along;
+}
+
+void check_nodes(const Case& c, Breaches& breaches) {
+  if (!c.pad.width || most_nodes(c) <= kMostNodes) return;
+  breaches.push_back({"solver.cells_y",
+                      "solver.cells and solver.cells_y, with the steps of the gap, make a grid of " +
+                          number(most_nodes(c)) + " nodes, more than " + number(kMostNodes),
+                      "take fewer cells in one direction or both"});
 }
 
 void check_times(const Case& c, Breaches& breaches) {
@@ -126,9 +193,13 @@ void check_oil(const Case& c, Breaches& breaches) {
 
 std::vector<RuleBreach> broken_pad_rules(const Case& c) {
   Breaches breaches;
-  check_width(c.pad, breaches);
   check_what_is_given(c.pad, breaches);
-  if (check_gap(c.pad, breaches)) check_film(c.pad, breaches);
+  if (check_gap(c.pad, breaches)) {
+    check_film(c.pad, breaches);
+    check_joined_gap(c.pad, breaches);
+    check_nodes(c, breaches);
+  }
+  check_edge_pressures(c, breaches);
   if (!c.pad.history_time.empty()) check_times(c, breaches);
   check_oil(c, breaches);
   return breaches;

@@ -158,7 +158,7 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
       {"face_height_minimum", setup.face.minimum().height},
       {"face_height_chamber_edge", grid.node_height.front()},
       {"face_height_crankcase_edge", grid.node_height.back()},
-      {"nominal_contact_area", setup.circumference() * c.ring.face_width},
+      {"nominal_contact_area", c.ring_length() * c.ring.face_width},
       {"swept_volume", swept_volume(c.engine)},
       {"mean_piston_speed", 2 * c.engine.stroke * c.operating.speed / (2 * std::numbers::pi)},
   };

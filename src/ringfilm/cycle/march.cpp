@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/film/first_guess.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -19,37 +18,6 @@ static_assert(kTicks == 1 << kFinestLevel);
 constexpr double kContentShare = 0.5;
 /// A step twice as long makes four times the error; it is tried only with something to spare.
 constexpr double kCoarsenBelow = 0.15;
-
-film::FilmProblem film_problem(const Setup& setup) {
-  const auto& input = setup.input;
-  const models::RingFace face =
-      input.ring.face.orientation == Orientation::kX0Crankcase ? setup.face.turned() : setup.face;
-  const double lowest = face.minimum().height;  // so that h_m is the true minimum film
-  film::FilmProblem problem;
-  problem.grid =
-      film::uniform_grid(input.solver.cells, input.ring.face_width, [&](double x) { return face.height(x) - lowest; });
-  problem.oil = setup.oil.get();
-  problem.contact = &setup.contact;
-  problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving
-                                                                            : film::Cavitation::kReynoldsExit;
-  problem.contact_spread = input.contact.film_parameter == FilmParameter::kLocal ? film::ContactSpread::kLocal
-                                                                                 : film::ContactSpread::kNominal;
-  problem.tolerance = input.solver.tolerance;
-  problem.kernels = setup.kernels;
-  return problem;
-}
-
-film::Method film_method(Method method) {
-  switch (method) {
-    case Method::kPointRelaxation:
-      return film::Method::kPointRelaxation;
-    case Method::kNestedSecant:
-      return film::Method::kNestedSecant;
-    case Method::kCoupledNewton:
-      break;
-  }
-  return film::Method::kCoupledNewton;
-}
 
 ConvergenceError no_balance(const film::FilmInputs& inputs, const film::FilmGrid& grid, const film::FilmReport& report,
                             double crank_angle_deg) {
@@ -76,10 +44,7 @@ ConvergenceError no_balance(const film::FilmInputs& inputs, const film::FilmGrid
 
 }  // namespace
 
-March::March(const Setup& setup)
-    : setup_(setup),
-      problem_(film_problem(setup)),
-      workspace_(film::workspace_of(film_method(setup.input.solver.method), problem_)) {}
+March::March(const Setup& setup) : setup_(setup), film_(setup) {}
 
 March::Boundary March::boundary(double crank_angle_deg, double time_step) const {
   const double angle = wrapped(crank_angle_deg);
@@ -95,14 +60,14 @@ March::Boundary March::boundary(double crank_angle_deg, double time_step) const 
   b.inputs.p_left = turned ? p_cc : p_ic;
   b.inputs.p_right = turned ? p_ic : p_cc;
   b.inputs.p_cavitation = std::min({setup_.input.film.cavitation_pressure, p_ic, p_cc});
-  b.inputs.load = (setup_.elastic_pressure + setup_.input.gas.pressure_behind_ring * p_ic) * problem_.grid.width;
+  b.inputs.load = (setup_.elastic_pressure + setup_.input.gas.pressure_behind_ring * p_ic) * problem().grid.width;
   b.inputs.time_step = time_step;
   return b;
 }
 
 void March::count(const film::FilmReport& report) {
   totals_.newton_iterations += report.iterations;
-  totals_.exact_law_solves += report.converged && report.exact_laws && problem_.oil->fit() != nullptr;
+  totals_.exact_law_solves += report.converged && report.exact_laws && problem().oil->fit() != nullptr;
   effort_.newton_iterations += report.iterations;
   totals_.relaxation_sweeps += report.sweeps;
   if (report.converged && report.route == film::Route::kSecant) {
@@ -121,8 +86,8 @@ double March::time_error(const film::FilmState& to, double time_step) const {
   double total = 0;
   for (std::size_t i = 0; i < to.content.size(); ++i) {
     const double predicted = state_.content[i] + ratio * (state_.content[i] - before_.content[i]);
-    content += std::abs(to.content[i] - predicted);
-    total += to.content[i];
+    content += film_.weight(i) * std::abs(to.content[i] - predicted);
+    total += film_.weight(i) * to.content[i];
   }
   const double error = share * std::max(film, content / total / kContentShare) / setup_.input.solver.step_error;
   return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
@@ -135,11 +100,9 @@ void March::start(int k) {
   level_ = 0;
   tick_ = kTicks;
   const Boundary at = boundary(angle_deg_, film::kSteady);
-  state_ = film::first_guess(problem_, at.inputs);
-  before_ = state_;
-  const film::FilmReport report = film::solve_film(problem_, at.inputs, before_, state_, workspace_);
+  const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
   count(report);
-  if (!report.converged) throw no_balance(at.inputs, problem_.grid, report, angle_deg_);
+  if (!report.converged) throw no_balance(at.inputs, problem().grid, report, angle_deg_);
   instant_ = {wrapped(angle_deg_), at.axis, at.inputs, &before_, &state_, effort_};
 }
 
@@ -164,7 +127,7 @@ void March::propose() {
 film::FilmReport March::solve() {
   candidate_ = state_;
   candidate_.h_m = step_.h_m;
-  return film::solve_film(problem_, step_.at.inputs, state_, candidate_, workspace_);
+  return film_.solve(step_.at.inputs, state_, candidate_);
 }
 
 void March::conclude(const film::FilmReport& report, Waypoints& waypoints) {
@@ -173,7 +136,7 @@ void March::conclude(const film::FilmReport& report, Waypoints& waypoints) {
   const double error = report.converged && adaptive() ? time_error(candidate_, step_.time_step) : 0;
   const bool too_coarse = adaptive() && error > 1 && level_ < kFinestLevel;
   if (!report.converged || too_coarse) {
-    if (level_ == kFinestLevel) throw no_balance(step_.at.inputs, problem_.grid, report, step_.to_deg);
+    if (level_ == kFinestLevel) throw no_balance(step_.at.inputs, problem().grid, report, step_.to_deg);
     if (!report.converged) {
       ++totals_.fallback_sub_step;
       ++effort_.fallbacks;
@@ -217,20 +180,20 @@ Instant March::side_step(double crank_angle_deg, film::FilmState& to) {
     for (int part = 1; part <= parts; ++part) {
       side_before_ = to;
       at = boundary(angle_deg_ + part * part_deg, radians(part_deg) / setup_.input.operating.speed);
-      report = film::solve_film(problem_, at.inputs, side_before_, to, workspace_);
+      report = film_.solve(at.inputs, side_before_, to);
       if (!report.converged) break;
     }
   }
-  if (!report.converged) throw no_balance(at.inputs, problem_.grid, report, crank_angle_deg);
+  if (!report.converged) throw no_balance(at.inputs, problem().grid, report, crank_angle_deg);
   return {wrapped(crank_angle_deg), at.axis, at.inputs, &side_before_, &to, {1, report.iterations, 0}};
 }
 
 double March::distance(const film::FilmState& other) const {
-  const double scale = instant_.inputs.mean_pressure(problem_.grid);
+  const double scale = instant_.inputs.mean_pressure(problem().grid);
   double largest = std::abs(std::log(state_.h_m / other.h_m));
   for (std::size_t i = 0; i < state_.p.size(); ++i) {
     largest = std::max(largest, std::abs(state_.p[i] - other.p[i]) / scale);
-    if (problem_.cavitation == film::Cavitation::kMassConserving) {
+    if (problem().cavitation == film::Cavitation::kMassConserving) {
       largest = std::max(largest, std::abs(state_.deficit[i] - other.deficit[i]));
     }
   }

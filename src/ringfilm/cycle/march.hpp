@@ -2,8 +2,8 @@
 #include <string>
 
 #include "ringfilm/cycle/kinematics.hpp"
+#include "ringfilm/cycle/march_film.hpp"
 #include "ringfilm/cycle/setup.hpp"
-#include "ringfilm/film/method.hpp"
 
 namespace ringfilm::cycle {
 
@@ -70,8 +70,10 @@ class March {
   /// Is the step from base angle to base angle done?
   bool at_base_angle() const { return tick_ == kTicksPerBaseStep; }
 
-  /// Does the case ask for the coupled Newton method?
-  bool is_coupled_newton() const { return setup_.input.solver.method == Method::kCoupledNewton; }
+  /// Can its films be sought in the lane of a block: films across the face, by the coupled Newton method?
+  bool fits_a_lane() const {
+    return !setup_.input.is_unrolled() && setup_.input.solver.method == Method::kCoupledNewton;
+  }
 
   /// A base step may be cut into as many.
   static constexpr int kTicksPerBaseStep = 64;
@@ -83,7 +85,10 @@ class March {
   /// Where the march stands.
   const Instant& instant() const { return instant_; }
   const film::FilmState& state() const { return state_; }
-  const film::FilmProblem& problem() const { return problem_; }
+  /// Of the film across the face, which is that of each strip of an unrolled film.
+  const film::FilmProblem& problem() const { return film_.across(); }
+  /// Of an unrolled film, else nullptr.
+  const sheet::SheetProblem* sheet() const { return film_.sheet(); }
 
   /// Largest relative difference of film, pressure and fill from another state [-].
   double distance(const film::FilmState& other) const;
@@ -109,8 +114,7 @@ class March {
   void count(const film::FilmReport& report);
 
   const Setup& setup_;
-  film::FilmProblem problem_;
-  film::MethodWorkspace workspace_;
+  MarchFilm film_;
   film::FilmState state_, before_, candidate_, side_before_;
   double time_step_before_ = 0;   ///< 0: no history
   int k_ = 0;                     ///< base angle where the march stands

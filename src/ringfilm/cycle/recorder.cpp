@@ -32,6 +32,7 @@ Recorder::Recorder(const Setup& setup)
       base_(steps_per_cycle(setup.input.solver)),
       is_passed_(base_.size(), false),
       wanted_deg_(wanted_angles(setup.input.output)) {
+  if (setup.input.is_unrolled()) unrolled_.emplace(setup);
   if (setup.input.output.fields == FieldsWanted::kAll) field_deg_ = wanted_deg_;
   if (setup.input.output.fields == FieldsWanted::kListed) field_deg_ = setup.input.output.field_angles_deg;
   for (const auto& angles : {wanted_deg_, field_deg_}) {
@@ -47,9 +48,15 @@ bool Recorder::wants_fields(double crank_angle_deg) const {
 }
 
 void Recorder::keep(const March& march, const Instant& instant, Sample& slot) {
-  const film::FilmIntegrals integrals =
-      film::film_integrals(march.problem(), instant.inputs, *instant.previous, *instant.state);
+  sheet::SheetIntegrals of_sheet;
+  film::FilmIntegrals& integrals = of_sheet.mean;
+  if (unrolled_) {
+    of_sheet = sheet::sheet_integrals(*march.sheet(), sheet_inputs(instant.inputs), *instant.previous, *instant.state);
+  } else {
+    integrals = film::film_integrals(march.problem(), instant.inputs, *instant.previous, *instant.state);
+  }
   slot = sample(setup_, march, instant, integrals);
+  if (unrolled_) unrolled_->keep(march, instant, of_sheet, slot);
   max_load_residual_ = std::max(max_load_residual_, slot.load_residual);
   largest_flow_ = std::max(largest_flow_, std::abs(integrals.flow_middle));
   if (march.problem().cavitation == film::Cavitation::kMassConserving) {
@@ -63,6 +70,7 @@ void Recorder::keep(const March& march, const Instant& instant, Sample& slot) {
   if (wants_fields(instant.crank_angle_deg)) {
     FaceFields fields;
     append_fields(setup_, march, instant, fields);
+    if (unrolled_) unrolled_->keep_fields(march, instant, of_sheet);
     fields_[instant.crank_angle_deg] = std::move(fields);
   }
 }
@@ -129,6 +137,7 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
   const std::vector<Sample>& base = result.complete ? base_ : passed;
   result.values = result.complete ? cycle_values(setup_, base) : no_cycle_values();
   if (result.complete) result.stroke = stroke_profile(setup_, base);
+  if (unrolled_) unrolled_->add_to(result, march, base);
   result.derived = derived_values(setup_, march.problem().grid);
 
   const March::Totals& totals = march.totals();

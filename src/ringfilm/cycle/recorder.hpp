@@ -5,6 +5,7 @@
 
 #include "ringfilm/cycle/march.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/unrolled_sampling.hpp"
 
 namespace ringfilm::cycle {
 
@@ -30,6 +31,7 @@ class Recorder : public Waypoints {
   bool wants_fields(double crank_angle_deg) const;
 
   const Setup& setup_;
+  std::optional<UnrolledRecorder> unrolled_;  ///< of an unrolled film
   double step_deg_;
   std::vector<Sample> base_;  ///< at the base angles
   std::vector<bool> is_passed_;

@@ -175,4 +175,94 @@ const std::vector<Quantity>& derived_quantities() {
   return table;
 }
 
+const std::vector<UnrolledQuantity>& unrolled_quantities() {
+  using S = UnrolledSample;
+  static const std::vector<UnrolledQuantity> table = {
+      {{"gap_leakage", "kg/s", "mg/s", "oil out of the film into the ring's gap", "m_g", "eq-gap-leakage"},
+       &S::gap_leakage},
+      {{"ends_share_load", "1", "%", "share of the gap's ends in the load carried", "e_W", "eq-end-share"},
+       &S::ends_share_load},
+      {{"ends_share_friction", "1", "%", "share of the gap's ends in the total friction", "e_f", "eq-end-share"},
+       &S::ends_share_friction},
+      {{"ends_share_flow", "1", "%", "share of the gap's ends in the oil flow at the middle section", "e_m",
+        "eq-end-share"},
+       &S::ends_share_flow},
+      {{"gap_leakage_low_end", "kg/s", "mg/s", "oil out of the film into the gap at the end y = 0", "m_g,0",
+        "eq-gap-leakage"},
+       &S::gap_leakage_low_end},
+      {{"gap_leakage_high_end", "kg/s", "mg/s", "oil out of the film into the gap at the end y = L", "m_g,L",
+        "eq-gap-leakage"},
+       &S::gap_leakage_high_end},
+      {{"oil_flow_without_ends", "kg/s", "mg/s",
+        "oil flow at the middle section if all were like the strip opposite the gap", "L m'_mid", "eq-end-share"},
+       &S::oil_flow_without_ends},
+  };
+  return table;
+}
+
+const std::vector<UnrolledCycleQuantity>& unrolled_cycle_quantities() {
+  using V = UnrolledValues;
+  static const std::vector<UnrolledCycleQuantity> table = {
+      {{"mean_gap_leakage", "kg/s", "mg/s", "mean oil flow out of the film into the ring's gap", "m_g,mean",
+        "eq-gap-leakage"},
+       &V::mean_gap_leakage},
+      {{"mean_absolute_gap_leakage", "kg/s", "mg/s", "mean absolute oil flow between film and gap", "m_g,abs",
+        "eq-gap-leakage"},
+       &V::mean_absolute_gap_leakage},
+      {{"peak_gap_leakage", "kg/s", "mg/s", "largest oil flow out of the film into the gap", "m_g,max",
+        "eq-gap-leakage"},
+       &V::peak_gap_leakage},
+      {{"peak_gap_leakage_angle", "degree", "degree", "crank angle of the largest oil flow into the gap", "phi",
+        "eq-gap-leakage"},
+       &V::peak_gap_leakage_angle},
+      {{"gap_leakage_share", "1", "%", "mean absolute flow between film and gap over that at the middle section",
+        "m_g,abs/m_abs", "eq-gap-leakage"},
+       &V::gap_leakage_share},
+      {{"ends_share_mean_load", "1", "%", "share of the gap's ends in the mean load", "e_W,mean", "eq-end-share"},
+       &V::ends_share_mean_load},
+      {{"ends_share_friction_power", "1", "%", "share of the gap's ends in the mean friction power", "e_P",
+        "eq-end-share"},
+       &V::ends_share_friction_power},
+      {{"ends_share_absolute_flow", "1", "%",
+        "share of the gap's ends in the mean absolute oil flow at the middle section", "e_m,abs", "eq-end-share"},
+       &V::ends_share_absolute_flow},
+  };
+  return table;
+}
+
+const std::vector<UnrolledField>& unrolled_fields() {
+  using F = UnrolledFields;
+  static const std::vector<UnrolledField> table = {
+      {{"film_thickness", "m", "um", "film thickness", "h", "eq-film-thickness"}, &F::film_thickness},
+      {{"film_pressure", "Pa", "bar", "film pressure, absolute", "p", "eq-sheet-reynolds"}, &F::film_pressure},
+      {{"fill", "1", "1", "liquid share of the film", "theta", "eq-fill"}, &F::fill},
+      {{"asperity_pressure", "Pa", "bar", "asperity contact pressure", "p_a", "eq-asperity-load"},
+       &F::asperity_pressure},
+  };
+  return table;
+}
+
+const std::vector<UnrolledField>& strip_fields() {
+  using F = UnrolledFields;
+  static const std::vector<UnrolledField> table = {
+      {{"strip_hydrodynamic_load", "N/m", "N/mm", "load carried by the film, per length of ring", "w_h",
+        "eq-hydrodynamic-load"},
+       &F::strip_hydrodynamic_load},
+      {{"strip_asperity_load", "N/m", "N/mm", "load carried by asperities, per length of ring", "w_a",
+        "eq-asperity-load"},
+       &F::strip_asperity_load},
+      {{"strip_peak_film_pressure", "Pa", "bar", "peak film pressure across the face, absolute", "p_max",
+        "eq-sheet-reynolds"},
+       &F::strip_peak_film_pressure},
+      {{"strip_cavitated_fraction", "1", "%", "cavitated share of the face", "x_c", "eq-complementarity"},
+       &F::strip_cavitated_fraction},
+      {{"strip_min_film_thickness", "m", "um", "minimum film thickness across the face", "h_m", "eq-film-thickness"},
+       &F::strip_min_film_thickness},
+      {{"strip_oil_flow_middle", "kg/(m s)", "mg/(m s)",
+        "oil flow at the middle section, positive to the crankcase, per length of ring", "m'_mid", "eq-mass-flow"},
+       &F::strip_oil_flow_middle},
+  };
+  return table;
+}
+
 }  // namespace ringfilm::cycle

@@ -8,7 +8,8 @@
 /// `cycle_quantities` for the cycle as a whole; CSV, JSON, NetCDF, report and Python walk them.
 namespace ringfilm::cycle {
 
-/// Everything at one crank angle. SI; loads, friction and flow for the whole circumference (pi x bore).
+/// Everything at one crank angle. SI; loads, friction and flow for the whole ring: the circumference pi x bore, of an
+/// unrolled film without the gap. Where the cavity begins and ends is told of its strip halfway, opposite the gap.
 /// Signs: velocity and friction on the liner positive towards TDC; `viscous_friction_ring` is the shear at the ring in
 /// the same sense of motion, so that the force on the ring itself is its opposite; oil flow positive from chamber to
 /// crankcase.
@@ -68,7 +69,8 @@ struct CycleQuantity : Quantity {
 };
 const std::vector<CycleQuantity>& cycle_quantities();
 
-/// Fields along the face at some crank angles; row-major [angle][node]. x from the chamber edge.
+/// Fields along the face at some crank angles, of an unrolled film along its strip halfway; row-major [angle][node]. x
+/// from the chamber edge.
 struct FaceFields {
   std::vector<double> x;                  ///< [m]
   std::vector<double> face_height;        ///< h_s as installed [m]
@@ -79,6 +81,69 @@ struct FaceFields {
   std::vector<double> film_parameter;     ///< h(x)/sigma [-]
   std::vector<double> asperity_pressure;  ///< [Pa]
 };
+
+/// What one crank angle gives beyond `Sample` where the film is unrolled.
+struct UnrolledSample {
+  double gap_leakage = 0;          ///< oil out of the film through both ends of the ring [kg/s]; negative: drawn in
+  double ends_share_load = 0;      ///< 1 - strip opposite the gap x length / whole ring [-]
+  double ends_share_friction = 0;  ///< the same of the total friction [-]
+  double ends_share_flow = 0;      ///< the same of the oil flow at the middle section; NaN where that is 0 [-]
+  double gap_leakage_low_end = 0, gap_leakage_high_end = 0;  ///< of it, through y = 0 and y = length [kg/s]
+  double oil_flow_without_ends = 0;  ///< at the middle section, if all were like the strip opposite the gap [kg/s]
+};
+
+struct UnrolledQuantity : Quantity {
+  double UnrolledSample::*value;
+};
+/// In the order of their CSV columns.
+const std::vector<UnrolledQuantity>& unrolled_quantities();
+
+/// What the ends of the gap do over a cycle, in the order of `unrolled_cycle_quantities()`.
+struct UnrolledValues {
+  double mean_gap_leakage = 0, mean_absolute_gap_leakage = 0;  ///< [kg/s]
+  double peak_gap_leakage = 0;                                 ///< largest out of the film [kg/s]
+  double peak_gap_leakage_angle = 0;                           ///< [degree]
+  double gap_leakage_share = 0;          ///< mean absolute leakage over mean absolute flow at the middle section [-]
+  double ends_share_mean_load = 0;       ///< [-]
+  double ends_share_friction_power = 0;  ///< of the mean [-]
+  double ends_share_absolute_flow = 0;   ///< of the mean at the middle section [-]
+};
+
+struct UnrolledCycleQuantity : Quantity {
+  double UnrolledValues::*value;
+};
+const std::vector<UnrolledCycleQuantity>& unrolled_cycle_quantities();
+
+/// Fields of the unrolled film at some crank angles: x from the chamber edge, y from one end of the gap around to the
+/// other, or from the joint of a closed ring. In full over [angle][y][x], or reduced along the face to [angle][y];
+/// what was not asked for is empty.
+struct UnrolledFields {
+  double circumference = 0;              ///< pi x bore [m]
+  double end_gap = 0;                    ///< between y = length and y = 0 [m]; 0: a closed ring
+  double gap_position = 0;               ///< of the middle of the gap around the bore [rad]
+  std::vector<double> x, y;              ///< [m]
+  std::vector<double> crank_angle_deg;   ///< may be empty
+  std::vector<float> film_thickness;     ///< [m], [angle][y][x]
+  std::vector<float> film_pressure;      ///< [Pa] absolute
+  std::vector<float> fill;               ///< theta, liquid share of the gap [-]
+  std::vector<float> asperity_pressure;  ///< [Pa]
+  std::vector<float> strip_hydrodynamic_load, strip_asperity_load;  ///< per length in y [N/m], [angle][y]
+  std::vector<float> strip_peak_film_pressure;                      ///< [Pa] absolute
+  std::vector<float> strip_cavitated_fraction;                      ///< share of the width [-]
+  std::vector<float> strip_min_film_thickness;                      ///< [m]
+  std::vector<float> strip_oil_flow_middle;  ///< positive to the crankcase, per length in y [kg/(m s)]
+
+  bool empty() const { return crank_angle_deg.empty(); }
+  /// Does it belong to a film across the face, which has nothing of it?
+  bool is_absent() const { return y.empty(); }
+};
+
+struct UnrolledField : Quantity {
+  std::vector<float> UnrolledFields::*values;
+};
+/// Fields over (crank_angle, y, x), then those over (crank_angle, y).
+const std::vector<UnrolledField>& unrolled_fields();
+const std::vector<UnrolledField>& strip_fields();
 
 /// Where on the stroke asperities rub: contact work per liner length over one cycle.
 struct StrokeProfile {
@@ -109,6 +174,9 @@ struct CycleResult {
   std::vector<Sample> samples;  ///< at the crank angles asked for
   CycleValues values;           ///< from the whole march, whatever was asked for
   FaceFields fields;
+  std::vector<UnrolledSample> unrolled_samples;  ///< beside `samples`; empty without an unrolled film
+  UnrolledValues unrolled_values;                ///< NaN where the march stopped
+  UnrolledFields unrolled;                       ///< without an unrolled film not even y
   StrokeProfile stroke;
   std::map<std::string, double> derived;  ///< composite_modulus, elastic_pressure, ... [SI]; see derived_quantities()
   std::vector<Note> notes;

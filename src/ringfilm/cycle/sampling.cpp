@@ -35,7 +35,7 @@ double boundary_friction(const Contact& contact, const film::FilmIntegrals& f) {
 }  // namespace
 
 Sample sample(const Setup& setup, const March& march, const Instant& instant, const film::FilmIntegrals& integrals) {
-  const double circumference = setup.circumference();
+  const double length = setup.input.ring_length();
   const double angle = instant.crank_angle_deg;
   const film::FilmInputs& in = instant.inputs;
   const FromChamber f = from_chamber(integrals, instant.axis, march.problem().grid.width);
@@ -51,15 +51,15 @@ Sample sample(const Setup& setup, const March& march, const Instant& instant, co
   s.sliding_distance = sliding_distance(setup.crank, angle, s.piston_position);
   s.gas_pressure = from_chamber_edge ? in.p_left : in.p_right;
   s.crankcase_pressure = from_chamber_edge ? in.p_right : in.p_left;
-  s.applied_load = in.load * circumference;
-  s.hydrodynamic_load = integrals.hydrodynamic_load * circumference;
-  s.asperity_load = integrals.asperity_load * circumference;
+  s.applied_load = in.load * length;
+  s.hydrodynamic_load = integrals.hydrodynamic_load * length;
+  s.asperity_load = integrals.asperity_load * length;
   s.min_film_thickness = instant.state->h_m;
   s.film_parameter = instant.state->h_m / setup.sigma;
-  s.asperity_contact_area = integrals.asperity_area * circumference;
-  s.boundary_friction = boundary_friction(setup.input.contact, integrals) * circumference;
-  s.viscous_friction_liner = (f.shear_couette + f.shear_poiseuille) * circumference;
-  s.viscous_friction_ring = (f.shear_couette - f.shear_poiseuille) * circumference;
+  s.asperity_contact_area = integrals.asperity_area * length;
+  s.boundary_friction = boundary_friction(setup.input.contact, integrals) * length;
+  s.viscous_friction_liner = (f.shear_couette + f.shear_poiseuille) * length;
+  s.viscous_friction_ring = (f.shear_couette - f.shear_poiseuille) * length;
   s.viscous_friction = std::abs(s.viscous_friction_liner);
   s.total_friction = s.boundary_friction + s.viscous_friction;
   s.friction_on_liner = sign * s.boundary_friction + s.viscous_friction_liner;
@@ -67,9 +67,9 @@ Sample sample(const Setup& setup, const March& march, const Instant& instant, co
   const double speed = std::abs(s.piston_velocity);
   s.power_loss = s.total_friction * speed;
   s.wear_drive = s.asperity_load * speed;
-  s.oil_flow_middle = f.flow_middle * circumference;
-  s.oil_flow_chamber_edge = f.flow_chamber * circumference;
-  s.oil_flow_crankcase_edge = f.flow_crankcase * circumference;
+  s.oil_flow_middle = f.flow_middle * length;
+  s.oil_flow_chamber_edge = f.flow_chamber * length;
+  s.oil_flow_crankcase_edge = f.flow_crankcase * length;
   s.stribeck_number = setup.oil_viscosity * speed / (mean_pressure * setup.sigma);
   s.peak_film_pressure = integrals.peak_pressure;
   s.cavitated_fraction = integrals.cavitated_fraction;
@@ -97,14 +97,16 @@ void append_fields(const Setup& setup, const March& march, const Instant& instan
   const film::FilmProblem& problem = march.problem();
   const film::FilmState& state = *instant.state;
   const int n = problem.grid.n_cells();
+  const int strip = march.sheet() == nullptr ? 0 : march.sheet()->around.n_strips() / 2;
   fields.crank_angle_deg.push_back(instant.crank_angle_deg);
   for (int k = 0; k <= n; ++k) {
     const int i = instant.axis == Axis::kFromChamber ? k : n - k;
     const double h = state.h_m + problem.grid.node_height[i];
     const bool local = problem.contact_spread == film::ContactSpread::kLocal;
     fields.film_thickness.push_back(h);
-    fields.film_pressure.push_back(state.p[i]);
-    fields.fill.push_back(film::fill(problem.cavitation, state.deficit[i]));
+    const std::size_t at = static_cast<std::size_t>(strip) * (n + 1) + i;
+    fields.film_pressure.push_back(state.p[at]);
+    fields.fill.push_back(film::fill(problem.cavitation, state.deficit[at]));
     fields.film_parameter.push_back(h / setup.sigma);
     fields.asperity_pressure.push_back(setup.contact.contact(local ? h : state.h_m).pressure);
   }

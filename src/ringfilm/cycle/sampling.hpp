@@ -5,12 +5,12 @@
 
 namespace ringfilm::cycle {
 
-/// Every quantity of one solved instant, for the whole circumference.
-/// @param integrals of the instant's state
+/// Every quantity of one solved instant, for the whole ring.
+/// @param integrals of the instant's state, of an unrolled film its means
 Sample sample(const Setup& setup, const March& march, const Instant& instant, const film::FilmIntegrals& integrals);
 
-/// Film, pressure, fill, film parameter and asperity pressure along the face, x from the chamber edge; appended to
-/// `fields`.
+/// Film, pressure, fill, film parameter and asperity pressure along the face (of an unrolled film along the strip
+/// halfway), x from the chamber edge; appended to `fields`.
 void append_fields(const Setup& setup, const March& march, const Instant& instant, FaceFields& fields);
 
 /// x and the face as installed (orientation "leading-edge": as given), from its lowest point or from the zero of the

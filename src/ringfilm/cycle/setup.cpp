@@ -87,8 +87,6 @@ models::GreenwoodTripp asperity_contact(const Case& c) {
 
 }  // namespace
 
-double Setup::circumference() const { return std::numbers::pi * input.engine.bore; }
-
 Setup prepare(const Case& c) {
   PreparedOil oil = oil_at_temperature(c.lubricant, c.operating.oil_temperature);
   models::CyclePressure cylinder = cylinder_pressure(c);

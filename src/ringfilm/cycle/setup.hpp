@@ -31,8 +31,6 @@ struct Setup {
   std::vector<Note> notes;                              ///< what was found out on the way (extrapolated density, ...)
 
   const film::FilmKernels* kernels = &film::kernels();  ///< the inner loops that are to find the films
-
-  double circumference() const;  ///< pi x bore [m]
 };
 
 /// Builds the models of a checked case. Throws InputError where a value that is fine by itself cannot be used with the

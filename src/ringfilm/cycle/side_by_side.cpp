@@ -130,7 +130,7 @@ LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::fun
     if (!more) return;
     if (march->done()) return finished(std::move(march));
     const film::FilmProblem& problem = march->march().problem();
-    if (!march->march().is_coupled_newton()) {
+    if (!march->march().fits_a_lane()) {
       while (!march->done()) {
         march->march().propose();
         march->conclude(march->march().solve());

@@ -28,7 +28,8 @@ struct LaneEffort {
 /// Takes marches from `next` until it gives none, and hands each to `finished` when it is done, in any order. A lane
 /// that is free takes the next march, so that none waits for the slowest. Marches of unlike grids share a block, as
 /// long as the longest in it, if their cells have the same next power of two; those that are not solved by the coupled
-/// Newton method are marched one by one. What becomes of a march depends on no other. One thread.
+/// Newton method, and those of an unrolled film, are marched one by one. What becomes of a march depends on no other.
+/// One thread.
 LaneEffort march_side_by_side(const std::function<std::unique_ptr<Marching>()>& next,
                               const std::function<void(std::unique_ptr<Marching>)>& finished);
 

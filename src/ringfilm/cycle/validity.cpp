@@ -75,6 +75,31 @@ void append_oil_table_note(const Setup& setup, const std::vector<Sample>& base, 
        steps});
 }
 
+/// Longer than asked for by as much, the cells at the ends of the ring are told.
+constexpr double kEndCellMissed = 1.1;
+
+void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
+  if (!c.is_unrolled() || !c.ring.end_gap) return;
+  const double reached = strips_of(c).spacing.front();
+  if (reached <= kEndCellMissed * c.end_cell()) return;
+  notes.push_back(
+      {"end-cells-long",
+       text("the cells at the ends of the gap are %.3g um long, not %.3g um: %d around the ring are too few "
+            "to grow from there by %.1f times each; take more solver.cells_y",
+            reached * 1e6, c.end_cell() * 1e6, c.solver.cells_y, sheet::kSteepestGrowth),
+       1});
+}
+
+/// Flow beside a jump of pressure goes with one over the distance from it, so that its sum has no limit.
+void append_gap_leakage_note(const Case& c, std::vector<Note>& notes) {
+  if (!c.is_unrolled() || !c.ring.end_gap) return;
+  notes.push_back({"gap-leakage-grows",
+                   "the leakage into the gap grows with the logarithm of shorter cells at the ends: there the mean "
+                   "pressure meets those at the edges of the face in a jump; what the ends do to load, friction and "
+                   "flow of the ring does not",
+                   1});
+}
+
 double shear_rate(const Sample& s) {
   return (s.piston_velocity < 0 ? -s.piston_velocity : s.piston_velocity) / s.min_film_thickness;
 }
@@ -114,6 +139,8 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
     notes.push_back({"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
   }
   append_face_note(setup, notes);
+  append_end_cell_note(setup.input, notes);
+  append_gap_leakage_note(setup.input, notes);
   append_coating_note(setup, lowest->film_parameter, notes);
   append_oil_table_note(setup, base, notes);
   if (polynomial.steps > 0) {

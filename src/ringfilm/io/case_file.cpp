@@ -113,8 +113,10 @@ class Reader {
       read_data("pad.gap", pad.gap_file, [&](const NamedFile& file) {
         GapFile gap = read_gap(file, units_);
         pad.gap_x = std::move(gap.x);
+        pad.gap_y = std::move(gap.y);
         pad.gap_height = std::move(gap.height);
         fit_to_width(pad.gap_x, pad.length);
+        if (pad.width) fit_to_width(pad.gap_y, *pad.width);
         return std::pair{gap.sha256, gap.notes};
       });
     }

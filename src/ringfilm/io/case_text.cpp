@@ -25,12 +25,14 @@ std::string section_of(const Field& field) {
 
 std::string name_of(const Field& field) { return field.key.substr(field.key.rfind('.') + 1); }
 
-/// What the wiebe model takes where the case is silent; optional keys of other models have no default.
+/// What the wiebe model and the ends of an unrolled ring take where the case is silent; optional keys of other models
+/// have no default.
 Case with_optional_defaults(Case c) {
   if (c.gas.model == cycle::GasModel::kWiebe) {
     c.gas.intake_pressure = c.gas.intake_pressure.value_or(cycle::Gas::kWiebeIntakePressure);
     c.gas.exhaust_pressure = c.gas.exhaust_pressure.value_or(cycle::Gas::kWiebeExhaustPressure);
   }
+  if (c.is_unrolled() && c.ring.end_gap) c.solver.end_cell = c.end_cell();
   return c;
 }
 

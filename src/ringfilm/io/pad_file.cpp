@@ -1,6 +1,9 @@
 #include "ringfilm/io/pad_file.hpp"
 
+#include <utility>
+
 #include "ringfilm/io/csv_quantity.hpp"
+#include "ringfilm/io/gap_map_file.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -12,36 +15,24 @@ std::vector<double> thickness_column(const CsvFile& csv, const std::string& word
   return quantity_column(csv, name, "m", name + " [um]", units, faults);
 }
 
-/// Steps are allowed: an x twice, but not three times, nor at an end, where no film lies beyond.
-void check_places(const CsvFile& csv, const std::vector<double>& x, std::vector<Fault>& faults) {
-  const std::size_t n = x.size();
-  for (std::size_t i = 1; i < n; ++i) {
-    const SourceMark mark = csv.cell_mark(i, *csv.find("x"));
-    if (x[i] < x[i - 1]) {
-      faults.push_back({mark, "x falls from the row before to this one", "x must not fall from row to row"});
-      return;
-    }
-    if (x[i] != x[i - 1]) continue;
-    if (i >= 2 && x[i - 2] == x[i]) {
-      faults.push_back({mark, "this x comes three times", "the same x twice is a step; keep two of them"});
-      return;
-    }
-    if (i == 1 || i + 1 == n) {
-      faults.push_back({mark, "a step at an end of the pad", "a step is wanted inside, with a gap on both sides"});
-      return;
-    }
-  }
-}
-
 }  // namespace
 
 GapFile read_gap(const NamedFile& file, const Units& units) {
+  if (is_netcdf(file.path)) {
+    GapMapFile read = read_gap_netcdf(file, units);
+    return {std::move(read.map.x), std::move(read.map.y), std::move(read.map.height), std::move(read.sha256), {}};
+  }
   const CsvFile csv = read_csv(file);
+  if (csv.find("y")) {
+    GapMap map = gap_map_of(csv, units);
+    return {std::move(map.x), std::move(map.y), std::move(map.height), csv.source.sha256, csv.notes};
+  }
   std::vector<Fault> faults;
   GapFile gap;
   gap.x = quantity_column(csv, "x", "m", "x [mm]", units, faults);
   gap.height = thickness_column(csv, "height", units, faults);
-  check_places(csv, gap.x, faults);
+  check_gap_places(
+      "x", gap.x, [&](std::size_t i) { return csv.cell_mark(i, *csv.find("x")); }, faults);
   if (!faults.empty()) throw InputError(faults);
   gap.sha256 = csv.source.sha256;
   gap.notes = csv.notes;

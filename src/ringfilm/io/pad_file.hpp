@@ -10,13 +10,15 @@ namespace ringfilm::io {
 
 struct GapFile {
   std::vector<double> x;       ///< [m], increasing; twice where the gap has a step
-  std::vector<double> height;  ///< as many [m]
+  std::vector<double> y;       ///< of a map, likewise; else empty [m]
+  std::vector<double> height;  ///< for each x; of a map, for each x of the first y, then of the next [m]
   std::string sha256;
   std::vector<std::string> notes;
 };
 
-/// Reads a CSV file with the columns `x [mm],h [um]` (or `height`) in any units of length. Throws InputError with its
-/// faults: an x that falls, one that comes three times, a step at an end.
+/// Reads a CSV file with the columns `x [mm],h [um]` (or `height`) in any units of length; with a column y, or from
+/// NetCDF, a map (gap_map_file.hpp). Throws InputError with its faults: an x that falls, one that comes three times, a
+/// step at an end.
 GapFile read_gap(const NamedFile& file, const Units& units);
 
 struct SeparationHistory {

@@ -13,15 +13,22 @@ using nlohmann::ordered_json;
 /// The sign of a zero says nothing.
 double unsigned_zero(double value) { return value + 0.0; }
 
-ordered_json history_object(const std::vector<pad::Sample>& samples) {
+/// All single numbers that the result has.
+std::vector<pad::PadQuantity> numbers_of(const pad::PadResult& result) {
+  std::vector<pad::PadQuantity> all = pad::pad_quantities();
+  if (!result.y.empty()) all.insert(all.end(), pad::width_quantities().begin(), pad::width_quantities().end());
+  return all;
+}
+
+ordered_json history_object(const pad::PadResult& result) {
   ordered_json history = ordered_json::object();
-  for (const auto& quantity : pad::pad_quantities()) {
+  for (const auto& quantity : numbers_of(result)) {
     ordered_json& values = history[quantity.name] = ordered_json::array();
-    for (const pad::Sample& sample : samples) values.push_back(unsigned_zero(sample.*quantity.value));
+    for (const pad::Sample& sample : result.samples) values.push_back(unsigned_zero(sample.*quantity.value));
   }
   for (const auto& quantity : pad::front_quantities()) {
     ordered_json& values = history[quantity.name] = ordered_json::array();
-    for (const pad::Sample& sample : samples) values.push_back(sample.*quantity.value);
+    for (const pad::Sample& sample : result.samples) values.push_back(sample.*quantity.value);
   }
   return history;
 }
@@ -51,7 +58,7 @@ std::string pad_json(const PadDocument& document) {
   const pad::Sample& last = result.samples.back();
   ordered_json units = ordered_json::object();
   ordered_json object = {{"title", document.title}};
-  for (const auto& quantity : pad::pad_quantities()) {
+  for (const auto& quantity : numbers_of(result)) {
     object[quantity.name] = unsigned_zero(last.*quantity.value);
     units[quantity.name] = quantity.unit;
   }
@@ -59,7 +66,7 @@ std::string pad_json(const PadDocument& document) {
     object[quantity.name] = last.*quantity.value;
     units[quantity.name] = quantity.unit;
   }
-  if (result.is_history) object["history"] = history_object(result.samples);
+  if (result.is_history) object["history"] = history_object(result);
   object["units"] = units;
   object["notes"] = notes_array(document);
   ordered_json assumed = ordered_json::object();

@@ -16,14 +16,15 @@ struct PadDocument {
   pad::PadResult result;
 };
 
-/// The numbers of the last instant as one flat JSON object, SI: title, every entry of pad::pad_quantities() and
-/// pad::front_quantities() by its name; for a march in time `history` with the same as arrays; then `units`, `notes`,
-/// `assumed`, `effort`, `program`, `commit`, `kernels` and `complete`. JSON knows no NaN: such a value is null.
+/// The numbers of the last instant as one flat JSON object, SI: title, every entry of pad::pad_quantities(),
+/// of a pad with a width also of pad::width_quantities(), and of pad::front_quantities() by its name; for a march in
+/// time `history` with the same as arrays; then `units`, `notes`, `assumed`, `effort`, `program`, `commit`, `kernels`
+/// and `complete`. JSON knows no NaN: such a value is null.
 std::string pad_json(const PadDocument& document);
 
-/// The film along the pad as CSV text: a row for each node at each instant, two with the same x at a step of the gap,
-/// columns pad::profile_quantities(), header `name [unit]` or `name` alone if dimensionless; each number in the fewest
-/// digits that give it back exactly.
+/// The film along the pad, with a width on the strip next to its middle, as CSV text: a row for each node at each
+/// instant, two with the same x at a step of the gap, columns pad::profile_quantities(), header `name [unit]` or `name`
+/// alone if dimensionless; each number in the fewest digits that give it back exactly.
 std::string pad_csv(const pad::PadResult& result);
 
 }  // namespace ringfilm::io

@@ -17,7 +17,8 @@ std::string number(double value) {
 
 }  // namespace
 
-std::string result_csv(const std::vector<cycle::Sample>& samples, const std::optional<study::ErrorEstimate>& errors) {
+std::string result_csv(const std::vector<cycle::Sample>& samples, const std::optional<study::ErrorEstimate>& errors,
+                       const std::vector<cycle::UnrolledSample>& unrolled) {
   const auto& quantities = cycle::curve_quantities();
   std::string csv;
   const char* separator = "";
@@ -26,6 +27,9 @@ std::string result_csv(const std::vector<cycle::Sample>& samples, const std::opt
     separator = ",";
   };
   for (const auto& quantity : quantities) add(header(quantity.name, quantity.unit));
+  for (const auto& quantity : cycle::unrolled_quantities()) {
+    if (!unrolled.empty()) add(header(quantity.name, quantity.unit));
+  }
   for (const auto& quantity : quantities) {
     if (errors && study::has_error(quantity)) add(header(quantity.name + "_error", quantity.unit));
   }
@@ -33,6 +37,9 @@ std::string result_csv(const std::vector<cycle::Sample>& samples, const std::opt
   for (std::size_t k = 0; k < samples.size(); ++k) {
     separator = "";
     for (const auto& quantity : quantities) add(number(samples[k].*quantity.value));
+    for (const auto& quantity : cycle::unrolled_quantities()) {
+      if (!unrolled.empty()) add(number(unrolled[k].*quantity.value));
+    }
     for (const auto& quantity : quantities) {
       if (errors && study::has_error(quantity)) add(number(errors->samples[k].*quantity.value));
     }

@@ -33,6 +33,10 @@ bool starts_with(const std::string& bytes, const std::string& start) {
 }
 
 void refuse_what_is_not_ours(const std::string& path, const ResultFileReader& file) {
+  if (file.has_attribute("ringfilm_pad_schema")) {
+    throw InputError(path + ": the film of a pad; a report is drawn of rings",
+                     "name a result of an engine cycle; any program for NetCDF reads this one");
+  }
   if (!file.has_attribute("ringfilm_schema")) {
     throw InputError(path + ": a NetCDF file, but not one of ringfilm (it has no attribute ringfilm_schema)",
                      "name a result that ringfilm run --output has written");

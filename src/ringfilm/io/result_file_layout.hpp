@@ -4,43 +4,14 @@
 #include <vector>
 
 #include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/result_file_quantities.hpp"
+#include "ringfilm/io/result_file_unrolled.hpp"
 
 /// The one description of the result file (docs/manual/result-file.md): writing and reading both walk it.
 namespace ringfilm::io {
 
 /// Raised by one whenever a name or a meaning changes.
-constexpr long kResultSchema = 3;
-
-/// Plain description of a variable that is no quantity of the tables in cycle/result.hpp.
-inline cycle::Quantity described(std::string name, std::string unit, std::string long_name, std::string symbol = "",
-                                 std::string equation = "") {
-  return {std::move(name), std::move(unit), "", std::move(long_name), std::move(symbol), std::move(equation)};
-}
-inline cycle::Quantity count(std::string name, std::string long_name) {
-  return described(std::move(name), "1", std::move(long_name));
-}
-inline cycle::Quantity text(std::string name, std::string long_name) {
-  return described(std::move(name), "", std::move(long_name));
-}
-/// The value of the cycle as a whole beside the curve of the same name.
-inline cycle::Quantity cycle_variable(cycle::Quantity quantity) {
-  quantity.name = "cycle_" + quantity.name;
-  return quantity;
-}
-
-/// The discretisation error beside a quantity.
-inline cycle::Quantity error_variable(cycle::Quantity quantity) {
-  quantity.name += "_error";
-  quantity.long_name = "discretisation error of " + quantity.long_name;
-  quantity.equation = "eq-grid-error";
-  return quantity;
-}
-/// The order of convergence seen in a quantity, `in` cells or step.
-inline cycle::Quantity order_variable(const cycle::Quantity& quantity, const std::string& in) {
-  return described(quantity.name + "_order_in_" + in, "1",
-                   "order of convergence in " + in + " of " + quantity.long_name + ", NaN where it is not monotone",
-                   "p", "eq-observed-order");
-}
+constexpr long kResultSchema = 4;
 
 /// A ledger variant as a row of a table; its values are a row of `variant_values`.
 struct VariantRow {
@@ -100,6 +71,8 @@ void exchange_errors(File& file, Document& document) {
   file.rows("grid_run", errors.runs);
   file.column("grid_run", count("grid_run_cells", "cells across the face of a march for the error estimate"),
               errors.runs, &GridRun::cells);
+  file.column("grid_run", count("grid_run_cells_y", "cells around the ring of an unrolled film, else 0"), errors.runs,
+              &GridRun::cells_y);
   file.column("grid_run", described("grid_run_crank_step", "degree", "its crank step"), errors.runs,
               &GridRun::crank_step_deg);
   file.column("grid_run", described("grid_run_step_error", "1", "error that one of its steps may make"), errors.runs,
@@ -247,6 +220,7 @@ void exchange(File& file, Document& document, VariantTable& variants) {
   exchange_curves(file, document.result);
   exchange_errors(file, document);
   exchange_fields(file, document.result);
+  exchange_unrolled(file, document.result);
   exchange_case(file, document);
   exchange_notes(file, document);
   exchange_ledger(file, document.ledger, variants);

@@ -37,6 +37,11 @@ bool ResultFileReader::has_attribute(const char* name) const {
   return nc_inq_att(file_, NC_GLOBAL, name, nullptr, nullptr) == NC_NOERR;
 }
 
+bool ResultFileReader::has_variable(const std::string& name) const {
+  int variable = 0;
+  return nc_inq_varid(file_, name.c_str(), &variable) == NC_NOERR;
+}
+
 void ResultFileReader::attribute(const char* name, std::string& text) const {
   nc_type type = 0;
   std::size_t size = 0;
@@ -107,6 +112,14 @@ void ResultFileReader::read(const std::vector<const char*>& dimensions, const cy
   const auto variable = find(dimensions, quantity.name, NC_DOUBLE, count);
   values.assign(count, 0.0);
   if (variable) check(nc_get_var_double(file_, *variable, values.data()), quantity.name);
+}
+
+void ResultFileReader::read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+                            std::vector<float>& values) const {
+  std::size_t count = 0;
+  const auto variable = find(dimensions, quantity.name, NC_FLOAT, count);
+  values.assign(count, 0.0F);
+  if (variable) check(nc_get_var_float(file_, *variable, values.data()), quantity.name);
 }
 
 void ResultFileReader::read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,

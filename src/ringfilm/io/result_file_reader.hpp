@@ -25,6 +25,8 @@ class ResultFileReader {
 
   /// Does the file have that global attribute?
   bool has_attribute(const char* name) const;
+  /// Does it have that variable?
+  bool has_variable(const std::string& name) const;
 
   void attribute(const char* name, std::string& text) const;
   void attribute(const char* name, double& value) const;
@@ -49,6 +51,10 @@ class ResultFileReader {
   }
   void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
                std::vector<double>& values) const {
+    read(dimensions, quantity, values);
+  }
+  void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+               std::vector<float>& values) const {
     read(dimensions, quantity, values);
   }
   void scalar(const cycle::Quantity& quantity, double& value) const;
@@ -79,6 +85,8 @@ class ResultFileReader {
                           std::size_t& count) const;
   void read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
             std::vector<double>& values) const;
+  void read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+            std::vector<float>& values) const;
   void read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
             std::vector<long>& values) const;
   void read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,

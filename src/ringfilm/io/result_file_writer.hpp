@@ -55,6 +55,10 @@ class ResultFileWriter {
   void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
                const std::vector<double>& values);
 
+  /// The same in single precision, compressed; over angle, y and x in pieces of one angle each.
+  void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+               const std::vector<float>& values);
+
   void scalar(const cycle::Quantity& quantity, double value) { put(quantity, {}, std::vector<double>{value}); }
   /// A text of any length; an attribute ends at 64 KiB.
   void scalar(const cycle::Quantity& quantity, const std::string& text) {
@@ -83,11 +87,17 @@ class ResultFileWriter {
   }
 
   void define_dimension(const char* name, std::size_t size);
+  /// Values on dimensions that exist; a single missing one is defined. Throws std::logic_error if they do not fit.
+  template <class Value>
+  void put_numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+                   const std::vector<Value>& values);
   /// @returns its number, or nothing where one of the dimensions is empty
   std::optional<int> define_variable(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
                                      int type);
   void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
            const std::vector<double>& values);
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<float>& values);
   void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
            const std::vector<long>& values);
   void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,

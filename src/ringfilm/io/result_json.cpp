@@ -67,6 +67,7 @@ ordered_json error_estimate_object(const study::ErrorEstimate& estimate) {
                     {"crank_step", run.crank_step_deg},
                     {"step_error", run.step_error},
                     {"solved", run.solved}});
+    if (run.cells_y > 0) runs.back()["cells_y"] = run.cells_y;
     if (!run.solved) runs.back()["reason"] = run.reason;
   }
   return {{"runs", runs},
@@ -82,6 +83,11 @@ std::string result_json(const ResultDocument& document) {
   ordered_json object = {{"title", document.title}};
   for (const auto& quantity : cycle::cycle_quantities()) {
     object[quantity.name] = result.values.*quantity.value;
+    units[quantity.name] = quantity.unit;
+  }
+  for (const auto& quantity : cycle::unrolled_cycle_quantities()) {
+    if (result.unrolled.is_absent()) break;
+    object[quantity.name] = result.unrolled_values.*quantity.value;
     units[quantity.name] = quantity.unit;
   }
   for (const auto& quantity : cycle::derived_quantities()) {

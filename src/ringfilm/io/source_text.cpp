@@ -19,7 +19,9 @@ namespace fs = std::filesystem;
   throw InputError(std::vector<Fault>{{mark, message, remedy}});
 }
 
-std::string read_bytes(const std::string& path, const std::string& shown, std::size_t limit) {
+}  // namespace
+
+std::string read_source_bytes(const std::string& path, const std::string& shown, std::size_t limit) {
   const SourceMark file{shown, 0, 0, ""};
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -45,6 +47,8 @@ std::string read_bytes(const std::string& path, const std::string& shown, std::s
   }
   return bytes;
 }
+
+namespace {
 
 /// Length of the well-formed UTF-8 sequence at `i`, 0 if there is none (Unicode 15, table 3-7).
 std::size_t utf8_length(const std::string& s, std::size_t i) {
@@ -118,7 +122,7 @@ SourceMark SourceText::mark(int line, int column) const {
 }
 
 SourceText read_source_text(const std::string& path, const std::string& shown, std::size_t limit) {
-  const std::string bytes = read_bytes(path, shown, limit);
+  const std::string bytes = read_source_bytes(path, shown, limit);
   const SourceMark file{shown, 0, 0, ""};
   if (bytes.rfind("\xFF\xFE", 0) == 0 || bytes.rfind("\xFE\xFF", 0) == 0) {
     refuse(file, "the file is UTF-16 text", "save it as UTF-8");

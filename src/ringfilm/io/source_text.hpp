@@ -27,6 +27,10 @@ struct SourceText {
 /// unreadable, a directory, larger than `limit` bytes, empty, binary (control characters) or not UTF-8.
 SourceText read_source_text(const std::string& path, const std::string& shown, std::size_t limit);
 
+/// The bytes of the file at `path`, named `shown` in messages. Throws InputError: missing, unreadable, a directory, a
+/// device, larger than `limit` bytes.
+std::string read_source_bytes(const std::string& path, const std::string& shown, std::size_t limit);
+
 /// Where a file lies that another file names, and how to call it.
 struct NamedFile {
   std::string path;   ///< to open

@@ -24,6 +24,12 @@ constexpr int kMostCount = 100000;  // far more cells or steps than anyone waits
 constexpr int kFewestCells = 2;     // one inner node
 constexpr int kFewestLevels = 3;    // an order from two runs alone could not be seen to bend
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 /// One table of the file: hands out its keys, and refuses what nobody asked for.
 class Table {
  public:
@@ -294,7 +300,7 @@ class Reader {
       check.manufactured = table.text_of("manufactured", *film);
       const auto& known = study::manufactured_films();
       if (std::find(known.begin(), known.end(), check.manufactured) == known.end()) {
-        table.refuse("manufactured", *film, "is no manufactured film", "steady or transient");
+        table.refuse("manufactured", *film, "is no manufactured film", "one of: " + listed(known));
       }
     } else {
       check.run = run(table, table.text("case"));

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <vector>
 
-#include "ringfilm/film/film_solver.hpp"
-#include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/pad/steady_film.hpp"
 
 namespace ringfilm::pad {
 namespace {
 
 constexpr int kCellsOfScan = 200;   // at the most: enough to see where the load is crossed
+constexpr int kCellsOfSheet = 50;   // likewise, in each direction of a film of two
 constexpr double kStep = 1.3;       // from one film of the scan to the next
 constexpr double kThinnest = 1e-9;  // of the scan [m]: molecules
 constexpr int kMostEvaluations = 80;
@@ -25,8 +24,8 @@ struct Bracket {
 
 class Search {
  public:
-  Search(const PadSetup& setup, const film::FilmProblem& problem, double load, Effort& effort)
-      : setup_(setup), problem_(problem), load_(load), effort_(effort) {}
+  Search(PadFilms& films, double load, Effort& effort)
+      : films_(films), setup_(films.finest().setup()), load_(load), effort_(effort) {}
 
   LoadSearch run() {
     const std::vector<Bracket> brackets = scan();
@@ -43,26 +42,27 @@ class Search {
 
  private:
   std::vector<Bracket> scan() {
-    const film::FilmProblem coarse = setup_.problem(std::min(setup_.input.solver.cells, kCellsOfScan));
-    film::FilmWorkspace workspace(coarse);
+    const cycle::Solver& solver = setup_.input.solver;
+    const int along = std::min(solver.cells, setup_.surface ? kCellsOfSheet : kCellsOfScan);
+    const auto coarse = pad_film(setup_, {along, std::min(solver.cells_y, kCellsOfSheet)});
     const film::FilmInputs inputs = setup_.steady_inputs();
     std::vector<Bracket> brackets;
     std::optional<double> before;  // excess of the load at the film before, where there is one
-    film::FilmState state = full_film(setup_, coarse, setup_.input.pad.length);
+    film::FilmState state = coarse->full(setup_.input.pad.length);
     for (double h_m = setup_.input.pad.length; h_m > kThinnest; h_m /= kStep) {
       film::FilmState next = state;
       next.h_m = h_m;
-      bool solved = solve_at_separation(setup_, coarse, inputs, 0, state, next, workspace, effort_);
+      bool solved = solve_at_separation(*coarse, inputs, 0, state, next, effort_);
       if (!solved) {
-        next = full_film(setup_, coarse, h_m);
-        solved = solve_at_separation(setup_, coarse, inputs, 0, state, next, workspace, effort_);
+        next = coarse->full(h_m);
+        solved = solve_at_separation(*coarse, inputs, 0, state, next, effort_);
       }
       if (!solved) {
         before.reset();
         continue;
       }
       state = next;
-      const double carried = film::hydrodynamic_load(coarse, state);
+      const double carried = coarse->load(state);
       if (!found_.most || carried > found_.most->load) found_.most = {carried, h_m};
       if (!found_.least || carried < found_.least->load) found_.least = {carried, h_m};
       const double excess = carried - load_;
@@ -75,7 +75,7 @@ class Search {
   }
 
   std::optional<film::FilmState> film_at(double h_m) {
-    return steady_film_at(setup_, problem_, h_m - setup_.lowest_gap, effort_);
+    return steady_film_at(films_, h_m - setup_.lowest_gap, effort_);
   }
 
   /// Film and separation together, from the middle of the bracket; what it finds far outside is another answer.
@@ -84,9 +84,8 @@ class Search {
     if (!guess) return std::nullopt;
     film::FilmInputs inputs = setup_.steady_inputs();
     inputs.load = load_;
-    film::FilmWorkspace workspace(problem_);
     film::FilmState state = *guess;
-    const film::FilmReport report = film::solve_film(problem_, inputs, *guess, state, workspace);
+    const film::FilmReport report = films_.finest().solve(inputs, *guess, state);
     effort_.newton_iterations += report.iterations;
     const bool is_near = state.h_m < bracket.thick * kStep && state.h_m > bracket.thin / kStep;
     if (!report.converged || !is_near) return std::nullopt;
@@ -100,7 +99,7 @@ class Search {
     const auto excess = [&](double ln_h) {
       if (solved) film = film_at(std::exp(ln_h));
       solved = solved && film;
-      return solved ? film::hydrodynamic_load(problem_, *film) - load_ : 0.0;
+      return solved ? films_.finest().load(*film) - load_ : 0.0;
     };
     // The bracket is one of the scan's grid: on this one the crossing may lie a little outside.
     const double thin = std::log(bracket.thin / kStep), thick = std::log(bracket.thick * kStep);
@@ -114,8 +113,8 @@ class Search {
     return film_at(std::exp(0.5 * (low + high)));
   }
 
+  PadFilms& films_;
   const PadSetup& setup_;
-  const film::FilmProblem& problem_;
   double load_;
   Effort& effort_;
   LoadSearch found_;
@@ -123,8 +122,6 @@ class Search {
 
 }  // namespace
 
-LoadSearch steady_film_under(const PadSetup& setup, const film::FilmProblem& problem, double load, Effort& effort) {
-  return Search(setup, problem, load, effort).run();
-}
+LoadSearch steady_film_under(PadFilms& films, double load, Effort& effort) { return Search(films, load, effort).run(); }
 
 }  // namespace ringfilm::pad

@@ -1,9 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "ringfilm/film/film_state.hpp"
-#include "ringfilm/pad/pad_result.hpp"
-#include "ringfilm/pad/pad_setup.hpp"
+#include "ringfilm/pad/pad_film.hpp"
 
 namespace ringfilm::pad {
 
@@ -28,6 +26,6 @@ struct LoadSearch {
 /// The steady film that carries `load` [N/m]. The load of a pad need not fall with its separation: films from the
 /// pad's length down to atomic size are tried, and of all that carry the load the thickest is taken at which it falls
 /// with the separation, or, if there is none, the thickest. Counts into `effort`.
-LoadSearch steady_film_under(const PadSetup& setup, const film::FilmProblem& problem, double load, Effort& effort);
+LoadSearch steady_film_under(PadFilms& films, double load, Effort& effort);
 
 }  // namespace ringfilm::pad

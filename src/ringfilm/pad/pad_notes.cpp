@@ -11,18 +11,14 @@ constexpr double kMassLost = 1e-4;
 /// A lowest place of the gap that the grid misses by more than this share of the film changes what the pad carries.
 constexpr double kMissed = 0.01;
 
-/// How much the lowest height that the grid sees lies above that of the gap [m].
-double lowest_height(const PadSetup& setup) {
-  const film::FilmGrid grid = setup.problem(setup.input.solver.cells).grid;
-  double lowest = std::min(*std::min_element(grid.node_height.begin(), grid.node_height.end()),
-                           *std::min_element(grid.face_height.begin(), grid.face_height.end()));
-  for (const film::GapJump& jump : grid.jumps) lowest = std::min({lowest, jump.height_left, jump.height_right});
-  return lowest;
-}
-
 }  // namespace
 
-void append_notes(const PadSetup& setup, PadResult& result) {
+const char* cell_keys(const PadSetup& setup) {
+  return setup.surface ? "solver.cells and solver.cells_y" : "solver.cells";
+}
+
+void append_notes(const PadFilm& film, PadResult& result) {
+  const PadSetup& setup = film.setup();
   const cycle::Pad& pad = setup.input.pad;
   const double um = 1e6;
   const auto note = [&result](const char* topic, std::string message, long count = 1) {
@@ -35,11 +31,11 @@ void append_notes(const PadSetup& setup, PadResult& result) {
          text("the separation of %.6g um adds to the gap, whose lowest place is %.6g um: the smallest film is %.6g um",
               last.separation * um, setup.lowest_gap * um, last.min_film_thickness * um));
   }
-  if (const double missed = lowest_height(setup); has_film && missed > kMissed * last.min_film_thickness) {
+  if (const double missed = film.lowest_height(); has_film && missed > kMissed * last.min_film_thickness) {
     note("gap-finer-than-cells",
          text("the lowest place of the gap lies between the places that the cells see, which are %.3g um higher: take "
-              "more solver.cells",
-              missed * um));
+              "more %s",
+              missed * um, cell_keys(setup)));
   }
   if (has_film && pad.load && last.separation < -kMissed * last.min_film_thickness) {
     note("pressed-closer-than-gap",

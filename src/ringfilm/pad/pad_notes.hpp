@@ -2,8 +2,7 @@
 #include <cstdio>
 #include <string>
 
-#include "ringfilm/pad/pad_result.hpp"
-#include "ringfilm/pad/pad_setup.hpp"
+#include "ringfilm/pad/pad_film.hpp"
 
 namespace ringfilm::pad {
 
@@ -17,6 +16,9 @@ std::string text(const char* format, Values... values) {
 
 /// What the user must know about this result: how separation and gap add up, a cavitation pressure that was lowered,
 /// mass that is not kept, remedies that were used.
-void append_notes(const PadSetup& setup, PadResult& result);
+void append_notes(const PadFilm& film, PadResult& result);
+
+/// The keys of which more make the grid finer.
+const char* cell_keys(const PadSetup& setup);
 
 }  // namespace ringfilm::pad

@@ -36,6 +36,29 @@ const std::vector<PadQuantity>& pad_quantities() {
   return table;
 }
 
+const std::vector<PadQuantity>& width_quantities() {
+  using S = Sample;
+  static const std::vector<PadQuantity> table = {
+      {{"total_load", "N", "kN", "load carried by the whole width", "W_B", "eq-pad-total"}, &S::total_load},
+      {{"total_friction_moving", "N", "N", "friction of the whole width on the moving surface", "F_moving_B",
+        "eq-pad-total"},
+       &S::total_friction_moving},
+      {{"total_friction_fixed", "N", "N", "friction of the whole width on the fixed pad", "F_fixed_B", "eq-pad-total"},
+       &S::total_friction_fixed},
+      {{"flow_front", "m3/s", "mm3/s", "volume flow through y = 0, positive in +y", "Q_0", "eq-pad-side-flow"},
+       &S::flow_front},
+      {{"flow_back", "m3/s", "mm3/s", "volume flow through y = width, positive in +y", "Q_B", "eq-pad-side-flow"},
+       &S::flow_back},
+      {{"mass_flow_front", "kg/s", "g/s", "mass flow through y = 0, positive in +y", "M_0", "eq-pad-side-flow"},
+       &S::mass_flow_front},
+      {{"mass_flow_back", "kg/s", "g/s", "mass flow through y = width, positive in +y", "M_B", "eq-pad-side-flow"},
+       &S::mass_flow_back},
+      {{"peak_position_y", "m", "mm", "where across the pad the film pressure peaks", "y_max", "eq-sheet-reynolds"},
+       &S::peak_position_y},
+  };
+  return table;
+}
+
 const std::vector<FrontQuantity>& front_quantities() {
   static const std::vector<FrontQuantity> table = {
       {{"rupture_positions", "m", "mm", "where cavities begin, along the motion", "x_r", "eq-complementarity"},
@@ -55,6 +78,11 @@ const std::vector<cycle::Quantity>& profile_quantities() {
       {"fill", "1", "1", "share of the gap that is oil", "theta", "eq-fill"},
   };
   return table;
+}
+
+const cycle::Quantity& place_across() {
+  static const cycle::Quantity quantity = {"y", "m", "mm", "place across the pad", "y", "eq-pad-gap"};
+  return quantity;
 }
 
 }  // namespace ringfilm::pad

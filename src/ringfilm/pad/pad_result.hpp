@@ -5,7 +5,7 @@
 #include "ringfilm/cycle/result.hpp"
 
 /// What a pad gives: the film between a fixed pad of stated shape and a flat surface that moves past it. Everything is
-/// per metre of width; SI. docs/theory/pad.md.
+/// per metre of width, the mean over it where it is finite, unless told otherwise; SI. docs/theory/pad.md.
 namespace ringfilm::pad {
 
 /// Everything at one instant. x runs along the pad; flow is positive in +x, whichever way the flat surface moves.
@@ -21,6 +21,12 @@ struct Sample {
   double mass_residual = 0;  ///< balance of the whole film over the largest flow in it; round-off if mass is kept
   std::vector<double> rupture_positions;      ///< upstream ends of the cavities, from x = 0 on
   std::vector<double> reformation_positions;  ///< downstream ends; a cavity open to the downstream edge has none
+  // with a width; the positions above are then those on the strip halfway across
+  double total_load = 0;                                       ///< [N]
+  double total_friction_moving = 0, total_friction_fixed = 0;  ///< [N]
+  double flow_front = 0, flow_back = 0;                        ///< through the whole sides, positive in +y [m3/s]
+  double mass_flow_front = 0, mass_flow_back = 0;              ///< [kg/s]
+  double peak_position_y = 0;                                  ///< [m]
 };
 
 /// Name, unit and meaning of the numbers of a Sample, in the order of their importance.
@@ -28,6 +34,8 @@ struct PadQuantity : cycle::Quantity {
   double Sample::*value;
 };
 const std::vector<PadQuantity>& pad_quantities();
+/// Those that only a pad with a width has.
+const std::vector<PadQuantity>& width_quantities();
 
 /// The lists of a Sample: places along the pad.
 struct FrontQuantity : cycle::Quantity {
@@ -35,7 +43,7 @@ struct FrontQuantity : cycle::Quantity {
 };
 const std::vector<FrontQuantity>& front_quantities();
 
-/// Film along the pad at one instant, a value per entry of PadResult::x.
+/// Film at one instant: along the pad, a value per entry of PadResult::x, or over it, so many for each of PadResult::y.
 struct Profile {
   double time = 0;                     ///< [s]
   std::vector<double> film_thickness;  ///< [m]
@@ -45,6 +53,8 @@ struct Profile {
 
 /// Time and the columns of a profile, named as in result files.
 const std::vector<cycle::Quantity>& profile_quantities();
+/// Place across the pad, as result files name it.
+const cycle::Quantity& place_across();
 
 struct Effort {
   long time_steps = 0;         ///< whole steps; 0 for a steady film
@@ -58,7 +68,9 @@ struct Effort {
 struct PadResult {
   std::vector<Sample> samples;    ///< one for a steady film; else one for each time of the result, the last at the end
   std::vector<double> x;          ///< nodes, from 0 to the length; a step of the gap stands in it twice [m]
-  std::vector<Profile> profiles;  ///< at the times of `samples`
+  std::vector<double> y;          ///< strips, from 0 to the width, likewise; empty without a width [m]
+  std::vector<Profile> profiles;  ///< along x at the times of `samples`, with a width on the strip next to its middle
+  std::vector<Profile> fields;    ///< over x and y at the same times; empty without a width
   std::vector<cycle::Note> notes;
   Effort effort;
   bool is_history = false;  ///< of a separation history, however far it came; else a steady film

@@ -28,11 +28,23 @@ std::vector<film::GapPiece> gap_pieces(const cycle::Pad& pad, double lowest) {
   return pieces;
 }
 
+/// The gap over x and y; one that is given along x alone is the same at every y.
+GapSurface gap_surface(const cycle::Pad& pad, double lowest) {
+  std::vector<double> y = pad.gap_y, height;
+  for (const double h : pad.gap_height) height.push_back(h - lowest);
+  if (y.empty()) {
+    y = {0, *pad.width};
+    const std::vector<double> row = height;
+    height.insert(height.end(), row.begin(), row.end());
+  }
+  return {pad.gap_x, std::move(y), std::move(height)};
+}
+
 }  // namespace
 
-film::FilmProblem PadSetup::problem(int n_cells) const {
+film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
   film::FilmProblem problem;
-  problem.grid = film::grid_of_pieces(n_cells, pieces);
+  problem.grid = std::move(grid);
   problem.oil = oil.get();
   problem.cavitation = input.film.cavitation == cycle::Cavitation::kMassConserving ? film::Cavitation::kMassConserving
                                                                                    : film::Cavitation::kReynoldsExit;
@@ -56,12 +68,18 @@ film::FilmInputs PadSetup::steady_inputs() const {
 PadSetup prepare_pad(const cycle::Case& c) {
   const cycle::Pad& pad = c.pad;
   const double lowest = *std::min_element(pad.gap_height.begin(), pad.gap_height.end());
-  return {c,
-          cycle::constant_oil(c.lubricant),
-          gap_pieces(pad, lowest),
-          lowest,
-          pad.direction == cycle::Direction::kPlusX ? pad.speed : -pad.speed,
-          std::min({c.film.cavitation_pressure, pad.left_pressure, pad.right_pressure})};
+  PadSetup setup;
+  setup.input = c;
+  setup.oil = cycle::constant_oil(c.lubricant);
+  if (pad.width) {
+    setup.surface = gap_surface(pad, lowest);
+  } else {
+    setup.pieces = gap_pieces(pad, lowest);
+  }
+  setup.lowest_gap = lowest;
+  setup.U = pad.direction == cycle::Direction::kPlusX ? pad.speed : -pad.speed;
+  setup.p_cavitation = std::min({c.film.cavitation_pressure, pad.left_pressure, pad.right_pressure});
+  return setup;
 }
 
 }  // namespace ringfilm::pad

@@ -1,9 +1,11 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/film/film_state.hpp"
+#include "ringfilm/pad/gap_surface.hpp"
 
 namespace ringfilm::pad {
 
@@ -11,13 +13,14 @@ namespace ringfilm::pad {
 struct PadSetup {
   cycle::Case input;
   std::shared_ptr<const models::OilAtTemperature> oil;
-  std::vector<film::GapPiece> pieces;  ///< heights above the lowest point of the gap
+  std::vector<film::GapPiece> pieces;  ///< of an infinitely wide pad: heights above the lowest point of the gap
+  std::optional<GapSurface> surface;   ///< of one with a width, likewise
   double lowest_gap;                   ///< min g [m]
   double U;                            ///< velocity of the flat surface, positive in +x [m/s]
-  double p_cavitation;                 ///< p_c, not above the pressure of either edge [Pa]
+  double p_cavitation;                 ///< p_c, not above the pressure of any edge [Pa]
 
-  /// The film on a grid of about so many cells; refers to this setup.
-  film::FilmProblem problem(int n_cells) const;
+  /// The film across a grid; refers to this setup.
+  film::FilmProblem problem(film::FilmGrid grid) const;
   /// What acts on a steady film, but for load and scale.
   film::FilmInputs steady_inputs() const;
   /// Does the flat surface move in -x?

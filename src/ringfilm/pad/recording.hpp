@@ -1,16 +1,48 @@
 #pragma once
+#include <optional>
+#include <vector>
+
+#include "ringfilm/film/film_integrals.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 
+/// What is told of a film, alike in one dimension and two.
 namespace ringfilm::pad {
 
-/// Places of the nodes, a step of the gap twice [m].
-std::vector<double> profile_places(const film::FilmGrid& grid);
+/// Edge pressures joined by a line, at the nodes along x [Pa].
+std::vector<double> pressures_between_edges(const PadSetup& setup, const film::FilmGrid& grid);
 
-Profile profile(const PadSetup& setup, const film::FilmProblem& problem, const film::FilmState& state, double time);
+/// What rounding makes of a film in which nothing flows: of its pressures, and of the oil that it holds from step to
+/// step. Smaller flows are no measure of a balance. @param thickest film [m] @returns mass flux [kg/(m s)]
+double flux_of_rounding(const film::FilmProblem& problem, const film::FilmInputs& inputs, const film::FilmState& state,
+                        double thickest);
 
-/// All numbers of a film solved with `inputs` from `previous`.
-Sample sample(const PadSetup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
-              const film::FilmState& previous, const film::FilmState& state, double time);
+struct Peak {
+  double pressure, position;  ///< [Pa], [m]
+};
+
+/// Top of the parabola through the highest node and its neighbours; the node where they do not bend down.
+Peak top_of_parabola(Peak node, double p_before, double p_after, double spacing);
+
+/// Load, friction, flow and film; without peak, balance and ends of cavities.
+Sample sample_of(const PadSetup& setup, const film::FilmIntegrals& sums, double h_m, double time);
+
+/// Ends of the cavities in the sense of the motion; at rest the left one counts as upstream.
+/// @param deficit at the nodes of the strip whose cavities `sums` holds
+void add_fronts(const PadSetup& setup, const film::FilmInputs& inputs, const std::vector<double>& deficit,
+                const film::FilmIntegrals& sums, Sample& sample);
+
+/// Places of nodes, those of steps twice. @param last where the first node stands once more, if it does [m]
+std::vector<double> places_with_steps(const std::vector<double>& nodes, const std::vector<int>& steps,
+                                      std::optional<double> last);
+
+struct ProfilePoint {
+  double film_thickness, pressure, fill;  ///< [m], [Pa], [-]
+};
+void append_node(Profile& along, const ProfilePoint& point);
+
+/// Both sides of a step of the gap along x. The fill of the node is that of its downstream side; upstream the same oil
+/// flows through the other gap. @param left, right film thickness [m]
+void append_step(const PadSetup& setup, Profile& along, double left, double right, double pressure, double fill);
 
 }  // namespace ringfilm::pad

@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "ringfilm/base/table.hpp"
-#include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/pad/load_search.hpp"
 #include "ringfilm/pad/pad_notes.hpp"
-#include "ringfilm/pad/recording.hpp"
 #include "ringfilm/pad/steady_film.hpp"
 
 namespace ringfilm::pad {
@@ -15,11 +13,18 @@ namespace {
 
 constexpr int kMostHalvings = 6;  // a time step is cut to 1/64 at the finest
 
+void append_instant(const PadFilm& film, const film::FilmInputs& inputs, const film::FilmState& previous,
+                    const film::FilmState& state, double time, PadResult& result) {
+  result.samples.push_back(film.sample(inputs, previous, state, time));
+  result.profiles.push_back(film.profile(state, time));
+  if (auto field = film.field(state, time)) result.fields.push_back(std::move(*field));
+}
+
 /// The film through time, one whole step after the other.
 class March {
  public:
-  March(const PadSetup& setup, const film::FilmProblem& problem, film::FilmState start, PadResult& result)
-      : setup_(setup), problem_(problem), workspace_(problem), state_(std::move(start)), result_(result) {}
+  March(PadFilm& film, film::FilmState start, PadResult& result)
+      : film_(film), setup_(film.setup()), state_(std::move(start)), result_(result) {}
 
   void run(Observer* observer) {
     const cycle::Pad& pad = setup_.input.pad;
@@ -30,15 +35,14 @@ class March {
       const double from = begin + static_cast<double>(k - 1) * dt;
       const double to = k == n_steps ? end : begin + static_cast<double>(k) * dt;
       if (!advance(from, to, 0)) {
-        append_notes(setup_, result_);
+        append_notes(film_, result_);
         throw StoppedPad(text("between %.6g s and %.6g s no film was found, with 1/%d of the time step either", from,
                               to, 1 << kMostHalvings),
                          std::move(result_));
       }
       ++result_.effort.time_steps;
       if (k % every == 0 || k == n_steps) {
-        result_.samples.push_back(sample(setup_, problem_, inputs_, before_, state_, to));
-        result_.profiles.push_back(profile(setup_, problem_, state_, to));
+        append_instant(film_, inputs_, before_, state_, to, result_);
       }
       if (observer != nullptr) observer->advanced(to, end);
     }
@@ -66,9 +70,9 @@ class March {
     const double h_m = h_m_at(to);
     const double closing = (h_m_at(from) - h_m) / inputs.time_step;
     // From where the film was, or else from a full one.
-    for (film::FilmState next : {state_, full_film(setup_, problem_, h_m)}) {
+    for (film::FilmState next : {state_, film_.full(h_m)}) {
       next.h_m = h_m;
-      if (!solve_at_separation(setup_, problem_, inputs, closing, state_, next, workspace_, result_.effort)) continue;
+      if (!solve_at_separation(film_, inputs, closing, state_, next, result_.effort)) continue;
       ++result_.effort.sub_steps;
       inputs_ = inputs;
       before_ = std::move(state_);
@@ -78,21 +82,20 @@ class March {
     return false;
   }
 
+  PadFilm& film_;
   const PadSetup& setup_;
-  const film::FilmProblem& problem_;
-  film::FilmWorkspace workspace_;
   film::FilmState state_, before_;
   film::FilmInputs inputs_;
   PadResult& result_;
 };
 
 /// Does a film one per cent thicker carry the same? Then the load does not tell the separation.
-bool any_separation_carries(const PadSetup& setup, const film::FilmProblem& problem, const film::FilmState& film,
-                            Effort& effort) {
+bool any_separation_carries(PadFilms& films, const film::FilmState& state, Effort& effort) {
   constexpr double kThicker = 1.01, kTheSame = 1e-10;
-  const auto thicker = steady_film_at(setup, problem, kThicker * film.h_m - setup.lowest_gap, effort);
-  const double load = film::hydrodynamic_load(problem, film);
-  return thicker && std::abs(film::hydrodynamic_load(problem, *thicker) - load) <= kTheSame * load;
+  PadFilm& film = films.finest();
+  const auto thicker = steady_film_at(films, kThicker * state.h_m - film.setup().lowest_gap, effort);
+  const double load = film.load(state);
+  return thicker && std::abs(film.load(*thicker) - load) <= kTheSame * load;
 }
 
 std::string no_film_at(const PadSetup& setup) {
@@ -133,37 +136,36 @@ void append_load_notes(const LoadSearch& search, std::vector<cycle::Note>& notes
 }
 
 /// A steady film with half the cells, to tell whether the grid is fine enough.
-void append_grid_note(const PadSetup& setup, const film::FilmState& film, const Sample& fine, PadResult& result) {
+void append_grid_note(const PadSetup& setup, const film::FilmState& state, const Sample& fine, PadResult& result) {
   constexpr double kWorthTelling = 0.01;
-  const film::FilmProblem problem = setup.problem((setup.input.solver.cells + 1) / 2);
-  film::FilmWorkspace workspace(problem);
-  film::FilmState state = full_film(setup, problem, film.h_m);
-  const film::FilmState before = state;
-  const film::FilmInputs inputs = setup.steady_inputs();
-  if (!solve_at_separation(setup, problem, inputs, 0, before, state, workspace, result.effort)) return;
-  const double change = film::hydrodynamic_load(problem, state) / fine.load - 1;
+  const cycle::Solver& solver = setup.input.solver;
+  const auto film = pad_film(setup, {(solver.cells + 1) / 2, (solver.cells_y + 1) / 2});
+  film::FilmState coarse = film->full(state.h_m);
+  const film::FilmState before = coarse;
+  if (!solve_at_separation(*film, setup.steady_inputs(), 0, before, coarse, result.effort)) return;
+  const double change = film->load(coarse) / fine.load - 1;
   if (!(std::abs(change) > kWorthTelling)) return;
-  result.notes.push_back({"coarse-grid", text("with half the cells the same film carries %.2g %% %s: take more "
-                                              "solver.cells",
-                                              std::abs(100 * change), change > 0 ? "more" : "less")});
+  result.notes.push_back({"coarse-grid", text("with half the cells the same film carries %.2g %% %s: take more %s",
+                                              std::abs(100 * change), change > 0 ? "more" : "less", cell_keys(setup))});
 }
 
 /// The steady film that the case asks for, or the one that a history starts from.
-film::FilmState first_film(const PadSetup& setup, const film::FilmProblem& problem, PadResult& result) {
+film::FilmState first_film(PadFilms& films, PadResult& result) {
+  const PadSetup& setup = films.finest().setup();
   const cycle::Pad& pad = setup.input.pad;
   const auto stop = [&](const std::string& message) {
-    append_notes(setup, result);
+    append_notes(films.finest(), result);
     throw StoppedPad(message, std::move(result));
   };
   if (!pad.load) {
     const double separation = result.is_history ? pad.history_separation.front() : *pad.separation;
-    auto film = steady_film_at(setup, problem, separation, result.effort);
+    auto film = steady_film_at(films, separation, result.effort);
     if (!film) stop(no_film_at(setup));
     return *film;
   }
-  LoadSearch search = steady_film_under(setup, problem, *pad.load, result.effort);
+  LoadSearch search = steady_film_under(films, *pad.load, result.effort);
   if (!search.film) stop(no_film_under(*pad.load, search));
-  if (any_separation_carries(setup, problem, *search.film, result.effort)) {
+  if (any_separation_carries(films, *search.film, result.effort)) {
     stop(
         text("any separation carries the load of %.6g N/m: the pressures at the edges do, and the gap makes none of "
              "its own; state pad.separation",
@@ -177,22 +179,23 @@ film::FilmState first_film(const PadSetup& setup, const film::FilmProblem& probl
 
 PadResult solve_pad(const cycle::Case& c, Observer* observer) {
   const PadSetup setup = prepare_pad(c);
-  const film::FilmProblem problem = setup.problem(c.solver.cells);
+  PadFilms films(setup);
+  PadFilm& film = films.finest();
   PadResult result;
   result.complete = false;
   result.is_history = !c.pad.history_time.empty();
-  result.x = profile_places(problem.grid);
-  const film::FilmState start = first_film(setup, problem, result);
+  result.x = film.places_x();
+  result.y = film.places_y();
+  const film::FilmState start = first_film(films, result);
   const double begin = result.is_history ? c.pad.history_time.front() : 0.0;
-  result.samples.push_back(sample(setup, problem, setup.steady_inputs(), start, start, begin));
-  result.profiles.push_back(profile(setup, problem, start, begin));
+  append_instant(film, setup.steady_inputs(), start, start, begin, result);
   if (result.is_history) {
-    March(setup, problem, start, result).run(observer);
+    March(film, start, result).run(observer);
   } else {
     append_grid_note(setup, start, result.samples.back(), result);
   }
   result.complete = true;
-  append_notes(setup, result);
+  append_notes(film, result);
   return result;
 }
 

@@ -1,10 +1,10 @@
 #include "ringfilm/report/map_picture.hpp"
 
-#include <openssl/evp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "ringfilm/io/base64.hpp"
 
 namespace ringfilm::report {
 namespace {
@@ -92,15 +92,13 @@ MapPicture map_picture(const io::MeasuredMap& map, std::size_t most_points) {
 }
 
 std::string packed(const std::vector<std::uint16_t>& values) {
-  std::vector<unsigned char> bytes;
+  std::string bytes;
+  bytes.reserve(2 * values.size());
   for (const std::uint16_t value : values) {
-    bytes.push_back(static_cast<unsigned char>(value & 0xFF));
-    bytes.push_back(static_cast<unsigned char>(value >> 8));
+    bytes.push_back(static_cast<char>(value & 0xFF));
+    bytes.push_back(static_cast<char>(value >> 8));
   }
-  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // the library ends it with a zero
-  text.resize(static_cast<std::size_t>(
-      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), bytes.data(), static_cast<int>(bytes.size()))));
-  return text;
+  return io::base64(bytes);
 }
 
 }  // namespace ringfilm::report

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ringfilm/report/payload_numbers.hpp"
+#include "ringfilm/report/payload_unrolled.hpp"
 #include "ringfilm/report/script_text.hpp"
 
 namespace ringfilm::report {
@@ -35,13 +36,14 @@ ordered_json cycle_values(const cycle::CycleValues& values) {
   return object;
 }
 
-ordered_json curves(const std::vector<cycle::Sample>& samples) {
+ordered_json curves(const cycle::CycleResult& result) {
   ordered_json object = ordered_json::object();
   for (const cycle::CurveQuantity& q : cycle::curve_quantities()) {
     ordered_json list = ordered_json::array();
-    for (const cycle::Sample& sample : samples) list.push_back(rounded(sample.*q.value, kCurveDigits));
+    for (const cycle::Sample& sample : result.samples) list.push_back(rounded(sample.*q.value, kCurveDigits));
     object[q.name] = std::move(list);
   }
+  add_unrolled_curves(result, kCurveDigits, object);
   return object;
 }
 
@@ -158,9 +160,11 @@ ordered_json document(const io::ResultDocument& d) {
   for (const auto& [name, value] : d.result.derived) derived[name] = exact(value);
   return {{"title", d.title},
           {"complete", d.result.complete},
-          {"curves", curves(d.result.samples)},
+          {"curves", curves(d.result)},
           {"values", cycle_values(d.result.values)},
           {"fields", face_fields(d.result.fields)},
+          {"unrolled_values", unrolled_values(d.result)},
+          {"unrolled", unrolled_payload(d.result.unrolled)},
           {"stroke",
            {{"liner_position", rounded_list(d.result.stroke.liner_position, kCurveDigits)},
             {"wear_drive_density", rounded_list(d.result.stroke.wear_drive_density, kCurveDigits)}}},
@@ -189,6 +193,10 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
   root["curve_quantities"] = described_all(cycle::curve_quantities());
   root["cycle_quantities"] = described_all(cycle::cycle_quantities());
   root["derived_quantities"] = described_all(cycle::derived_quantities());
+  root["unrolled_quantities"] = described_all(cycle::unrolled_quantities());
+  root["unrolled_cycle_quantities"] = described_all(cycle::unrolled_cycle_quantities());
+  root["unrolled_fields"] = described_all(cycle::unrolled_fields());
+  root["strip_fields"] = described_all(cycle::strip_fields());
   root["cases"] = ordered_json::array();
   for (const io::ResultDocument& d : documents) root["cases"].push_back(document(d));
   root["overlays"] = ordered_json::array();

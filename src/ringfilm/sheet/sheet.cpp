@@ -5,6 +5,13 @@
 
 namespace ringfilm::sheet {
 
+int Around::halfway() const {
+  const double middle = 0.5 * length;
+  const auto nearest = std::min_element(
+      y.begin(), y.end(), [middle](double a, double b) { return std::abs(a - middle) < std::abs(b - middle); });
+  return static_cast<int>(nearest - y.begin());
+}
+
 Around around_at(std::vector<double> y, double length, Ends ends) {
   Around around;
   around.ends = ends;

@@ -29,6 +29,8 @@ struct Around {
 
   int n_strips() const { return static_cast<int>(y.size()); }
   int n_cells() const { return static_cast<int>(spacing.size()); }
+  /// The strip next to the middle of the length.
+  int halfway() const;
 };
 
 /// @param y of the strips: from 0 to the length, but for a joined sheet, whose strips end before it [m]
@@ -49,7 +51,7 @@ struct SheetGap {
   std::vector<double> node;    ///< mean over what belongs to the node
   std::vector<double> face_x;  ///< mean over the share of the strip in y
   std::vector<double> face_y;  ///< mean over the share of the node in x
-  /// Where the gap jumps within a face: second and third moments about the mean; empty where it never does
+  /// Where the gap jumps within a face: second and third moments about the mean; all four empty if it never does
   std::vector<double> face_x_second, face_x_third, face_y_second, face_y_third;  ///< [m2], [m3]
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::sheet {
@@ -28,7 +29,9 @@ class Strips {
     now_.deficit = row(state_.deficit, n_across);
     now_.content = row(state_.content, n_across);
     before_.content = row(previous_.content, n_across);
-    return film::film_integrals(strip_, inputs_.strip, before_, now_);
+    film::FilmIntegrals sums = film::film_integrals(strip_, inputs_.strip, before_, now_);
+    if (!problem_.gap.face_x_second.empty()) add_steps(j, sums);
+    return sums;
   }
   double lowest() const {
     return now_.h_m + *std::min_element(strip_.grid.node_height.begin(), strip_.grid.node_height.end());
@@ -61,6 +64,38 @@ class Strips {
     const models::OilAtTemperature& oil = *problem_.strip.oil;
     return state_.laws == film::LaneLaws::kFitted ? oil.fit()->at(p).K : oil.density(p) / oil.viscosity(p);
   }
+  double viscosity(double p) const {
+    const models::OilAtTemperature& oil = *problem_.strip.oil;
+    return state_.laws == film::LaneLaws::kFitted ? oil.fit()->at(p).rho / oil.fit()->at(p).K : oil.viscosity(p);
+  }
+
+  /// What strips on a step of the gap let through and shear beyond those of one mean height. A face there has two
+  /// heights, which its moments tell: with q = mu_3/mu_2 the mean of 1/h is (h + q)/(h^2 + h q - mu_2)
+  /// (eq-pad-step-shear).
+  void add_steps(int j, film::FilmIntegrals& sums) const {
+    const film::FilmGrid& grid = problem_.strip.grid;
+    const int n = grid.n_cells();
+    const double* second = problem_.gap.face_x_second.data() + static_cast<std::size_t>(j) * n;
+    const double* third = problem_.gap.face_x_third.data() + static_cast<std::size_t>(j) * n;
+    const auto height = [&](int i) { return now_.h_m + strip_.grid.face_height[i]; };
+    const auto flow = [&](int i) {
+      return -(3 * height(i) * second[i] + third[i]) * (fluidity(now_.p[i]) + fluidity(now_.p[i + 1])) /
+             (24 * grid.spacing[i]) * (now_.p[i + 1] - now_.p[i]);
+    };
+    const auto fill = [&](int i) { return film::fill(strip_.cavitation, now_.deficit[i]); };
+    for (int i = 0; i < n; ++i) {
+      if (!(second[i] > 0)) continue;
+      const double h = height(i), q = third[i] / second[i];
+      const double beyond = (h + q) / (h * h + h * q - second[i]) - 1 / h;
+      sums.shear_couette += 0.25 * inputs_.strip.U * grid.spacing[i] * (fill(i) + fill(i + 1)) *
+                            (viscosity(now_.p[i]) + viscosity(now_.p[i + 1])) * beyond;
+    }
+    const auto middle = std::upper_bound(grid.x.begin(), grid.x.end() - 1, 0.5 * grid.width) - grid.x.begin();
+    sums.flow_left += flow(0);
+    sums.flow_middle += flow(static_cast<int>(middle) - 1);
+    sums.flow_right += flow(n - 1);
+    sums.mass_defect += flow(n - 1) - flow(0);
+  }
 
   const SheetProblem& problem_;
   const SheetInputs& inputs_;
@@ -74,7 +109,7 @@ class Strips {
 SheetIntegrals sheet_integrals(const SheetProblem& problem, const SheetInputs& inputs, const film::FilmState& previous,
                                const film::FilmState& state) {
   const Around& around = problem.around;
-  const int n_strips = around.n_strips();
+  const int n_strips = around.n_strips(), halfway = around.halfway();
   SheetIntegrals sums;
   Strips strips(problem, inputs, previous, state);
   for (int j = 0; j < n_strips; ++j) {
@@ -92,7 +127,7 @@ SheetIntegrals sheet_integrals(const SheetProblem& problem, const SheetInputs& i
       mean.*sum += share * (of.*sum);
     }
     mean.peak_pressure = j == 0 ? of.peak_pressure : std::max(mean.peak_pressure, of.peak_pressure);
-    if (j == n_strips / 2) mean.cavities = of.cavities;
+    if (j == halfway) mean.cavities = of.cavities;
     // What a strip misses, its neighbours have, or it left through an end.
     const bool is_end = around.ends == Ends::kOpen && (j == 0 || j == n_strips - 1);
     if (!is_end) mean.mass_defect += share * of.mass_defect;

@@ -42,7 +42,7 @@ class SheetNewton {
   };
   LoadRow load_row(const SheetProblem& problem, const SheetInputs& inputs, double h_m) const;
   /// Fills step_; returns the change of ln h_m, or nothing if the system was not solved.
-  std::optional<double> solve_linear(const LoadRow& load, film::Unknowns unknowns, double reduction);
+  std::optional<double> solve_linear(const LoadRow& load, film::Unknowns unknowns, double reduction, int iteration);
   bool solve_at(double d_ln_h, double reduction);
   void help_along(bool only_advanced);
   void read(const SheetProblem& problem, const SheetInputs& inputs, film::FilmState& state) const;

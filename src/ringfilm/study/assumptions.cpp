@@ -171,15 +171,41 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
       "strokes left as supply most of that comes back");
 }
 
+/// Of a film across the face it is lifted by a case of its own, not here: the unrolled film costs more than all other
+/// choices of a ledger together.
+Assumption ring_gap(const Case& c) {
+  const char* topic = "ring-gap";
+  if (!c.is_unrolled()) {
+    Assumption left_out =
+        assumption(topic, "the ends of the ring's gap are left out",
+                   "their share is about that of the gap in the circumference; film.dimension = \"unrolled\" with "
+                   "ring.end_gap computes them");
+    left_out.entry.can_be_lifted = true;
+    return left_out;
+  }
+  const auto others = other_choices("film.dimension", c);
+  if (!c.ring.end_gap) {
+    return assumption(topic, "the ring is closed: the unrolled film has no gap",
+                      "all strips across the face are alike; ring.end_gap states a gap", others);
+  }
+  return assumption(
+      topic,
+      text("the ring has a gap of %.4g mm, at whose ends the film has the mean of the pressures at its edges; gas that "
+           "blows through it is not computed",
+           *c.ring.end_gap * 1e3),
+      "oil that leaves the film for the gap, or comes from there, is told; that the gap holds oil is an assumption "
+      "like "
+      "that of flooded edges",
+      others);
+}
+
 std::vector<Assumption> always_open(const Case& c) {
   return {
       assumption("round-bore", "the bore is round; static, thermal and dynamic deformation are zero",
                  "a ring follows smooth distortions of low order; what it cannot follow opens gaps"),
       assumption("rigid-surfaces", "ring and liner do not deform under the film pressure",
                  "holds where film pressures stay far below the moduli, as in gasoline engines"),
-      assumption("ring-gap", "the ends of the ring's gap are left out",
-                 "their share is about that of the gap in the "
-                 "circumference"),
+      ring_gap(c),
       assumption("dry-shear-strength",
                  text("the boundary shear strength coefficient %.4g was measured dry, on other spots than N, beta and "
                       "sigma",

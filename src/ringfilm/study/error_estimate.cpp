@@ -94,6 +94,11 @@ double resolution(const Case& c, const cycle::CycleQuantity& quantity, const Cyc
 
 Case on_grid(Case c, int cells, double crank_step_deg) {
   const double ratio = crank_step_deg / c.solver.crank_step_deg;
+  if (c.is_unrolled() && cells != c.solver.cells) {
+    const double end_cell = c.end_cell() * c.solver.cells / cells;
+    c.solver.cells_y = cells > c.solver.cells ? 2 * c.solver.cells_y : half(c.solver.cells_y);
+    if (c.ring.end_gap) c.solver.end_cell = end_cell;
+  }
   c.solver.cells = cells;
   c.solver.crank_step_deg = crank_step_deg;
   c.solver.step_error *= ratio * ratio;  // the error of a step goes with its square
@@ -229,11 +234,12 @@ ErrorEstimate error_estimate(const Case& c, const CycleResult& result, std::span
   const std::vector<Case> grids = other_grids(c);
   if (others.size() != grids.size()) throw std::logic_error("an error estimate needs an ending on each other grid");
   ErrorEstimate errors = no_estimate(result.samples.size());
-  errors.runs.push_back({c.solver.cells, c.solver.crank_step_deg, c.solver.step_error, true, ""});
+  const auto cells_y = [&](const cycle::Solver& solver) { return c.is_unrolled() ? solver.cells_y : 0; };
+  errors.runs.push_back({c.solver.cells, c.solver.crank_step_deg, c.solver.step_error, true, "", cells_y(c.solver)});
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const cycle::Solver& solver = grids[i].solver;
-    errors.runs.push_back(
-        {solver.cells, solver.crank_step_deg, solver.step_error, others[i].is_solved(), others[i].reason()});
+    errors.runs.push_back({solver.cells, solver.crank_step_deg, solver.step_error, others[i].is_solved(),
+                           others[i].reason(), cells_y(solver)});
   }
   const auto solved = [&](std::size_t i) { return others[i].is_solved() ? &others[i].result : nullptr; };
   const Sides in_cells{solved(0), solved(1)}, in_step{solved(2), solved(3)};
@@ -254,8 +260,11 @@ std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate) {
     if (!stopped(i)) continue;
     const GridRun& run = estimate.runs[i];
     const bool other_side_too = stopped(i % 2 == 1 ? i + 1 : i - 1);
-    char grid[96];
-    std::snprintf(grid, sizeof grid, "%ld cells and a crank step of %.4g degree", run.cells, run.crank_step_deg);
+    char around[32] = "";
+    if (run.cells_y > 0) std::snprintf(around, sizeof around, " x %ld", run.cells_y);
+    char grid[128];
+    std::snprintf(grid, sizeof grid, "%ld%s cells and a crank step of %.4g degree", run.cells, around,
+                  run.crank_step_deg);
     notes.push_back(
         {other_side_too ? "error-estimate-missing" : "error-estimate-one-sided",
          std::string(other_side_too ? "there is no error estimate" : "the error estimate has one side only") +

@@ -17,6 +17,7 @@ struct GridRun {
   double step_error = 0;      ///< of adaptive control [-]
   bool solved = true;
   std::string reason;  ///< why not, if not solved
+  long cells_y = 0;    ///< around the ring; 0: a film across the face
 };
 
 /// Errors in the units of what they belong to; NaN where there is no estimate. Effort has none.
@@ -31,7 +32,8 @@ struct ErrorEstimate {
 /// Can a curve have a discretisation error? Not the crank angle itself and not the effort that was spent.
 bool has_error(const cycle::CurveQuantity& quantity);
 
-/// The case on the four other grids that tell its errors: cells doubled and halved, steps halved and doubled.
+/// The case on the four other grids that tell its errors: cells doubled and halved, steps halved and doubled. Of an
+/// unrolled film the cells around the ring go with those across the face, and so does the length of those at its ends.
 std::vector<cycle::Case> other_grids(const cycle::Case& c);
 
 /// The errors of `result`, a complete result of `c`, from how its `other_grids` ended. One that was not solved leaves

@@ -25,7 +25,7 @@ struct LedgerEntry {
   std::string consequence;     ///< what it is known or expected to do; empty if the variants tell
   std::string source;          ///< where the decision is argued, e.g. "docs/theory/assumptions.md#flooded-inlet"
   bool can_be_lifted = false;  ///< does this program offer another choice?
-  std::vector<LedgerVariant> variants;  ///< empty if it cannot be lifted, or the ledger was not computed
+  std::vector<LedgerVariant> variants;  ///< empty if it cannot be lifted, or only by a case of its own, or not computed
 };
 
 /// The simplifications active in `c`, without running anything.

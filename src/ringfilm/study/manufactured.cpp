@@ -3,21 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/film/film_solver.hpp"
+#include "ringfilm/study/manufactured_laws.hpp"
+#include "ringfilm/study/manufactured_sheet.hpp"
 
 namespace ringfilm::study {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kWidth = 1.5e-3, kSpeed = 7;                 // [m], [m/s]
-constexpr double kEta = 0.008, kRho = 800, kZ = 0.5;          // [Pa s], [kg/m3], [-]
-constexpr double kA = 6.0e-10, kB = 1.7e-9, kAtm = 101325;    // density of pressure [1/Pa], [Pa]
-constexpr double kPeak = 6e7, kEdge = 2e5;                    // prescribed pressure [Pa]
-constexpr double kFilm = 2e-6, kWedge = 3e-6, kSwing = 0.25;  // separation and its share that swings [m], [-]
-constexpr double kPeriod = 2e-3, kOmega = 2 * kPi / kPeriod;  // [s], [1/s]
+using namespace manufactured;
 
 /// A value with its slope in place and in time.
 struct Varying {
@@ -38,28 +33,12 @@ Pressure pressure(double x, double t, double swing) {
       amplitude * 2 * k * k * (c * c - s * s)};
 }
 
-double wedge(double x) { return kWedge * (1 - x / kWidth) * (1 - x / kWidth); }
 double separation(double t, double swing) { return kFilm * (1 + swing * std::sin(kOmega * t)); }
+double wedge(double x) { return kWedge * (1 - x / kWidth) * (1 - x / kWidth); }
 
 Varying gap(double x, double t, double swing) {
   return {separation(t, swing) + wedge(x), -2 * kWedge / kWidth * (1 - x / kWidth),
           kFilm * swing * kOmega * std::cos(kOmega * t)};
-}
-
-/// A property of pressure with its slope.
-struct Property {
-  double value, slope;
-};
-
-Property density(double p) {
-  const double u = p - kAtm, below = 1 + kB * u;
-  return {kRho * (1 + kA * u / below), kRho * kA / (below * below)};
-}
-
-Property viscosity(double p) {
-  const double scale = 1.98e8, depth = std::log(kEta) + 9.67;
-  const double eta = kEta * std::exp(depth * (std::pow(1 + p / scale, kZ) - 1));
-  return {eta, eta * depth * kZ / scale * std::pow(1 + p / scale, kZ - 1)};
 }
 
 /// d(rho h)/dt + d/dx [U rho h/2 - rho h^3 p_x/(12 eta)], every derivative written out.
@@ -130,11 +109,14 @@ double largest_difference(const film::FilmState& a, const film::FilmState& b) {
 }  // namespace
 
 const std::vector<std::string>& manufactured_films() {
-  static const std::vector<std::string> names = {"steady", "transient"};
+  static const std::vector<std::string> names = {"steady", "transient", "steady in two dimensions",
+                                                 "transient in two dimensions"};
   return names;
 }
 
 double manufactured_error(const std::string& film, int n_cells, int n_steps) {
+  if (film == "steady in two dimensions") return manufactured_sheet_error(n_cells, 0);
+  if (film == "transient in two dimensions") return manufactured_sheet_error(n_cells, n_steps);
   if (film == "steady") {
     const Film steady(n_cells, 0.0);
     const film::FilmState exact = steady.prescribed(0);

@@ -6,11 +6,12 @@
 /// them a solution is worked out by hand, and the solver must find them again @cite roache2002.
 namespace ringfilm::study {
 
-/// "steady" and "transient": a compressible, piezoviscous full film, the second with a separation that swings.
+/// "steady" and "transient": a compressible, piezoviscous full film, the second with a separation that swings; both "in
+/// two dimensions" as well, with as many cells in y as in x.
 const std::vector<std::string>& manufactured_films();
 
 /// Largest error of pressure at the nodes (at the end of the march), relative to the peak of the prescribed one [-].
-/// @param n_steps of backward Euler through a quarter of a period; without meaning for "steady"
+/// @param n_steps of backward Euler through a quarter of a period; without meaning for those that are steady
 double manufactured_error(const std::string& film, int n_cells, int n_steps);
 
 }  // namespace ringfilm::study

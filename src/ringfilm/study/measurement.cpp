@@ -63,6 +63,10 @@ Measurement of_pad(const pad::PadResult& result) {
     for (const auto& quantity : pad::pad_quantities()) {
       measurement.values[quantity.name].push_back(sample.*quantity.value);
     }
+    if (result.y.empty()) continue;
+    for (const auto& quantity : pad::width_quantities()) {
+      measurement.values[quantity.name].push_back(sample.*quantity.value);
+    }
   }
   add_fronts(result, measurement);
   add_events(result, measurement);
@@ -99,6 +103,7 @@ const std::vector<cycle::Quantity>& measured_quantities() {
   static const std::vector<cycle::Quantity> table = [] {
     std::vector<cycle::Quantity> all;
     add_all(pad::pad_quantities(), all);
+    add_all(pad::width_quantities(), all);
     add_all(pad::front_quantities(), all);
     add_all(kOfWholeRun, all);
     add_all(cycle::cycle_quantities(), all);

@@ -11,16 +11,19 @@ namespace ringfilm::study {
 namespace {
 
 /// Cases of one kind march side by side.
-using Kind = std::tuple<cycle::Method, cycle::Cavitation, cycle::Properties, unsigned>;
+using Kind = std::tuple<bool, cycle::Method, cycle::Cavitation, cycle::Properties, unsigned>;
 
 Kind kind_of(const cycle::Case& c) {
   // A block of lanes (cycle/side_by_side.cpp) has room for a power of two in cells, too.
-  return {c.solver.method, c.film.cavitation, c.solver.properties,
+  return {c.is_unrolled(), c.solver.method, c.film.cavitation, c.solver.properties,
           std::bit_ceil(static_cast<unsigned>(c.solver.cells))};
 }
 
 /// Nodes that its march visits, to a factor.
-double work(const cycle::Case& c) { return static_cast<double>(c.solver.cells) * cycle::steps_per_cycle(c.solver); }
+double work(const cycle::Case& c) {
+  const double around = c.is_unrolled() ? c.solver.cells_y : 1;
+  return around * c.solver.cells * cycle::steps_per_cycle(c.solver);
+}
 
 /// Cases that march side by side on one thread.
 struct Pack {
@@ -40,7 +43,7 @@ std::vector<std::vector<std::size_t>> shares(const std::vector<cycle::Case>& cas
   const std::size_t n_pack = std::clamp<std::size_t>(n_even, 1, width);
   std::vector<Pack> packs;
   for (const std::size_t i : order) {
-    const bool joins = !packs.empty() && packs.back().members.size() < n_pack &&
+    const bool joins = !cases[i].is_unrolled() && !packs.empty() && packs.back().members.size() < n_pack &&
                        kind_of(cases[packs.back().members.front()]) == kind_of(cases[i]);
     if (!joins) packs.emplace_back();
     Pack& pack = packs.back();

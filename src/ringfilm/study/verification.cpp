@@ -11,6 +11,7 @@ namespace ringfilm::study {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr int kFewestAcross = 2;  // cells of a pad with a width, with however few along
 
 double error_of(double expected, double got, Tolerance::Kind kind) {
   const double away = std::abs(got - expected);
@@ -152,9 +153,18 @@ class Runner {
     return c.problem == cycle::Problem::kPad ? c.pad.length : c.ring.face_width;
   }
 
+  /// A pad with a width has its cells across refined as much as those along.
+  static void refine(cycle::Case& c, int n_cells) {
+    if (c.problem == cycle::Problem::kPad && c.pad.width) {
+      const double finer = static_cast<double>(n_cells) / c.solver.cells;
+      c.solver.cells_y = std::max(kFewestAcross, static_cast<int>(std::lround(c.solver.cells_y * finer)));
+    }
+    c.solver.cells = n_cells;
+  }
+
   double with_cells(const std::string& run, const Probe& probe, int n_cells) {
     cycle::Case c = verification_.runs.at(run);
-    c.solver.cells = n_cells;
+    refine(c, n_cells);
     const Measurement* measurement = measured(run + " cells " + std::to_string(n_cells), c);
     return measurement == nullptr ? kNothing : value(*measurement, probe);
   }
@@ -166,9 +176,9 @@ class Runner {
       return manufactured(check.manufactured, in_cells ? count : check.cells.value(), in_cells ? 0 : count);
     }
     cycle::Case c = verification_.runs.at(check.run);
-    if (check.cells) c.solver.cells = *check.cells;
+    if (check.cells) refine(c, *check.cells);
     if (in_cells) {
-      c.solver.cells = static_cast<int>(std::lround(level));
+      refine(c, static_cast<int>(std::lround(level)));
     } else {
       c.pad.time_step = level;
     }

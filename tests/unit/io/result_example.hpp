@@ -75,4 +75,39 @@ inline ResultDocument example_document(int n_samples = 5) {
   return document;
 }
 
+/// How the fields of an unrolled film are kept.
+enum class KeptFields { kNone, kInFull, kByStrips };
+
+/// The same of a film on the unrolled ring, of four strips.
+inline ResultDocument unrolled_document(KeptFields kept, int n_samples = 5) {
+  ResultDocument document = example_document(n_samples);
+  double next = 1e6;
+  const auto number = [&next] { return std::sqrt(next += 1.0) * 1e-7; };
+  cycle::CycleResult& result = document.result;
+  for (int k = 0; k < n_samples; ++k) {
+    cycle::UnrolledSample sample;
+    for (const auto& quantity : cycle::unrolled_quantities()) sample.*quantity.value = number();
+    if (k == 0) sample.ends_share_flow = std::numeric_limits<double>::quiet_NaN();
+    result.unrolled_samples.push_back(sample);
+  }
+  for (const auto& quantity : cycle::unrolled_cycle_quantities()) result.unrolled_values.*quantity.value = number();
+  cycle::UnrolledFields& unrolled = result.unrolled;
+  unrolled.circumference = 0.2803;
+  unrolled.end_gap = 0.3e-3;
+  unrolled.gap_position = 0.1;
+  unrolled.y = {0, 0.01, 0.27, 0.28};
+  unrolled.x = result.fields.x;
+  unrolled.crank_angle_deg = result.fields.crank_angle_deg;
+  const std::size_t n_strips = unrolled.y.size() * unrolled.crank_angle_deg.size();
+  const auto fill = [&](const std::vector<cycle::UnrolledField>& fields, std::size_t n) {
+    for (const cycle::UnrolledField& field : fields) {
+      for (std::size_t i = 0; i < n; ++i) (unrolled.*field.values).push_back(static_cast<float>(number()));
+    }
+  };
+  if (kept == KeptFields::kInFull) fill(cycle::unrolled_fields(), n_strips * unrolled.x.size());
+  if (kept == KeptFields::kByStrips) fill(cycle::strip_fields(), n_strips);
+  for (study::GridRun& run : document.errors->runs) run.cells_y = 180;
+  return document;
+}
+
 }  // namespace ringfilm::io

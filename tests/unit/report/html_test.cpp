@@ -147,6 +147,33 @@ TEST(ReportPage, ThinsOutFieldsThatAPageCannotCarry) {
   EXPECT_EQ(fields["film_thickness"].size(), 360u);
 }
 
+TEST(ReportPage, CarriesTheUnrolledFilmWithinBounds) {
+  auto document = example::document("around");
+  EXPECT_TRUE(data_of(report::report_page({document}, {}))["cases"][0]["unrolled"].is_null());
+  example::add_unrolled_film(document, example::Around::kFields);
+  const std::string page = report::report_page({document}, {});
+  const json data = data_of(page);
+  const json& unrolled = data["cases"][0]["unrolled"];
+  EXPECT_EQ(unrolled["stored"]["x"], 121);
+  EXPECT_EQ(unrolled["x"].size(), 61u);  // every second one
+  EXPECT_EQ(unrolled["y"].size(), document.result.unrolled.y.size());
+  EXPECT_EQ(unrolled["crank_angle"].size(), 24u);
+  EXPECT_EQ(unrolled["end_gap"].get<double>(), 0.3e-3);
+  const std::size_t n_words = 24 * 61 * document.result.unrolled.y.size();
+  EXPECT_EQ(unrolled["fields"]["fill"]["data"].get<std::string>().size(), (2 * n_words + 2) / 3 * 4);
+  for (const auto& q : cycle::unrolled_quantities()) {
+    EXPECT_EQ(data["cases"][0]["curves"][q.name].size(), 720u) << q.name;
+  }
+  EXPECT_EQ(data["unrolled_fields"].size(), cycle::unrolled_fields().size());
+  // Many more strips, angles and nodes make no larger page than the limits: three fields of 25 x 201 x 81 words.
+  auto& f = document.result.unrolled;
+  f.x.resize(301);
+  f.y.resize(501);
+  f.crank_angle_deg.resize(30);
+  for (const auto& field : cycle::unrolled_fields()) (f.*field.values).assign(301u * 501 * 30, 1);
+  EXPECT_LT(report::report_page({document}, {}).size(), page.size() + 3u * 25 * 201 * 81 * 2 * 4 / 3 + 100000);
+}
+
 TEST(ReportPage, NamesNoOutsideAddress) {
   const std::string page = report::report_page({example::document("one")}, {overlay()});
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));

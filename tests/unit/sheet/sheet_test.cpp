@@ -10,6 +10,12 @@ namespace {
 
 double sum(const std::vector<double>& of) { return std::accumulate(of.begin(), of.end(), 0.0); }
 
+TEST(Around, HalfwayIsByPlaceNotByNumber) {
+  EXPECT_EQ(around_at({0, 1, 2, 3, 10}, 10, Ends::kOpen).halfway(), 3);
+  EXPECT_EQ(uniform_around(8, 1, Ends::kOpen).halfway(), 4);
+  EXPECT_EQ(uniform_around(8, 1, Ends::kJoined).halfway(), 4);
+}
+
 TEST(Around, SharesAreTheLength) {
   for (const Ends ends : {Ends::kOpen, Ends::kJoined, Ends::kClosed}) {
     const Around around = uniform_around(7, 2.0, ends);

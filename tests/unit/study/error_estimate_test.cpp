@@ -65,6 +65,21 @@ TEST(ErrorEstimate, MarchesTheCaseOnGridsTwiceAndHalfAsFine) {
   expect(4, 41, 8, 4e-3);
 }
 
+TEST(ErrorEstimate, CellsAroundTheRingGoWithThoseAcrossTheFace) {
+  cycle::Case c = coarse_case();
+  c.film.dimension = cycle::FilmDimension::kUnrolled;
+  c.ring.end_gap = 0.3e-3;
+  c.solver.cells = 40;
+  c.solver.cells_y = 60;
+  const auto grids = study::other_grids(c);
+  EXPECT_EQ(grids[0].solver.cells_y, 120);
+  EXPECT_EQ(grids[1].solver.cells_y, 30);
+  EXPECT_EQ(grids[2].solver.cells_y, 60);
+  EXPECT_DOUBLE_EQ(grids[0].end_cell(), 0.5 * c.end_cell());
+  EXPECT_DOUBLE_EQ(grids[1].end_cell(), 2 * c.end_cell());
+  EXPECT_DOUBLE_EQ(grids[2].end_cell(), c.end_cell());
+}
+
 TEST(ErrorEstimate, NeedsAnEndingOnEachOtherGrid) {
   const cycle::Case c = coarse_case();
   const std::vector<study::Ending> ended(study::other_grids(c).size());

@@ -58,7 +58,8 @@ TEST(Ledger, VariantsEqualADirectRunOfTheChangedCase) {
   int variants = 0;
   for (const LedgerEntry& entry : ledger) {
     variants += static_cast<int>(entry.variants.size());
-    EXPECT_EQ(entry.can_be_lifted, !entry.variants.empty()) << entry.topic;
+    const bool by_a_case_of_its_own = entry.topic == "ring-gap";
+    EXPECT_EQ(entry.can_be_lifted, !entry.variants.empty() || by_a_case_of_its_own) << entry.topic;
   }
   EXPECT_EQ(told, variants + 1);  // and the case itself
   EXPECT_EQ(last_done, told);

@@ -36,6 +36,25 @@ TEST(Shares, EveryCaseIsInOneShare) {
   }
 }
 
+TEST(Shares, UnrolledFilmsFillNoLanesAndCountAsAllOfTheirStrips) {
+  // Two unrolled films of as many nodes as 100 films across the face each: one for each thread.
+  std::vector<cycle::Case> cases(2, of_cells(40));
+  for (cycle::Case& c : cases) {
+    c.film.dimension = cycle::FilmDimension::kUnrolled;
+    c.solver.cells_y = 100;
+  }
+  const Shares given = shares(cases, 2, 8);
+  ASSERT_EQ(given.size(), 2u);
+  EXPECT_EQ(given[0].size(), 1u);
+  // With eight films across the face beside one of them: these are the lighter load, and stay together.
+  cases.pop_back();
+  for (int i = 0; i < 8; ++i) cases.push_back(of_cells(40));
+  const Shares mixed = shares(cases, 2, 8);
+  ASSERT_EQ(mixed.size(), 2u);
+  EXPECT_EQ(mixed[0], std::vector<std::size_t>{0});
+  EXPECT_EQ(mixed[1].size(), 8u);
+}
+
 TEST(Shares, FewAlikeAreSharedEvenly) {
   const std::vector<cycle::Case> cases(10, of_cells(200));
   const Shares two = shares(cases, 2, 8);

@@ -1,4 +1,6 @@
 // Puts the page together from the data that it carries.
+import { gapFigure } from './around_figures.js';
+import { AroundView } from './around_view.js';
 import { CycleGroup } from './chart.js';
 import { cycleFigures, kCycleRange, otherQuantityFigure, shownElsewhere, zoomFigure } from './cycle_figures.js';
 import { element, svgElement } from './dom.js';
@@ -11,6 +13,7 @@ import { energyFigure, faceFigure, fieldAngles, stribeckFigure, wearFigure } fro
 import { swatchSvg } from './svg.js';
 import { comparisonSection, cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
 import { display } from './units.js';
+import { Unrolled } from './unrolled.js';
 
 const kRanges = [
   ['Whole cycle', -360, 360],
@@ -78,6 +81,14 @@ function subtitle(model) {
   return line;
 }
 
+/** The cases whose film is unrolled, ready to be drawn. */
+function unrolledCases(model) {
+  const { unrolled_fields: fields, strip_fields: strips } = model.payload;
+  return model.cases.filter((c) => c.unrolled).map((c) => ({
+    name: c.name, data: new Unrolled(c.unrolled, { fields, strips }), peakAngle: c.values.peak_gas_pressure_angle, face: Math.max(0, ...c.fields.x) * 1e3,
+  }));
+}
+
 function buildPage(model) {
   const visibility = new Visibility();
   const group = new CycleGroup();
@@ -97,11 +108,13 @@ function buildPage(model) {
     view(energyFigure(model)),
   ].filter(Boolean);
   const faces = [view(faceFigure(model)), fieldAngles(model).length ? new FaceView(model, context) : null].filter(Boolean);
+  const unrolled = unrolledCases(model);
+  const around = [unrolled.length ? new AroundView(model, unrolled, context) : null, hasCurves ? view(gapFigure(model)) : null].filter(Boolean);
   const influence = view(influenceFigure(model));
-  views.push(...cycle, ...others, ...faces, ...(influence ? [influence] : []));
+  views.push(...cycle, ...others, ...faces, ...around, ...(influence ? [influence] : []));
 
   const contents = [
-    ['cycle', 'Over the cycle', cycle.length], ['friction', 'Friction and wear', others.length], ['face', 'Along the face', faces.length],
+    ['cycle', 'Over the cycle', cycle.length], ['friction', 'Friction and wear', others.length], ['face', 'Along the face', faces.length], ['around', 'Around the ring', around.length],
     ['cycle-values', 'Cycle values', 1], ['comparison', 'Published values', model.cases.some((c) => c.comparison.length)],
     ['ledger', 'Assumptions', model.cases.some((c) => c.ledger.length)], ['validity', 'Validity', 1], ['inputs', 'Inputs', 1], ['provenance', 'Provenance', 1],
   ].filter(([, , there]) => there);
@@ -115,6 +128,7 @@ function buildPage(model) {
       toolbar(model, visibility, group), cycle.map((v) => v.node)) : null,
     others.length ? section('friction', 'Friction and wear', others.map((v) => v.node)) : null,
     faces.length ? section('face', 'Along the face of the ring', faces.map((v) => v.node)) : null,
+    around.length ? section('around', 'Around the ring', around.map((v) => v.node)) : null,
     cycleValuesSection(model), comparisonSection(model), ledgerSection(model, influence?.node), notesSection(model), inputsSection(model), provenanceSection(model),
   ].filter(Boolean));
   views.forEach((v) => v.start());

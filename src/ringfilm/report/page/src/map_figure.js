@@ -1,21 +1,16 @@
 // A height map as plain SVG: the picture in true proportions, axes, colour bar, scale bar, framed regions.
-import { colourText, heightColour, kHeightColours, kMissingColour } from './colour_map.js';
+import { heightColour, kMissingColour } from './colour_map.js';
 import { axisTitle } from './scales.js';
+import { colourBar, numbersBelow, numbersBeside } from './svg_colour_bar.js';
 import { kFaint, kInk, px, rule, scaler, text } from './svg_shapes.js';
+import { kMissing, unpacked } from './packed.js';
 import { number, ticks, tickText, typesetUnit, withUnit } from './units.js';
 
-const kMissing = 65535;
 /** Numbers the parts that one drawing refers to: two drawings of one map stand in a page. */
 let drawn = 0;
 const kTallest = 560;
 /** A letter is at most about so wide: a drawing cannot measure its text [pixel]. */
 const kLetter = 6.4;
-
-/** Words of the program's 16-bit numbers, low byte first. */
-function unpacked(data) {
-  const bytes = atob(data);
-  return Uint16Array.from({ length: bytes.length / 2 }, (_, k) => bytes.charCodeAt(2 * k) | (bytes.charCodeAt(2 * k + 1) << 8));
-}
 
 /** The unit in which lengths of this size are read, from `from` of it on: { unit, size in m }. */
 export function lengthUnit(metres, from) {
@@ -149,43 +144,24 @@ export class MapFigure {
     return [...out, `<rect class="scale-bar" x="${px(middle - w / 2)}" y="${px(y - 1)}" width="${px(w)}" height="4" fill="#000"/>`, text(middle, y - 7, label, { anchor: 'middle', fill: '#000', weight: 600 })];
   }
 
-  gradient(id, upright) {
-    const stops = kHeightColours.filter((_, k) => k % 15 === 0).map((colour, k, all) => `<stop offset="${px((100 * k) / (all.length - 1))}%" stop-color="${colourText(colour)}"/>`);
-    return `<linearGradient id="${id}" ${upright ? 'x1="0" y1="1" x2="0" y2="0"' : 'x1="0" y1="0" x2="1" y2="0"'}>${stops.join('')}</linearGradient>`;
-  }
-
   /** Pointed ends where values lie beyond the colours. */
-  barShape({ left, top, width, height }, upright) {
-    const id = `map-colours-${drawn++}`;
-    const kPoint = 9;
-    const [first, last] = [colourText(kHeightColours[0]), colourText(kHeightColours[kHeightColours.length - 1])];
-    const out = [this.gradient(id, upright), `<rect class="colour-bar" x="${px(left)}" y="${px(top)}" width="${px(width)}" height="${px(height)}" fill="url(#${id})" stroke="${kInk}" stroke-width="0.8"/>`];
-    const point = (a, b, c, fill) => `<path d="M${a.map(px).join(' ')}L${b.map(px).join(' ')}L${c.map(px).join(' ')}Z" fill="${fill}" stroke="${kInk}" stroke-width="0.8"/>`;
-    const [right, low] = [left + width, top + height];
-    if (this.highest.value > this.to) out.push(upright ? point([left, top], [right, top], [left + width / 2, top - kPoint], last) : point([right, top], [right, low], [right + kPoint, top + height / 2], last));
-    if (this.lowest.value < this.from) out.push(upright ? point([left, low], [right, low], [left + width / 2, low + kPoint], first) : point([left, top], [left, low], [left - kPoint, top + height / 2], first));
-    return out;
+  barShape(box, upright) {
+    return colourBar(box, upright, { above: this.highest.value > this.to, below: this.lowest.value < this.from });
   }
 
   barBeside(plot) {
     const kPoint = 10;
     const box = { left: plot.left + plot.width + 18, top: plot.top + kPoint, width: 15, height: plot.height - 2 * kPoint };
-    const y = scaler(false, this.from, this.to, box.top + box.height, box.top);
-    const { values, step } = ticks(this.from, this.to, box.height / 40);
     return [
-      ...this.barShape(box, true),
-      ...values.flatMap((v) => [rule(box.left + 15, y(v), box.left + 20, y(v), kInk), text(box.left + 23, y(v) + 4, tickText(v, step))]),
+      ...this.barShape(box, true), ...numbersBeside(box, [this.from, this.to]),
       text(box.left - 4, plot.top - 8, axisTitle(this.long_name, this.unit), { weight: 600 }),
     ];
   }
 
   barBelow(plot, top) {
     const box = { left: plot.left + 10, top: top + 12, width: Math.max(120, plot.width - 20), height: 13 };
-    const x = scaler(false, this.from, this.to, box.left, box.left + box.width);
-    const { values, step } = ticks(this.from, this.to, box.width / 60);
     return [
-      ...this.barShape(box, false),
-      ...values.flatMap((v) => [rule(x(v), box.top + 13, x(v), box.top + 17, kInk), text(x(v), box.top + 29, tickText(v, step), { anchor: 'middle' })]),
+      ...this.barShape(box, false), ...numbersBelow(box, [this.from, this.to]),
       text(4, box.top - 5, axisTitle(this.long_name, this.unit), { weight: 600 }),
     ];
   }

@@ -65,8 +65,8 @@ export class Model {
     this.payload = payload;
     this.curveQuantities = payload.curve_quantities;
     const byName = (list) => new Map(list.map((q) => [q.name, q]));
-    this.curveQuantity = byName(payload.curve_quantities);
-    this.cycleQuantity = byName(payload.cycle_quantities);
+    this.curveQuantity = byName([...payload.curve_quantities, ...payload.unrolled_quantities]);
+    this.cycleQuantity = byName([...payload.cycle_quantities, ...payload.unrolled_cycle_quantities]);
     this.derivedQuantity = byName(payload.derived_quantities);
     const { shared, names } = named(payload.cases);
     this.sharedTitle = shared;
@@ -74,9 +74,15 @@ export class Model {
     this.cases = payload.cases.map((c, index) => ({
       ...c, index, series: this.several ? index : kOnlyCase, name: names[index],
       // Sums and extremes of a march that stopped early stand for no cycle: better none than wrong ones.
-      values: c.complete ? c.values : {},
+      values: c.complete ? { ...c.values, ...c.unrolled_values } : {},
     }));
     this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;
+  }
+
+  /** The same page with some of its cases. */
+  withCases(cases) {
+    const { allCases } = cases.length === this.cases.length ? this : { allCases: `these ${cases.length} cases` };
+    return Object.assign(Object.create(Object.getPrototypeOf(this)), this, { cases, several: cases.length > 1, allCases });
   }
 
   /** Name, unit and values of one cycle value of one case as shown. */

@@ -7,7 +7,7 @@ const kSizeInSi = {
   m2: 1, mm2: 1e-6, um2: 1e-12, m3: 1, cm3: 1e-6,
   'um-2': 1e12, 'm-2': 1, 'mm-2': 1e6,
   Pa: 1, kPa: 1e3, MPa: 1e6, GPa: 1e9, bar: 1e5,
-  N: 1, kN: 1e3, 'N/m': 1, 'kN/m': 1e3,
+  N: 1, kN: 1e3, 'N/m': 1, 'N/mm': 1e3, 'kN/m': 1e3,
   W: 1, kW: 1e3, mW: 1e-3,
   J: 1, mJ: 1e-3, kJ: 1e3, 'J/m': 1, 'J/mm': 1e3, 'mJ/mm': 1,
   'kg/s': 1, 'g/s': 1e-3, 'mg/s': 1e-6, 'kg/(m s)': 1, 'g/(m s)': 1e-3, 'kg/m3': 1,

@@ -1,0 +1,91 @@
+#include "ringfilm/cycle/march_film.hpp"
+
+#include <utility>
+
+#include "ringfilm/film/first_guess.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+film::FilmProblem film_across(const Setup& setup) {
+  const auto& input = setup.input;
+  const models::RingFace face =
+      input.ring.face.orientation == Orientation::kX0Crankcase ? setup.face.turned() : setup.face;
+  const double lowest = face.minimum().height;  // so that h_m is the true minimum film
+  film::FilmProblem problem;
+  problem.grid =
+      film::uniform_grid(input.solver.cells, input.ring.face_width, [&](double x) { return face.height(x) - lowest; });
+  problem.oil = setup.oil.get();
+  problem.contact = &setup.contact;
+  problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving
+                                                                            : film::Cavitation::kReynoldsExit;
+  problem.contact_spread = input.contact.film_parameter == FilmParameter::kLocal ? film::ContactSpread::kLocal
+                                                                                 : film::ContactSpread::kNominal;
+  problem.tolerance = input.solver.tolerance;
+  problem.kernels = setup.kernels;
+  return problem;
+}
+
+std::optional<sheet::SheetProblem> film_on_ring(const Setup& setup, const film::FilmProblem& across) {
+  if (!setup.input.is_unrolled()) return std::nullopt;
+  sheet::SheetProblem problem;
+  problem.strip = across;
+  problem.around = strips_of(setup.input);
+  problem.gap = sheet::gap_of_strips(across.grid, problem.around);
+  return problem;
+}
+
+film::Method film_method(Method method) {
+  switch (method) {
+    case Method::kPointRelaxation:
+      return film::Method::kPointRelaxation;
+    case Method::kNestedSecant:
+      return film::Method::kNestedSecant;
+    case Method::kCoupledNewton:
+      break;
+  }
+  return film::Method::kCoupledNewton;
+}
+
+}  // namespace
+
+sheet::Around strips_of(const Case& c) {
+  const double length = c.ring_length();
+  return c.ring.end_gap ? sheet::refined_around(c.solver.cells_y, length, c.end_cell())
+                        : sheet::uniform_around(c.solver.cells_y, length, sheet::Ends::kJoined);
+}
+
+sheet::SheetInputs sheet_inputs(const film::FilmInputs& inputs) {
+  const double p_end = 0.5 * (inputs.p_left + inputs.p_right);
+  return {inputs, p_end, p_end, {}};
+}
+
+MarchFilm::Workspace MarchFilm::workspace_of(const Setup& setup, const MarchFilm& film) {
+  if (film.sheet_) return sheet::SheetWorkspace(*film.sheet_);
+  return film::workspace_of(film_method(setup.input.solver.method), film.across_);
+}
+
+MarchFilm::MarchFilm(const Setup& setup)
+    : across_(film_across(setup)), sheet_(film_on_ring(setup, across_)), workspace_(workspace_of(setup, *this)) {}
+
+film::FilmReport MarchFilm::solve(const film::FilmInputs& inputs, const film::FilmState& previous,
+                                  film::FilmState& state) {
+  if (!sheet_) return film::solve_film(across_, inputs, previous, state, std::get<film::MethodWorkspace>(workspace_));
+  return sheet::solve_sheet(*sheet_, sheet_inputs(inputs), previous, state,
+                            std::get<sheet::SheetWorkspace>(workspace_));
+}
+
+film::FilmReport MarchFilm::solve_steady(const film::FilmInputs& inputs, film::FilmState& before,
+                                         film::FilmState& state) {
+  state = film::first_guess(across(), inputs);
+  if (sheet_) {
+    film::FilmWorkspace workspace(across());
+    film::FilmState strip = state;
+    if (film::solve_film(across(), inputs, state, strip, workspace).converged) state = std::move(strip);
+    state = sheet::of_strips(*sheet_, state);
+  }
+  before = state;
+  return solve(inputs, before, state);
+}
+
+}  // namespace ringfilm::cycle

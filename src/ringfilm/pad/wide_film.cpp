@@ -1,0 +1,102 @@
+#include "ringfilm/pad/wide_film.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/film_integrals.hpp"
+#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/reynolds.hpp"
+#include "ringfilm/pad/recording.hpp"
+
+namespace ringfilm::pad {
+namespace {
+
+double largest_flux(const film::FilmProblem& problem, const film::FilmInputs& inputs, const film::FilmState& state) {
+  const auto thickest = std::max_element(problem.grid.node_height.begin(), problem.grid.node_height.end());
+  double largest = flux_of_rounding(problem, inputs, state, state.h_m + *thickest);
+  for (int i = 0; i < problem.grid.n_cells(); ++i) {
+    largest = std::max(largest, std::abs(film::mass_flux(problem, inputs, state, i)));
+  }
+  return largest;
+}
+
+Peak peak(const film::FilmGrid& grid, const film::FilmState& state) {
+  const int n = grid.n_cells();
+  const int top = static_cast<int>(std::max_element(state.p.begin(), state.p.end()) - state.p.begin());
+  const Peak at_node{state.p[top], grid.x[top]};
+  const bool at_jump = std::any_of(grid.jumps.begin(), grid.jumps.end(), [&](const auto& j) { return j.node == top; });
+  if (top == 0 || top == n || at_jump || state.deficit[top - 1] > 0 || state.deficit[top + 1] > 0) return at_node;
+  return top_of_parabola(at_node, state.p[top - 1], state.p[top + 1], grid.spacing[top]);
+}
+
+}  // namespace
+
+WideFilm::WideFilm(const PadSetup& setup, int n_cells)
+    : PadFilm(setup), problem_(setup.problem(film::grid_of_pieces(n_cells, setup.pieces))), workspace_(problem_) {}
+
+double WideFilm::lowest_height() const {
+  const film::FilmGrid& grid = problem_.grid;
+  double lowest = std::min(*std::min_element(grid.node_height.begin(), grid.node_height.end()),
+                           *std::min_element(grid.face_height.begin(), grid.face_height.end()));
+  for (const film::GapJump& jump : grid.jumps) lowest = std::min({lowest, jump.height_left, jump.height_right});
+  return lowest;
+}
+
+film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& inputs, const film::FilmState& previous,
+                                               film::FilmState& state) {
+  return film::solve_film_at_separation(problem_, inputs, previous, state, workspace_);
+}
+
+film::FilmReport WideFilm::solve(const film::FilmInputs& inputs, const film::FilmState& previous,
+                                 film::FilmState& state) {
+  return film::solve_film(problem_, inputs, previous, state, workspace_);
+}
+
+film::FilmState WideFilm::full(double h_m) const {
+  film::FilmState state;
+  state.h_m = h_m;
+  state.p = pressures_between_edges(setup(), problem_.grid);
+  state.deficit.assign(state.p.size(), 0.0);
+  state.content.assign(state.p.size(), 0.0);
+  return state;
+}
+
+double WideFilm::load(const film::FilmState& state) const { return film::hydrodynamic_load(problem_, state); }
+
+Sample WideFilm::sample(const film::FilmInputs& inputs, const film::FilmState& previous, const film::FilmState& state,
+                        double time) const {
+  const film::FilmIntegrals sums = film::film_integrals(problem_, inputs, previous, state);
+  Sample out = sample_of(setup(), sums, state.h_m, time);
+  const Peak top = peak(problem_.grid, state);
+  out.peak_film_pressure = top.pressure;
+  out.peak_position = top.position;
+  const double largest_flow = largest_flux(problem_, inputs, state);
+  out.mass_residual = largest_flow > 0 ? std::abs(sums.mass_defect) / largest_flow : 0.0;
+  add_fronts(setup(), inputs, state.deficit, sums, out);
+  return out;
+}
+
+std::vector<double> WideFilm::places_x() const {
+  std::vector<int> nodes;
+  for (const film::GapJump& jump : problem_.grid.jumps) nodes.push_back(jump.node);
+  return places_with_steps(problem_.grid.x, nodes, std::nullopt);
+}
+
+Profile WideFilm::profile(const film::FilmState& state, double time) const {
+  Profile along;
+  along.time = time;
+  auto jump = problem_.grid.jumps.begin();
+  for (int i = 0; i <= problem_.grid.n_cells(); ++i) {
+    const double fill = film::fill(problem_.cavitation, state.deficit[i]);
+    if (jump == problem_.grid.jumps.end() || jump->node != i) {
+      append_node(along, {state.h_m + problem_.grid.node_height[i], state.p[i], fill});
+      continue;
+    }
+    append_step(setup(), along, state.h_m + jump->height_left, state.h_m + jump->height_right, state.p[i], fill);
+    ++jump;
+  }
+  return along;
+}
+
+}  // namespace ringfilm::pad

@@ -1,0 +1,34 @@
+#pragma once
+#include "ringfilm/film/film_solver.hpp"
+#include "ringfilm/pad/pad_film.hpp"
+
+namespace ringfilm::pad {
+
+/// The film of an infinitely wide pad: one strip.
+class WideFilm : public PadFilm {
+ public:
+  WideFilm(const PadSetup& setup, int n_cells);
+
+  const std::vector<double>& nodes() const override { return problem_.grid.x; }
+  const std::vector<double>& strips() const override { return strips_; }
+  double lowest_height() const override;
+
+  film::FilmReport solve_at_separation(const film::FilmInputs& inputs, const film::FilmState& previous,
+                                       film::FilmState& state) override;
+  film::FilmReport solve(const film::FilmInputs& inputs, const film::FilmState& previous,
+                         film::FilmState& state) override;
+
+  film::FilmState full(double h_m) const override;
+  double load(const film::FilmState& state) const override;
+  Sample sample(const film::FilmInputs& inputs, const film::FilmState& previous, const film::FilmState& state,
+                double time) const override;
+  std::vector<double> places_x() const override;
+  Profile profile(const film::FilmState& state, double time) const override;
+
+ private:
+  film::FilmProblem problem_;
+  film::FilmWorkspace workspace_;
+  std::vector<double> strips_{0.0};
+};
+
+}  // namespace ringfilm::pad

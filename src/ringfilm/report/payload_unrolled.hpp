@@ -1,0 +1,17 @@
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "ringfilm/cycle/result.hpp"
+
+namespace ringfilm::report {
+
+/// Pictures of the unrolled film for the script of the page; null where the result has none.
+nlohmann::ordered_json unrolled_payload(const cycle::UnrolledFields& fields);
+
+/// What the ends of the gap do over a cycle, by name; null without an unrolled film.
+nlohmann::ordered_json unrolled_values(const cycle::CycleResult& result);
+
+/// Adds the curves that only an unrolled film has to those of its case, under their names.
+void add_unrolled_curves(const cycle::CycleResult& result, int digits, nlohmann::ordered_json& curves);
+
+}  // namespace ringfilm::report

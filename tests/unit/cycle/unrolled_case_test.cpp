@@ -1,0 +1,121 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/march_film.hpp"
+#include "unrolled_cases.hpp"
+
+/// Keys and rules of a film on the unrolled ring.
+namespace ringfilm::cycle::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::vector<std::string> blamed(const Case& c) {
+  std::vector<std::string> keys;
+  for (const RuleBreach& breach : broken_rules(c)) keys.push_back(breach.key);
+  return keys;
+}
+
+std::string message(const Case& c, const std::string& key) {
+  for (const RuleBreach& breach : broken_rules(c)) {
+    if (breach.key == key) return breach.message + "; " + breach.remedy;
+  }
+  return "nothing is wrong";
+}
+
+bool active(const std::string& key, const Case& c) { return is_active(*find_field(key), c); }
+
+TEST(UnrolledCase, KeysCountOnlyWithTheUnrolledFilm) {
+  const Case face = styles_new_ring();
+  const Case ring = unrolled_ring();
+  for (const char* key : {"ring.end_gap", "ring.gap_position", "solver.cells_y", "solver.end_cell"}) {
+    EXPECT_FALSE(active(key, face)) << key;
+    EXPECT_TRUE(active(key, ring)) << key;
+  }
+  Case closed = ring;
+  closed.ring.end_gap.reset();
+  EXPECT_TRUE(active("solver.cells_y", closed));
+  EXPECT_FALSE(active("ring.gap_position", closed));
+  EXPECT_FALSE(active("solver.end_cell", closed));
+  Case with_fields = ring;
+  EXPECT_FALSE(active("output.reduction", with_fields));
+  with_fields.output.fields = FieldsWanted::kAll;
+  EXPECT_TRUE(active("output.reduction", with_fields));
+}
+
+TEST(UnrolledCase, KeepsTheRulesAsItStands) { EXPECT_THAT(blamed(unrolled_ring()), IsEmpty()); }
+
+TEST(UnrolledCase, RefusesAGapThatLeavesNothingOfTheRing) {
+  Case c = unrolled_ring();
+  c.ring.end_gap = std::numbers::pi * c.engine.bore;
+  EXPECT_THAT(message(c, "ring.end_gap"), HasSubstr("279.602 mm is not below the circumference"));
+  c.ring.end_gap = 0.5;
+  EXPECT_THAT(message(c, "ring.end_gap"), HasSubstr("500 mm"));
+  c.film.dimension = FilmDimension::kFace;  // not in use
+  EXPECT_THAT(blamed(c), IsEmpty());
+}
+
+TEST(UnrolledCase, RefusesMethodsThatKnowNoUnrolledFilm) {
+  for (const Method method : {Method::kPointRelaxation, Method::kNestedSecant}) {
+    Case c = unrolled_ring();
+    c.solver.method = method;
+    EXPECT_THAT(blamed(c), Contains("solver.method"));
+  }
+}
+
+TEST(UnrolledCase, RefusesEndCellsLongerThanCellsThatAreAllAlike) {
+  Case c = unrolled_ring();
+  c.solver.end_cell = c.ring_length() / c.solver.cells_y * (1 + 1e-9);
+  EXPECT_THAT(blamed(c), Contains("solver.end_cell"));
+  c.solver.end_cell = c.ring_length() / c.solver.cells_y * (1 - 1e-9);
+  EXPECT_THAT(blamed(c), IsEmpty());
+}
+
+TEST(UnrolledCase, RefusesWhatWouldFillTheMemoryAndStatesTheMemory) {
+  Case c = unrolled_ring();
+  c.output.fields = FieldsWanted::kAll;
+  // 720 angles of 201 x 181 nodes, 16 bytes each
+  EXPECT_THAT(message(c, "output.fields"), HasSubstr("419.109 MB"));
+  EXPECT_THAT(message(c, "output.fields"), HasSubstr("along-face"));
+  c.output.reduction = FieldReduction::kAlongFace;
+  EXPECT_THAT(blamed(c), IsEmpty());
+  c.output.reduction = FieldReduction::kNone;
+  c.output.fields = FieldsWanted::kListed;
+  c.output.field_angles_deg = {0, 20, 90};
+  EXPECT_THAT(blamed(c), IsEmpty());
+  c.solver.cells = 100000;
+  c.solver.cells_y = 100000;
+  EXPECT_THAT(blamed(c), Contains("solver.cells_y"));
+}
+
+TEST(UnrolledCase, EndsItsRingAtTheGapAndRefinesTheCellsThere) {
+  Case c = unrolled_ring();
+  EXPECT_DOUBLE_EQ(c.ring_length(), std::numbers::pi * 0.089 - 0.3e-3);
+  const sheet::Around open = strips_of(c);
+  EXPECT_EQ(open.ends, sheet::Ends::kOpen);
+  EXPECT_EQ(open.n_strips(), 181);
+  EXPECT_EQ(open.y.back(), c.ring_length());
+  EXPECT_NEAR(open.spacing.front() / (c.ring.face_width / 50), 1, 0.1);  // the grid is fitted to the length
+  c.ring.end_gap.reset();
+  const sheet::Around joined = strips_of(c);
+  EXPECT_EQ(joined.ends, sheet::Ends::kJoined);
+  EXPECT_EQ(joined.n_strips(), 180);
+  EXPECT_DOUBLE_EQ(joined.length, std::numbers::pi * 0.089);
+}
+
+TEST(UnrolledCase, ItsEndsHaveTheMeanOfThePressuresAtTheEdges) {
+  film::FilmInputs inputs;
+  inputs.p_left = 40e5;
+  inputs.p_right = 1e5;
+  const sheet::SheetInputs sheet = sheet_inputs(inputs);
+  EXPECT_EQ(sheet.p_low, 20.5e5);
+  EXPECT_EQ(sheet.p_high, 20.5e5);
+}
+
+}  // namespace
+}  // namespace ringfilm::cycle::testing

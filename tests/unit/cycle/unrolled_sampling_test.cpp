@@ -1,0 +1,122 @@
+#include "ringfilm/cycle/unrolled_sampling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ringfilm/cycle/sampling.hpp"
+#include "unrolled_cases.hpp"
+
+/// Figures of the gap's ends from integrals that are made up.
+namespace ringfilm::cycle::testing {
+namespace {
+
+Case small_ring() {
+  Case c = unrolled_ring();
+  c.solver.cells = 16;
+  c.solver.cells_y = 8;
+  return c;
+}
+
+/// Nine strips that differ from the one halfway only at the ends.
+sheet::SheetIntegrals made_up() {
+  sheet::SheetIntegrals integrals;
+  sheet::StripIntegrals strip;
+  strip.hydrodynamic_load = 900;
+  strip.asperity_load = 100;
+  strip.shear_couette = 20;
+  strip.shear_poiseuille = -5;
+  strip.flow_middle = 2e-4;
+  integrals.strips.assign(9, strip);
+  integrals.strips.front().hydrodynamic_load = integrals.strips.back().hydrodynamic_load = 0;
+  integrals.mean.hydrodynamic_load = 880;
+  integrals.mean.asperity_load = 100;
+  integrals.mean.asperity_area = 2e-7;
+  integrals.mean.shear_couette = 19;
+  integrals.mean.shear_poiseuille = -5;
+  integrals.mean.flow_middle = 1.9e-4;
+  integrals.flow_low = 3e-7;
+  integrals.flow_high = -1e-7;
+  return integrals;
+}
+
+TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
+  const cycle::Setup setup = prepare(small_ring());
+  const March march(setup);
+  film::FilmState state;
+  state.h_m = 1e-6;
+  Instant instant;
+  instant.crank_angle_deg = 400;
+  instant.inputs.U = -5;
+  instant.inputs.load = 980;
+  instant.state = &state;
+  const sheet::SheetIntegrals integrals = made_up();
+  const Sample whole = sample(setup, march, instant, integrals.mean);
+  const double L = setup.input.ring_length();
+  EXPECT_DOUBLE_EQ(whole.applied_load, 980 * L);  // of what there is of the ring
+  EXPECT_DOUBLE_EQ(whole.oil_flow_middle, 1.9e-4 * L);
+
+  const UnrolledSample ends = unrolled_sample(setup, march, instant, integrals, whole);
+  EXPECT_DOUBLE_EQ(ends.gap_leakage, 2e-7);
+  EXPECT_EQ(ends.gap_leakage_low_end, 3e-7);
+  EXPECT_EQ(ends.gap_leakage_high_end, -1e-7);
+  EXPECT_DOUBLE_EQ(ends.ends_share_load, 1 - 1000.0 / 980);
+  EXPECT_DOUBLE_EQ(ends.ends_share_flow, 1 - 2.0 / 1.9);
+  EXPECT_DOUBLE_EQ(ends.oil_flow_without_ends, 2e-4 * L);
+  const double boundary = 2e6 * 2e-7 + 0.3581 * 100;
+  EXPECT_DOUBLE_EQ(ends.ends_share_friction, 1 - (boundary + 15) / (boundary + 14));
+
+  // A ring that was turned over has its x from the crankcase.
+  instant.axis = Axis::kFromCrankcase;
+  const Sample turned = sample(setup, march, instant, integrals.mean);
+  EXPECT_DOUBLE_EQ(turned.oil_flow_middle, -1.9e-4 * L);
+  EXPECT_DOUBLE_EQ(unrolled_sample(setup, march, instant, integrals, turned).oil_flow_without_ends, -2e-4 * L);
+}
+
+TEST(UnrolledSampling, AShareOfNoFlowIsNone) {
+  const cycle::Setup setup = prepare(small_ring());
+  const March march(setup);
+  film::FilmState state;
+  state.h_m = 1e-6;
+  Instant instant;
+  instant.inputs.load = 980;
+  instant.state = &state;
+  sheet::SheetIntegrals integrals = made_up();
+  integrals.mean.flow_middle = 0;
+  const Sample whole = sample(setup, march, instant, integrals.mean);
+  EXPECT_TRUE(std::isnan(unrolled_sample(setup, march, instant, integrals, whole).ends_share_flow));
+}
+
+TEST(UnrolledSampling, ValuesOfTheCycleWeighSharesByWhatTheyAreSharesOf) {
+  std::vector<Sample> whole(2);
+  whole[0].crank_angle_deg = 0;
+  whole[0].hydrodynamic_load = 300;
+  whole[0].power_loss = 10;
+  whole[0].oil_flow_middle = 4e-6;
+  whole[1].crank_angle_deg = 360;
+  whole[1].hydrodynamic_load = 80;
+  whole[1].asperity_load = 20;
+  whole[1].power_loss = 30;
+  whole[1].oil_flow_middle = -1e-6;
+  std::vector<UnrolledSample> ends(2);
+  ends[0].gap_leakage = -1e-8;
+  ends[0].ends_share_load = 0.02;
+  ends[0].ends_share_friction = 0.1;
+  ends[0].oil_flow_without_ends = 3.6e-6;
+  ends[1].gap_leakage = 3e-8;
+  ends[1].ends_share_load = -0.01;
+  ends[1].ends_share_friction = -0.02;
+  ends[1].oil_flow_without_ends = -1.2e-6;
+  const UnrolledValues values = unrolled_values(whole, ends);
+  EXPECT_DOUBLE_EQ(values.mean_gap_leakage, 1e-8);
+  EXPECT_DOUBLE_EQ(values.mean_absolute_gap_leakage, 2e-8);
+  EXPECT_DOUBLE_EQ(values.peak_gap_leakage, 3e-8);
+  EXPECT_EQ(values.peak_gap_leakage_angle, 360);
+  EXPECT_DOUBLE_EQ(values.gap_leakage_share, 2e-8 / 2.5e-6);
+  EXPECT_DOUBLE_EQ(values.ends_share_mean_load, (0.02 * 300 - 0.01 * 100) / 400);
+  EXPECT_DOUBLE_EQ(values.ends_share_friction_power, (0.1 * 10 - 0.02 * 30) / 40);
+  EXPECT_NEAR(values.ends_share_absolute_flow, 0.04, 1e-15);  // rounding of a difference
+}
+
+}  // namespace
+}  // namespace ringfilm::cycle::testing
