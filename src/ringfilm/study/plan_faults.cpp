@@ -122,29 +122,28 @@ class FactorCheck {
     if (factor_.how == How::kSet) check_range(target, field);
   }
 
-  /// The ends of what is set must lie where the key allows; a distribution without ends, its median.
+  /// What is set must lie where the key allows; of a distribution its ends, or its median where it has none.
   void check_range(const Target& target, const cycle::Field& field) {
     if (!field.range) return;
-    std::vector<double> ends;
-    const auto reject = [&](double number) {
-      const double x = target.gain * number;
-      if (x < field.range->low || x > field.range->high) {
-        refuse("has the value " + shown(x) + " " + field.unit + " for " + field.key + ", which is out of range",
-               "allowed is " + shown(field.range->low) + " to " + shown(field.range->high) + " " + field.unit);
-        return true;
-      }
-      return false;
-    };
-    if (const auto* levels = std::get_if<Levels>(&factor_.variation)) ends = levels->values;
-    if (const auto* span = std::get_if<Span>(&factor_.variation)) ends = {span->low, span->high};
+    std::vector<double> set;
+    cycle::Range range = *field.range;
+    if (const auto* levels = std::get_if<Levels>(&factor_.variation)) set = levels->values;
+    if (const auto* span = std::get_if<Span>(&factor_.variation)) set = {span->low, span->high};
     if (const auto* d = std::get_if<Distribution>(&factor_.variation)) {
       if (!complaints(*d).empty()) return;
       const bool is_bounded = d->shape == Shape::kUniform || d->shape == Shape::kTriangular;
-      ends = {quantile(*d, 0.5)};
-      if (is_bounded || d->lowest) ends.push_back(quantile(*d, 0x1.0p-53));
-      if (is_bounded || d->highest) ends.push_back(quantile(*d, 1 - 0x1.0p-53));
+      set = {quantile(*d, 0.5)};
+      if (is_bounded || d->lowest) set.push_back(quantile(*d, 0x1.0p-53));
+      if (is_bounded || d->highest) set.push_back(quantile(*d, 1 - 0x1.0p-53));
+      range.low_open = range.high_open = false;  // the ends themselves are never drawn
     }
-    std::any_of(ends.begin(), ends.end(), reject);
+    for (const double number : set) {
+      const double x = target.gain * number;
+      if (is_inside(x, range)) continue;
+      refuse("has the value " + with_unit(x, field) + " for " + field.key + ", which is out of range",
+             "allowed is " + range_words(field));
+      return;
+    }
   }
 
   void check_choices(const cycle::Field& field) {

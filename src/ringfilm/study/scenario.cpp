@@ -30,15 +30,6 @@ struct EntryOf {
   Entry operator()(const FieldAnglesKind&) const { return Entry::kNone; }
 };
 
-bool inside(double value, const Range& range) {
-  return (range.low_open ? value > range.low : value >= range.low) &&
-         (range.high_open ? value < range.high : value <= range.high);
-}
-
-std::string with_unit(double value, const Field& field) {
-  return field.unit == "1" || field.unit.empty() ? shown(value) : shown(value) + " " + field.unit;
-}
-
 /// Puts one number into one key of a case.
 class NumberWriter {
  public:
@@ -90,11 +81,8 @@ class NumberWriter {
                                                       : base + number_;
     if (!std::isfinite(value)) {
       refuse("is not finite", "check the distribution and the gain of the factor");
-    } else if (field_.range && !inside(value, *field_.range)) {
-      refuse("= " + with_unit(value, field_) + " is out of range",
-             "allowed is " + std::string(field_.range->low_open ? "above " : "") +
-                 with_unit(field_.range->low, field_) + (field_.range->high_open ? " to below " : " to ") +
-                 with_unit(field_.range->high, field_));
+    } else if (field_.range && !is_inside(value, *field_.range)) {
+      refuse("= " + with_unit(value, field_) + " is out of range", "allowed is " + range_words(field_));
     }
     return value;
   }
@@ -192,6 +180,22 @@ bool is_file(const Field& field) {
          field.key == "lubricant.file";
 }
 
+bool is_inside(double value, const Range& range) {
+  return (range.low_open ? value > range.low : value >= range.low) &&
+         (range.high_open ? value < range.high : value <= range.high);
+}
+
+std::string with_unit(double value, const Field& field) {
+  return field.unit == "1" || field.unit.empty() ? shown(value) : shown(value) + " " + field.unit;
+}
+
+std::string range_words(const Field& field) {
+  if (!field.range) return "any number";
+  const Range& range = *field.range;
+  return std::string(range.low_open ? "above " : "") + with_unit(range.low, field) +
+         (range.high_open ? " to below " : " to ") + with_unit(range.high, field);
+}
+
 Case scenario_case(const Study& study, const Point& point) {
   Case c = study.bases.at(point.base).input;
   std::vector<Fault> faults;
@@ -219,6 +223,31 @@ Case scenario_case(const Study& study, const Point& point) {
   }
   if (!faults.empty()) throw InputError(faults);
   return c;
+}
+
+void check_scenarios(const Plan& plan) {
+  constexpr std::uint64_t kTried = 16;
+  for (std::size_t base = 0; base < plan.study().bases.size(); ++base) {
+    const std::uint64_t n = plan.n_points(base), tried = std::min(n, kTried);
+    std::vector<Fault> first;
+    for (std::uint64_t k = 0; k < tried; ++k) {
+      // Spread over the plan, its beginning and its end among them.
+      const std::uint64_t p = tried == 1 ? 0 : k * ((n - 1) / (tried - 1)) + std::min(k, (n - 1) % (tried - 1));
+      try {
+        scenario_case(plan.study(), plan.point(plan.scenario(base, p)));
+        first.clear();
+        break;
+      } catch (const InputError& refusal) {
+        if (first.empty()) first = refusal.faults();
+      }
+    }
+    if (first.empty()) continue;
+    first.insert(first.begin(), Fault{{},
+                                      "no scenario of base \"" + plan.study().bases[base].name + "\" can be run, of " +
+                                          std::to_string(tried) + " tried",
+                                      "the first of them is refused because"});
+    throw InputError(first);
+  }
 }
 
 std::string digest_text(const Case& c) {

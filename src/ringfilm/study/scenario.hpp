@@ -20,6 +20,17 @@ bool is_file(const cycle::Field& field);
 /// to add to, and the rules that join keys (cycle::broken_rules).
 cycle::Case scenario_case(const Study& study, const Point& point);
 
+/// Throws InputError if a base has no scenario that can be made into a case, of 16 spread over the plan: a key that is
+/// stated twice over, a number to scale that is not there. To be asked before anything is run; a plan of which some
+/// scenarios can be run is run, and the others are rows with their reasons.
+void check_scenarios(const Plan& plan);
+
+bool is_inside(double value, const cycle::Range& range);
+/// "1.5e-06 m"
+std::string with_unit(double value, const cycle::Field& field);
+/// "above 0 m to 2 m"
+std::string range_words(const cycle::Field& field);
+
 /// All values of a case that come from its keys, and the digests of the files that it was read from, as text.
 std::string digest_text(const cycle::Case& c);
 

@@ -66,6 +66,9 @@ TEST(PlanFaults, OfKeys) {
 TEST(PlanFaults, OfValuesOutOfTheRangeOfTheirKey) {
   EXPECT_THAT(told(with(Levels{{100, -5}})),
               HasSubstr("factor \"x\" has the value -5 rad/s for operating.speed, which is out of range"));
+  EXPECT_THAT(told(with(Levels{{0, 100}})),
+              HasSubstr("has the value 0 rad/s for operating.speed, which is out of range "
+                        "| allowed is above 0 rad/s to 2094.4 rad/s"));
   EXPECT_THAT(told(with(uniform(-1, 100))), HasSubstr("out of range"));
   EXPECT_THAT(told(with(Span{100, 1e6, 3, Spacing::kLinear})), HasSubstr("out of range"));
   EXPECT_THAT(told(with(normal(-3, 1))), HasSubstr("out of range")) << "at its median";

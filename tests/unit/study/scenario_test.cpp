@@ -132,6 +132,25 @@ TEST(Scenario, ATraceIsNotReplacedByANumber) {
   EXPECT_NE(outcome(study, {1.1}).refusal.find("is read from a file"), std::string::npos);
 }
 
+TEST(Scenario, APlanOfWhichNothingCanRunIsRefusedBeforehand) {
+  // The base has an elastic pressure: the tension of the ring would be stated twice.
+  const Plan twice(study_of({factor("ring.tangential_force", uniform(5, 15))}));
+  try {
+    check_scenarios(twice);
+    FAIL() << "nothing of it can run";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("no scenario of base \"new\" can be run, of 16 tried"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("the tension of the ring is stated twice"), std::string::npos);
+  }
+  const Plan absent(study_of({factor("ring.tangential_force", uniform(0.9, 1.1), How::kScale)}));
+  EXPECT_THROW(check_scenarios(absent), InputError);
+  // Some speeds below zero are rows with a reason.
+  EXPECT_NO_THROW(check_scenarios(Plan(study_of({factor("operating.speed", normal(100, 90))}))));
+  // The only good one is the last.
+  EXPECT_NO_THROW(check_scenarios(
+      Plan(study_of({factor("operating.speed", Levels{{-900, -800, -700, 100}}, How::kAdd)}, Method::kGrid))));
+}
+
 TEST(Scenario, EveryKeySaysHowItTakesANumber) {
   // A key of a kind that is not known here would throw.
   std::set<Entry> seen;
