@@ -94,6 +94,20 @@ Quantile quantile_of(std::span<const double> sorted, double share, double confid
   return result;
 }
 
+std::optional<double> interval_width(std::span<const double> values, std::optional<double> quantile_share,
+                                     double confidence) {
+  if (!quantile_share) {
+    const auto mean = mean_of(values);
+    if (!mean) return std::nullopt;
+    return 2 * mean_half_width(mean->count, confidence) * mean->standard_error;
+  }
+  const std::vector<double> sorted = sorted_values(values);
+  if (sorted.empty()) return std::nullopt;
+  const Quantile found = quantile_of(sorted, *quantile_share, confidence);
+  if (!found.low || !found.high) return std::nullopt;
+  return *found.high - *found.low;
+}
+
 std::vector<Stage> convergence(std::span<const double> values, const std::vector<double>& shares, double confidence) {
   std::vector<Stage> stages;
   for (std::size_t n = 16;; n *= 2) {

@@ -45,6 +45,11 @@ struct Places {
 };
 Places quantile_places(std::size_t n, double share, double confidence = kConfidence);
 
+/// Width of the confidence interval of the mean, or of a quantile where its share is given; what a study with an
+/// `until` watches. Nothing while there are too few values for both ends.
+std::optional<double> interval_width(std::span<const double> values, std::optional<double> quantile_share,
+                                     double confidence = kConfidence);
+
 /// Statistics of the first n values of a sample.
 struct Stage {
   std::uint64_t n = 0;

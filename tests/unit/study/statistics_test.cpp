@@ -143,6 +143,17 @@ TEST(Statistics, IntervalsOfMeansCoverAsOftenAsTheySay) {
   EXPECT_NEAR(covered, 0.95 * kSamples, 4 * std::sqrt(kSamples * 0.95 * 0.05));
 }
 
+TEST(Statistics, WidthOfAnIntervalIsThatBetweenItsEnds) {
+  std::vector<double> values;
+  for (int i = 100; i >= 1; --i) values.push_back(i);
+  EXPECT_EQ(interval_width(values, 0.5), 61 - 40) << "values 40 and 61 in order, as tables have it";
+  EXPECT_FALSE(interval_width(std::span(values).first(50), 0.95)) << "no upper end below 72 values";
+  EXPECT_FALSE(interval_width({}, 0.5));
+  // Of 1 ... 100 the variance is 100 101 / 12; t of 0.975 with 99 degrees of freedom is 1.9842.
+  EXPECT_NEAR(*interval_width(values, std::nullopt), 2 * 1.9842 * std::sqrt(101.0 / 12), 1e-3);
+  EXPECT_FALSE(interval_width(std::span(values).first(1), std::nullopt));
+}
+
 TEST(Statistics, ConvergenceIsTheStatisticsOfEachBeginning) {
   std::vector<double> values;
   for (int i = 0; i < 100; ++i) values.push_back(normal_quantile(share_of(hash(13, i))));
