@@ -54,7 +54,14 @@ Gmres::Report Gmres::solve(const std::function<void(const double*, double*)>& ma
         column[j + 1] = cosine_[j] * column[j + 1] - sine_[j] * above;
       }
       const double radius = std::hypot(column[k], length);
-      if (!(radius > 0) || !std::isfinite(radius)) return report;
+      if (!std::isfinite(radius)) {
+        report.reduction = 1;
+        return report;
+      }
+      if (radius == 0) {  // the map has no more to give; what the vectors so far hold is the best there is
+        combine(k, x);
+        return report;
+      }
       cosine_.push_back(column[k] / radius);
       sine_.push_back(length / radius);
       column[k] = radius;

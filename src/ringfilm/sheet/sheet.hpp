@@ -39,8 +39,8 @@ Around around_at(std::vector<double> y, double length, Ends ends);
 Around uniform_around(int n_cells, double length, Ends ends);
 
 /// Open at both ends, where the cells are `end_cell` long; they grow inwards by the same factor, at the most
-/// `kSteepestGrowth`, up to those of the middle, which are all alike. A larger end cell than length / n_cells is cut to
-/// that: then all are alike.
+/// `kSteepestGrowth`, up to those of the middle, which are all alike. Where there are too few for that growth all are
+/// longer by one factor, the end cells too. A larger end cell than length / n_cells is cut to that: then all are alike.
 Around refined_around(int n_cells, double length, double end_cell);
 inline constexpr double kSteepestGrowth = 1.3;
 

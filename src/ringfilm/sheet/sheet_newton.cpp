@@ -135,7 +135,7 @@ void SheetNewton::set_separation(const SheetInputs& inputs, double h_m) {
   }
 }
 
-void SheetNewton::set_given(const SheetProblem& problem, const SheetInputs& inputs) {
+void SheetNewton::set_given(const SheetInputs& inputs) {
   const int last = shape_.n_across - 1;
   const auto put = [&](int s, double p) {
     for (int i = 0; i <= last; ++i) block_.z[shape_.at(i, s)] = p - inputs.strip.p_cavitation;
@@ -148,7 +148,6 @@ void SheetNewton::set_given(const SheetProblem& problem, const SheetInputs& inpu
     block_.z[shape_.at(0, s)] = inputs.strip.p_left - inputs.strip.p_cavitation;
     block_.z[shape_.at(last, s)] = inputs.strip.p_right - inputs.strip.p_cavitation;
   }
-  static_cast<void>(problem);
 }
 
 void SheetNewton::set_step(const SheetProblem& problem, const SheetInputs& inputs, const film::FilmState& previous,
@@ -190,7 +189,7 @@ void SheetNewton::set_step(const SheetProblem& problem, const SheetInputs& input
       block_.inflow[place] = block_.share[i] * (block_.rate * previous.content[from + i] + source);
     }
   }
-  set_given(problem, inputs);
+  set_given(inputs);
   set_separation(inputs, guess.h_m);
 }
 
@@ -242,7 +241,8 @@ bool SheetNewton::solve_at(double d_ln_h, double reduction) {
     multigrid_->solve(product_.data(), y);
     y[n] = x[n];
   };
-  return gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction < kUnsolved;
+  left_ = gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction;
+  return left_ < kUnsolved;
 }
 
 std::optional<double> SheetNewton::solve_linear(const LoadRow& load, film::Unknowns unknowns, double reduction,
@@ -277,7 +277,8 @@ std::optional<double> SheetNewton::solve_linear(const LoadRow& load, film::Unkno
     precondition(product_.data(), kernels_->dot(block_.load_row, x, n) + load.slope * d_ln_h, y);
   };
   precondition(block_.rhs, -load.excess, rhs_.data());
-  if (!(gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction < kUnsolved)) return std::nullopt;
+  left_ = gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction;
+  if (!(left_ < kUnsolved)) return std::nullopt;
   const double d_ln_h = step_[n] / border_scale_;
   const double limited = std::clamp(d_ln_h, film::kLargestFall, film::kLargestRise);
   if (limited != d_ln_h && !solve_at(limited, reduction)) return std::nullopt;
@@ -338,7 +339,9 @@ SheetNewton::Outcome SheetNewton::solve(const SheetProblem& problem, const Sheet
       set_separation(inputs, h_m);
     }
     const bool nothing_crossed = !block_.to_film && !block_.to_cavity;
-    outcome.solved = nothing_crossed && outcome.last_step <= enough && reduction <= enough;
+    // What the linear system left of the step is an error like that of Newton's method, the square of the step.
+    const bool linear_is_solved = left_ * outcome.last_step <= problem.strip.tolerance;
+    outcome.solved = nothing_crossed && outcome.last_step <= enough && linear_is_solved;
     if (outcome.solved) break;
     help_along(block_.to_film && !block_.to_cavity);
   }

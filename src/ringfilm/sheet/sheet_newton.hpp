@@ -34,7 +34,7 @@ class SheetNewton {
   void set_step(const SheetProblem& problem, const SheetInputs& inputs, const film::FilmState& previous,
                 film::LaneLaws laws, const film::FilmState& guess);
   void set_separation(const SheetInputs& inputs, double h_m);
-  void set_given(const SheetProblem& problem, const SheetInputs& inputs);
+  void set_given(const SheetInputs& inputs);
   void give_oil(const SheetProblem& problem);
   /// Excess of the load carried, and its slope in ln h_m at fixed pressures.
   struct LoadRow {
@@ -61,6 +61,7 @@ class SheetNewton {
   std::vector<double> step_, rhs_, product_, column_solution_;  ///< zebras, the first two with d ln h_m behind them
   std::vector<double> p_;                                       ///< for laws that are given
   film::NodalOil oil_;
+  double left_ = 1;          ///< of the last linear system [-]
   double border_scale_ = 1;  ///< by which d ln h_m counts among pressures [Pa]
   // Help for advancing fronts
   int reach_ = 0, largest_reach_ = 0, retreats_left_ = 0, advances_ = 0;

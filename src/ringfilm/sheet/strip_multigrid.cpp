@@ -44,19 +44,7 @@ StripMultigrid::Level StripMultigrid::coarser(Level& fine) {
     coarse.places.centre[s / 2] += fine.places.share[s] * fine.places.centre[s];
   }
   for (int s = 0; s < n; ++s) coarse.places.centre[s] /= coarse.places.share[s];
-  for (int s = 0; s < n_fine; ++s) {
-    const int own = s / 2;
-    const double away = fine.places.centre[s] - coarse.places.centre[own];
-    const int next = away < 0 ? own - 1 : own + 1;
-    const bool is_wall = fine.places.ends == Ends::kClosed && (next < 0 || next >= n);
-    fine.share.push_back(fine.places.share[s] / coarse.places.share[own]);
-    fine.toward.push_back(is_wall ? 0.0 : std::abs(away) / coarse.places.distance(std::max(next, own)));
-  }
-  for (int s = 0; s < n; ++s) {
-    coarse.low_ratio.push_back(fine.places.distance(2 * s) / coarse.places.distance(s));
-    coarse.high_ratio.push_back(fine.places.distance(std::min(2 * s + 2, n_fine)) / coarse.places.distance(s + 1));
-  }
-
+  for (int s = 0; s < n_fine; ++s) fine.share.push_back(fine.places.share[s] / coarse.places.share[s / 2]);
   for (std::vector<double>* of : {&fine.to_coarse, &fine.of_own, &fine.of_beside}) {
     of->assign(fine.system.shape.size(), 0.0);
   }
@@ -106,46 +94,64 @@ void StripMultigrid::prepare(const double* z) {
 void StripMultigrid::coarsen(Level& fine, Level& coarse) {
   const StripSystem &from = fine.system, &to = coarse.system;
   const int n_fine = fine.places.n_strips(), n = coarse.places.n_strips();
+  const bool joined = fine.places.ends == Ends::kJoined;
   const std::size_t stride = from.shape.stride;
-  for (int i = 1; i < from.shape.n_across - 1; ++i) {
+  const auto second_of = [n_fine](int s) { return std::min(2 * s + 1, n_fine - 1); };
+  // Resistances in y: of half the way between the strips of a pair, which begins where the pair's pressure stands.
+  std::vector<double> half(n + 2);
+  double* const half_of = half.data() + 1;
+  for (int i = 0; i < from.shape.n_across; ++i) {
     for (int s = 0; s < n; ++s) {
-      // What the strips of the pair give; without a second one the first stands for both.
-      const int first = 2 * s, second = std::min(2 * s + 1, n_fine - 1);
-      double west = 0, along = 0, east = 0, low = 0, high = 0, film = 0;
-      for (int of_pair = first; of_pair <= second; ++of_pair) {
-        const std::size_t at = from.shape.at(i, of_pair);
-        const double weight = fine.share[of_pair] * fine.film[at] * from.diagonal[at];
-        fine.to_coarse[at] = weight;
-        film = std::max(film, fine.film[at]);
-        along += weight * (1 + from.low[at] + from.high[at]);
-        west += weight * fine.film[at - stride] * from.west[at];
-        east += weight * fine.film[at + stride] * from.east[at];
-        if (of_pair == first) low = weight * from.low[at] * coarse.low_ratio[s];
-        if (of_pair == second) high = weight * from.high[at] * coarse.high_ratio[s];
-      }
-      if (n == 1 && fine.places.ends == Ends::kJoined) low = high = 0;  // a strip beside itself exchanges nothing
-      const double diagonal = film > 0 ? along - low - high : 1;
-      const double inverse = 1 / diagonal;
+      coarse.film[to.shape.at(i, s)] =
+          std::max(fine.film[from.shape.at(i, 2 * s)], fine.film[from.shape.at(i, second_of(s))]);
+    }
+  }
+  for (int i = 1; i < from.shape.n_across - 1; ++i) {
+    const auto conductance = [&](int s, const double* coupling) {
+      const std::size_t at = from.shape.at(i, s);
+      return -fine.places.share[s] * from.diagonal[at] * coupling[at];
+    };
+    for (int s = 0; s < n; ++s) {
+      const double inside = second_of(s) > 2 * s ? conductance(2 * s + 1, from.low) : 0;
+      half_of[s] = inside > 0 ? 0.5 / inside : 0;
+    }
+    half_of[-1] = joined ? half_of[n - 1] : 0;
+    half_of[n] = joined ? half_of[0] : 0;
+    // From pair s to the one before or after it, through a coupling of its strip `edge`.
+    const auto between = [&](int s, int beside, int edge, const double* coupling) {
+      const double outside = conductance(edge, coupling);
+      return outside > 0 ? 1 / (half_of[s] + 1 / outside + half_of[beside]) : 0.0;
+    };
+    for (int s = 0; s < n; ++s) {
       const std::size_t at = to.shape.at(i, s);
-      coarse.film[at] = film;
+      const double film = coarse.film[at];
+      double west = 0, along = 0, east = 0;
+      for (int of_pair = 2 * s; of_pair <= second_of(s); ++of_pair) {
+        const std::size_t place = from.shape.at(i, of_pair);
+        const double weight = fine.share[of_pair] * fine.film[place] * from.diagonal[place];
+        fine.to_coarse[place] = weight;
+        along += weight * (1 + from.low[place] + from.high[place]);
+        west += weight * fine.film[place - stride] * from.west[place];
+        east += weight * fine.film[place + stride] * from.east[place];
+      }
+      double low = between(s, s - 1, 2 * s, from.low) / coarse.places.share[s];
+      double high = between(s, s + 1, second_of(s), from.high) / coarse.places.share[s];
+      if (film == 0 || (n == 1 && joined)) low = high = 0;  // a strip beside itself exchanges nothing
+      const double diagonal = film > 0 ? along + low + high : 1;
+      const double inverse = 1 / diagonal;
       to.diagonal[at] = diagonal;
       to.west[at] = west * inverse;
       to.east[at] = east * inverse;
-      to.low[at] = low * inverse;
-      to.high[at] = high * inverse;
-      for (int of_pair = first; of_pair <= second; ++of_pair) fine.to_coarse[from.shape.at(i, of_pair)] *= inverse;
-    }
-  }
-  join_ends(to.shape, coarse.places.ends, coarse.film);
-  if (coarse.places.ends == Ends::kOpen) {  // at the end, nothing is corrected
-    for (int i = 0; i < to.shape.n_across; ++i) coarse.film[to.shape.at(i, -1)] = coarse.film[to.shape.at(i, n)] = 1;
-  }
-  for (int i = 1; i < from.shape.n_across - 1; ++i) {
-    for (int s = 1; s < n_fine; s += 2) {
-      const std::size_t at = from.shape.at(i, s);
-      const double toward = fine.toward[s] * coarse.film[to.shape.at(i, s / 2 + 1)];
-      fine.of_own[at] = fine.film[at] * (1 - toward);
-      fine.of_beside[at] = fine.film[at] * toward;
+      to.low[at] = -low * inverse;
+      to.high[at] = -high * inverse;
+      for (int of_pair = 2 * s; of_pair <= second_of(s); ++of_pair)
+        fine.to_coarse[from.shape.at(i, of_pair)] *= inverse;
+      if (second_of(s) == 2 * s) continue;
+      // The pressure of an odd strip, as what flows from its pair to the next would have it.
+      const double toward = half_of[s] * between(s, s + 1, 2 * s + 1, from.high);
+      const std::size_t odd = from.shape.at(i, 2 * s + 1);
+      fine.of_own[odd] = fine.film[odd] * (1 - toward);
+      fine.of_beside[odd] = fine.film[odd] * toward;
     }
   }
 }

@@ -22,8 +22,8 @@ struct StripPlaces {
 /// pairs, down to a few, and relaxes each sheet once, even strips first, every strip solved along its length.
 ///
 /// A coarse sheet stands for the slow changes in y of the pressure: its nodes are those where at least one strip of the
-/// pair has a film. Balances are summed over the pair, couplings between pairs reduced as the distance between their
-/// centres grows, corrections interpolated along a straight line in y.
+/// pair has a film. Balances are summed over the pair; couplings between pairs and corrections between their places
+/// follow from the resistances to flow in y in series, so that a step of the gap is a step on all sheets.
 class StripMultigrid {
  public:
   /// @param system whose couplings are those of the pressure where `is_film` > 0
@@ -48,13 +48,10 @@ class StripMultigrid {
     std::vector<double> memory;
     double *film = nullptr, *rhs = nullptr, *x = nullptr;
     // To the coarser sheet, if there is one: of each strip
-    std::vector<double> share;   ///< of its pair [-]
-    std::vector<double> toward;  ///< how far it lies towards the pair beside its own, of the way there [-]
+    std::vector<double> share;  ///< of its pair [-]
     // and of each node
     std::vector<double> to_coarse;          ///< weights of its row in that of the coarse node
     std::vector<double> of_own, of_beside;  ///< of an odd strip's corrections
-    // Of each strip, from the finer sheet: what is left of couplings that reach farther [-]
-    std::vector<double> low_ratio, high_ratio;
   };
   static Level coarser(Level& fine);
   static void coarsen(Level& fine, Level& coarse);
