@@ -66,7 +66,7 @@ class StudyTest(ProgramTest):
         for row in rows:
             self.assertEqual(row["reason"], "")
             self.assertGreater(float(row["fmep [Pa]"]), 0)
-        speeds = [float(row["factor_speed [rad s-1]"]) for row in rows]
+        speeds = [float(row["factor_speed [rad/s]"]) for row in rows]
         rpm = math.pi / 30
         self.assertEqual(len(set(speeds)), 16)
         self.assertTrue(all(1000 * rpm <= speed <= 3000 * rpm for speed in speeds))
@@ -110,7 +110,7 @@ class StudyTest(ProgramTest):
         trace = self.folder / "trace.csv"
         trace.write_text("# another day\n" + trace.read_text())
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "2/2", "--resume"),
-                            "input files that have changed", "must not be mixed")
+                            "have changed since", "must not be mixed")
 
     def test_another_number_of_parts_is_refused(self):
         self.run_well("study", "study.toml", "-o", "out", "--shard", "1/2")
