@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cmath>
@@ -115,10 +116,16 @@ std::vector<std::vector<double>> factor_columns(const study::Plan& plan) {
   return columns;
 }
 
-std::string factor_variable(const std::string& name) {
-  std::string variable = "factor_";
-  for (const char c : name) variable.append(1, std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_');
-  return variable;
+std::vector<std::string> factor_variables(const study::Study& study) {
+  std::vector<std::string> variables;
+  for (const study::Factor& factor : study.factors) {
+    std::string variable = "factor_";
+    for (const char c : factor.name) variable.append(1, std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_');
+    if (std::find(variables.begin(), variables.end(), variable) != variables.end())
+      variable.append("_").append(std::to_string(variables.size() + 1));
+    variables.push_back(variable);
+  }
+  return variables;
 }
 
 void write_study_result(const std::string& path, const StudyRows& rows) {
@@ -135,9 +142,10 @@ void write_study_result(const std::string& path, const StudyRows& rows) {
               &RowHead::base);
   std::string coordinates = "base";
   const auto columns = factor_columns(rows.plan);
+  const std::vector<std::string> variables = factor_variables(study);
   for (std::size_t j = 0; j < columns.size(); ++j) {
     const study::Factor& factor = study.factors[j];
-    const std::string variable = factor_variable(factor.name);
+    const std::string& variable = variables[j];
     file.numbers({kScenario}, {variable, factor.unit, factor.display_unit, factor.name, "", ""}, columns[j]);
     file.describe(variable, "key", factor.targets.front().key);
     const std::vector<std::string> texts = choice_texts(factor);
@@ -177,7 +185,8 @@ void write_study_csv(const std::string& path, const StudyRows& rows) {
   };
   std::string line = "scenario,base";
   const auto cell = [&line](const std::string& text) { line.append(",").append(text); };
-  for (const study::Factor& factor : study.factors) cell(csv_header(factor_variable(factor.name), factor.unit));
+  const std::vector<std::string> variables = factor_variables(study);
+  for (std::size_t j = 0; j < variables.size(); ++j) cell(csv_header(variables[j], study.factors[j].unit));
   for (const auto& quantity : quantities) cell(csv_header(quantity.name, quantity.unit));
   cell("reason");
   write(line.append("\n"));

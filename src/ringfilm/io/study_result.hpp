@@ -23,8 +23,8 @@ struct StudyRows {
 /// Numbers of the factors over all scenarios, factor by factor; NaN where one leaves its base as it is.
 std::vector<std::vector<double>> factor_columns(const study::Plan& plan);
 
-/// "factor_face_crown": the name of a factor in result files.
-std::string factor_variable(const std::string& name);
+/// The names of the factors in result files: "factor_face_crown", with a number where two would be called alike.
+std::vector<std::string> factor_variables(const study::Study& study);
 
 /// NetCDF-4 over the dimension scenario: base, factors, values of the cycle; docs/manual/study.md. Same rows, same
 /// bytes. Throws OutputError.

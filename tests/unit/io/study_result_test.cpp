@@ -93,5 +93,14 @@ TEST_F(StudyResult, CsvHasTheWordsOfChoicesAndReasons) {
   EXPECT_NE(lines[3].find(",\"no \"\"film\"\", none\""), std::string::npos);
 }
 
+TEST(FactorVariables, AreNeverAlike) {
+  study::Study study;
+  study.factors.resize(3);
+  study.factors[0].name = "a b";
+  study.factors[1].name = "a-b";
+  study.factors[2].name = "c";
+  EXPECT_EQ(factor_variables(study), (std::vector<std::string>{"factor_a_b", "factor_a_b_2", "factor_c"}));
+}
+
 }  // namespace
 }  // namespace ringfilm::io
