@@ -11,7 +11,7 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, ProgramTest
+from program import PROGRAM, SOURCES, ProgramTest
 
 STUDY = """\
 title = "a small study"
@@ -205,6 +205,14 @@ class StudyTest(ProgramTest):
         (self.folder / "plan.csv").write_text("speed [rpm]\n1200\n1800\n2400\n")
         self.run_well("study", "study.toml", "-o", "listed")
         self.assertEqual(len(self.table("listed")), 3)
+
+    def test_shipped_studies_can_be_run(self):
+        studies = sorted((SOURCES / "cases" / "studies").glob("*.toml"))
+        self.assertGreater(len(studies), 0)
+        for study in studies:
+            said = self.run_well("study", str(study), "-o", study.stem, "--shard", "1/100")
+            self.assertIn("part 1 of 100 is done", said)
+            self.assertIn(", 0 not solved, finished", self.run_well("study", "status", str(study), "-o", study.stem))
 
     def test_a_large_grid_wants_to_be_meant(self):
         self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
