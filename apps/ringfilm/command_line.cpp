@@ -30,6 +30,7 @@ constexpr const char* kFooter = R"(Examples:
   ringfilm lateral-force new.csv --silicon silicon.csv --reference ahimou2007 --fragment shear.toml
   ringfilm synthetic honed liner.x3p --hatch-angle "45 degree" --seed 7
   ringfilm reproduce measured
+  ringfilm study cases/studies/new_ring_uncertainty.toml -o uncertainty
 
 Exit codes: 0 done, 1 internal error, 2 bad input, 3 no balance found, 4 a check failed, 5 could not write.
 )";
@@ -252,6 +253,8 @@ class Commands {
     command.footer(kVerifyFooter);
   }
 
+  void add_study() { add_study_command(program_, actions_); }
+
   /// Commands that read instruments.
   void add_measuring() {
     add_surface_commands(program_, actions_);
@@ -311,6 +314,7 @@ Request read_command_line(int argc, const char* const* argv) {
   commands->add_report();
   commands->add_reproduce();
   commands->add_verify();
+  commands->add_study();
   commands->add_measuring();
   commands->add_fields();
   commands->add_new();

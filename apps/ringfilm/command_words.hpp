@@ -35,5 +35,7 @@ void add_face_command(CLI::App& program, Actions& actions);
 void add_lateral_force_command(CLI::App& program, Actions& actions);
 /// `ringfilm synthetic`.
 void add_synthetic_command(CLI::App& program, Actions& actions);
+/// `ringfilm study`.
+void add_study_command(CLI::App& program, Actions& actions);
 
 }  // namespace ringfilm::app

@@ -1,0 +1,248 @@
+#include "command_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "commands.hpp"
+#include "output_names.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/digest.hpp"
+#include "ringfilm/io/shard_file.hpp"
+#include "ringfilm/io/study_file.hpp"
+#include "ringfilm/io/study_result.hpp"
+#include "ringfilm/study/scenario.hpp"
+#include "ringfilm/study/study_run.hpp"
+#include "stop_request.hpp"
+#include "study_files.hpp"
+#include "study_progress.hpp"
+#include "study_summary.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A study that was read and found sound.
+struct Loaded {
+  io::StudyFile file;
+  study::Plan plan;
+
+  explicit Loaded(const std::string& path) : file(io::read_study(path)), plan(file.study) {
+    study::check_scenarios(plan);
+  }
+
+  io::ShardHeader header(std::uint64_t part, std::uint64_t parts) const {
+    const io::Provenance program = io::this_program();
+    std::string inputs;
+    // The study's own file may be reworded: what it says is in the plan.
+    for (const cycle::InputFile& input : file.files) {
+      if (input.role != "study") inputs += fmt::format("{} {}\n", input.role, input.sha256);
+    }
+    const study::ScenarioRange range = study::shard_range(plan.size(), part, parts);
+    return {io::sha256(plan.digest_text()),
+            io::sha256(inputs),
+            fmt::format("{} commit {} {}", program.program, program.commit, program.compiler),
+            part,
+            parts,
+            range.first,
+            range.end,
+            cycle::cycle_quantities().size()};
+  }
+};
+
+std::string resume_words(const StudyOptions& options) {
+  std::string words = fmt::format("ringfilm study {} -o {}", options.study_path, options.output);
+  if (options.is_part) words += fmt::format(" --shard {}/{}", options.part, options.parts);
+  return words + (options.yes ? " --yes" : "") + " --resume";
+}
+
+void check_grid(const StudyOptions& options, const study::Plan& plan) {
+  if (options.yes || plan.study().sampling.method != study::Method::kGrid || plan.size() <= study::kLargestGrid) return;
+  throw InputError(fmt::format("the full grid has {} points, more than {}", plan.size(), study::kLargestGrid),
+                   "add --yes if that is meant, or sample: method = \"sobol\"");
+}
+
+void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
+  std::vector<Fault> faults;
+  for (const cycle::InputFile& input : study.file.files) {
+    for (const std::string& output : {files.result(), files.table()}) {
+      if (is_same_file(output, input.path))
+        faults.push_back({{}, output + ": the output is a file that the study is read from", "name another output"});
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+/// Computes what is missing of a part. @returns whether all of it is there
+bool compute(const StudyOptions& options, const Loaded& study, const std::string& path) {
+  const io::ShardHeader header = study.header(options.part, options.parts);
+  io::ShardWriter writer(path, header);
+  const StopRequest stop;
+  const std::uint64_t there = writer.next() - header.first;
+  StudyProgress progress(fs::path(options.study_path).stem().string(), there, header.range().size());
+  std::uint64_t unsolved = 0;
+  study::StudyRunOptions run_options;
+  run_options.batch.threads = options.threads;
+  const auto finished = [&](const study::ScenarioChunk& chunk) {
+    try {
+      writer.append(chunk);
+    } catch (const OutputError& error) {
+      throw OutputError(fmt::format("{}\n{} of {} scenarios are kept; make room, then: {}", error.what(),
+                                    writer.next() - header.first, header.range().size(), resume_words(options)));
+    }
+    for (const study::ScenarioRow& row : chunk.rows) unsolved += row.reason.empty() ? 0 : 1;
+    progress.show(writer.next() - header.first, unsolved);
+    return stop.is_made() ? study::GoOn::kNo : study::GoOn::kYes;
+  };
+  study::run_scenarios(study.plan, {writer.next(), header.end}, finished, run_options);
+  if (writer.next() == header.end) return true;
+  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to go on: {}", writer.next() - header.first,
+                                 header.range().size(), resume_words(options)));
+}
+
+/// Writes results and summary of a study of which all rows are there.
+void write_results(const StudyFiles& files, const Loaded& study, std::vector<io::ShardReader> shards) {
+  const io::StudyRows rows{study.file, study.plan, std::move(shards)};
+  io::write_study_result(files.result(), rows);
+  io::write_study_csv(files.table(), rows);
+  std::cout << study_summary(rows) << "\nwrote " << files.result() << "\nwrote " << files.table() << "\n";
+  std::uint64_t unsolved = 0;
+  for (const io::ShardReader& shard : rows.shards) unsolved += shard.n_unsolved();
+  if (unsolved == study.plan.size()) throw FailedChecks("not one scenario could be solved");
+}
+
+/// The parts that make up a study, in their order. Throws InputError for parts that are missing, unfinished or of
+/// something else.
+std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const StudyFiles& files, const Loaded& study) {
+  std::vector<Fault> faults;
+  std::vector<io::ShardReader> shards;
+  std::optional<std::uint64_t> parts;
+  for (const PartFile& file : files.parts()) {
+    if (!file.is_finished) continue;
+    if (parts && *parts != file.parts) {
+      throw InputError(fmt::format("{}: there are parts of {} and parts of {}", file.path, *parts, file.parts),
+                       "delete those of one kind");
+    }
+    parts = file.parts;
+    shards.emplace_back(file.path);
+    const std::string differs = io::difference(shards.back().header(), study.header(file.part, file.parts));
+    if (!differs.empty())
+      faults.push_back({{}, fmt::format("{}: these rows are of {}", file.path, differs), "compute this part anew"});
+    if (shards.back().header().part != file.part || !shards.back().is_complete())
+      faults.push_back({{}, fmt::format("{}: this part is not complete", file.path), "compute it anew"});
+  }
+  if (!parts) {
+    throw InputError(fmt::format("{}: there is no finished part of a study", options.output),
+                     "compute the parts first, for example with --shard 1/4");
+  }
+  for (std::uint64_t part = 1; part <= *parts; ++part) {
+    if (fs::exists(files.finished(part, *parts))) continue;
+    const bool is_begun = fs::exists(files.growing(part, *parts));
+    faults.push_back({{},
+                      fmt::format("part {} of {} is {}", part, *parts, is_begun ? "not finished" : "missing"),
+                      fmt::format("ringfilm study {} -o {} --shard {}/{} --resume", options.study_path, options.output,
+                                  part, *parts)});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return shards;
+}
+
+}  // namespace
+
+void run_study(const StudyOptions& options) {
+  const Loaded study(options.study_path);
+  check_grid(options, study.plan);
+  const StudyFiles files(options.output);
+  const std::string growing = files.growing(options.part, options.parts);
+  const std::string finished = files.finished(options.part, options.parts);
+  study.header(options.part, options.parts);  // there is such a part
+  check_outputs_apart(files, study);
+  if (!options.resume && fs::exists(growing)) {
+    throw InputError(fmt::format("{}: here stands a study that was not finished", growing),
+                     "go on with it by --resume, or delete this file to begin anew");
+  }
+  files.make_folder();
+  io::check_can_write(files.result(), io::Sink::kFile);
+  io::check_can_write(files.table(), io::Sink::kFile);
+  bool is_there = false;
+  if (options.resume && fs::exists(finished)) {
+    const io::ShardReader there(finished);
+    const std::string differs = io::difference(there.header(), study.header(options.part, options.parts));
+    if (!differs.empty()) {
+      throw InputError(fmt::format("{}: these rows are of {}", finished, differs),
+                       "results of both must not be mixed: name another output, or leave --resume out");
+    }
+    is_there = there.is_complete();
+  }
+  if (!is_there) {
+    compute(options, study, growing);
+    if (std::rename(growing.c_str(), finished.c_str()) != 0) io::fail_to_write(finished, errno);
+  }
+  if (options.is_part) {
+    std::cout << fmt::format("part {} of {} is {}: {}\n", options.part, options.parts,
+                             is_there ? "there already" : "done", finished);
+    return;
+  }
+  std::vector<io::ShardReader> shards;
+  shards.emplace_back(finished);
+  write_results(files, study, std::move(shards));
+}
+
+void merge_study(const StudyOptions& options) {
+  const Loaded study(options.study_path);
+  const StudyFiles files(options.output);
+  check_outputs_apart(files, study);
+  std::vector<io::ShardReader> shards = joined_parts(options, files, study);
+  io::check_can_write(files.result(), io::Sink::kFile);
+  io::check_can_write(files.table(), io::Sink::kFile);
+  write_results(files, study, std::move(shards));
+}
+
+void tell_study_status(const StudyOptions& options) {
+  const Loaded study(options.study_path);
+  const StudyFiles files(options.output);
+  const std::vector<PartFile> parts = files.parts();
+  std::cout << fmt::format("{}: {} scenarios\n", study.plan.study().title, study.plan.size());
+  if (parts.empty()) std::cout << fmt::format("nothing of it stands in {}\n", options.output);
+  std::optional<std::uint64_t> last_parts, last_part;
+  const auto tell_missing = [&](std::uint64_t until) {
+    for (std::uint64_t part = last_part.value_or(0) + 1; last_parts && part < until; ++part)
+      std::cout << fmt::format("part {} of {}: not begun\n", part, *last_parts);
+  };
+  for (const PartFile& file : parts) {
+    if (last_parts && *last_parts != file.parts) {
+      tell_missing(*last_parts + 1);
+      last_part.reset();
+    }
+    last_parts = file.parts;
+    tell_missing(file.part);
+    last_part = file.part;
+    std::string words;
+    try {
+      const io::ShardReader shard(file.path);
+      const std::string differs = io::difference(shard.header(), study.header(file.part, file.parts));
+      words = fmt::format("{} of {} scenarios, {} not solved, {}", shard.next() - shard.header().first,
+                          shard.header().range().size(), shard.n_unsolved(),
+                          file.is_finished ? "finished" : "not finished");
+      if (!differs.empty()) words += fmt::format("; these rows are of {}", differs);
+      std::vector<io::ShardReader::Unsolved> unsolved;
+      shard.append_unsolved(unsolved);
+      constexpr std::size_t kTold = 3;
+      for (std::size_t i = 0; i < std::min(unsolved.size(), kTold); ++i)
+        words += fmt::format("\n  scenario {}: {}", unsolved[i].scenario, unsolved[i].reason);
+    } catch (const InputError& error) {
+      words = error.faults().front().message;
+    }
+    std::cout << fmt::format("part {} of {}: {}\n", file.part, file.parts, words);
+  }
+  if (last_parts) tell_missing(*last_parts + 1);
+}
+
+}  // namespace ringfilm::app

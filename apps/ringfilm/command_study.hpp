@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace ringfilm::app {
+
+struct StudyOptions {
+  std::string study_path;
+  std::string output;  ///< a folder, or a name that ends in .nc
+  std::uint64_t part = 1, parts = 1;
+  bool is_part = false;  ///< was --shard given? Then nothing is joined at the end
+  bool resume = false;
+  bool yes = false;  ///< run a full grid however large
+  int threads = 0;   ///< 0: as many as the machine runs at once
+};
+
+/// Runs a study or a part of it. Throws FailedChecks where it was stopped, or where nothing could be solved.
+void run_study(const StudyOptions& options);
+
+/// Joins the parts of a study into its result files.
+void merge_study(const StudyOptions& options);
+
+/// Tells which parts of a study are done, how far the others are and what was not solved.
+void tell_study_status(const StudyOptions& options);
+
+}  // namespace ringfilm::app

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+
+#include "command_study.hpp"
+#include "command_words.hpp"
+#include "ringfilm/base/error.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  ringfilm study study.toml -o results
+  ringfilm study study.toml -o results --resume
+  ringfilm study study.toml -o results --shard 2/8
+  ringfilm study status study.toml -o results
+  ringfilm study merge study.toml -o results
+
+Ctrl-C stops after the chunk in hand; --resume goes on with what is there, after a kill, too, and computes nothing twice.
+--shard i/n computes the i-th of n parts, on any machine that sees the output; merge joins the parts.
+)";
+
+struct StudyWords {
+  std::vector<std::string> alone;
+  std::optional<std::string> output, shard, threads;
+  bool resume = false, yes = false;
+
+  void run() const {
+    const bool has_action = alone.size() == 2;
+    const std::string action = has_action ? alone.front() : "";
+    if (has_action && action != "merge" && action != "status") {
+      throw InputError(fmt::format("ringfilm study {}: this is no action", action), "one of: merge, status");
+    }
+    StudyOptions options;
+    options.study_path = alone.back();
+    options.output = output.value_or(std::filesystem::path(options.study_path).stem().string());
+    options.resume = resume;
+    options.yes = yes;
+    if (threads) options.threads = static_cast<int>(number("--threads", *threads, kMostThreads));
+    if (shard) read_shard(options);
+    if (has_action && (shard || resume || yes || threads)) {
+      throw InputError(fmt::format("ringfilm study {} takes no other option than -o", action), "leave the others out");
+    }
+    if (action == "merge") return merge_study(options);
+    if (action == "status") return tell_study_status(options);
+    run_study(options);
+  }
+
+ private:
+  static constexpr std::uint64_t kMostThreads = 1024, kMostParts = 1'000'000;
+
+  static std::uint64_t number(const char* option, const std::string& text, std::uint64_t most) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc{} && end == text.data() + text.size() && value >= 1 && value <= most) return value;
+    throw InputError(fmt::format("{} {}: this is no number from 1 to {}", option, text, most));
+  }
+
+  void read_shard(StudyOptions& options) const {
+    const std::size_t slash = shard->find('/');
+    if (slash == std::string::npos)
+      throw InputError(fmt::format("--shard {}: this is not i/n", *shard), "for example --shard 2/8");
+    options.is_part = true;
+    options.part = number("--shard", shard->substr(0, slash), kMostParts);
+    options.parts = number("--shard", shard->substr(slash + 1), kMostParts);
+    if (options.part > options.parts) {
+      throw InputError(fmt::format("--shard {}: there is no part {} of {}", *shard, options.part, options.parts),
+                       "parts count from 1");
+    }
+  }
+};
+
+}  // namespace
+
+void add_study_command(CLI::App& program, Actions& actions) {
+  CLI::App* command =
+      program.add_subcommand("study", "Run many scenarios around a case: maps, uncertainty, comparison");
+  const auto words = std::make_shared<StudyWords>();
+  command->add_option("STUDY.toml", words->alone, "the study's file; before it: merge or status")
+      ->required()
+      ->expected(1, 2)
+      ->type_name("");
+  command->add_option("-o,--output", words->output, "folder for results, or X.nc (default ./<study>)")
+      ->type_name("OUT");
+  command->add_option("--shard", words->shard, "compute part i of n only")->type_name("i/n");
+  command->add_flag("--resume", words->resume, "go on with what is there");
+  command->add_flag("--yes", words->yes, "run a full grid of more than 10000 points");
+  command->add_option("--threads", words->threads, "1 to 1024; without it as many as the machine runs at once")
+      ->type_name("N");
+  command->footer(kFooter);
+  actions.emplace_back(command, [words] { words->run(); });
+}
+
+}  // namespace ringfilm::app

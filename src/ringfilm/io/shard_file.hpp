@@ -1,0 +1,95 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/study/study_run.hpp"
+
+/// Rows of a study as they are computed, in a file that can be cut off anywhere; docs/manual/study.md.
+namespace ringfilm::io {
+
+/// To what rows belong; files whose headers differ must not be mixed.
+struct ShardHeader {
+  std::string plan;                   ///< SHA-256 of Plan::digest_text()
+  std::string inputs;                 ///< SHA-256 of the digests of all input files
+  std::string program;                ///< name, version and commit
+  std::uint64_t part = 1, parts = 1;  ///< this is part `part` of `parts`
+  std::uint64_t first = 0, end = 0;   ///< its scenarios, without `end`
+  std::uint64_t n_values = 0;         ///< of each row
+
+  study::ScenarioRange range() const { return {first, end}; }
+};
+
+/// What differs between two headers, in words ("another plan"); empty if their rows may be mixed. The part is not
+/// compared.
+std::string difference(const ShardHeader& found, const ShardHeader& wanted);
+
+/// Where the sound chunks of a file lie.
+struct ChunkPlace {
+  std::uint64_t first = 0, n_rows = 0;
+  std::uint64_t values_at = 0;  ///< values one after the other, each of all rows
+  std::uint64_t reasons_at = 0, reasons_size = 0;
+};
+
+/// A file of rows that is there. Chunks after the first that is cut off or spoilt are not seen.
+class ShardReader {
+ public:
+  /// Throws InputError if it cannot be read or is no such file.
+  explicit ShardReader(const std::string& path);
+  ShardReader(ShardReader&& other) noexcept;
+  ShardReader& operator=(ShardReader&&) = delete;
+  ~ShardReader();
+
+  const std::string& path() const { return path_; }
+  const ShardHeader& header() const { return header_; }
+  std::uint64_t next() const;  ///< first scenario that is not there
+  bool is_complete() const { return next() == header_.end; }
+  std::uint64_t sound_bytes() const { return sound_bytes_; }
+  std::uint64_t n_unsolved() const { return n_unsolved_; }
+
+  /// Appends value `i` of all rows, in the order of the scenarios.
+  void append_values(std::size_t i, std::vector<double>& all) const;
+
+  struct Unsolved {
+    std::uint64_t scenario;
+    std::string reason;
+  };
+  /// Appends the rows that are not solved.
+  void append_unsolved(std::vector<Unsolved>& all) const;
+
+ private:
+  void read_header();
+  bool read_chunk();
+  std::string bytes(std::uint64_t at, std::uint64_t n) const;
+
+  std::string path_;
+  int file_ = -1;
+  std::uint64_t size_ = 0, sound_bytes_ = 0, n_unsolved_ = 0;
+  ShardHeader header_;
+  std::vector<ChunkPlace> chunks_;
+};
+
+/// Appends chunks to a file that nobody else appends to. What was appended is on the disk, also if the machine stops.
+class ShardWriter {
+ public:
+  /// Begins the file, or goes on after the last sound chunk of the one that is there. Throws InputError if that one
+  /// belongs to another study, program or input, or if another process appends to it; OutputError.
+  ShardWriter(const std::string& path, const ShardHeader& header);
+  ShardWriter(const ShardWriter&) = delete;
+  ShardWriter& operator=(const ShardWriter&) = delete;
+  ~ShardWriter();
+
+  std::uint64_t next() const { return next_; }  ///< first scenario that is not there
+  /// Throws OutputError; the file then ends with the chunk before.
+  void append(const study::ScenarioChunk& chunk);
+
+ private:
+  void write(const std::string& bytes);
+
+  std::string path_;
+  int file_ = -1;
+  std::uint64_t n_values_, next_, length_ = 0;
+};
+
+}  // namespace ringfilm::io

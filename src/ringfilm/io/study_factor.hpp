@@ -1,0 +1,31 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/io/case_file.hpp"
+#include "ringfilm/io/study_table.hpp"
+#include "ringfilm/io/units.hpp"
+#include "ringfilm/study/study.hpp"
+
+namespace ringfilm::io {
+
+/// What the factors of a study are read with.
+struct FactorSources {
+  std::string folder;                   ///< of the study's file
+  std::vector<std::string> base_paths;  ///< of the case files of study.bases
+  const study::Study& study;            ///< its bases
+  const Units& units;
+};
+
+/// Files that the choices of a factor named, with their digests.
+using ChoiceFiles = std::vector<cycle::InputFile>;
+
+/// One [[factor]]; nothing if it was refused. What is wrong goes to `faults`.
+std::optional<study::Factor> read_factor(const TomlValue& table, const FactorSources& sources, ChoiceFiles& files,
+                                         std::vector<Fault>& faults);
+
+/// The bases that a list of names stands for; all where the key `bases` is absent.
+std::vector<std::size_t> read_base_names(StudyTable& table, const study::Study& study);
+
+}  // namespace ringfilm::io

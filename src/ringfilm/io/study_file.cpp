@@ -1,0 +1,225 @@
+#include "ringfilm/io/study_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "ringfilm/io/case_file.hpp"
+#include "ringfilm/io/csv_file.hpp"
+#include "ringfilm/io/source_text.hpp"
+#include "ringfilm/io/study_factor.hpp"
+#include "ringfilm/io/study_table.hpp"
+#include "ringfilm/study/measured_factors.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using study::Method;
+using study::StudyKind;
+
+class StudyReader {
+ public:
+  explicit StudyReader(const std::string& path)
+      : path_(path), folder_(std::filesystem::path(path).parent_path().string()) {}
+
+  StudyFile read() {
+    const SourceText source = read_source_text(path_, path_, kLargestToml);
+    const TomlValue root = parse_toml(source);
+    record({"study", path_, source.sha256});
+    StudyTable table(root, "a study",
+                     {"title", "kind", "seed", "base", "factor", "measured", "correlation", "plan", "keep"}, faults_);
+    study_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
+    study_.kind = table
+                      .chosen<StudyKind>("kind", {{"map", StudyKind::kMap},
+                                                  {"uncertainty", StudyKind::kUncertainty},
+                                                  {"compare", StudyKind::kCompare},
+                                                  {"screening", StudyKind::kScreening}})
+                      .value_or(StudyKind::kUncertainty);
+    study_.seed = table.count("seed").value_or(study_.seed);
+    const std::vector<TomlValue> bases = table.items("base");
+    for (const TomlValue& base : bases) read_base(base);
+    if (bases.empty() && faults_.empty())
+      faults_.push_back({{path_, 0, 0, ""}, "the study has no base case", "write [[base]] and case = \"...\" below"});
+    // Factors are about bases: where one is missing, nothing sure can be said of them.
+    if (!faults_.empty()) throw InputError(faults_);
+    read_factors(table);
+    if (faults_.empty()) read_measured(table);
+    if (faults_.empty()) read_correlations(table);
+    read_plan(table);
+    read_keep(table);
+    if (!faults_.empty()) throw InputError(faults_);
+    return {std::move(study_), std::move(files_)};
+  }
+
+ private:
+  void record(const cycle::InputFile& file) {
+    if (recorded_.insert(file.path + "\n" + file.sha256).second) files_.push_back(file);
+  }
+
+  void read_base(const TomlValue& value) {
+    StudyTable table(value, "[[base]]", {"name", "case"}, faults_);
+    const std::string name = table.needed_text("case", "\"my_engine.toml\"");
+    if (name.empty()) return;
+    const std::string path = locate(name, folder_).shown;
+    try {
+      cycle::Case input = read_case(path, {}, units_);
+      if (input.problem == cycle::Problem::kPad) {
+        table.refuse(table.find("case")->mark, fmt::format("{} is a pad", path), "a study is about rings over a cycle");
+      }
+      for (const cycle::InputFile& file : input.files) record(file);
+      base_paths_.push_back(path);
+      study_.bases.push_back(
+          {table.text("name").value_or(std::filesystem::path(path).stem().string()), std::move(input)});
+    } catch (const InputError& error) {
+      for (const Fault& f : error.faults())
+        faults_.push_back(f.mark.line > 0 ? f : Fault{table.find("case")->mark, f.message, f.remedy});
+    }
+  }
+
+  void read_factors(StudyTable& root) {
+    const FactorSources sources{folder_, base_paths_, study_, units_};
+    std::vector<study::Factor> factors;
+    ChoiceFiles files;
+    for (const TomlValue& value : root.items("factor")) {
+      if (auto factor = read_factor(value, sources, files, faults_)) factors.push_back(std::move(*factor));
+    }
+    for (const cycle::InputFile& file : files) record(file);
+    study_.factors = std::move(factors);
+  }
+
+  void read_measured(StudyTable& root) {
+    for (const TomlValue& value : root.items("measured")) {
+      StudyTable table(value, "[[measured]]", {"bases", "shared"}, faults_);
+      const std::vector<std::size_t> bases = read_base_names(table, study_);
+      study::MeasuredSharing sharing;
+      if (const TomlValue* shared = table.find("shared")) {
+        sharing = {study::Shared::kApart, study::Shared::kApart};
+        for (const std::string& word : table.texts("shared")) {
+          if (word == "calibration") {
+            sharing.calibration = study::Shared::kCommon;
+          } else if (word == "reference") {
+            sharing.reference = study::Shared::kCommon;
+          } else {
+            table.refuse_word(*shared, "shared", word, {"calibration", "reference"});
+          }
+        }
+      }
+      if (!faults_.empty()) return;
+      try {
+        study::add_measured_factors(study_, bases, sharing);
+      } catch (const InputError& error) {
+        for (const Fault& f : error.faults()) table.refuse(table.mark(), f.message, f.remedy);
+      }
+    }
+  }
+
+  void read_correlations(StudyTable& root) {
+    std::vector<std::string> names;
+    for (const study::Factor& factor : study_.factors) names.push_back(factor.name);
+    for (const TomlValue& value : root.items("correlation")) {
+      StudyTable table(value, "[[correlation]]", {"factors", "value"}, faults_);
+      std::vector<std::size_t> both;
+      for (const std::string& name : table.texts("factors")) {
+        const auto at = std::find(names.begin(), names.end(), name);
+        if (at == names.end()) {
+          table.refuse_word(*table.find("factors"), "factors", name, names);
+        } else {
+          both.push_back(static_cast<std::size_t>(at - names.begin()));
+        }
+      }
+      const auto number = table.number("value");
+      if (!faults_.empty()) continue;
+      if (both.size() != 2 || !number) {
+        table.refuse(table.mark(), "a correlation wants two factors and a value",
+                     "write factors = [\"a\", \"b\"] and value = 0.5");
+      } else {
+        study_.correlations.push_back({both[0], both[1], *number, table.mark()});
+      }
+    }
+  }
+
+  void read_plan(StudyTable& root) {
+    study::Sampling& sampling = study_.sampling;
+    const TomlValue* value = root.find("plan");
+    if (value == nullptr) {
+      faults_.push_back({{path_, 0, 0, ""}, "the study has no plan", "write [plan] and method = \"sobol\" below"});
+      return;
+    }
+    StudyTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels"}, faults_);
+    table.needed_text("method", "\"sobol\"");
+    sampling.method = table
+                          .chosen<Method>("method", {{"grid", Method::kGrid},
+                                                     {"one-at-a-time", Method::kOneAtATime},
+                                                     {"latin-hypercube", Method::kLatinHypercube},
+                                                     {"sobol", Method::kSobol},
+                                                     {"list", Method::kList},
+                                                     {"morris", Method::kMorris}})
+                          .value_or(sampling.method);
+    sampling.scenarios = table.count("scenarios").value_or(sampling.scenarios);
+    sampling.trajectories = table.count("trajectories").value_or(sampling.trajectories);
+    sampling.levels = table.count("levels").value_or(sampling.levels);
+    sampling.indices = table
+                           .chosen<study::Indices>("indices", {{"none", study::Indices::kNone},
+                                                               {"first-and-total", study::Indices::kFirstAndTotal}})
+                           .value_or(sampling.indices);
+    if (sampling.method == Method::kList && faults_.empty()) read_list(table);
+  }
+
+  /// A column for each factor, in any order; of choices their place in the list of values, from 0.
+  void read_list(StudyTable& table) {
+    const std::string name = table.needed_text("list", "\"plan.csv\"");
+    if (name.empty()) return;
+    const CsvFile csv = read_csv(locate(name, folder_));
+    record({"list", csv.source.path, csv.source.sha256});
+    std::vector<std::vector<double>> columns;
+    for (const study::Factor& factor : study_.factors) {
+      const auto found = csv.find(factor.name);
+      if (!found) {
+        table.refuse(csv.source.mark(csv.header_line), fmt::format("there is no column {}", factor.name),
+                     fmt::format("the columns are {}; one is wanted for each factor", csv.names()));
+        continue;
+      }
+      std::vector<double> values = csv.columns[*found].values;
+      const auto& unit = csv.columns[*found].unit;
+      try {
+        if (!factor.unit.empty() && (unit || factor.unit != "1")) {
+          const Scale scale = units_.scale(unit.value_or(""), factor.unit);
+          for (double& x : values) x = scale.to_si(x);
+        }
+      } catch (const UnitError& problem) {
+        table.refuse(csv.header_mark(*found), fmt::format("the column {} {}", factor.name, problem.what()),
+                     fmt::format("write it as {} [{}]", factor.name, factor.display_unit));
+      }
+      columns.push_back(std::move(values));
+    }
+    if (!faults_.empty()) return;
+    for (std::size_t i = 0; i < csv.row_lines.size(); ++i) {
+      auto& row = study_.sampling.list.emplace_back();
+      for (const auto& column : columns) row.push_back(column[i]);
+    }
+  }
+
+  void read_keep(StudyTable& root) {
+    const TomlValue* value = root.find("keep");
+    if (value == nullptr) return;
+    StudyTable table(*value, "[keep]", {"curves"}, faults_);
+    study_.keep.curves =
+        table.chosen<study::Curves>("curves", {{"none", study::Curves::kNone}}).value_or(study::Curves::kNone);
+  }
+
+  std::string path_, folder_;
+  Units units_;
+  study::Study study_;
+  std::vector<std::string> base_paths_;
+  std::vector<cycle::InputFile> files_;
+  std::set<std::string> recorded_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace
+
+StudyFile read_study(const std::string& path) { return StudyReader(path).read(); }
+
+}  // namespace ringfilm::io

@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/shard_file.hpp"
+#include "ringfilm/io/study_file.hpp"
+#include "ringfilm/study/plan.hpp"
+
+namespace ringfilm::io {
+
+/// A study with all its rows, in files.
+struct StudyRows {
+  const StudyFile& file;
+  const study::Plan& plan;
+  std::vector<ShardReader> shards;  ///< in the order of their scenarios, without a gap
+
+  /// A cycle value of all scenarios; `i` counts cycle::cycle_quantities(). NaN where not solved.
+  std::vector<double> values(std::size_t i) const;
+  std::vector<ShardReader::Unsolved> unsolved() const;
+};
+
+/// Numbers of the factors over all scenarios, factor by factor; NaN where one leaves its base as it is.
+std::vector<std::vector<double>> factor_columns(const study::Plan& plan);
+
+/// The names of the factors in result files: "factor_face_crown", with a number where two would be called alike.
+std::vector<std::string> factor_variables(const study::Study& study);
+
+/// NetCDF-4 over the dimension scenario: base, factors, values of the cycle; docs/manual/study.md. Same rows, same
+/// bytes. Throws OutputError.
+void write_study_result(const std::string& path, const StudyRows& rows);
+
+/// The same as a table, SI. Throws OutputError.
+void write_study_csv(const std::string& path, const StudyRows& rows);
+
+}  // namespace ringfilm::io

@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// Statistics of a value over the scenarios of a sample. A value that is not finite belongs to a scenario that was not
+/// solved; it is left out and counted. Confidence intervals presume scenarios that are independent of each other; those
+/// of Sobol points and Latin hypercubes are spread more evenly, and intervals are then wider than they need be.
+namespace ringfilm::study {
+
+inline constexpr double kConfidence = 0.95;  ///< of all intervals, where nothing else is asked for [-]
+
+struct Mean {
+  double value = 0;
+  double standard_error = 0;  ///< of the mean; eq-standard-error
+  double deviation = 0;       ///< standard deviation of the values, n - 1 below
+  std::uint64_t count = 0, left_out = 0;
+};
+
+/// Mean of the finite ones among the values, nothing if there are fewer than two.
+std::optional<Mean> mean_of(std::span<const double> values);
+
+/// Half the width of the mean's interval over its standard error: the quantile of Student's distribution.
+/// @param count at least 2
+double mean_half_width(std::uint64_t count, double confidence = kConfidence);
+
+struct Quantile {
+  double value = 0;  ///< median-unbiased whatever the distribution @cite hyndman1996, definition 8; eq-sample-quantile
+  /// Two of the values themselves, between which the quantile lies with the confidence asked for or more
+  /// @cite david2003; absent where there are too few values to say; eq-quantile-interval.
+  std::optional<double> low, high;
+};
+
+/// Values in order, those that are not finite left out.
+std::vector<double> sorted_values(std::span<const double> values);
+
+/// Quantile of values in order. Throws std::invalid_argument without values or for a share outside (0, 1).
+/// @param share probability that the quantile is not exceeded [-]
+Quantile quantile_of(std::span<const double> sorted, double share, double confidence = kConfidence);
+
+/// Places among n values in order, from 0, that enclose a quantile; nothing where there is no such place.
+struct Places {
+  std::optional<std::size_t> low, high;
+};
+Places quantile_places(std::size_t n, double share, double confidence = kConfidence);
+
+/// Width of the confidence interval of the mean, or of a quantile where its share is given; what a study with an
+/// `until` watches. Nothing while there are too few values for both ends.
+std::optional<double> interval_width(std::span<const double> values, std::optional<double> quantile_share,
+                                     double confidence = kConfidence);
+
+/// Statistics of the first n values of a sample.
+struct Stage {
+  std::uint64_t n = 0;
+  std::optional<Mean> mean;
+  std::vector<Quantile> quantiles;  ///< of the shares asked for; empty without a value
+};
+
+/// How the statistics converge: after 16, 32, 64, ... values and after all of them.
+std::vector<Stage> convergence(std::span<const double> values, const std::vector<double>& shares,
+                               double confidence = kConfidence);
+
+}  // namespace ringfilm::study

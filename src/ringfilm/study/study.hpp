@@ -1,0 +1,68 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/study/factor.hpp"
+
+/// A study as one plain value in SI: what varies, how it is sampled, what is kept. Its defaults are written here.
+namespace ringfilm::study {
+
+enum class StudyKind { kMap, kUncertainty, kCompare, kScreening };
+
+/// A case from which scenarios start.
+struct Base {
+  std::string name;
+  cycle::Case input;
+};
+
+/// Correlation of the normal scores of two factors, that is of normal factors themselves; eq-copula.
+struct Correlation {
+  std::size_t first = 0, second = 0;  ///< of Study::factors
+  double value = 0;                   ///< between -1 and 1, without the ends [-]
+  SourceMark mark;
+};
+
+enum class Method { kGrid, kOneAtATime, kLatinHypercube, kSobol, kList, kMorris };
+enum class Indices { kNone, kFirstAndTotal };
+
+/// A study goes on until the confidence interval of a statistic is this narrow.
+struct Until {
+  std::string value;               ///< one of cycle_quantities()
+  std::optional<double> quantile;  ///< its share; absent: the mean
+  double width = 0;                ///< of the interval [unit of the value]
+  std::uint64_t most = 0;          ///< never more points than these
+};
+
+struct Sampling {
+  Method method = Method::kSobol;
+  /// Points of Latin hypercube and Sobol. Every base is run at each of them; with indices each takes two runs, and one
+  /// more for each group of factors.
+  std::uint64_t scenarios = 1024;
+  Indices indices = Indices::kNone;
+  std::optional<Until> until;
+  std::vector<std::vector<double>> list;  ///< values of all factors, point by point [SI]; the index of a choice
+  std::uint64_t trajectories = 20;        ///< of Morris
+  std::size_t levels = 4;                 ///< of Morris, even
+};
+
+enum class Curves { kNone, kAll, kQuantiles };
+
+struct Keep {
+  Curves curves = Curves::kNone;
+};
+
+struct Study {
+  std::string title;
+  StudyKind kind = StudyKind::kUncertainty;
+  std::uint64_t seed = 1;
+  std::vector<Base> bases;
+  std::vector<Factor> factors;
+  std::vector<Correlation> correlations;
+  Sampling sampling;
+  Keep keep;
+};
+
+}  // namespace ringfilm::study

@@ -1,0 +1,124 @@
+#include "ringfilm/study/study_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/scenario.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+/// Ends a batch from within.
+struct Stopped {};
+
+ScenarioRow row_of(const cycle::CycleValues& values) {
+  ScenarioRow row;
+  for (const auto& quantity : cycle::cycle_quantities()) row.values.push_back(values.*quantity.value);
+  return row;
+}
+
+ScenarioRow unsolved_row(std::string reason) {
+  while (!reason.empty() && reason.back() == '\n') reason.pop_back();
+  return {std::vector<double>(cycle::cycle_quantities().size(), std::numeric_limits<double>::quiet_NaN()),
+          reason.empty() ? "not solved" : std::move(reason)};
+}
+
+/// What is wrong with a scenario, in one line.
+std::string reason_of(const InputError& refusal) {
+  std::string reason;
+  for (const Fault& fault : refusal.faults()) reason.append(reason.empty() ? "" : "; ").append(fault.message);
+  return reason;
+}
+
+/// Puts rows that end in any order back into theirs.
+class Collector {
+ public:
+  Collector(std::uint64_t first, const std::function<GoOn(const ScenarioChunk&)>& finished,
+            const StudyRunOptions& options)
+      : next_(first), finished_(finished), options_(options) {}
+
+  void put(std::uint64_t scenario, ScenarioRow row) {
+    rows_.emplace(scenario, std::move(row));
+    while (n_ready_ < rows_.size() && rows_.contains(next_ + n_ready_)) ++n_ready_;
+    const bool is_late = std::chrono::duration<double>(Clock::now() - last_).count() >= options_.longest_wait;
+    if (n_ready_ >= options_.most_rows || (is_late && n_ready_ > 0)) hand_over();
+  }
+
+  /// Hands over what is ready. Throws Stopped if nobody wants more.
+  void hand_over() {
+    while (n_ready_ > 0) {
+      ScenarioChunk chunk{next_, {}};
+      for (const std::uint64_t n = std::min(n_ready_, options_.most_rows); chunk.rows.size() < n;)
+        chunk.rows.push_back(std::move(rows_.extract(next_ + chunk.rows.size()).mapped()));
+      const GoOn go_on = finished_(chunk);
+      next_ += chunk.rows.size();
+      n_ready_ -= chunk.rows.size();
+      last_ = Clock::now();
+      if (go_on == GoOn::kNo) throw Stopped{};
+    }
+  }
+
+  std::uint64_t next() const { return next_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::uint64_t next_;         ///< first that is not handed over
+  std::uint64_t n_ready_ = 0;  ///< from there on without a gap
+  std::map<std::uint64_t, ScenarioRow> rows_;
+  const std::function<GoOn(const ScenarioChunk&)>& finished_;
+  const StudyRunOptions& options_;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace
+
+ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::uint64_t parts) {
+  if (part < 1 || part > parts) {
+    throw InputError("there is no part " + std::to_string(part) + " of " + std::to_string(parts),
+                     "parts count from 1, for example 2/4");
+  }
+  const std::uint64_t least = n_scenarios / parts, n_longer = n_scenarios % parts;
+  const std::uint64_t first = (part - 1) * least + std::min(part - 1, n_longer);
+  return {first, first + least + (part <= n_longer ? 1 : 0)};
+}
+
+std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
+                            const std::function<GoOn(const ScenarioChunk&)>& finished, const StudyRunOptions& options) {
+  Collector collector(range.first, finished, options);
+  std::map<std::size_t, std::uint64_t> scenario_of;  // of the cases on their way, by their place in the batch
+  std::size_t n_given = 0;
+  std::uint64_t next = range.first;
+  const auto source = [&]() -> std::optional<cycle::Case> {
+    while (next < range.end) {
+      const std::uint64_t i = next++;
+      try {
+        cycle::Case one = scenario_case(plan.study(), plan.point(i));
+        one.output.fields = cycle::FieldsWanted::kNone;
+        scenario_of[n_given++] = i;
+        return one;
+      } catch (const InputError& refusal) {
+        collector.put(i, unsolved_row(reason_of(refusal)));
+      }
+    }
+    return std::nullopt;
+  };
+  const auto ended = [&](Ending ending) {
+    const std::uint64_t i = scenario_of.extract(ending.index).mapped();
+    collector.put(i, ending.is_solved() ? row_of(ending.result.values)
+                                        : unsolved_row(ending.refusal ? reason_of(*ending.refusal) : ending.reason()));
+  };
+  try {
+    simulate_cases(source, ended, options.batch);
+    collector.hand_over();
+  } catch (const Stopped&) {
+    // What was handed over stands.
+  }
+  return collector.next();
+}
+
+}  // namespace ringfilm::study

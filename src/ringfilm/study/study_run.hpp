@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/study/batch.hpp"
+#include "ringfilm/study/plan.hpp"
+
+/// Runs scenarios of a plan and hands over what came of them, in their order.
+namespace ringfilm::study {
+
+/// Above this many points a full grid is only run where the user says so.
+inline constexpr std::uint64_t kLargestGrid = 10'000;
+
+/// What is kept of a scenario.
+struct ScenarioRow {
+  std::vector<double> values;  ///< in the order of cycle::cycle_quantities(); all NaN if not solved
+  std::string reason;          ///< why it was not solved; empty if it was
+};
+
+/// Scenarios `first` to `first + rows.size()`.
+struct ScenarioChunk {
+  std::uint64_t first = 0;
+  std::vector<ScenarioRow> rows;
+};
+
+/// Scenarios from `first` to before `end`.
+struct ScenarioRange {
+  std::uint64_t first = 0, end = 0;
+  std::uint64_t size() const { return end - first; }
+};
+
+/// The scenarios of part `part` (from 1) of `parts` that differ by one scenario at the most. Throws InputError unless
+/// 1 <= part <= parts.
+ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::uint64_t parts);
+
+enum class GoOn { kYes, kNo };
+
+struct StudyRunOptions {
+  BatchOptions batch;
+  std::uint64_t most_rows = 256;  ///< in one chunk
+  double longest_wait = 2;        ///< what is ready is handed over after this time at the latest [s]
+};
+
+/// Runs the scenarios of a range and hands them over in chunks, in order, as they are ready; where a chunk ends depends
+/// on the time, what stands in its rows does not. A scenario that cannot be made into a case, or be solved, is a row
+/// with its reason. Where `finished` says kNo or throws, what is not handed over is given up.
+/// @returns the first scenario that was not handed over
+std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
+                            const std::function<GoOn(const ScenarioChunk&)>& finished,
+                            const StudyRunOptions& options = {});
+
+}  // namespace ringfilm::study

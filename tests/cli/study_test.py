@@ -1,0 +1,244 @@
+"""Studies: results that do not depend on threads, kills and sharding, refusals, what is left after a full disk."""
+
+import csv
+import json
+import math
+import os
+import random
+import resource
+import signal
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, SOURCES, ProgramTest
+
+STUDY = """\
+title = "a small study"
+kind = "uncertainty"
+seed = 5
+
+[[base]]
+name = "new"
+case = "case.toml"
+
+[[factor]]
+name = "speed"
+key = "operating.speed"
+range = ["1000 rpm", "3000 rpm"]
+
+[[factor]]
+name = "roughness"
+key = "contact.roughness"
+how = "scale"
+distribution = "normal"
+mean = 1.0
+deviation = 0.1
+truncate = [0.5, 1.5]
+
+[plan]
+method = "sobol"
+scenarios = SCENARIOS
+"""
+
+
+class StudyTest(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write_study(STUDY.replace("SCENARIOS", "16"))
+
+    def write_study(self, text, name="study.toml"):
+        (self.folder / name).write_text(text)
+
+    def table(self, output="out"):
+        with open(self.folder / output / "study.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def contents(self, output):
+        return [(self.folder / output / name).read_bytes() for name in ("study.nc", "study.csv")]
+
+    def test_runs_to_the_end_with_results_and_quantiles(self):
+        said = self.run_well("study", "study.toml", "-o", "out")
+        self.assertIn("95 %", said)
+        self.assertIn("wrote out/study.nc", said)
+        rows = self.table()
+        self.assertEqual([row["scenario"] for row in rows], [str(i) for i in range(16)])
+        for row in rows:
+            self.assertEqual(row["reason"], "")
+            self.assertGreater(float(row["fmep [Pa]"]), 0)
+        speeds = [float(row["factor_speed [rad/s]"]) for row in rows]
+        rpm = math.pi / 30
+        self.assertEqual(len(set(speeds)), 16)
+        self.assertTrue(all(1000 * rpm <= speed <= 3000 * rpm for speed in speeds))
+
+    def test_one_scenario_is_the_case_itself(self):
+        self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
+                         'values = ["1500 rpm", "2000 rpm"]\n[plan]\nmethod = "grid"\n')
+        self.run_well("study", "study.toml", "-o", "out")
+        alone = json.loads(self.run_well("run", "case.toml", "--json"))
+        # Lanes of a vector add in another order than a case that marches alone.
+        fmep = alone["fmep"]
+        self.assertAlmostEqual(float(self.table()[0]["fmep [Pa]"]) / fmep, 1, delta=1e-6)
+
+    def test_threads_change_no_byte(self):
+        self.run_well("study", "study.toml", "-o", "one", "--threads", "1")
+        self.run_well("study", "study.toml", "-o", "two", "--threads", "2")
+        self.assertEqual(self.contents("one"), self.contents("two"))
+
+    def test_shards_joined_are_the_whole(self):
+        self.run_well("study", "study.toml", "-o", "whole")
+        for part in ("3/3", "1/3"):
+            self.run_well("study", "study.toml", "-o", "out", "--shard", part)
+        self.assert_refused(self.run_program("study", "merge", "study.toml", "-o", "out"), "part 2 of 3 is missing",
+                            "--shard 2/3")
+        self.assertIn("part 2 of 3: not begun", self.run_well("study", "status", "study.toml", "-o", "out"))
+        self.assertNotIn("out/study.nc", self.names())
+        self.run_well("study", "study.toml", "-o", "out", "--shard", "2/3")
+        self.run_well("study", "merge", "study.toml", "-o", "out")
+        self.assertEqual(self.contents("whole"), self.contents("out"))
+
+    def test_a_finished_part_is_not_computed_again(self):
+        self.run_well("study", "study.toml", "-o", "out", "--shard", "1/2")
+        self.assertIn("there already", self.run_well("study", "study.toml", "-o", "out", "--shard", "1/2", "--resume"))
+
+    def test_parts_of_another_plan_program_or_input_are_refused(self):
+        self.run_well("study", "study.toml", "-o", "out", "--shard", "1/2")
+        self.write_study(STUDY.replace("SCENARIOS", "16").replace("seed = 5", "seed = 6"))
+        self.run_well("study", "study.toml", "-o", "out", "--shard", "2/2")
+        self.assert_refused(self.run_program("study", "merge", "study.toml", "-o", "out"), "part-1-of-2",
+                            "another plan")
+        trace = self.folder / "trace.csv"
+        trace.write_text("# another day\n" + trace.read_text())
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "2/2", "--resume"),
+                            "have changed since", "must not be mixed")
+
+    def test_another_number_of_parts_is_refused(self):
+        self.run_well("study", "study.toml", "-o", "out", "--shard", "1/2")
+        self.run_well("study", "study.toml", "-o", "out", "--shard", "1/3")
+        self.assert_refused(self.run_program("study", "merge", "study.toml", "-o", "out"), "parts of 2 and parts of 3")
+
+    def killed(self, output, seconds, number):
+        run = subprocess.Popen([PROGRAM, "study", "study.toml", "-o", output, "--resume"], cwd=self.folder,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(seconds)
+        run.send_signal(number)
+        _, said = run.communicate(timeout=100)
+        return run.returncode, said
+
+    def test_kills_at_any_moment_leave_the_result_as_it_is(self):
+        self.write_study(STUDY.replace("SCENARIOS", "1024"))
+        begun = time.monotonic()
+        self.run_well("study", "study.toml", "-o", "whole")
+        whole = time.monotonic() - begun
+        moments = random.Random(1)
+        n_killed = 0
+        for _ in range(5):
+            code, _ = self.killed("out", moments.uniform(0.05, 0.5) * whole, signal.SIGKILL)
+            n_killed += code == -signal.SIGKILL
+        self.assertGreater(n_killed, 0)
+        self.run_well("study", "study.toml", "-o", "out", "--resume")
+        self.assertEqual(self.contents("whole"), self.contents("out"))
+
+    def test_rows_that_were_cut_off_or_spoilt_are_computed_again(self):
+        self.run_well("study", "study.toml", "-o", "whole")
+        rows = self.folder / "whole" / "study.part-1-of-1.rows"
+        bytes_ = rows.read_bytes()
+        (self.folder / "out").mkdir()
+        growing = self.folder / "out" / "study.part-1-of-1.growing"
+        for n in (0, 3, 80, 200, len(bytes_) // 2, len(bytes_) - 1):
+            growing.write_bytes(bytes_[:n])
+            self.run_well("study", "study.toml", "-o", "out", "--resume")
+            self.assertEqual(self.contents("whole"), self.contents("out"))
+            os.remove(self.folder / "out" / "study.part-1-of-1.rows")
+        spoilt = bytearray(bytes_)
+        spoilt[-100] ^= 1
+        growing.write_bytes(spoilt)
+        self.run_well("study", "study.toml", "-o", "out", "--resume")
+        self.assertEqual(self.contents("whole"), self.contents("out"))
+
+    def test_ctrl_c_stops_and_says_how_to_go_on(self):
+        self.write_study(STUDY.replace("SCENARIOS", "4096"))
+        code, said = self.killed("out", 3, signal.SIGINT)
+        self.assertEqual(code, 4, said)
+        self.assertIn("to go on: ringfilm study study.toml -o out --resume", said)
+        self.assertNotIn("out/study.nc", self.names())
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "was not finished", "--resume")
+        self.assertIn("not finished", self.run_well("study", "status", "study.toml", "-o", "out"))
+
+    def test_a_full_disk_stops_cleanly_and_can_be_resumed(self):
+        self.write_study(STUDY.replace("SCENARIOS", "600"))
+        self.run_well("study", "study.toml", "-o", "whole")
+        most = (self.folder / "whole" / "study.part-1-of-1.rows").stat().st_size // 2
+
+        def small_disk():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+
+        done = self.run_program("study", "study.toml", "-o", "out", preexec_fn=small_disk)
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("make room, then: ringfilm study study.toml -o out --resume", done.stderr)
+        self.run_well("study", "study.toml", "-o", "out", "--resume")
+        self.assertEqual(self.contents("whole"), self.contents("out"))
+
+    def test_a_scenario_that_cannot_be_made_is_a_row_with_its_reason(self):
+        self.write_study(STUDY.replace("SCENARIOS", "16").replace("deviation = 0.1\ntruncate = [0.5, 1.5]",
+                                                                  "deviation = 1.0"))
+        self.assertIn("were not solved", self.run_well("study", "study.toml", "-o", "out"))
+        rows = self.table()
+        reasons = [row["reason"] for row in rows if row["reason"]]
+        self.assertTrue(0 < len(reasons) < 16)
+        for row in rows:
+            self.assertEqual(row["fmep [Pa]"] == "nan", row["reason"] != "")
+        self.assertIn("contact.roughness", reasons[0])
+
+    def test_levels_choices_and_lists(self):
+        self.write_study(
+            STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nname = "law"\nkey = "lubricant.viscosity_pressure"\n'
+            'values = ["roelands", "barus"]\n[[factor]]\nkey = "operating.oil_temperature"\nhow = "add"\n'
+            'name = "warmer"\nvalues = ["-5 degC", "5 K"]\n[plan]\nmethod = "one-at-a-time"\n')
+        self.run_well("study", "study.toml", "-o", "out")
+        self.assertEqual([row["factor_law"] for row in self.table()], ["nan", "roelands", "barus", "nan", "nan"])
+        self.assertEqual([row["factor_warmer [K]"] for row in self.table()], ["nan", "nan", "nan", "-5", "5"])
+        self.write_study(
+            STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nname = "speed"\nkey = "operating.speed"\n'
+            '[plan]\nmethod = "list"\nlist = "plan.csv"\n')
+        (self.folder / "plan.csv").write_text("speed [rpm]\n1200\n1800\n2400\n")
+        self.run_well("study", "study.toml", "-o", "listed")
+        self.assertEqual(len(self.table("listed")), 3)
+
+    def test_shipped_studies_can_be_run(self):
+        studies = sorted((SOURCES / "cases" / "studies").glob("*.toml"))
+        self.assertGreater(len(studies), 0)
+        for study in studies:
+            said = self.run_well("study", str(study), "-o", study.stem, "--shard", "1/100")
+            self.assertIn("part 1 of 100 is done", said)
+            self.assertIn(", 0 not solved, finished", self.run_well("study", "status", str(study), "-o", study.stem))
+
+    def test_a_large_grid_wants_to_be_meant(self):
+        self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
+                         'range = ["1000 rpm", "3000 rpm"]\npoints = 10001\n[plan]\nmethod = "grid"\n')
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "10001 points", "--yes")
+        self.assertNotIn("out", self.names())
+
+    def test_faults_have_their_place(self):
+        good = STUDY.replace("SCENARIOS", "16")
+        for old, new, *told in (
+            ('key = "operating.speed"', 'key = "operating.sped"', "study.toml:11:7:", "did you mean operating.speed?"),
+            ('range = ["1000 rpm", "3000 rpm"]', 'range = ["1000 N", "3000 rpm"]', "study.toml:12:10:"),
+            ('how = "scale"', 'how = "scal"', "study.toml:17:7:", "did you mean scale?"),
+            ("deviation = 0.1", "deviation = -0.1", "study.toml:14:", "standard deviation"),
+            ('case = "case.toml"', 'case = "none.toml"', "study.toml:7:", "none.toml"),
+            ("scenarios = 16", "scenario = 16", "study.toml:", "did you mean scenarios?"),
+            ('method = "sobol"', 'method = "sobols"', "did you mean sobol?"),
+            ('truncate = [0.5, 1.5]', 'truncate = [50, 51]', "study.toml:14:", "no support"),
+            ('name = "new"', 'nam = "new"', "study.toml:6:", "did you mean name?"),
+        ):
+            with self.subTest(new):
+                self.assertIn(old, good)
+                self.write_study(good.replace(old, new))
+                self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), *told)
+        self.assertNotIn("out", self.names())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

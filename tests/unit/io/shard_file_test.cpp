@@ -1,0 +1,131 @@
+#include "ringfilm/io/shard_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "ringfilm/base/error.hpp"
+#include "scratch_folder.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+ShardHeader header() {
+  return {std::string(64, 'a'), std::string(64, 'b'), "ringfilm 9.9 commit c compiler d e", 2, 3, 10, 16, 2};
+}
+
+study::ScenarioChunk chunk(std::uint64_t first, std::uint64_t n) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  study::ScenarioChunk chunk{first, {}};
+  for (std::uint64_t i = first; i < first + n; ++i) {
+    if (i == 12) {
+      chunk.rows.push_back({{none, none}, "no film at 20 degree\nof the cycle"});
+    } else {
+      chunk.rows.push_back({{static_cast<double>(i), 1.0 / static_cast<double>(i)}, ""});
+    }
+  }
+  return chunk;
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Two chunks of three rows each.
+std::string whole(const ScratchFolder& folder, const std::string& name) {
+  const std::string path = folder / name;
+  ShardWriter writer(path, header());
+  writer.append(chunk(10, 3));
+  writer.append(chunk(13, 3));
+  return path;
+}
+
+TEST(ShardFile, GivesBackWhatWasAppended) {
+  const ScratchFolder folder;
+  const ShardReader shard(whole(folder, "rows"));
+  EXPECT_TRUE(shard.is_complete());
+  EXPECT_EQ(shard.header().program, header().program);
+  EXPECT_EQ(difference(shard.header(), header()), "");
+  std::vector<double> first, second;
+  shard.append_values(0, first);
+  shard.append_values(1, second);
+  ASSERT_EQ(first.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (i == 2) {
+      EXPECT_TRUE(std::isnan(first[i]) && std::isnan(second[i]));
+    } else {
+      EXPECT_EQ(first[i], 10.0 + static_cast<double>(i));
+      EXPECT_EQ(second[i], 1.0 / (10.0 + static_cast<double>(i)));
+    }
+  }
+  std::vector<ShardReader::Unsolved> unsolved;
+  shard.append_unsolved(unsolved);
+  ASSERT_EQ(unsolved.size(), 1u);
+  EXPECT_EQ(shard.n_unsolved(), 1u);
+  EXPECT_EQ(unsolved.front().scenario, 12u);
+  EXPECT_EQ(unsolved.front().reason, "no film at 20 degree of the cycle");
+}
+
+TEST(ShardFile, GoesOnWhereverItWasCutOff) {
+  const ScratchFolder folder;
+  const std::string all = bytes_of(whole(folder, "rows"));
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    const std::string path = folder.write("cut", all.substr(0, n));
+    ShardWriter writer(path, header());
+    ASSERT_TRUE(writer.next() == 10 || writer.next() == 13) << n;
+    if (writer.next() == 10) writer.append(chunk(10, 3));
+    writer.append(chunk(13, 3));
+    ASSERT_EQ(bytes_of(path), all) << n;
+  }
+}
+
+TEST(ShardFile, SeesASpoiltChunkWhereverItIsSpoilt) {
+  const ScratchFolder folder;
+  const std::string all = bytes_of(whole(folder, "rows"));
+  ShardWriter(folder / "empty", header());
+  const std::size_t header_size = std::filesystem::file_size(folder / "empty");
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    std::string spoilt = all;
+    spoilt[n] ^= 4;
+    const std::string path = folder.write("spoilt", spoilt);
+    if (n < header_size) {
+      EXPECT_THROW(ShardReader{path}, InputError) << n;
+    } else {
+      EXPECT_LT(ShardReader(path).next(), 16u) << n;
+    }
+  }
+}
+
+TEST(ShardFile, RefusesRowsOfSomethingElse) {
+  const ScratchFolder folder;
+  const std::string path = whole(folder, "rows"), before = bytes_of(path);
+  ShardHeader plan = header(), inputs = header(), program = header(), part = header();
+  plan.plan[0] = 'x';
+  inputs.inputs[0] = 'x';
+  program.program = "ringfilm 9.8";
+  part.part = 1;
+  for (const ShardHeader& other : {plan, inputs, program, part}) EXPECT_THROW(ShardWriter(path, other), InputError);
+  EXPECT_NE(difference(header(), plan), difference(header(), inputs));
+  EXPECT_EQ(bytes_of(path), before);
+}
+
+TEST(ShardFile, LetsOneAlonePutRowsIn) {
+  const ScratchFolder folder;
+  const ShardWriter writer(folder / "rows", header());
+  EXPECT_THROW(ShardWriter(folder / "rows", header()), InputError);
+}
+
+TEST(ShardFile, RefusesWhatIsNone) {
+  const ScratchFolder folder;
+  EXPECT_THROW(ShardReader(folder / "none"), InputError);
+  EXPECT_THROW(ShardReader(folder.write("text", std::string(1000, '\xff'))), InputError);
+  EXPECT_THROW(ShardReader(folder.write("empty", "")), InputError);
+}
+
+}  // namespace
+}  // namespace ringfilm::io

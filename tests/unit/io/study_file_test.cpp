@@ -1,0 +1,146 @@
+#include "ringfilm/io/study_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "case_example.hpp"
+#include "ringfilm/study/plan.hpp"
+#include "ringfilm/study/scenario.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kPlan = "[plan]\nmethod = \"sobol\"\nscenarios = 8\n";
+
+/// A study beside a case; tests put their own words between.
+class StudyFolder {
+ public:
+  StudyFolder() {
+    folder_.write("case.toml", CaseText{}.text());
+    folder_.write("p.csv", full_trace());
+  }
+
+  const ScratchFolder& folder() const { return folder_; }
+
+  StudyFile read(const std::string& factors, const std::string& plan = kPlan) const {
+    return read_study(folder_.write(
+        "study.toml",
+        "title = \"a study\"\nseed = 3\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n" + factors + plan));
+  }
+
+  /// What is said of a study that is refused.
+  std::string refusal(const std::string& factors, const std::string& plan = kPlan) const {
+    try {
+      study::Plan(read(factors, plan).study);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+ private:
+  ScratchFolder folder_;
+};
+
+const std::string kSpeed = "[[factor]]\nname = \"speed\"\nkey = \"operating.speed\"\n";
+
+TEST(StudyFile, GivesEveryNumberInSi) {
+  const study::Study study =
+      StudyFolder()
+          .read(kSpeed +
+                "values = [\"60 rpm\", \"120 rpm\"]\n"
+                "[[factor]]\nkey = \"contact.roughness\"\ndistribution = \"normal\"\n"
+                "mean = \"0.5 um\"\nrelative_deviation = 0.1\ntruncate = [\"0.1 um\", \"1 um\"]\n")
+          .study;
+  EXPECT_EQ(study.seed, 3u);
+  EXPECT_EQ(study.title, "a study");
+  ASSERT_EQ(study.factors.size(), 2u);
+  const auto& speeds = std::get<study::Levels>(study.factors[0].variation).values;
+  ASSERT_EQ(speeds.size(), 2u);
+  EXPECT_NEAR(speeds[1], 4 * M_PI, 1e-12);  // 2 turns a second
+  EXPECT_EQ(study.factors[1].name, "contact.roughness");
+  const auto& d = std::get<study::Distribution>(study.factors[1].variation);
+  EXPECT_DOUBLE_EQ(d.mean, 0.5e-6);
+  EXPECT_DOUBLE_EQ(d.deviation, 0.05e-6);
+  EXPECT_DOUBLE_EQ(d.lowest.value(), 0.1e-6);
+  EXPECT_DOUBLE_EQ(d.highest.value(), 1e-6);
+}
+
+TEST(StudyFile, ADifferenceOfTemperaturesIsNone) {
+  const study::Study study = StudyFolder()
+                                 .read(
+                                     "[[factor]]\nkey = \"operating.oil_temperature\"\nhow = \"add\"\n"
+                                     "values = [\"0 degC\", \"5 degC\", \"5 K\", \"9 degF\"]\n")
+                                 .study;
+  const auto& warmer = std::get<study::Levels>(study.factors[0].variation).values;
+  ASSERT_EQ(warmer.size(), 4u);
+  EXPECT_EQ(warmer[0], 0);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_NEAR(warmer[i], 5, 1e-9) << i;
+}
+
+TEST(StudyFile, PutsTheContentOfAFileIntoScenarios) {
+  const StudyFolder folder;
+  const StudyFile file =
+      folder.read("[[factor]]\nname = \"gas\"\nkey = \"gas.cylinder_pressure\"\nvalues = [\"p.csv\"]\n",
+                  "[plan]\nmethod = \"grid\"\n");
+  const study::Plan plan(file.study);
+  const cycle::Case c = study::scenario_case(plan.study(), plan.point(0));
+  EXPECT_EQ(c.gas.cylinder_pressure.value, file.study.bases[0].input.gas.cylinder_pressure.value);
+  // The study, its case and its trace, each told once.
+  EXPECT_EQ(file.files.size(), 3u);
+}
+
+TEST(StudyFile, TakesAListWithItsUnitsInAnyOrder) {
+  const StudyFolder folder;
+  folder.folder().write("plan.csv", "roughness [um],speed [rpm]\n0.5,60\n0.25,120\n");
+  const study::Study study = folder
+                                 .read(kSpeed + "[[factor]]\nname = \"roughness\"\nkey = \"contact.roughness\"\n",
+                                       "[plan]\nmethod = \"list\"\nlist = \"plan.csv\"\n")
+                                 .study;
+  ASSERT_EQ(study.sampling.list.size(), 2u);
+  EXPECT_NEAR(study.sampling.list[1][0], 4 * M_PI, 1e-12);
+  EXPECT_DOUBLE_EQ(study.sampling.list[1][1], 0.25e-6);
+}
+
+TEST(StudyFile, TellsWhereAFaultLiesAndWhatMayBeMeant) {
+  const StudyFolder folder;
+  EXPECT_THAT(folder.refusal("[[factor]]\nkey = \"operating.sped\"\nvalues = [\"60 rpm\"]\n"),
+              ::testing::AllOf(HasSubstr("study.toml:7:"), HasSubstr("did you mean operating.speed?")));
+  EXPECT_THAT(folder.refusal(kSpeed + "values = [60]\n"), HasSubstr("has no unit"));
+  EXPECT_THAT(folder.refusal(kSpeed + "values = [\"60 N\"]\n"), HasSubstr("study.toml:9:"));
+  EXPECT_THAT(folder.refusal(kSpeed + "values = [\"60 rpm\"]\nrange = [\"1 rpm\", \"2 rpm\"]\n"),
+              HasSubstr("both values and range"));
+  EXPECT_THAT(folder.refusal(kSpeed + "values = [\"60 rpm\"]\nmean = \"60 rpm\"\n"), HasSubstr("means nothing"));
+  EXPECT_THAT(folder.refusal(kSpeed + "distribution = \"normal\"\nmean = \"60 rpm\"\n"), HasSubstr("wants deviation"));
+  EXPECT_THAT(folder.refusal(kSpeed + "distribution = \"normal\"\nmean = \"60 rpm\"\ndeviation = \"-1 rpm\"\n"),
+              HasSubstr("standard deviation"));
+  EXPECT_THAT(folder.refusal(kSpeed + "values = [\"60 rpm\"]\nbases = [\"nw\"]\n"), HasSubstr("did you mean new?"));
+  EXPECT_THAT(
+      folder.refusal(kSpeed + "values = [\"60 rpm\"]\n[[correlation]]\nfactors = [\"speed\", \"sped\"]\nvalue = 1\n"),
+      HasSubstr("did you mean speed?"));
+  EXPECT_THAT(folder.refusal("[[measured]]\n"), HasSubstr("states no scatter"));
+  EXPECT_THAT(folder.refusal("", ""), HasSubstr("no plan"));
+}
+
+TEST(StudyFile, RefusesEveryValueOfTheWrongKind) {
+  const StudyFolder folder;
+  const std::string base = "[[base]]\ncase = \"case.toml\"\n";
+  const std::vector<std::string> texts = {"base = 1\n",
+                                          "[base]\n",
+                                          "[[base]]\ncase = 3\n",
+                                          "factor = [1, \"a\"]\n" + base,
+                                          base + "[[factor]]\nkey = []\n",
+                                          base + "[[factor]]\nkeys = \"a\"\n",
+                                          base + "[[factor]]\n",
+                                          "plan = 3\n" + base,
+                                          "keep = []\n" + base + kPlan};
+  for (const std::string& text : texts)
+    EXPECT_THROW(read_study(folder.folder().write("hostile.toml", text)), InputError) << text;
+}
+
+}  // namespace
+}  // namespace ringfilm::io

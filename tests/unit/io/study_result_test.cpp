@@ -1,0 +1,106 @@
+#include "ringfilm/io/study_result.hpp"
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "case_example.hpp"
+#include "ringfilm/cycle/result.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+/// Four scenarios of made-up values, of which the third is not solved.
+class StudyResult : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.write("case.toml", CaseText{}.text());
+    folder_.write("p.csv", full_trace());
+    const std::string path = folder_.write(
+        "study.toml",
+        "[[base]]\ncase = \"case.toml\"\n[[factor]]\nname = \"engine speed\"\nkey = \"operating.speed\"\n"
+        "values = [\"1000 rpm\", \"2000 rpm\"]\n[[factor]]\nname = \"law\"\nkey = \"lubricant.viscosity_pressure\"\n"
+        "values = [\"roelands\", \"barus\"]\n[plan]\nmethod = \"grid\"\n");
+    const StudyFile file = read_study(path);
+    const study::Plan plan(file.study);
+    const std::size_t n_values = cycle::cycle_quantities().size();
+    {
+      ShardWriter writer(folder_ / "rows", {"plan", "inputs", "program", 1, 1, 0, 4, n_values});
+      study::ScenarioChunk chunk{0, {}};
+      const double none = std::numeric_limits<double>::quiet_NaN();
+      for (const double value : {0.0, 1.0, none, 3.0})
+        chunk.rows.push_back({std::vector<double>(n_values, value), std::isnan(value) ? "no \"film\", none" : ""});
+      writer.append(chunk);
+    }
+    std::vector<ShardReader> shards;
+    shards.emplace_back(folder_ / "rows");
+    const StudyRows rows{file, plan, std::move(shards)};
+    write_study_result(folder_ / "study.nc", rows);
+    write_study_csv(folder_ / "study.csv", rows);
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(StudyResult, NetCdfHasFactorsAsCoordinatesOfEveryValue) {
+  int file = 0, dimension = 0, variable = 0;
+  std::size_t length = 0;
+  ASSERT_EQ(nc_open((folder_ / "study.nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
+  ASSERT_EQ(nc_inq_dimid(file, "scenario", &dimension), NC_NOERR);
+  nc_inq_dimlen(file, dimension, &length);
+  EXPECT_EQ(length, 4u);
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    ASSERT_EQ(nc_inq_varid(file, quantity.name.c_str(), &variable), NC_NOERR) << quantity.name;
+    double values[4] = {};
+    char coordinates[100] = {}, unit[100] = {};
+    nc_get_var_double(file, variable, values);
+    EXPECT_EQ(values[1], 1);
+    EXPECT_TRUE(std::isnan(values[2]));
+    EXPECT_EQ(values[3], 3);
+    nc_get_att_text(file, variable, "coordinates", coordinates);
+    nc_get_att_text(file, variable, "units", unit);
+    EXPECT_STREQ(coordinates, "base factor_engine_speed factor_law");
+    EXPECT_EQ(unit, quantity.unit);
+  }
+  ASSERT_EQ(nc_inq_varid(file, "factor_engine_speed", &variable), NC_NOERR);
+  double speeds[4] = {};
+  nc_get_var_double(file, variable, speeds);
+  EXPECT_NEAR(speeds[1], 1000 * M_PI / 30, 1e-9);
+  EXPECT_NEAR(speeds[2], 2000 * M_PI / 30, 1e-9);
+  ASSERT_EQ(nc_inq_varid(file, "solved", &variable), NC_NOERR);
+  signed char solved[4] = {};
+  nc_get_var_schar(file, variable, solved);
+  EXPECT_EQ(std::vector<int>(solved, solved + 4), (std::vector<int>{1, 1, 0, 1}));
+  ASSERT_EQ(nc_inq_varid(file, "unsolved_reason", &variable), NC_NOERR);
+  char* reason = nullptr;
+  ASSERT_EQ(nc_get_var_string(file, variable, &reason), NC_NOERR);
+  EXPECT_STREQ(reason, "no \"film\", none");
+  nc_free_string(1, &reason);
+  nc_close(file);
+}
+
+TEST_F(StudyResult, CsvHasTheWordsOfChoicesAndReasons) {
+  std::ifstream csv(folder_ / "study.csv");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(csv, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0].rfind("scenario,base,factor_engine_speed [rad/s],factor_law,energy_per_cycle [J],", 0), 0u);
+  EXPECT_NE(lines[2].find(",\"barus\",1,1,"), std::string::npos);
+  EXPECT_NE(lines[3].find(",\"roelands\",nan,nan,"), std::string::npos);
+  EXPECT_NE(lines[3].find(",\"no \"\"film\"\", none\""), std::string::npos);
+}
+
+TEST(FactorVariables, AreNeverAlike) {
+  study::Study study;
+  study.factors.resize(3);
+  study.factors[0].name = "a b";
+  study.factors[1].name = "a-b";
+  study.factors[2].name = "c";
+  EXPECT_EQ(factor_variables(study), (std::vector<std::string>{"factor_a_b", "factor_a_b_2", "factor_c"}));
+}
+
+}  // namespace
+}  // namespace ringfilm::io

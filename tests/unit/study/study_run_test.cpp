@@ -1,0 +1,97 @@
+#include "ringfilm/study/study_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/scenario.hpp"
+#include "study_example.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+using testing::factor;
+using testing::study_of;
+
+/// Speeds of which those above 0 can be run.
+Plan speeds(std::vector<double> values) {
+  return Plan(study_of({factor("operating.speed", Levels{std::move(values)}, How::kScale)}, Method::kGrid));
+}
+
+struct Collected {
+  std::vector<ScenarioRow> rows;
+  std::uint64_t chunks = 0, next = 0;
+};
+
+Collected run(const Plan& plan, const ScenarioRange& range, std::uint64_t most_rows, std::uint64_t chunks_wanted) {
+  Collected all;
+  StudyRunOptions options;
+  options.most_rows = most_rows;
+  const auto finished = [&](const ScenarioChunk& chunk) {
+    EXPECT_EQ(chunk.first, range.first + all.rows.size());
+    EXPECT_LE(chunk.rows.size(), most_rows);
+    all.rows.insert(all.rows.end(), chunk.rows.begin(), chunk.rows.end());
+    return ++all.chunks == chunks_wanted ? GoOn::kNo : GoOn::kYes;
+  };
+  all.next = run_scenarios(plan, range, finished, options);
+  return all;
+}
+
+TEST(ShardRange, PartsFollowEachOtherAndDifferByOneAtMost) {
+  for (const std::uint64_t n : {0u, 1u, 7u, 100u}) {
+    std::uint64_t next = 0;
+    std::set<std::uint64_t> sizes;
+    for (std::uint64_t part = 1; part <= 7; ++part) {
+      const ScenarioRange range = shard_range(n, part, 7);
+      EXPECT_EQ(range.first, next);
+      next = range.end;
+      sizes.insert(range.size());
+    }
+    EXPECT_EQ(next, n);
+    EXPECT_LE(*sizes.rbegin() - *sizes.begin(), 1u);
+  }
+  EXPECT_THROW(shard_range(10, 0, 4), InputError);
+  EXPECT_THROW(shard_range(10, 5, 4), InputError);
+}
+
+TEST(RunScenarios, RowsComeInOrderAndARefusalIsARowWithItsReason) {
+  const Plan plan = speeds({1.0, 1.1, 0.0, 1.2, -1.0, 1.3});
+  const Collected all = run(plan, {0, plan.size()}, 2, 0);
+  ASSERT_EQ(all.rows.size(), 6u);
+  EXPECT_EQ(all.next, 6u);
+  const auto& quantities = cycle::cycle_quantities();
+  for (std::size_t i = 0; i < all.rows.size(); ++i) {
+    const bool is_refused = i == 2 || i == 4;
+    EXPECT_EQ(all.rows[i].reason.empty(), !is_refused) << i;
+    ASSERT_EQ(all.rows[i].values.size(), quantities.size());
+    for (const double value : all.rows[i].values) EXPECT_EQ(std::isnan(value), is_refused);
+  }
+  EXPECT_NE(all.rows[2].reason.find("operating.speed"), std::string::npos);
+  // Each row is that of its own scenario.
+  const auto alone = endings({scenario_case(plan.study(), plan.point(3))});
+  for (std::size_t q = 0; q < quantities.size(); ++q)
+    EXPECT_EQ(all.rows[3].values[q], alone.front().result.values.*quantities[q].value) << quantities[q].name;
+}
+
+TEST(RunScenarios, StopsAfterTheChunkAndGoesOnWithTheSameNumbers) {
+  const Plan plan = speeds({1.0, 1.1, 1.2, 1.3, 1.4, 1.5});
+  const Collected whole = run(plan, {0, 6}, 6, 0), begun = run(plan, {0, 6}, 2, 1);
+  EXPECT_EQ(begun.next, begun.rows.size());
+  ASSERT_LT(begun.next, 6u);
+  const Collected rest = run(plan, {begun.next, 6}, 6, 0);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const ScenarioRow& row = i < begun.next ? begun.rows[i] : rest.rows[i - begun.next];
+    EXPECT_EQ(row.values, whole.rows[i].values) << i;
+  }
+}
+
+TEST(RunScenarios, AnErrorOfTheObserverEndsTheRun) {
+  const Plan plan = speeds({1.0, 1.1});
+  const auto full = [](const ScenarioChunk&) -> GoOn { throw OutputError("the disk is full"); };
+  EXPECT_THROW(run_scenarios(plan, {0, 2}, full), OutputError);
+}
+
+}  // namespace
+}  // namespace ringfilm::study
