@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
+#include "ringfilm/base/aligned.hpp"
 #include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::film {
@@ -17,7 +17,6 @@ constexpr int kGrowthAfter = 3;
 constexpr int kLargestReach = 1 << 20;
 constexpr int kRetreats = 6;
 
-constexpr std::size_t kLine = 64;  // bytes; a pack must not lie across two lines of memory
 constexpr int kNodalArrays = 13;
 
 /// Nothing moves and nothing changes: no equation holds the fill, and a node that the iteration put below p_c is held
@@ -32,12 +31,10 @@ LaneLaws best_laws(const FilmProblem& problem) {
 
 LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
     : kernels_(&kernels), width_(width), most_cells_(most_cells), lanes_(width), block_{} {
-  const std::size_t per_line = kLine / sizeof(double);
   const std::size_t nodes = static_cast<std::size_t>(most_cells) + 1 + kPadding;
-  const std::size_t stride = (nodes * width + per_line - 1) / per_line * per_line;
-  memory_.assign(kNodalArrays * stride + per_line, 0.0);
-  auto* array = memory_.data();
-  while (reinterpret_cast<std::uintptr_t>(array) % kLine != 0) ++array;
+  const std::size_t stride =
+      (nodes * width + base::kNumbersPerLine - 1) / base::kNumbersPerLine * base::kNumbersPerLine;
+  double* array = base::aligned_zeros(memory_, kNodalArrays * stride);
   for (double** nodal :
        {&block_.z, &block_.inflow, &block_.node_height, &block_.share, &block_.face_height, &block_.conductance,
         &block_.upper, &block_.column, &block_.rhs, &block_.rho, &block_.drho_dp, &block_.K, &block_.dK_dp}) {

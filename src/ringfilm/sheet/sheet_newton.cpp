@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
+#include "ringfilm/base/aligned.hpp"
 #include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/newton_sweep.hpp"
 
@@ -22,8 +22,6 @@ constexpr double kLooseReduction = 1e-4;
 constexpr double kFarStep = 0.1;
 /// A step that is not even half solved is none.
 constexpr double kUnsolved = 0.5;
-
-constexpr std::size_t kPerLine = 8;
 
 StripPlaces places_of(const Around& around, int first, int n_strips) {
   StripPlaces places;
@@ -68,9 +66,8 @@ SheetNewton::SheetNewton(const SheetProblem& problem)
       &block_.h_m,  &block_.is_strip,     &block_.weight,        &block_.low_conductance, &block_.high_conductance,
       &block_.flux, &block_.flux_by_left, &block_.flux_by_right, &block_.flux_by_h};
   const auto across = static_cast<std::size_t>(2 * shape_.n_across);
-  memory_.assign(nodal.size() * shape_.size() + of_strips.size() * shape_.strip_size() + across + kPerLine, 0.0);
-  double* array = memory_.data();
-  while (reinterpret_cast<std::uintptr_t>(array) % (kPerLine * sizeof(double)) != 0) ++array;
+  double* array =
+      base::aligned_zeros(memory_, nodal.size() * shape_.size() + of_strips.size() * shape_.strip_size() + across);
   for (double** of : nodal) {
     *of = array;
     array += shape_.size();

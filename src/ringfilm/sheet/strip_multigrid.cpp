@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <numbers>
+
+#include "ringfilm/base/aligned.hpp"
 
 namespace ringfilm::sheet {
 namespace {
@@ -52,10 +52,7 @@ StripMultigrid::Level StripMultigrid::coarser(Level& fine) {
   coarse.system.shape = ZebraShape(fine.system.shape.n_across, n);
   const std::size_t size = coarse.system.shape.size();
   constexpr int kArrays = 10;
-  constexpr std::size_t kPerLine = 8;
-  coarse.memory.assign(kArrays * size + kPerLine, 0.0);
-  double* array = coarse.memory.data();
-  while (reinterpret_cast<std::uintptr_t>(array) % (kPerLine * sizeof(double)) != 0) ++array;
+  double* array = base::aligned_zeros(coarse.memory, kArrays * size);
   StripSystem& to = coarse.system;
   for (double** of : {&to.west, &to.diagonal, &to.east, &to.low, &to.high, &to.inverse, &to.upper, &coarse.film,
                       &coarse.rhs, &coarse.x}) {
