@@ -34,6 +34,7 @@ struct SheetBlock {
 
   // Of strips
   double* h_m;                                 ///< separation [m]
+  double *low_h_m, *high_h_m;                  ///< at the faces to the strips beside: the mean of both [m]
   double* is_strip;                            ///< 1, or 0 where the slot has none
   double* weight;                              ///< share of the length in y, of neighbours that are given too [-]
   double *low_conductance, *high_conductance;  ///< 1/(24 dy) over the share of the strip [1/m2]

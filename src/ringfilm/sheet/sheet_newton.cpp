@@ -63,8 +63,9 @@ SheetNewton::SheetNewton(const SheetProblem& problem)
     }
   }
   const std::vector<double**> of_strips = {
-      &block_.h_m,  &block_.is_strip,     &block_.weight,        &block_.low_conductance, &block_.high_conductance,
-      &block_.flux, &block_.flux_by_left, &block_.flux_by_right, &block_.flux_by_h};
+      &block_.h_m,          &block_.low_h_m,         &block_.high_h_m,         &block_.is_strip,
+      &block_.weight,       &block_.low_conductance, &block_.high_conductance, &block_.flux,
+      &block_.flux_by_left, &block_.flux_by_right,   &block_.flux_by_h};
   const auto across = static_cast<std::size_t>(2 * shape_.n_across);
   double* array =
       base::aligned_zeros(memory_, nodal.size() * shape_.size() + of_strips.size() * shape_.strip_size() + across);
@@ -84,7 +85,7 @@ SheetNewton::SheetNewton(const SheetProblem& problem)
   block_.share = share;
   block_.conductance = conductance;
   for (double* ones : {block_.z, block_.rho, block_.K, system.diagonal}) std::fill_n(ones, shape_.size(), 1.0);
-  std::fill_n(block_.h_m, shape_.strip_size(), 1.0);
+  for (double* ones : {block_.h_m, block_.low_h_m, block_.high_h_m}) std::fill_n(ones, shape_.strip_size(), 1.0);
   set_gap(problem);
   multigrid_.emplace(*kernels_, system, places_of(problem.around, first_, shape_.n_strips), grid.width);
 }
@@ -128,7 +129,15 @@ void SheetNewton::set_gap(const SheetProblem& problem) {
 void SheetNewton::set_separation(const SheetInputs& inputs, double h_m) {
   block_.ln_h_scale = h_m;
   for (int s = 0; s < shape_.n_strips; ++s) {
-    block_.h_m[shape_.strip(s)] = h_m + (inputs.rise.empty() ? 0.0 : inputs.rise[s + first_]);
+    const int j = s + first_, n = static_cast<int>(inputs.rise.size());
+    const bool joined = ends_ == Ends::kJoined;
+    const auto rise = [&](int strip) { return inputs.rise.empty() ? 0.0 : inputs.rise[strip]; };
+    // Beside the first and the last strip of a closed sheet there is none, and nothing flows.
+    const int low = j > 0 ? j - 1 : (joined ? n - 1 : j), high = j + 1 < n ? j + 1 : (joined ? 0 : j);
+    const std::size_t place = shape_.strip(s);
+    block_.h_m[place] = h_m + rise(j);
+    block_.low_h_m[place] = h_m + 0.5 * (rise(low) + rise(j));
+    block_.high_h_m[place] = h_m + 0.5 * (rise(j) + rise(high));
   }
 }
 

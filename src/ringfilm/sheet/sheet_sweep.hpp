@@ -148,8 +148,10 @@ class SheetBalance {
     const Real h_m = Real::load(b_.h_m + strip);
     const Mask inside = Real::load(b_.is_strip + strip) > Real(0);
     const Real share(b_.share[i]);
-    const Cube low_cube = cube(h_m + Real::load(b_.low_face + place), b_.low_second, b_.low_third, place);
-    const Cube high_cube = cube(h_m + Real::load(b_.high_face + place), b_.high_second, b_.high_third, place);
+    const Cube low_cube =
+        cube(Real::load(b_.low_h_m + strip) + Real::load(b_.low_face + place), b_.low_second, b_.low_third, place);
+    const Cube high_cube =
+        cube(Real::load(b_.high_h_m + strip) + Real::load(b_.high_face + place), b_.high_second, b_.high_third, place);
     const CrossFlux from = cross_flux(low_cube, share * Real::load(b_.low_conductance + strip), low, here);
     const CrossFlux on = cross_flux(high_cube, share * Real::load(b_.high_conductance + strip), here, high);
 
