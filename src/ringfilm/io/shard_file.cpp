@@ -178,7 +178,9 @@ void ShardReader::append_unsolved(std::vector<Unsolved>& all) const {
     if (chunk.reasons_size == 0) continue;
     std::istringstream lines(bytes(chunk.reasons_at, chunk.reasons_size));
     Unsolved one{};
-    while (lines >> one.scenario && std::getline(lines >> std::ws, one.reason)) all.push_back(one);
+    while (lines >> one.scenario && std::getline(lines >> std::ws, one.reason)) {
+      if (one.scenario >= chunk.first && one.scenario - chunk.first < chunk.n_rows) all.push_back(one);
+    }
   }
 }
 
@@ -193,6 +195,12 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header)
     }
     struct stat status {};
     if (::fstat(file_, &status) != 0) fail_to_write(path, errno);
+    struct stat named {};
+    if (::stat(path.c_str(), &named) != 0 || named.st_ino != status.st_ino || named.st_dev != status.st_dev) {
+      // Its last owner gave it its final name between the opening and the lock.
+      throw InputError(fmt::format("{}: another process has just finished this part", path),
+                       "start again, with --resume");
+    }
     const std::string first = block(text_of(header));
     // A header that was cut off says nothing; the rest of one that is there decides.
     if (static_cast<std::uint64_t>(status.st_size) < first.size()) {
