@@ -27,29 +27,33 @@ submit writes a job array of the parts and the job that joins them into the outp
 stands behind -- goes to sbatch.
 )";
 
+constexpr int kMostWords = 64;  // those for another program among them
+
 struct StudyWords {
   std::vector<std::string> alone, further;
   std::optional<std::string> output, shard, threads, engine, parts;
   bool resume = false, yes = false, is_rehearsal = false;
 
   void run() const {
-    const bool has_action = alone.size() == 2;
+    const bool has_action = alone.size() >= 2;
+    std::vector<std::string> beyond = further;
+    if (alone.size() > 2) beyond.insert(beyond.begin(), alone.begin() + 2, alone.end());
     const std::string action = has_action ? alone.front() : "";
     if (has_action && action != "merge" && action != "status" && action != "submit") {
       throw InputError(fmt::format("ringfilm study {}: this is no action", action), "one of: merge, status, submit");
     }
-    if (!further.empty() && action != "submit") {
-      throw InputError(fmt::format("ringfilm study {}: this is one word too many", further.front()),
+    if (!beyond.empty() && action != "submit") {
+      throw InputError(fmt::format("ringfilm study {}: this is one word too many", beyond.front()),
                        "one study at a time");
     }
     StudyOptions options;
-    options.study_path = alone.back();
+    options.study_path = has_action ? alone[1] : alone.front();
     options.output = output.value_or(std::filesystem::path(options.study_path).stem().string());
     options.resume = resume;
     options.yes = yes;
     if (threads) options.threads = static_cast<int>(number("--threads", *threads, kMostThreads));
     if (shard) read_shard(options);
-    if (action == "submit") return submit(options);
+    if (action == "submit") return submit(options, beyond);
     if (engine || parts || is_rehearsal) {
       throw InputError("--engine, --parts and --dry-run are options of ringfilm study submit", "leave them out");
     }
@@ -71,7 +75,7 @@ struct StudyWords {
     throw InputError(fmt::format("{} {}: this is no number from 1 to {}", option, text, most));
   }
 
-  void submit(const StudyOptions& options) const {
+  void submit(const StudyOptions& options, const std::vector<std::string>& beyond) const {
     if (shard || resume) {
       throw InputError("ringfilm study submit takes neither --shard nor --resume",
                        "it always computes what is missing, in --parts parts");
@@ -82,7 +86,7 @@ struct StudyWords {
     how.study.parts = parts ? number("--parts", *parts, kMostParts) : 0;
     how.engine = engine.value_or("");
     how.is_rehearsal = is_rehearsal;
-    how.further = further;
+    how.further = beyond;
     submit_study(how);
   }
 
@@ -108,8 +112,9 @@ void add_study_command(CLI::App& program, Actions& actions) {
   const auto words = std::make_shared<StudyWords>();
   command->add_option("STUDY.toml", words->alone, "the study's file; before it: merge, status or submit")
       ->required()
-      ->expected(1, 2)
+      ->expected(1, kMostWords)
       ->type_name("");
+  // The first option takes the words behind --, too; but a command only knows -- as long as another may still come.
   command->add_option("OPTION", words->further, "of submit, behind --: options of sbatch")->type_name("");
   command->add_option("-o,--output", words->output, "folder for results, or X.nc (default ./<study>)")
       ->type_name("OUT");

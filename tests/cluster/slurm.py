@@ -1,5 +1,6 @@
 """A Slurm of one node on this machine, for tests: its own keys, ports, folders; nothing is left behind."""
 
+import ctypes
 import os
 import pathlib
 import secrets
@@ -45,6 +46,12 @@ PartitionName=main Nodes={host} Default=YES MaxTime=INFINITE State=UP
 
 class CannotStart(Exception):
     """Slurm cannot be started here; the reason."""
+
+
+def end_with_parent():
+    """Where the test itself is killed, nothing of Slurm outlives it."""
+    set_signal_at_parents_death = 1  # PR_SET_PDEATHSIG of prctl(2)
+    ctypes.CDLL(None).prctl(set_signal_at_parents_death, signal.SIGTERM)
 
 
 def free_port():
@@ -98,7 +105,8 @@ class Slurm:
     def _begin(self, *words):
         with open(self.folder / f"{words[0]}.out", "wb") as out:
             self.processes.append(subprocess.Popen(words, env=self.environment, cwd=self.folder, stdout=out,
-                                                   stderr=subprocess.STDOUT, start_new_session=True))
+                                                   stderr=subprocess.STDOUT, start_new_session=True,
+                                                   preexec_fn=end_with_parent))
 
     def _wait_for(self, what, is_there, seconds=60):
         end = time.monotonic() + seconds

@@ -88,45 +88,45 @@ class StudyOnSlurm(StudyFolder):
         return [job for job, state, _ in SLURM.in_queue() if state == "RUNNING" and job.startswith(f"{array}_")]
 
     def test_requeues_and_a_node_that_goes_down_change_no_byte(self):
-        self.write_scenarios(3000)
-        whole = time.monotonic()
+        self.write_scenarios(8000)
         self.run_well("study", "study.toml", "-o", "whole", "--threads", "1")
-        whole = time.monotonic() - whole
         seed = int(os.environ.get("RINGFILM_SEED", "7"))
         moments = random.Random(seed)
-        n_requeues = n_downs = n_restarts = 0
-        array, _ = self.submit("--parts", "6")
+        to_come = ["requeue"] * 5 + ["down"] * 2
+        moments.shuffle(to_come)
+        array, _ = self.submit("--parts", "8")
         end = time.monotonic() + LONGEST
         while SLURM.in_queue() and time.monotonic() < end:
-            time.sleep(moments.uniform(0.05, 0.25) * whole)
+            # At first at short distances, so that all come to pass before the study ends.
+            time.sleep(moments.uniform(0.1, 0.8))
             tasks = self.running(array)
-            if not tasks:
-                continue
-            if n_requeues < 6:
-                task = moments.choice(tasks)
-                SLURM.say("scontrol", "requeue", task)
-                n_requeues += 1
-            elif n_downs < 2:
+            what = to_come.pop() if tasks and to_come else "nothing"
+            if what == "requeue":
+                SLURM.say("scontrol", "requeue", moments.choice(tasks))
+            if what == "down":
                 SLURM.order("scontrol", "update", f"nodename={SLURM.node}", "state=down", "reason=test")
                 time.sleep(1)
-                SLURM.order("scontrol", "update", f"nodename={SLURM.node}", "state=resume")
-                n_downs += 1
+                # Where the node has come back by itself this is refused.
+                SLURM.say("scontrol", "update", f"nodename={SLURM.node}", "state=resume")
             self.begin_at_once(array)
-        n_restarts = self.logs().count("CANCELLED AT")
-        print(f"\n{n_requeues} requeues and {n_downs} times a node down, seed {seed}: {n_restarts} tasks were cut off",
-              flush=True)
         self.wait_for_result()
-        self.assertGreaterEqual(n_requeues, 3, "the study is too short to be disturbed")
-        self.assertGreaterEqual(n_downs, 1, "the study is too short to be disturbed")
+        n_cut_off = self.logs().count("CANCELLED AT")
+        print(f"\n5 requeues and 2 times a node down, seed {seed}: {n_cut_off} tasks were cut off", flush=True)
+        self.assertEqual(to_come, [], "the study is too short to be disturbed")
+        self.assertGreaterEqual(n_cut_off, 5, self.logs())
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
     @staticmethod
     def begin_at_once(array):
-        """A task that was put back waits two minutes otherwise."""
+        """What looks after a cluster does: a task that was put back waits two minutes otherwise, and Slurm drains a node
+        and holds a task that it tried to start there while the one before was still ending."""
         time.sleep(0.5)
-        for job, state, _ in SLURM.in_queue():
+        if SLURM.say("sinfo", "-h", "-o", "%T").startswith(("drain", "down")):
+            SLURM.say("scontrol", "update", f"nodename={SLURM.node}", "state=resume")
+        for job, state, reason in SLURM.in_queue():
             if state == "PENDING" and job.startswith(f"{array}_"):
-                SLURM.say("scontrol", "update", f"jobid={job}", "StartTime=now")
+                SLURM.say("scontrol", *(["release", job] if "held" in reason else
+                                        ["update", f"jobid={job}", "StartTime=now"]))
 
     def test_where_a_part_fails_nothing_is_joined_and_status_tells_why(self):
         self.run_well("study", "study.toml", "-o", "whole")
