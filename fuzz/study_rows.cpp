@@ -29,7 +29,8 @@ std::string framed(const std::uint8_t* data, std::size_t size) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ringfilm;
   const std::string bytes = framed(data, size);
-  const std::string path = fuzz::input_file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), "a.rows");
+  const std::string path =
+      fuzz::input_file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), "a.rows");
   try {
     const io::ShardReader rows(path);
     if (rows.next() < rows.header().first || rows.next() > rows.header().end) __builtin_trap();
