@@ -12,6 +12,7 @@
 
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/result_file_writer.hpp"
+#include "ringfilm/io/study_until.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -74,8 +75,8 @@ void write_head(ResultFileWriter& file, const StudyRows& rows) {
   file.texts("input_file", {"input_file_path", "", "", "file as named", "", ""}, paths);
   file.texts("input_file", {"input_file_sha256", "", "", "SHA-256 of its bytes", "", ""}, digests);
   file.scalar({"plan", "", "", "all on which the numbers of the scenarios depend", "", ""}, rows.plan.digest_text());
-  if (!rows.plan.notes().empty())
-    file.texts("note", {"plan_note", "", "", "what must be known about the plan", "", ""}, rows.plan.notes());
+  const std::vector<std::string> notes = rows.notes();
+  if (!notes.empty()) file.texts("note", {"plan_note", "", "", "what must be known about the plan", "", ""}, notes);
 }
 
 std::string csv_number(double value) { return std::isnan(value) ? "nan" : fmt::format("{}", value + 0.0); }
@@ -102,6 +103,12 @@ std::vector<double> StudyRows::values(std::size_t i) const {
 std::vector<ShardReader::Unsolved> StudyRows::unsolved() const {
   std::vector<ShardReader::Unsolved> all;
   for (const ShardReader& shard : shards) shard.append_unsolved(all);
+  return all;
+}
+
+std::vector<std::string> StudyRows::notes() const {
+  std::vector<std::string> all = plan.notes();
+  for (std::string& note : until_notes(*this)) all.push_back(std::move(note));
   return all;
 }
 

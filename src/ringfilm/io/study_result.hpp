@@ -18,6 +18,9 @@ struct StudyRows {
   /// A cycle value of all scenarios; `i` counts cycle::cycle_quantities(). NaN where not solved.
   std::vector<double> values(std::size_t i) const;
   std::vector<ShardReader::Unsolved> unsolved() const;
+
+  /// What must be known about the plan and how it ended, one sentence each.
+  std::vector<std::string> notes() const;
 };
 
 /// Numbers of the factors over all scenarios, factor by factor; NaN where one leaves its base as it is.
