@@ -14,8 +14,9 @@ using namespace testing;
 using ::testing::ElementsAre;
 
 Study going_on(std::uint64_t scenarios, Indices indices) {
-  Study study = study_of({factor("operating.speed", uniform(100, 400)), factor("contact.roughness", normal(5e-7, 1e-8))},
-                         Method::kSobol, scenarios);
+  Study study =
+      study_of({factor("operating.speed", uniform(100, 400)), factor("contact.roughness", normal(5e-7, 1e-8))},
+               Method::kSobol, scenarios);
   study.bases.push_back({"other", study.bases.front().input});
   study.sampling.indices = indices;
   study.sampling.until = Until{"fmep", std::nullopt, 1, 1000};
