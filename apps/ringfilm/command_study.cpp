@@ -17,6 +17,7 @@
 #include "ringfilm/io/shard_file.hpp"
 #include "ringfilm/io/study_file.hpp"
 #include "ringfilm/io/study_result.hpp"
+#include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
 #include "ringfilm/study/study_run.hpp"
 #include "stop_request.hpp"
@@ -46,6 +47,8 @@ struct Loaded {
       if (input.role != "study") inputs += fmt::format("{} {}\n", input.role, input.sha256);
     }
     const study::ScenarioRange range = study::shard_range(plan.size(), part, parts);
+    const study::Keep& keep = plan.study().keep;
+    const bool has_curves = keep.curves != study::Curves::kNone;
     return {io::sha256(plan.digest_text()),
             io::sha256(inputs),
             fmt::format("{} commit {} {}", program.program, program.commit, program.compiler),
@@ -53,7 +56,9 @@ struct Loaded {
             parts,
             range.first,
             range.end,
-            cycle::cycle_quantities().size()};
+            cycle::cycle_quantities().size(),
+            has_curves ? keep.quantities : std::vector<std::string>{},
+            study::kept_angles(keep).size()};
   }
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,10 @@ struct ShardHeader {
   std::uint64_t part = 1, parts = 1;  ///< this is part `part` of `parts`
   std::uint64_t first = 0, end = 0;   ///< its scenarios, without `end`
   std::uint64_t n_values = 0;         ///< of each row
+  std::vector<std::string> curves;    ///< names of those that are kept of each row
+  std::uint64_t n_angles = 0;         ///< over which they are kept, evenly spread over the cycle; 0 without curves
 
+  std::uint64_t n_curve_numbers() const { return curves.size() * n_angles; }
   study::ScenarioRange range() const { return {first, end}; }
 };
 
@@ -29,6 +34,7 @@ std::string difference(const ShardHeader& found, const ShardHeader& wanted);
 struct ChunkPlace {
   std::uint64_t first = 0, n_rows = 0;
   std::uint64_t values_at = 0;  ///< values one after the other, each of all rows
+  std::uint64_t curves_at = 0;  ///< then, in single precision, curves, angle by angle, each of all rows
   std::uint64_t reasons_at = 0, reasons_size = 0;
 };
 
@@ -48,6 +54,12 @@ class ShardReader {
   std::uint64_t sound_bytes() const { return sound_bytes_; }
   std::uint64_t n_unsolved() const { return n_unsolved_; }
 
+  /// Value `i` of these scenarios, all of which must be there.
+  void read_values(std::size_t i, const study::ScenarioRange& range, double* to) const;
+  /// Curve `i` of these scenarios at some angles: all scenarios at the first of them, then at the next. `stride` from
+  /// one angle to the next in `to`.
+  void read_curve(std::size_t i, std::size_t first_angle, std::size_t n_angles, const study::ScenarioRange& range,
+                  float* to, std::size_t stride) const;
   /// Appends value `i` of all rows, in the order of the scenarios.
   void append_values(std::size_t i, std::vector<double>& all) const;
 
@@ -55,6 +67,8 @@ class ShardReader {
     std::uint64_t scenario;
     std::string reason;
   };
+  /// Hands over the rows that are not solved, in their order.
+  void each_unsolved(const std::function<void(const Unsolved&)>& told) const;
   /// Appends the rows that are not solved.
   void append_unsolved(std::vector<Unsolved>& all) const;
 
@@ -62,6 +76,9 @@ class ShardReader {
   void read_header();
   bool read_chunk();
   std::string bytes(std::uint64_t at, std::uint64_t n) const;
+  void read_bytes(std::uint64_t at, std::uint64_t n, char* to) const;
+  /// Chunks that hold some of these scenarios.
+  std::span<const ChunkPlace> chunks_of(const study::ScenarioRange& range) const;
 
   std::string path_;
   int file_ = -1;
@@ -89,7 +106,8 @@ class ShardWriter {
 
   std::string path_;
   int file_ = -1;
-  std::uint64_t n_values_, next_, length_ = 0;
+  ShardHeader header_;
+  std::uint64_t next_, length_ = 0;
 };
 
 }  // namespace ringfilm::io

@@ -99,6 +99,38 @@ std::vector<double> StudyRows::values(std::size_t i) const {
   return all;
 }
 
+template <class Read>
+void StudyRows::each_part(const study::ScenarioRange& range, const Read& read) const {
+  for (const ShardReader& shard : shards) {
+    const study::ScenarioRange part{std::max(range.first, shard.header().first),
+                                    std::min(range.end, shard.header().end)};
+    if (part.first < part.end) read(shard, part, part.first - range.first);
+  }
+}
+
+std::vector<double> StudyRows::values(std::size_t i, const study::ScenarioRange& range) const {
+  std::vector<double> all(range.size());
+  each_part(range, [&](const ShardReader& shard, const study::ScenarioRange& part, std::uint64_t before) {
+    shard.read_values(i, part, all.data() + before);
+  });
+  return all;
+}
+
+std::vector<float> StudyRows::curve(std::size_t i, std::size_t first_angle, std::size_t n_angles,
+                                    const study::ScenarioRange& range) const {
+  std::vector<float> all(n_angles * range.size());
+  each_part(range, [&](const ShardReader& shard, const study::ScenarioRange& part, std::uint64_t before) {
+    shard.read_curve(i, first_angle, n_angles, part, all.data() + before, range.size());
+  });
+  return all;
+}
+
+std::uint64_t StudyRows::n_unsolved() const {
+  std::uint64_t n = 0;
+  for (const ShardReader& shard : shards) n += shard.n_unsolved();
+  return n;
+}
+
 std::vector<ShardReader::Unsolved> StudyRows::unsolved() const {
   std::vector<ShardReader::Unsolved> all;
   for (const ShardReader& shard : shards) shard.append_unsolved(all);

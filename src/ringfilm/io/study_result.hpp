@@ -15,9 +15,20 @@ struct StudyRows {
   const study::Plan& plan;
   std::vector<ShardReader> shards;  ///< in the order of their scenarios, without a gap
 
-  /// A cycle value of all scenarios; `i` counts cycle::cycle_quantities(). NaN where not solved.
+  /// A cycle value of all scenarios, or of some; `i` counts cycle::cycle_quantities(). NaN where not solved.
   std::vector<double> values(std::size_t i) const;
+  std::vector<double> values(std::size_t i, const study::ScenarioRange& range) const;
+  /// A curve of some scenarios at some angles, index [angle][scenario]; `i` counts study::Keep::quantities. NaN where
+  /// not solved.
+  std::vector<float> curve(std::size_t i, std::size_t first_angle, std::size_t n_angles,
+                           const study::ScenarioRange& range) const;
   std::vector<ShardReader::Unsolved> unsolved() const;
+  std::uint64_t n_unsolved() const;
+
+ private:
+  /// Calls for each shard that has some of the scenarios: the shard, which of them, and how many come before.
+  template <class Read>
+  void each_part(const study::ScenarioRange& range, const Read& read) const;
 };
 
 /// Numbers of the factors over all scenarios, factor by factor; NaN where one leaves its base as it is.
