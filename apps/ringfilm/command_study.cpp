@@ -16,6 +16,7 @@
 #include "ringfilm/io/digest.hpp"
 #include "ringfilm/io/shard_file.hpp"
 #include "ringfilm/io/study_file.hpp"
+#include "ringfilm/io/study_netcdf.hpp"
 #include "ringfilm/io/study_result.hpp"
 #include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
@@ -72,6 +73,21 @@ void check_grid(const StudyOptions& options, const study::Plan& plan) {
   if (options.yes || plan.study().sampling.method != study::Method::kGrid || plan.size() <= study::kLargestGrid) return;
   throw InputError(fmt::format("the full grid has {} points, more than {}", plan.size(), study::kLargestGrid),
                    "add --yes if that is meant, or sample: method = \"sobol\"");
+}
+
+/// Curves of so many bytes are only kept where the user says so.
+constexpr double kLargestCurves = 2e9;
+
+void check_curves(const StudyOptions& options, const study::Plan& plan) {
+  const study::Keep& keep = plan.study().keep;
+  const double row = static_cast<double>(sizeof(float) * study::kept_quantities(keep).size()) *
+                     static_cast<double>(study::kept_angles(keep).size());
+  const double bytes = row * static_cast<double>(plan.most());
+  if (options.yes || bytes <= kLargestCurves) return;
+  throw InputError(
+      fmt::format("the curves of {} scenarios take {:.1f} GB on the disk, and as much again where all are kept",
+                  plan.most(), bytes / 1e9),
+      "add --yes if that is meant, or keep fewer quantities, a larger keep.crank_step, or curves = \"none\"");
 }
 
 void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
@@ -164,6 +180,7 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
 void run_study(const StudyOptions& options) {
   const Loaded study(options.study_path);
   check_grid(options, study.plan);
+  check_curves(options, study.plan);
   const StudyFiles files(options.output);
   const std::string growing = files.growing(options.part, options.parts);
   const std::string finished = files.finished(options.part, options.parts);

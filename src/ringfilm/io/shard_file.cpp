@@ -138,6 +138,7 @@ ShardReader::ShardReader(ShardReader&& other) noexcept
       size_(other.size_),
       sound_bytes_(other.sound_bytes_),
       n_unsolved_(other.n_unsolved_),
+      reason_bytes_(other.reason_bytes_),
       header_(std::move(other.header_)),
       chunks_(std::move(other.chunks_)) {}
 
@@ -215,6 +216,7 @@ bool ShardReader::read_chunk() {
   place.curves_at = place.values_at + sizeof(double) * header_.n_values * place.n_rows;
   place.reasons_at = place.values_at + n_bytes;
   place.reasons_size = n - kChunkHead - n_bytes;
+  reason_bytes_ += place.reasons_size;
   for (std::size_t at = kChunkHead + n_bytes; at < n; ++at) n_unsolved_ += content[at] == '\n';
   chunks_.push_back(place);
   sound_bytes_ += kFrame + n;
@@ -269,18 +271,18 @@ void ShardReader::append_values(std::size_t i, std::vector<double>& all) const {
   read_values(i, range, all.data() + (all.size() - range.size()));
 }
 
-void ShardReader::each_unsolved(const std::function<void(const Unsolved&)>& told) const {
-  for (const ChunkPlace& chunk : chunks_) {
+void ShardReader::append_unsolved(const study::ScenarioRange& range, std::vector<Unsolved>& all) const {
+  for (const ChunkPlace& chunk : chunks_of(range)) {
     if (chunk.reasons_size == 0) continue;
     std::istringstream lines(bytes(chunk.reasons_at, chunk.reasons_size));
     Unsolved one{};
-    while (lines >> one.scenario && std::getline(lines >> std::ws, one.reason)) told(one);
+    while (lines >> one.scenario && std::getline(lines >> std::ws, one.reason)) {
+      if (one.scenario >= range.first && one.scenario < range.end) all.push_back(one);
+    }
   }
 }
 
-void ShardReader::append_unsolved(std::vector<Unsolved>& all) const {
-  each_unsolved([&all](const Unsolved& one) { all.push_back(one); });
-}
+void ShardReader::append_unsolved(std::vector<Unsolved>& all) const { append_unsolved({header_.first, next()}, all); }
 
 ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header)
     : path_(path), header_(header), next_(header.first) {

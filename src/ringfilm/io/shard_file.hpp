@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -67,10 +66,10 @@ class ShardReader {
     std::uint64_t scenario;
     std::string reason;
   };
-  /// Hands over the rows that are not solved, in their order.
-  void each_unsolved(const std::function<void(const Unsolved&)>& told) const;
-  /// Appends the rows that are not solved.
+  /// Appends the rows that are not solved, all or those among some scenarios.
   void append_unsolved(std::vector<Unsolved>& all) const;
+  void append_unsolved(const study::ScenarioRange& range, std::vector<Unsolved>& all) const;
+  std::uint64_t reason_bytes() const { return reason_bytes_; }  ///< of all reasons together
 
  private:
   void read_header();
@@ -82,7 +81,7 @@ class ShardReader {
 
   std::string path_;
   int file_ = -1;
-  std::uint64_t size_ = 0, sound_bytes_ = 0, n_unsolved_ = 0;
+  std::uint64_t size_ = 0, sound_bytes_ = 0, n_unsolved_ = 0, reason_bytes_ = 0;
   ShardHeader header_;
   std::vector<ChunkPlace> chunks_;
 };
