@@ -12,14 +12,14 @@ namespace ringfilm::io {
 
 /// To what rows belong; files whose headers differ must not be mixed.
 struct ShardHeader {
-  std::string plan;                   ///< SHA-256 of Plan::digest_text()
-  std::string inputs;                 ///< SHA-256 of the digests of all input files
-  std::string program;                ///< name, version and commit
-  std::uint64_t part = 1, parts = 1;  ///< this is part `part` of `parts`
-  std::uint64_t first = 0, end = 0;   ///< its scenarios, without `end`
-  std::uint64_t n_values = 0;         ///< of each row
-  std::vector<std::string> curves;    ///< names of those that are kept of each row
-  std::uint64_t n_angles = 0;         ///< over which they are kept, evenly spread over the cycle; 0 without curves
+  std::string plan;                      ///< SHA-256 of Plan::digest_text()
+  std::string inputs;                    ///< SHA-256 of the digests of all input files
+  std::string program;                   ///< name, version and commit
+  std::uint64_t part = 1, parts = 1;     ///< this is part `part` of `parts`
+  std::uint64_t first = 0, end = 0;      ///< its scenarios, without `end`
+  std::uint64_t n_values = 0;            ///< of each row
+  std::vector<std::string> curves = {};  ///< names of those that are kept of each row
+  std::uint64_t n_angles = 0;            ///< over which they are kept, evenly spread over the cycle; 0 without curves
 
   std::uint64_t n_curve_numbers() const { return curves.size() * n_angles; }
   study::ScenarioRange range() const { return {first, end}; }
