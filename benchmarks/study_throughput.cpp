@@ -38,7 +38,7 @@ namespace fs = std::filesystem;
 
 constexpr int kThreads = 2;
 /// Scenarios that run one way, then the other, so that both meet the same machine.
-constexpr std::uint64_t kSlice = 2000;
+constexpr std::uint64_t kSlice = 500;
 constexpr double kMillion = 1e6;
 
 struct Options {
@@ -105,20 +105,27 @@ double memory_of(const std::function<void()>& work) {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return (values[values.size() / 2] + values[(values.size() - 1) / 2]) / 2;
+}
+
 void compare_with_engine(const Options& options, const std::string& rows_path) {
   const io::StudyFile file = uncertainty_study(options.scenarios, study::Curves::kNone);
   const study::Plan plan(file.study);
   io::ShardWriter writer(rows_path, header_of(plan));
   study::StudyRunOptions run_options;
   run_options.batch.threads = kThreads;
-  Times bare, whole;
+  Times making, bare, whole;
   std::uint64_t stopped = 0, unsolved = 0;
   const auto run_bare = [&](const study::ScenarioRange& slice) {
     std::vector<cycle::Case> cases;
-    for (std::uint64_t i = slice.first; i < slice.end; ++i) {
-      cases.push_back(study::scenario_case(plan.study(), plan.point(i)));
-      study::ask_for_kept(plan.study().keep, cases.back());
-    }
+    making = making + time_of([&] {
+               for (std::uint64_t i = slice.first; i < slice.end; ++i) {
+                 cases.push_back(study::scenario_case(plan.study(), plan.point(i)));
+                 study::ask_for_kept(plan.study().keep, cases.back());
+               }
+             });
     std::size_t next = 0;
     const auto source = [&]() -> std::optional<cycle::Case> {
       if (next == cases.size()) return std::nullopt;
@@ -137,12 +144,16 @@ void compare_with_engine(const Options& options, const std::string& rows_path) {
     };
     whole = whole + time_of([&] { study::run_scenarios(plan, slice, finished, run_options); });
   };
+  std::vector<double> walls, processors;  // of each slice, bare over whole
   for (std::uint64_t first = 0; first < plan.size(); first += kSlice) {
     const study::ScenarioRange slice{first, std::min(first + kSlice, plan.size())};
+    const Times bare_before = bare, whole_before = whole;
     const bool is_bare_first = first / kSlice % 2 == 0;
     if (is_bare_first) run_bare(slice);
     run_whole(slice);
     if (!is_bare_first) run_bare(slice);
+    walls.push_back((bare.wall - bare_before.wall) / (whole.wall - whole_before.wall));
+    processors.push_back((bare.processor - bare_before.processor) / (whole.processor - whole_before.processor));
   }
   const auto n = static_cast<double>(plan.size());
   std::printf("Uncertainty of the new ring of styles2014, 200 cells, %.0f scenarios, %d threads, slice by slice\n\n", n,
@@ -154,8 +165,11 @@ void compare_with_engine(const Options& options, const std::string& rows_path) {
     std::printf("| %-12s | %11.1f | %21.4f | %10llu | %16.2f |\n", name, n / times.wall, 1e3 * times.processor / n,
                 static_cast<unsigned long long>(left), kMillion / n * times.wall / 3600);
   }
-  std::printf("\nwhole study : bare engine, scenarios a second: %.3f; by processor time: %.3f\n",
-              bare.wall / whole.wall, bare.processor / whole.processor);
+  std::printf("\nof it: %.4f ms/scenario of processor time for making cases from the plan\n",
+              1e3 * making.processor / n);
+  std::printf("whole study : bare engine, scenarios a second: %.3f, median of %zu slices %.3f\n",
+              bare.wall / whole.wall, walls.size(), median(walls));
+  std::printf("the same by processor time: %.3f, median %.3f\n", bare.processor / whole.processor, median(processors));
 }
 
 /// Rows of made-up numbers, which compress as badly as results do. Every hundredth was not solved.

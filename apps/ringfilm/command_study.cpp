@@ -214,7 +214,12 @@ void run_study(const StudyOptions& options) {
   }
   std::vector<io::ShardReader> shards;
   shards.emplace_back(finished);
-  write_results(files, study, std::move(shards));
+  try {
+    write_results(files, study, std::move(shards));
+  } catch (const OutputError& error) {
+    throw OutputError(
+        fmt::format("{}\nall scenarios are kept; make room, then: {}", error.what(), resume_words(options)));
+  }
 }
 
 void merge_study(const StudyOptions& options) {

@@ -313,6 +313,22 @@ class StudyTest(ProgramTest):
         self.run_well("study", "study.toml", "-o", "out", "--resume")
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
+    def test_a_disk_without_room_for_the_result_stops_before_it_is_begun(self):
+        self.run_well("study", "study.toml", "-o", "whole")
+        most = (self.folder / "whole" / "study.part-1-of-1.rows").stat().st_size + 4096
+
+        def small_disk():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+
+        done = self.run_program("study", "study.toml", "-o", "out", preexec_fn=small_disk)
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("MB are wanted", done.stderr)
+        self.assertIn("make room, then: ringfilm study study.toml -o out --resume", done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder / "out")), ["study.part-1-of-1.rows"])
+        self.run_well("study", "study.toml", "-o", "out", "--resume")
+        self.assertEqual(self.contents("whole"), self.contents("out"))
+
     def test_a_scenario_that_cannot_be_made_is_a_row_with_its_reason(self):
         self.write_study(STUDY.replace("SCENARIOS", "16").replace("deviation = 0.1\ntruncate = [0.5, 1.5]",
                                                                   "deviation = 1.0"))

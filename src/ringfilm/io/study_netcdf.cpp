@@ -38,22 +38,25 @@ const char* kind_name(study::StudyKind kind) {
   return "";
 }
 
+/// Numbers along a dimension that is stored in whole pieces.
+std::uint64_t padded(std::uint64_t n, std::uint64_t piece) { return n < piece ? n : (n + piece - 1) / piece * piece; }
+
 /// More than the file can become: its numbers not compressed, texts, and what the library needs to find them.
 std::uint64_t most_bytes(const StudyRows& rows) {
   const study::Keep& keep = rows.plan.study().keep;
   const bool is_full = keep.curves == study::Curves::kAll;
   const std::uint64_t n_curves = study::kept_quantities(keep).size(), n_angles = kept_angles(keep).size();
-  const std::uint64_t n = (rows.plan.size() + kBlock) / kBlock * kBlock;
+  const std::uint64_t n = padded(rows.plan.size(), kBlock), n_of_curves = padded(rows.plan.size(), kCurveBlock);
   const std::uint64_t n_columns = cycle::cycle_quantities().size() + rows.plan.study().factors.size() + 3;
   const std::uint64_t columns = n * n_columns * sizeof(double);
-  const std::uint64_t curves = is_full ? n * n_curves * n_angles * sizeof(float) : 0;
+  const std::uint64_t curves = is_full ? n_of_curves * n_curves * n_angles * sizeof(float) : 0;
   const std::uint64_t bands =
       n_curves * n_angles * rows.plan.study().bases.size() * band_shares().size() * sizeof(float);
   std::uint64_t reasons = 0;
   for (const ShardReader& shard : rows.shards) reasons += 2 * shard.reason_bytes() + 100 * shard.n_unsolved();
   // Of each compressed piece its place is kept, in blocks of some kB that are half empty at worst.
   constexpr std::uint64_t kPlace = 256, kVariable = 16'384, kHead = 1 << 20;
-  const std::uint64_t places = (n / kBlock * n_columns + (is_full ? n / kCurveBlock * n_curves : 0)) * kPlace;
+  const std::uint64_t places = (n / kBlock * n_columns + (is_full ? n_of_curves / kCurveBlock * n_curves : 0)) * kPlace;
   return columns + curves + bands + reasons + places + (n_columns + n_curves) * kVariable + kHead +
          2 * rows.plan.digest_text().size() + 1000 * rows.file.files.size();
 }
