@@ -16,7 +16,9 @@
 #include "ringfilm/io/digest.hpp"
 #include "ringfilm/io/shard_file.hpp"
 #include "ringfilm/io/study_file.hpp"
+#include "ringfilm/io/study_netcdf.hpp"
 #include "ringfilm/io/study_result.hpp"
+#include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
 #include "ringfilm/study/study_run.hpp"
 #include "ringfilm/study/until.hpp"
@@ -57,6 +59,8 @@ struct Loaded {
       if (input.role != "study") inputs += fmt::format("{} {}\n", input.role, input.sha256);
     }
     const study::ScenarioRange range = study::shard_range(plan.most(), part, parts);
+    const study::Keep& keep = plan.study().keep;
+    const bool has_curves = keep.curves != study::Curves::kNone;
     return {io::sha256(plan.digest_text()),
             io::sha256(inputs),
             fmt::format("{} commit {} {}", program.program, program.commit, program.compiler),
@@ -64,7 +68,9 @@ struct Loaded {
             parts,
             range.first,
             range.end,
-            cycle::cycle_quantities().size()};
+            cycle::cycle_quantities().size(),
+            has_curves ? keep.quantities : std::vector<std::string>{},
+            study::kept_angles(keep).size()};
   }
 };
 
@@ -78,6 +84,21 @@ void check_grid(const StudyOptions& options, const study::Plan& plan) {
   if (options.yes || plan.study().sampling.method != study::Method::kGrid || plan.size() <= study::kLargestGrid) return;
   throw InputError(fmt::format("the full grid has {} points, more than {}", plan.size(), study::kLargestGrid),
                    "add --yes if that is meant, or sample: method = \"sobol\"");
+}
+
+/// Curves of so many bytes are only kept where the user says so.
+constexpr double kLargestCurves = 2e9;
+
+void check_curves(const StudyOptions& options, const study::Plan& plan) {
+  const study::Keep& keep = plan.study().keep;
+  const double row = static_cast<double>(sizeof(float) * study::kept_quantities(keep).size()) *
+                     static_cast<double>(study::kept_angles(keep).size());
+  const double bytes = row * static_cast<double>(plan.most());
+  if (options.yes || bytes <= kLargestCurves) return;
+  throw InputError(
+      fmt::format("the curves of {} scenarios take {:.1f} GB on the disk, and as much again where all are kept",
+                  plan.most(), bytes / 1e9),
+      "add --yes if that is meant, or keep fewer quantities, a larger keep.crank_step, or curves = \"none\"");
 }
 
 void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
@@ -200,6 +221,7 @@ void run_study(const StudyOptions& options) {
     throw InputError("a study with plan.until cannot be run in parts: only all rows tell when it may stop",
                      "leave --shard out, or take until out of the plan");
   }
+  check_curves(options, study.plan);
   const StudyFiles files(options.output);
   const std::string growing = files.growing(options.part, options.parts);
   const std::string finished = files.finished(options.part, options.parts);
@@ -235,7 +257,12 @@ void run_study(const StudyOptions& options) {
   std::vector<io::ShardReader> shards;
   shards.emplace_back(finished);
   study.take_points_of(shards.front());
-  write_results(files, study, std::move(shards));
+  try {
+    write_results(files, study, std::move(shards));
+  } catch (const OutputError& error) {
+    throw OutputError(
+        fmt::format("{}\nall scenarios are kept; make room, then: {}", error.what(), resume_words(options)));
+  }
 }
 
 void merge_study(const StudyOptions& options) {

@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <set>
 
+#include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/case_file.hpp"
 #include "ringfilm/io/csv_file.hpp"
 #include "ringfilm/io/source_text.hpp"
 #include "ringfilm/io/study_factor.hpp"
 #include "ringfilm/io/study_table.hpp"
+#include "ringfilm/io/units.hpp"
 #include "ringfilm/study/measured_factors.hpp"
 
 namespace ringfilm::io {
@@ -249,9 +251,36 @@ class StudyReader {
   void read_keep(StudyTable& root) {
     const TomlValue* value = root.find("keep");
     if (value == nullptr) return;
-    StudyTable table(*value, "[keep]", {"curves"}, faults_);
-    study_.keep.curves =
-        table.chosen<study::Curves>("curves", {{"none", study::Curves::kNone}}).value_or(study::Curves::kNone);
+    StudyTable table(*value, "[keep]", {"curves", "quantities", "crank_step"}, faults_);
+    study::Keep& keep = study_.keep;
+    keep.curves = table
+                      .chosen<study::Curves>("curves", {{"none", study::Curves::kNone},
+                                                        {"all", study::Curves::kAll},
+                                                        {"quantiles", study::Curves::kQuantiles}})
+                      .value_or(keep.curves);
+    keep.quantities_mark = keep.crank_step_mark = value->key_mark;
+    if (const TomlValue* quantities = table.find("quantities")) read_kept_quantities(table, *quantities);
+    if (const TomlValue* step = table.find("crank_step")) {
+      keep.crank_step_mark = step->mark;
+      constexpr const char* kExample = "2 degree";
+      try {
+        keep.crank_step_deg = units_.quantity(table.text("crank_step").value_or(kExample), "degree", kExample);
+      } catch (const UnitError& problem) {
+        table.refuse(step->mark, fmt::format("crank_step = {} {}", step->as_written(), problem.what()), problem.remedy);
+      }
+    }
+  }
+
+  void read_kept_quantities(StudyTable& table, const TomlValue& quantities) {
+    std::vector<std::string> known;
+    for (const auto& curve : cycle::curve_quantities()) known.push_back(curve.name);
+    known.erase(known.begin());  // the crank angle, which is the axis
+    study_.keep.quantities = table.texts("quantities");
+    study_.keep.quantities_mark = quantities.mark;
+    for (const std::string& name : study_.keep.quantities) {
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        table.refuse_word(quantities, "quantities", name, known);
+    }
   }
 
   std::string path_, folder_;
