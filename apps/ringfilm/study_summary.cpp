@@ -90,12 +90,16 @@ class Summary {
   }
 
   void tell_unsolved() {
-    const auto unsolved = rows_.unsolved();
-    if (unsolved.empty()) return;
-    text_ += fmt::format("\n{} of {} scenarios were not solved; the first:\n", unsolved.size(), plan_.size());
-    constexpr std::size_t kTold = 3;
-    for (std::size_t i = 0; i < std::min(unsolved.size(), kTold); ++i)
-      text_ += fmt::format("  scenario {}: {}\n", unsolved[i].scenario, unsolved[i].reason);
+    const std::uint64_t n_unsolved = rows_.n_unsolved();
+    if (n_unsolved == 0) return;
+    text_ += fmt::format("\n{} of {} scenarios were not solved; the first:\n", n_unsolved, plan_.size());
+    constexpr std::uint64_t kTold = 3, kBlock = 4096;  // a block at a time: there may be a million
+    std::uint64_t n_told = 0;
+    for (std::uint64_t first = 0; first < plan_.size() && n_told < std::min(n_unsolved, kTold); first += kBlock) {
+      for (const auto& one : rows_.unsolved({first, std::min(first + kBlock, plan_.size())})) {
+        if (n_told++ < kTold) text_ += fmt::format("  scenario {}: {}\n", one.scenario, one.reason);
+      }
+    }
   }
 
   const io::StudyRows& rows_;
