@@ -363,6 +363,61 @@ class StudyTest(ProgramTest):
             self.assertIn("part 1 of 100 is done", said)
             self.assertIn(", 0 not solved, finished", self.run_well("study", "status", str(study), "-o", study.stem))
 
+    def test_it_goes_on_until_the_interval_is_narrow(self):
+        def until(width, most=64):
+            return STUDY.replace("SCENARIOS", "8").replace("[plan]\n", '[plan]\nuntil = { value = "fmep", '
+                                                          f'width = "{width}", most = {most} }}\n')
+
+        def mean_width(rows):
+            # Student's t of 0.975 with 7, 15, 31 and 63 degrees of freedom, from a table.
+            t = {8: 2.3646, 16: 2.1314, 32: 2.0395, 64: 1.9983}[len(rows)]
+            values = [float(row["fmep [Pa]"]) for row in rows]
+            mean = sum(values) / len(values)
+            return 2 * t * math.sqrt(sum((x - mean) ** 2 for x in values) / (len(values) - 1) / len(values))
+
+        self.write_study(until("1e-9 Pa"))
+        said = self.run_well("study", "study.toml", "-o", "all")
+        self.assertIn("gave up after 64 points: the 95 % interval of the mean of fmep is", said)
+        rows = self.table("all")
+        self.assertEqual(len(rows), 64)
+        widths = [mean_width(rows[:n]) for n in (8, 16, 32)]
+        self.assertGreater(widths[0], 1.2 * widths[2])
+        # Between the widths at 16 and 32 points it stops at 32 and has the very same rows.
+        self.write_study(until(f"{1.01 * widths[2]} Pa"))
+        said = self.run_well("study", "study.toml", "-o", "out")
+        self.assertIn("stopped after 32 points", said)
+        self.assertEqual(self.table(), rows[:32])
+        whole = self.contents("out")
+        # It neither starts again nor goes on where it is done.
+        self.assertEqual(self.run_well("study", "study.toml", "-o", "out", "--resume"), said)
+        self.assertEqual(self.run_well("study", "merge", "study.toml", "-o", "out"), said)
+        self.assertEqual(self.contents("out"), whole)
+        # Cut off within the second look.
+        rows_file = self.folder / "out" / "study.part-1-of-1.rows"
+        rows_file.rename(rows_file.with_suffix(".growing"))
+        with open(rows_file.with_suffix(".growing"), "r+b") as file:
+            file.truncate(rows_file.with_suffix(".growing").stat().st_size - 1)
+        self.run_well("study", "study.toml", "-o", "out", "--resume")
+        self.assertEqual(self.contents("out"), whole)
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "1/2"), "in parts")
+        for wrong, *told in (
+            (until("1e-9 Pa", 4), "most = 4 is below"),
+            (until("1 N"), "a pressure"),
+            (until("1 Pa").replace('"fmep"', '"fmepp"'), "did you mean fmep?"),
+            (until("1 Pa").replace(", most = 64", ""), "plan.until has no most"),
+            (until("1 Pa").replace('"sobol"', '"latin-hypercube"'), "only Sobol points"),
+        ):
+            with self.subTest(told):
+                self.write_study(wrong)
+                self.assert_refused(self.run_program("study", "study.toml", "-o", "none"), *told)
+        self.assertNotIn("none", self.names())
+
+    def test_rows_of_another_number_of_scenarios_are_refused(self):
+        self.run_well("study", "study.toml", "-o", "out")
+        self.write_study(STUDY.replace("SCENARIOS", "32"))
+        for words in (["study", "study.toml", "-o", "out", "--resume"], ["study", "merge", "study.toml", "-o", "out"]):
+            self.assert_refused(self.run_program(*words), "another number of scenarios")
+
     def test_a_large_grid_wants_to_be_meant(self):
         self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
                          'range = ["1000 rpm", "3000 rpm"]\npoints = 10001\n[plan]\nmethod = "grid"\n')

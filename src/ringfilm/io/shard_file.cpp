@@ -113,7 +113,10 @@ std::string difference(const ShardHeader& found, const ShardHeader& wanted) {
   if (found.inputs != wanted.inputs) return "other input files, or such as have changed since";
   if (found.plan != wanted.plan) return "another plan: bases, factors, method or seed";
   if (found.curves != wanted.curves || found.n_angles != wanted.n_angles) return "other curves: keep has changed";
-  return found.n_values == wanted.n_values ? "" : "other values";
+  if (found.n_values != wanted.n_values) return "other values";
+  const bool is_same_part = found.part == wanted.part && found.parts == wanted.parts;
+  const bool has_same_range = found.first == wanted.first && found.end == wanted.end;
+  return is_same_part && !has_same_range ? "another number of scenarios" : "";
 }
 
 ShardReader::ShardReader(const std::string& path) : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
@@ -305,9 +308,7 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header)
     const ShardReader there(path);
     const ShardHeader& h = there.header();
     std::string differs = difference(h, header);
-    if (differs.empty() &&
-        (h.part != header.part || h.parts != header.parts || h.first != header.first || h.end != header.end))
-      differs = "another part";
+    if (differs.empty() && (h.part != header.part || h.parts != header.parts)) differs = "another part";
     if (!differs.empty()) {
       throw InputError(fmt::format("{}: these rows are of {}", path, differs),
                        "results of both must not be mixed: name another output, or delete this file");

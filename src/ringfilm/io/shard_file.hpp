@@ -25,8 +25,8 @@ struct ShardHeader {
   study::ScenarioRange range() const { return {first, end}; }
 };
 
-/// What differs between two headers, in words ("another plan"); empty if their rows may be mixed. The part is not
-/// compared.
+/// What differs between two headers, in words ("another plan"); empty if their rows may be mixed. Which part it is is
+/// not compared; the same part must have the same scenarios.
 std::string difference(const ShardHeader& found, const ShardHeader& wanted);
 
 /// Where the sound chunks of a file lie.

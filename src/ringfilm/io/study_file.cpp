@@ -149,7 +149,8 @@ class StudyReader {
       faults_.push_back({{path_, 0, 0, ""}, "the study has no plan", "write [plan] and method = \"sobol\" below"});
       return;
     }
-    StudyTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels"}, faults_);
+    StudyTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels", "until"},
+                     faults_);
     table.needed_text("method", "\"sobol\"");
     sampling.method = table
                           .chosen<Method>("method", {{"grid", Method::kGrid},
@@ -167,6 +168,50 @@ class StudyReader {
                                                                {"first-and-total", study::Indices::kFirstAndTotal}})
                            .value_or(sampling.indices);
     if (sampling.method == Method::kList && faults_.empty()) read_list(table);
+    read_until(table);
+  }
+
+  void read_until(StudyTable& plan) {
+    const TomlValue* value = plan.find("until");
+    if (value == nullptr) return;
+    const std::size_t n_before = faults_.size();
+    StudyTable table(*value, "plan.until", {"value", "quantile", "width", "most"}, faults_);
+    study::Until until;
+    until.value = table.needed_text("value", "\"fmep\"");
+    until.quantile = table.number("quantile");
+    const auto most = table.count("most");
+    if (!most && faults_.size() == n_before)
+      table.refuse(value->mark, "plan.until has no most", "state how many points are enough: most = 100000");
+    until.most = most.value_or(0);
+    const auto& known = cycle::cycle_quantities();
+    const auto quantity =
+        std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
+    if (faults_.size() > n_before) return;
+    if (quantity == known.end()) {
+      std::vector<std::string> names;
+      for (const auto& one : known) names.push_back(one.name);
+      table.refuse_word(*table.find("value"), "value", until.value, names);
+      return;
+    }
+    if (const auto width = read_width(table, *quantity)) until.width = *width;
+    if (faults_.size() == n_before) study_.sampling.until = until;
+  }
+
+  std::optional<double> read_width(StudyTable& table, const cycle::Quantity& quantity) {
+    if (quantity.unit == "1") {
+      const auto width = table.number("width");
+      if (!width) table.refuse(table.mark(), "plan.until has no width", "write, for example, width = 0.01");
+      return width;
+    }
+    const std::string example = fmt::format("\"0.1 {}\"", quantity.display_unit);
+    const std::string text = table.needed_text("width", example);
+    if (text.empty()) return std::nullopt;
+    try {
+      return units_.quantity(text, quantity.unit, example);
+    } catch (const UnitError& problem) {
+      table.refuse(table.find("width")->mark, fmt::format("width = \"{}\" {}", text, problem.what()), problem.remedy);
+      return std::nullopt;
+    }
   }
 
   /// A column for each factor, in any order; of choices their place in the list of values, from 0.

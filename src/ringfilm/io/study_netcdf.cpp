@@ -81,8 +81,8 @@ void write_head(ResultFileWriter& file, const StudyRows& rows) {
   file.texts("input_file", {"input_file_path", "", "", "file as named", "", ""}, paths);
   file.texts("input_file", {"input_file_sha256", "", "", "SHA-256 of its bytes", "", ""}, digests);
   file.scalar({"plan", "", "", "all on which the numbers of the scenarios depend", "", ""}, rows.plan.digest_text());
-  if (!rows.plan.notes().empty())
-    file.texts("note", {"plan_note", "", "", "what must be known about the plan", "", ""}, rows.plan.notes());
+  const std::vector<std::string> notes = rows.notes();
+  if (!notes.empty()) file.texts("note", {"plan_note", "", "", "what must be known about the plan", "", ""}, notes);
 }
 
 /// Writes all that goes over scenarios, a block at a time.

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/study_until.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -74,6 +75,12 @@ std::uint64_t StudyRows::n_unsolved() const {
 std::vector<ShardReader::Unsolved> StudyRows::unsolved() const {
   std::vector<ShardReader::Unsolved> all;
   for (const ShardReader& shard : shards) shard.append_unsolved(all);
+  return all;
+}
+
+std::vector<std::string> StudyRows::notes() const {
+  std::vector<std::string> all = plan.notes();
+  for (std::string& note : until_notes(*this)) all.push_back(std::move(note));
   return all;
 }
 

@@ -26,6 +26,9 @@ struct StudyRows {
   std::vector<ShardReader::Unsolved> unsolved(const study::ScenarioRange& range) const;
   std::uint64_t n_unsolved() const;
 
+  /// What must be known about the plan and how it ended, one sentence each.
+  std::vector<std::string> notes() const;
+
  private:
   /// Calls for each shard that has some of the scenarios: the shard, which of them, and how many come before.
   template <class Read>
