@@ -74,7 +74,8 @@ export function contourLines(xs, ys, value, level) {
         const b = triangle[(i + 1) % 3];
         if ((a.v < level) !== (b.v < level)) ends.push(between(a, b, level));
       });
-      if (ends.length === 2) pieces.push(ends.map((p) => [p.x, p.y]));
+      // Through a corner that has just this value the piece has no length.
+      if (ends.length === 2 && Math.hypot(ends[0].x - ends[1].x, ends[0].y - ends[1].y) > 1e-3) pieces.push(ends.map((p) => [p.x, p.y]));
     }
   }
   return joined(pieces);
