@@ -19,6 +19,7 @@
 #include "ringfilm/io/study_file.hpp"
 #include "ringfilm/io/study_netcdf.hpp"
 #include "ringfilm/io/study_result.hpp"
+#include "ringfilm/report/study_page.hpp"
 #include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
 #include "ringfilm/study/study_run.hpp"
@@ -113,7 +114,7 @@ void check_parts(const StudyOptions& options, const Loaded& study) {
 void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
   std::vector<Fault> faults;
   for (const cycle::InputFile& input : study.file.files) {
-    for (const std::string& output : {files.result(), files.table()}) {
+    for (const std::string& output : {files.result(), files.table(), files.page()}) {
       if (is_same_file(output, input.path))
         faults.push_back({{}, output + ": the output is a file that the study is read from", "name another output"});
     }
@@ -179,7 +180,9 @@ void write_results(const StudyFiles& files, const Loaded& study, std::vector<io:
   const io::StudyRows rows{study.file, study.plan, std::move(shards)};
   io::write_study_result(files.result(), rows);
   io::write_study_csv(files.table(), rows);
-  std::cout << study_summary(rows) << "\nwrote " << files.result() << "\nwrote " << files.table() << "\n";
+  io::write_atomically(files.page(), report::study_page(rows, io::Units(), io::this_program()));
+  std::cout << study_summary(rows) << "\nwrote " << files.result() << "\nwrote " << files.table() << "\nwrote "
+            << files.page() << "\n";
   std::uint64_t unsolved = 0;
   for (const io::ShardReader& shard : rows.shards) unsolved += shard.n_unsolved();
   if (unsolved == study.plan.size()) throw FailedChecks("not one scenario could be solved");
@@ -240,6 +243,7 @@ void run_study(const StudyOptions& options) {
   files.make_folder();
   io::check_can_write(files.result(), io::Sink::kFile);
   io::check_can_write(files.table(), io::Sink::kFile);
+  io::check_can_write(files.page(), io::Sink::kFile);
   bool is_there = false;
   if (options.resume && fs::exists(finished)) {
     const io::ShardReader there(finished);
@@ -281,6 +285,7 @@ void merge_study(const StudyOptions& options) {
   study.take_points_of(shards.front());
   io::check_can_write(files.result(), io::Sink::kFile);
   io::check_can_write(files.table(), io::Sink::kFile);
+  io::check_can_write(files.page(), io::Sink::kFile);
   write_results(files, study, std::move(shards));
 }
 

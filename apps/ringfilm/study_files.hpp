@@ -20,6 +20,7 @@ class StudyFiles {
 
   std::string result() const { return stem_ + ".nc"; }
   std::string table() const { return stem_ + ".csv"; }
+  std::string page() const { return stem_ + ".html"; }
   /// Rows of a part while they are computed, and when all are there.
   std::string growing(std::uint64_t part, std::uint64_t parts) const;
   std::string finished(std::uint64_t part, std::uint64_t parts) const;
