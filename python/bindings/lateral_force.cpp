@@ -110,7 +110,7 @@ cut off at each end [-]. Returns a LoopFriction. Raises InputError. Source: docs
       py::arg("deviations") = "from-residuals",
       R"(A straight line through points that are uncertain in both directions, by weighted total least squares.
 
-x, y: shape (points,). x_deviation, y_deviation: standard deviations, one for all or one a point; "from-residuals" takes
+x, y: shape (points,) [any unit]. x_deviation, y_deviation: standard deviations, one for all or one a point; "from-residuals" takes
 only their ratios for known, "stated" themselves. Returns a LineFit. Raises InputError. Source: York (2004).)");
   part.def(
       "calibrate_on_silicon",

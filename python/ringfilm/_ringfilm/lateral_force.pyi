@@ -202,7 +202,7 @@ def calibrate_on_silicon(silicon: LineFit, load_unit: str, reference: Optional[T
 def fit_line(x: numpy.ndarray, y: numpy.ndarray, x_deviation: numpy.ndarray = 0.0, y_deviation: numpy.ndarray = 1.0, deviations: str = 'from-residuals') -> LineFit:
     """A straight line through points that are uncertain in both directions, by weighted total least squares.
 
-    x, y: shape (points,). x_deviation, y_deviation: standard deviations, one for all or one a point; "from-residuals" takes
+    x, y: shape (points,) [any unit]. x_deviation, y_deviation: standard deviations, one for all or one a point; "from-residuals" takes
     only their ratios for known, "stated" themselves. Returns a LineFit. Raises InputError. Source: York (2004)."""
     ...
 
