@@ -16,9 +16,12 @@
 #include "ringfilm/io/digest.hpp"
 #include "ringfilm/io/shard_file.hpp"
 #include "ringfilm/io/study_file.hpp"
+#include "ringfilm/io/study_netcdf.hpp"
 #include "ringfilm/io/study_result.hpp"
+#include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
 #include "ringfilm/study/study_run.hpp"
+#include "ringfilm/study/until.hpp"
 #include "stop_request.hpp"
 #include "study_files.hpp"
 #include "study_progress.hpp"
@@ -38,6 +41,16 @@ struct Loaded {
     study::check_scenarios(plan);
   }
 
+  const std::optional<study::Until>& until() const { return file.study.sampling.until; }
+
+  /// Of a study with `until` only the rows tell how many points it has.
+  void take_points_of(const io::ShardReader& rows) {
+    if (!until()) return;
+    const std::uint64_t of_a_point = plan.points_per_row() * file.study.bases.size();
+    file.study = study::with_points(file.study, (rows.next() - rows.header().first) / of_a_point);
+    plan = study::Plan(file.study);
+  }
+
   io::ShardHeader header(std::uint64_t part, std::uint64_t parts) const {
     const io::Provenance program = io::this_program();
     std::string inputs;
@@ -45,7 +58,9 @@ struct Loaded {
     for (const cycle::InputFile& input : file.files) {
       if (input.role != "study") inputs += fmt::format("{} {}\n", input.role, input.sha256);
     }
-    const study::ScenarioRange range = study::shard_range(plan.size(), part, parts);
+    const study::ScenarioRange range = study::shard_range(plan.most(), part, parts);
+    const study::Keep& keep = plan.study().keep;
+    const bool has_curves = keep.curves != study::Curves::kNone;
     return {io::sha256(plan.digest_text()),
             io::sha256(inputs),
             fmt::format("{} commit {} {}", program.program, program.commit, program.compiler),
@@ -53,7 +68,9 @@ struct Loaded {
             parts,
             range.first,
             range.end,
-            cycle::cycle_quantities().size()};
+            cycle::cycle_quantities().size(),
+            has_curves ? keep.quantities : std::vector<std::string>{},
+            study::kept_angles(keep).size()};
   }
 };
 
@@ -69,6 +86,21 @@ void check_grid(const StudyOptions& options, const study::Plan& plan) {
                    "add --yes if that is meant, or sample: method = \"sobol\"");
 }
 
+/// Curves of so many bytes are only kept where the user says so.
+constexpr double kLargestCurves = 2e9;
+
+void check_curves(const StudyOptions& options, const study::Plan& plan) {
+  const study::Keep& keep = plan.study().keep;
+  const double row = static_cast<double>(sizeof(float) * study::kept_quantities(keep).size()) *
+                     static_cast<double>(study::kept_angles(keep).size());
+  const double bytes = row * static_cast<double>(plan.most());
+  if (options.yes || bytes <= kLargestCurves) return;
+  throw InputError(
+      fmt::format("the curves of {} scenarios take {:.1f} GB on the disk, and as much again where all are kept",
+                  plan.most(), bytes / 1e9),
+      "add --yes if that is meant, or keep fewer quantities, a larger keep.crank_step, or curves = \"none\"");
+}
+
 void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
   std::vector<Fault> faults;
   for (const cycle::InputFile& input : study.file.files) {
@@ -80,13 +112,11 @@ void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-/// Computes what is missing of a part. @returns whether all of it is there
-bool compute(const StudyOptions& options, const Loaded& study, const std::string& path) {
-  const io::ShardHeader header = study.header(options.part, options.parts);
-  io::ShardWriter writer(path, header);
-  const StopRequest stop;
-  const std::uint64_t there = writer.next() - header.first;
-  StudyProgress progress(fs::path(options.study_path).stem().string(), there, header.range().size());
+/// Computes the scenarios of a part up to before `end`.
+void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& writer,
+             const study::ScenarioRange& range, const StopRequest& stop) {
+  const std::uint64_t there = writer.next() - range.first;
+  StudyProgress progress(fs::path(options.study_path).stem().string(), there, range.size());
   std::uint64_t unsolved = 0;
   study::StudyRunOptions run_options;
   run_options.batch.threads = options.threads;
@@ -95,16 +125,44 @@ bool compute(const StudyOptions& options, const Loaded& study, const std::string
       writer.append(chunk);
     } catch (const OutputError& error) {
       throw OutputError(fmt::format("{}\n{} of {} scenarios are kept; make room, then: {}", error.what(),
-                                    writer.next() - header.first, header.range().size(), resume_words(options)));
+                                    writer.next() - range.first, range.size(), resume_words(options)));
     }
     for (const study::ScenarioRow& row : chunk.rows) unsolved += row.reason.empty() ? 0 : 1;
-    progress.show(writer.next() - header.first, unsolved);
+    progress.show(writer.next() - range.first, unsolved);
     return stop.is_made() ? study::GoOn::kNo : study::GoOn::kYes;
   };
-  study::run_scenarios(study.plan, {writer.next(), header.end}, finished, run_options);
-  if (writer.next() == header.end) return true;
-  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to go on: {}", writer.next() - header.first,
-                                 header.range().size(), resume_words(options)));
+  study::run_scenarios(study.plan, {writer.next(), range.end}, finished, run_options);
+  if (writer.next() == range.end) return;
+  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to go on: {}", writer.next() - range.first,
+                                 range.size(), resume_words(options)));
+}
+
+/// Is a study with `until` sure enough with the rows that are there?
+bool is_sure(const Loaded& study, const std::string& path) {
+  const study::Until& until = *study.until();
+  const auto& known = cycle::cycle_quantities();
+  const auto quantity =
+      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
+  std::vector<double> values;
+  io::ShardReader(path).append_values(static_cast<std::size_t>(quantity - known.begin()), values);
+  return study::is_sure(until, study::sureness(study.plan, values));
+}
+
+/// Computes what is missing of a part, and of a study with `until` as much as it takes.
+void compute(const StudyOptions& options, Loaded& study, const std::string& path) {
+  const io::ShardHeader header = study.header(options.part, options.parts);
+  io::ShardWriter writer(path, header);
+  const StopRequest stop;
+  if (!study.until()) return compute(options, study, writer, header.range(), stop);
+  for (std::optional<std::uint64_t> points = study.file.study.sampling.scenarios; points;
+       points = study::next_look(*study.until(), *points)) {
+    study.file.study = study::with_points(study.file.study, *points);
+    study.plan = study::Plan(study.file.study);
+    // What was there before is not computed again, and what is beyond was computed because it had to be.
+    if (writer.next() > study.plan.size()) continue;
+    compute(options, study, writer, {0, study.plan.size()}, stop);
+    if (is_sure(study, path)) return;
+  }
 }
 
 /// Writes results and summary of a study of which all rows are there.
@@ -135,7 +193,7 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
     const std::string differs = io::difference(shards.back().header(), study.header(file.part, file.parts));
     if (!differs.empty())
       faults.push_back({{}, fmt::format("{}: these rows are of {}", file.path, differs), "compute this part anew"});
-    if (shards.back().header().part != file.part || !shards.back().is_complete())
+    if (shards.back().header().part != file.part || !(shards.back().is_complete() || study.until()))
       faults.push_back({{}, fmt::format("{}: this part is not complete", file.path), "compute it anew"});
   }
   if (!parts) {
@@ -157,8 +215,13 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
 }  // namespace
 
 void run_study(const StudyOptions& options) {
-  const Loaded study(options.study_path);
+  Loaded study(options.study_path);
   check_grid(options, study.plan);
+  if (study.until() && options.is_part) {
+    throw InputError("a study with plan.until cannot be run in parts: only all rows tell when it may stop",
+                     "leave --shard out, or take until out of the plan");
+  }
+  check_curves(options, study.plan);
   const StudyFiles files(options.output);
   const std::string growing = files.growing(options.part, options.parts);
   const std::string finished = files.finished(options.part, options.parts);
@@ -179,7 +242,8 @@ void run_study(const StudyOptions& options) {
       throw InputError(fmt::format("{}: these rows are of {}", finished, differs),
                        "results of both must not be mixed: name another output, or leave --resume out");
     }
-    is_there = there.is_complete();
+    // Of a study with `until` the name alone says that it came to its end.
+    is_there = there.is_complete() || study.until();
   }
   if (!is_there) {
     compute(options, study, growing);
@@ -192,14 +256,21 @@ void run_study(const StudyOptions& options) {
   }
   std::vector<io::ShardReader> shards;
   shards.emplace_back(finished);
-  write_results(files, study, std::move(shards));
+  study.take_points_of(shards.front());
+  try {
+    write_results(files, study, std::move(shards));
+  } catch (const OutputError& error) {
+    throw OutputError(
+        fmt::format("{}\nall scenarios are kept; make room, then: {}", error.what(), resume_words(options)));
+  }
 }
 
 void merge_study(const StudyOptions& options) {
-  const Loaded study(options.study_path);
+  Loaded study(options.study_path);
   const StudyFiles files(options.output);
   check_outputs_apart(files, study);
   std::vector<io::ShardReader> shards = joined_parts(options, files, study);
+  study.take_points_of(shards.front());
   io::check_can_write(files.result(), io::Sink::kFile);
   io::check_can_write(files.table(), io::Sink::kFile);
   write_results(files, study, std::move(shards));

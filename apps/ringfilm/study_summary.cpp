@@ -25,7 +25,7 @@ class Summary {
   std::string text() {
     const study::Study& study = plan_.study();
     text_ = fmt::format("{}\n", study.title);
-    for (const std::string& note : plan_.notes()) text_ += fmt::format("note: {}\n", note);
+    for (const std::string& note : rows_.notes()) text_ += fmt::format("note: {}\n", note);
     for (std::size_t b = 0; b < study.bases.size(); ++b) tell_base(b);
     tell_unsolved();
     return text_;

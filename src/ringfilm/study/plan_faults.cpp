@@ -4,6 +4,7 @@
 #include <set>
 
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/plan.hpp"
 #include "ringfilm/study/scenario.hpp"
 #include "ringfilm/study/wording.hpp"
@@ -388,6 +389,8 @@ std::vector<Fault> faults_of(const Study& study) {
   check_set_once(study, faults);
   check_correlations(study, faults);
   check_sampling(study, faults);
+  const Faults of_keep = faults_of_keep(study);
+  faults.insert(faults.end(), of_keep.begin(), of_keep.end());
   return faults;
 }
 

@@ -79,11 +79,15 @@ Places quantile_places(std::size_t n, double share, double confidence) {
   return places;
 }
 
+double quantile_place(std::size_t n, double share) {
+  const auto count = static_cast<double>(n);
+  return std::clamp(share * (count + 1.0 / 3) + 1.0 / 3 - 1, 0.0, count - 1);
+}
+
 Quantile quantile_of(std::span<const double> sorted, double share, double confidence) {
   if (sorted.empty()) throw std::invalid_argument("a quantile of no values");
   if (!(share > 0 && share < 1)) throw std::invalid_argument("a quantile beyond 0 and 1");
-  const auto n = static_cast<double>(sorted.size());
-  const double place = std::clamp(share * (n + 1.0 / 3) + 1.0 / 3 - 1, 0.0, n - 1);
+  const double place = quantile_place(sorted.size(), share);
   const auto before = static_cast<std::size_t>(place);
   const std::size_t after = std::min(before + 1, sorted.size() - 1);
   Quantile result;

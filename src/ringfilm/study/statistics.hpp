@@ -39,6 +39,9 @@ std::vector<double> sorted_values(std::span<const double> values);
 /// @param share probability that the quantile is not exceeded [-]
 Quantile quantile_of(std::span<const double> sorted, double share, double confidence = kConfidence);
 
+/// Place of a quantile among n values in order, from 0 to n - 1, between two of them as a rule; eq-sample-quantile.
+double quantile_place(std::size_t n, double share);
+
 /// Places among n values in order, from 0, that enclose a quantile; nothing where there is no such place.
 struct Places {
   std::optional<std::size_t> low, high;
