@@ -150,7 +150,7 @@ CaseObject from_state(const py::tuple& state) {
 }
 
 constexpr const char* kCaseDoc =
-    R"(The input of one engine cycle or of one pad, as a table of keys (docs/manual/case.md, ringfilm.fields()).
+    R"(The input of one engine cycle or of one pad, as a table of keys (docs/manual/case-file.md, ringfilm.fields()).
 
 Read one with Case.read, then read and change it key by key: case["operating.speed"] is a number in SI, and
 case["operating.speed"] = "2000 rpm" or = 209.4 (SI) states another one. None, or del, takes a key out. A value out of
@@ -185,7 +185,7 @@ void bind_case(py::module_& module) {
 path: name of the file, a str or a path.
 overrides: {key: value}, as --set of the program; None takes a key out.
 Raises InputError with every fault of every file, in the words of the program.
-Source: docs/manual/case.md.)");
+Source: docs/manual/case-file.md.)");
   type.def(
       "__getitem__",
       [](const CaseObject& self, const std::string& key) { return si_value(known_field(key), self.value()); },

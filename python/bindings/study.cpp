@@ -6,6 +6,7 @@
 #include "result_object.hpp"
 #include "ringfilm/io/study_file.hpp"
 #include "ringfilm/io/study_result.hpp"
+#include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
 #include "ringfilm/study/sobol_indices.hpp"
 #include "ringfilm/study/statistics.hpp"
@@ -33,6 +34,7 @@ struct StudyResultObject {
   std::shared_ptr<const Loaded> loaded;
   std::vector<std::vector<double>> values;  ///< of each cycle quantity over the scenarios
   std::vector<std::string> reasons;         ///< of each scenario; empty where it was solved
+  std::vector<float> curves;                ///< that the study keeps: [scenario][quantity][angle]
 };
 
 std::vector<double> of_base(const StudyResultObject& self, std::size_t quantity, std::size_t base, bool sample_only) {
@@ -106,7 +108,7 @@ py::list base_of_scenarios(const Loaded& loaded) {
 StudyResultObject run(const StudyObject& self, int threads, const py::object& progress) {
   const Plan& plan = self.loaded->plan;
   const auto n = static_cast<std::size_t>(plan.size());
-  StudyResultObject result{self.loaded, {}, std::vector<std::string>(n)};
+  StudyResultObject result{self.loaded, {}, std::vector<std::string>(n), {}};
   result.values.assign(cycle::cycle_quantities().size(), std::vector<double>(n));
   study::StudyRunOptions options;
   options.batch.threads = threads;
@@ -116,6 +118,8 @@ StudyResultObject run(const StudyObject& self, int threads, const py::object& pr
       const std::size_t scenario = chunk.first + i;
       for (std::size_t q = 0; q < result.values.size(); ++q) result.values[q][scenario] = chunk.rows[i].values[q];
       result.reasons[scenario] = chunk.rows[i].reason;
+      // Rows come in their order.
+      result.curves.insert(result.curves.end(), chunk.rows[i].curves.begin(), chunk.rows[i].curves.end());
     }
     const py::gil_scoped_acquire lock;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -175,6 +179,22 @@ py::list sobol(const StudyResultObject& self, const std::string& value, const st
     rows.append(row);
   }
   return rows;
+}
+
+/// A curve of all scenarios, shape (scenario, crank_angle), without a copy.
+py::array curves(const py::object& object, const std::string& name) {
+  const auto& self = object.cast<const StudyResultObject&>();
+  const study::Keep& keep = self.loaded->study().keep;
+  const auto kept = study::kept_quantities(keep);
+  const std::size_t n_angles = study::kept_angles(keep).size();
+  for (std::size_t q = 0; q < kept.size(); ++q) {
+    if (kept[q]->name != name) continue;
+    const auto angles = static_cast<py::ssize_t>(n_angles);
+    const auto row = static_cast<py::ssize_t>(kept.size() * n_angles * sizeof(float));
+    return view(self.curves.data() + q * n_angles, {static_cast<py::ssize_t>(self.reasons.size()), angles},
+                {row, static_cast<py::ssize_t>(sizeof(float))}, object);
+  }
+  throw InputError("the study keeps no curves of " + name, "write [keep] with curves and quantities into the study");
 }
 
 /// Variables as (dimensions, array, attributes), for to_xarray.
@@ -252,7 +272,7 @@ Source: docs/theory/study.md.)")
 
 threads: None, or 1 to 1024; the numbers do not depend on it. progress: called as progress(done, total) now and then.
 Returns a StudyResult. Ctrl-C ends the run with KeyboardInterrupt. A scenario that cannot be solved is a row of NaN with
-its reason. Raises InputError.)")
+its reason; a plan with [plan.until] is run at its stated size. Raises InputError.)")
       .def(
           "__repr__",
           [](const StudyObject& self) {
@@ -285,6 +305,16 @@ void bind_results(py::module_& module) {
             return view(self.cast<const StudyResultObject&>().values[quantity_index(name)], self);
           },
           py::arg("value"), "A value of the cycle over the scenarios, shape (scenario,), SI. Raises InputError.")
+      .def("curves", &curves, py::arg("quantity"),
+           R"(A curve of all scenarios, shape (scenario, crank_angle), SI, single precision, without a copy.
+
+Over crank_angle; NaN where a scenario was not solved. Raises InputError unless the study keeps it ([keep] in its file).)")
+      .def_property_readonly(
+          "crank_angle",
+          [](const StudyResultObject& self) {
+            return py::array(py::cast(study::kept_angles(self.loaded->study().keep)));
+          },
+          "The axis of curves(), from -360 to below 360 [degree]; empty where no curves are kept.")
       .def("statistics", &statistics, py::arg("value"), py::arg("base") = py::none(),
            R"(Mean with its standard error, deviation, quantiles (5, 25, 50, 75, 95 %) with their 95 % intervals.
 

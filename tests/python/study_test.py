@@ -93,6 +93,18 @@ def test_tables(study):
     assert study.to_pandas().shape == (16, 3)
 
 
+def test_curves_of_all_scenarios(folder):
+    (folder / "study.toml").write_text(STUDY + '[keep]\ncurves = "all"\nquantities = ["min_film_thickness", "power_loss"]\n')
+    study = ringfilm.Study.read("study.toml")
+    result = study.run()
+    curves = result.curves("power_loss")
+    assert curves.shape == (16, result.crank_angle.size) and result.crank_angle[0] == -360
+    # The mean of a curve at steps of 2 degree is that of the cycle but for what lies between them.
+    numpy.testing.assert_allclose(curves.mean(axis=1), result["mean_power_loss"], rtol=1e-2)
+    with pytest.raises(ringfilm.InputError, match="keeps no curves"):
+        result.curves("total_friction")
+
+
 def test_a_bad_study_is_refused(folder):
     (folder / "study.toml").write_text(STUDY.replace("operating.speed", "operating.sped"))
     with pytest.raises(ringfilm.InputError, match="operating.sped"):
