@@ -1,5 +1,7 @@
 #include "ringfilm/io/shipped.hpp"
 
+#include <dlfcn.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <vector>
@@ -12,10 +14,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The folder of the shared library that this code is a part of; nothing where it is a part of the program.
+std::optional<fs::path> module_folder() {
+  Dl_info info;
+  if (::dladdr(reinterpret_cast<const void*>(&find_shipped_folder), &info) == 0 || info.dli_fname == nullptr) return {};
+  std::error_code error;
+  const fs::path file = fs::canonical(info.dli_fname, error);
+  if (error || file.filename().string().find(".so") == std::string::npos) return std::nullopt;
+  return file.parent_path();
+}
+
 std::vector<fs::path> candidates() {
   // Stated by the user: nothing else is looked at, so that a wrong name is seen and not papered over.
   if (const char* stated = std::getenv("RINGFILM_DATA"); stated != nullptr && *stated != '\0') return {stated};
+  std::vector<fs::path> folders;
   std::error_code error;
+  if (const auto module = module_folder()) {
+    // Beside the module (a wheel), or where the distribution or a build folder has it:
+    // lib/python3/dist-packages/ringfilm.
+    folders.push_back(*module / "share");
+    fs::path above = *module;
+    for (int i = 0; i < 4; ++i) {
+      above = above.parent_path();
+      folders.push_back(above / "share" / "ringfilm");
+      folders.push_back(above);
+    }
+    return folders;
+  }
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
   const fs::path above = program.parent_path().parent_path();
