@@ -26,24 +26,23 @@ set(CPACK_COMPONENTS_ALL ${components})
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME ringfilm)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-    "friction, oil film and oil flow of a piston ring over the engine cycle
- ringfilm couples the transient Reynolds equation along the face of a piston
- ring, or around the whole ring, with the contact of rough surfaces and the
- balance of the ring, and marches that over crank angle until it repeats.
- One case file in, one result file and one web page out.
- .
- This package holds the program, the cases that come with it, its oils, its
- verifications, and a reader of result files for MATLAB and Octave.")
+"Friction, oil film and oil flow of a piston ring over the engine cycle: the
+transient Reynolds equation along the face of the ring, or around the whole
+ring, with the contact of rough surfaces and the balance of the ring, marched
+over crank angle until it repeats. One case file in, one result file and one
+web page out.
+.
+This package holds the program, the cases that come with it, its oils, its
+verifications, and a reader of result files for MATLAB and Octave.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gwyddion, octave-netcdf, python3-ringfilm")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libringfilm-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
-    "mixed lubrication of piston rings - C++ library
- Headers, static libraries, and the files by which CMake and pkg-config find
- them, for programs that compute cycles, batches and studies themselves, or
- bring an oil law of their own.")
+"The C++ library: headers, static libraries, and the files by which CMake and
+pkg-config find them, for programs that compute cycles, batches and studies
+themselves, or bring an oil law of their own.")
 # The cases and data that it finds at run time are those of the program.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
     "libboost-dev (>= 1.74), libfmt-dev, libnetcdf-dev, libpugixml-dev, libssl-dev, libtomlplusplus-dev, libudunits2-dev, libzip-dev")
@@ -52,9 +51,8 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "ringfilm (= ${PROJECT_VERSION}-1), 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-ringfilm)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
-    "mixed lubrication of piston rings - Python module
- Cases, cycles, batches, studies and measured surfaces at home in numpy,
- xarray and pandas; python3 -m ringfilm is the command line.")
+"The Python module: cases, cycles, batches, studies and measured surfaces at
+home in numpy, xarray and pandas; python3 -m ringfilm is the command line.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 # Built for one version of Python, the system's.
 execute_process(COMMAND /usr/bin/python3 -c "import sys; print('python3 (>= 3.%d), python3 (<< 3.%d)' % (sys.version_info[1], sys.version_info[1] + 1))"
