@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <set>
 
 #include "commands.hpp"
 #include "output_names.hpp"
@@ -16,11 +17,17 @@
 #include "ringfilm/io/digest.hpp"
 #include "ringfilm/io/shard_file.hpp"
 #include "ringfilm/io/study_file.hpp"
+#include "ringfilm/io/study_netcdf.hpp"
 #include "ringfilm/io/study_result.hpp"
+#include "ringfilm/report/study_page.hpp"
+#include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
 #include "ringfilm/study/study_run.hpp"
+#include "ringfilm/study/until.hpp"
+#include "slurm_queue.hpp"
 #include "stop_request.hpp"
 #include "study_files.hpp"
+#include "study_part_words.hpp"
 #include "study_progress.hpp"
 #include "study_summary.hpp"
 
@@ -38,6 +45,16 @@ struct Loaded {
     study::check_scenarios(plan);
   }
 
+  const std::optional<study::Until>& until() const { return file.study.sampling.until; }
+
+  /// Of a study with `until` only the rows tell how many points it has.
+  void take_points_of(const io::ShardReader& rows) {
+    if (!until()) return;
+    const std::uint64_t of_a_point = plan.points_per_row() * file.study.bases.size();
+    file.study = study::with_points(file.study, (rows.next() - rows.header().first) / of_a_point);
+    plan = study::Plan(file.study);
+  }
+
   io::ShardHeader header(std::uint64_t part, std::uint64_t parts) const {
     const io::Provenance program = io::this_program();
     std::string inputs;
@@ -45,7 +62,9 @@ struct Loaded {
     for (const cycle::InputFile& input : file.files) {
       if (input.role != "study") inputs += fmt::format("{} {}\n", input.role, input.sha256);
     }
-    const study::ScenarioRange range = study::shard_range(plan.size(), part, parts);
+    const study::ScenarioRange range = study::shard_range(plan.most(), part, parts);
+    const study::Keep& keep = plan.study().keep;
+    const bool has_curves = keep.curves != study::Curves::kNone;
     return {io::sha256(plan.digest_text()),
             io::sha256(inputs),
             fmt::format("{} commit {} {}", program.program, program.commit, program.compiler),
@@ -53,7 +72,9 @@ struct Loaded {
             parts,
             range.first,
             range.end,
-            cycle::cycle_quantities().size()};
+            cycle::cycle_quantities().size(),
+            has_curves ? keep.quantities : std::vector<std::string>{},
+            study::kept_angles(keep).size()};
   }
 };
 
@@ -69,10 +90,31 @@ void check_grid(const StudyOptions& options, const study::Plan& plan) {
                    "add --yes if that is meant, or sample: method = \"sobol\"");
 }
 
+/// Curves of so many bytes are only kept where the user says so.
+constexpr double kLargestCurves = 2e9;
+
+void check_curves(const StudyOptions& options, const study::Plan& plan) {
+  const study::Keep& keep = plan.study().keep;
+  const double row = static_cast<double>(sizeof(float) * study::kept_quantities(keep).size()) *
+                     static_cast<double>(study::kept_angles(keep).size());
+  const double bytes = row * static_cast<double>(plan.most());
+  if (options.yes || bytes <= kLargestCurves) return;
+  throw InputError(
+      fmt::format("the curves of {} scenarios take {:.1f} GB on the disk, and as much again where all are kept",
+                  plan.most(), bytes / 1e9),
+      "add --yes if that is meant, or keep fewer quantities, a larger keep.crank_step, or curves = \"none\"");
+}
+
+void check_parts(const StudyOptions& options, const Loaded& study) {
+  if (!study.until() || !options.is_part) return;
+  throw InputError("a study with plan.until cannot be run in parts: only all rows tell when it may stop",
+                   "leave --shard out, or take until out of the plan");
+}
+
 void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
   std::vector<Fault> faults;
   for (const cycle::InputFile& input : study.file.files) {
-    for (const std::string& output : {files.result(), files.table()}) {
+    for (const std::string& output : {files.result(), files.table(), files.page()}) {
       if (is_same_file(output, input.path))
         faults.push_back({{}, output + ": the output is a file that the study is read from", "name another output"});
     }
@@ -80,13 +122,11 @@ void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-/// Computes what is missing of a part. @returns whether all of it is there
-bool compute(const StudyOptions& options, const Loaded& study, const std::string& path) {
-  const io::ShardHeader header = study.header(options.part, options.parts);
-  io::ShardWriter writer(path, header);
-  const StopRequest stop;
-  const std::uint64_t there = writer.next() - header.first;
-  StudyProgress progress(fs::path(options.study_path).stem().string(), there, header.range().size());
+/// Computes the scenarios of a part up to before `end`.
+void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& writer,
+             const study::ScenarioRange& range, const StopRequest& stop) {
+  const std::uint64_t there = writer.next() - range.first;
+  StudyProgress progress(fs::path(options.study_path).stem().string(), there, range.size());
   std::uint64_t unsolved = 0;
   study::StudyRunOptions run_options;
   run_options.batch.threads = options.threads;
@@ -95,16 +135,44 @@ bool compute(const StudyOptions& options, const Loaded& study, const std::string
       writer.append(chunk);
     } catch (const OutputError& error) {
       throw OutputError(fmt::format("{}\n{} of {} scenarios are kept; make room, then: {}", error.what(),
-                                    writer.next() - header.first, header.range().size(), resume_words(options)));
+                                    writer.next() - range.first, range.size(), resume_words(options)));
     }
     for (const study::ScenarioRow& row : chunk.rows) unsolved += row.reason.empty() ? 0 : 1;
-    progress.show(writer.next() - header.first, unsolved);
+    progress.show(writer.next() - range.first, unsolved);
     return stop.is_made() ? study::GoOn::kNo : study::GoOn::kYes;
   };
-  study::run_scenarios(study.plan, {writer.next(), header.end}, finished, run_options);
-  if (writer.next() == header.end) return true;
-  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to go on: {}", writer.next() - header.first,
-                                 header.range().size(), resume_words(options)));
+  study::run_scenarios(study.plan, {writer.next(), range.end}, finished, run_options);
+  if (writer.next() == range.end) return;
+  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to go on: {}", writer.next() - range.first,
+                                 range.size(), resume_words(options)));
+}
+
+/// Is a study with `until` sure enough with the rows that are there?
+bool is_sure(const Loaded& study, const std::string& path) {
+  const study::Until& until = *study.until();
+  const auto& known = cycle::cycle_quantities();
+  const auto quantity =
+      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
+  std::vector<double> values;
+  io::ShardReader(path).append_values(static_cast<std::size_t>(quantity - known.begin()), values);
+  return study::is_sure(until, study::sureness(study.plan, values));
+}
+
+/// Computes what is missing of a part, and of a study with `until` as much as it takes.
+void compute(const StudyOptions& options, Loaded& study, const std::string& path) {
+  const io::ShardHeader header = study.header(options.part, options.parts);
+  io::ShardWriter writer(path, header);
+  const StopRequest stop;
+  if (!study.until()) return compute(options, study, writer, header.range(), stop);
+  for (std::optional<std::uint64_t> points = study.file.study.sampling.scenarios; points;
+       points = study::next_look(*study.until(), *points)) {
+    study.file.study = study::with_points(study.file.study, *points);
+    study.plan = study::Plan(study.file.study);
+    // What was there before is not computed again, and what is beyond was computed because it had to be.
+    if (writer.next() > study.plan.size()) continue;
+    compute(options, study, writer, {0, study.plan.size()}, stop);
+    if (is_sure(study, path)) return;
+  }
 }
 
 /// Writes results and summary of a study of which all rows are there.
@@ -112,7 +180,9 @@ void write_results(const StudyFiles& files, const Loaded& study, std::vector<io:
   const io::StudyRows rows{study.file, study.plan, std::move(shards)};
   io::write_study_result(files.result(), rows);
   io::write_study_csv(files.table(), rows);
-  std::cout << study_summary(rows) << "\nwrote " << files.result() << "\nwrote " << files.table() << "\n";
+  io::write_atomically(files.page(), report::study_page(rows, io::Units(), io::this_program()));
+  std::cout << study_summary(rows) << "\nwrote " << files.result() << "\nwrote " << files.table() << "\nwrote "
+            << files.page() << "\n";
   std::uint64_t unsolved = 0;
   for (const io::ShardReader& shard : rows.shards) unsolved += shard.n_unsolved();
   if (unsolved == study.plan.size()) throw FailedChecks("not one scenario could be solved");
@@ -135,7 +205,7 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
     const std::string differs = io::difference(shards.back().header(), study.header(file.part, file.parts));
     if (!differs.empty())
       faults.push_back({{}, fmt::format("{}: these rows are of {}", file.path, differs), "compute this part anew"});
-    if (shards.back().header().part != file.part || !shards.back().is_complete())
+    if (shards.back().header().part != file.part || !(shards.back().is_complete() || study.until()))
       faults.push_back({{}, fmt::format("{}: this part is not complete", file.path), "compute it anew"});
   }
   if (!parts) {
@@ -157,8 +227,10 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
 }  // namespace
 
 void run_study(const StudyOptions& options) {
-  const Loaded study(options.study_path);
+  Loaded study(options.study_path);
   check_grid(options, study.plan);
+  check_parts(options, study);
+  check_curves(options, study.plan);
   const StudyFiles files(options.output);
   const std::string growing = files.growing(options.part, options.parts);
   const std::string finished = files.finished(options.part, options.parts);
@@ -171,6 +243,7 @@ void run_study(const StudyOptions& options) {
   files.make_folder();
   io::check_can_write(files.result(), io::Sink::kFile);
   io::check_can_write(files.table(), io::Sink::kFile);
+  io::check_can_write(files.page(), io::Sink::kFile);
   bool is_there = false;
   if (options.resume && fs::exists(finished)) {
     const io::ShardReader there(finished);
@@ -179,11 +252,14 @@ void run_study(const StudyOptions& options) {
       throw InputError(fmt::format("{}: these rows are of {}", finished, differs),
                        "results of both must not be mixed: name another output, or leave --resume out");
     }
-    is_there = there.is_complete();
+    // Of a study with `until` the name alone says that it came to its end.
+    is_there = there.is_complete() || study.until();
   }
   if (!is_there) {
     compute(options, study, growing);
-    if (std::rename(growing.c_str(), finished.c_str()) != 0) io::fail_to_write(finished, errno);
+    const bool is_renamed = std::rename(growing.c_str(), finished.c_str()) == 0;
+    // Another process that went on with the same part may have been faster by a moment.
+    if (!is_renamed && !(errno == ENOENT && fs::exists(finished))) io::fail_to_write(finished, errno);
   }
   if (options.is_part) {
     std::cout << fmt::format("part {} of {} is {}: {}\n", options.part, options.parts,
@@ -192,17 +268,63 @@ void run_study(const StudyOptions& options) {
   }
   std::vector<io::ShardReader> shards;
   shards.emplace_back(finished);
-  write_results(files, study, std::move(shards));
+  study.take_points_of(shards.front());
+  try {
+    write_results(files, study, std::move(shards));
+  } catch (const OutputError& error) {
+    throw OutputError(
+        fmt::format("{}\nall scenarios are kept; make room, then: {}", error.what(), resume_words(options)));
+  }
 }
 
 void merge_study(const StudyOptions& options) {
-  const Loaded study(options.study_path);
+  Loaded study(options.study_path);
   const StudyFiles files(options.output);
   check_outputs_apart(files, study);
   std::vector<io::ShardReader> shards = joined_parts(options, files, study);
+  study.take_points_of(shards.front());
   io::check_can_write(files.result(), io::Sink::kFile);
   io::check_can_write(files.table(), io::Sink::kFile);
+  io::check_can_write(files.page(), io::Sink::kFile);
   write_results(files, study, std::move(shards));
+}
+
+std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t usual) {
+  const Loaded study(options.study_path);
+  check_grid(options, study.plan);
+  check_parts(options, study);
+  check_curves(options, study.plan);
+  const StudyFiles files(options.output);
+  check_outputs_apart(files, study);
+  const std::vector<PartFile> there = files.parts();
+  if (options.parts == 0) options.parts = there.empty() ? usual : there.front().parts;
+  std::vector<Fault> faults;
+  std::set<std::uint64_t> finished;
+  for (const PartFile& file : there) {
+    if (file.parts != options.parts) {
+      faults.push_back({{},
+                        fmt::format("{}: here stands a part of {}, not of {}", file.path, file.parts, options.parts),
+                        fmt::format("go on with --parts {}, name another output, or delete this file", file.parts)});
+      continue;
+    }
+    // A header that was cut off says nothing: the part is begun anew.
+    if (!file.is_finished && fs::file_size(file.path) == 0) continue;
+    const io::ShardReader rows(file.path);
+    const std::string differs = io::difference(rows.header(), study.header(file.part, file.parts));
+    if (!differs.empty()) {
+      faults.push_back({{},
+                        fmt::format("{}: these rows are of {}", file.path, differs),
+                        "results of both must not be mixed: name another output, or delete this file"});
+    } else if (file.is_finished && rows.is_complete()) {
+      finished.insert(file.part);
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t part = 1; part <= options.parts; ++part) {
+    if (!finished.contains(part)) missing.push_back(part);
+  }
+  return missing;
 }
 
 void tell_study_status(const StudyOptions& options) {
@@ -212,10 +334,13 @@ void tell_study_status(const StudyOptions& options) {
   std::cout << fmt::format("{}: {} scenarios\n", study.plan.study().title, study.plan.size());
   if (parts.empty()) std::cout << fmt::format("nothing of it stands in {}\n", options.output);
   std::optional<std::uint64_t> last_parts, last_part;
+  const std::optional<StudyJobs> jobs = StudyJobs::read(files);
+  const PartWords on_the_way(files, jobs);
   const auto tell_missing = [&](std::uint64_t until) {
     for (std::uint64_t part = last_part.value_or(0) + 1; last_parts && part < until; ++part)
-      std::cout << fmt::format("part {} of {}: not begun\n", part, *last_parts);
+      std::cout << fmt::format("part {} of {}: not begun{}\n", part, *last_parts, on_the_way.of(part, *last_parts));
   };
+  if (parts.empty() && jobs) last_parts = jobs->parts;
   for (const PartFile& file : parts) {
     if (last_parts && *last_parts != file.parts) {
       tell_missing(*last_parts + 1);
@@ -232,17 +357,21 @@ void tell_study_status(const StudyOptions& options) {
                           shard.header().range().size(), shard.n_unsolved(),
                           file.is_finished ? "finished" : "not finished");
       if (!differs.empty()) words += fmt::format("; these rows are of {}", differs);
+      if (!file.is_finished)
+        words += fmt::format("{}{}", last_change_words(file.path), on_the_way.of(file.part, file.parts));
       std::vector<io::ShardReader::Unsolved> unsolved;
       shard.append_unsolved(unsolved);
       constexpr std::size_t kTold = 3;
       for (std::size_t i = 0; i < std::min(unsolved.size(), kTold); ++i)
         words += fmt::format("\n  scenario {}: {}", unsolved[i].scenario, unsolved[i].reason);
+      if (unsolved.size() > kTold) words += fmt::format("\n  and {} more", unsolved.size() - kTold);
     } catch (const InputError& error) {
       words = error.faults().front().message;
     }
     std::cout << fmt::format("part {} of {}: {}\n", file.part, file.parts, words);
   }
   if (last_parts) tell_missing(*last_parts + 1);
+  std::cout << on_the_way.of_merge();
 }
 
 }  // namespace ringfilm::app

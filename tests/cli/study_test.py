@@ -11,35 +11,9 @@ import subprocess
 import time
 import unittest
 
+import program
 from program import PROGRAM, SOURCES, ProgramTest
-
-STUDY = """\
-title = "a small study"
-kind = "uncertainty"
-seed = 5
-
-[[base]]
-name = "new"
-case = "case.toml"
-
-[[factor]]
-name = "speed"
-key = "operating.speed"
-range = ["1000 rpm", "3000 rpm"]
-
-[[factor]]
-name = "roughness"
-key = "contact.roughness"
-how = "scale"
-distribution = "normal"
-mean = 1.0
-deviation = 0.1
-truncate = [0.5, 1.5]
-
-[plan]
-method = "sobol"
-scenarios = SCENARIOS
-"""
+from study import STUDY
 
 
 class StudyTest(ProgramTest):
@@ -55,7 +29,7 @@ class StudyTest(ProgramTest):
             return list(csv.DictReader(file))
 
     def contents(self, output):
-        return [(self.folder / output / name).read_bytes() for name in ("study.nc", "study.csv")]
+        return [(self.folder / output / name).read_bytes() for name in ("study.nc", "study.csv", "study.html")]
 
     def test_runs_to_the_end_with_results_and_quantiles(self):
         said = self.run_well("study", "study.toml", "-o", "out")
@@ -70,6 +44,29 @@ class StudyTest(ProgramTest):
         rpm = math.pi / 30
         self.assertEqual(len(set(speeds)), 16)
         self.assertTrue(all(1000 * rpm <= speed <= 3000 * rpm for speed in speeds))
+
+    def test_writes_a_page_that_needs_nothing_else(self):
+        self.write_study(STUDY.replace("SCENARIOS", "16").replace("a small study", "</script><b>small"))
+        self.assertIn("wrote out/study.html", self.run_well("study", "study.toml", "-o", "out"))
+        page = (self.folder / "out" / "study.html").read_text()
+        for outside in ('src="http', "src='http", 'href="http', "@import", "url(http"):
+            self.assertNotIn(outside, page)
+        self.assertIn("default-src 'none'", page)
+        data = page[page.index('id="result-data">') + len('id="result-data">'):]
+        data = json.loads(data[: data.index("</script>")])
+        self.assertEqual(data["title"], "</script><b>small")
+        self.assertEqual(data["statistics"]["fmep"][0]["n"], 16)
+        mean = sum(float(row["fmep [Pa]"]) for row in self.table()) / 16
+        self.assertAlmostEqual(data["statistics"]["fmep"][0]["mean"][0] / mean, 1, delta=1e-5)  # six digits
+
+    def test_screening_ranks_its_factors(self):
+        self.write_study(STUDY.replace('method = "sobol"', 'method = "morris"').replace("scenarios = SCENARIOS",
+                         "trajectories = 4").replace('kind = "uncertainty"', 'kind = "screening"'))
+        said = self.run_well("study", "study.toml", "-o", "out")
+        self.assertIn("elementary effects on fmep", said)
+        ranked = [line.split()[0] for line in said.splitlines() if "mu*" in line]
+        self.assertEqual(sorted(ranked), ["roughness", "speed"])
+        self.assertEqual(len(self.table()), 4 * 3)
 
     def test_one_scenario_is_the_case_itself(self):
         self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
@@ -156,6 +153,138 @@ class StudyTest(ProgramTest):
         self.run_well("study", "study.toml", "-o", "out", "--resume")
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
+    def curves_of(self, kind, extra="", output="out"):
+        """Runs the small study with curves and opens its result."""
+        try:
+            import netCDF4  # noqa: F401
+            import xarray
+        except ImportError:
+            program.skip_loudly(self, "python3-xarray and python3-netcdf4 are not installed")
+        study = STUDY.replace("SCENARIOS", "16").replace("deviation = 0.1\ntruncate = [0.5, 1.5]", "deviation = 0.5")
+        self.write_study(study + f'[keep]\ncurves = "{kind}"\n{extra}')
+        self.run_well("study", "study.toml", "-o", output)
+        with xarray.open_dataset(self.folder / output / "study.nc") as data:
+            return data.load()
+
+    def test_curves_in_full_stand_over_scenario_crank_angle_and_ring(self):
+        data = self.curves_of("all")
+        self.assertEqual(data.curve_total_friction.dims, ("scenario", "crank_angle", "ring"))
+        self.assertEqual(data.curve_total_friction.attrs["units"], "N")
+        self.assertEqual(data.crank_angle.values.tolist(), [float(x) for x in range(-360, 360, 2)])
+        self.assertEqual(data.ring.size, 1)
+        self.assertIn("factor_speed", data.curve_total_friction.coords)
+        self.assertIn("base", data.fmep.coords)
+        self.assertEqual(data.fmep.dims, ("scenario",))
+        solved = data.solved.values == 1
+        self.assertTrue(0 < solved.sum() < 16)  # a deviation of half the roughness takes some below 0
+        curves = data.curve_min_film_thickness.values[:, :, 0]
+        for i in range(16):
+            self.assertEqual(bool(solved[i]), not any(map(math.isnan, curves[i])))
+        # The curve passes every second step of the march, of which the value of the cycle is the smallest of all.
+        smallest = curves[solved].min(axis=1) / data.min_film_thickness.values[solved]
+        self.assertTrue(((smallest >= 1 - 1e-6) & (smallest < 1.05)).all(), smallest)
+
+    def test_curve_of_a_scenario_is_that_of_its_case(self):
+        self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
+                         'values = ["2000 rpm"]\n[plan]\nmethod = "grid"\n[keep]\ncurves = "all"\n'
+                         'quantities = ["friction_on_liner"]\ncrank_step = "10 degree"\n')
+        self.run_well("study", "study.toml", "-o", "out")
+        self.run_well("run", "case.toml", "--set", 'operating.speed="2000 rpm"', "--csv", "case.csv")
+        with open(self.folder / "case.csv", newline="") as stream:
+            case = {float(row["crank_angle [degree]"]): float(row["friction_on_liner [N]"])
+                    for row in csv.DictReader(stream)}
+        try:
+            import netCDF4
+        except ImportError:
+            program.skip_loudly(self, "python3-netcdf4 is not installed")
+        with netCDF4.Dataset(self.folder / "out" / "study.nc") as file:
+            angles, curve = file["crank_angle"][:], file["curve_friction_on_liner"][0, :, 0]
+        self.assertEqual(len(angles), 72)
+        for angle, value in zip(angles, curve):
+            # Single precision.
+            self.assertAlmostEqual(value, case[angle % 720], delta=1e-6 * abs(case[angle % 720]))
+
+    def test_quantiles_of_curves_are_those_of_the_curves_in_full(self):
+        full = self.curves_of("all", output="full")
+        data = self.curves_of("quantiles")
+        import numpy
+        band = data.curve_power_loss_quantile
+        self.assertEqual(band.dims, ("base_case", "quantile", "crank_angle", "ring"))
+        self.assertEqual(data["quantile"].values.tolist(), [0.05, 0.25, 0.5, 0.75, 0.95])
+        self.assertNotIn("curve_power_loss", data)
+        curves = full.curve_power_loss.values[full.solved.values == 1, :, 0]
+        expected = numpy.quantile(curves.astype(float), data["quantile"].values, axis=0, method="median_unbiased")
+        # What is kept is in single precision, and so is the quantile.
+        numpy.testing.assert_allclose(band.values[0, :, :, 0], expected, rtol=3e-7)
+        self.assertEqual(full.fmep.values.tobytes(), data.fmep.values.tobytes())
+
+    def test_values_of_the_cycle_are_the_same_whatever_curves_are_kept(self):
+        def values():
+            return (self.folder / "out" / "study.csv").read_bytes()
+
+        tables = []
+        for keep in ("", '[keep]\ncurves = "all"\n', '[keep]\ncurves = "quantiles"\ncrank_step = "8 degree"\n'):
+            self.write_study(STUDY.replace("SCENARIOS", "16") + keep)
+            self.run_well("study", "study.toml", "-o", "out")
+            tables.append(values())
+        self.assertEqual(len(set(tables)), 1)
+
+    def test_kills_leave_curves_as_they_are_and_other_curves_are_not_mixed_in(self):
+        keep = '[keep]\ncurves = "all"\ncrank_step = "4 degree"\n'
+        self.write_study(STUDY.replace("SCENARIOS", "512") + keep)
+        begun = time.monotonic()
+        self.run_well("study", "study.toml", "-o", "whole")
+        whole = time.monotonic() - begun
+        moments = random.Random(2)
+        n_killed = sum(self.killed("out", moments.uniform(0.1, 0.5) * whole, signal.SIGKILL)[0] == -signal.SIGKILL
+                       for _ in range(3))
+        self.assertGreater(n_killed, 0)
+        if (self.folder / "out" / "study.part-1-of-1.growing").exists():
+            self.write_study(STUDY.replace("SCENARIOS", "512") + keep.replace("4 degree", "8 degree"))
+            self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--resume"), "other curves")
+            self.write_study(STUDY.replace("SCENARIOS", "512") + keep)
+        self.run_well("study", "study.toml", "-o", "out", "--resume")
+        self.assertEqual(self.contents("whole"), self.contents("out"))
+        for part in (1, 2, 3):
+            self.run_well("study", "study.toml", "-o", "parts", "--shard", f"{part}/3")
+        self.run_well("study", "merge", "study.toml", "-o", "parts")
+        self.assertEqual(self.contents("whole"), self.contents("parts"))
+
+    def test_a_case_that_asks_for_fields_gives_curves_alone(self):
+        case = self.folder / "case.toml"
+        case.write_text(case.read_text() + '[output]\nfields = "all"\ncrank_angles = "0.5 degree"\n')
+        data = self.curves_of("all", 'quantities = ["min_film_thickness"]\n')
+        self.assertEqual(data.curve_min_film_thickness.shape, (16, 360, 1))
+        self.assertNotIn("film_pressure", data)
+
+    def test_curves_that_would_fill_a_disk_want_to_be_meant(self):
+        # 400 000 x 4 curves x 360 angles x 4 bytes
+        self.write_study(STUDY.replace("SCENARIOS", "400000") + '[keep]\ncurves = "quantiles"\n')
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "2.3 GB", "--yes")
+        self.assertNotIn("out", self.names())
+
+    def test_faults_of_what_is_kept_have_their_place(self):
+        good = STUDY.replace("SCENARIOS", "16") + ('[keep]\ncurves = "all"\nquantities = ["power_loss"]\n'
+                                                   'crank_step = "2 degree"\n')
+        line = good.splitlines().index("[keep]") + 1
+        for old, new, *told in (
+            ('curves = "all"', 'curves = "al"', f"study.toml:{line + 1}:10:", "did you mean all?"),
+            ('"power_loss"', '"power_los"', f"study.toml:{line + 2}:14:", "did you mean power_loss?"),
+            ('"power_loss"', '"crank_angle"', f"study.toml:{line + 2}:14:", "is not known"),
+            ('["power_loss"]', '[]', f"study.toml:{line + 2}:14:", "names no curve"),
+            ('"power_loss"', '"power_loss", "power_loss"', f"study.toml:{line + 2}:14:", "twice"),
+            ('"2 degree"', '"7 degree"', f"study.toml:{line + 3}:14:", "does not divide"),
+            ('"2 degree"', '"1.5 degree"', f"study.toml:{line + 3}:14:", "no multiple of solver.crank_step"),
+            ('"2 degree"', '"2"', f"study.toml:{line + 3}:14:", "has no unit"),
+            ('"2 degree"', '2', f"study.toml:{line + 3}:14:", "text"),
+            ("crank_step", "crank_steps", f"study.toml:{line + 3}:1:", "did you mean crank_step?"),
+        ):
+            with self.subTest(new):
+                self.assertIn(old, good)
+                self.write_study(good.replace(old, new))
+                self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), *told)
+        self.assertNotIn("out", self.names())
+
     def test_ctrl_c_stops_and_says_how_to_go_on(self):
         self.write_study(STUDY.replace("SCENARIOS", "4096"))
         code, said = self.killed("out", 3, signal.SIGINT)
@@ -177,6 +306,22 @@ class StudyTest(ProgramTest):
         done = self.run_program("study", "study.toml", "-o", "out", preexec_fn=small_disk)
         self.assertEqual(done.returncode, 5, done.stderr)
         self.assertIn("make room, then: ringfilm study study.toml -o out --resume", done.stderr)
+        self.run_well("study", "study.toml", "-o", "out", "--resume")
+        self.assertEqual(self.contents("whole"), self.contents("out"))
+
+    def test_a_disk_without_room_for_the_result_stops_before_it_is_begun(self):
+        self.run_well("study", "study.toml", "-o", "whole")
+        most = (self.folder / "whole" / "study.part-1-of-1.rows").stat().st_size + 4096
+
+        def small_disk():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+
+        done = self.run_program("study", "study.toml", "-o", "out", preexec_fn=small_disk)
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("MB are wanted", done.stderr)
+        self.assertIn("make room, then: ringfilm study study.toml -o out --resume", done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder / "out")), ["study.part-1-of-1.rows"])
         self.run_well("study", "study.toml", "-o", "out", "--resume")
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
@@ -213,6 +358,61 @@ class StudyTest(ProgramTest):
             said = self.run_well("study", str(study), "-o", study.stem, "--shard", "1/100")
             self.assertIn("part 1 of 100 is done", said)
             self.assertIn(", 0 not solved, finished", self.run_well("study", "status", str(study), "-o", study.stem))
+
+    def test_it_goes_on_until_the_interval_is_narrow(self):
+        def until(width, most=64):
+            return STUDY.replace("SCENARIOS", "8").replace("[plan]\n", '[plan]\nuntil = { value = "fmep", '
+                                                          f'width = "{width}", most = {most} }}\n')
+
+        def mean_width(rows):
+            # Student's t of 0.975 with 7, 15, 31 and 63 degrees of freedom, from a table.
+            t = {8: 2.3646, 16: 2.1314, 32: 2.0395, 64: 1.9983}[len(rows)]
+            values = [float(row["fmep [Pa]"]) for row in rows]
+            mean = sum(values) / len(values)
+            return 2 * t * math.sqrt(sum((x - mean) ** 2 for x in values) / (len(values) - 1) / len(values))
+
+        self.write_study(until("1e-9 Pa"))
+        said = self.run_well("study", "study.toml", "-o", "all")
+        self.assertIn("gave up after 64 points: the 95 % interval of the mean of fmep is", said)
+        rows = self.table("all")
+        self.assertEqual(len(rows), 64)
+        widths = [mean_width(rows[:n]) for n in (8, 16, 32)]
+        self.assertGreater(widths[0], 1.2 * widths[2])
+        # Between the widths at 16 and 32 points it stops at 32 and has the very same rows.
+        self.write_study(until(f"{1.01 * widths[2]} Pa"))
+        said = self.run_well("study", "study.toml", "-o", "out")
+        self.assertIn("stopped after 32 points", said)
+        self.assertEqual(self.table(), rows[:32])
+        whole = self.contents("out")
+        # It neither starts again nor goes on where it is done.
+        self.assertEqual(self.run_well("study", "study.toml", "-o", "out", "--resume"), said)
+        self.assertEqual(self.run_well("study", "merge", "study.toml", "-o", "out"), said)
+        self.assertEqual(self.contents("out"), whole)
+        # Cut off within the second look.
+        rows_file = self.folder / "out" / "study.part-1-of-1.rows"
+        rows_file.rename(rows_file.with_suffix(".growing"))
+        with open(rows_file.with_suffix(".growing"), "r+b") as file:
+            file.truncate(rows_file.with_suffix(".growing").stat().st_size - 1)
+        self.run_well("study", "study.toml", "-o", "out", "--resume")
+        self.assertEqual(self.contents("out"), whole)
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "1/2"), "in parts")
+        for wrong, *told in (
+            (until("1e-9 Pa", 4), "most = 4 is below"),
+            (until("1 N"), "a pressure"),
+            (until("1 Pa").replace('"fmep"', '"fmepp"'), "did you mean fmep?"),
+            (until("1 Pa").replace(", most = 64", ""), "plan.until has no most"),
+            (until("1 Pa").replace('"sobol"', '"latin-hypercube"'), "only Sobol points"),
+        ):
+            with self.subTest(told):
+                self.write_study(wrong)
+                self.assert_refused(self.run_program("study", "study.toml", "-o", "none"), *told)
+        self.assertNotIn("none", self.names())
+
+    def test_rows_of_another_number_of_scenarios_are_refused(self):
+        self.run_well("study", "study.toml", "-o", "out")
+        self.write_study(STUDY.replace("SCENARIOS", "32"))
+        for words in (["study", "study.toml", "-o", "out", "--resume"], ["study", "merge", "study.toml", "-o", "out"]):
+            self.assert_refused(self.run_program(*words), "another number of scenarios")
 
     def test_a_large_grid_wants_to_be_meant(self):
         self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'

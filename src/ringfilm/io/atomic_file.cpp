@@ -3,10 +3,13 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -168,9 +171,38 @@ void AsideFile::fill(std::string_view bytes) {
   if (file.number() < 0 || ::fsync(file.number()) != 0) fail_to_write(target_, errno);
 }
 
+void AsideFile::reserve(std::uint64_t bytes) {
+  const auto refuse = [&](int error_number) {
+    const double megabytes = static_cast<double>(bytes) / 1e6;
+    char room[64] = "";
+    std::snprintf(room, sizeof room, "up to %.0f MB are wanted: ", megabytes);
+    throw OutputError(target_ + ": could not be written: " + room + std::strerror(error_number));
+  };
+  struct rlimit most {};
+  if (::getrlimit(RLIMIT_FSIZE, &most) == 0 && most.rlim_cur != RLIM_INFINITY && bytes > most.rlim_cur) refuse(EFBIG);
+  const Descriptor file(::open(path_.c_str(), O_RDWR | O_CLOEXEC));
+  if (file.number() < 0) fail_to_write(target_, errno);
+#ifdef FALLOC_FL_KEEP_SIZE
+  is_reserved_ = true;
+  int status = 0;
+  do {
+    status = ::fallocate(file.number(), FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes));
+  } while (status != 0 && errno == EINTR);
+  if (status == 0) return;
+  if (errno != EOPNOTSUPP && errno != ENOSYS) refuse(errno);
+#endif
+  struct statvfs disk {};
+  if (::fstatvfs(file.number(), &disk) == 0 && disk.f_bavail * disk.f_frsize < bytes) refuse(ENOSPC);
+}
+
 void AsideFile::put_in_place() {
   {
-    const Descriptor file(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+    const Descriptor file(::open(path_.c_str(), (is_reserved_ ? O_RDWR : O_RDONLY) | O_CLOEXEC));
+    struct stat status {};
+    // Blocks beyond its end belong to a file until it is told its length.
+    if (is_reserved_ && ::fstat(file.number(), &status) == 0 && ::ftruncate(file.number(), status.st_size) != 0) {
+      fail_to_write(target_, errno);
+    }
     if (file.number() < 0 || ::fsync(file.number()) != 0) fail_to_write(target_, errno);
     take_over_mode(target_, file.number());  // not before: what is read-only could not be filled
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -33,12 +34,18 @@ class AsideFile {
   /// throws OutputError.
   void fill(std::string_view bytes);
 
+  /// Sets room aside on the disk for so many bytes, so that writing them cannot meet a full one; what is not needed is
+  /// given back when the file is put in place. Where the file system cannot do that, the room that is free must do.
+  /// Throws OutputError with the room that is wanted.
+  void reserve(std::uint64_t bytes);
+
   /// Flushes and renames; throws OutputError, what stood there before is then untouched.
   void put_in_place();
 
  private:
   std::string target_;
   std::string path_;
+  bool is_reserved_ = false;
 };
 
 /// Puts `bytes` into the file `path` through an AsideFile; a device or a pipe is written directly. Throws OutputError.

@@ -22,6 +22,8 @@ constexpr std::size_t kCompressedTo = 1 << 21;
 constexpr int kDeflateLevel = 4;
 /// Of fields in single precision, which may hold ten million values each.
 constexpr int kFieldDeflateLevel = 1;
+/// Of what is written block by block, which may be a million scenarios.
+constexpr int kBlockDeflateLevel = 1;
 
 /// Bytes that the file needs, from its first block (HDF5 file format specification, II.A): the library pads what it
 /// makes in memory, and a padded file would not be missed its end. All of it where that block is of no known kind.
@@ -46,6 +48,17 @@ ResultFileWriter::ResultFileWriter(const std::string& path) : path_(path), lock_
   int previous = 0;
   check(nc_create_mem("ringfilm", NC_NETCDF4, kFirstSize, &file_), "the file");
   check(nc_set_fill(file_, NC_NOFILL, &previous), "the file");  // every variable is written as a whole
+}
+
+ResultFileWriter::ResultFileWriter(const std::string& path, AsideFile& aside, std::uint64_t most_bytes)
+    : path_(path), lock_(netcdf_in_use()) {
+  check(nc_create(aside.path().c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "the file");
+  try {
+    aside.reserve(most_bytes);  // not before: what begins a file anew gives its room back
+  } catch (...) {
+    nc_abort(std::exchange(file_, -1));
+    throw;
+  }
 }
 
 ResultFileWriter::~ResultFileWriter() {
@@ -76,7 +89,8 @@ void ResultFileWriter::define_dimension(const char* name, std::size_t size) {
 }
 
 std::optional<int> ResultFileWriter::define_variable(const cycle::Quantity& quantity,
-                                                     const std::vector<const char*>& dimensions, int type) {
+                                                     const std::vector<const char*>& dimensions, int type,
+                                                     Storage storage) {
   std::vector<int> numbers;
   std::vector<std::size_t> lengths;
   std::size_t count = 1;
@@ -92,10 +106,11 @@ std::optional<int> ResultFileWriter::define_variable(const cycle::Quantity& quan
   int variable = 0;
   check(nc_def_var(file_, quantity.name.c_str(), type, static_cast<int>(numbers.size()), numbers.data(), &variable),
         quantity.name);
-  if (type == NC_DOUBLE && count >= kCompressedFrom && count <= kCompressedTo) {
+  const bool is_whole = storage == Storage::kWhole;
+  if (is_whole && type == NC_DOUBLE && count >= kCompressedFrom && count <= kCompressedTo) {
     check(nc_def_var_deflate(file_, variable, 1, 1, kDeflateLevel), quantity.name);
   }
-  if (type == NC_FLOAT && count >= kCompressedFrom) {
+  if (is_whole && type == NC_FLOAT && count >= kCompressedFrom) {
     if (lengths.size() == 3) lengths.front() = 1;  // whoever reads one crank angle reads nothing else
     check(nc_def_var_chunking(file_, variable, NC_CHUNKED, lengths.data()), quantity.name);
     check(nc_def_var_deflate(file_, variable, 1, 1, kFieldDeflateLevel), quantity.name);
@@ -210,6 +225,45 @@ void ResultFileWriter::describe(const std::string& variable, const char* attribu
   if (nc_inq_varid(file_, variable.c_str(), &number) != NC_NOERR) return;
   check(nc_put_att_double(file_, number, attribute, NC_DOUBLE, 1, &value), variable);
 }
+
+std::optional<int> ResultFileWriter::blocks(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+                                            Stored stored, const std::vector<std::size_t>& piece) {
+  constexpr int kTypes[] = {NC_BYTE, NC_INT64, NC_FLOAT, NC_DOUBLE, NC_STRING};
+  const int type = kTypes[static_cast<int>(stored)];
+  const auto variable = define_variable(quantity, dimensions, type, Storage::kOpen);
+  if (!variable) return variable;
+  std::size_t count = 1;
+  for (const std::size_t n : piece) count *= n;
+  check(nc_def_var_chunking(file_, *variable, NC_CHUNKED, piece.data()), quantity.name);
+  if (stored == Stored::kText) return variable;
+  check(nc_def_var_deflate(file_, *variable, 1, 1, kBlockDeflateLevel), quantity.name);
+  std::size_t bytes = 0;
+  check(nc_inq_type(file_, type, nullptr, &bytes), quantity.name);
+  check(nc_set_var_chunk_cache(file_, *variable, count * bytes, 1, 1.0F), quantity.name);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  if (stored == Stored::kDouble || stored == Stored::kSingle)
+    check(nc_put_att_double(file_, *variable, "_FillValue", type, 1, &none), quantity.name);
+  return variable;
+}
+
+void ResultFileWriter::put_block(int variable, const std::vector<std::size_t>& first,
+                                 const std::vector<std::size_t>& count, const double* values) {
+  check(nc_put_vara_double(file_, variable, first.data(), count.data(), values), "a block");
+}
+
+void ResultFileWriter::put_block(int variable, const std::vector<std::size_t>& first,
+                                 const std::vector<std::size_t>& count, const float* values) {
+  check(nc_put_vara_float(file_, variable, first.data(), count.data(), values), "a block");
+}
+
+void ResultFileWriter::put_block(int variable, const std::vector<std::size_t>& first,
+                                 const std::vector<std::size_t>& count, const std::vector<std::string>& values) {
+  std::vector<const char*> pointers;
+  for (const std::string& value : values) pointers.push_back(value.c_str());
+  check(nc_put_vara_string(file_, variable, first.data(), count.data(), pointers.data()), "a block");
+}
+
+void ResultFileWriter::close() { check(nc_close(std::exchange(file_, -1)), "the file"); }
 
 std::string_view ResultFileWriter::bytes() {
   NC_memio content{};

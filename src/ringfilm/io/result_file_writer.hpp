@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <limits>
@@ -13,17 +14,21 @@
 #include <vector>
 
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/atomic_file.hpp"
 
 namespace ringfilm::io {
 
-/// Makes a NetCDF-4 file in memory: the library cannot be trusted any more once it met a full disk. One half of the
-/// pair with ResultFileReader: `exchange` in result_file_layout.hpp calls either. Throws OutputError.
+/// Makes a NetCDF-4 file in memory, or on the disk where room for all of it was set aside: the library cannot be
+/// trusted any more once it met a full disk. One half of the pair with ResultFileReader: `exchange` in
+/// result_file_layout.hpp calls either. Throws OutputError.
 class ResultFileWriter {
  public:
   static constexpr bool kReads = false;
 
   /// @param path how errors name the file
   explicit ResultFileWriter(const std::string& path);
+  /// On the disk, for what is written block by block. @param most_bytes that it may become; see AsideFile::reserve
+  ResultFileWriter(const std::string& path, AsideFile& aside, std::uint64_t most_bytes);
   ResultFileWriter(const ResultFileWriter&) = delete;
   ResultFileWriter& operator=(const ResultFileWriter&) = delete;
   ~ResultFileWriter();
@@ -73,8 +78,29 @@ class ResultFileWriter {
   void describe(const std::string& variable, const char* attribute, const std::string& text);
   void describe(const std::string& variable, const char* attribute, double value);
 
+  /// A dimension by its length; none where that is 0.
+  void dimension(const char* name, std::size_t size) { define_dimension(name, size); }
+
+  /// What the numbers of a variable that is written block by block are in the file.
+  enum class Stored { kByte, kInteger, kSingle, kDouble, kText };
+
+  /// A variable over dimensions that exist, for `put_block`. Stored compressed in pieces of which each holds `piece`
+  /// numbers along each dimension; a block should be whole pieces, since no more than one is kept in memory.
+  /// @returns its number, or nothing where one of the dimensions is empty
+  std::optional<int> blocks(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity, Stored stored,
+                            const std::vector<std::size_t>& piece);
+  /// @param first place of the block along each dimension @param count its lengths
+  void put_block(int variable, const std::vector<std::size_t>& first, const std::vector<std::size_t>& count,
+                 const double* values);
+  void put_block(int variable, const std::vector<std::size_t>& first, const std::vector<std::size_t>& count,
+                 const float* values);
+  void put_block(int variable, const std::vector<std::size_t>& first, const std::vector<std::size_t>& count,
+                 const std::vector<std::string>& values);
+
   /// The whole file, without a copy: it lives as long as the writer. Call once, at the end.
   std::string_view bytes();
+  /// The same of a file on the disk: closes it.
+  void close();
 
  private:
   // What stands in the file for a value of that type.
@@ -86,6 +112,9 @@ class ResultFileWriter {
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
   }
 
+  /// How a variable is laid out: here, as fits what is written at once, or by whoever defines it.
+  enum class Storage { kWhole, kOpen };
+
   void define_dimension(const char* name, std::size_t size);
   /// Values on dimensions that exist; a single missing one is defined. Throws std::logic_error if they do not fit.
   template <class Value>
@@ -93,7 +122,7 @@ class ResultFileWriter {
                    const std::vector<Value>& values);
   /// @returns its number, or nothing where one of the dimensions is empty
   std::optional<int> define_variable(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-                                     int type);
+                                     int type, Storage storage = Storage::kWhole);
   void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
            const std::vector<double>& values);
   void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,

@@ -6,23 +6,27 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <bit>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/digest.hpp"
+#include "ringfilm/study/kept_curves.hpp"
 
 namespace ringfilm::io {
 namespace {
 
 // Blocks, one after the other: the size of the content, its SHA-256 in hexadecimal digits, the content. The first is
-// the header as text; each other begins with first scenario and number of rows, then values, then reasons as lines.
+// the header as text; each other begins with first scenario and number of rows, then values, curves, reasons as lines.
+// Numbers are little-endian: values of 8 bytes, those of curves of 4.
 constexpr std::uint64_t kDigits = 64, kFrame = 8 + kDigits, kChunkHead = 16;
 constexpr std::uint64_t kLargestHeader = 1 << 16, kLargestBlock = std::uint64_t{1} << 30;
-constexpr const char* kMagic = "ringfilm study rows 1";
+constexpr const char* kMagic = "ringfilm study rows 2";
 
 std::string number_bytes(std::uint64_t number) {
   std::string bytes(8, '\0');
@@ -38,19 +42,59 @@ std::uint64_t number_at(const std::string& bytes, std::size_t at) {
 
 std::string block(const std::string& content) { return number_bytes(content.size()) + sha256(content) + content; }
 
-std::string text_of(const ShardHeader& h) {
-  return fmt::format("{}\nplan {}\ninputs {}\npart {} {}\nrange {} {}\nvalues {}\nprogram {}\n", kMagic, h.plan,
-                     h.inputs, h.part, h.parts, h.first, h.end, h.n_values, h.program);
+template <class Bits>
+Bits swapped_on_big_endian(Bits bits) {
+  if constexpr (std::endian::native == std::endian::little) return bits;
+  Bits swapped = 0;
+  for (std::size_t i = 0; i < sizeof bits; ++i) swapped |= ((bits >> (8 * i)) & 0xff) << (8 * (sizeof bits - 1 - i));
+  return swapped;
 }
 
-std::string content_of(const study::ScenarioChunk& chunk, std::uint64_t n_values) {
+void append_number(std::string& bytes, double number) {
+  const auto bits = swapped_on_big_endian(std::bit_cast<std::uint64_t>(number));
+  bytes.append(reinterpret_cast<const char*>(&bits), sizeof bits);
+}
+
+void append_number(std::string& bytes, float number) {
+  const auto bits = swapped_on_big_endian(std::bit_cast<std::uint32_t>(number));
+  bytes.append(reinterpret_cast<const char*>(&bits), sizeof bits);
+}
+
+void numbers_of(const char* bytes, std::size_t n, double* to) {
+  for (std::size_t k = 0; k < n; ++k) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, bytes + k * sizeof bits, sizeof bits);
+    to[k] = std::bit_cast<double>(swapped_on_big_endian(bits));
+  }
+}
+
+void numbers_of(const char* bytes, std::size_t n, float* to) {
+  for (std::size_t k = 0; k < n; ++k) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, bytes + k * sizeof bits, sizeof bits);
+    to[k] = std::bit_cast<float>(swapped_on_big_endian(bits));
+  }
+}
+
+std::string text_of(const ShardHeader& h) {
+  return fmt::format("{}\nplan {}\ninputs {}\npart {} {}\nrange {} {}\nvalues {}\ncurves {} {} {}\nprogram {}\n",
+                     kMagic, h.plan, h.inputs, h.part, h.parts, h.first, h.end, h.n_values, h.n_angles, h.curves.size(),
+                     fmt::join(h.curves, " "), h.program);
+}
+
+/// Bytes of the numbers of a row.
+std::uint64_t row_bytes(const ShardHeader& h) {
+  return sizeof(double) * h.n_values + sizeof(float) * h.n_curve_numbers();
+}
+
+std::string content_of(const study::ScenarioChunk& chunk, const ShardHeader& header) {
   std::string content = number_bytes(chunk.first) + number_bytes(chunk.rows.size());
-  for (std::uint64_t i = 0; i < n_values; ++i) {
-    for (const study::ScenarioRow& row : chunk.rows) {
-      std::uint64_t bits = 0;
-      std::memcpy(&bits, &row.values.at(i), sizeof bits);
-      content += number_bytes(bits);
-    }
+  content.reserve(content.size() + row_bytes(header) * chunk.rows.size());
+  for (std::uint64_t i = 0; i < header.n_values; ++i) {
+    for (const study::ScenarioRow& row : chunk.rows) append_number(content, row.values.at(i));
+  }
+  for (std::uint64_t i = 0; i < header.n_curve_numbers(); ++i) {
+    for (const study::ScenarioRow& row : chunk.rows) append_number(content, row.curves.at(i));
   }
   for (std::size_t k = 0; k < chunk.rows.size(); ++k) {
     if (chunk.rows[k].reason.empty()) continue;
@@ -68,7 +112,11 @@ std::string difference(const ShardHeader& found, const ShardHeader& wanted) {
   // A plan knows the digests of its bases, so that changed files would pass for another plan.
   if (found.inputs != wanted.inputs) return "other input files, or such as have changed since";
   if (found.plan != wanted.plan) return "another plan: bases, factors, method or seed";
-  return found.n_values == wanted.n_values ? "" : "other values";
+  if (found.curves != wanted.curves || found.n_angles != wanted.n_angles) return "other curves: keep has changed";
+  if (found.n_values != wanted.n_values) return "other values";
+  const bool is_same_part = found.part == wanted.part && found.parts == wanted.parts;
+  const bool has_same_range = found.first == wanted.first && found.end == wanted.end;
+  return is_same_part && !has_same_range ? "another number of scenarios" : "";
 }
 
 ShardReader::ShardReader(const std::string& path) : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
@@ -93,6 +141,7 @@ ShardReader::ShardReader(ShardReader&& other) noexcept
       size_(other.size_),
       sound_bytes_(other.sound_bytes_),
       n_unsolved_(other.n_unsolved_),
+      reason_bytes_(other.reason_bytes_),
       header_(std::move(other.header_)),
       chunks_(std::move(other.chunks_)) {}
 
@@ -104,15 +153,19 @@ std::uint64_t ShardReader::next() const {
   return chunks_.empty() ? header_.first : chunks_.back().first + chunks_.back().n_rows;
 }
 
-std::string ShardReader::bytes(std::uint64_t at, std::uint64_t n) const {
-  std::string all(n, '\0');
+void ShardReader::read_bytes(std::uint64_t at, std::uint64_t n, char* to) const {
   std::uint64_t done = 0;
   while (done < n) {
-    const ssize_t got = ::pread(file_, all.data() + done, n - done, static_cast<off_t>(at + done));
+    const ssize_t got = ::pread(file_, to + done, n - done, static_cast<off_t>(at + done));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) throw InputError(fmt::format("{}: could not be read to its end", path_));
     done += static_cast<std::uint64_t>(got);
   }
+}
+
+std::string ShardReader::bytes(std::uint64_t at, std::uint64_t n) const {
+  std::string all(n, '\0');
+  read_bytes(at, n, all.data());
   return all;
 }
 
@@ -130,9 +183,19 @@ void ShardReader::read_header() {
   std::getline(lines, magic);
   lines >> word >> h.plan >> word >> h.inputs >> word >> h.part >> h.parts >> word >> h.first >> h.end >> word >>
       h.n_values >> word;
+  std::uint64_t n_curves = 0;
+  lines >> h.n_angles >> n_curves;
+  constexpr std::uint64_t kMostCurves = 1000;
+  if (!lines || n_curves > kMostCurves) throw no_such_file;
+  h.curves.resize(n_curves);
+  for (std::string& name : h.curves) lines >> name;
+  lines >> word;
   std::getline(lines >> std::ws, h.program);
   constexpr std::uint64_t kMostValues = 10'000;
-  if (magic != kMagic || !lines || h.first > h.end || h.n_values == 0 || h.n_values > kMostValues) throw no_such_file;
+  if (magic != kMagic || !lines || h.first > h.end || h.n_values == 0 || h.n_values > kMostValues ||
+      h.n_angles > study::kMostCurveNumbers || h.n_curve_numbers() > study::kMostCurveNumbers) {
+    throw no_such_file;
+  }
   sound_bytes_ = kFrame + n;
 }
 
@@ -146,44 +209,86 @@ bool ShardReader::read_chunk() {
   ChunkPlace place;
   place.first = number_at(content, 0);
   place.n_rows = number_at(content, 8);
-  const std::uint64_t most_rows = (n - kChunkHead) / (8 * header_.n_values);
+  const std::uint64_t most_rows = (n - kChunkHead) / row_bytes(header_);
   if (place.first != next() || place.n_rows == 0 || place.n_rows > most_rows ||
       place.n_rows > header_.end - place.first) {
     return false;
   }
-  const std::uint64_t n_bytes = 8 * header_.n_values * place.n_rows;
+  const std::uint64_t n_bytes = row_bytes(header_) * place.n_rows;
   place.values_at = sound_bytes_ + kFrame + kChunkHead;
+  place.curves_at = place.values_at + sizeof(double) * header_.n_values * place.n_rows;
   place.reasons_at = place.values_at + n_bytes;
   place.reasons_size = n - kChunkHead - n_bytes;
+  reason_bytes_ += place.reasons_size;
   for (std::size_t at = kChunkHead + n_bytes; at < n; ++at) n_unsolved_ += content[at] == '\n';
   chunks_.push_back(place);
   sound_bytes_ += kFrame + n;
   return true;
 }
 
-void ShardReader::append_values(std::size_t i, std::vector<double>& all) const {
-  for (const ChunkPlace& chunk : chunks_) {
-    const std::string raw = bytes(chunk.values_at + 8 * i * chunk.n_rows, 8 * chunk.n_rows);
-    for (std::uint64_t k = 0; k < chunk.n_rows; ++k) {
-      const std::uint64_t bits = number_at(raw, 8 * k);
-      double value = 0;
-      std::memcpy(&value, &bits, sizeof value);
-      all.push_back(value);
+std::span<const ChunkPlace> ShardReader::chunks_of(const study::ScenarioRange& range) const {
+  if (range.first < header_.first || range.end > next()) {
+    throw std::out_of_range(fmt::format("{}: scenarios {} to {} are not there", path_, range.first, range.end));
+  }
+  const auto begin = std::partition_point(chunks_.begin(), chunks_.end(), [&](const ChunkPlace& chunk) {
+    return chunk.first + chunk.n_rows <= range.first;
+  });
+  const auto end =
+      std::partition_point(begin, chunks_.end(), [&](const ChunkPlace& chunk) { return chunk.first < range.end; });
+  return {begin, end};
+}
+
+void ShardReader::read_values(std::size_t i, const study::ScenarioRange& range, double* to) const {
+  std::string raw;
+  for (const ChunkPlace& chunk : chunks_of(range)) {
+    const std::uint64_t begin = std::max(chunk.first, range.first);
+    const std::uint64_t n = std::min(chunk.first + chunk.n_rows, range.end) - begin;
+    raw.resize(sizeof(double) * n);
+    read_bytes(chunk.values_at + sizeof(double) * (i * chunk.n_rows + begin - chunk.first), raw.size(), raw.data());
+    numbers_of(raw.data(), n, to + (begin - range.first));
+  }
+}
+
+void ShardReader::read_curve(std::size_t i, std::size_t first_angle, std::size_t n_angles,
+                             const study::ScenarioRange& range, float* to, std::size_t stride) const {
+  if (i >= header_.curves.size() || first_angle + n_angles > header_.n_angles) {
+    throw std::out_of_range(fmt::format("{}: curve {} at angle {} is not there", path_, i, first_angle));
+  }
+  std::string raw;
+  for (const ChunkPlace& chunk : chunks_of(range)) {
+    const std::uint64_t begin = std::max(chunk.first, range.first);
+    const std::uint64_t n = std::min(chunk.first + chunk.n_rows, range.end) - begin;
+    raw.resize(sizeof(float) * n_angles * chunk.n_rows);
+    read_bytes(chunk.curves_at + sizeof(float) * (i * header_.n_angles + first_angle) * chunk.n_rows, raw.size(),
+               raw.data());
+    for (std::size_t k = 0; k < n_angles; ++k) {
+      const std::uint64_t at = k * chunk.n_rows + (begin - chunk.first);
+      numbers_of(raw.data() + sizeof(float) * at, n, to + k * stride + (begin - range.first));
     }
   }
 }
 
-void ShardReader::append_unsolved(std::vector<Unsolved>& all) const {
-  for (const ChunkPlace& chunk : chunks_) {
+void ShardReader::append_values(std::size_t i, std::vector<double>& all) const {
+  const study::ScenarioRange range{header_.first, next()};
+  all.resize(all.size() + range.size());
+  read_values(i, range, all.data() + (all.size() - range.size()));
+}
+
+void ShardReader::append_unsolved(const study::ScenarioRange& range, std::vector<Unsolved>& all) const {
+  for (const ChunkPlace& chunk : chunks_of(range)) {
     if (chunk.reasons_size == 0) continue;
     std::istringstream lines(bytes(chunk.reasons_at, chunk.reasons_size));
     Unsolved one{};
-    while (lines >> one.scenario && std::getline(lines >> std::ws, one.reason)) all.push_back(one);
+    while (lines >> one.scenario && std::getline(lines >> std::ws, one.reason)) {
+      if (one.scenario >= range.first && one.scenario < range.end) all.push_back(one);
+    }
   }
 }
 
+void ShardReader::append_unsolved(std::vector<Unsolved>& all) const { append_unsolved({header_.first, next()}, all); }
+
 ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header)
-    : path_(path), n_values_(header.n_values), next_(header.first) {
+    : path_(path), header_(header), next_(header.first) {
   constexpr mode_t kReadWriteAsUmaskAllows = 0666;
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kReadWriteAsUmaskAllows);
   if (file_ < 0) fail_to_write(path, errno);
@@ -193,6 +298,12 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header)
     }
     struct stat status {};
     if (::fstat(file_, &status) != 0) fail_to_write(path, errno);
+    struct stat named {};
+    if (::stat(path.c_str(), &named) != 0 || named.st_ino != status.st_ino || named.st_dev != status.st_dev) {
+      // Its last owner gave it its final name between the opening and the lock.
+      throw InputError(fmt::format("{}: another process has just finished this part", path),
+                       "start again, with --resume");
+    }
     const std::string first = block(text_of(header));
     // A header that was cut off says nothing; the rest of one that is there decides.
     if (static_cast<std::uint64_t>(status.st_size) < first.size()) {
@@ -203,9 +314,7 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header)
     const ShardReader there(path);
     const ShardHeader& h = there.header();
     std::string differs = difference(h, header);
-    if (differs.empty() &&
-        (h.part != header.part || h.parts != header.parts || h.first != header.first || h.end != header.end))
-      differs = "another part";
+    if (differs.empty() && (h.part != header.part || h.parts != header.parts)) differs = "another part";
     if (!differs.empty()) {
       throw InputError(fmt::format("{}: these rows are of {}", path, differs),
                        "results of both must not be mixed: name another output, or delete this file");
@@ -222,7 +331,7 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header)
 ShardWriter::~ShardWriter() { ::close(file_); }
 
 void ShardWriter::append(const study::ScenarioChunk& chunk) {
-  write(block(content_of(chunk, n_values_)));
+  write(block(content_of(chunk, header_)));
   next_ = chunk.first + chunk.rows.size();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,24 +12,28 @@ namespace ringfilm::io {
 
 /// To what rows belong; files whose headers differ must not be mixed.
 struct ShardHeader {
-  std::string plan;                   ///< SHA-256 of Plan::digest_text()
-  std::string inputs;                 ///< SHA-256 of the digests of all input files
-  std::string program;                ///< name, version and commit
-  std::uint64_t part = 1, parts = 1;  ///< this is part `part` of `parts`
-  std::uint64_t first = 0, end = 0;   ///< its scenarios, without `end`
-  std::uint64_t n_values = 0;         ///< of each row
+  std::string plan;                      ///< SHA-256 of Plan::digest_text()
+  std::string inputs;                    ///< SHA-256 of the digests of all input files
+  std::string program;                   ///< name, version and commit
+  std::uint64_t part = 1, parts = 1;     ///< this is part `part` of `parts`
+  std::uint64_t first = 0, end = 0;      ///< its scenarios, without `end`
+  std::uint64_t n_values = 0;            ///< of each row
+  std::vector<std::string> curves = {};  ///< names of those that are kept of each row
+  std::uint64_t n_angles = 0;            ///< over which they are kept, evenly spread over the cycle; 0 without curves
 
+  std::uint64_t n_curve_numbers() const { return curves.size() * n_angles; }
   study::ScenarioRange range() const { return {first, end}; }
 };
 
-/// What differs between two headers, in words ("another plan"); empty if their rows may be mixed. The part is not
-/// compared.
+/// What differs between two headers, in words ("another plan"); empty if their rows may be mixed. Which part it is is
+/// not compared; the same part must have the same scenarios.
 std::string difference(const ShardHeader& found, const ShardHeader& wanted);
 
 /// Where the sound chunks of a file lie.
 struct ChunkPlace {
   std::uint64_t first = 0, n_rows = 0;
   std::uint64_t values_at = 0;  ///< values one after the other, each of all rows
+  std::uint64_t curves_at = 0;  ///< then, in single precision, curves, angle by angle, each of all rows
   std::uint64_t reasons_at = 0, reasons_size = 0;
 };
 
@@ -48,6 +53,12 @@ class ShardReader {
   std::uint64_t sound_bytes() const { return sound_bytes_; }
   std::uint64_t n_unsolved() const { return n_unsolved_; }
 
+  /// Value `i` of these scenarios, all of which must be there.
+  void read_values(std::size_t i, const study::ScenarioRange& range, double* to) const;
+  /// Curve `i` of these scenarios at some angles: all scenarios at the first of them, then at the next. `stride` from
+  /// one angle to the next in `to`.
+  void read_curve(std::size_t i, std::size_t first_angle, std::size_t n_angles, const study::ScenarioRange& range,
+                  float* to, std::size_t stride) const;
   /// Appends value `i` of all rows, in the order of the scenarios.
   void append_values(std::size_t i, std::vector<double>& all) const;
 
@@ -55,17 +66,22 @@ class ShardReader {
     std::uint64_t scenario;
     std::string reason;
   };
-  /// Appends the rows that are not solved.
+  /// Appends the rows that are not solved, all or those among some scenarios.
   void append_unsolved(std::vector<Unsolved>& all) const;
+  void append_unsolved(const study::ScenarioRange& range, std::vector<Unsolved>& all) const;
+  std::uint64_t reason_bytes() const { return reason_bytes_; }  ///< of all reasons together
 
  private:
   void read_header();
   bool read_chunk();
   std::string bytes(std::uint64_t at, std::uint64_t n) const;
+  void read_bytes(std::uint64_t at, std::uint64_t n, char* to) const;
+  /// Chunks that hold some of these scenarios.
+  std::span<const ChunkPlace> chunks_of(const study::ScenarioRange& range) const;
 
   std::string path_;
   int file_ = -1;
-  std::uint64_t size_ = 0, sound_bytes_ = 0, n_unsolved_ = 0;
+  std::uint64_t size_ = 0, sound_bytes_ = 0, n_unsolved_ = 0, reason_bytes_ = 0;
   ShardHeader header_;
   std::vector<ChunkPlace> chunks_;
 };
@@ -89,7 +105,8 @@ class ShardWriter {
 
   std::string path_;
   int file_ = -1;
-  std::uint64_t n_values_, next_, length_ = 0;
+  ShardHeader header_;
+  std::uint64_t next_, length_ = 0;
 };
 
 }  // namespace ringfilm::io

@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <set>
 
+#include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/case_file.hpp"
 #include "ringfilm/io/csv_file.hpp"
 #include "ringfilm/io/source_text.hpp"
 #include "ringfilm/io/study_factor.hpp"
 #include "ringfilm/io/study_table.hpp"
+#include "ringfilm/io/units.hpp"
 #include "ringfilm/study/measured_factors.hpp"
 
 namespace ringfilm::io {
@@ -147,7 +149,8 @@ class StudyReader {
       faults_.push_back({{path_, 0, 0, ""}, "the study has no plan", "write [plan] and method = \"sobol\" below"});
       return;
     }
-    StudyTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels"}, faults_);
+    StudyTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels", "until"},
+                     faults_);
     table.needed_text("method", "\"sobol\"");
     sampling.method = table
                           .chosen<Method>("method", {{"grid", Method::kGrid},
@@ -165,6 +168,50 @@ class StudyReader {
                                                                {"first-and-total", study::Indices::kFirstAndTotal}})
                            .value_or(sampling.indices);
     if (sampling.method == Method::kList && faults_.empty()) read_list(table);
+    read_until(table);
+  }
+
+  void read_until(StudyTable& plan) {
+    const TomlValue* value = plan.find("until");
+    if (value == nullptr) return;
+    const std::size_t n_before = faults_.size();
+    StudyTable table(*value, "plan.until", {"value", "quantile", "width", "most"}, faults_);
+    study::Until until;
+    until.value = table.needed_text("value", "\"fmep\"");
+    until.quantile = table.number("quantile");
+    const auto most = table.count("most");
+    if (!most && faults_.size() == n_before)
+      table.refuse(value->mark, "plan.until has no most", "state how many points are enough: most = 100000");
+    until.most = most.value_or(0);
+    const auto& known = cycle::cycle_quantities();
+    const auto quantity =
+        std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
+    if (faults_.size() > n_before) return;
+    if (quantity == known.end()) {
+      std::vector<std::string> names;
+      for (const auto& one : known) names.push_back(one.name);
+      table.refuse_word(*table.find("value"), "value", until.value, names);
+      return;
+    }
+    if (const auto width = read_width(table, *quantity)) until.width = *width;
+    if (faults_.size() == n_before) study_.sampling.until = until;
+  }
+
+  std::optional<double> read_width(StudyTable& table, const cycle::Quantity& quantity) {
+    if (quantity.unit == "1") {
+      const auto width = table.number("width");
+      if (!width) table.refuse(table.mark(), "plan.until has no width", "write, for example, width = 0.01");
+      return width;
+    }
+    const std::string example = fmt::format("\"0.1 {}\"", quantity.display_unit);
+    const std::string text = table.needed_text("width", example);
+    if (text.empty()) return std::nullopt;
+    try {
+      return units_.quantity(text, quantity.unit, example);
+    } catch (const UnitError& problem) {
+      table.refuse(table.find("width")->mark, fmt::format("width = \"{}\" {}", text, problem.what()), problem.remedy);
+      return std::nullopt;
+    }
   }
 
   /// A column for each factor, in any order; of choices their place in the list of values, from 0.
@@ -204,9 +251,36 @@ class StudyReader {
   void read_keep(StudyTable& root) {
     const TomlValue* value = root.find("keep");
     if (value == nullptr) return;
-    StudyTable table(*value, "[keep]", {"curves"}, faults_);
-    study_.keep.curves =
-        table.chosen<study::Curves>("curves", {{"none", study::Curves::kNone}}).value_or(study::Curves::kNone);
+    StudyTable table(*value, "[keep]", {"curves", "quantities", "crank_step"}, faults_);
+    study::Keep& keep = study_.keep;
+    keep.curves = table
+                      .chosen<study::Curves>("curves", {{"none", study::Curves::kNone},
+                                                        {"all", study::Curves::kAll},
+                                                        {"quantiles", study::Curves::kQuantiles}})
+                      .value_or(keep.curves);
+    keep.quantities_mark = keep.crank_step_mark = value->key_mark;
+    if (const TomlValue* quantities = table.find("quantities")) read_kept_quantities(table, *quantities);
+    if (const TomlValue* step = table.find("crank_step")) {
+      keep.crank_step_mark = step->mark;
+      constexpr const char* kExample = "2 degree";
+      try {
+        keep.crank_step_deg = units_.quantity(table.text("crank_step").value_or(kExample), "degree", kExample);
+      } catch (const UnitError& problem) {
+        table.refuse(step->mark, fmt::format("crank_step = {} {}", step->as_written(), problem.what()), problem.remedy);
+      }
+    }
+  }
+
+  void read_kept_quantities(StudyTable& table, const TomlValue& quantities) {
+    std::vector<std::string> known;
+    for (const auto& curve : cycle::curve_quantities()) known.push_back(curve.name);
+    known.erase(known.begin());  // the crank angle, which is the axis
+    study_.keep.quantities = table.texts("quantities");
+    study_.keep.quantities_mark = quantities.mark;
+    for (const std::string& name : study_.keep.quantities) {
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        table.refuse_word(quantities, "quantities", name, known);
+    }
   }
 
   std::string path_, folder_;

@@ -15,22 +15,39 @@ struct StudyRows {
   const study::Plan& plan;
   std::vector<ShardReader> shards;  ///< in the order of their scenarios, without a gap
 
-  /// A cycle value of all scenarios; `i` counts cycle::cycle_quantities(). NaN where not solved.
+  /// A cycle value of all scenarios, or of some; `i` counts cycle::cycle_quantities(). NaN where not solved.
   std::vector<double> values(std::size_t i) const;
+  std::vector<double> values(std::size_t i, const study::ScenarioRange& range) const;
+  /// A curve of some scenarios at some angles, index [angle][scenario]; `i` counts study::Keep::quantities. NaN where
+  /// not solved.
+  std::vector<float> curve(std::size_t i, std::size_t first_angle, std::size_t n_angles,
+                           const study::ScenarioRange& range) const;
   std::vector<ShardReader::Unsolved> unsolved() const;
+  std::vector<ShardReader::Unsolved> unsolved(const study::ScenarioRange& range) const;
+  std::uint64_t n_unsolved() const;
+
+  /// What must be known about the plan and how it ended, one sentence each.
+  std::vector<std::string> notes() const;
+
+ private:
+  /// Calls for each shard that has some of the scenarios: the shard, which of them, and how many come before.
+  template <class Read>
+  void each_part(const study::ScenarioRange& range, const Read& read) const;
 };
 
 /// Numbers of the factors over all scenarios, factor by factor; NaN where one leaves its base as it is.
 std::vector<std::vector<double>> factor_columns(const study::Plan& plan);
 
+/// The same of some scenarios.
+std::vector<std::vector<double>> factor_columns(const study::Plan& plan, const study::ScenarioRange& range);
+
 /// The names of the factors in result files: "factor_face_crown", with a number where two would be called alike.
 std::vector<std::string> factor_variables(const study::Study& study);
 
-/// NetCDF-4 over the dimension scenario: base, factors, values of the cycle; docs/manual/study.md. Same rows, same
-/// bytes. Throws OutputError.
-void write_study_result(const std::string& path, const StudyRows& rows);
+/// The texts of a factor that is a choice; empty of one that is a number.
+std::vector<std::string> choice_texts(const study::Factor& factor);
 
-/// The same as a table, SI. Throws OutputError.
+/// The same as a table without curves, SI, block by block. Throws OutputError.
 void write_study_csv(const std::string& path, const StudyRows& rows);
 
 }  // namespace ringfilm::io

@@ -252,6 +252,11 @@ std::vector<std::string> Plan::notes() const {
     notes.push_back(std::to_string(sampling.scenarios) +
                     " scenarios are no power of two: Sobol points are evenest at powers of two");
   }
+  if (sampling.method == Method::kSobol || sampling.method == Method::kLatinHypercube) {
+    notes.push_back(std::string("the intervals of means and quantiles presume independent points; ") +
+                    (sampling.method == Method::kSobol ? "scrambled Sobol points" : "the points of a Latin hypercube") +
+                    " are more even, so that the intervals are wider than need be");
+  }
   if (sampling.method == Method::kOneAtATime && !study_.correlations.empty()) {
     notes.push_back("one factor at a time: the others stay at their medians, and correlations play no part");
   }

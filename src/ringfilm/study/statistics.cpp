@@ -79,11 +79,15 @@ Places quantile_places(std::size_t n, double share, double confidence) {
   return places;
 }
 
+double quantile_place(std::size_t n, double share) {
+  const auto count = static_cast<double>(n);
+  return std::clamp(share * (count + 1.0 / 3) + 1.0 / 3 - 1, 0.0, count - 1);
+}
+
 Quantile quantile_of(std::span<const double> sorted, double share, double confidence) {
   if (sorted.empty()) throw std::invalid_argument("a quantile of no values");
   if (!(share > 0 && share < 1)) throw std::invalid_argument("a quantile beyond 0 and 1");
-  const auto n = static_cast<double>(sorted.size());
-  const double place = std::clamp(share * (n + 1.0 / 3) + 1.0 / 3 - 1, 0.0, n - 1);
+  const double place = quantile_place(sorted.size(), share);
   const auto before = static_cast<std::size_t>(place);
   const std::size_t after = std::min(before + 1, sorted.size() - 1);
   Quantile result;
@@ -106,6 +110,24 @@ std::optional<double> interval_width(std::span<const double> values, std::option
   const Quantile found = quantile_of(sorted, *quantile_share, confidence);
   if (!found.low || !found.high) return std::nullopt;
   return *found.high - *found.low;
+}
+
+std::optional<Mean> relative_difference(std::span<const double> first, std::span<const double> second) {
+  if (first.size() != second.size()) throw std::invalid_argument("samples of different points");
+  std::vector<double> base, differences;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (!std::isfinite(first[i]) || !std::isfinite(second[i])) continue;
+    base.push_back(first[i]);
+    differences.push_back(second[i] - first[i]);
+  }
+  const auto mean = mean_of(base);
+  auto result = mean_of(differences);
+  if (!mean || !result || mean->value == 0) return std::nullopt;
+  result->left_out = first.size() - result->count;
+  result->value /= mean->value;
+  result->standard_error /= std::abs(mean->value);
+  result->deviation /= std::abs(mean->value);
+  return result;
 }
 
 std::vector<Stage> convergence(std::span<const double> values, const std::vector<double>& shares, double confidence) {

@@ -39,6 +39,9 @@ std::vector<double> sorted_values(std::span<const double> values);
 /// @param share probability that the quantile is not exceeded [-]
 Quantile quantile_of(std::span<const double> sorted, double share, double confidence = kConfidence);
 
+/// Place of a quantile among n values in order, from 0 to n - 1, between two of them as a rule; eq-sample-quantile.
+double quantile_place(std::size_t n, double share);
+
 /// Places among n values in order, from 0, that enclose a quantile; nothing where there is no such place.
 struct Places {
   std::optional<std::size_t> low, high;
@@ -49,6 +52,12 @@ Places quantile_places(std::size_t n, double share, double confidence = kConfide
 /// `until` watches. Nothing while there are too few values for both ends.
 std::optional<double> interval_width(std::span<const double> values, std::optional<double> quantile_share,
                                      double confidence = kConfidence);
+
+/// Mean of the differences of a second sample to a first of the same points, relative to the mean of the first
+/// [-]; eq-paired-difference. Points without a value in one of them are left out. What both have in common cancels, so
+/// that the interval is narrower than those of the two means. Nothing if there are fewer than two pairs or the first
+/// mean is 0. @returns standard_error and deviation relative, too
+std::optional<Mean> relative_difference(std::span<const double> first, std::span<const double> second);
 
 /// Statistics of the first n values of a sample.
 struct Stage {

@@ -50,8 +50,13 @@ struct Sampling {
 
 enum class Curves { kNone, kAll, kQuantiles };
 
+/// What stays of a scenario beside the values of its cycle.
 struct Keep {
   Curves curves = Curves::kNone;
+  /// Names of cycle::curve_quantities(), without the crank angle.
+  std::vector<std::string> quantities = {"min_film_thickness", "total_friction", "friction_on_liner", "power_loss"};
+  double crank_step_deg = 2;  ///< of the axis that all scenarios have in common [degree]
+  SourceMark quantities_mark, crank_step_mark;
 };
 
 struct Study {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
 
 namespace ringfilm::study {
@@ -15,16 +16,25 @@ namespace {
 /// Ends a batch from within.
 struct Stopped {};
 
-ScenarioRow row_of(const cycle::CycleValues& values) {
+/// The curves of a chunk [bytes].
+constexpr std::size_t kLargestCurves = std::size_t{1} << 24;
+
+ScenarioRow row_of(const cycle::CycleResult& result, const Keep& keep) {
   ScenarioRow row;
-  for (const auto& quantity : cycle::cycle_quantities()) row.values.push_back(values.*quantity.value);
+  for (const auto& quantity : cycle::cycle_quantities()) row.values.push_back(result.values.*quantity.value);
+  row.curves = kept_numbers(keep, result.samples);
   return row;
 }
 
-ScenarioRow unsolved_row(std::string reason) {
+ScenarioRow unsolved_row(std::string reason, const Keep& keep) {
   while (!reason.empty() && reason.back() == '\n') reason.pop_back();
   return {std::vector<double>(cycle::cycle_quantities().size(), std::numeric_limits<double>::quiet_NaN()),
-          reason.empty() ? "not solved" : std::move(reason)};
+          reason.empty() ? "not solved" : std::move(reason), no_kept_numbers(keep)};
+}
+
+std::uint64_t rows_in_chunk(const Keep& keep, std::uint64_t most_rows) {
+  const std::size_t row = sizeof(float) * kept_quantities(keep).size() * kept_angles(keep).size();
+  return row == 0 ? most_rows : std::min<std::uint64_t>(most_rows, std::max<std::size_t>(kLargestCurves / row, 1));
 }
 
 /// What is wrong with a scenario, in one line.
@@ -37,8 +47,7 @@ std::string reason_of(const InputError& refusal) {
 /// Puts rows that end in any order back into theirs.
 class Collector {
  public:
-  Collector(std::uint64_t first, const std::function<GoOn(const ScenarioChunk&)>& finished,
-            const StudyRunOptions& options)
+  Collector(std::uint64_t first, const std::function<GoOn(const ScenarioChunk&)>& finished, StudyRunOptions options)
       : next_(first), finished_(finished), options_(options) {}
 
   void put(std::uint64_t scenario, ScenarioRow row) {
@@ -71,7 +80,7 @@ class Collector {
   std::uint64_t n_ready_ = 0;  ///< from there on without a gap
   std::map<std::uint64_t, ScenarioRow> rows_;
   const std::function<GoOn(const ScenarioChunk&)>& finished_;
-  const StudyRunOptions& options_;
+  StudyRunOptions options_;
   Clock::time_point last_ = Clock::now();
 };
 
@@ -89,7 +98,10 @@ ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::ui
 
 std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
                             const std::function<GoOn(const ScenarioChunk&)>& finished, const StudyRunOptions& options) {
-  Collector collector(range.first, finished, options);
+  const Keep& keep = plan.study().keep;
+  StudyRunOptions in_chunks = options;
+  in_chunks.most_rows = rows_in_chunk(keep, options.most_rows);
+  Collector collector(range.first, finished, in_chunks);
   std::map<std::size_t, std::uint64_t> scenario_of;  // of the cases on their way, by their place in the batch
   std::size_t n_given = 0;
   std::uint64_t next = range.first;
@@ -98,19 +110,20 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
       const std::uint64_t i = next++;
       try {
         cycle::Case one = scenario_case(plan.study(), plan.point(i));
-        one.output.fields = cycle::FieldsWanted::kNone;
+        ask_for_kept(keep, one);
         scenario_of[n_given++] = i;
         return one;
       } catch (const InputError& refusal) {
-        collector.put(i, unsolved_row(reason_of(refusal)));
+        collector.put(i, unsolved_row(reason_of(refusal), keep));
       }
     }
     return std::nullopt;
   };
   const auto ended = [&](Ending ending) {
     const std::uint64_t i = scenario_of.extract(ending.index).mapped();
-    collector.put(i, ending.is_solved() ? row_of(ending.result.values)
-                                        : unsolved_row(ending.refusal ? reason_of(*ending.refusal) : ending.reason()));
+    collector.put(i, ending.is_solved()
+                         ? row_of(ending.result, keep)
+                         : unsolved_row(ending.refusal ? reason_of(*ending.refusal) : ending.reason(), keep));
   };
   try {
     simulate_cases(source, ended, options.batch);

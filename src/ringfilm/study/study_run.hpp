@@ -15,8 +15,9 @@ inline constexpr std::uint64_t kLargestGrid = 10'000;
 
 /// What is kept of a scenario.
 struct ScenarioRow {
-  std::vector<double> values;  ///< in the order of cycle::cycle_quantities(); all NaN if not solved
-  std::string reason;          ///< why it was not solved; empty if it was
+  std::vector<double> values;      ///< in the order of cycle::cycle_quantities(); all NaN if not solved
+  std::string reason;              ///< why it was not solved; empty if it was
+  std::vector<float> curves = {};  ///< kept_numbers(): quantity by quantity over the angles; all NaN if not solved
 };
 
 /// Scenarios `first` to `first + rows.size()`.
@@ -39,7 +40,7 @@ enum class GoOn { kYes, kNo };
 
 struct StudyRunOptions {
   BatchOptions batch;
-  std::uint64_t most_rows = 256;  ///< in one chunk
+  std::uint64_t most_rows = 256;  ///< in one chunk; fewer where their curves are more than 16 MB
   double longest_wait = 2;        ///< what is ready is handed over after this time at the latest [s]
 };
 

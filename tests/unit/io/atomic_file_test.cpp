@@ -145,5 +145,21 @@ TEST(AtomicFile, FoldersAndUnwritablePlacesAreRefusedBeforehand) {
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
 }
 
+TEST(AsideFile, RoomThatIsSetAsideDoesNotShowInTheFile) {
+  const ScratchFolder folder;
+  const std::string path = folder / "a";
+  AsideFile aside(path);
+  aside.reserve(1 << 20);
+  std::ofstream(aside.path(), std::ios::app) << "short";
+  aside.put_in_place();
+  EXPECT_EQ(std::filesystem::file_size(path), 5u);
+}
+
+TEST(AsideFile, RoomThatIsNotThereIsRefused) {
+  const ScratchFolder folder;
+  AsideFile aside(folder / "a");
+  EXPECT_THROW(aside.reserve(std::uint64_t{1} << 60), OutputError);
+}
+
 }  // namespace
 }  // namespace ringfilm::io

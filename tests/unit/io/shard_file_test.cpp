@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 
 #include "ringfilm/base/error.hpp"
 #include "scratch_folder.hpp"
@@ -112,6 +113,64 @@ TEST(ShardFile, RefusesRowsOfSomethingElse) {
   for (const ShardHeader& other : {plan, inputs, program, part}) EXPECT_THROW(ShardWriter(path, other), InputError);
   EXPECT_NE(difference(header(), plan), difference(header(), inputs));
   EXPECT_EQ(bytes_of(path), before);
+}
+
+ShardHeader header_with_curves() {
+  ShardHeader with = header();
+  with.curves = {"power_loss", "total_friction"};
+  with.n_angles = 3;
+  return with;
+}
+
+/// Curves whose numbers say where they stand.
+study::ScenarioChunk chunk_with_curves(std::uint64_t first, std::uint64_t n) {
+  study::ScenarioChunk with = chunk(first, n);
+  for (std::uint64_t k = 0; k < n; ++k) {
+    for (int q = 0; q < 2; ++q)
+      for (int a = 0; a < 3; ++a)
+        with.rows[k].curves.push_back(static_cast<float>(first + k) + 100.0F * static_cast<float>(q) +
+                                      1000.0F * static_cast<float>(a));
+  }
+  return with;
+}
+
+TEST(ShardFile, GivesBackAnyPartOfTheCurves) {
+  const ScratchFolder folder;
+  const std::string path = folder / "rows";
+  {
+    ShardWriter writer(path, header_with_curves());
+    writer.append(chunk_with_curves(10, 1));
+    writer.append(chunk_with_curves(11, 3));
+    writer.append(chunk_with_curves(14, 2));
+  }
+  const ShardReader shard(path);
+  EXPECT_EQ(difference(shard.header(), header_with_curves()), "");
+  EXPECT_NE(difference(shard.header(), header()), "");
+  for (std::uint64_t first = 10; first < 16; ++first) {
+    for (std::uint64_t end = first + 1; end <= 16; ++end) {
+      const std::uint64_t n = end - first, stride = n + 1;
+      std::vector<float> found(2 * stride, -1);
+      shard.read_curve(1, 1, 2, {first, end}, found.data(), stride);
+      std::vector<double> values(n);
+      shard.read_values(0, {first, end}, values.data());
+      for (std::uint64_t k = 0; k < n; ++k) {
+        EXPECT_EQ(found[k], 1100.0F + static_cast<float>(first + k));
+        EXPECT_EQ(found[stride + k], 2100.0F + static_cast<float>(first + k));
+        if (first + k == 12) continue;
+        EXPECT_EQ(values[k], static_cast<double>(first + k));
+      }
+      EXPECT_EQ(found[n], -1);  // what lies between two angles is not touched
+    }
+  }
+  std::vector<float> room(100);
+  EXPECT_THROW(shard.read_curve(2, 0, 1, {10, 16}, room.data(), 6), std::out_of_range);
+  EXPECT_THROW(shard.read_curve(0, 2, 2, {10, 16}, room.data(), 6), std::out_of_range);
+  EXPECT_THROW(shard.read_curve(0, 0, 1, {10, 17}, room.data(), 7), std::out_of_range);
+  std::vector<ShardReader::Unsolved> unsolved;
+  shard.append_unsolved({13, 16}, unsolved);
+  EXPECT_TRUE(unsolved.empty());
+  shard.append_unsolved({12, 13}, unsolved);
+  EXPECT_EQ(unsolved.size(), 1u);
 }
 
 TEST(ShardFile, LetsOneAlonePutRowsIn) {

@@ -1,3 +1,4 @@
+#include "ringfilm/io/study_netcdf.hpp"
 #include "ringfilm/io/study_result.hpp"
 
 #include <gtest/gtest.h>

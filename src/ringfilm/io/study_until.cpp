@@ -1,0 +1,34 @@
+#include "ringfilm/io/study_until.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ringfilm/io/units.hpp"
+#include "ringfilm/study/until.hpp"
+
+namespace ringfilm::io {
+
+std::vector<std::string> until_notes(const StudyRows& rows) {
+  const study::Study& study = rows.plan.study();
+  if (!study.sampling.until) return {};
+  const study::Until& until = *study.sampling.until;
+  const auto& known = cycle::cycle_quantities();
+  const auto quantity =
+      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
+  const auto bases = study::sureness(rows.plan, rows.values(static_cast<std::size_t>(quantity - known.begin())));
+  const Units units;
+  const auto shown = [&](double width) { return units.shown(width, quantity->unit, quantity->display_unit); };
+  const bool is_sure = study::is_sure(until, bases);
+  std::string note =
+      fmt::format("{} {} points: the 95 % interval of {} is ", is_sure ? "stopped after" : "gave up after",
+                  study.sampling.scenarios, study::statistic_words(until));
+  for (std::size_t i = 0; i < bases.size(); ++i) {
+    if (i > 0) note += ", ";
+    note += bases[i].width ? shown(*bases[i].width) + " wide" : "not to be told, with too few solved scenarios,";
+    if (bases.size() > 1) note += fmt::format(" for {}", study.bases[bases[i].base].name);
+  }
+  return {fmt::format("{}; wanted: {}", note, shown(until.width))};
+}
+
+}  // namespace ringfilm::io

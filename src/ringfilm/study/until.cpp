@@ -1,0 +1,45 @@
+#include "ringfilm/study/until.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ringfilm/study/statistics.hpp"
+#include "ringfilm/study/wording.hpp"
+
+namespace ringfilm::study {
+
+std::optional<std::uint64_t> next_look(const Until& until, std::uint64_t points) {
+  if (points >= until.most) return std::nullopt;
+  return points > until.most / 2 ? until.most : 2 * points;
+}
+
+std::vector<Sureness> sureness(const Plan& plan, const std::vector<double>& values) {
+  const Until& until = plan.study().sampling.until.value();
+  std::vector<Sureness> all;
+  for (std::size_t base = 0; base < plan.study().bases.size(); ++base) {
+    std::vector<double> sample;
+    for (std::uint64_t p = 0; p < plan.n_points(base); ++p) {
+      if (plan.is_sample(p)) sample.push_back(values.at(plan.scenario(base, p)));
+    }
+    all.push_back({base, interval_width(sample, until.quantile)});
+  }
+  return all;
+}
+
+bool is_sure(const Until& until, const std::vector<Sureness>& bases) {
+  return std::all_of(bases.begin(), bases.end(),
+                     [&](const Sureness& one) { return one.width && *one.width <= until.width; });
+}
+
+Study with_points(Study study, std::uint64_t points) {
+  study.sampling.scenarios = points;
+  return study;
+}
+
+std::string statistic_words(const Until& until) {
+  constexpr double kPercent = 100;
+  if (!until.quantile) return "the mean of " + until.value;
+  return "the " + shown(kPercent * *until.quantile) + " % quantile of " + until.value;
+}
+
+}  // namespace ringfilm::study
