@@ -20,9 +20,18 @@ class StudyFiles {
 
   std::string result() const { return stem_ + ".nc"; }
   std::string table() const { return stem_ + ".csv"; }
+  std::string page() const { return stem_ + ".html"; }
   /// Rows of a part while they are computed, and when all are there.
   std::string growing(std::uint64_t part, std::uint64_t parts) const;
   std::string finished(std::uint64_t part, std::uint64_t parts) const;
+
+  /// What a task of a cluster says while it computes a part.
+  std::string log(std::uint64_t part, std::uint64_t parts) const;
+  std::string merge_log() const { return stem_ + ".merge.log"; }
+
+  std::string folder() const;
+  /// The start of all names, without the folder.
+  std::string name() const;
 
   /// Makes the folder if it is missing. Throws OutputError.
   void make_folder() const;

@@ -7,16 +7,13 @@
 #include <utility>
 
 #include "ringfilm/io/units.hpp"
+#include "ringfilm/study/main_values.hpp"
+#include "ringfilm/study/morris.hpp"
 #include "ringfilm/study/sobol_indices.hpp"
 #include "ringfilm/study/statistics.hpp"
 
 namespace ringfilm::app {
 namespace {
-
-/// What is told of every study; the others stand in its files.
-const std::vector<std::string> kMainValues = {
-    "fmep",        "mean_power_loss",       "mean_total_friction", "peak_total_friction", "min_film_thickness",
-    "mixed_share", "mean_absolute_oil_flow"};
 
 class Summary {
  public:
@@ -32,27 +29,23 @@ class Summary {
   }
 
  private:
-  /// Values of the points of one base, in their order: those of a sample alone, or all.
-  std::vector<double> of_base(const std::vector<double>& all, std::size_t base, bool sample_only) const {
-    std::vector<double> values;
-    for (std::uint64_t p = 0; p < plan_.n_points(base); ++p) {
-      if (!sample_only || plan_.is_sample(p)) values.push_back(all[plan_.scenario(base, p)]);
-    }
-    return values;
-  }
-
   void tell_base(std::size_t base) {
-    const bool is_sample = plan_.is_sample(0);
+    const bool is_sample = study::has_sample(plan_);
+    const study::Among among = is_sample ? study::Among::kSample : study::Among::kAll;
     text_ += fmt::format("\nbase {}, {} scenarios\n", plan_.study().bases[base].name, plan_.n_points(base));
     text_ += is_sample ? fmt::format("  {:<24}{:>16}{:>16}{:>16}{:>16}\n", "", "mean", "5 %", "50 %", "95 %")
                        : fmt::format("  {:<24}{:>16}{:>16}{:>16}\n", "", "lowest", "median", "highest");
     const auto& quantities = cycle::cycle_quantities();
     for (std::size_t i = 0; i < quantities.size(); ++i) {
-      if (std::find(kMainValues.begin(), kMainValues.end(), quantities[i].name) == kMainValues.end()) continue;
+      if (std::find(study::main_values().begin(), study::main_values().end(), quantities[i].name) ==
+          study::main_values().end())
+        continue;
       const std::vector<double> all = rows_.values(i);
-      tell_value(quantities[i], of_base(all, base, is_sample), is_sample);
-      if (plan_.study().sampling.indices != study::Indices::kNone && quantities[i].name == kMainValues.front())
-        indices_ = indices_text(of_base(all, base, false), quantities[i].name);
+      tell_value(quantities[i], study::values_of_base(plan_, all, base, among), is_sample);
+      if (plan_.study().sampling.indices != study::Indices::kNone && quantities[i].name == study::main_values().front())
+        indices_ = indices_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i].name);
+      if (plan_.study().sampling.method == study::Method::kMorris && quantities[i].name == study::main_values().front())
+        indices_ = screening_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i]);
     }
     text_ += std::exchange(indices_, "");
   }
@@ -60,18 +53,14 @@ class Summary {
   void tell_value(const cycle::Quantity& quantity, const std::vector<double>& values, bool is_sample) {
     const std::vector<double> sorted = study::sorted_values(values);
     if (sorted.empty()) return;
-    const auto shown = [&](double x) {
-      const double converted = units_.scale(quantity.display_unit, quantity.unit).from_si(x);
-      const std::string unit = quantity.display_unit == "1" ? "" : " " + quantity.display_unit;
-      return fmt::format("{:>16}", fmt::format("{:.5g}{}", converted, unit));
-    };
+    const auto padded = [&](double x) { return fmt::format("{:>16}", shown(quantity, x)); };
     text_ += fmt::format("  {:<24}", quantity.name);
     const auto mean = study::mean_of(values);
     if (is_sample) {
-      text_ += mean ? shown(mean->value) : fmt::format("{:>16}", "");
-      for (const double share : {0.05, 0.5, 0.95}) text_ += shown(study::quantile_of(sorted, share).value);
+      text_ += mean ? padded(mean->value) : fmt::format("{:>16}", "");
+      for (const double share : {0.05, 0.5, 0.95}) text_ += padded(study::quantile_of(sorted, share).value);
     } else {
-      text_ += shown(sorted.front()) + shown(study::quantile_of(sorted, 0.5).value) + shown(sorted.back());
+      text_ += padded(sorted.front()) + padded(study::quantile_of(sorted, 0.5).value) + padded(sorted.back());
     }
     text_ += "\n";
   }
@@ -89,13 +78,47 @@ class Summary {
     return text;
   }
 
+  std::string shown(const cycle::Quantity& quantity, double value) const {
+    const double converted = units_.scale(quantity.display_unit, quantity.unit).from_si(value);
+    const std::string unit = quantity.display_unit == "1" ? "" : " " + quantity.display_unit;
+    return fmt::format("{:.5g}{}", converted, unit);
+  }
+
+  /// Factors by the size of their elementary effects, strongest first.
+  std::string screening_text(const std::vector<double>& values, const cycle::Quantity& of) const {
+    const auto effects = study::morris_effects(plan_.trajectories(), values);
+    std::vector<std::size_t> order;
+    for (std::size_t j = 0; j < effects.size(); ++j) {
+      if (effects[j]) order.push_back(j);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return effects[a]->mean_absolute > effects[b]->mean_absolute;
+    });
+    std::string text =
+        fmt::format("  elementary effects on {} over the whole range of each factor (Morris)\n", of.name);
+    for (const std::size_t j : order) {
+      text += fmt::format("    {:<36} mu* {:>14} +- {:>14}   sigma {:>14}\n", plan_.study().factors[j].name,
+                          shown(of, effects[j]->mean_absolute), shown(of, effects[j]->mean_absolute_error),
+                          shown(of, effects[j]->deviation));
+    }
+    for (std::size_t j = 0; j < effects.size(); ++j) {
+      if (!effects[j])
+        text += fmt::format("    {:<36} no effect known: too few solved\n", plan_.study().factors[j].name);
+    }
+    return text;
+  }
+
   void tell_unsolved() {
-    const auto unsolved = rows_.unsolved();
-    if (unsolved.empty()) return;
-    text_ += fmt::format("\n{} of {} scenarios were not solved; the first:\n", unsolved.size(), plan_.size());
-    constexpr std::size_t kTold = 3;
-    for (std::size_t i = 0; i < std::min(unsolved.size(), kTold); ++i)
-      text_ += fmt::format("  scenario {}: {}\n", unsolved[i].scenario, unsolved[i].reason);
+    const std::uint64_t n_unsolved = rows_.n_unsolved();
+    if (n_unsolved == 0) return;
+    text_ += fmt::format("\n{} of {} scenarios were not solved; the first:\n", n_unsolved, plan_.size());
+    constexpr std::uint64_t kTold = 3, kBlock = 4096;  // a block at a time: there may be a million
+    std::uint64_t n_told = 0;
+    for (std::uint64_t first = 0; first < plan_.size() && n_told < std::min(n_unsolved, kTold); first += kBlock) {
+      for (const auto& one : rows_.unsolved({first, std::min(first + kBlock, plan_.size())})) {
+        if (n_told++ < kTold) text_ += fmt::format("  scenario {}: {}\n", one.scenario, one.reason);
+      }
+    }
   }
 
   const io::StudyRows& rows_;

@@ -13,34 +13,7 @@ import unittest
 
 import program
 from program import PROGRAM, SOURCES, ProgramTest
-
-STUDY = """\
-title = "a small study"
-kind = "uncertainty"
-seed = 5
-
-[[base]]
-name = "new"
-case = "case.toml"
-
-[[factor]]
-name = "speed"
-key = "operating.speed"
-range = ["1000 rpm", "3000 rpm"]
-
-[[factor]]
-name = "roughness"
-key = "contact.roughness"
-how = "scale"
-distribution = "normal"
-mean = 1.0
-deviation = 0.1
-truncate = [0.5, 1.5]
-
-[plan]
-method = "sobol"
-scenarios = SCENARIOS
-"""
+from study import STUDY
 
 
 class StudyTest(ProgramTest):
@@ -56,7 +29,7 @@ class StudyTest(ProgramTest):
             return list(csv.DictReader(file))
 
     def contents(self, output):
-        return [(self.folder / output / name).read_bytes() for name in ("study.nc", "study.csv")]
+        return [(self.folder / output / name).read_bytes() for name in ("study.nc", "study.csv", "study.html")]
 
     def test_runs_to_the_end_with_results_and_quantiles(self):
         said = self.run_well("study", "study.toml", "-o", "out")
@@ -71,6 +44,29 @@ class StudyTest(ProgramTest):
         rpm = math.pi / 30
         self.assertEqual(len(set(speeds)), 16)
         self.assertTrue(all(1000 * rpm <= speed <= 3000 * rpm for speed in speeds))
+
+    def test_writes_a_page_that_needs_nothing_else(self):
+        self.write_study(STUDY.replace("SCENARIOS", "16").replace("a small study", "</script><b>small"))
+        self.assertIn("wrote out/study.html", self.run_well("study", "study.toml", "-o", "out"))
+        page = (self.folder / "out" / "study.html").read_text()
+        for outside in ('src="http', "src='http", 'href="http', "@import", "url(http"):
+            self.assertNotIn(outside, page)
+        self.assertIn("default-src 'none'", page)
+        data = page[page.index('id="result-data">') + len('id="result-data">'):]
+        data = json.loads(data[: data.index("</script>")])
+        self.assertEqual(data["title"], "</script><b>small")
+        self.assertEqual(data["statistics"]["fmep"][0]["n"], 16)
+        mean = sum(float(row["fmep [Pa]"]) for row in self.table()) / 16
+        self.assertAlmostEqual(data["statistics"]["fmep"][0]["mean"][0] / mean, 1, delta=1e-5)  # six digits
+
+    def test_screening_ranks_its_factors(self):
+        self.write_study(STUDY.replace('method = "sobol"', 'method = "morris"').replace("scenarios = SCENARIOS",
+                         "trajectories = 4").replace('kind = "uncertainty"', 'kind = "screening"'))
+        said = self.run_well("study", "study.toml", "-o", "out")
+        self.assertIn("elementary effects on fmep", said)
+        ranked = [line.split()[0] for line in said.splitlines() if "mu*" in line]
+        self.assertEqual(sorted(ranked), ["roughness", "speed"])
+        self.assertEqual(len(self.table()), 4 * 3)
 
     def test_one_scenario_is_the_case_itself(self):
         self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'

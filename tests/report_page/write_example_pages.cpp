@@ -7,6 +7,7 @@
 #include "measurement_example.hpp"
 #include "ringfilm/report/html.hpp"
 #include "ringfilm/report/measurement_page.hpp"
+#include "study_example.hpp"
 
 /// Writes the pages that the browser test opens: write_example_pages FOLDER
 int main(int argc, char** argv) {
@@ -73,8 +74,15 @@ int main(int argc, char** argv) {
   hostile_surface.groups[0].values[0].remark = hostile_surface.tables[0].row_labels[0] = hostile.title;
   const bool hostile_surface_written =
       write("hostile_measurement.html", report::measurement_page(hostile_surface, units, {}));
-  return three_written && around_written && hostile_written && coarse_written && bare_written && surface_written &&
-                 hostile_surface_written
+  bool studies_written = true;
+  for (const auto& [name, page] :
+       {std::pair{"study_uncertainty.html", example::uncertainty_page()},
+        std::pair{"study_map.html", example::map_page()}, std::pair{"study_screening.html", example::screening_page()},
+        std::pair{"study_comparison.html", example::comparison_page()},
+        std::pair{"hostile_study.html", example::uncertainty_page(hostile.title)}})
+    studies_written = write(name, page) && studies_written;
+  return three_written && studies_written && around_written && hostile_written && coarse_written && bare_written &&
+                 surface_written && hostile_surface_written
              ? 0
              : 1;
 }

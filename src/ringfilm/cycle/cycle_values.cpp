@@ -100,6 +100,14 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.film_parameter_at_peak_pressure = gas.sample->film_parameter;
   v.mixed_share = mean(base, [](const Sample& s) { return s.film_parameter < kMixedBelow ? 1.0 : 0.0; });
 
+  const double mean_load = mean(base, [](const Sample& s) { return s.applied_load; });
+  const auto load_mean = [&](double Sample::*member) {
+    return mean(base, [&](const Sample& s) { return s.*member * s.applied_load; }) / mean_load;
+  };
+  v.mean_friction_coefficient = load_mean(&Sample::friction_coefficient);
+  v.mean_stribeck_number = load_mean(&Sample::stribeck_number);
+  v.mean_film_parameter = load_mean(&Sample::film_parameter);
+
   v.net_oil_flow = mean(base, [](const Sample& s) { return s.oil_flow_middle; });
   v.mean_absolute_oil_flow = mean(base, [](const Sample& s) { return std::abs(s.oil_flow_middle); });
   v.peak_film_pressure = largest(base, &Sample::peak_film_pressure).value;

@@ -58,6 +58,8 @@ struct CycleValues {
   double peak_gas_pressure = 0, peak_gas_pressure_angle = 0;
   double film_parameter_at_peak_pressure = 0, min_film_parameter = 0;
   double mixed_share = 0;
+  /// Weighted with the load: what a scenario is on a Stribeck curve.
+  double mean_friction_coefficient = 0, mean_stribeck_number = 0, mean_film_parameter = 0;
   double net_oil_flow = 0, mean_absolute_oil_flow = 0;
   double peak_film_pressure = 0, mean_cavitated_fraction = 0;
   double wear_drive_energy = 0;  ///< integral of asperity load x speed over the cycle

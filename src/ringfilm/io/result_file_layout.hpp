@@ -11,7 +11,7 @@
 namespace ringfilm::io {
 
 /// Raised by one whenever a name or a meaning changes.
-constexpr long kResultSchema = 4;
+constexpr long kResultSchema = 5;
 
 /// A ledger variant as a row of a table; its values are a row of `variant_values`.
 struct VariantRow {

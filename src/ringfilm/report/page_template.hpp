@@ -13,5 +13,6 @@ struct PageTemplate {
 PageTemplate report();
 PageTemplate verification();
 PageTemplate measurement();
+PageTemplate study();
 
 }  // namespace ringfilm::report::page_template

@@ -112,6 +112,24 @@ std::optional<double> interval_width(std::span<const double> values, std::option
   return *found.high - *found.low;
 }
 
+std::optional<Mean> relative_difference(std::span<const double> first, std::span<const double> second) {
+  if (first.size() != second.size()) throw std::invalid_argument("samples of different points");
+  std::vector<double> base, differences;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (!std::isfinite(first[i]) || !std::isfinite(second[i])) continue;
+    base.push_back(first[i]);
+    differences.push_back(second[i] - first[i]);
+  }
+  const auto mean = mean_of(base);
+  auto result = mean_of(differences);
+  if (!mean || !result || mean->value == 0) return std::nullopt;
+  result->left_out = first.size() - result->count;
+  result->value /= mean->value;
+  result->standard_error /= std::abs(mean->value);
+  result->deviation /= std::abs(mean->value);
+  return result;
+}
+
 std::vector<Stage> convergence(std::span<const double> values, const std::vector<double>& shares, double confidence) {
   std::vector<Stage> stages;
   for (std::size_t n = 16;; n *= 2) {

@@ -53,6 +53,12 @@ Places quantile_places(std::size_t n, double share, double confidence = kConfide
 std::optional<double> interval_width(std::span<const double> values, std::optional<double> quantile_share,
                                      double confidence = kConfidence);
 
+/// Mean of the differences of a second sample to a first of the same points, relative to the mean of the first
+/// [-]; eq-paired-difference. Points without a value in one of them are left out. What both have in common cancels, so
+/// that the interval is narrower than those of the two means. Nothing if there are fewer than two pairs or the first
+/// mean is 0. @returns standard_error and deviation relative, too
+std::optional<Mean> relative_difference(std::span<const double> first, std::span<const double> second);
+
 /// Statistics of the first n values of a sample.
 struct Stage {
   std::uint64_t n = 0;

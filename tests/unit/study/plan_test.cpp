@@ -249,6 +249,7 @@ TEST(Plan, DigestTextTellsEverythingThatMovesANumber) {
   Study titled = study;
   titled.title = "another title";
   titled.keep.curves = Curves::kAll;
+  titled.keep.crank_step_deg = 4;
   EXPECT_EQ(Plan(titled).digest_text(), Plan(study).digest_text()) << "words move no number";
 }
 

@@ -174,5 +174,24 @@ TEST(Statistics, ConvergenceIsTheStatisticsOfEachBeginning) {
   EXPECT_TRUE(convergence({}, {0.5})[0].quantiles.empty());
 }
 
+TEST(Statistics, DifferencesOfTheSamePointsAreSurerThanTheirLevels) {
+  std::vector<double> first, second;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const double common = 10 + 5 * normal_quantile(share_of(hash(1, i)));
+    first.push_back(common);
+    second.push_back(0.9 * common);
+  }
+  first[3] = kNan;
+  const auto mean = mean_of(first);
+  const auto difference = relative_difference(first, second);
+  ASSERT_TRUE(mean && difference);
+  EXPECT_NEAR(difference->value, -0.1, 1e-12);
+  EXPECT_NEAR(difference->standard_error, 0.1 * mean->standard_error / mean->value, 1e-12);
+  EXPECT_EQ(difference->count, 199u);
+  EXPECT_EQ(difference->left_out, 1u);
+  EXPECT_FALSE(relative_difference(std::vector<double>{0, 0}, std::vector<double>{1, 2}));
+  EXPECT_THROW(relative_difference(first, std::vector<double>{1}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace ringfilm::study

@@ -64,14 +64,22 @@ function lineColumns(figure) {
     }
     columns.push({ title: axisTitle(`${s.label}: ${panel.yLabel}`, panel.yUnit), values: s.y });
     if (s.error) columns.push({ title: axisTitle(`${s.label}: error of ${panel.yLabel}`, panel.yUnit), values: s.error });
+    for (const band of s.bands ?? []) {
+      columns.push({ title: axisTitle(`${s.label}: ${panel.yLabel}, ${band.words[0]}`, panel.yUnit), values: band.low });
+      columns.push({ title: axisTitle(`${s.label}: ${panel.yLabel}, ${band.words[1]}`, panel.yUnit), values: band.high });
+    }
   });
   return columns;
 }
 
 /** One x column where all series share it, else a pair of columns a series. */
 export function figureCsv(figure) {
-  const columns = figure.panels[0].bars ? barColumns(figure) : lineColumns(figure);
-  const rows = Math.max(...columns.map((c) => c.values.length));
+  return columnsCsv(figure.panels[0].bars ? barColumns(figure) : lineColumns(figure));
+}
+
+/** @param columns { title, values }, numbers or texts */
+export function columnsCsv(columns) {
+  const rows = Math.max(0, ...columns.map((c) => c.values.length));
   const lines = [columns.map((c) => heading(c.title)).join(',')];
   for (let k = 0; k < rows; k++) {
     lines.push(columns.map(({ values }) => (typeof values[k] === 'string' ? heading(values[k]) : plain(values[k]))).join(','));

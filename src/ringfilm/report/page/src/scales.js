@@ -47,7 +47,7 @@ export function xRange(panel) {
 /** Range of y over the visible series within the x window, with some air. */
 export function yRange(panel, visible, [low, high]) {
   if (panel.yRange) return panel.yRange;
-  const lists = panel.series.filter(visible).map((s) => s.y.filter((_, k) => s.x[k] === null || (s.x[k] >= low && s.x[k] <= high)));
+  const lists = panel.series.filter(visible).flatMap((s) => [s.y, ...(s.bands ?? []).flatMap(({ low: under, high: over }) => [under, over])].map((list) => [s, list])).map(([s, list]) => list.filter((_, k) => s.x[k] === null || (s.x[k] >= low && s.x[k] <= high)));
   const found = extent(lists);
   if (!found) return panel.yScale === 'log' ? [0.1, 10] : [0, 1];
   let [bottom, top] = found;
@@ -138,19 +138,26 @@ export function markPlaces(marks, x, widthOf, left, right) {
     });
 }
 
-/** Outlines of the band about a curve, one for each piece without a gap, in the units of the axes. */
+/** Outlines of the bands about a curve, one for each piece without a gap, in the units of the axes. */
 export function bandOutlines(series) {
+  const bands = series.error ? [{ low: series.y.map((v, k) => away(v, series.error[k], -1)), high: series.y.map((v, k) => away(v, series.error[k], 1)) }] : series.bands ?? [];
   const pieces = [];
-  let piece = null;
-  series.error?.forEach((e, k) => {
-    if (e === null || series.y[k] === null) {
-      piece = null;
-      return;
-    }
-    if (!piece) pieces.push((piece = []));
-    piece.push({ x: series.x[k], low: series.y[k] - e, high: series.y[k] + e });
-  });
+  for (const { low, high } of bands) {
+    let piece = null;
+    series.x.forEach((x, k) => {
+      if (low[k] === null || high[k] === null) {
+        piece = null;
+        return;
+      }
+      if (!piece) pieces.push((piece = []));
+      piece.push({ x, low: low[k], high: high[k] });
+    });
+  }
   return pieces.filter((p) => p.length > 1).map((p) => [...p.map(({ x, high }) => [x, high]), ...p.map(({ x, low }) => [x, low]).reverse()]);
+}
+
+function away(value, error, sign) {
+  return value === null || error === null ? null : value + sign * error;
 }
 
 export function axisTitle(label, unit) {

@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/study_result.hpp"
+#include "ringfilm/io/units.hpp"
+
+namespace ringfilm::report {
+
+/// A study as one self-contained web page: what varied and how, statistics of the cycle values, and the pictures of its
+/// kind. Statistics are those of all scenarios; pictures of single points show an even subset of large studies, which
+/// their captions tell. Takes memory for a few columns of the study's table.
+std::string study_page(const io::StudyRows& rows, const io::Units& units, const io::Provenance& provenance);
+
+}  // namespace ringfilm::report

@@ -1,0 +1,30 @@
+#include "ringfilm/cycle/cycle_values.hpp"
+
+#include <gtest/gtest.h>
+
+#include "styles_case.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+TEST(CycleValues, MeansWeightedWithTheLoadAreThoseOfTheSums) {
+  const ringfilm::cycle::Setup setup = prepare(testing::styles_new_ring());
+  std::vector<Sample> samples(4);
+  const double load[] = {100, 900, 400, 600}, friction[] = {20, 9, 40, 6}, stribeck[] = {9, 1, 4, 2},
+               film[] = {8, 1, 3, 2};
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    samples[k].crank_angle_deg = 180.0 * static_cast<double>(k);
+    samples[k].applied_load = load[k];
+    samples[k].total_friction = friction[k];
+    samples[k].friction_coefficient = friction[k] / load[k];
+    samples[k].stribeck_number = stribeck[k];
+    samples[k].film_parameter = film[k];
+  }
+  const CycleValues values = cycle_values(setup, samples);
+  EXPECT_DOUBLE_EQ(values.mean_friction_coefficient, 75.0 / 2000);
+  EXPECT_DOUBLE_EQ(values.mean_stribeck_number, (900.0 + 900 + 1600 + 1200) / 2000);
+  EXPECT_DOUBLE_EQ(values.mean_film_parameter, (800.0 + 900 + 1200 + 1200) / 2000);
+}
+
+}  // namespace
+}  // namespace ringfilm::cycle

@@ -1,0 +1,133 @@
+#include "study_example.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "../io/case_example.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/shard_file.hpp"
+#include "ringfilm/io/study_file.hpp"
+#include "ringfilm/io/study_result.hpp"
+#include "ringfilm/report/study_page.hpp"
+#include "ringfilm/study/kept_curves.hpp"
+
+namespace example {
+
+using namespace ringfilm;
+namespace {
+
+const std::string kBases =
+    "[[base]]\nname = \"new\"\ncase = \"case.toml\"\n[[base]]\nname = \"worn\"\ncase = \"case.toml\"\n";
+const std::string kSpeed = "[[factor]]\nname = \"speed\"\nkey = \"operating.speed\"\n";
+const std::string kWarmth = "[[factor]]\nname = \"warmth\"\nkey = \"operating.oil_temperature\"\nhow = \"add\"\n";
+const std::string kRoughness = "[[factor]]\nname = \"roughness\"\nkey = \"contact.roughness\"\nhow = \"scale\"\n";
+
+/// Films thicken with speed and thin with warmth; what is asked for follows.
+double value(const std::string& name, double speed, double warmth, double roughness, double worn) {
+  const double film = 0.5e-6 * std::sqrt(speed / 200) * std::exp(-0.01 * warmth) * (1 - 0.2 * worn);
+  const double lambda = film / (0.48e-6 * roughness);
+  const double friction = 10 + 60 * std::exp(-lambda) + 0.02 * speed;
+  if (name == "min_film_thickness") return film;
+  if (name == "mean_film_parameter" || name == "min_film_parameter") return lambda;
+  if (name == "mixed_share") return 1 / (1 + lambda * lambda / 4);
+  if (name == "mean_stribeck_number") return 1e-6 * speed / 200 * std::exp(-0.02 * warmth);
+  if (name == "mean_friction_coefficient") return friction / 900;
+  if (name == "fmep") return 500 * friction;
+  return friction;
+}
+
+MadeUp with(const std::vector<std::string>& factors) {
+  return [factors](const std::string& name, const study::Point& point) {
+    double speed = 200, warmth = 0, roughness = 1;
+    for (std::size_t j = 0; j < factors.size(); ++j) {
+      if (!point.values[j]) continue;
+      if (factors[j] == "speed") speed = *point.values[j];
+      if (factors[j] == "warmth") warmth = *point.values[j];
+      if (factors[j] == "roughness") roughness = *point.values[j];
+      if (factors[j] == "law") roughness *= 1 + 0.2 * *point.values[j];
+    }
+    return value(name, speed, warmth, roughness, static_cast<double>(point.base));
+  };
+}
+
+}  // namespace
+
+std::string study_page(const std::string& lines, const MadeUp& made_up) {
+  const io::ScratchFolder folder;
+  folder.write("case.toml", io::CaseText{}.text());
+  folder.write("p.csv", io::full_trace());
+  const io::StudyFile file = io::read_study(folder.write("study.toml", lines));
+  const study::Plan plan(file.study);
+  const study::Keep& keep = plan.study().keep;
+  const auto& quantities = cycle::cycle_quantities();
+  const std::vector<double> angles = study::kept_angles(keep);
+  const auto kept = study::kept_quantities(keep);
+  study::ScenarioChunk chunk{0, {}};
+  for (std::uint64_t i = 0; i < plan.size(); ++i) {
+    const study::Point point = plan.point(i);
+    study::ScenarioRow row;
+    for (const auto& quantity : quantities) row.values.push_back(made_up(quantity.name, point));
+    const double film = made_up("min_film_thickness", point);
+    if (!std::isfinite(film)) {
+      row.values.assign(quantities.size(), std::numeric_limits<double>::quiet_NaN());
+      row.reason = "no film balances the load";
+      row.curves = study::no_kept_numbers(keep);
+    } else {
+      for (std::size_t q = 0; q < kept.size(); ++q) {
+        for (const double angle : angles)
+          row.curves.push_back(static_cast<float>(film * (1.5 - std::cos(angle * M_PI / 180)) * (q == 0 ? 1 : 1e8)));
+      }
+    }
+    chunk.rows.push_back(std::move(row));
+  }
+  io::ShardHeader header{"plan", "inputs", "program", 1, 1, 0, plan.size(), quantities.size(), {}, angles.size()};
+  for (const cycle::CurveQuantity* quantity : kept) header.curves.push_back(quantity->name);
+  io::ShardWriter(folder / "rows", header).append(chunk);
+  std::vector<io::ShardReader> shards;
+  shards.emplace_back(folder / "rows");
+  const io::StudyRows rows{file, plan, std::move(shards)};
+  return report::study_page(rows, io::Units(), {"ringfilm 0.0.0", "abc", "g++", ""});
+}
+
+std::string uncertainty_page(const std::string& title) {
+  std::string quoted;
+  for (const char c : title) quoted.append(c == '"' || c == '\\' ? "\\" : "").append(1, c);
+  return study_page("title = \"" + quoted + "\"\nkind = \"uncertainty\"\n" + kBases + kSpeed +
+                        "distribution = \"normal\"\nmean = \"2000 rpm\"\ndeviation = \"100 rpm\"\n" + kWarmth +
+                        "distribution = \"uniform\"\nlower = \"-10 K\"\nupper = \"10 K\"\n" + kRoughness +
+                        "distribution = \"lognormal\"\nmedian = 1.0\nlog_deviation = 0.1\n" +
+                        "[[correlation]]\nfactors = [\"speed\", \"warmth\"]\nvalue = 0.5\n" +
+                        "[plan]\nmethod = \"sobol\"\nscenarios = 64\nindices = \"first-and-total\"\n" +
+                        "[keep]\ncurves = \"quantiles\"\ncrank_step = \"10 degree\"\n"
+                        "quantities = [\"min_film_thickness\", \"friction_on_liner\"]\n",
+                    with({"speed", "warmth", "roughness"}));
+}
+
+std::string map_page() {
+  const MadeUp all = with({"speed", "warmth", "law"});
+  return study_page("title = \"made-up map\"\nkind = \"map\"\n" + kBases + kSpeed +
+                        "range = [\"1000 rpm\", \"6000 rpm\"]\npoints = 11\n" + kWarmth +
+                        "range = [\"-20 K\", \"20 K\"]\npoints = 7\n" +
+                        "[[factor]]\nname = \"law\"\nkey = \"lubricant.viscosity_pressure\"\n"
+                        "values = [\"roelands\", \"barus\"]\n[plan]\nmethod = \"grid\"\n",
+                    [all](const std::string& name, const study::Point& point) {
+                      const bool is_corner = *point.values[0] < 150 && *point.values[1] > 15;
+                      return is_corner ? std::numeric_limits<double>::quiet_NaN() : all(name, point);
+                    });
+}
+
+std::string screening_page() {
+  return study_page("title = \"made-up screening\"\nkind = \"screening\"\n" + kBases + kSpeed +
+                        "range = [\"1000 rpm\", \"6000 rpm\"]\n" + kWarmth + "range = [\"-20 K\", \"20 K\"]\n" +
+                        kRoughness + "range = [0.5, 1.5]\n[plan]\nmethod = \"morris\"\ntrajectories = 10\n",
+                    with({"speed", "warmth", "roughness"}));
+}
+
+std::string comparison_page() {
+  return study_page("title = \"made-up comparison\"\nkind = \"compare\"\n" + kBases +
+                        "[[factor]]\nname = \"law\"\nkey = \"lubricant.viscosity_pressure\"\n"
+                        "values = [\"roelands\", \"barus\"]\n[plan]\nmethod = \"grid\"\n",
+                    with({"law"}));
+}
+
+}  // namespace example

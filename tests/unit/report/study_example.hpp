@@ -1,0 +1,26 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/study/plan.hpp"
+
+/// Pages of studies with made-up values.
+namespace example {
+
+/// A cycle value of a scenario, by its name and the numbers of the scenario's factors.
+using MadeUp = std::function<double(const std::string& value, const ringfilm::study::Point& point)>;
+
+/// The page of a study whose file holds these lines, with bases "new" and "worn" that have their cases; scenarios of
+/// which `made_up` gives no finite film are not solved.
+std::string study_page(const std::string& lines, const MadeUp& made_up);
+
+/// Two bases, three factors of which two are correlated, Sobol points with indices, curves.
+std::string uncertainty_page(const std::string& title = "made-up uncertainty");
+/// Speed, temperature and a law: a grid with unsolved corners.
+std::string map_page();
+std::string screening_page();
+/// A law, as it is in each base.
+std::string comparison_page();
+
+}  // namespace example

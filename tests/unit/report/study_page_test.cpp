@@ -1,0 +1,155 @@
+#include "ringfilm/report/study_page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/report/payload_study.hpp"
+#include "ringfilm/study/main_values.hpp"
+#include "study_example.hpp"
+
+namespace {
+
+using namespace ringfilm;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+json data_of(const std::string& page) {
+  const std::string begin = "id=\"result-data\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  return json::parse(page.substr(at, page.find("</script>", at) - at));
+}
+
+TEST(StudyPage, TellsWhatVariedInTheUnitsThatPeopleRead) {
+  const json data = data_of(example::uncertainty_page());
+  EXPECT_EQ(data.at("kind"), "uncertainty");
+  EXPECT_EQ(data.at("scenarios"), 64 * 4 * 2);  // rows of A, B and one for each of two groups, for two bases
+  EXPECT_EQ(data.at("factors").at(0).at("words"), "normal, mean 2000 rpm, deviation 100 rpm");
+  EXPECT_EQ(data.at("factors").at(1).at("words"), "uniform, -10 K to 10 K");
+  EXPECT_EQ(data.at("factors").at(2).at("words"), "lognormal, median 1, deviation of the logarithm 0.1");
+  EXPECT_EQ(data.at("factors").at(0).at("origin"), "stated");
+  EXPECT_EQ(data.at("groups"), json({"speed and warmth", "roughness"}));
+  EXPECT_EQ(data.at("correlations").at(0).at("value"), 0.5);
+  EXPECT_EQ(data.at("files").at(0).at("sha256").get<std::string>().size(), 64u);
+  EXPECT_EQ(data.at("provenance").at("commit"), "abc");
+}
+
+TEST(StudyPage, HasStatisticsOfTheSampleAlone) {
+  const json data = data_of(example::uncertainty_page());
+  EXPECT_EQ(data.at("statistics").size(), cycle::cycle_quantities().size());
+  const json& film = data.at("statistics").at("min_film_thickness").at(0);
+  EXPECT_EQ(film.at("n"), 128);  // A and B of 64 rows
+  // 0.5 um at the speed of 200 rad/s, which is 5 % below the mean of 2000 rpm.
+  EXPECT_NEAR(film.at("mean").at(0).get<double>(), 0.5e-6 * std::sqrt(209.4 / 200), 0.01e-6);
+  EXPECT_LT(film.at("quantiles").at(0).at(0), film.at("quantiles").at(2).at(0));
+  const json& counts = data.at("histograms").at("fmep").at("counts").at(1);
+  EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0, [](int sum, const json& n) { return sum + n.get<int>(); }),
+            128);
+  const json& stages = data.at("convergence").at("fmep").at(0).at("n");
+  EXPECT_EQ(stages, json({16, 32, 64, 128}));
+}
+
+TEST(StudyPage, TellsWhichInputDecides) {
+  const json data = data_of(example::uncertainty_page());
+  const json& indices = data.at("indices").at("min_film_thickness").at(0);
+  EXPECT_EQ(indices.at("rows"), 64);
+  // The film of the made-up values knows nothing of the roughness.
+  EXPECT_GT(indices.at("total").at(0).at(0).get<double>(), 0.8);
+  EXPECT_LT(indices.at("total").at(1).at(0).get<double>(), 1e-6);
+  const json& swings = data.at("swings").at("min_film_thickness").at(0);
+  const json& warmth = swings.at("factors").at(1);
+  EXPECT_GT(warmth.at(0), swings.at("middle"));
+  EXPECT_LT(warmth.at(1), swings.at("middle"));
+}
+
+TEST(StudyPage, ComparesBasesAtTheSamePoints) {
+  const json data = data_of(example::uncertainty_page());
+  EXPECT_EQ(data.at("comparison_groups").at(1).at("name"), "worn");
+  const json& difference = data.at("comparison").at("min_film_thickness").at(1).at("difference");
+  EXPECT_NEAR(difference.at(0).get<double>(), -0.2, 1e-6);
+  EXPECT_NEAR(difference.at(2).get<double>() - difference.at(1).get<double>(), 0, 0.01);
+}
+
+TEST(StudyPage, HasBandsOfTheCurvesThatWereKept) {
+  const json curves = data_of(example::uncertainty_page()).at("curves");
+  EXPECT_EQ(curves.at("angles").size(), 72u);
+  EXPECT_EQ(curves.at("bands").size(), 4u);
+  const json& band = curves.at("bands").at(0).at("values");
+  EXPECT_LT(band.at(0).at(36), band.at(4).at(36));
+  EXPECT_TRUE(data_of(example::map_page()).at("curves").is_null());
+}
+
+TEST(StudyPage, PutsAGridInItsPlaces) {
+  const json data = data_of(example::map_page());
+  const json& grid = data.at("grid").at("bases").at(1);
+  ASSERT_EQ(grid.at("axes").size(), 3u);
+  EXPECT_EQ(grid.at("axes").at(0).at("levels").size(), 11u);
+  EXPECT_EQ(grid.at("axes").at(1).at("levels").size(), 7u);
+  EXPECT_EQ(grid.at("axes").at(2).at("levels").size(), 2u);
+  const json& film = grid.at("values").at("min_film_thickness");
+  ASSERT_EQ(film.size(), 11u * 7 * 2);
+  // The lowest speed and the warmest oil of either law; next to them there is a value.
+  EXPECT_TRUE(film.at(6 * 2).is_null());
+  EXPECT_TRUE(film.at(6 * 2 + 1).is_null());
+  EXPECT_FALSE(film.at(5 * 2).is_null());
+  EXPECT_EQ(data.at("unsolved").at("reasons").at(0).at("reason"), "no film balances the load");
+  EXPECT_FALSE(data.at("has_sample").get<bool>());
+  EXPECT_TRUE(data.at("histograms").empty());
+}
+
+TEST(StudyPage, DrawsAnEvenSubsetOfManyPoints) {
+  const json data = data_of(example::uncertainty_page());
+  EXPECT_EQ(data.at("stribeck").at("of"), 512);
+  EXPECT_EQ(data.at("stribeck").at("scenario").size(), 512u);
+  const std::string large =
+      "kind = \"map\"\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n[[factor]]\nname = \"speed\"\n"
+      "key = \"operating.speed\"\nrange = [\"1000 rpm\", \"6000 rpm\"]\npoints = 300\n[[factor]]\nname = \"warmth\"\n"
+      "key = \"operating.oil_temperature\"\nhow = \"add\"\nrange = [\"-20 K\", \"20 K\"]\npoints = 100\n"
+      "[plan]\nmethod = \"grid\"\n";
+  const std::string page =
+      example::study_page(large, [](const std::string&, const study::Point& point) { return *point.values[0]; });
+  const json few = data_of(page);
+  EXPECT_EQ(few.at("stribeck").at("of"), 30000);
+  EXPECT_EQ(few.at("stribeck").at("scenario").size(), report::kMostDrawnPoints);
+  const json& axes = few.at("grid").at("bases").at(0).at("axes");
+  EXPECT_LE(axes.at(0).at("levels").size() * axes.at(1).at("levels").size(), report::kMostGridPoints);
+  EXPECT_EQ(axes.at(0).at("of"), 300);
+  EXPECT_NEAR(axes.at(0).at("levels").back().get<double>(), 6000 * M_PI / 30, 1e-4);
+  EXPECT_LT(page.size(), 2'000'000u);
+}
+
+TEST(StudyPage, RanksFactorsOfAScreening) {
+  const json effects = data_of(example::screening_page()).at("effects").at("min_film_thickness").at(0);
+  ASSERT_EQ(effects.size(), 3u);
+  EXPECT_EQ(effects.at(0).at("count"), 10);
+  EXPECT_GT(effects.at(0).at("mean_absolute"), effects.at(1).at("mean_absolute"));
+  EXPECT_LT(effects.at(1).at("mean"), 0);
+  EXPECT_EQ(effects.at(2).at("mean_absolute"), 0);
+}
+
+TEST(StudyPage, SetsChoicesOfEveryBaseSideBySide) {
+  const json groups = data_of(example::comparison_page()).at("comparison_groups");
+  ASSERT_EQ(groups.size(), 4u);
+  EXPECT_EQ(groups.at(0).at("name"), "new, roelands");
+  EXPECT_EQ(groups.at(3).at("name"), "worn, barus");
+}
+
+TEST(StudyPage, LetsNoTextEndItsElement) {
+  const std::string page = example::uncertainty_page("</script></title><b>");
+  EXPECT_THAT(page, HasSubstr("<title>&lt;/script&gt;"));
+  EXPECT_THAT(page, Not(HasSubstr("</title><b>")));
+  EXPECT_EQ(data_of(page).at("title"), "</script></title><b>");
+}
+
+TEST(MainValues, AreValuesOfTheCycle) {
+  const auto& all = cycle::cycle_quantities();
+  for (const std::string& name : study::main_values()) {
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& q) { return q.name == name; })) << name;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,54 @@
+#include "ringfilm/study/swing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace ringfilm::study {
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Swing, IsThatOfTheMediansOfTheOuterThirds) {
+  std::vector<double> x, y;
+  for (int i = 0; i < 301; ++i) {
+    x.push_back(i / 300.0);
+    y.push_back(10 * x.back() + ((i * 7) % 3 - 1) * 0.01);
+  }
+  const auto swing = swing_of(x, y);
+  ASSERT_TRUE(swing);
+  // Thirds of an even factor have their medians at 1/6 and 5/6; the scatter laid on is 0.01.
+  EXPECT_NEAR(swing->low, 10.0 / 6, 0.05);
+  EXPECT_NEAR(swing->high, 50.0 / 6, 0.05);
+}
+
+TEST(Swing, TakesFirstAndLastOfAChoice) {
+  std::vector<double> x, y;
+  for (int i = 0; i < 30; ++i) {
+    x.push_back(i % 2);
+    y.push_back(i % 2 == 0 ? 4 : 7);
+  }
+  const auto swing = swing_of(x, y);
+  ASSERT_TRUE(swing);
+  EXPECT_EQ(swing->low, 4);
+  EXPECT_EQ(swing->high, 7);
+}
+
+TEST(Swing, LeavesOutWhatWasNotSolvedAndTellsNothingOfTooFew) {
+  std::vector<double> x = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, y = {1, 1, 1, 5, 5, 5, 5, 9, 9, 9};
+  y[0] = kNan;
+  x.push_back(0);
+  y.push_back(1);
+  const auto swing = swing_of(x, y);
+  ASSERT_TRUE(swing);
+  EXPECT_EQ(swing->low, 1);
+  EXPECT_EQ(swing->high, 9);
+  EXPECT_FALSE(swing_of(std::vector<double>(5, 1.0), std::vector<double>(5, 1.0)));
+  EXPECT_FALSE(swing_of(std::vector<double>(50, 1.0), std::vector<double>(50, 1.0)));
+  EXPECT_THROW(swing_of(x, std::vector<double>{1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ringfilm::study
