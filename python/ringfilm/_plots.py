@@ -39,14 +39,14 @@ def _from_intake(angles):
     return turned[order], order
 
 
-def _crank_axis(axes, result):
+def _crank_axis(axes, result, strokes=True):
     axes.set_xlim(-360, 360)
     axes.set_xticks(range(-360, 361, 90))
     for angle in (-360, -180, 0, 180, 360):
         axes.axvline(angle, color="0.8", linewidth=0.8, zorder=0)
-    for angle, stroke in _STROKES:
-        axes.annotate(stroke, (angle, 1), xycoords=("data", "axes fraction"), xytext=(0, -2),
-                      textcoords="offset points", ha="center", va="top", fontsize=7, color="0.45")
+    for angle, stroke in _STROKES if strokes else ():
+        axes.annotate(stroke, (angle, 1), xycoords=("data", "axes fraction"), xytext=(0, 2),
+                      textcoords="offset points", ha="center", va="bottom", fontsize=7, color="0.45")
     peak = result.peak_gas_pressure_angle
     if numpy.isfinite(peak):
         peak = peak - 720 if peak >= 360 else peak
@@ -63,7 +63,7 @@ def _draw_curve(axes, result, name, style=None, label=None):
         axes.axhline(0, color="0.6", linewidth=0.8, zorder=0)
 
 
-def _draw_panel(axes, result, name):
+def _draw_panel(axes, result, name, strokes=True):
     if name == "friction":
         _draw_curve(axes, result, "total_friction", _TOTAL, "total")
         _draw_curve(axes, result, "boundary_friction", _BOUNDARY, "boundary")
@@ -74,7 +74,7 @@ def _draw_panel(axes, result, name):
         _draw_curve(axes, result, name)
     if name in ("min_film_thickness", "film_parameter"):
         axes.set_ylim(bottom=0)
-    _crank_axis(axes, result)
+    _crank_axis(axes, result, strokes)
 
 
 def _caption(figure, text, result):
@@ -122,7 +122,7 @@ def _plot_curves(result, names, axes):
     figure = _figure(len(names))
     panels = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
     for panel, name in zip(panels, names):
-        _draw_panel(panel, result, name)
+        _draw_panel(panel, result, name, panel is panels[0])
     panels[-1].set_xlabel("crank angle [degree], 0 = firing TDC", fontsize=8)
     told = ", ".join("friction" if name == "friction" else _curves()[name].long_name for name in names)
     _caption(figure, f"Over one cycle: {told}. Dotted grey line: peak of the gas pressure.", result)
@@ -134,7 +134,7 @@ def _plot_stribeck(result):
     figure = _figure(2)
     axes = figure.subplots()
     number = numpy.asarray(result.stribeck_number)
-    shown = number > 0
+    shown = number > 1e-6 * number.max()  # at a dead centre it is only the round-off of the angle
     axes.semilogx(number[shown], numpy.asarray(result.friction_coefficient)[shown], ".", color="#000000", markersize=3)
     axes.set_xlabel(_label(curves["stribeck_number"]), fontsize=8)
     axes.set_ylabel(_label(curves["friction_coefficient"]), fontsize=8)
@@ -160,6 +160,7 @@ def _plot_field(result, name):
         figure.colorbar(mesh, ax=axes).set_label(f"{attributes['long_name']} [{unit or '1'}]", fontsize=8)
         axes.set_xlabel("crank angle [degree], 0 = firing TDC", fontsize=8)
         axes.set_ylabel("position from the chamber edge [mm]", fontsize=8)
+        _crank_axis(axes, result)
     else:
         axes.plot(x, values[0] * factor, **_TOTAL)
         axes.set_xlabel("position from the chamber edge [mm]", fontsize=8)
@@ -181,7 +182,7 @@ def plot_pad(result):
     gap.plot(x, thickness * 1e6, **_TOTAL)
     gap.set_ylabel("film thickness [um]", fontsize=8)
     gap.set_ylim(bottom=0)
-    pressure.plot(x, film * 1e-6, **_VISCOUS)
+    pressure.plot(x, film * 1e-6, **_TOTAL)
     pressure.set_ylabel("film pressure [MPa]", fontsize=8)
     pressure.set_xlabel("position along the pad [mm]", fontsize=8)
     figure.text(0.01, 0.005, f"Film of the pad{where}. Case: {result.title}.", fontsize=7, color="0.3")

@@ -7,7 +7,7 @@ import numpy
 
 
 class Case:
-    """The input of one engine cycle or of one pad, as a table of keys (docs/manual/case.md, ringfilm.fields()).
+    """The input of one engine cycle or of one pad, as a table of keys (docs/manual/case-file.md, ringfilm.fields()).
 
     Read one with Case.read, then read and change it key by key: case["operating.speed"] is a number in SI, and
     case["operating.speed"] = "2000 rpm" or = 209.4 (SI) states another one. None, or del, takes a key out. A value out of
@@ -74,7 +74,7 @@ class Case:
         path: name of the file, a str or a path.
         overrides: {key: value}, as --set of the program; None takes a key out.
         Raises InputError with every fault of every file, in the words of the program.
-        Source: docs/manual/case.md."""
+        Source: docs/manual/case-file.md."""
         ...
     def resolved(self) -> str:
         """The case as a complete case file in SI, which gives the same bits again."""
@@ -784,12 +784,12 @@ class Study:
     def read(path: object) -> Study:
         """A study with its bases and all that they name. Raises InputError with every fault, in the words of the program."""
         ...
-    def run(self, threads: object = None, progress: object = None) -> ringfilm::python::(anonymous namespace)::StudyResultObject:
+    def run(self, threads: object = None, progress: object = None) -> StudyResult:
         """Computes all scenarios, in memory; a study that must survive is run by `ringfilm study`.
 
         threads: None, or 1 to 1024; the numbers do not depend on it. progress: called as progress(done, total) now and then.
         Returns a StudyResult. Ctrl-C ends the run with KeyboardInterrupt. A scenario that cannot be solved is a row of NaN with
-        its reason. Raises InputError."""
+        its reason; a plan with [plan.until] is run at its stated size. Raises InputError."""
         ...
     @property
     def title(self) -> object:
@@ -809,6 +809,15 @@ class StudyResult:
         ...
     def __repr__(self) -> str:
         """Title and number of scenarios."""
+        ...
+    @property
+    def crank_angle(self) -> object:
+        """The axis of curves(), from -360 to below 360 [degree]; empty where no curves are kept."""
+        ...
+    def curves(self, quantity: str) -> numpy.ndarray:
+        """A curve of all scenarios, shape (scenario, crank_angle), SI, single precision, without a copy.
+
+        Over crank_angle; NaN where a scenario was not solved. Raises InputError unless the study keeps it ([keep] in its file)."""
         ...
     def sobol_indices(self, value: str, base: Optional[str] = None) -> list:
         """Which factor decides: first and total Sobol indices with their 95 % intervals.

@@ -2,6 +2,8 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <vector>
@@ -24,14 +26,11 @@ std::optional<fs::path> module_folder() {
   return file.parent_path();
 }
 
-std::vector<fs::path> candidates() {
-  // Stated by the user: nothing else is looked at, so that a wrong name is seen and not papered over.
-  if (const char* stated = std::getenv("RINGFILM_DATA"); stated != nullptr && *stated != '\0') return {stated};
+/// Around the module, or else the program.
+std::vector<fs::path> own_folders() {
   std::vector<fs::path> folders;
-  std::error_code error;
   if (const auto module = module_folder()) {
-    // Beside the module (a wheel), or where the distribution or a build folder has it:
-    // lib/python3/dist-packages/ringfilm.
+    // Beside the module (a wheel), or above lib/python3/dist-packages/ringfilm or the same in a build folder.
     folders.push_back(*module / "share");
     fs::path above = *module;
     for (int i = 0; i < 4; ++i) {
@@ -41,10 +40,28 @@ std::vector<fs::path> candidates() {
     }
     return folders;
   }
+  std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) return {};
+  if (error) return folders;
   const fs::path above = program.parent_path().parent_path();
   return {above / "share" / "ringfilm", above};
+}
+
+std::vector<fs::path> candidates() {
+  // Stated by the user: nothing else is looked at, so that a wrong name is seen and not papered over.
+  if (const char* stated = std::getenv("RINGFILM_DATA"); stated != nullptr && *stated != '\0') return {stated};
+  std::vector<fs::path> folders = own_folders();
+  // A program of somebody else on the library, or Python: where the system keeps shared data, freedesktop.org's Base
+  // Directory Specification.
+  const char* stated = std::getenv("XDG_DATA_DIRS");
+  const std::string shared = stated != nullptr && *stated != '\0' ? stated : "/usr/local/share:/usr/share";
+  for (std::size_t begin = 0; begin <= shared.size();) {
+    const std::size_t end = std::min(shared.find(':', begin), shared.size());
+    const fs::path folder = shared.substr(begin, end - begin);
+    if (folder.is_absolute()) folders.push_back(folder / "ringfilm");
+    begin = end + 1;
+  }
+  return folders;
 }
 
 }  // namespace
