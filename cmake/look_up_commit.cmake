@@ -1,6 +1,10 @@
-# Writes HEADER from TEMPLATE with the commit of SOURCE_FOLDER; "unknown" where that is no git checkout of its own
-# (an unpacked archive, even inside somebody else's checkout).
+# Writes HEADER from TEMPLATE with the commit of SOURCE_FOLDER. Where that is no git checkout of its own (an unpacked
+# archive, even inside somebody else's checkout), the commit that git wrote into the archive, else "unknown".
 set(COMMIT "unknown")
+file(READ "${SOURCE_FOLDER}/cmake/commit.txt" archived)
+if(archived MATCHES "^([0-9a-f]+)")
+  string(SUBSTRING "${CMAKE_MATCH_1}" 0 12 COMMIT)
+endif()
 find_program(GIT git)
 if(GIT)
   execute_process(COMMAND "${GIT}" rev-parse --show-toplevel WORKING_DIRECTORY "${SOURCE_FOLDER}"

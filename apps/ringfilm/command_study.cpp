@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <set>
 
 #include "commands.hpp"
 #include "output_names.hpp"
@@ -23,8 +24,10 @@
 #include "ringfilm/study/scenario.hpp"
 #include "ringfilm/study/study_run.hpp"
 #include "ringfilm/study/until.hpp"
+#include "slurm_queue.hpp"
 #include "stop_request.hpp"
 #include "study_files.hpp"
+#include "study_part_words.hpp"
 #include "study_progress.hpp"
 #include "study_summary.hpp"
 
@@ -100,6 +103,12 @@ void check_curves(const StudyOptions& options, const study::Plan& plan) {
       fmt::format("the curves of {} scenarios take {:.1f} GB on the disk, and as much again where all are kept",
                   plan.most(), bytes / 1e9),
       "add --yes if that is meant, or keep fewer quantities, a larger keep.crank_step, or curves = \"none\"");
+}
+
+void check_parts(const StudyOptions& options, const Loaded& study) {
+  if (!study.until() || !options.is_part) return;
+  throw InputError("a study with plan.until cannot be run in parts: only all rows tell when it may stop",
+                   "leave --shard out, or take until out of the plan");
 }
 
 void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
@@ -220,10 +229,7 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
 void run_study(const StudyOptions& options) {
   Loaded study(options.study_path);
   check_grid(options, study.plan);
-  if (study.until() && options.is_part) {
-    throw InputError("a study with plan.until cannot be run in parts: only all rows tell when it may stop",
-                     "leave --shard out, or take until out of the plan");
-  }
+  check_parts(options, study);
   check_curves(options, study.plan);
   const StudyFiles files(options.output);
   const std::string growing = files.growing(options.part, options.parts);
@@ -251,7 +257,9 @@ void run_study(const StudyOptions& options) {
   }
   if (!is_there) {
     compute(options, study, growing);
-    if (std::rename(growing.c_str(), finished.c_str()) != 0) io::fail_to_write(finished, errno);
+    const bool is_renamed = std::rename(growing.c_str(), finished.c_str()) == 0;
+    // Another process that went on with the same part may have been faster by a moment.
+    if (!is_renamed && !(errno == ENOENT && fs::exists(finished))) io::fail_to_write(finished, errno);
   }
   if (options.is_part) {
     std::cout << fmt::format("part {} of {} is {}: {}\n", options.part, options.parts,
@@ -281,6 +289,44 @@ void merge_study(const StudyOptions& options) {
   write_results(files, study, std::move(shards));
 }
 
+std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t usual) {
+  const Loaded study(options.study_path);
+  check_grid(options, study.plan);
+  check_parts(options, study);
+  check_curves(options, study.plan);
+  const StudyFiles files(options.output);
+  check_outputs_apart(files, study);
+  const std::vector<PartFile> there = files.parts();
+  if (options.parts == 0) options.parts = there.empty() ? usual : there.front().parts;
+  std::vector<Fault> faults;
+  std::set<std::uint64_t> finished;
+  for (const PartFile& file : there) {
+    if (file.parts != options.parts) {
+      faults.push_back({{},
+                        fmt::format("{}: here stands a part of {}, not of {}", file.path, file.parts, options.parts),
+                        fmt::format("go on with --parts {}, name another output, or delete this file", file.parts)});
+      continue;
+    }
+    // A header that was cut off says nothing: the part is begun anew.
+    if (!file.is_finished && fs::file_size(file.path) == 0) continue;
+    const io::ShardReader rows(file.path);
+    const std::string differs = io::difference(rows.header(), study.header(file.part, file.parts));
+    if (!differs.empty()) {
+      faults.push_back({{},
+                        fmt::format("{}: these rows are of {}", file.path, differs),
+                        "results of both must not be mixed: name another output, or delete this file"});
+    } else if (file.is_finished && rows.is_complete()) {
+      finished.insert(file.part);
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t part = 1; part <= options.parts; ++part) {
+    if (!finished.contains(part)) missing.push_back(part);
+  }
+  return missing;
+}
+
 void tell_study_status(const StudyOptions& options) {
   const Loaded study(options.study_path);
   const StudyFiles files(options.output);
@@ -288,10 +334,13 @@ void tell_study_status(const StudyOptions& options) {
   std::cout << fmt::format("{}: {} scenarios\n", study.plan.study().title, study.plan.size());
   if (parts.empty()) std::cout << fmt::format("nothing of it stands in {}\n", options.output);
   std::optional<std::uint64_t> last_parts, last_part;
+  const std::optional<StudyJobs> jobs = StudyJobs::read(files);
+  const PartWords on_the_way(files, jobs);
   const auto tell_missing = [&](std::uint64_t until) {
     for (std::uint64_t part = last_part.value_or(0) + 1; last_parts && part < until; ++part)
-      std::cout << fmt::format("part {} of {}: not begun\n", part, *last_parts);
+      std::cout << fmt::format("part {} of {}: not begun{}\n", part, *last_parts, on_the_way.of(part, *last_parts));
   };
+  if (parts.empty() && jobs) last_parts = jobs->parts;
   for (const PartFile& file : parts) {
     if (last_parts && *last_parts != file.parts) {
       tell_missing(*last_parts + 1);
@@ -308,17 +357,21 @@ void tell_study_status(const StudyOptions& options) {
                           shard.header().range().size(), shard.n_unsolved(),
                           file.is_finished ? "finished" : "not finished");
       if (!differs.empty()) words += fmt::format("; these rows are of {}", differs);
+      if (!file.is_finished)
+        words += fmt::format("{}{}", last_change_words(file.path), on_the_way.of(file.part, file.parts));
       std::vector<io::ShardReader::Unsolved> unsolved;
       shard.append_unsolved(unsolved);
       constexpr std::size_t kTold = 3;
       for (std::size_t i = 0; i < std::min(unsolved.size(), kTold); ++i)
         words += fmt::format("\n  scenario {}: {}", unsolved[i].scenario, unsolved[i].reason);
+      if (unsolved.size() > kTold) words += fmt::format("\n  and {} more", unsolved.size() - kTold);
     } catch (const InputError& error) {
       words = error.faults().front().message;
     }
     std::cout << fmt::format("part {} of {}: {}\n", file.part, file.parts, words);
   }
   if (last_parts) tell_missing(*last_parts + 1);
+  std::cout << on_the_way.of_merge();
 }
 
 }  // namespace ringfilm::app

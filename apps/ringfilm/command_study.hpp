@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace ringfilm::app {
 
@@ -19,6 +20,11 @@ void run_study(const StudyOptions& options);
 
 /// Joins the parts of a study into its result files.
 void merge_study(const StudyOptions& options);
+
+/// Checks a study that is to be computed in parts, and what stands where they shall go, as run_study does. Where
+/// options.parts is 0 it becomes the number of those that stand there, else `usual`.
+/// @returns the parts that are not finished. Throws InputError
+std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t usual);
 
 /// Tells which parts of a study are done, how far the others are and what was not solved.
 void tell_study_status(const StudyOptions& options);

@@ -10,6 +10,7 @@
 #include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/film/kernels.hpp"
+#include "ringfilm/io/result_document.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -19,20 +20,15 @@ Computation marched(const Wanted& wanted, ProgressLine& line) {
   const cycle::Case& input = wanted.input;
   MarchProgress progress(line, wanted.name);
   Computation done;
-  io::ResultDocument& document = done.document;
-  document.title = input.title;
-  document.inputs = io::case_entries(input);
-  document.resolved_case = io::resolved_case(input);
-  document.files = input.files;
-  document.input_notes = input.notes;
-  document.provenance = io::this_run();
+  cycle::CycleResult result;
   try {
-    document.result = cycle::simulate(cycle::prepare(input), &progress);
+    result = cycle::simulate(cycle::prepare(input), &progress);
   } catch (const cycle::StoppedCycle& stop) {
-    document.result = stop.result;
-    document.result.complete = false;
+    result = stop.result;
+    result.complete = false;
     done.stopped = stop;
   }
+  done.document = io::result_document(input, std::move(result));
   return done;
 }
 

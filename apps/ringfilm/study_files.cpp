@@ -32,6 +32,17 @@ std::string StudyFiles::finished(std::uint64_t part, std::uint64_t parts) const 
   return fmt::format("{}.part-{}-of-{}{}", stem_, part, parts, kFinished);
 }
 
+std::string StudyFiles::log(std::uint64_t part, std::uint64_t parts) const {
+  return fmt::format("{}.part-{}-of-{}.log", stem_, part, parts);
+}
+
+std::string StudyFiles::folder() const {
+  const fs::path folder = fs::path(stem_).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+std::string StudyFiles::name() const { return fs::path(stem_).filename().string(); }
+
 void StudyFiles::make_folder() const {
   const fs::path folder = fs::path(stem_).parent_path();
   std::error_code error;

@@ -25,6 +25,14 @@ class StudyFiles {
   std::string growing(std::uint64_t part, std::uint64_t parts) const;
   std::string finished(std::uint64_t part, std::uint64_t parts) const;
 
+  /// What a task of a cluster says while it computes a part.
+  std::string log(std::uint64_t part, std::uint64_t parts) const;
+  std::string merge_log() const { return stem_ + ".merge.log"; }
+
+  std::string folder() const;
+  /// The start of all names, without the folder.
+  std::string name() const;
+
   /// Makes the folder if it is missing. Throws OutputError.
   void make_folder() const;
 

@@ -13,34 +13,7 @@ import unittest
 
 import program
 from program import PROGRAM, SOURCES, ProgramTest
-
-STUDY = """\
-title = "a small study"
-kind = "uncertainty"
-seed = 5
-
-[[base]]
-name = "new"
-case = "case.toml"
-
-[[factor]]
-name = "speed"
-key = "operating.speed"
-range = ["1000 rpm", "3000 rpm"]
-
-[[factor]]
-name = "roughness"
-key = "contact.roughness"
-how = "scale"
-distribution = "normal"
-mean = 1.0
-deviation = 0.1
-truncate = [0.5, 1.5]
-
-[plan]
-method = "sobol"
-scenarios = SCENARIOS
-"""
+from study import STUDY
 
 
 class StudyTest(ProgramTest):

@@ -5,9 +5,12 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/models/oil_fit.hpp"
+#include "ringfilm/models/oil_of_functions.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -86,6 +89,12 @@ std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaw
   return notes;
 }
 
+/// Up to where the polynomials should serve [Pa].
+double range_of_fits(double largest_mean_pressure) {
+  constexpr double kLeastRange = 20e6;  // [Pa]
+  return std::max(4 * largest_mean_pressure, kLeastRange);
+}
+
 }  // namespace
 
 PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
@@ -100,9 +109,23 @@ PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
           extrapolation_notes(lubricant, laws, temperature)};
 }
 
+PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAtTemperature> law,
+                    double largest_mean_pressure) {
+  if (!law) throw InputError("an own oil has no law", "give one, for example models::oil_of_functions");
+  models::check_oil(*law, 0, range_of_fits(largest_mean_pressure));
+  const double viscosity = law->viscosity(base::kAtmosphere), density = law->density(base::kAtmosphere);
+  const std::string called = name.empty() ? "an oil without a name" : "\"" + name + "\"";
+  return {std::move(law),
+          viscosity,
+          density,
+          {{"own-oil",
+            "density and viscosity follow a law of the caller's own, " + called +
+                ": the keys under lubricant in the case were not used, and the case alone does not give this result",
+            1}}};
+}
+
 void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
-  constexpr double kLeastRange = 20e6;  // [Pa]
-  const double high = std::max(4 * largest_mean_pressure, kLeastRange);
+  const double high = range_of_fits(largest_mean_pressure);
   for (const double range : {high, high / 2}) {
     oil.oil = models::fitted_oil(oil.oil, 0, range);
     if (oil.oil->fit()) return;

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "ringfilm/cycle/case.hpp"
@@ -17,6 +18,11 @@ struct PreparedOil {
 
 /// The oil of a case at one temperature [K], by the laws that the case names.
 PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature);
+
+/// An oil that the caller brings, with the note that says so. Throws InputError without a law, or where it has no value
+/// up to the pressures that its fits are to reach (see fit_properties).
+PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAtTemperature> law,
+                    double largest_mean_pressure);
 
 /// Gives the oil its polynomials for the inner loop, from zero to four times the largest mean pressure on the face [Pa]
 /// and 20 MPa at least; to half of that where no certified fit reaches further. Adds a note where there is none at all.

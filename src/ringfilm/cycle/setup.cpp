@@ -65,6 +65,11 @@ double elastic_pressure(const Case& c) {
                                                 c.engine.bore);
 }
 
+/// On the face [Pa].
+double largest_mean_pressure(const Case& c, const models::CyclePressure& cylinder) {
+  return elastic_pressure(c) + c.gas.pressure_behind_ring * cylinder.peak();
+}
+
 double composite_modulus(const Case& c) {
   if (c.contact.composite_modulus) return *c.contact.composite_modulus;
   const Coating& coating = c.ring.coating;
@@ -100,16 +105,10 @@ void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
   notes.push_back({"end-cells-long", text, 1});
 }
 
-}  // namespace
-
-Setup prepare(const Case& c) {
-  PreparedOil oil = oil_at_temperature(c.lubricant, c.operating.oil_temperature);
+Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
   append_end_cell_note(c, oil.notes);
-  models::CyclePressure cylinder = cylinder_pressure(c);
   const double p_e = elastic_pressure(c);
-  if (c.solver.properties == Properties::kFitted) {
-    fit_properties(oil, p_e + c.gas.pressure_behind_ring * cylinder.peak());
-  }
+  if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, cylinder));
   models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, *c.gas.crankcase_trace)
                                                           : models::CyclePressure(c.gas.crankcase_pressure);
   return {c,
@@ -125,6 +124,19 @@ Setup prepare(const Case& c) {
           oil.viscosity,
           oil.density,
           std::move(oil.notes)};
+}
+
+}  // namespace
+
+Setup prepare(const Case& c) {
+  PreparedOil oil = oil_at_temperature(c.lubricant, c.operating.oil_temperature);
+  return with_oil(c, std::move(oil), cylinder_pressure(c));
+}
+
+Setup prepare(const Case& c, const OwnOil& oil) {
+  models::CyclePressure cylinder = cylinder_pressure(c);
+  PreparedOil prepared = own_oil(oil.name, oil.law, largest_mean_pressure(c, cylinder));
+  return with_oil(c, std::move(prepared), std::move(cylinder));
 }
 
 }  // namespace ringfilm::cycle

@@ -37,4 +37,14 @@ struct Setup {
 /// others (partial trace without intake pressure, peak that the Wiebe cycle cannot reach).
 Setup prepare(const Case& c);
 
+/// An oil that the caller brings in place of the laws of a case.
+struct OwnOil {
+  std::string name;                                     ///< for the notes of the result, e.g. "Carreau, batch 7"
+  std::shared_ptr<const models::OilAtTemperature> law;  ///< at operating.oil_temperature; see oil_of_functions
+};
+
+/// The same with an oil of the caller's own; lubricant.* of the case is not looked at, and a note in the result says
+/// so. Throws InputError also where the law has no value (check_oil).
+Setup prepare(const Case& c, const OwnOil& oil);
+
 }  // namespace ringfilm::cycle

@@ -30,7 +30,7 @@ std::vector<CaseEntry> case_entries(const cycle::Case& c);
 /// Traces and tables are named by path, as seen from the working folder of the run.
 std::string resolved_case(const cycle::Case& c);
 
-/// The shipped folder that holds `cases/` and `data/` (beside the program or in ../share/ringfilm); throws InputError.
+/// The folder of find_shipped_folder(); throws InputError where there is none.
 std::string shipped_folder();
 
 }  // namespace ringfilm::io

@@ -298,6 +298,12 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header)
     }
     struct stat status {};
     if (::fstat(file_, &status) != 0) fail_to_write(path, errno);
+    struct stat named {};
+    if (::stat(path.c_str(), &named) != 0 || named.st_ino != status.st_ino || named.st_dev != status.st_dev) {
+      // Its last owner gave it its final name between the opening and the lock.
+      throw InputError(fmt::format("{}: another process has just finished this part", path),
+                       "start again, with --resume");
+    }
     const std::string first = block(text_of(header));
     // A header that was cut off says nothing; the rest of one that is there decides.
     if (static_cast<std::uint64_t>(status.st_size) < first.size()) {

@@ -1,5 +1,7 @@
 #include "ringfilm/io/shipped.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <vector>
@@ -15,11 +17,24 @@ namespace fs = std::filesystem;
 std::vector<fs::path> candidates() {
   // Stated by the user: nothing else is looked at, so that a wrong name is seen and not papered over.
   if (const char* stated = std::getenv("RINGFILM_DATA"); stated != nullptr && *stated != '\0') return {stated};
+  std::vector<fs::path> folders;
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) return {};
-  const fs::path above = program.parent_path().parent_path();
-  return {above / "share" / "ringfilm", above};
+  if (!error) {
+    const fs::path above = program.parent_path().parent_path();
+    folders = {above / "share" / "ringfilm", above};
+  }
+  // A program of somebody else on the library, or Python: where the system keeps shared data, freedesktop.org's Base
+  // Directory Specification.
+  const char* stated = std::getenv("XDG_DATA_DIRS");
+  const std::string shared = stated != nullptr && *stated != '\0' ? stated : "/usr/local/share:/usr/share";
+  for (std::size_t begin = 0; begin <= shared.size();) {
+    const std::size_t end = std::min(shared.find(':', begin), shared.size());
+    const fs::path folder = shared.substr(begin, end - begin);
+    if (folder.is_absolute()) folders.push_back(folder / "ringfilm");
+    begin = end + 1;
+  }
+  return folders;
 }
 
 }  // namespace

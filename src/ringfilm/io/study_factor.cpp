@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "ringfilm/cycle/case_fields.hpp"
 #include "ringfilm/io/suggestion.hpp"
@@ -40,13 +42,36 @@ const std::vector<std::string> kFactorKeys = {"name",
 /// A value or a difference of two: "5 degC" warmer is 5 K, not 278.15 K.
 enum class Meaning { kValue, kDifference };
 
-/// Moves into a case what comes with the file of a choice.
-void put_section(const std::string& key, const cycle::Case& from, cycle::Case& to) {
-  if (key.rfind("lubricant.", 0) == 0) to.lubricant = from.lubricant;
-  if (key.rfind("gas.", 0) == 0) to.gas = from.gas;
-  if (key.rfind("ring.face.", 0) == 0) to.ring.face = from.ring.face;
-  to.stated = from.stated;
-  to.files = from.files;
+/// The table whose keys a file may bring: "lubricant." for lubricant.table.
+std::string section_of(const std::string& key) {
+  for (const std::string section : {"lubricant.", "gas.", "ring.face."}) {
+    if (key.rfind(section, 0) == 0) return section;
+  }
+  return key;
+}
+
+bool is_among(const cycle::InputFile& file, const std::vector<cycle::InputFile>& files) {
+  return std::any_of(files.begin(), files.end(), [&](const cycle::InputFile& one) {
+    return std::tie(one.role, one.path, one.sha256) == std::tie(file.role, file.path, file.sha256);
+  });
+}
+
+/// Moves into a case what comes with the file of a choice, and nothing of other tables: there another file may have
+/// been chosen.
+/// @param base the case without the file  @param from the same with it
+void put_section(const std::string& key, const cycle::Case& base, const cycle::Case& from, cycle::Case& to) {
+  const std::string section = section_of(key);
+  if (section == "lubricant.") to.lubricant = from.lubricant;
+  if (section == "gas.") to.gas = from.gas;
+  if (section == "ring.face.") to.ring.face = from.ring.face;
+  const auto belongs = [&](const std::string& one) { return one.rfind(section, 0) == 0; };
+  std::erase_if(to.stated, belongs);
+  std::copy_if(from.stated.begin(), from.stated.end(), std::inserter(to.stated, to.stated.end()), belongs);
+  std::erase_if(to.files, [&](const cycle::InputFile& file) {
+    return is_among(file, base.files) && !is_among(file, from.files);
+  });
+  std::copy_if(from.files.begin(), from.files.end(), std::back_inserter(to.files),
+               [&](const cycle::InputFile& file) { return !is_among(file, base.files); });
 }
 
 class FactorReader {
@@ -285,7 +310,13 @@ class FactorReader {
         }
       }
     }
-    return [key, read](cycle::Case& c) { put_section(key, read->at(c.files.front().path), c); };
+    std::map<std::string, cycle::Case> bases;
+    for (std::size_t b = 0; b < sources_.base_paths.size(); ++b)
+      bases.emplace(sources_.base_paths[b], sources_.study.bases[b].input);
+    return [key, read, bases = std::move(bases)](cycle::Case& c) {
+      const std::string path = c.files.front().path;
+      put_section(key, bases.at(path), read->at(path), c);
+    };
   }
 
   std::vector<Fault>& faults_;

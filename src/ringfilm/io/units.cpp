@@ -7,13 +7,17 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/io/shipped.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -120,6 +124,17 @@ Scale temperature_scale(const std::string& unit) {
                   "write degC, K or degF");
 }
 
+/// The table of UDUNITS that a program carries with it where the system has none; the user's own choice comes first.
+std::optional<std::string> table_of_units_beside() {
+  if (std::getenv("UDUNITS2_XML_PATH") != nullptr) return std::nullopt;
+  const std::optional<std::string> shipped = find_shipped_folder();
+  if (!shipped) return std::nullopt;
+  const std::filesystem::path table = std::filesystem::path(*shipped) / "udunits" / "udunits2.xml";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(table, error)) return std::nullopt;
+  return table.string();
+}
+
 }  // namespace
 
 struct Units::System {
@@ -128,7 +143,8 @@ struct Units::System {
   System() {
     const std::lock_guard lock(udunits_mutex());
     ut_set_error_message_handler(ut_ignore);
-    system = ut_read_xml(nullptr);
+    const std::optional<std::string> beside = table_of_units_beside();
+    system = ut_read_xml(beside ? beside->c_str() : nullptr);
     if (system == nullptr) {
       throw InputError("the table of units of UDUNITS-2 is not found",
                        "install the package libudunits2-data, or set UDUNITS2_XML_PATH");

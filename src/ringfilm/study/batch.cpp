@@ -122,14 +122,14 @@ void check_rules(const cycle::Case& c) {
 }
 
 /// All that one thread does.
-cycle::LaneEffort serve(Desk& desk, int thread) {
+cycle::LaneEffort serve(Desk& desk, int thread, const BatchOptions& options) {
   std::map<std::size_t, std::size_t> index;  // in the batch, of scenarios on their way, by their number on this thread
   std::size_t n_begun = 0;
   const auto setup = [&]() -> std::optional<cycle::Setup> {
     while (std::optional<Numbered> one = desk.take(thread)) {
       try {
         check_rules(one->input);
-        cycle::Setup ready = cycle::prepare(one->input);
+        cycle::Setup ready = options.prepare ? options.prepare(one->input) : cycle::prepare(one->input);
         index[n_begun++] = one->index;
         return ready;
       } catch (const InputError& refusal) {
@@ -172,7 +172,7 @@ BatchEffort simulate_cases(const CaseSource& next, const std::function<void(Endi
   std::vector<cycle::LaneEffort> parts(n);
   on_threads(n, [&](int thread) {
     try {
-      parts[thread] = serve(desk, thread);
+      parts[thread] = serve(desk, thread, options);
     } catch (...) {
       desk.fail(std::current_exception());
       throw;

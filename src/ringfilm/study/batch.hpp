@@ -14,6 +14,9 @@ namespace ringfilm::study {
 
 struct BatchOptions {
   int threads = 0;  ///< 0: as many as the machine runs at once
+  /// How a case is made ready: empty, by cycle::prepare. One's own may bring another oil (cycle::OwnOil); it is called
+  /// from several threads at a time, and an InputError that it throws refuses the case.
+  std::function<cycle::Setup(const cycle::Case&)> prepare = {};
 };
 
 /// How a scenario of a batch ended.

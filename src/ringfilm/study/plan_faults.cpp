@@ -202,6 +202,29 @@ void check_names(const Study& study, Faults& faults) {
   }
 }
 
+/// A file brings all of its table, so that of two chosen for one table only the last would count.
+void check_one_file_a_table(const Study& study, Faults& faults) {
+  std::map<std::pair<std::size_t, std::string>, std::pair<const Factor*, std::string>> by;
+  for (const Factor& factor : study.factors) {
+    if (is_number(factor.variation)) continue;
+    for (const Target& target : factor.targets) {
+      const cycle::Field* field = cycle::find_field(target.key);
+      if (field == nullptr || !is_file(*field)) continue;
+      for (std::size_t b = 0; b < study.bases.size(); ++b) {
+        if (target.base && *target.base != b) continue;
+        const std::string table = target.key.substr(0, target.key.rfind('.'));
+        const auto [found, is_first] = by.try_emplace({b, table}, &factor, target.key);
+        if (is_first || found->second.second == target.key) continue;  // of one key check_set_once tells
+        faults.push_back({factor.mark,
+                          called(factor) + " chooses files for " + target.key + ", as " + called(*found->second.first) +
+                              " does for " + found->second.second,
+                          "both bring all of [" + table + "]; make it two studies"});
+        return;
+      }
+    }
+  }
+}
+
 /// Two factors that set one key would leave the first without effect.
 void check_set_once(const Study& study, Faults& faults) {
   std::map<std::pair<std::size_t, std::string>, std::string> by;
@@ -387,6 +410,7 @@ std::vector<Fault> faults_of(const Study& study) {
   check_names(study, faults);
   for (const Factor& factor : study.factors) FactorCheck(study, factor, faults).run();
   check_set_once(study, faults);
+  check_one_file_a_table(study, faults);
   check_correlations(study, faults);
   check_sampling(study, faults);
   const Faults of_keep = faults_of_keep(study);

@@ -124,11 +124,14 @@ void choose(Case& c, const Field& field, const Choice& choice) {
   }
 }
 
-/// When it is a factor's turn: what names a whole file must not undo numbers, nor a number that is set one that is
-/// added.
+/// When it is a factor's turn: what a file brings must not undo what is chosen beside it, no choice a number, and no
+/// number that is set one that is added.
 int turn(const Factor& factor) {
-  if (std::holds_alternative<Choices>(factor.variation)) return 0;
-  return factor.how == How::kSet ? 1 : factor.how == How::kScale ? 2 : 3;
+  if (std::holds_alternative<Choices>(factor.variation)) {
+    const Field* field = factor.targets.empty() ? nullptr : find_field(factor.targets.front().key);
+    return field != nullptr && is_file(*field) ? 0 : 1;
+  }
+  return factor.how == How::kSet ? 2 : factor.how == How::kScale ? 3 : 4;
 }
 
 struct ValueText {
@@ -199,7 +202,7 @@ std::string range_words(const Field& field) {
 Case scenario_case(const Study& study, const Point& point) {
   Case c = study.bases.at(point.base).input;
   std::vector<Fault> faults;
-  for (int now = 0; now <= 3; ++now) {
+  for (int now = 0; now <= 4; ++now) {
     for (std::size_t j = 0; j < study.factors.size(); ++j) {
       const Factor& factor = study.factors[j];
       if (turn(factor) != now || !point.values.at(j)) continue;

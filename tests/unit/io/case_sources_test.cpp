@@ -184,5 +184,16 @@ TEST(CaseSources, TheShippedFolderIsFoundByTheEnvironment) {
   ASSERT_EQ(::unsetenv("RINGFILM_DATA"), 0);
 }
 
+TEST(CaseSources, TheShippedFolderIsFoundAmongTheSharedDataOfTheSystem) {
+  const ScratchFolder folder;
+  const std::filesystem::path shared = folder / "share";
+  std::filesystem::create_directories(shared / "ringfilm" / "cases");
+  ASSERT_EQ(::setenv("XDG_DATA_DIRS", ("/nowhere::ours:" + shared.string()).c_str(), 1), 0);
+  EXPECT_NE(find_shipped_folder(), (shared / "ringfilm").string()) << "data/ is not there";
+  std::filesystem::create_directories(shared / "ringfilm" / "data");
+  EXPECT_EQ(find_shipped_folder(), (shared / "ringfilm").string());
+  ASSERT_EQ(::unsetenv("XDG_DATA_DIRS"), 0);
+}
+
 }  // namespace
 }  // namespace ringfilm::io

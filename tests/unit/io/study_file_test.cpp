@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "case_example.hpp"
 #include "ringfilm/study/plan.hpp"
@@ -92,6 +93,41 @@ TEST(StudyFile, PutsTheContentOfAFileIntoScenarios) {
   EXPECT_EQ(c.gas.cylinder_pressure.value, file.study.bases[0].input.gas.cylinder_pressure.value);
   // The study, its case and its trace, each told once.
   EXPECT_EQ(file.files.size(), 3u);
+}
+
+// The file of an oil brings the whole table; what is chosen or set beside it must stand in the scenario all the same,
+// whatever the order of the factors.
+TEST(StudyFile, AFileThatIsChosenUndoesNoOtherFactor) {
+  const StudyFolder folder;
+  const std::string oil =
+      "name = \"NAME\"\nkinematic_viscosity = [{ temperature = \"40 degC\", value = \"50 mm2/s\" }, "
+      "{ temperature = \"100 degC\", value = \"8 mm2/s\" }]\n"
+      "density = [{ temperature = \"15 degC\", value = \"850 kg/m3\" }]\n";
+  folder.folder().write("a.toml", oil);
+  folder.folder().write("b.toml", oil);
+  const std::string file = "[[factor]]\nname = \"oil\"\nkey = \"lubricant.file\"\nvalues = [\"a.toml\", \"b.toml\"]\n";
+  const std::string gas = "[[factor]]\nname = \"gas\"\nkey = \"gas.cylinder_pressure\"\nvalues = [\"p.csv\"]\n";
+  const std::string law =
+      "[[factor]]\nname = \"law\"\nkey = \"lubricant.viscosity_pressure\"\nvalues = [\"roelands\", \"barus\"]\n";
+  const std::string alpha =
+      "[[factor]]\nname = \"alpha\"\nkey = \"lubricant.pressure_viscosity_coefficient\"\nvalues = [\"2e-8 1/Pa\"]\n";
+  for (const std::string& factors : {file + law + alpha + gas, gas + alpha + law + file}) {
+    const study::Plan plan(folder.read(factors, "[plan]\nmethod = \"grid\"\n").study);
+    std::set<std::pair<std::string, int>> seen;
+    for (std::uint64_t i = 0; i < plan.size(); ++i) {
+      const cycle::Case c = study::scenario_case(plan.study(), plan.point(i));
+      EXPECT_EQ(c.lubricant.pressure_viscosity_coefficient, 2e-8);
+      EXPECT_TRUE(c.stated.contains("lubricant.viscosity_pressure"));
+      EXPECT_TRUE(c.stated.contains("gas.cylinder_pressure"));
+      seen.insert({c.lubricant.file.value(), static_cast<int>(c.lubricant.viscosity_pressure)});
+      std::size_t n_oils = 0;
+      for (const cycle::InputFile& input : c.files) n_oils += input.role.rfind("lubricant", 0) == 0;
+      EXPECT_EQ(n_oils, 1u) << "the file of another scenario or of none is told";
+    }
+    EXPECT_EQ(seen.size(), 4u);
+  }
+  EXPECT_THAT(folder.refusal(file + "[[factor]]\nkey = \"lubricant.table\"\nvalues = [\"a.csv\"]\n"),
+              HasSubstr("a.csv"));
 }
 
 TEST(StudyFile, TakesAListWithItsUnitsInAnyOrder) {

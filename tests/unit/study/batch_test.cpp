@@ -131,6 +131,25 @@ TEST(Batch, EachOfMoreThanAreReadAheadEndsOnce) {
   EXPECT_GT(effort.lanes.sweeps, 0);
 }
 
+TEST(Batch, CasesAreMadeReadyAsTheCallerWants) {
+  const std::vector<Case> cases(3, testing::coarse_case());
+  std::size_t n_given = 0;
+  std::vector<Ending> ended(cases.size());
+  BatchOptions options{2};
+  options.prepare = [](const Case& c) {
+    cycle::Setup setup = cycle::prepare(c);
+    setup.notes.push_back({"made-ready", "by the test", 1});
+    return setup;
+  };
+  simulate_cases(
+      source_of(cases, n_given), [&](Ending ending) { ended[ending.index] = std::move(ending); }, options);
+  for (const Ending& ending : ended) {
+    EXPECT_TRUE(ending.is_solved()) << ending.reason();
+    EXPECT_TRUE(std::any_of(ending.result.notes.begin(), ending.result.notes.end(),
+                            [](const cycle::Note& note) { return note.topic == "made-ready"; }));
+  }
+}
+
 TEST(Batch, ReadsNoFurtherAheadThanItSays) {
   const std::vector<Case> cases(300, testing::coarse_case());
   std::size_t n_given = 0;

@@ -1,0 +1,22 @@
+# Installs ringfilm/ringfilm.hpp and every header of RINGFILM_SOURCES that it includes, directly or not, into
+# RINGFILM_HEADER_FOLDER below the prefix.
+cmake_policy(VERSION 3.25)
+set(known "ringfilm/ringfilm.hpp")
+set(waiting ${known})
+while(waiting)
+  list(POP_FRONT waiting header)
+  file(STRINGS "${RINGFILM_SOURCES}/${header}" includes REGEX "^#include \"ringfilm/[^\"]+\"")
+  foreach(include IN LISTS includes)
+    string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included "${include}")
+    if(NOT included IN_LIST known)
+      list(APPEND known "${included}")
+      list(APPEND waiting "${included}")
+    endif()
+  endforeach()
+endwhile()
+list(SORT known)
+foreach(header IN LISTS known)
+  get_filename_component(folder "${header}" DIRECTORY)
+  file(INSTALL DESTINATION "${CMAKE_INSTALL_PREFIX}/${RINGFILM_HEADER_FOLDER}/${folder}" TYPE FILE
+       FILES "${RINGFILM_SOURCES}/${header}")
+endforeach()
