@@ -39,7 +39,7 @@ figure.colorbar(mesh, label="film pressure [bar]")
 plt.show()
 
 # %% [markdown]
-# *Film pressure at 20 degrees, 0 to 3 mm from the end of the ring, chamber edge on top. At the end itself the pressure is set to the mean of chamber and crankcase; about a face width further on the film knows nothing of it.*
+# *Film pressure at 20 degrees, 0 to 3 mm from the end of the ring, chamber edge on top. At the end itself the pressure is set to the mean of chamber and crankcase; half a millimetre further on the film knows nothing of it.*
 #
 # ## What the end does to the whole
 

@@ -45,7 +45,7 @@ for axes in (film, friction):
     axes.set_xlim(-360, 360)
     axes.set_xticks(range(-360, 361, 90))
     axes.grid(axis="x", color="0.85")
-film.legend(title="ring")
+film.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1))
 plt.show()
 
 # %% [markdown]
