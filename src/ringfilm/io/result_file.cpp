@@ -7,14 +7,12 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/atomic_file.hpp"
-#include "ringfilm/io/result_file_layout.hpp"
+#include "ringfilm/io/result_file_document.hpp"
 #include "ringfilm/io/result_file_reader.hpp"
 #include "ringfilm/io/result_file_writer.hpp"
 
 namespace ringfilm::io {
 namespace {
-
-const char* const kConventions = "CF-1.10";
 
 std::string bytes_of(const std::string& path) {
   std::error_code error;
@@ -50,29 +48,6 @@ void refuse_what_is_not_ours(const std::string& path, const ResultFileReader& fi
   }
 }
 
-/// The variants of all ledger entries one after the other, and their cycle values row by row.
-struct VariantTable {
-  std::vector<VariantRow> rows;
-  std::vector<std::string> quantities;  ///< name of each column of `values`
-  std::vector<std::string> units;
-  std::vector<double> values;
-};
-
-VariantTable variant_table(const std::vector<study::LedgerEntry>& ledger) {
-  VariantTable table;
-  for (const auto& quantity : cycle::cycle_quantities()) {
-    table.quantities.push_back(quantity.name);
-    table.units.push_back(quantity.unit);
-  }
-  for (std::size_t i = 0; i < ledger.size(); ++i) {
-    for (const study::LedgerVariant& variant : ledger[i].variants) {
-      table.rows.push_back({static_cast<long>(i), variant.setting, variant.solved, variant.reason});
-      for (const auto& quantity : cycle::cycle_quantities()) table.values.push_back(variant.values.*quantity.value);
-    }
-  }
-  return table;
-}
-
 void give_back(const std::string& path, const VariantTable& table, std::vector<study::LedgerEntry>& ledger) {
   // A file of another version may have other quantities, or the same in another order.
   const auto& known = cycle::cycle_quantities();
@@ -105,17 +80,36 @@ void give_back(const std::string& path, const VariantTable& table, std::vector<s
 
 }  // namespace
 
+VariantTable variant_table(const std::vector<study::LedgerEntry>& ledger) {
+  VariantTable table;
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    table.quantities.push_back(quantity.name);
+    table.units.push_back(quantity.unit);
+  }
+  for (std::size_t i = 0; i < ledger.size(); ++i) {
+    for (const study::LedgerVariant& variant : ledger[i].variants) {
+      table.rows.push_back({static_cast<long>(i), variant.setting, variant.solved, variant.reason});
+      for (const auto& quantity : cycle::cycle_quantities()) table.values.push_back(variant.values.*quantity.value);
+    }
+  }
+  return table;
+}
+
 void write_result(const std::string& path, const ResultDocument& document) {
   ResultFileWriter file(path);
-  file.attribute("Conventions", std::string(kConventions));
-  file.attribute("ringfilm_schema", kResultSchema);
-  const VariantTable variants = variant_table(document.ledger);
-  exchange(file, document, variants);
+  put_document(file, document);
   write_atomically(path, file.bytes());
 }
 
-ResultDocument read_result(const std::string& path) {
-  const std::string bytes = bytes_of(path);
+std::string result_bytes(const ResultDocument& document) {
+  ResultFileWriter file("a result in memory");
+  put_document(file, document);
+  return std::string(file.bytes());
+}
+
+ResultDocument read_result(const std::string& path) { return result_of_bytes(path, bytes_of(path)); }
+
+ResultDocument result_of_bytes(const std::string& path, const std::string& bytes) {
   if (!starts_with(bytes, "\x89HDF\r\n\x1a\n") && !starts_with(bytes, "CDF")) {
     throw InputError(path + ": this is not a NetCDF file", "name a result that ringfilm run --output has written");
   }

@@ -55,4 +55,10 @@ void write_result(const std::string& path, const ResultDocument& document);
 /// truncated).
 ResultDocument read_result(const std::string& path);
 
+/// The bytes that write_result writes, for who sends a result elsewhere. Throws OutputError.
+std::string result_bytes(const ResultDocument& document);
+
+/// The result that those bytes hold. @param name where they come from, for messages. Throws InputError as read_result.
+ResultDocument result_of_bytes(const std::string& name, const std::string& bytes);
+
 }  // namespace ringfilm::io

@@ -5,8 +5,9 @@
 namespace ringfilm::io {
 
 /// The folder that holds the shipped `cases/` and `data/`: $RINGFILM_DATA, else <program>/../share/ringfilm, else
-/// <program>/.. (a build folder inside the checkout), else ringfilm in one of $XDG_DATA_DIRS (/usr/local/share and
-/// /usr/share where that is not set); nothing if none of them does. See also shipped_folder().
+/// <program>/.. (a build folder inside the checkout), of the Python module <module>/share, else the same in one of the
+/// four folders above it; else ringfilm in one of $XDG_DATA_DIRS (/usr/local/share and /usr/share where that is not
+/// set); nothing if none of them does. See also shipped_folder().
 std::optional<std::string> find_shipped_folder();
 
 }  // namespace ringfilm::io

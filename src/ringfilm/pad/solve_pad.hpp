@@ -13,7 +13,7 @@ class StoppedPad : public ConvergenceError {
   PadResult result;
 };
 
-/// Told how far the march in time is; may be slow, must not throw.
+/// Told how far the march in time is; may be slow; what it throws ends the work.
 class Observer {
  public:
   virtual ~Observer() = default;

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace ringfilm::app {
+
+/// The whole program but for its process: reads the words, does what they ask for, tells what went wrong on standard
+/// error. @returns the exit code
+int run_program(int argc, const char* const* argv);
+
+}  // namespace ringfilm::app

@@ -1,0 +1,24 @@
+#pragma once
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+/// The parts of the module `ringfilm._ringfilm`, each in the source of the same name.
+namespace ringfilm::python {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& module);
+void bind_tables(py::module_& module);
+void bind_case(py::module_& module);
+void bind_result(py::module_& module);
+void bind_batch(py::module_& module);
+void bind_pad(py::module_& module);
+void bind_study(py::module_& module);
+void bind_surface(py::module_& module);
+void bind_face(py::module_& module);
+void bind_lateral_force(py::module_& module);
+void bind_laws(py::module_& module);
+void bind_command_line(py::module_& module);
+
+}  // namespace ringfilm::python

@@ -1,0 +1,270 @@
+#include "case_object.hpp"
+#include "case_values.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/setup.hpp"
+#include "ringfilm/io/case_edit.hpp"
+#include "ringfilm/io/case_file.hpp"
+#include "ringfilm/io/case_text.hpp"
+#include "ringfilm/io/case_value_text.hpp"
+#include "ringfilm/io/suggestion.hpp"
+#include "ringfilm/pad/pad_setup.hpp"
+#include "ringfilm/study/ledger.hpp"
+#include "ringfilm/study/scenario.hpp"
+#include "run.hpp"
+
+namespace ringfilm::python {
+namespace {
+
+using cycle::Case;
+using cycle::Field;
+
+const Field& known_field(const std::string& key) {
+  if (const Field* field = cycle::find_field(key)) return *field;
+  std::vector<std::string> keys;
+  for (const Field& field : cycle::case_fields()) keys.push_back(field.key);
+  const std::string near = io::nearest_word(key, keys);
+  throw InputError("unknown key " + key + (near.empty() ? "" : "; did you mean " + near + "?"),
+                   near.empty() ? "ringfilm.fields() lists all keys" : "");
+}
+
+CaseObject read_case(const py::object& path, const py::dict& overrides) {
+  const auto name = py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
+  auto units = std::make_shared<const io::Units>();
+  if (overrides.empty()) return {io::read_case(name, {}, *units), units};
+  // As --set has them, so that what is missing in the file may be among them.
+  std::vector<io::Override> changes;
+  for (const auto& [key, value] : overrides) {
+    const auto text = py::cast<std::string>(key);
+    if (value.is_none()) {
+      changes.push_back({text, ""});
+    } else {
+      changes.push_back({text, written(toml_value(value, known_field(text)))});
+    }
+  }
+  return {io::read_case(name, changes, *units), units};
+}
+
+std::vector<std::string> keys_in_use(const CaseObject& self) {
+  std::vector<std::string> keys;
+  for (const Field& field : cycle::case_fields()) {
+    if (cycle::belongs(field, self.value()) && cycle::is_active(field, self.value())) keys.push_back(field.key);
+  }
+  return keys;
+}
+
+std::vector<std::string> check(CaseObject& self) {
+  self.check();
+  const Case& c = self.value();
+  std::vector<std::string> notes = c.notes;
+  if (c.problem == cycle::Problem::kPad) {
+    pad::prepare_pad(c);
+  } else {
+    for (const cycle::Note& note : cycle::prepare(c).notes) notes.push_back(note.message);
+  }
+  return notes;
+}
+
+py::dict assumed(const CaseObject& self) {
+  py::dict assumed;
+  for (const std::string& key : keys_in_use(self)) {
+    if (self.value().stated.contains(key)) continue;
+    const std::string text = io::written_value(known_field(key), self.value(), self.units());
+    if (!text.empty()) assumed[py::str(key)] = text;
+  }
+  return assumed;
+}
+
+std::vector<std::string> assumptions(const CaseObject& self) {
+  std::vector<std::string> statements;
+  for (const study::LedgerEntry& entry : study::assumptions(self.value())) statements.push_back(entry.statement);
+  return statements;
+}
+
+std::string repr(const CaseObject& self) {
+  const Case& c = self.value();
+  std::string text = c.problem == cycle::Problem::kPad ? "<ringfilm.Case of a pad" : "<ringfilm.Case";
+  if (!c.title.empty()) text += " \"" + c.title + "\"";
+  if (!c.files.empty()) text += " from " + c.files.front().path;
+  return text + ": " + std::to_string(c.stated.size()) + " keys stated>";
+}
+
+constexpr int kStateVersion = 1;
+
+/// The samples that files gave, in the order of a pickle.
+auto samples(Case& c) {
+  return std::tie(c.gas.cylinder_pressure.crank_angle_deg, c.gas.cylinder_pressure.value, c.ring.face.x,
+                  c.ring.face.height, c.lubricant.table.temperature, c.lubricant.table.pressure,
+                  c.lubricant.table.viscosity, c.lubricant.table.density, c.pad.gap_x, c.pad.gap_y, c.pad.gap_height,
+                  c.pad.history_time, c.pad.history_separation);
+}
+
+py::array_t<double> array_of(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+std::vector<double> values_of(const py::handle& array) {
+  const auto values = py::cast<py::array_t<double, py::array::c_style>>(array);
+  return {values.data(), values.data() + values.size()};
+}
+
+py::tuple state_of(const CaseObject& self) {
+  Case c = self.value();
+  py::dict values;
+  for (const Field& field : cycle::case_fields()) {
+    if (cycle::belongs(field, c)) values[py::str(field.key)] = stored_value(field, c);
+  }
+  py::list arrays;
+  std::apply([&](auto&... each) { (arrays.append(array_of(each)), ...); }, samples(c));
+  py::object crankcase = py::none();
+  if (c.gas.crankcase_trace) {
+    crankcase =
+        py::make_tuple(array_of(c.gas.crankcase_trace->crank_angle_deg), array_of(c.gas.crankcase_trace->value));
+  }
+  py::list files;
+  for (const cycle::InputFile& file : c.files) files.append(py::make_tuple(file.role, file.path, file.sha256));
+  return py::make_tuple(kStateVersion, static_cast<int>(c.problem), values, arrays, crankcase, files,
+                        std::vector<std::string>(c.stated.begin(), c.stated.end()), c.notes);
+}
+
+CaseObject from_state(const py::tuple& state) {
+  if (state.size() != 8 || py::cast<int>(state[0]) != kStateVersion)
+    throw py::value_error("this is a pickle of a case of another version of ringfilm");
+  Case c = cycle::blank_case(static_cast<cycle::Problem>(py::cast<int>(state[1])));
+  for (const auto& [key, value] : py::cast<py::dict>(state[2]))
+    restore_value(known_field(py::cast<std::string>(key)), value, c);
+  const auto arrays = py::cast<py::list>(state[3]);
+  std::size_t i = 0;
+  std::apply([&](auto&... each) { ((each = values_of(arrays[i++])), ...); }, samples(c));
+  if (!state[4].is_none()) {
+    const auto trace = py::cast<py::tuple>(state[4]);
+    c.gas.crankcase_trace = cycle::SampledTrace{values_of(trace[0]), values_of(trace[1])};
+  }
+  for (const auto& file : py::cast<py::list>(state[5])) {
+    const auto words = py::cast<std::vector<std::string>>(file);
+    c.files.push_back({words.at(0), words.at(1), words.at(2)});
+  }
+  const auto stated = py::cast<std::vector<std::string>>(state[6]);
+  c.stated = {stated.begin(), stated.end()};
+  c.notes = py::cast<std::vector<std::string>>(state[7]);
+  return CaseObject(std::move(c));
+}
+
+constexpr const char* kCaseDoc =
+    R"(The input of one engine cycle or of one pad, as a table of keys (docs/manual/case-file.md, ringfilm.fields()).
+
+Read one with Case.read, then read and change it key by key: case["operating.speed"] is a number in SI, and
+case["operating.speed"] = "2000 rpm" or = 209.4 (SI) states another one. None, or del, takes a key out. A value out of
+its range is refused at once with InputError; what joins several keys is looked at by check() and run().
+Cases can be copied, compared and pickled; a pickle holds the numbers of all files that were read.)";
+
+}  // namespace
+
+void CaseObject::set(const std::string& key, const py::handle& value) {
+  if (value.is_none()) return remove(key);
+  const Field& field = known_field(key);
+  is_checked_ = false;
+  io::state(value_, key, toml_value(value, field), units());
+}
+
+void CaseObject::remove(const std::string& key) {
+  known_field(key);
+  is_checked_ = false;
+  io::retract(value_, key, units());
+}
+
+void CaseObject::check() {
+  if (!is_checked_) io::check_case(value_);
+  is_checked_ = true;
+}
+
+void bind_case(py::module_& module) {
+  py::class_<CaseObject> type(module, "Case", kCaseDoc);
+  type.def_static("read", &read_case, py::arg("path"), py::arg("overrides") = py::dict(),
+                  R"(A case from a TOML file, with all files that it names.
+
+path: name of the file, a str or a path.
+overrides: {key: value}, as --set of the program; None takes a key out.
+Raises InputError with every fault of every file, in the words of the program.
+Source: docs/manual/case-file.md.)");
+  type.def(
+      "__getitem__",
+      [](const CaseObject& self, const std::string& key) { return si_value(known_field(key), self.value()); },
+      py::arg("key"),
+      R"(The value of a key: a float in SI, an int, a str, a list; of values at temperatures a list of pairs
+(temperature [K], value [SI]); of crank angles [degree]; None where the case has none.
+Raises InputError for a key that does not exist.)");
+  type.def("__setitem__", &CaseObject::set, py::arg("key"), py::arg("value"),
+           R"(States a key: a text as in a case file ("2000 rpm"), a number in SI, a list or numpy array of them.
+Raises InputError for an unknown key, a wrong unit, a value out of range; TypeError for what is no value.)");
+  type.def("__delitem__", &CaseObject::remove, py::arg("key"),
+           "Takes a key out, so that its default holds again. Raises InputError for a key that does not exist.");
+  type.def(
+      "__contains__", [](const CaseObject& self, const std::string& key) { return self.value().stated.contains(key); },
+      py::arg("key"), "Does the case state this key?");
+  type.def(
+      "__iter__", [](const CaseObject& self) { return py::iter(py::cast(keys_in_use(self))); }, "Over keys().");
+  type.def("keys", &keys_in_use, "The keys that are in use, stated or not, in the order of a case file.");
+  type.def(
+      "text",
+      [](const CaseObject& self, const std::string& key) {
+        return io::written_value(known_field(key), self.value(), self.units());
+      },
+      py::arg("key"),
+      R"(The value of a key as a case file has it, in the unit people use: '"2000 rpm"'. Empty where there is none.
+Raises InputError for a key that does not exist.)");
+  type.def("assumed", &assumed, "The keys in use that the case does not state, with their values as text().");
+  type.def("assumptions", &assumptions,
+           "What a cycle of this case takes for granted, a sentence each. Source: docs/theory/assumptions.md.");
+  type.def("check", &check,
+           R"(Checks the case as a whole. Returns what the program has to say about it, a list of sentences.
+Raises InputError with everything that is wrong.)");
+  type.def(
+      "run", [](CaseObject& self, const py::object& progress) { return run_case(self, progress); },
+      py::arg("progress") = py::none(),
+      R"(Computes the cycle, or the film of a pad.
+
+progress: called now and then, at most every 20 ms, as progress(cycle, crank_angle) with the number of the cycle from 1
+    and the crank angle [degree]; of a pad as progress(time, end_time) [s]. What it raises ends the run.
+Returns a Result, of a pad a PadResult. Other threads go on meanwhile; Ctrl-C ends the run with KeyboardInterrupt.
+Raises InputError, and ConvergenceError with all up to the last good crank angle in its attribute `result`.
+Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`.)");
+  type.def(
+      "resolved", [](const CaseObject& self) { return io::resolved_case(self.value()); },
+      "The case as a complete case file in SI, which gives the same bits again.");
+  type.def_property_readonly(
+      "title", [](const CaseObject& self) { return self.value().title; }, "Title of the case, a str.");
+  type.def_property_readonly(
+      "is_pad", [](const CaseObject& self) { return self.value().problem == cycle::Problem::kPad; },
+      "Is it a film without engine and ring?");
+  type.def_property_readonly(
+      "files",
+      [](const CaseObject& self) {
+        py::list files;
+        for (const cycle::InputFile& file : self.value().files)
+          files.append(py::make_tuple(file.role, file.path, file.sha256));
+        return files;
+      },
+      "The files that the case was read from: tuples (role, path, SHA-256).");
+  type.def(
+      "copy", [](const CaseObject& self) { return self; }, "A case of its own with the same values.");
+  type.def(
+      "__copy__", [](const CaseObject& self) { return self; }, "As copy().");
+  type.def(
+      "__deepcopy__", [](const CaseObject& self, const py::object&) { return self; }, py::arg("memo"), "As copy().");
+  type.def(
+      "__eq__",
+      [](const CaseObject& self, const py::object& other) -> py::object {
+        if (!py::isinstance<CaseObject>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+        const auto& that = other.cast<const CaseObject&>().value();
+        return py::bool_(self.value().problem == that.problem &&
+                         study::digest_text(self.value()) == study::digest_text(that));
+      },
+      py::arg("other"), "Have both cases the same values, from files with the same bytes?");
+  type.attr("__hash__") = py::none();
+  type.def("__repr__", &repr, "Title, file and number of stated keys.");
+  type.def(py::pickle(&state_of, &from_state));
+  module.def("starting_case", &io::starting_case,
+             "A commented, complete case file to start from, a str, as `ringfilm new` writes it.");
+}
+
+}  // namespace ringfilm::python

@@ -1,0 +1,286 @@
+#include "case_values.hpp"
+
+#include <cmath>
+
+#include "ringfilm/io/units.hpp"
+
+namespace ringfilm::python {
+namespace {
+
+using cycle::Case;
+using cycle::Field;
+using cycle::TemperatureValue;
+using io::TomlValue;
+
+py::object optional_object(const std::optional<double>& value) {
+  return value ? py::object(py::float_(*value)) : py::object(py::none());
+}
+py::object optional_object(const std::optional<std::string>& value) {
+  return value ? py::object(py::str(*value)) : py::object(py::none());
+}
+
+py::list pairs(const std::vector<TemperatureValue>& values) {
+  py::list list;
+  for (const auto& [temperature, value] : values) list.append(py::make_tuple(temperature, value));
+  return list;
+}
+
+std::vector<TemperatureValue> from_pairs(const py::handle& list) {
+  std::vector<TemperatureValue> values;
+  for (const auto& [temperature, value] : py::cast<std::vector<std::pair<double, double>>>(list))
+    values.push_back({temperature, value});
+  return values;
+}
+
+/// The value of a key in SI. The table hands out references to members that may change, so it walks a case of its own.
+class SiValue {
+ public:
+  explicit SiValue(Case& c) : case_(c) {}
+
+  py::object operator()(const cycle::NumberKind& kind) const { return py::float_(kind.ref(case_)); }
+  py::object operator()(const cycle::OptionalNumberKind& kind) const { return optional_object(kind.ref(case_)); }
+  py::object operator()(const cycle::CountKind& kind) const { return py::int_(kind.ref(case_)); }
+  py::object operator()(const cycle::ChoiceKind& kind) const { return py::str(kind.names.at(kind.index(case_))); }
+  py::object operator()(const cycle::TextKind& kind) const { return py::str(kind.ref(case_)); }
+  py::object operator()(const cycle::OptionalTextKind& kind) const { return optional_object(kind.ref(case_)); }
+  py::object operator()(const cycle::FileKind& kind) const { return py::str(kind.ref(case_)); }
+  py::object operator()(const cycle::OptionalFileKind& kind) const { return optional_object(kind.ref(case_)); }
+  py::object operator()(const cycle::NumberOrFileKind& kind) const {
+    if (const auto& file = kind.file(case_)) return py::str(*file);
+    return py::float_(kind.number(case_));
+  }
+  py::object operator()(const cycle::UnitNameKind& kind) const { return py::float_(kind.ref(case_)); }
+  py::object operator()(const cycle::NumberListKind& kind) const { return py::cast(kind.ref(case_)); }
+  py::object operator()(const cycle::TemperatureValuesKind& kind) const { return pairs(kind.ref(case_)); }
+  py::object operator()(const cycle::ConstantOrTemperatureValuesKind& kind) const {
+    if (const auto& constant = kind.constant(case_)) return py::float_(*constant);
+    return pairs(kind.ref(case_));
+  }
+  py::object operator()(const cycle::AnglesKind&) const {
+    const cycle::Output& output = case_.output;
+    if (output.crank_angles_deg.empty()) return py::float_(output.crank_angle_step_deg);
+    return py::cast(output.crank_angles_deg);
+  }
+  py::object operator()(const cycle::FieldAnglesKind&) const {
+    const cycle::Output& output = case_.output;
+    if (output.fields == cycle::FieldsWanted::kListed) return py::cast(output.field_angles_deg);
+    return py::str(output.fields == cycle::FieldsWanted::kAll ? "all" : "none");
+  }
+
+ private:
+  Case& case_;
+};
+
+/// What a pickle holds beyond SiValue, and how it comes back.
+class Stored {
+ public:
+  explicit Stored(Case& c) : case_(c) {}
+
+  py::object operator()(const cycle::NumberOrFileKind& kind) const {
+    return py::make_tuple(kind.number(case_), kind.file(case_));
+  }
+  py::object operator()(const cycle::ConstantOrTemperatureValuesKind& kind) const {
+    return py::make_tuple(kind.constant(case_), pairs(kind.ref(case_)));
+  }
+  py::object operator()(const cycle::AnglesKind&) const {
+    return py::make_tuple(case_.output.crank_angle_step_deg, case_.output.crank_angles_deg);
+  }
+  py::object operator()(const cycle::FieldAnglesKind&) const {
+    return py::make_tuple(static_cast<int>(case_.output.fields), case_.output.field_angles_deg);
+  }
+  template <class Other>
+  py::object operator()(const Other& kind) const {
+    return SiValue(case_)(kind);
+  }
+
+ private:
+  Case& case_;
+};
+
+class Restore {
+ public:
+  Restore(Case& c, const py::handle& value) : case_(c), value_(value) {}
+
+  void operator()(const cycle::ChoiceKind& kind) const {
+    const auto name = py::cast<std::string>(value_);
+    for (std::size_t i = 0; i < kind.names.size(); ++i) {
+      if (kind.names[i] == name) return kind.choose(case_, static_cast<int>(i));
+    }
+    throw py::value_error("this pickle of a case is of another version of ringfilm: it knows no choice " + name);
+  }
+  void operator()(const cycle::NumberOrFileKind& kind) const {
+    const auto [number, file] = py::cast<std::pair<double, std::optional<std::string>>>(value_);
+    kind.number(case_) = number;
+    kind.file(case_) = file;
+  }
+  void operator()(const cycle::TemperatureValuesKind& kind) const { kind.ref(case_) = from_pairs(value_); }
+  void operator()(const cycle::ConstantOrTemperatureValuesKind& kind) const {
+    const auto both = py::cast<py::tuple>(value_);
+    kind.constant(case_) = py::cast<std::optional<double>>(both[0]);
+    kind.ref(case_) = from_pairs(both[1]);
+  }
+  void operator()(const cycle::AnglesKind&) const {
+    const auto [step, angles] = py::cast<std::pair<double, std::vector<double>>>(value_);
+    case_.output.crank_angle_step_deg = step;
+    case_.output.crank_angles_deg = angles;
+  }
+  void operator()(const cycle::FieldAnglesKind&) const {
+    const auto [wanted, angles] = py::cast<std::pair<int, std::vector<double>>>(value_);
+    case_.output.fields = static_cast<cycle::FieldsWanted>(wanted);
+    case_.output.field_angles_deg = angles;
+  }
+  template <class Other>
+  void operator()(const Other& kind) const {
+    kind.ref(case_) = py::cast<std::decay_t<decltype(kind.ref(case_))>>(value_);
+  }
+
+ private:
+  Case& case_;
+  const py::handle& value_;
+};
+
+bool is_truth_value(const py::handle& value) {
+  return PyBool_Check(value.ptr()) != 0 || py::str(py::type::of(value)).cast<std::string>() == "<class 'numpy.bool_'>";
+}
+
+bool is_whole(const py::handle& value) { return PyIndex_Check(value.ptr()) != 0; }
+
+TomlValue text(const std::string& words) {
+  TomlValue value;
+  value.kind = TomlValue::Kind::kText;
+  value.text = words;
+  return value;
+}
+
+TomlValue number(double x, TomlValue::Kind kind = TomlValue::Kind::kNumber) {
+  TomlValue value;
+  value.kind = kind;
+  value.number = x;
+  return value;
+}
+
+/// A bare number means SI; a case file states the unit.
+TomlValue quantity(double x, const std::string& unit) {
+  if (unit == "1" || unit.empty() || !std::isfinite(x)) return number(x);
+  return text(io::exact_text(x) + " " + unit);
+}
+
+class Toml {
+ public:
+  Toml(const py::handle& value, const Field& field) : value_(value), field_(field) {}
+
+  TomlValue operator()() const {
+    if (py::isinstance<py::str>(value_)) return text(py::cast<std::string>(value_));
+    if (py::hasattr(value_, "__fspath__")) return text(py::cast<std::string>(value_.attr("__fspath__")()));
+    if (is_truth_value(value_)) refuse();
+    if (py::isinstance<py::dict>(value_)) refuse();
+    if (py::hasattr(value_, "__len__") && py::hasattr(value_, "__getitem__") && !is_scalar_array(value_)) return list();
+    return one_number(value_);
+  }
+
+ private:
+  static bool is_scalar_array(const py::handle& value) {
+    return py::hasattr(value, "ndim") && py::cast<int>(value.attr("ndim")) == 0;
+  }
+
+  [[noreturn]] void refuse() const {
+    throw py::type_error(field_.key + " = " + py::cast<std::string>(py::repr(value_)) +
+                         ": a text with its unit, a number in SI, or a list of them is wanted");
+  }
+
+  double plain(const py::handle& value) const {
+    const double x = PyFloat_AsDouble(value.ptr());
+    if (x == -1.0 && PyErr_Occurred() != nullptr) {
+      PyErr_Clear();
+      refuse();
+    }
+    return x;
+  }
+
+  TomlValue one_number(const py::handle& value) const {
+    const double x = plain(value);
+    if (std::holds_alternative<cycle::CountKind>(field_.kind)) {
+      return number(x, is_whole(value) ? TomlValue::Kind::kInteger : TomlValue::Kind::kNumber);
+    }
+    return quantity(x, field_.unit);
+  }
+
+  /// Pairs of temperature [K] and value [SI], or plain numbers: of a list of numbers, of crank angles [degree].
+  TomlValue list() const {
+    TomlValue list;
+    list.kind = TomlValue::Kind::kList;
+    const bool has_temperatures = std::holds_alternative<cycle::TemperatureValuesKind>(field_.kind) ||
+                                  std::holds_alternative<cycle::ConstantOrTemperatureValuesKind>(field_.kind);
+    for (const py::handle item : py::iter(value_)) {
+      if (has_temperatures) {
+        list.items.push_back(temperature_value(item));
+      } else if (py::isinstance<py::str>(item)) {
+        list.items.push_back(text(py::cast<std::string>(item)));
+      } else {
+        list.items.push_back(number(plain(item)));
+      }
+    }
+    return list;
+  }
+
+  TomlValue temperature_value(const py::handle& item) const {
+    TomlValue table;
+    table.kind = TomlValue::Kind::kTable;
+    if (py::isinstance<py::dict>(item)) {
+      for (const auto& [name, value] : py::cast<py::dict>(item)) {
+        const auto key = py::cast<std::string>(name);
+        table.members.push_back({key, part(value, key == "temperature" ? "K" : field_.unit)});
+      }
+      return table;
+    }
+    if (!py::hasattr(item, "__len__") || py::len(item) != 2) refuse();
+    const py::object temperature = item.attr("__getitem__")(0), value = item.attr("__getitem__")(1);
+    table.members = {{"temperature", part(temperature, "K")}, {"value", part(value, field_.unit)}};
+    return table;
+  }
+
+  TomlValue part(const py::handle& value, const std::string& unit) const {
+    if (py::isinstance<py::str>(value)) return text(py::cast<std::string>(value));
+    return quantity(plain(value), unit);
+  }
+
+  const py::handle& value_;
+  const Field& field_;
+};
+
+/// The table refers to members of a case that may change; reading leaves them as they are.
+Case& readable(const Case& c) { return const_cast<Case&>(c); }
+
+}  // namespace
+
+py::object si_value(const Field& field, const Case& c) { return std::visit(SiValue(readable(c)), field.kind); }
+
+TomlValue toml_value(const py::handle& value, const Field& field) { return Toml(value, field)(); }
+
+std::string written(const TomlValue& value) {
+  std::string text;
+  switch (value.kind) {
+    case TomlValue::Kind::kText:
+      return io::quoted(value.text);
+    case TomlValue::Kind::kInteger:
+      return std::to_string(static_cast<long long>(value.number));
+    case TomlValue::Kind::kList:
+      for (const TomlValue& item : value.items) text += (text.empty() ? "" : ", ") + written(item);
+      return "[" + text + "]";
+    case TomlValue::Kind::kTable:
+      for (const auto& [key, member] : value.members)
+        text += (text.empty() ? "" : ", ") + key + " = " + written(member);
+      return "{ " + text + " }";
+    default:
+      text = io::exact_text(value.number);
+      return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+  }
+}
+
+py::object stored_value(const Field& field, const Case& c) { return std::visit(Stored(readable(c)), field.kind); }
+
+void restore_value(const Field& field, const py::handle& stored, Case& c) {
+  std::visit(Restore(c, stored), field.kind);
+}
+
+}  // namespace ringfilm::python

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+#include "bindings.hpp"
+#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/io/toml_tree.hpp"
+
+/// Values of case keys as Python has them.
+namespace ringfilm::python {
+
+/// The value of a key in SI: a float, an int, a str, a list, None where the case has none.
+py::object si_value(const cycle::Field& field, const cycle::Case& c);
+
+/// What a user assigns, as a case file would say it: a text as it is, a number with the SI unit of the key.
+/// Throws py::type_error.
+io::TomlValue toml_value(const py::handle& value, const cycle::Field& field);
+
+/// A value as TOML has it on the right-hand side.
+std::string written(const io::TomlValue& value);
+
+/// The value of a key and all that belongs to it, exactly; for pickles.
+py::object stored_value(const cycle::Field& field, const cycle::Case& c);
+/// Its inverse.
+void restore_value(const cycle::Field& field, const py::handle& stored, cycle::Case& c);
+
+}  // namespace ringfilm::python

@@ -1,0 +1,36 @@
+#include "dataset_writer.hpp"
+
+#include <algorithm>
+
+namespace ringfilm::python {
+
+void DatasetWriter::scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
+                            const std::map<std::string, double>& values) {
+  for (const auto& [key, value] : values) {
+    const auto found = std::find_if(known.begin(), known.end(), [&key = key](const auto& q) { return q.name == key; });
+    cycle::Quantity quantity = found == known.end() ? cycle::Quantity{} : *found;
+    quantity.name = prefix + key;
+    scalar(quantity, value);
+  }
+}
+
+py::object DatasetWriter::objects(const py::list& texts) {
+  return py::module_::import("numpy").attr("array")(texts, py::arg("dtype") = py::dtype("O"));
+}
+
+void DatasetWriter::put(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+                        const py::object& values) {
+  py::dict attributes;
+  const auto describe = [&attributes](const char* name, const std::string& text) {
+    if (!text.empty()) attributes[name] = text;
+  };
+  describe("units", quantity.unit);
+  describe("long_name", quantity.long_name);
+  describe("symbol", quantity.symbol);
+  describe("source_equation", quantity.equation);
+  py::tuple names(dimensions.size());
+  for (std::size_t i = 0; i < dimensions.size(); ++i) names[i] = py::str(dimensions[i]);
+  variables_[py::str(quantity.name)] = py::make_tuple(names, values, attributes);
+}
+
+}  // namespace ringfilm::python

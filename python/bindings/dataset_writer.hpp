@@ -1,0 +1,96 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "result_object.hpp"
+#include "ringfilm/cycle/result.hpp"
+
+namespace ringfilm::python {
+
+/// Takes the same calls as io::ResultFileWriter, so that the one description of result files (result_file_layout.hpp)
+/// is that of the xarray.Dataset, too: variables as (dimensions, array, attributes), numbers without a copy.
+class DatasetWriter {
+ public:
+  static constexpr bool kReads = false;
+
+  /// @param owner of all that is written; keeps its numbers alive
+  explicit DatasetWriter(py::object owner) : owner_(std::move(owner)) {}
+
+  template <class Value>
+  void attribute(const char* name, const Value& value) {
+    if constexpr (std::is_same_v<Value, bool>) {
+      attributes_[name] = static_cast<int>(value);
+    } else {
+      attributes_[name] = value;
+    }
+  }
+
+  template <class Row>
+  void rows(const char* dimension, const std::vector<Row>& rows) {
+    if (!rows.empty()) sizes_[dimension] = rows.size();
+  }
+
+  template <class Row, class Base, class Value, class Part = std::identity>
+  void column(const char* dimension, const cycle::Quantity& quantity, const std::vector<Row>& rows, Value Base::*member,
+              Part part = {}) {
+    if (!sizes_.contains(dimension)) return;
+    if constexpr (std::is_same_v<Value, double> && std::is_same_v<Row, Base>) {
+      put({dimension}, quantity, column_view(rows, member, owner_));
+    } else if constexpr (std::is_same_v<Value, std::string>) {
+      py::list texts;
+      for (const Row& row : rows) texts.append(part(row).*member);
+      put({dimension}, quantity, objects(texts));
+    } else {
+      using Stored = std::conditional_t<std::is_same_v<Value, bool>, signed char,
+                                        std::conditional_t<std::is_same_v<Value, long>, std::int64_t, double>>;
+      std::vector<Stored> values;
+      for (const Row& row : rows) values.push_back(number(part(row).*member));
+      put({dimension}, quantity, py::array_t<Stored>(static_cast<py::ssize_t>(values.size()), values.data()));
+    }
+  }
+
+  void texts(const char* dimension, const cycle::Quantity& quantity, const std::vector<std::string>& values) {
+    if (values.empty()) return;
+    sizes_[dimension] = values.size();
+    put({dimension}, quantity, objects(py::cast(values)));
+  }
+
+  template <class Number>
+  void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+               const std::vector<Number>& values) {
+    if (dimensions.size() == 1 && !values.empty()) sizes_[dimensions.front()] = values.size();
+    std::vector<py::ssize_t> shape;
+    for (const char* dimension : dimensions) {
+      if (!sizes_.contains(dimension)) return;
+      shape.push_back(static_cast<py::ssize_t>(sizes_[dimension]));
+    }
+    if (!values.empty()) put(dimensions, quantity, view(values, shape, owner_));
+  }
+
+  void scalar(const cycle::Quantity& quantity, double value) { put({}, quantity, py::float_(value)); }
+  void scalar(const cycle::Quantity& quantity, const std::string& text) { put({}, quantity, py::str(text)); }
+
+  void scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
+               const std::map<std::string, double>& values);
+
+  const py::dict& attributes() const { return attributes_; }
+  const py::dict& variables() const { return variables_; }
+
+ private:
+  static signed char number(const bool& value) { return value ? 1 : 0; }
+  static std::int64_t number(const long& value) { return value; }
+  static double number(const double& value) { return value; }
+  static double number(const std::optional<double>& value) {
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+  static py::object objects(const py::list& texts);
+  void put(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity, const py::object& values);
+
+  py::object owner_;
+  std::map<std::string, std::size_t> sizes_;
+  py::dict attributes_, variables_;
+};
+
+}  // namespace ringfilm::python

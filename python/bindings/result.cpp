@@ -1,0 +1,292 @@
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+#include "dataset_writer.hpp"
+#include "result_object.hpp"
+#include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/case_file.hpp"
+#include "ringfilm/io/result_csv.hpp"
+#include "ringfilm/io/result_file_document.hpp"
+#include "ringfilm/io/result_json.hpp"
+#include "ringfilm/io/suggestion.hpp"
+#include "ringfilm/report/html.hpp"
+#include "ringfilm/study/ledger.hpp"
+
+namespace ringfilm::python {
+namespace {
+
+std::string path_of(const py::object& path) {
+  return py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
+}
+
+py::object plain_layer(const char* module, const char* function) { return py::module_::import(module).attr(function); }
+
+std::string documented(const cycle::Quantity& quantity, const std::string& dimensions) {
+  std::string text = quantity.long_name;
+  if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  text += " [" + quantity.unit + "]" + dimensions;
+  if (!quantity.equation.empty()) text += " Source: docs/theory, " + quantity.equation + ".";
+  return text;
+}
+
+py::dict cycle_values(const ResultObject& self) {
+  py::dict values;
+  for (const auto& quantity : cycle::cycle_quantities())
+    values[py::str(quantity.name)] = self.result().values.*quantity.value;
+  if (self.result().unrolled.is_absent()) return values;
+  for (const auto& quantity : cycle::unrolled_cycle_quantities())
+    values[py::str(quantity.name)] = self.result().unrolled_values.*quantity.value;
+  return values;
+}
+
+py::list notes(const ResultObject& self) {
+  py::list list;
+  for (const std::string& note : self.document().input_notes) list.append(py::make_tuple("input", note, 1));
+  for (const cycle::Note& note : self.result().notes) list.append(py::make_tuple(note.topic, note.message, note.count));
+  return list;
+}
+
+/// Every variable of the result file, as (dimensions, array, attributes).
+DatasetWriter dataset(const py::object& self) {
+  DatasetWriter writer(self);
+  io::put_document(writer, self.cast<const ResultObject&>().document());
+  return writer;
+}
+
+py::object item(const py::object& self, const std::string& name) {
+  const auto& result = self.cast<const ResultObject&>();
+  for (const auto& quantity : cycle::curve_quantities()) {
+    if (quantity.name == name) return column_view(result.result().samples, quantity.value, self);
+  }
+  const DatasetWriter writer = dataset(self);
+  const py::dict& variables = writer.variables();
+  for (const std::string& spelling : {name, "cycle_" + name, "derived_" + name}) {
+    if (variables.contains(spelling)) return variables[py::str(spelling)].cast<py::tuple>()[1];
+  }
+  std::vector<std::string> names;
+  for (const auto& entry : variables) names.push_back(py::cast<std::string>(entry.first));
+  const std::string near = io::nearest_word(name, names);
+  throw py::key_error("this result has no " + name + (near.empty() ? "" : "; did you mean " + near + "?"));
+}
+
+std::string repr(const ResultObject& self) {
+  std::string text = "<ringfilm.Result";
+  if (!self.title().empty()) text += " \"" + self.title() + "\"";
+  if (!self.reason().empty()) return text + ": not solved: " + self.reason() + ">";
+  return text + ": " + std::to_string(self.result().samples.size()) + " crank angles" +
+         (self.result().complete ? "" : ", stopped before the end of the cycle") + ">";
+}
+
+constexpr const char* kResultDoc =
+    R"(What one engine cycle gave: curves over crank angle, values of the cycle, fields along the face, and all that one
+must know about them.
+
+Curves are attributes and items, numpy arrays of shape (crank_angle,) in SI without a copy, read-only:
+result.min_film_thickness, result["min_film_thickness"]. Values of the cycle are attributes (result.fmep), unless a
+curve has the same name, and all stand in result.values. Every variable of a result file is an item by its name there.
+Loads, friction and flow are those of the whole ring; signs are told in docs/manual/result-file.md. Crank angles are in
+degrees, 0 = firing TDC, from 0 to 720. Results can be pickled.)";
+
+void bind_curves(py::class_<ResultObject>& type) {
+  for (const auto& quantity : cycle::curve_quantities()) {
+    const auto getter = [member = quantity.value](const py::object& self) {
+      return column_view(self.cast<const ResultObject&>().result().samples, member, self);
+    };
+    type.def_property_readonly(quantity.name.c_str(), py::cpp_function(getter),
+                               documented(quantity, ", shape (crank_angle,).").c_str());
+  }
+  for (const auto& quantity : cycle::unrolled_quantities()) {
+    const auto getter = [member = quantity.value](const py::object& self) {
+      return column_view(self.cast<const ResultObject&>().result().unrolled_samples, member, self);
+    };
+    type.def_property_readonly(
+        quantity.name.c_str(), py::cpp_function(getter),
+        documented(quantity, ", shape (crank_angle,); empty unless the film is unrolled.").c_str());
+  }
+}
+
+void bind_values(py::class_<ResultObject>& type) {
+  const auto& curves = cycle::curve_quantities();
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    const auto is_same = [&](const auto& curve) { return curve.name == quantity.name; };
+    const bool is_curve = std::any_of(curves.begin(), curves.end(), is_same);
+    const auto getter = [member = quantity.value](const ResultObject& self) { return self.result().values.*member; };
+    type.def_property_readonly(((is_curve ? "cycle_" : "") + quantity.name).c_str(), py::cpp_function(getter),
+                               documented(quantity, ", a float; NaN where the cycle was not finished.").c_str());
+  }
+  for (const auto& quantity : cycle::unrolled_cycle_quantities()) {
+    const auto getter = [member = quantity.value](const ResultObject& self) {
+      return self.result().unrolled.is_absent() ? std::numeric_limits<double>::quiet_NaN()
+                                                : self.result().unrolled_values.*member;
+    };
+    type.def_property_readonly(quantity.name.c_str(), py::cpp_function(getter),
+                               documented(quantity, ", a float; NaN unless the film is unrolled.").c_str());
+  }
+}
+
+void bind_words(py::class_<ResultObject>& type) {
+  type.def_property_readonly(
+      "title", [](const ResultObject& self) { return self.title(); }, "Title of the case, a str.");
+  type.def_property_readonly("values", &cycle_values, "All values of the cycle, {name: float in SI}.");
+  type.def_property_readonly(
+      "derived", [](const ResultObject& self) { return self.result().derived; },
+      "Constants that follow from the case, {name: float in SI}: composite modulus, elastic pressure and others.");
+  type.def_property_readonly("notes", &notes,
+                             "What one must know about this result: tuples (topic, sentence, how many times).");
+  type.def_property_readonly(
+      "assumptions",
+      [](const ResultObject& self) {
+        py::list list;
+        for (const auto& entry : self.document().ledger)
+          list.append(py::make_tuple(entry.topic, entry.statement, entry.consequence, entry.source));
+        return list;
+      },
+      "What the cycle takes for granted: tuples (topic, statement, consequence, source).");
+  type.def_property_readonly(
+      "inputs",
+      [](const ResultObject& self) {
+        py::list list;
+        for (const auto& entry : self.document().inputs)
+          list.append(py::make_tuple(entry.key, entry.value, entry.shown, entry.assumed));
+        return list;
+      },
+      "The case as it was used: tuples (key, value as in a case file in SI, value for people, assumed).");
+  type.def_property_readonly(
+      "resolved_case", [](const ResultObject& self) { return self.document().resolved_case; },
+      "A complete case file in SI that gives the same bits again, a str.");
+  type.def_property_readonly(
+      "effort",
+      [](const ResultObject& self) {
+        const cycle::Effort& effort = self.result().effort;
+        py::dict words;
+        words["cycles_marched"] = effort.cycles_marched;
+        words["periodicity_error"] = effort.periodicity_error;
+        words["crank_steps"] = effort.crank_steps;
+        words["newton_iterations"] = effort.newton_iterations;
+        words["sub_steps"] = effort.sub_steps;
+        words["fallback_secant"] = effort.fallback_secant;
+        words["fallback_sub_step"] = effort.fallback_sub_step;
+        words["max_load_residual"] = effort.max_load_residual;
+        words["max_newton_step"] = effort.max_newton_step;
+        words["max_mass_residual"] = effort.max_mass_residual;
+        return words;
+      },
+      "What the solver did, {name: number}.");
+  type.def_property_readonly(
+      "provenance",
+      [](const ResultObject& self) {
+        const io::Provenance& from = self.document().provenance;
+        py::dict words;
+        words["program"] = from.program;
+        words["commit"] = from.commit;
+        words["compiler"] = from.compiler;
+        words["kernels"] = from.kernels;
+        return words;
+      },
+      "What computed the result: program, commit, compiler, kernels.");
+  type.def_property_readonly(
+      "complete", [](const ResultObject& self) { return self.result().complete; },
+      "False where the march stopped, or never began; the curves then hold what it had passed.");
+  type.def_property_readonly(
+      "reason", [](const ResultObject& self) { return self.reason(); },
+      "Why a scenario of a batch was not solved, on one line; empty where it was.");
+}
+
+void bind_outputs(py::class_<ResultObject>& type) {
+  type.def_static(
+      "read", [](const py::object& path) { return ResultObject(io::read_result(path_of(path))); }, py::arg("path"),
+      "A result from a NetCDF file that this module or `ringfilm run` wrote. Raises InputError.");
+  type.def(
+      "write",
+      [](const ResultObject& self, const py::object& path) { io::write_result(path_of(path), self.document()); },
+      py::arg("path"),
+      "Writes the same NetCDF file as `ringfilm run --output`, byte by byte, aside first. Raises OutputError.");
+  type.def(
+      "write_csv",
+      [](const ResultObject& self, const py::object& path) {
+        const io::ResultDocument& document = self.document();
+        io::write_atomically(
+            path_of(path), io::result_csv(document.result.samples, document.errors, document.result.unrolled_samples));
+      },
+      py::arg("path"), "Writes the curves as `ringfilm run --csv`. Raises OutputError.");
+  type.def(
+      "write_report",
+      [](const ResultObject& self, const py::object& path) {
+        io::write_atomically(path_of(path), report::report_page({self.document()}, {}));
+      },
+      py::arg("path"), "Writes the result as one self-contained web page, as `ringfilm report`. Raises OutputError.");
+  type.def(
+      "to_json", [](const ResultObject& self) { return io::result_json(self.document()); },
+      "The values of the cycle as `ringfilm run --json` prints them, a str.");
+  type.def(
+      "_dataset",
+      [](const py::object& self) {
+        const DatasetWriter writer = dataset(self);
+        return py::make_tuple(writer.variables(), writer.attributes());
+      },
+      "Variables and attributes of the result file, for to_xarray.");
+  type.def(
+      "to_xarray", [](const py::object& self) { return plain_layer("ringfilm._frames", "result_to_xarray")(self); },
+      R"(The result as an xarray.Dataset with the dimensions, coordinates, variables and attributes of its file:
+the same as xarray.open_dataset gives of what write() wrote, in SI, numbers without a copy.)");
+  type.def(
+      "to_pandas", [](const py::object& self) { return plain_layer("ringfilm._frames", "result_to_pandas")(self); },
+      "The curves as a pandas.DataFrame, one column a quantity in SI, indexed by crank angle [degree]; units in "
+      "attrs.");
+  type.def(
+      "plot",
+      [](const py::object& self, const std::string& what, const py::object& axes) {
+        return plain_layer("ringfilm._plots", "plot_result")(self, what, axes);
+      },
+      py::arg("what") = "overview", py::arg("axes") = py::none(),
+      R"(Draws the result with matplotlib, in units of engineers, from -360 to 360 degree with firing TDC in the middle.
+
+what: "overview" (film, friction, pressure), "friction", "film", "stribeck", or the name of a curve or of a field.
+axes: a matplotlib Axes to draw one curve into; a new figure without it.
+Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn.)");
+  type.def("__getitem__", &item, py::arg("name"),
+           R"(A curve, a value of the cycle or a field, by its name in the result file (docs/manual/result-file.md):
+"film_pressure" has the shape (field_crank_angle, x). Raises KeyError.)");
+  type.def("__repr__", &repr, "Title and number of crank angles.");
+  type.def(py::pickle(
+      [](const ResultObject& self) {
+        return py::make_tuple(py::bytes(io::result_bytes(self.document())), self.reason());
+      },
+      [](const py::tuple& state) {
+        io::ResultDocument document = io::result_of_bytes("a pickle", py::cast<std::string>(state[0]));
+        return ResultObject(std::move(document), py::cast<std::string>(state[1]));
+      }));
+}
+
+}  // namespace
+
+ResultObject::ResultObject(cycle::Case input, cycle::CycleResult result, io::Provenance provenance, std::string reason)
+    : input_(std::move(input)), reason_(std::move(reason)) {
+  document_.result = std::move(result);
+  document_.provenance = std::move(provenance);
+}
+
+const io::ResultDocument& ResultObject::document() const {
+  if (input_) {
+    document_.title = input_->title;
+    document_.inputs = io::case_entries(*input_);
+    document_.resolved_case = io::resolved_case(*input_);
+    document_.files = input_->files;
+    document_.input_notes = input_->notes;
+    document_.ledger = study::assumptions(*input_);
+    input_.reset();
+  }
+  return document_;
+}
+
+void bind_result(py::module_& module) {
+  py::class_<ResultObject> type(module, "Result", kResultDoc);
+  bind_curves(type);
+  bind_values(type);
+  bind_words(type);
+  bind_outputs(type);
+}
+
+}  // namespace ringfilm::python

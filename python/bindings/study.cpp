@@ -1,0 +1,357 @@
+#include <algorithm>
+#include <memory>
+
+#include "errors.hpp"
+#include "record.hpp"
+#include "result_object.hpp"
+#include "ringfilm/io/study_file.hpp"
+#include "ringfilm/io/study_result.hpp"
+#include "ringfilm/study/kept_curves.hpp"
+#include "ringfilm/study/scenario.hpp"
+#include "ringfilm/study/sobol_indices.hpp"
+#include "ringfilm/study/statistics.hpp"
+#include "ringfilm/study/study_run.hpp"
+
+namespace ringfilm::python {
+namespace {
+
+using study::Plan;
+
+/// A study that was read and found sound; shared by the study and its results.
+struct Loaded {
+  io::StudyFile file;
+  Plan plan;
+
+  explicit Loaded(io::StudyFile read) : file(std::move(read)), plan(file.study) { study::check_scenarios(plan); }
+  const study::Study& study() const { return plan.study(); }
+};
+
+struct StudyObject {
+  std::shared_ptr<const Loaded> loaded;
+};
+
+struct StudyResultObject {
+  std::shared_ptr<const Loaded> loaded;
+  std::vector<std::vector<double>> values;  ///< of each cycle quantity over the scenarios
+  std::vector<std::string> reasons;         ///< of each scenario; empty where it was solved
+  std::vector<float> curves;                ///< that the study keeps: [scenario][quantity][angle]
+};
+
+std::vector<double> of_base(const StudyResultObject& self, std::size_t quantity, std::size_t base, bool sample_only) {
+  const Plan& plan = self.loaded->plan;
+  std::vector<double> values;
+  for (std::uint64_t p = 0; p < plan.n_points(base); ++p) {
+    if (!sample_only || plan.is_sample(p)) values.push_back(self.values[quantity][plan.scenario(base, p)]);
+  }
+  return values;
+}
+
+std::size_t quantity_index(const std::string& name) {
+  const auto& all = cycle::cycle_quantities();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& quantity) { return quantity.name == name; });
+  if (found == all.end()) {
+    throw InputError("\"" + name + "\" is no value of a cycle", "ringfilm.quantities()[\"cycle\"] lists them");
+  }
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+std::size_t base_index(const Loaded& loaded, const std::optional<std::string>& name) {
+  const auto& bases = loaded.study().bases;
+  if (!name && bases.size() == 1) return 0;
+  std::string names;
+  for (std::size_t i = 0; i < bases.size(); ++i) {
+    if (name && bases[i].name == *name) return i;
+    names += (i == 0 ? "" : ", ") + bases[i].name;
+  }
+  throw InputError(name ? "there is no base \"" + *name + "\"" : "the study has several bases", "one of: " + names);
+}
+
+py::array points(const StudyObject& self) {
+  const auto columns = io::factor_columns(self.loaded->plan);
+  const auto rows = static_cast<py::ssize_t>(self.loaded->plan.size());
+  py::array_t<double> all({rows, static_cast<py::ssize_t>(columns.size())});
+  auto to = all.mutable_unchecked<2>();
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    for (py::ssize_t i = 0; i < rows; ++i) to(i, static_cast<py::ssize_t>(j)) = columns[j][i];
+  }
+  return all;
+}
+
+py::list factors(const Loaded& loaded) {
+  py::list all;
+  const auto variables = io::factor_variables(loaded.study());
+  for (std::size_t j = 0; j < variables.size(); ++j) {
+    const study::Factor& factor = loaded.study().factors[j];
+    std::vector<std::string> keys, choices;
+    for (const study::Target& target : factor.targets) keys.push_back(target.key);
+    if (const auto* words = std::get_if<study::Choices>(&factor.variation)) {
+      for (const study::Choice& choice : words->values) choices.push_back(choice.text);
+    }
+    py::dict one;
+    one["name"] = factor.name;
+    one["variable"] = variables[j];
+    one["unit"] = factor.unit;
+    one["keys"] = keys;
+    one["choices"] = choices;
+    all.append(one);
+  }
+  return all;
+}
+
+py::list base_of_scenarios(const Loaded& loaded) {
+  py::list names;
+  for (std::uint64_t i = 0; i < loaded.plan.size(); ++i)
+    names.append(loaded.study().bases[loaded.plan.base_of(i)].name);
+  return names;
+}
+
+StudyResultObject run(const StudyObject& self, int threads, const py::object& progress) {
+  const Plan& plan = self.loaded->plan;
+  const auto n = static_cast<std::size_t>(plan.size());
+  StudyResultObject result{self.loaded, {}, std::vector<std::string>(n), {}};
+  result.values.assign(cycle::cycle_quantities().size(), std::vector<double>(n));
+  study::StudyRunOptions options;
+  options.batch.threads = threads;
+  options.longest_wait = 0.2;  // Ctrl-C is seen then
+  const auto finished = [&](const study::ScenarioChunk& chunk) {
+    for (std::size_t i = 0; i < chunk.rows.size(); ++i) {
+      const std::size_t scenario = chunk.first + i;
+      for (std::size_t q = 0; q < result.values.size(); ++q) result.values[q][scenario] = chunk.rows[i].values[q];
+      result.reasons[scenario] = chunk.rows[i].reason;
+      // Rows come in their order.
+      result.curves.insert(result.curves.end(), chunk.rows[i].curves.begin(), chunk.rows[i].curves.end());
+    }
+    const py::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (!progress.is_none()) progress(chunk.first + chunk.rows.size(), n);
+    return study::GoOn::kYes;
+  };
+  const py::gil_scoped_release others_go_on;
+  study::run_scenarios(plan, {0, plan.size()}, finished, options);
+  return result;
+}
+
+py::dict statistics(const StudyResultObject& self, const std::string& value, const std::optional<std::string>& base) {
+  const std::size_t b = base_index(*self.loaded, base);
+  const bool is_sample = self.loaded->plan.is_sample(0);
+  const std::vector<double> values = of_base(self, quantity_index(value), b, is_sample);
+  const std::vector<double> sorted = study::sorted_values(values);
+  py::dict told;
+  told["count"] = sorted.size();
+  told["left_out"] = values.size() - sorted.size();
+  if (const auto mean = study::mean_of(values)) {
+    told["mean"] = mean->value;
+    told["standard_error"] = mean->standard_error;
+    told["deviation"] = mean->deviation;
+  }
+  if (sorted.empty()) return told;
+  told["lowest"] = sorted.front();
+  told["highest"] = sorted.back();
+  py::dict quantiles, intervals;
+  for (const double share : {0.05, 0.25, 0.5, 0.75, 0.95}) {
+    const study::Quantile quantile = study::quantile_of(sorted, share);
+    quantiles[py::float_(share)] = quantile.value;
+    intervals[py::float_(share)] = py::make_tuple(quantile.low, quantile.high);
+  }
+  told["quantiles"] = quantiles;
+  told["quantile_intervals"] = intervals;
+  return told;
+}
+
+py::list sobol(const StudyResultObject& self, const std::string& value, const std::optional<std::string>& base) {
+  const Plan& plan = self.loaded->plan;
+  if (self.loaded->study().sampling.indices == study::Indices::kNone) {
+    throw InputError("the plan of this study has no points for Sobol indices",
+                     "write indices = \"first-and-total\" into [plan]");
+  }
+  const auto values = of_base(self, quantity_index(value), base_index(*self.loaded, base), false);
+  const auto found = study::sobol_indices(values, plan.groups().size());
+  py::list rows;
+  if (!found) return rows;
+  const auto interval = [](const study::Interval& of) { return py::make_tuple(of.low, of.high); };
+  for (std::size_t g = 0; g < plan.groups().size(); ++g) {
+    py::dict row;
+    row["factor"] = plan.groups()[g].name;
+    row["first"] = found->first[g].value;
+    row["first_interval"] = interval(found->first[g]);
+    row["total"] = found->total[g].value;
+    row["total_interval"] = interval(found->total[g]);
+    rows.append(row);
+  }
+  return rows;
+}
+
+/// A curve of all scenarios, shape (scenario, crank_angle), without a copy.
+py::array curves(const py::object& object, const std::string& name) {
+  const auto& self = object.cast<const StudyResultObject&>();
+  const study::Keep& keep = self.loaded->study().keep;
+  const auto kept = study::kept_quantities(keep);
+  const std::size_t n_angles = study::kept_angles(keep).size();
+  for (std::size_t q = 0; q < kept.size(); ++q) {
+    if (kept[q]->name != name) continue;
+    const auto angles = static_cast<py::ssize_t>(n_angles);
+    const auto row = static_cast<py::ssize_t>(kept.size() * n_angles * sizeof(float));
+    return view(self.curves.data() + q * n_angles, {static_cast<py::ssize_t>(self.reasons.size()), angles},
+                {row, static_cast<py::ssize_t>(sizeof(float))}, object);
+  }
+  throw InputError("the study keeps no curves of " + name, "write [keep] with curves and quantities into the study");
+}
+
+/// Variables as (dimensions, array, attributes), for to_xarray.
+py::dict dataset(const py::object& object) {
+  const auto& self = object.cast<const StudyResultObject&>();
+  const py::tuple scenario = py::make_tuple("scenario");
+  py::dict variables;
+  const auto& quantities = cycle::cycle_quantities();
+  for (std::size_t q = 0; q < quantities.size(); ++q) {
+    py::dict attributes;
+    attributes["units"] = quantities[q].unit;
+    attributes["long_name"] = quantities[q].long_name;
+    variables[py::str(quantities[q].name)] = py::make_tuple(scenario, view(self.values[q], object), attributes);
+  }
+  return variables;
+}
+
+void bind_plan(py::module_& module) {
+  py::class_<StudyObject>(module, "Study",
+                          R"(Many scenarios of one or several cases: what varies, and how it is sampled.
+
+A study is read from a file (docs/manual/study.md). len(study) is the number of its scenarios.
+Source: docs/theory/study.md.)")
+      .def_static(
+          "read",
+          [](const py::object& path) {
+            const auto name = py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
+            return StudyObject{std::make_shared<const Loaded>(io::read_study(name))};
+          },
+          py::arg("path"),
+          "A study with its bases and all that they name. Raises InputError with every fault, in the words of the "
+          "program.")
+      .def(
+          "__len__", [](const StudyObject& self) { return self.loaded->plan.size(); }, "How many scenarios.")
+      .def_property_readonly(
+          "title", [](const StudyObject& self) { return self.loaded->study().title; }, "Its title, a str.")
+      .def_property_readonly(
+          "bases",
+          [](const StudyObject& self) {
+            std::vector<std::string> names;
+            for (const study::Base& base : self.loaded->study().bases) names.push_back(base.name);
+            return names;
+          },
+          "Names of the base cases, a list of str.")
+      .def_property_readonly(
+          "factors", [](const StudyObject& self) { return factors(*self.loaded); },
+          "What varies: dicts with name, variable (as in files), unit in SI, keys, choices.")
+      .def_property_readonly(
+          "notes", [](const StudyObject& self) { return self.loaded->plan.notes(); },
+          "What must be known about the plan, a list of str.")
+      .def_property_readonly(
+          "points", &points,
+          "Numbers of the factors, shape (scenario, factor), in SI; of choices the index; NaN where a factor leaves "
+          "its base as it is.")
+      .def_property_readonly(
+          "base_of", [](const StudyObject& self) { return base_of_scenarios(*self.loaded); },
+          "Name of the base case of each scenario, a list.")
+      .def(
+          "to_pandas",
+          [](const py::object& self) { return py::module_::import("ringfilm._frames").attr("study_to_pandas")(self); },
+          "The plan as a pandas.DataFrame: one row a scenario, one column a factor, and the base.")
+      .def(
+          "run",
+          [](const py::object& self, const py::object& threads, const py::object& progress) {
+            int n = 0;
+            if (!threads.is_none()) n = py::cast<int>(threads);
+            if (!threads.is_none() && (n < 1 || n > 1024)) {
+              throw InputError("threads = " + std::to_string(n) + " is out of range",
+                               "1 to 1024, or None for as many as the machine runs at once");
+            }
+            return run(self.cast<const StudyObject&>(), n, progress);
+          },
+          py::arg("threads") = py::none(), py::arg("progress") = py::none(),
+          R"(Computes all scenarios, in memory; a study that must survive is run by `ringfilm study`.
+
+threads: None, or 1 to 1024; the numbers do not depend on it. progress: called as progress(done, total) now and then.
+Returns a StudyResult. Ctrl-C ends the run with KeyboardInterrupt. A scenario that cannot be solved is a row of NaN with
+its reason; a plan with [plan.until] is run at its stated size. Raises InputError.)")
+      .def(
+          "__repr__",
+          [](const StudyObject& self) {
+            return "<ringfilm.Study \"" + self.loaded->study().title +
+                   "\": " + std::to_string(self.loaded->plan.size()) + " scenarios>";
+          },
+          "Title and number of scenarios.");
+}
+
+void bind_results(py::module_& module) {
+  py::class_<StudyResultObject>(module, "StudyResult",
+                                "Values of the cycle of all scenarios of a study. Source: docs/theory/study.md.")
+      .def(
+          "__len__", [](const StudyResultObject& self) { return self.reasons.size(); }, "How many scenarios.")
+      .def_property_readonly(
+          "study", [](const StudyResultObject& self) { return StudyObject{self.loaded}; }, "The Study.")
+      .def_property_readonly(
+          "unsolved",
+          [](const StudyResultObject& self) {
+            py::dict reasons;
+            for (std::size_t i = 0; i < self.reasons.size(); ++i) {
+              if (!self.reasons[i].empty()) reasons[py::int_(i)] = self.reasons[i];
+            }
+            return reasons;
+          },
+          "Why scenarios were not solved, {scenario from 0: reason}.")
+      .def(
+          "__getitem__",
+          [](const py::object& self, const std::string& name) {
+            return view(self.cast<const StudyResultObject&>().values[quantity_index(name)], self);
+          },
+          py::arg("value"), "A value of the cycle over the scenarios, shape (scenario,), SI. Raises InputError.")
+      .def("curves", &curves, py::arg("quantity"),
+           R"(A curve of all scenarios, shape (scenario, crank_angle), SI, single precision, without a copy.
+
+Over crank_angle; NaN where a scenario was not solved. Raises InputError unless the study keeps it ([keep] in its file).)")
+      .def_property_readonly(
+          "crank_angle",
+          [](const StudyResultObject& self) {
+            return py::array(py::cast(study::kept_angles(self.loaded->study().keep)));
+          },
+          "The axis of curves(), from -360 to below 360 [degree]; empty where no curves are kept.")
+      .def("statistics", &statistics, py::arg("value"), py::arg("base") = py::none(),
+           R"(Mean with its standard error, deviation, quantiles (5, 25, 50, 75, 95 %) with their 95 % intervals.
+
+value: name of a value of the cycle. base: name of the base case, None where there is one. Returns a dict in SI; of a
+plan that is no sample (a grid, a list) only its order counts. Raises InputError. Source: docs/theory/study.md.)")
+      .def("sobol_indices", &sobol, py::arg("value"), py::arg("base") = py::none(),
+           R"(Which factor decides: first and total Sobol indices with their 95 % intervals.
+
+value, base: as for statistics(). Returns a list of dicts, one a group of factors; empty where the value does not vary.
+Raises InputError where the plan has no points for indices. Source: docs/theory/study.md, eq-first-index.)")
+      .def("_dataset", &dataset, "Variables for to_xarray.")
+      .def(
+          "to_xarray",
+          [](const py::object& self) {
+            return py::module_::import("ringfilm._frames").attr("study_result_to_xarray")(self);
+          },
+          "An xarray.Dataset over scenario, with base and factors as coordinates, SI.")
+      .def(
+          "to_pandas",
+          [](const py::object& self) {
+            return py::module_::import("ringfilm._frames").attr("study_result_to_pandas")(self);
+          },
+          "A pandas.DataFrame: one row a scenario, columns base, factors, values of the cycle in SI, reason.")
+      .def(
+          "__repr__",
+          [](const StudyResultObject& self) {
+            return "<ringfilm.StudyResult \"" + self.loaded->study().title +
+                   "\": " + std::to_string(self.reasons.size()) + " scenarios>";
+          },
+          "Title and number of scenarios.");
+}
+
+}  // namespace
+
+void bind_study(py::module_& module) {
+  bind_plan(module);
+  bind_results(module);
+}
+
+}  // namespace ringfilm::python

@@ -1,0 +1,112 @@
+#include "bindings.hpp"
+#include "case_values.hpp"
+#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/units.hpp"
+#include "ringfilm/pad/pad_result.hpp"
+
+namespace ringfilm::python {
+namespace {
+
+struct FieldRow {
+  std::string key, unit, display_unit, active_when, help, example;
+  py::object default_value;
+  bool is_required;
+  std::optional<std::pair<double, double>> range;
+  std::vector<std::string> choices;
+};
+
+std::vector<FieldRow> fields() {
+  std::vector<FieldRow> rows;
+  for (const cycle::Field& field : cycle::case_fields()) {
+    const auto blank = cycle::blank_case(field.problem.value_or(cycle::Problem::kCycle));
+    FieldRow row{field.key,
+                 field.unit,
+                 field.display_unit,
+                 field.active_when,
+                 field.help,
+                 field.example,
+                 py::none(),
+                 cycle::is_required(field, blank),
+                 {},
+                 {}};
+    if (!row.is_required) row.default_value = si_value(field, blank);
+    if (field.range) row.range = {field.range->low, field.range->high};
+    if (const auto* choice = std::get_if<cycle::ChoiceKind>(&field.kind)) row.choices = choice->names;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+template <class Quantities>
+std::vector<cycle::Quantity> plain(const Quantities& quantities) {
+  return {quantities.begin(), quantities.end()};
+}
+
+py::dict quantities() {
+  py::dict tables;
+  tables["curve"] = plain(cycle::curve_quantities());
+  tables["cycle"] = plain(cycle::cycle_quantities());
+  tables["derived"] = plain(cycle::derived_quantities());
+  tables["unrolled_curve"] = plain(cycle::unrolled_quantities());
+  tables["unrolled_cycle"] = plain(cycle::unrolled_cycle_quantities());
+  tables["pad"] = plain(pad::pad_quantities());
+  tables["pad_width"] = plain(pad::width_quantities());
+  tables["pad_film"] = pad::profile_quantities();
+  return tables;
+}
+
+}  // namespace
+
+void bind_tables(py::module_& module) {
+  using cycle::Quantity;
+  py::class_<FieldRow>(module, "Field", "One key of a case. Source: src/ringfilm/cycle/case_fields.hpp.")
+      .def_readonly("key", &FieldRow::key, "Its name, for example engine.bore.")
+      .def_readonly("unit", &FieldRow::unit, "SI unit; 1 for a plain number, empty for words.")
+      .def_readonly("display_unit", &FieldRow::display_unit, "The unit in which people write it.")
+      .def_readonly("default", &FieldRow::default_value,
+                    "What holds where it is not stated, in SI; None: nothing does.")
+      .def_readonly("is_required", &FieldRow::is_required, "Must a case state it, where it is in use?")
+      .def_readonly("range", &FieldRow::range, "Smallest and largest value in SI; None: any.")
+      .def_readonly("choices", &FieldRow::choices, "The words that it may be; empty where it is none of a few words.")
+      .def_readonly("active_when", &FieldRow::active_when, "When it is in use, in words; empty: always.")
+      .def_readonly("help", &FieldRow::help, "One line: what it is, symbol, source if assumed.")
+      .def_readonly("example", &FieldRow::example, "The right-hand side as one would write it in a case file.")
+      .def(
+          "__repr__", [](const FieldRow& self) { return "<ringfilm.Field " + self.key + ": " + self.help + ">"; },
+          "Key and help.");
+  py::class_<Quantity>(module, "Quantity", "Name, unit and meaning of a number in results.")
+      .def_readonly("name", &Quantity::name, "The word used everywhere.")
+      .def_readonly("unit", &Quantity::unit, "SI unit; degree for crank angles, 1 for plain numbers.")
+      .def_readonly("display_unit", &Quantity::display_unit, "The unit in which people read it.")
+      .def_readonly("long_name", &Quantity::long_name, "In plain words.")
+      .def_readonly("symbol", &Quantity::symbol, "As in docs/theory.")
+      .def_readonly("equation", &Quantity::equation, "Label in docs/theory; may be empty.")
+      .def(
+          "__repr__",
+          [](const Quantity& self) {
+            return "<ringfilm.Quantity " + self.name + " [" + self.unit + "]: " + self.long_name + ">";
+          },
+          "Name, unit and meaning.");
+  module.def("fields", &fields, "All keys of a case, a list of Field in the order of a case file.");
+  module.def("quantities", &quantities,
+             R"(All quantities of results, {table: list of Quantity}: "curve" over crank angle, "cycle" for the cycle as
+a whole, "derived" constants of a case, "unrolled_curve", "unrolled_cycle", "pad", "pad_width", "pad_film".)");
+  module.def(
+      "_unit_scale",
+      [](const std::string& display_unit, const std::string& unit) {
+        const io::Scale scale = io::Units().scale(display_unit, unit);
+        return py::make_tuple(scale.factor / scale.divisor, scale.offset);
+      },
+      py::arg("display_unit"), py::arg("unit"), "SI = value * first + second, of a value in the display unit.");
+  module.def(
+      "version",
+      [] {
+        const io::Provenance program = io::this_program();
+        return program.program + " commit " + program.commit;
+      },
+      "Name, version and commit of the program that this is.");
+}
+
+}  // namespace ringfilm::python

@@ -1,0 +1,52 @@
+"""Mixed lubrication of piston rings: friction, film and oil flow over an engine cycle, from measured surfaces.
+
+    import ringfilm
+    case = ringfilm.Case.read("cases/fired-1500rpm.toml")
+    case["operating.speed"] = "2000 rpm"
+    result = case.run()
+    result.fmep, result.min_film_thickness, result.to_xarray(), result.plot()
+
+All numbers are in SI, crank angles in degrees with 0 = firing TDC. The names are those of the case files, of the result
+files and of the C++ library; docs/manual/python.md has examples.
+"""
+
+from . import face, lateral_force, laws, surface
+from ._batch import BatchResult, simulate_many
+from ._ringfilm import (
+    Case,
+    Field,
+    PadResult,
+    Quantity,
+    Result,
+    Study,
+    StudyResult,
+    fields,
+    quantities,
+    starting_case,
+    version,
+)
+from .errors import ConvergenceError, Fault, InputError, OutputError
+
+__all__ = [
+    "BatchResult",
+    "Case",
+    "ConvergenceError",
+    "Fault",
+    "Field",
+    "InputError",
+    "OutputError",
+    "PadResult",
+    "Quantity",
+    "Result",
+    "Study",
+    "StudyResult",
+    "face",
+    "fields",
+    "lateral_force",
+    "laws",
+    "quantities",
+    "simulate_many",
+    "starting_case",
+    "surface",
+    "version",
+]

@@ -1,0 +1,78 @@
+"""Many cases at once."""
+
+from collections.abc import Sequence
+from typing import Callable, Iterable, Optional
+
+from ._ringfilm import Case, Result, _simulate_many, quantities
+
+
+class BatchResult(Sequence):
+    """What became of many cases: a sequence of Result in the order of the cases.
+
+    A case that could not be solved is there too, with `complete` False, its `reason`, and NaN for every value.
+    """
+
+    def __init__(self, results: list):
+        self._results = list(results)
+
+    def __len__(self) -> int:
+        """How many cases there were."""
+        return len(self._results)
+
+    def __getitem__(self, index):
+        """The result of one case, or a BatchResult of a slice."""
+        if isinstance(index, slice):
+            return BatchResult(self._results[index])
+        return self._results[index]
+
+    @property
+    def unsolved(self) -> dict:
+        """Why cases were not solved, {number of the case from 0: reason}; empty if all were."""
+        return {i: result.reason for i, result in enumerate(self._results) if result.reason}
+
+    def to_pandas(self):
+        """Values of the cycle as a pandas.DataFrame: one row a case, one column a value in SI, and `reason`.
+
+        NaN where a case was not solved. `attrs["units"]` has the unit of each column.
+        """
+        from ._frames import batch_to_pandas
+
+        return batch_to_pandas(self)
+
+    def __repr__(self) -> str:
+        """Number of results, and how many of them are not solved."""
+        return f"<ringfilm.BatchResult: {len(self)} cases, {len(self.unsolved)} not solved>"
+
+
+def simulate_many(
+    cases: Iterable[Case],
+    threads: Optional[int] = None,
+    progress: Optional[Callable[[int, Optional[int]], None]] = None,
+    curves: str = "all",
+) -> BatchResult:
+    """Computes the cycles of many cases, films side by side in vector registers, on several threads.
+
+    cases: any iterable; of a generator only some are asked for ahead of time. Each is copied when it is taken.
+    threads: 1 to 1024; None: as many as the machine runs at once. The numbers do not depend on it.
+    progress: called as progress(done, total) when a case ends, not in order; total is None for a generator. What it
+        raises ends the batch.
+    curves: "all" keeps the curves of each result (0.2 MB a case with its 720 crank angles), "none" its values alone.
+
+    Returns a BatchResult in the order of the cases. Other Python threads go on meanwhile, Ctrl-C ends the batch. A
+    value differs from that of Case.run by what the iteration may leave (solver.tolerance).
+    Raises InputError for wrong words; a case that is refused or not solved is a result with its reason.
+    Source: docs/theory/study.md.
+    """
+    if threads is not None and threads < 1:
+        from .errors import InputError
+
+        raise InputError(f"threads = {threads} is out of range\n    1 to 1024, or None for as many as the machine runs")
+    return BatchResult(_simulate_many(cases, threads or 0, progress, curves))
+
+
+def cycle_units() -> dict:
+    """Units of the values of a cycle, {name: unit}."""
+    return {quantity.name: quantity.unit for quantity in quantities()["cycle"]}
+
+
+__all__ = ["BatchResult", "simulate_many", "Result"]

@@ -1,0 +1,145 @@
+# Written by script/python-stubs; do not edit.
+"""From a trace over a ring face to its shape; see ringfilm.face."""
+
+from typing import *
+
+import numpy
+from . import Case
+
+
+class FaceFit:
+    """The shape of a ring face. Source: docs/theory/face.md."""
+    def __repr__(self) -> str:
+        """All members."""
+        ...
+    @property
+    def coefficients(self) -> object:
+        """Of the polynomial, height in um of x in mm, highest power first, as ring.face.coefficients has them."""
+        ...
+    @property
+    def gap_m(self) -> object:
+        """Gap of the trace, levelled and aligned, shape (x,) [m]."""
+        ...
+    def height(self, x: numpy.ndarray) -> object:
+        """Height of the polynomial at x, any shape [m]."""
+        ...
+    @property
+    def invented(self) -> object:
+        """A list of InventedShape."""
+        ...
+    @property
+    def land_from_m(self) -> object:
+        """Where the land begins [m]."""
+        ...
+    @property
+    def land_to_m(self) -> object:
+        """Where it ends [m]."""
+        ...
+    @property
+    def noise_m(self) -> object:
+        """Rms of what neither follows [m]."""
+        ...
+    @property
+    def polynomial_minimum_at_m(self) -> object:
+        """Lowest place of the polynomial [m]."""
+        ...
+    @property
+    def polynomial_residual(self) -> object:
+        """FaceResidual of the polynomial."""
+        ...
+    @property
+    def pore_share(self) -> object:
+        """Share of the points left out as pores [-]."""
+        ...
+    @property
+    def spline_cutoff_m(self) -> object:
+        """Its stiffness [m]."""
+        ...
+    @property
+    def spline_m(self) -> object:
+        """Spline at x_m, shape (x,) [m]."""
+        ...
+    @property
+    def spline_minimum_at_m(self) -> object:
+        """Lowest place of the spline [m]."""
+        ...
+    @property
+    def spline_residual(self) -> object:
+        """FaceResidual of the spline."""
+        ...
+    @property
+    def start_m(self) -> object:
+        """Place in the trace that became x = 0 [m]."""
+        ...
+    @property
+    def tilt(self) -> object:
+        """Taken off [-]."""
+        ...
+    def to_dict(self) -> dict:
+        """All members, {name: value}."""
+        ...
+    @property
+    def x_m(self) -> object:
+        """Places from 0 to the width, shape (x,) [m]."""
+        ...
+
+class FaceResidual:
+    """Trace less fit."""
+    def __repr__(self) -> str:
+        """All members."""
+        ...
+    @property
+    def largest_at_m(self) -> object:
+        """Where it is [m]."""
+        ...
+    @property
+    def largest_m(self) -> object:
+        """The largest [m]."""
+        ...
+    @property
+    def rms_m(self) -> object:
+        """Rms [m]."""
+        ...
+    def to_dict(self) -> dict:
+        """All members, {name: value}."""
+        ...
+
+class InventedShape:
+    """Where the polynomial has what the trace has not."""
+    def __repr__(self) -> str:
+        """All members."""
+        ...
+    @property
+    def from_m(self) -> object:
+        """Begin [m]."""
+        ...
+    @property
+    def size_m(self) -> object:
+        """Largest distance, or fall [m]."""
+        ...
+    def to_dict(self) -> dict:
+        """All members, {name: value}."""
+        ...
+    @property
+    def to_m(self) -> object:
+        """End [m]."""
+        ...
+    def words(self) -> str:
+        """The same as a sentence."""
+        ...
+
+def fit_face(x: numpy.ndarray, height: numpy.ndarray, width: float, sense: str = 'material', start: Optional[float] = None, direction: str = 'as-measured', levelling: str = 'land', tilt: float = 0.0, zero: str = 'lowest-point', land_height: float = 1e-06, pore_depth: Optional[float] = None, spline_cutoff: Optional[float] = None, degree: int = 6) -> FaceFit:
+    """The shape of a ring face from a trace over it: polynomial and spline, both with what they leave.
+
+    x, height: places and heights of the trace, shape (points,) [m]. width: of the face [m].
+    sense: "material" (heights away from the ring, as a stylus has them) or "gap". start: where the face begins in the
+    trace [m]; None: where its mean gap is least. direction: "as-measured", "turned". levelling: "land", "stated" with its
+    tilt [-], "none". zero: "lowest-point", "as-measured". land_height, pore_depth, spline_cutoff [m]; degree of the
+    polynomial. Returns a FaceFit. Raises InputError. Source: docs/theory/face.md."""
+    ...
+
+def read_trace(path: object, height_unit: Optional[str] = None, lateral_unit: Optional[str] = None, step: Optional[str] = None) -> tuple:
+    """Places and heights of a trace, two arrays of shape (points,) [m], from a file of any known format.
+
+    height_unit, lateral_unit: "um"; step: "0.5 um", where the file does not say. Raises InputError."""
+    ...

@@ -1,0 +1,58 @@
+"""The ways in which ringfilm says no, with the same text as the program prints."""
+
+from typing import NamedTuple, Optional
+
+
+class Fault(NamedTuple):
+    """One thing that is wrong with the input: where, what rule was broken with which value, what to write instead.
+
+    `line` and `column` count from 1; 0 means the file as a whole. `file` is empty where no file is to blame.
+    """
+
+    file: str
+    line: int
+    column: int
+    line_text: str
+    message: str
+    remedy: str
+
+
+class InputError(ValueError):
+    """The input cannot be used (exit code 2 of the program). `faults` holds every fault that was found."""
+
+    def __init__(self, text: str, faults: list = ()):
+        super().__init__(text, list(faults))
+
+    @property
+    def faults(self) -> list:
+        """Every fault, a list of Fault."""
+        return self.args[1]
+
+    def __str__(self) -> str:
+        """The text that the program prints."""
+        return self.args[0]
+
+
+class ConvergenceError(ArithmeticError):
+    """No film was found that balances what acts on it, all remedies spent (exit code 3 of the program)."""
+
+    def __init__(self, text: str, crank_angle: Optional[float] = None, result: object = None):
+        super().__init__(text, crank_angle, result)
+
+    @property
+    def crank_angle(self) -> Optional[float]:
+        """Where the cycle stopped [degree], 0 = firing TDC; None where no crank turns."""
+        return self.args[1]
+
+    @property
+    def result(self) -> object:
+        """All up to the last good instant, a Result or PadResult; None where there is none."""
+        return self.args[2]
+
+    def __str__(self) -> str:
+        """The text that the program prints."""
+        return self.args[0]
+
+
+class OutputError(OSError):
+    """A file could not be written; what stood there before is untouched (exit code 5 of the program)."""

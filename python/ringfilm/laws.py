@@ -1,0 +1,5 @@
+"""The laws that a cycle is made of, on numpy arrays: contact of rough surfaces, density and viscosity of oil."""
+
+from ._ringfilm.laws import GreenwoodTripp, Oil, Walther, composite_modulus, gaussian_integral, oil
+
+__all__ = ["GreenwoodTripp", "Oil", "Walther", "composite_modulus", "gaussian_integral", "oil"]

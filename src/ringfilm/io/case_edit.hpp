@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+
+#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/io/toml_tree.hpp"
+#include "ringfilm/io/units.hpp"
+
+/// Changes to a case in memory, key by key, for who has no file to write them into.
+namespace ringfilm::io {
+
+/// States a key: its value is read as in a case file, a file that it names is read at once, and so are those whose
+/// meaning it changes (the unit of a trace, the width that a face must have). File names are relative to the working
+/// folder. An oil file takes the place of all that was stated of the oil. Throws InputError, the case is then as
+/// before.
+void state(cycle::Case& c, const std::string& key, const TomlValue& value, const Units& units);
+
+/// Takes a key out: what it was by default it is again. Throws InputError for a key that does not exist
+/// and for a file that cannot be read without it.
+void retract(cycle::Case& c, const std::string& key, const Units& units);
+
+/// Throws InputError with everything that is wrong with the case as a whole.
+void check_case(const cycle::Case& c);
+
+}  // namespace ringfilm::io

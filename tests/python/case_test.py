@@ -1,0 +1,165 @@
+"""Cases: read, changed key by key, refused in the words of the program, copied, compared, pickled."""
+
+import copy
+import pickle
+
+import numpy
+import pytest
+
+import ringfilm
+
+
+def test_values_are_in_si(case):
+    assert case["engine.bore"] == 0.089
+    assert case["operating.speed"] == pytest.approx(157.07963267948966, rel=1e-15)
+    assert case["gas.model"] == "trace"
+    assert case["solver.cells"] == 60
+    assert case["lubricant.kinematic_viscosity"] == [(313.15, 59.99e-6), (373.15, 9.59e-6)]
+    assert case["ring.tangential_force"] is None
+
+
+def test_a_unit_string_and_a_number_in_si_state_the_same(case):
+    other = case.copy()
+    case["operating.oil_temperature"] = "100 degC"
+    other["operating.oil_temperature"] = 373.15
+    assert case["operating.oil_temperature"] == other["operating.oil_temperature"] == 373.15
+    assert case == other
+    assert case.text("operating.oil_temperature") == '"100 degC"'
+
+
+@pytest.mark.parametrize("value", [numpy.float64(200.0), numpy.float32(200.0), numpy.int64(200), 200, 200.0, numpy.array(200.0)])
+def test_any_number_of_numpy_is_a_number(case, value):
+    case["operating.speed"] = value
+    assert case["operating.speed"] == 200.0
+
+
+def test_lists_and_pairs(case):
+    case["lubricant.kinematic_viscosity"] = numpy.array([[313.15, 60e-6], [373.15, 9e-6]])
+    assert case["lubricant.kinematic_viscosity"] == [(313.15, 60e-6), (373.15, 9e-6)]
+    case["output.crank_angles"] = [0, 10.5, -30]
+    assert case["output.crank_angles"] == [0.0, 10.5, 690.0]
+    case["output.crank_angles"] = "2 degree"
+    assert case["output.crank_angles"] == 2.0
+    case["output.fields"] = ["0 degree", 20]
+    assert case["output.fields"] == [0.0, 20.0]
+
+
+@pytest.mark.parametrize(
+    "key, value, words",
+    [
+        ("operating.speed", "2000", ["operating.speed", "no unit"]),
+        ("operating.speed", "2000 mm", ["operating.speed", "measures something else"]),
+        ("operating.speed", -3.0, ["out of range"]),
+        ("operating.speed", float("nan"), ["not a finite number"]),
+        ("engine.bor", 1.0, ["unknown key engine.bor", "engine.bore"]),
+        ("gas.model", "wibe", ["wiebe"]),
+        ("solver.cells", 60.5, ["not a whole number"]),
+    ],
+)
+def test_a_wrong_value_is_refused_and_changes_nothing(case, key, value, words):
+    before = case.copy()
+    with pytest.raises(ringfilm.InputError) as refusal:
+        case[key] = value
+    for word in words:
+        assert word in str(refusal.value), str(refusal.value)
+    assert case == before
+
+
+@pytest.mark.parametrize("value", [True, object(), {"a": 1}, numpy.bool_(True)])
+def test_what_is_no_value_is_a_type_error(case, value):
+    with pytest.raises(TypeError):
+        case["operating.speed"] = value
+
+
+def test_a_bad_file_is_refused_with_the_text_of_the_program(folder, run_program):
+    (folder / "case.toml").write_text((folder / "case.toml").read_text().replace('"89 mm"', "89").replace("stroke", "strok"))
+    told = run_program("check", "case.toml").stderr
+    with pytest.raises(ringfilm.InputError) as refusal:
+        ringfilm.Case.read("case.toml")
+    assert told.startswith(str(refusal.value))
+    first = refusal.value.faults[0]
+    assert (first.file, first.line) == ("case.toml", 3)
+    assert len(refusal.value.faults) == 2
+
+
+def test_check_tells_what_joins_keys(case):
+    case["ring.tangential_force"] = "12 N"
+    with pytest.raises(ringfilm.InputError) as refusal:
+        case.check()
+    assert "ring." in str(refusal.value)
+    del case["ring.elastic_pressure"]
+    assert isinstance(case.check(), list)
+    assert "ring.tangential_force" in case and "ring.elastic_pressure" not in case
+
+
+def test_the_gas_model_can_be_changed_step_by_step(case):
+    for key in ("gas.cylinder_pressure", "gas.pressure_reference", "gas.angle_zero"):
+        case[key] = None
+    case["gas.model"] = "wiebe"
+    case.check()
+    case["gas.model"] = "trace"
+    with pytest.raises(ringfilm.InputError, match="gas.cylinder_pressure is missing"):
+        case.check()
+
+
+def test_a_trace_is_read_again_with_another_unit(case, folder):
+    (folder / "bare.csv").write_text("angle,p\n" + "".join(f"{a},{20 + a / 10}\n" for a in range(0, 720, 5)))
+    case["gas.angle_unit"] = "degree"
+    case["gas.pressure_unit"] = "bar"
+    case["gas.cylinder_pressure"] = "bare.csv"
+    in_bar = case.run()
+    case["gas.pressure_unit"] = "psi"
+    assert case.run().gas_pressure[0] == pytest.approx(in_bar.gas_pressure[0] * 0.0689475729, rel=1e-6)
+
+
+def test_overrides_stand_in_for_what_a_file_lacks(folder):
+    text = (folder / "case.toml").read_text().replace('elastic_pressure = "0.2 MPa"\n', "")
+    (folder / "case.toml").write_text(text)
+    case = ringfilm.Case.read("case.toml", {"ring.elastic_pressure": 0.2e6, "operating.speed": "3000 rpm", "ring.face.crown_height": "10 um"})
+    assert case["ring.elastic_pressure"] == 0.2e6
+    assert case["ring.face.crown_height"] == 10e-6
+
+
+def test_an_oil_file_takes_the_place_of_the_oil(case):
+    case["lubricant.file"] = "data/lubricants/sae-30.toml"
+    case.check()
+    assert case["lubricant.kinematic_viscosity"] != [(313.15, 59.99e-6), (373.15, 9.59e-6)]
+    assert any(role == "lubricant.file" for role, _, _ in case.files)
+
+
+def test_copies_stand_alone(case):
+    for other in (case.copy(), copy.copy(case), copy.deepcopy(case), pickle.loads(pickle.dumps(case))):
+        assert other == case
+        other["operating.speed"] = "3000 rpm"
+        assert other != case
+    assert case != 3
+
+
+def test_a_pickle_runs_without_its_files(case, folder):
+    stored = pickle.dumps(case)
+    expected = case.run().fmep
+    (folder / "trace.csv").unlink()
+    (folder / "case.toml").unlink()
+    again = pickle.loads(stored)
+    assert again.resolved() == case.resolved()
+    assert again.files == case.files
+    assert again.run().fmep == expected
+
+
+def test_keys_and_what_is_assumed(case):
+    assert "operating.speed" in case.keys() and "gas.peak_pressure" not in case.keys()
+    assumed = case.assumed()
+    assert assumed["ring.youngs_modulus"] == '"203 GPa"'
+    assert "engine.bore" not in assumed
+    assert list(case) == case.keys()
+    assert any("oil" in sentence for sentence in case.assumptions())
+    assert "a small case" in repr(case)
+
+
+def test_the_table_of_fields():
+    fields = {field.key: field for field in ringfilm.fields()}
+    assert fields["engine.bore"].unit == "m" and fields["engine.bore"].is_required
+    assert fields["ring.youngs_modulus"].default == 203e9
+    assert "trace" in fields["gas.model"].choices
+    assert all(field.help for field in fields.values())
+    assert {quantity.name for quantity in ringfilm.quantities()["cycle"]} >= {"fmep", "mixed_share"}

@@ -1,0 +1,173 @@
+"""Surfaces, faces, friction loops and laws on numpy arrays, against answers that are known otherwise."""
+
+import numpy
+import pytest
+
+import ringfilm
+from conftest import SOURCES
+
+MEASURED = SOURCES / "cases" / "measured"
+
+
+def waves(n=256, step=1e-6, amplitude=1e-6, period=32):
+    x = numpy.arange(n) * step
+    return amplitude * numpy.sin(2 * numpy.pi * x / (period * step))[None, :] * numpy.ones((64, 1)), step
+
+
+def test_heights_of_a_sine():
+    heights, step = waves()
+    told = ringfilm.surface.height_statistics(heights, step)
+    # Whole periods: the mean square of a sampled sine is exact, its mean absolute value to the square of the step.
+    assert told.Sq_m == pytest.approx(1e-6 / numpy.sqrt(2), rel=1e-12)
+    assert told.Sa_m == pytest.approx(2e-6 / numpy.pi, rel=1e-2)
+    assert told.points == heights.size and told.missing == 0
+    assert told.Sku == pytest.approx(1.5, rel=1e-12)
+    assert "Sq_m" in repr(told) and told.to_dict()["Sq_m"] == told.Sq_m
+
+
+def test_missing_points_are_nan():
+    heights, step = waves()
+    heights[10, 20] = numpy.nan
+    assert ringfilm.surface.height_statistics(heights, step).missing == 1
+    level = ringfilm.surface.prepare(heights, step)
+    assert numpy.isnan(level[10, 20]) and numpy.isnan(level).sum() == 1
+
+
+def test_a_tilt_is_taken_off_and_the_input_is_left_alone():
+    heights, step = waves()
+    tilted = heights + 1e-3 * step * numpy.arange(256)
+    before = tilted.copy()
+    level = ringfilm.surface.prepare(tilted, step, form="polynomial", degree=1)
+    numpy.testing.assert_array_equal(tilted, before)
+    # A plane of least squares, by numpy.
+    design = numpy.stack([numpy.ones(256), numpy.arange(256)], axis=1)
+    fit = design @ numpy.linalg.lstsq(design, tilted[0], rcond=None)[0]
+    numpy.testing.assert_allclose(level[0], tilted[0] - fit, atol=1e-12)
+
+
+def test_half_of_a_wave_passes_at_the_cutoff():
+    heights, step = waves(n=1024, period=64)
+    smooth = ringfilm.surface.prepare(heights, step, form="none", short_cutoff=64e-6)
+    middle = slice(256, 768)
+    assert smooth[32, middle].std() / heights[32, middle].std() == pytest.approx(0.5, rel=1e-3)
+    assert ringfilm.surface.gaussian_transmission(64e-6, 64e-6) == pytest.approx(0.5, rel=1e-9)
+    assert ringfilm.surface.gaussian_transmission(numpy.array([1e-3, 64e-6]), 64e-6).shape == (2,)
+
+
+def test_moments_of_a_sine_are_those_of_its_differences():
+    heights, step = waves()
+    got = ringfilm.surface.moments(heights, step, direction="x")
+    slopes = numpy.diff(heights, axis=1) / step
+    curvatures = numpy.diff(heights, 2, axis=1) / step**2
+    assert got.m2 == pytest.approx((slopes**2).mean(), rel=1e-9)
+    assert got.m4_per_m2 == pytest.approx((curvatures**2).mean(), rel=1e-9)
+
+
+def test_density_and_radius_come_back_from_their_moments():
+    of = ringfilm.surface.moments_of(1e11, 1.5e-6)
+    back = ringfilm.surface.asperity_parameters(of, 0.5e-6)
+    assert (back.density_per_m2, back.beta_m, back.sigma_m) == pytest.approx((1e11, 1.5e-6, 0.5e-6), rel=1e-12)
+    assert back.tabor() == pytest.approx(1e11 * 1.5e-6 * 0.5e-6)
+
+
+def test_a_pair_is_the_sum_of_both():
+    one = ringfilm.surface.SurfaceMeasures(0.3e-6, 0.4e-6, ringfilm.surface.SpectralMoments(0, 1e-3, 1e8))
+    two = ringfilm.surface.SurfaceMeasures(0.4e-6, 0.5e-6, ringfilm.surface.SpectralMoments(0, 2e-3, 2e8))
+    pair = ringfilm.surface.pair_parameters(one, two, rule="ra")
+    assert pair.sigma_m == pytest.approx(0.5e-6, rel=1e-12)
+    both = ringfilm.surface.asperity_parameters(ringfilm.surface.SpectralMoments(0, 3e-3, 3e8), 0.5e-6)
+    assert pair.beta_m == pytest.approx(both.beta_m, rel=1e-12)
+
+
+def test_files_of_instruments():
+    ring = ringfilm.surface.read(MEASURED / "ring_new.x3p")
+    assert ring.heights.ndim == 2 and ring.step[0] > 0 and ring.plausibility
+    level = ringfilm.surface.prepare(ring.heights, ring.step, form="cylinder", long_cutoff=80e-6)
+    assert 0 < ringfilm.surface.height_statistics(level, ring.step).Sq_m < 5e-6
+    curve = ringfilm.surface.bearing_curve(level, ring.step)
+    assert (numpy.diff(curve) <= 0).all()
+    assert ringfilm.surface.core_roughness(curve).Rk_m > 0
+    with pytest.raises(ringfilm.InputError):
+        ringfilm.surface.read(MEASURED / "nothing.x3p")
+
+
+def test_words_that_are_not_known_are_refused():
+    heights, step = waves()
+    with pytest.raises(ringfilm.InputError, match="choose one of"):
+        ringfilm.surface.prepare(heights, step, form="tild")
+    with pytest.raises(ringfilm.InputError, match="dimensions"):
+        ringfilm.surface.height_statistics(numpy.zeros((2, 3, 4)), step)
+    with pytest.raises(ringfilm.InputError):
+        ringfilm.surface.height_statistics(heights, -1.0)
+
+
+def test_a_face_gives_back_the_parabola_that_made_it():
+    width, crown = 1.2e-3, 15e-6
+    x = numpy.linspace(0, width, 601)
+    gap = crown * ((x - width / 2) / (width / 2)) ** 2
+    fit = ringfilm.face.fit_face(x, gap, width, sense="gap", levelling="none")
+    numpy.testing.assert_allclose(fit.height(x), gap, atol=1e-11)
+    assert fit.coefficients.shape == (7,)
+    # Height in um of x in mm: the square term of the parabola.
+    assert fit.coefficients[-3] == pytest.approx(crown * 1e6 / 0.6**2, rel=1e-6)
+    assert fit.polynomial_residual.rms_m < 1e-12
+
+
+def test_a_face_from_a_file():
+    x, height = ringfilm.face.read_trace(MEASURED / "face_new.csv")
+    assert x.shape == height.shape and (numpy.diff(x) > 0).all()
+
+
+def test_a_friction_loop():
+    x = numpy.linspace(0, 1e-6, 200)
+    loop = ringfilm.lateral_force.loop_friction(x, 0.3 + 0 * x, -0.1 + 0 * x)
+    assert loop.tmr_V == pytest.approx(0.2) and loop.offset_V == pytest.approx(0.1)
+    assert loop.points < 200
+
+
+def test_a_line_is_that_of_numpy():
+    x = numpy.array([1.0, 2.0, 3.0, 4.0])
+    y = numpy.array([1.1, 1.9, 3.2, 3.9])
+    line = ringfilm.lateral_force.fit_line(x, y)
+    slope, offset = numpy.polyfit(x, y, 1)
+    assert (line.slope, line.offset) == pytest.approx((slope, offset), rel=1e-12)
+
+
+def test_shear_strength_from_loops():
+    silicon = ringfilm.lateral_force.read(MEASURED / "loops_silicon.csv")[0]
+    calibration = ringfilm.lateral_force.calibrate_on_silicon(silicon.line, silicon.load_unit)
+    assert calibration.psi == pytest.approx(0.19 / silicon.line.slope, rel=1e-12)
+    samples = ringfilm.lateral_force.read(MEASURED / "loops_new.csv", MEASURED / "loops_run_in.csv")
+    strengths, covariance = ringfilm.lateral_force.boundary_shear_strengths(samples, calibration)
+    assert covariance.shape == (2, 2)
+    assert strengths[0].zeta == pytest.approx(calibration.psi * samples[0].line.slope, rel=1e-12)
+    assert strengths[0].deviation() == pytest.approx(numpy.sqrt(covariance[0, 0]), rel=1e-12)
+
+
+def test_the_gaussian_integral_is_that_of_quadrature():
+    lam = numpy.array([0.0, 0.5, 2.0])
+    got = ringfilm.laws.gaussian_integral(2.5, lam)
+    s = numpy.linspace(0, 12, 200_001)
+    for value, at in zip(got, lam):
+        expected = numpy.trapz((s) ** 2.5 * numpy.exp(-((s + at) ** 2) / 2), s) / numpy.sqrt(2 * numpy.pi)
+        # Trapezia on a power of 5/2: third order at the end, below 1e-8 here.
+        assert value == pytest.approx(expected, rel=1e-7)
+
+
+def test_contact_follows_its_formula():
+    E = ringfilm.laws.composite_modulus(203e9, 0.3, 92.3e9, 0.211)
+    assert E == pytest.approx(2 / ((1 - 0.3**2) / 203e9 + (1 - 0.211**2) / 92.3e9), rel=1e-14)
+    contact = ringfilm.laws.GreenwoodTripp(N=0.097e12, beta=1.56e-6, sigma=0.48e-6, E_prime=E)
+    h = numpy.array([[0.5e-6, 1e-6], [1.5e-6, 2e-6]])
+    tabor = 0.097e12 * 1.56e-6 * 0.48e-6
+    expected = 8 * numpy.sqrt(2) / 15 * numpy.pi * tabor**2 * numpy.sqrt(0.48 / 1.56) * E
+    numpy.testing.assert_allclose(contact.pressure(h), expected * ringfilm.laws.gaussian_integral(2.5, h / 0.48e-6), rtol=1e-9)
+    assert (contact.pressure_slope(h) < 0).all() and contact.area_share(h).shape == (2, 2)
+
+
+def test_the_oil_of_a_case(case):
+    oil = ringfilm.laws.oil(case)
+    p = numpy.array([1e5, 1e7, 1e8])
+    assert (numpy.diff(oil.viscosity(p)) > 0).all() and (numpy.diff(oil.density(p)) > 0).all()
+    walther = ringfilm.laws.Walther.fit([313.15, 373.15], [59.99e-6, 9.59e-6])
+    numpy.testing.assert_allclose(walther.kinematic_viscosity([313.15, 373.15]), [59.99e-6, 9.59e-6], rtol=1e-10)

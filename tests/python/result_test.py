@@ -1,0 +1,131 @@
+"""Results: the program's numbers to the last bit, views without a copy, files, tables of xarray and pandas, pickles."""
+
+import gc
+import pickle
+
+import numpy
+import pytest
+
+import ringfilm
+
+
+@pytest.fixture
+def result(case):
+    case["output.fields"] = [0.0, 20.0]
+    return case.run()
+
+
+def test_the_file_is_that_of_the_program(case, folder, run_program):
+    assert run_program("run", "case.toml", "--output", "program.nc").returncode == 0
+    case.run().write("module.nc")
+    assert (folder / "module.nc").read_bytes() == (folder / "program.nc").read_bytes()
+
+
+def test_the_table_is_that_of_the_program(case, folder, run_program):
+    assert run_program("run", "case.toml", "--csv", "program.csv").returncode == 0
+    case.run().write_csv("module.csv")
+    assert (folder / "module.csv").read_bytes() == (folder / "program.csv").read_bytes()
+
+
+def test_curves_are_views_without_a_copy(result):
+    curve = result.min_film_thickness
+    assert curve.shape == result.crank_angle.shape == (720,)
+    assert not curve.flags.owndata and not curve.flags.writeable
+    assert numpy.shares_memory(curve, result["min_film_thickness"])
+    # Curve after curve of one crank angle: the neighbour in memory is another quantity.
+    assert curve.strides[0] > curve.itemsize
+    with pytest.raises(ValueError):
+        curve[0] = 1
+
+
+def test_a_view_keeps_its_result_alive(case):
+    curve = case.run().min_film_thickness
+    expected = curve.copy()
+    gc.collect()
+    case.run()
+    numpy.testing.assert_array_equal(curve, expected)
+
+
+def test_values_of_the_cycle(result):
+    assert result.fmep == result.values["fmep"] > 0
+    assert result.cycle_min_film_thickness == result.values["min_film_thickness"]
+    assert result.cycle_min_film_thickness == pytest.approx(result.min_film_thickness.min(), rel=1e-12)
+    assert result["fmep"] == result["cycle_fmep"] == result.fmep
+    assert result.derived["elastic_pressure"] == 0.2e6
+    assert result.complete and not result.reason
+
+
+def test_an_unknown_name_is_a_key_error_with_a_suggestion(result):
+    with pytest.raises(KeyError, match="did you mean min_film_thickness"):
+        result["min_film_thicknes"]
+
+
+def test_fields(result):
+    assert result["film_pressure"].shape == (2, result["x"].size)
+    assert list(result["field_crank_angle"]) == [0.0, 20.0]
+
+
+def test_notes_and_assumptions_come_along(result):
+    assert all(len(note) == 3 for note in result.notes)
+    assert {key for key, *_ in result.inputs} >= {"engine.bore", "ring.youngs_modulus"}
+    assert result.assumptions and result.effort["cycles_marched"] > 0
+    assert result.provenance["program"].startswith("ringfilm")
+
+
+def test_read_gives_back_what_was_written(result, folder):
+    result.write("x.nc")
+    again = ringfilm.Result.read("x.nc")
+    numpy.testing.assert_array_equal(again.min_film_thickness, result.min_film_thickness)
+    assert again.values == result.values
+    again.write("y.nc")
+    assert (folder / "y.nc").read_bytes() == (folder / "x.nc").read_bytes()
+
+
+def test_what_is_no_result_is_refused(folder):
+    with pytest.raises(ringfilm.InputError, match="not a NetCDF file"):
+        ringfilm.Result.read("case.toml")
+    with pytest.raises(ringfilm.InputError, match="no such file"):
+        ringfilm.Result.read("nothing.nc")
+
+
+def test_a_file_that_cannot_be_written_is_an_output_error(result, folder):
+    with pytest.raises((ringfilm.OutputError, ringfilm.InputError)):
+        result.write("no/such/folder/x.nc")
+
+
+def test_pickles(result):
+    again = pickle.loads(pickle.dumps(result))
+    for name in ("min_film_thickness", "friction_on_liner", "film_pressure"):
+        numpy.testing.assert_array_equal(again[name], result[name])
+    assert again.values == result.values
+
+
+def test_xarray_is_what_xarray_reads_from_the_file(result, folder):
+    xarray = pytest.importorskip("xarray")
+    result.write("x.nc")
+    with xarray.open_dataset("x.nc") as stored:
+        made = result.to_xarray()
+        assert dict(made.sizes) == dict(stored.sizes)
+        assert set(made.variables) == set(stored.variables)
+        assert set(made.coords) == set(stored.coords)
+        xarray.testing.assert_identical(made, stored.load())
+    assert made["min_film_thickness"].attrs["units"] == "m"
+    assert float(made["min_film_thickness"].sel(crank_angle=20)) == result.min_film_thickness[20]
+
+
+def test_xarray_does_not_copy_the_curves(result):
+    pytest.importorskip("xarray")
+    assert numpy.shares_memory(result.to_xarray()["power_loss"].values, result.power_loss)
+
+
+def test_pandas(result):
+    pytest.importorskip("pandas")
+    frame = result.to_pandas()
+    assert frame.index.name == "crank_angle" and len(frame) == 720
+    numpy.testing.assert_array_equal(frame["total_friction"], result.total_friction)
+    assert frame.attrs["units"]["total_friction"] == "N"
+
+
+def test_a_report_is_a_page(result, folder):
+    result.write_report("x.html")
+    assert (folder / "x.html").read_text().lstrip().lower().startswith("<!doctype html>")
