@@ -43,7 +43,7 @@ class Summary {
       const std::vector<double> all = rows_.values(i);
       tell_value(quantities[i], study::values_of_base(plan_, all, base, among), is_sample);
       if (plan_.study().sampling.indices != study::Indices::kNone && quantities[i].name == study::main_values().front())
-        indices_ = indices_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i].name);
+        indices_ = indices_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i].name, base);
       if (plan_.study().sampling.method == study::Method::kMorris && quantities[i].name == study::main_values().front())
         indices_ = screening_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i]);
     }
@@ -65,11 +65,12 @@ class Summary {
     text_ += "\n";
   }
 
-  std::string indices_text(const std::vector<double>& values, const std::string& of) const {
+  std::string indices_text(const std::vector<double>& values, const std::string& of, std::size_t base) const {
     const auto found = study::sobol_indices(values, plan_.groups().size());
     if (!found) return "";
     std::string text = fmt::format("  share in the variance of {}, with 95 % intervals\n", of);
     for (std::size_t g = 0; g < plan_.groups().size(); ++g) {
+      if (!study::applies(plan_.groups()[g], plan_.study(), base)) continue;
       const auto& [first, total] = std::pair{found->first[g], found->total[g]};
       text +=
           fmt::format("    {:<36} alone {:5.2f} ({:.2f} to {:.2f})   with interactions {:5.2f} ({:.2f} to {:.2f})\n",

@@ -20,6 +20,7 @@ using study::Factor;
 using study::How;
 
 const std::vector<std::string> kFactorKeys = {"name",
+                                              "source",
                                               "key",
                                               "keys",
                                               "bases",
@@ -90,6 +91,7 @@ class FactorReader {
     factor_.how = how.value_or(How::kSet);
     if (field_ == nullptr || faults_.size() > n_before_) return std::nullopt;
     factor_.name = table_.text("name").value_or(factor_.targets.front().key);
+    factor_.source = table_.text("source").value_or("");
     const bool is_text = study::entry_of(*field_) == study::Entry::kText;
     factor_.unit = is_text ? "" : factor_.how == How::kScale ? "1" : field_->unit;
     factor_.display_unit = is_text ? "" : factor_.how == How::kScale ? "1" : field_->display_unit;

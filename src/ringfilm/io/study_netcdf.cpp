@@ -140,6 +140,7 @@ class BlockWriter {
       const std::string& variable = variables[j];
       factors_.push_back(column({variable, factor.unit, factor.display_unit, factor.name, "", ""}, Stored::kDouble));
       file_.describe(variable, "key", factor.targets.front().key);
+      if (!factor.source.empty()) file_.describe(variable, "source", factor.source);
       const std::vector<std::string> texts = choice_texts(factor);
       const std::string choices = variable + "_choice";
       if (!texts.empty())

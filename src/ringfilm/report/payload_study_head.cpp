@@ -146,7 +146,8 @@ ordered_json factor_object(const study::Study& study, const study::Factor& facto
           {"choices", std::move(choices)},
           {"logarithmic", std::holds_alternative<study::Span>(factor.variation) &&
                               std::get<study::Span>(factor.variation).spacing == study::Spacing::kLogarithmic},
-          {"origin", is_measured ? "measured" : "stated"}};
+          {"origin", is_measured ? "measured" : "stated"},
+          {"source", factor.source}};
 }
 
 ordered_json unsolved_object(const io::StudyRows& rows) {

@@ -77,7 +77,7 @@ class MainValues {
     for (std::size_t b = 0; b < plan_.study().bases.size(); ++b) {
       if (is_sample) payload_["convergence"][name].push_back(convergence_object(of_base(all, b)));
       if (plan_.study().sampling.indices != study::Indices::kNone)
-        payload_["indices"][name].push_back(indices_object(study::values_of_base(plan_, all, b, study::Among::kAll)));
+        payload_["indices"][name].push_back(indices_object(study::values_of_base(plan_, all, b, study::Among::kAll), b));
       if (has_swings()) payload_["swings"][name].push_back(swings_object(all, b));
       if (plan_.study().sampling.method == study::Method::kMorris)
         payload_["effects"][name].push_back(effects_object(study::values_of_base(plan_, all, b, study::Among::kAll)));
@@ -121,12 +121,19 @@ class MainValues {
     return {{"n", std::move(n)}, {"mean", std::move(mean)}, {"quantiles", quantiles}};
   }
 
-  ordered_json indices_object(const std::vector<double>& values) const {
+  /// Null for a group that moves nothing in that base.
+  ordered_json indices_object(const std::vector<double>& values, std::size_t base) const {
     const auto found = study::sobol_indices(values, plan_.groups().size());
     if (!found) return nullptr;
     ordered_json first = ordered_json::array(), total = ordered_json::array();
-    for (const study::Interval& one : found->first) first.push_back(with_ends(one.value, one.low, one.high));
-    for (const study::Interval& one : found->total) total.push_back(with_ends(one.value, one.low, one.high));
+    for (std::size_t g = 0; g < plan_.groups().size(); ++g) {
+      const bool moves = study::applies(plan_.groups()[g], plan_.study(), base);
+      const auto told = [moves](const study::Interval& one) {
+        return moves ? with_ends(one.value, one.low, one.high) : ordered_json(nullptr);
+      };
+      first.push_back(told(found->first[g]));
+      total.push_back(told(found->total[g]));
+    }
     return {{"rows", found->rows}, {"left_out", found->left_out}, {"first", first}, {"total", total}};
   }
 

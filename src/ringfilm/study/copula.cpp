@@ -6,6 +6,11 @@
 
 namespace ringfilm::study {
 
+bool applies(const FactorGroup& group, const Study& study, std::size_t base) {
+  return std::any_of(group.factors.begin(), group.factors.end(),
+                     [&](std::size_t j) { return applies(study.factors[j], base); });
+}
+
 std::vector<FactorGroup> factor_groups(const Study& study) {
   const std::size_t n = study.factors.size();
   std::vector<std::size_t> first(n);  // factor of the group of each

@@ -17,6 +17,9 @@ struct FactorGroup {
   std::vector<std::size_t> factors;  ///< increasing
 };
 
+/// Does one of its factors move anything in that base?
+bool applies(const FactorGroup& group, const Study& study, std::size_t base);
+
 /// Every factor in one group; in the order of the first factors of the groups.
 std::vector<FactorGroup> factor_groups(const Study& study);
 

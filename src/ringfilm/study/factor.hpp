@@ -61,6 +61,7 @@ struct Factor {
   std::string unit;          ///< SI; "1" for a dimensionless number and for scale, "" for choices
   std::string display_unit;  ///< the unit in which people read it
   SourceMark mark;           ///< where it stands in the study's file, for what is wrong with it
+  std::string source = {};   ///< where its variation comes from, "assumed: ...", for people; may be empty
 };
 
 /// Does the factor move anything in that base?

@@ -12,6 +12,7 @@ namespace {
 
 using Deviation = std::optional<double>;
 
+const std::string kSource = "measured: [contact.measured] of the base";
 const std::string kZeta = "contact.boundary_shear_strength_coefficient";
 
 Distribution positive(double mean, double deviation) {
@@ -42,7 +43,8 @@ class MeasuredFactors {
     if (!varies(deviation)) return std::nullopt;
     ++n_errors_;
     const std::string name = key.substr(key.find('.') + 1) + " of " + study_.bases[b].name;
-    study_.factors.push_back({name, {{b, key, 1.0}}, How::kSet, positive(mean, *deviation), unit, display_unit, {}});
+    study_.factors.push_back({name, {{b, key, 1.0}}, How::kSet, positive(mean, *deviation), unit, display_unit, {},
+                              kSource});
     return study_.factors.size() - 1;
   }
 
@@ -82,7 +84,7 @@ class MeasuredFactors {
     const auto [found, is_first] = scales_.try_emplace({kind, owner}, study_.factors.size());
     if (is_first) {
       const std::string name = kind + " of " + owner;
-      study_.factors.push_back({name, {{b, kZeta, 1.0}}, How::kScale, positive(1, relative), "1", "1", {}});
+      study_.factors.push_back({name, {{b, kZeta, 1.0}}, How::kScale, positive(1, relative), "1", "1", {}, kSource});
       return;
     }
     Factor& common = study_.factors[found->second];

@@ -126,8 +126,6 @@ TEST(StudyFile, AFileThatIsChosenUndoesNoOtherFactor) {
     }
     EXPECT_EQ(seen.size(), 4u);
   }
-  EXPECT_THAT(folder.refusal(file + "[[factor]]\nkey = \"lubricant.table\"\nvalues = [\"a.csv\"]\n"),
-              HasSubstr("a.csv"));
 }
 
 TEST(StudyFile, TakesAListWithItsUnitsInAnyOrder) {

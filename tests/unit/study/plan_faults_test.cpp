@@ -170,6 +170,11 @@ TEST(PlanFaults, OfPlans) {
   EXPECT_THAT(of([](Study& s) { s.sampling.until = Until{"fmep", 1.5, 1, 10000}; }), HasSubstr("the quantile is 1.5"));
   EXPECT_THAT(of([](Study& s) { s.sampling.until = Until{"fmep", {}, 0, 10000}; }), HasSubstr("the width is 0"));
   EXPECT_THAT(of([](Study& s) { s.sampling.until = Until{"fmep", {}, 1, 3}; }), HasSubstr("below plan.scenarios"));
+  EXPECT_THAT(of([](Study& s) {
+                const Choices files{{{"a", {}}, {"b", {}}}};
+                s.factors = {factor("lubricant.file", files), factor("lubricant.table", files)};
+              }),
+              HasSubstr("chooses files for lubricant.table, as factor \"lubricant.file\" does"));
   Study vast = study_of({}, Method::kGrid);
   for (const std::string& key : some_keys())
     vast.factors.push_back(factor(key, Span{1, 2, 1000, Spacing::kLinear}, How::kScale));

@@ -23,15 +23,16 @@ export function comparisonFigure(model) {
   // One colour for each base; where there is but one, for each group.
   const colourOf = (g) => (model.several ? groups[g].base : g);
   const kHeight = 26 + 46 + kRow * groups.length;
+  const longest = Math.max(...groups.map((g) => g.name.length));
   const panel = (q, box) => {
     const all = model.comparison[q.name].map((s) => spread(model, q, s));
-    const room = Math.min(170, Math.max(90, 0.36 * box.width));
+    const room = Math.min(Math.max(90, 7.2 * longest + 10), 0.55 * box.width);
     const range = airy(all.flatMap((s) => (s ? [s.middle, ...s.outer] : [])));
     const { plot, x, shapes, edges } = frame(box, { ...range, label: '', unit: '' }, { low: 0, high: 1, bare: true, label: q.short_name, unit: q.shown }, { left: room, bottom: 30 });
     const out = [...shapes];
     all.forEach((s, g) => {
       const at = plot.top + ((plot.bottom - plot.top) * (g + 0.5)) / groups.length;
-      out.push(`<text x="${px(plot.left - 8)}" y="${px(at + 4)}" text-anchor="end" font-size="12">${safe(fitted(groups[g].name, room - 14))}<title>${safe(groups[g].name)}</title></text>`);
+      out.push(`<text x="${px(plot.left - 8)}" y="${px(at + 4)}" text-anchor="end" font-size="12">${safe(fitted(groups[g].name, room - 14, 7))}<title>${safe(groups[g].name)}</title></text>`);
       if (!s) {
         out.push(text(plot.left + 6, at + 4, 'not solved', { size: 11 }));
         return;
@@ -48,7 +49,8 @@ export function comparisonFigure(model) {
   return {
     id: 'comparison-figure', title: 'Median and spread of the main values',
     draw(width) {
-      const grid = panelGrid(shown.length, width, kHeight, 0);
+      const kLongName = 16;
+      const grid = panelGrid(shown.length, longest > kLongName ? Math.min(width, 900) : width, kHeight, 0, width);
       return { shapes: shown.flatMap((q, i) => panel(q, grid.at(i))), height: grid.bottom };
     },
     caption() {

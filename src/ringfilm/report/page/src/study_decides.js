@@ -8,17 +8,18 @@ import { number, percent, ticks, tickText, withUnit } from './units.js';
 const kBar = 10;
 const kHead = 20;
 
-/** Rows of lying bars with a name above each: @param rows { name, bars: [shapes(x, top)] }, range of the axis. */
-function lyingRows(rows, axis, width, top, perRow) {
+/** Rows of lying bars with a name above each: @param rows { name, bars: how many, shapes(x, top) }, range of the axis. */
+function lyingRows(rows, axis, width, top) {
   const [left, right] = [12, width - 46];
   const x = scaler(false, axis.low, axis.high, left, right);
-  const rowHeight = kHead + perRow * kBar + 6;
-  const bottom = top + rows.length * rowHeight + 4;
+  const tops = [top];
+  rows.forEach((row) => tops.push(tops[tops.length - 1] + kHead + row.bars * kBar + 6));
+  const bottom = tops[rows.length] + 4;
   const onX = ticks(axis.low, axis.high, Math.max(2, (right - left) / 75));
   const out = onX.values.flatMap((v) => [rule(x(v), top, x(v), bottom, kGrid), text(x(v), bottom + 16, tickText(v, onX.step), { anchor: 'middle' })]);
   out.push(text((left + right) / 2, bottom + 34, axisTitle(axis.label, axis.unit), { anchor: 'middle', fill: kFaint }));
   rows.forEach((row, i) => {
-    const y = top + i * rowHeight;
+    const y = tops[i];
     out.push(text(left, y + 14, fitted(row.name, right - left), { halo: '#fff' }), ...row.shapes(x, y + kHead));
   });
   out.push(rule(x(axis.zero ?? axis.low), top, x(axis.zero ?? axis.low), bottom, kInk));
@@ -34,20 +35,19 @@ function baseEntries(model) {
 
 export function indicesFigure(model, chosen) {
   const all = () => model.indices[chosen.value] ?? [];
-  const order = () => model.groups.map((name, g) => ({ name, g, size: Math.max(...all().map((found) => found?.total[g][0] ?? 0)) })).sort((a, b) => b.size - a.size);
+  const order = () => model.groups.map((name, g) => ({ name, g, size: Math.max(...all().map((found) => found?.total[g]?.[0] ?? 0)) })).sort((a, b) => b.size - a.size);
   return {
     id: 'sobol', title: 'Which input decides: shares in the variance', half: true,
     draw(width) {
       const named = legend([...baseEntries(model), { label: 'alone (first index)', swatch: solid }, { label: 'with interactions (total)', swatch: light }], width, 0);
-      const ends = extent(all().flatMap((found) => (found ? [...found.first, ...found.total].flat() : []))) ?? [0, 1];
+      const ends = extent(all().flatMap((found) => (found ? [...found.first, ...found.total].filter(Boolean).flat() : []))) ?? [0, 1];
       const axis = { low: Math.min(0, Math.max(ends[0], -0.2)), high: Math.max(1, Math.min(ends[1], 1.3)), zero: 0, label: 'share in the variance', unit: '' };
       const rows = order().map(({ name, g }) => ({
-        name,
-        shapes: (x, top) => all().flatMap((found, b) => {
-          if (!found) return [];
+        name, bars: 2 * all().filter((found) => found?.total[g]).length,
+        shapes: (x, top) => all().map((found, b) => ({ found, b })).filter(({ found }) => found?.total[g]).flatMap(({ found, b }, place) => {
           return ['first', 'total'].flatMap((which, i) => {
             const [value, low, high] = found[which][g];
-            const y = top + (2 * b + i) * kBar;
+            const y = top + (2 * place + i) * kBar;
             const [from, to] = [Math.min(x(0), x(value)), Math.max(x(0), x(value))];
             const inside = (v) => x(Math.min(axis.high, Math.max(axis.low, v)));
             return [
@@ -56,7 +56,7 @@ export function indicesFigure(model, chosen) {
           });
         }),
       }));
-      const drawn = lyingRows(rows, axis, width, named.height + 6, 2 * model.bases.length);
+      const drawn = lyingRows(rows, axis, width, named.height + 6);
       return { shapes: [...named.shapes, ...drawn.shapes], height: drawn.bottom };
     },
     caption() {
@@ -64,10 +64,10 @@ export function indicesFigure(model, chosen) {
       const first = all().find(Boolean);
       if (!first) return `No indices of ${q.short_name}: too few rows, or it does not vary.`;
       const [strongest] = order();
-      const rest = model.bases.map((b) => (all()[b.index] ? 1 - all()[b.index].first.reduce((sum, [v]) => sum + v, 0) : null)).filter((v) => v !== null);
+      const rest = model.bases.map((b) => (all()[b.index] ? 1 - all()[b.index].first.reduce((sum, t) => sum + (t?.[0] ?? 0), 0) : null)).filter((v) => v !== null);
       return `Sobol indices of ${q.short_name} from ${first.rows} rows${first.left_out ? ` (${first.left_out} with a scenario that was not solved left out)` : ''}; thin lines: 95 % confidence intervals by the bootstrap. First index: share of the variance that would go if the factor were known; total index: what would stay if all others were. Strongest: ${strongest.name}. What no factor does alone: ${rest.map((v) => percent(Math.max(0, v), 0).replace(/[+±]/, '')).join(', ')} of the variance.${model.groups.length < model.factors.length ? ' Correlated factors share one index.' : ''}`;
     },
-    columns: () => [{ title: 'factor', values: model.groups }, ...all().flatMap((found, b) => (found ? ['first', 'total'].flatMap((which) => ['', ', low', ', high'].map((end, i) => ({ title: `${model.bases[b].name}: ${which} index${end}`, values: found[which].map((t) => t[i]) }))) : []))],
+    columns: () => [{ title: 'factor', values: model.groups }, ...all().flatMap((found, b) => (found ? ['first', 'total'].flatMap((which) => ['', ', low', ', high'].map((end, i) => ({ title: `${model.bases[b].name}: ${which} index${end}`, values: found[which].map((t) => t?.[i] ?? null) }))) : []))],
   };
 }
 
@@ -87,10 +87,9 @@ export function swingFigure(model, chosen) {
       const air = 0.12 * (Math.max(0, found[1]) - Math.min(0, found[0]) || 1);
       const axis = { low: Math.min(0, found[0]) - air, high: Math.max(0, found[1]) + air, zero: 0, label: `change of ${q().short_name}`, unit: relative() ? '%' : q().shown };
       const rows = order().map(({ f, ends }) => ({
-        name: f.name,
-        shapes: (x, top) => ends.flatMap((pair, b) => {
-          if (!pair) return [];
-          const y = top + b * (kBar + 3);
+        name: f.name, bars: 1.3 * ends.filter(Boolean).length,
+        shapes: (x, top) => ends.map((pair, b) => ({ pair, b })).filter(({ pair }) => pair).flatMap(({ pair, b }, place) => {
+          const y = top + place * (kBar + 3);
           const bar = (v, high) => `<rect x="${px(Math.min(x(0), x(v)))}" y="${px(y + (Math.sign(pair[0]) === Math.sign(pair[1]) && high ? 3 : 0))}" width="${px(Math.max(0.8, Math.abs(x(v) - x(0))))}" height="${Math.sign(pair[0]) === Math.sign(pair[1]) && high ? kBar - 6 : kBar}" fill="${caseColour(b)}" ${high ? '' : `fill-opacity="0.3" stroke="${caseColour(b)}" stroke-width="0.8"`}><title>${safe(`${model.bases[b].name}, ${f.name} ${high ? 'high' : 'low'}: ${relative() ? percent(v / 100) : withUnit(v, q().shown)}`)}</title></rect>`;
           const [least, most] = [Math.min(...pair, 0), Math.max(...pair, 0)];
           const label = (v) => (relative() ? percent(v / 100) : number(v, 3));
@@ -98,7 +97,7 @@ export function swingFigure(model, chosen) {
             text(x(most) + 4, y + 9, label(most), { size: 10.5, halo: '#fff' }), ...(least < 0 ? [text(x(least) - 4, y + 9, label(least), { size: 10.5, anchor: 'end', halo: '#fff' })] : [])];
         }),
       }));
-      const drawn = lyingRows(rows, axis, width, named.height + 6, 1.3 * model.bases.length);
+      const drawn = lyingRows(rows, axis, width, named.height + 6);
       return { shapes: [...named.shapes, ...drawn.shapes], height: drawn.bottom };
     },
     caption: () => (model.has_sample
@@ -121,7 +120,7 @@ export function effectsFigure(model, chosen) {
   const q = () => model.quantity.get(chosen.value);
   const list = () => rankedEffects(model, chosen, chosen.base);
   return {
-    id: 'morris', title: 'Screening: size of the effects and how much they vary', half: true,
+    id: 'morris', title: 'Screening: effects and how they vary', half: true,
     draw(width) {
       const effects = list();
       const most = 1.12 * Math.max(1e-300, ...effects.map((e) => e.mean_absolute + e.half_width));
@@ -167,7 +166,7 @@ export function rankingFigure(model, chosen) {
       const axis = { low: 0, high: 1.05 * Math.max(1e-300, ...effects.map((e) => e.mean_absolute + e.half_width)), label: 'µ*: mean size of the effect', unit: q().shown };
       const colour = caseColour(chosen.base);
       const rows = effects.map((e) => ({
-        name: `${e.rank}  ${e.factor.name}`,
+        name: `${e.rank}  ${e.factor.name}`, bars: 1,
         shapes: (x, y) => {
           const [low, high] = [x(Math.max(0, e.mean_absolute - e.half_width)), x(e.mean_absolute + e.half_width)];
           return [`<rect x="${px(x(0))}" y="${px(y)}" width="${px(Math.max(0.8, x(e.mean_absolute) - x(0)))}" height="${kBar}" fill="${colour}"/>`,
@@ -175,7 +174,7 @@ export function rankingFigure(model, chosen) {
             text(high + 5, y + 9, `${number(e.mean_absolute, 3)} ${Math.abs(e.mean) > 0.9 * e.mean_absolute ? (e.mean > 0 ? '↑' : '↓') : '↕'}`, { size: 11, halo: '#fff' })];
         },
       }));
-      const drawn = lyingRows(rows, axis, width, 4, 1);
+      const drawn = lyingRows(rows, axis, width, 4);
       return { shapes: drawn.shapes, height: drawn.bottom };
     },
     caption: () => `µ* with its 95 % confidence interval, strongest first. ↑: ${q().short_name} rises with the factor, ↓: it falls, ↕: both, depending on where the factors stand. Intervals that overlap leave the order open.`,

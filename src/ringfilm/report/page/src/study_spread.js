@@ -9,8 +9,8 @@ import { number, percent } from './units.js';
 export const shareText = (share) => `${short(100 * share)}\u00a0%`;
 
 /** Panels side by side where there is room: { columns, at(i) to a box, rows }. */
-export function panelGrid(count, width, height, top) {
-  const columns = Math.min(count, width >= 960 ? 3 : width >= 640 ? 2 : 1);
+export function panelGrid(count, roomFor, height, top, width = roomFor) {
+  const columns = Math.min(count, roomFor >= 960 ? 3 : roomFor >= 640 ? 2 : 1);
   const w = width / columns;
   return { columns, bottom: top + Math.ceil(count / columns) * height, at: (i) => ({ x: (i % columns) * w, y: top + Math.floor(i / columns) * height, width: w, height }) };
 }

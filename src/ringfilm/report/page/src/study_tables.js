@@ -71,11 +71,11 @@ export function variedSection(model) {
   const rows = model.factors.map((f) => [
     f.name, { text: f.keys.flatMap((key, i) => [i ? ', ' : '', code(key)]) }, kHow[f.how] ?? f.how, typeset(f.words),
     ...(model.several ? [f.bases.length === model.bases.length ? 'all' : f.bases.map((b) => model.bases[b].name).join(', ') || 'none'] : []),
-    f.origin === 'measured' ? 'measured: [contact.measured] of the base' : 'as the study states it']);
+    f.source || 'not stated']);
   const measured = model.factors.filter((f) => f.origin === 'measured').length;
   const correlations = model.correlations.map((c) => `${model.factors[c.factors[0]].name} and ${model.factors[c.factors[1]].name} ${number(c.value, 2)}`);
   return section('varied', 'What varied',
-    element('p', {}, `${measured === 0 ? 'No scatter was taken over from a measurement: ranges and distributions are as the study’s file states them.' : measured === model.factors.length ? 'All scatter is what was measured.' : `${measured} of ${model.factors.length} factors have the scatter that was measured; the others are as the study’s file states them.`}`,
+    element('p', {}, `${measured === 0 ? 'No scatter was taken over from a measurement: ranges and distributions are as the study’s file states them, with what it says of their source.' : measured === model.factors.length ? 'All scatter is what was measured.' : `${measured} of ${model.factors.length} factors have the scatter that was measured; the others are as the study’s file states them.`}`,
       correlations.length ? ` Correlations of the normal scores: ${correlations.join('; ')}.` : ''),
     table('Factors', ['factor', 'key of the case', 'the number', 'varies', ...(model.several ? ['bases'] : []), 'where from'], rows, { folds: true }),
     model.several ? table('Bases', ['base', 'case', right('scenarios')], model.bases.map((b) => [{ text: [swatch(b.index), ' ', b.name] }, b.title || '–', right(count(b.points))]), { folds: true }) : null);
@@ -136,7 +136,7 @@ export function differencesTable(model) {
 export function indicesTable(model) {
   const shown = model.mainValues.filter((q) => model.indices[q.name]?.some(Boolean));
   if (shown.length === 0) return null;
-  return model.bases.map((b) => element('details', { class: 'fold', open: b.index === 0 && window.innerWidth > 760 }, element('summary', {}, model.several ? [swatch(b.index), ` Total indices of all main values, ${b.name}`] : 'Total indices of all main values'), table(`Total indices, ${b.name}`, ['factor', ...shown.map((q) => right(q.short_name))], model.groups.map((name, g) => [name, ...shown.map((q) => {
+  return model.bases.map((b) => element('details', { class: 'fold', open: b.index === 0 && window.innerWidth > 760 }, element('summary', {}, model.several ? [swatch(b.index), ` Total indices of all main values, ${b.name}`] : 'Total indices of all main values'), table(`Total indices, ${b.name}`, ['factor', ...shown.map((q) => right(q.short_name))], model.groups.map((name, g) => ({ name, g })).filter(({ g }) => shown.some((q) => model.indices[q.name][b.index]?.total[g])).map(({ name, g }) => [name, ...shown.map((q) => {
     const t = model.indices[q.name][b.index]?.total[g];
     return right(t ? number(Math.max(0, t[0]), 2) : '–', t ? { style: `background: rgba(0, 63, 125, ${Math.min(0.35, Math.max(0, 0.35 * t[0])).toFixed(3)})` } : {});
   })]), { classes: 'titled' })));
