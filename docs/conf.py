@@ -45,5 +45,6 @@ nitpicky = False
 html_theme = "furo"
 html_static_path = ["site/static"]
 html_css_files = ["site.css"]
+html_extra_path = [os.environ["RINGFILM_DOCS_EXTRA"]] if "RINGFILM_DOCS_EXTRA" in os.environ else []
 html_copy_source = False
 html_show_sourcelink = False
