@@ -9,14 +9,12 @@ import re
 import sys
 
 PACKAGE = pathlib.Path("python/ringfilm")
-# All that a header may have but its namespaces, which many headers share.
-SECTIONS = ("briefdescription detaileddescription innerclass enum func typedef var public-type public-func "
-            "public-static-func public-attrib public-static-attrib")
 
 
 def escaped(text):
     """Words of a docstring as Markdown that shows just these words."""
-    return re.sub(r"([\\`*<$|\[\]])", r"\\\1", text)
+    parts = re.split(r"(`[^`]+`)", text)
+    return "".join(part if part.startswith("`") else re.sub(r"([\\`*<$|\[\]])", r"\\\1", part) for part in parts)
 
 
 def prose(docstring):
@@ -130,7 +128,7 @@ def python_page():
 def header_page(header):
     """One public header."""
     name = header.removeprefix("src/")
-    return f"# {name}\n\n```{{doxygenfile}} {name}\n:project: ringfilm\n:sections: {SECTIONS}\n```\n"
+    return f"# {name}\n\n```{{doxygenfile}} {name}\n:project: ringfilm\n```\n"
 
 
 def main(stage, headers):

@@ -6,7 +6,7 @@ A name without an ending is a page of docs/manual. Pages of docs/manual that sta
 
 # (caption, pages)
 SECTIONS = [
-    ("Begin here", ["five-minutes", "install", "command-line", "case-file", "report", "robustness"]),
+    ("Begin here", ["five-minutes", "install", "command-line", "case-file", "report"]),
     ("From scan to friction", ["measured-chain", "surfaces", "surface-files", "face", "lateral-force", "measurement-files"]),
     ("Many cases", ["study", "performance"]),
     ("Other films", ["unrolled", "pad"]),
@@ -14,7 +14,7 @@ SECTIONS = [
     ("From programs", ["python", "matlab", "library", "examples/*/README", "result-file"]),
     ("Reference", ["case-keys", "docs/glossary", "docs/references", "docs/api/python", "docs/api/cpp"]),
     ("Theory", ["docs/theory/README", "docs/theory/*"]),
-    ("Whether to believe it", ["verification", "verification/*/README", "cases/measured/README"]),
+    ("Whether to believe it", ["verification", "robustness", "verification/*/README", "cases/measured/README"]),
     ("To carry it on", ["CONTRIBUTING", "adding-*", "docs/decisions/*", "CHANGELOG"]),
 ]
 
