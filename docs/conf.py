@@ -1,6 +1,5 @@
 """The site of the documents, as script/docs has Sphinx make it. Its pages are laid out by docs/site/stage.py."""
 
-import logging
 import os
 import pathlib
 import re
@@ -49,14 +48,3 @@ html_css_files = ["site.css"]
 html_extra_path = [os.environ["RINGFILM_DOCS_EXTRA"]] if "RINGFILM_DOCS_EXTRA" in os.environ else []
 html_copy_source = False
 html_show_sourcelink = False
-
-
-class _SharedNamespaces(logging.Filter):
-    """Every header opens the same namespaces; breathe declares them on each page, which is no fault."""
-
-    def filter(self, record):
-        return not re.search(r"Declaration is '\.\. cpp:type:: [a-z]+'", record.getMessage())
-
-
-def setup(app):
-    logging.getLogger("sphinx.sphinx.domains.cpp").addFilter(_SharedNamespaces())

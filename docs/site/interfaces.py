@@ -125,26 +125,46 @@ def python_page():
     return "\n".join(out) + "\n"
 
 
-def header_page(header):
-    """One public header."""
-    name = header.removeprefix("src/")
-    return f"# {name}\n\n```{{doxygenfile}} {name}\n:project: ringfilm\n```\n"
+ROOMS = {
+    "ringfilm": ("Errors", "base"),
+    "ringfilm::surface": ("Surfaces, faces, friction loops", "surface"),
+    "ringfilm::models": ("Laws: oil, contact, crank, gas, ring", "models"),
+    "ringfilm::cycle": ("The case, the cycle and its result", "cycle"),
+    "ringfilm::pad": ("Pads", "pad"),
+    "ringfilm::study": ("Batches and studies", "study"),
+    "ringfilm::io": ("Files and units", "io"),
+    "ringfilm::instrument": ("Instrument files", "instrument"),
+    "ringfilm::report": ("The page", "report"),
+}
+
+
+def room_page(namespace, headers):
+    """One room: its namespace with all that the public headers of the room declare."""
+    title, room = ROOMS[namespace]
+    listed = ", ".join(f"`{header.removeprefix('src/')}`" for header in headers if f"/{room}/" in header)
+    directive = f"```{{doxygennamespace}} {namespace}\n:project: ringfilm\n:members:\n```\n"
+    if room == "base":  # the namespace ringfilm itself holds all others
+        directive = "".join(f"```{{doxygenfile}} {header.removeprefix('src/')}\n:project: ringfilm\n```\n\n"
+                            for header in headers if f"/{room}/" in header)
+    return f"# {title}\n\nFrom {listed}.\n\n{directive}"
 
 
 def main(stage, headers):
     api = stage / "docs" / "api"
     (api / "cpp").mkdir(parents=True, exist_ok=True)
     (api / "python.md").write_text(python_page(), encoding="utf-8")
-    rooms = {}
-    for header in headers:
-        page = header.removeprefix("src/ringfilm/").removesuffix(".hpp").replace("/", "-")
-        rooms.setdefault(page.split("-")[0], []).append(page)
-        (api / "cpp" / f"{page}.md").write_text(header_page(header), encoding="utf-8")
-    out = ["# The C++ library, header by header", "",
-           "What `ringfilm/ringfilm.hpp` includes is public. [The library](../manual/library.md) shows how it is used.", ""]
-    for room, pages in rooms.items():
-        out += [f"## {room}", "", "```{toctree}", ":maxdepth: 1", "", *(f"cpp/{page}" for page in pages), "```", ""]
-    (api / "cpp.md").write_text("\n".join(out), encoding="utf-8")
+    rooms = {header.split("/")[2] for header in headers}
+    left = rooms - {room for _, room in ROOMS.values()}
+    if left:
+        raise SystemExit(f"docs: the public headers of {', '.join(sorted(left))} have no page in docs/site/interfaces.py")
+    out = ["# The C++ library, name by name", "",
+           "What `ringfilm/ringfilm.hpp` includes is public. [The library](../manual/library.md) shows how it is used.", "",
+           "```{toctree}", ":maxdepth: 1", ""]
+    for namespace, (_, room) in ROOMS.items():
+        if room in rooms:
+            (api / "cpp" / f"{room}.md").write_text(room_page(namespace, headers), encoding="utf-8")
+            out.append(f"cpp/{room}")
+    (api / "cpp.md").write_text("\n".join([*out, "```", ""]), encoding="utf-8")
 
 
 if __name__ == "__main__":

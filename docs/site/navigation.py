@@ -10,7 +10,7 @@ SECTIONS = [
     ("From scan to friction", ["measured-chain", "surfaces", "surface-files", "face", "lateral-force", "measurement-files"]),
     ("Many cases", ["study", "performance"]),
     ("Other films", ["unrolled", "pad"]),
-    ("Tutorials", ["docs/tutorials/*"]),
+    ("Tutorials", ["docs/tutorials/reproduce-the-paper", "docs/tutorials/*"]),
     ("From programs", ["python", "matlab", "library", "examples/*/README", "result-file"]),
     ("Reference", ["case-keys", "docs/glossary", "docs/references", "docs/api/python", "docs/api/cpp"]),
     ("Theory", ["docs/theory/README", "docs/theory/*"]),

@@ -13,7 +13,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def run(*words):
-    subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+    """What a command says is shown only if it fails."""
+    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        raise SystemExit(f"docs: {' '.join(words)} failed:\n{done.stdout}")
 
 
 def main(stage, folder):

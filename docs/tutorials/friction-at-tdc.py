@@ -59,19 +59,23 @@ plt.show()
 
 # %%
 at = np.argmin(np.abs(batch[0].crank_angle))
-print(f"load {batch[0].applied_load[at]:.0f} N: asperities carry {100 * batch[0].asperity_load[at] / batch[0].applied_load[at]:.1f} %, "
-      f"the film {100 * batch[0].hydrodynamic_load[at] / batch[0].applied_load[at]:.1f} %; "
-      f"friction of asperities {batch[0].boundary_friction[at]:.1f} N, of the oil {batch[0].viscous_friction[at]:.2f} N")
+now = batch[0]
+print(f"load {now.applied_load[at]:.0f} N")
+print(f"  carried by asperities {100 * now.asperity_load[at] / now.applied_load[at]:.1f} %")
+print(f"  carried by the film   {100 * now.hydrodynamic_load[at] / now.applied_load[at]:.1f} %")
+print(f"friction of asperities {now.boundary_friction[at]:.1f} N, of the oil {now.viscous_friction[at]:.2f} N")
 
 # %% [markdown]
 # The ring stands still, so the film makes hardly any pressure of its own: it passes on that of the gas at its edges, and that carries about half of the load. The asperities carry the rest, *whatever* their number, size and height. Rougher surfaces stand further apart, and that is all. The shear strength therefore goes through one to one, and the tension matters because it is load that no gas holds up.
 #
 # Away from TDC it is different: there roughness and oil decide how much the film carries ([a friction band](friction-band.md)).
 
+# The coefficient at TDC, with the lowest and the highest value of each input:
+
 # %%
 for i in order[::-1]:
-    print(f"{inputs[i][1]:32s}  mu at TDC {at_tdc[1 + 2 * i]:.4f} ... {at_tdc[2 + 2 * i]:.4f}")
-print(f"{'as it stands':32s}  mu at TDC {at_tdc[0]:.4f}")
+    print(f"{inputs[i][1]:32s} {at_tdc[1 + 2 * i]:.4f} ... {at_tdc[2 + 2 * i]:.4f}")
+print(f"{'as it stands':32s} {at_tdc[0]:.4f}")
 
 # %% [markdown]
 # One at a time tells nothing of inputs that act together. For that there are Sobol indices: a [study](../manual/study.md) with `indices = "first-and-total"`, as `cases/studies/new_ring_uncertainty.toml`.
