@@ -12,6 +12,7 @@ author = "the ringfilm authors"
 copyright = "the ringfilm authors, Apache-2.0"
 version = release = _version.group(1) if _version else ""
 language = "en"
+smartquotes = False  # words of programs stay as they are typed
 html_title = f"ringfilm {release}"
 
 extensions = ["myst_parser", "sphinx.ext.mathjax", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "breathe"]

@@ -13,7 +13,8 @@ or leaves out stands in comments of Markdown before a block, which no reader see
     <!-- not run: REASON -->       the block is shown only
 
 Blocks of sh and python are run, those of matlab where Octave is installed; toml, json and yaml must at least be that.
-Every other block is text. Exit code 1 if anything fails.
+Every other block is text. A page with a test of its own, tests/docs/NAME_OF_THE_PAGE.py, is left to that. Exit code 1 if
+anything fails.
 """
 
 import json
@@ -174,12 +175,17 @@ class Page:
 
 
 def main(program, module, pages):
-    count = {"run": 0, "files": 0, "checked": 0, "printed": 0, "read": 0, "text": 0, "not run": []}
+    count = {"run": 0, "files": 0, "checked": 0, "printed": 0, "read": 0, "text": 0, "elsewhere": 0, "not run": []}
     failures = []
     for page in pages or PAGES:
         started = time.monotonic()
         blocks = blocks_of(page)
         if not blocks:
+            continue
+        own = ROOT / "tests" / "docs" / (pathlib.Path(page).stem.replace("-", "_") + ".py")
+        if own.exists():
+            count["elsewhere"] += len(blocks)
+            print(f"{page}: {len(blocks)} blocks, left to {own.relative_to(ROOT)}", flush=True)
             continue
         with tempfile.TemporaryDirectory(prefix="snippets-") as name:
             folder = pathlib.Path(name)
@@ -202,7 +208,8 @@ def main(program, module, pages):
             here.end()
         print(f"{page}: {len(blocks)} blocks, {time.monotonic() - started:.0f} s", flush=True)
     print(f"snippets: {count['run']} run, {count['checked']} files of cases and studies checked of {count['files']}, "
-          f"{count['printed']} outputs compared, {count['read']} parts of files read, {count['text']} are text; "
+          f"{count['printed']} outputs compared, {count['read']} parts of files read, {count['text']} are text, "
+          f"{count['elsewhere']} have a test of their own; "
           f"{len(count['not run'])} not run:")
     for line in count["not run"]:
         print(f"  {line}")
