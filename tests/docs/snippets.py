@@ -2,6 +2,7 @@
 """Runs every command and every snippet of the manual, page by page, in the order of the page, in a folder of its own.
 
 usage: snippets.py PROGRAM MODULE_FOLDER [PAGE...]
+       snippets.py --commands PAGE        print the commands of a page that are run, to be run elsewhere
 
 The folder has cases/, data/ and build/ringfilm of the checkout, and `ringfilm` is in PATH. What a page takes for granted
 or leaves out stands in comments of Markdown before a block, which no reader sees:
@@ -218,4 +219,9 @@ def main(program, module, pages):
 
 
 if __name__ == "__main__":
+    if sys.argv[1] == "--commands":
+        for block in blocks_of(sys.argv[2]):
+            if block.language == "sh" and block.not_run is None:
+                print(block.text, end="")
+        sys.exit(0)
     sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3:]))
