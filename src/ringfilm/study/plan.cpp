@@ -261,6 +261,10 @@ std::vector<std::string> Plan::notes() const {
                     (sampling.method == Method::kSobol ? "scrambled Sobol points" : "the points of a Latin hypercube") +
                     " are more even, so that the intervals are wider than need be");
   }
+  if (sampling.indices != Indices::kNone && sampling.scenarios < kFewRows) {
+    notes.push_back("indices from " + std::to_string(sampling.scenarios) + " rows, fewer than " +
+                    std::to_string(kFewRows) + ", can be further off than their intervals tell");
+  }
   if (sampling.method == Method::kOneAtATime && !study_.correlations.empty()) {
     notes.push_back("one factor at a time: the others stay at their medians, and correlations play no part");
   }
