@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "output_names.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/film/kernels.hpp"
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/digest.hpp"
 #include "ringfilm/io/shard_file.hpp"
@@ -49,10 +50,21 @@ struct Loaded {
 
   /// Of a study with `until` only the rows tell how many points it has.
   void take_points_of(const io::ShardReader& rows) {
-    if (!until()) return;
-    const std::uint64_t of_a_point = plan.points_per_row() * file.study.bases.size();
-    file.study = study::with_points(file.study, (rows.next() - rows.header().first) / of_a_point);
+    if (until()) take_points(rows.next() / rows_of_a_point());
+  }
+
+  void take_points(std::uint64_t points) {
+    file.study = study::with_points(file.study, points);
     plan = study::Plan(file.study);
+  }
+
+  std::uint64_t rows_of_a_point() const { return plan.points_per_row() * file.study.bases.size(); }
+
+  io::Longer longer() const { return plan.can_grow() ? io::Longer::kAllowed : io::Longer::kRefused; }
+
+  /// Are the rows found the first ones of this study, which has become longer since?
+  bool goes_on_from(const io::ShardHeader& found, const io::ShardHeader& wanted) const {
+    return plan.can_grow() && io::is_beginning_of(found, wanted);
   }
 
   io::ShardHeader header(std::uint64_t part, std::uint64_t parts) const {
@@ -74,14 +86,23 @@ struct Loaded {
             range.end,
             cycle::cycle_quantities().size(),
             has_curves ? keep.quantities : std::vector<std::string>{},
-            study::kept_angles(keep).size()};
+            study::kept_angles(keep).size(),
+            std::string(film::kernels().name)};
   }
 };
 
 std::string resume_words(const StudyOptions& options) {
-  std::string words = fmt::format("ringfilm study {} -o {}", options.study_path, options.output);
+  std::string words = fmt::format("ringfilm study {} -o {}", told_word(options.study_path), told_word(options.output));
   if (options.is_part) words += fmt::format(" --shard {}/{}", options.part, options.parts);
+  if (options.threads > 0) words += fmt::format(" --threads {}", options.threads);
   return words + (options.yes ? " --yes" : "") + " --resume";
+}
+
+std::string resume_words(StudyOptions options, std::uint64_t part, std::uint64_t parts) {
+  options.is_part = true;
+  options.part = part;
+  options.parts = parts;
+  return resume_words(options);
 }
 
 void check_grid(const StudyOptions& options, const study::Plan& plan) {
@@ -111,6 +132,13 @@ void check_parts(const StudyOptions& options, const Loaded& study) {
                    "leave --shard out, or take until out of the plan");
 }
 
+void check_can_be_submitted(const StudyOptions& options, const Loaded& study) {
+  if (!study.until()) return;
+  throw InputError("a study with plan.until cannot be submitted: only all rows tell when it may stop",
+                   fmt::format("run it as one job, ringfilm study {} -o {} --resume, or take until out of the plan",
+                               told_word(options.study_path), told_word(options.output)));
+}
+
 void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
   std::vector<Fault> faults;
   for (const cycle::InputFile& input : study.file.files) {
@@ -127,7 +155,6 @@ void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& 
              const study::ScenarioRange& range, const StopRequest& stop) {
   const std::uint64_t there = writer.next() - range.first;
   StudyProgress progress(fs::path(options.study_path).stem().string(), there, range.size());
-  std::uint64_t unsolved = 0;
   study::StudyRunOptions run_options;
   run_options.batch.threads = options.threads;
   const auto finished = [&](const study::ScenarioChunk& chunk) {
@@ -137,8 +164,7 @@ void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& 
       throw OutputError(fmt::format("{}\n{} of {} scenarios are kept; make room, then: {}", error.what(),
                                     writer.next() - range.first, range.size(), resume_words(options)));
     }
-    for (const study::ScenarioRow& row : chunk.rows) unsolved += row.reason.empty() ? 0 : 1;
-    progress.show(writer.next() - range.first, unsolved);
+    progress.show(writer.next() - range.first, writer.n_unsolved());
     return stop.is_made() ? study::GoOn::kNo : study::GoOn::kYes;
   };
   study::run_scenarios(study.plan, {writer.next(), range.end}, finished, run_options);
@@ -148,30 +174,39 @@ void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& 
 }
 
 /// Is a study with `until` sure enough with the rows that are there?
-bool is_sure(const Loaded& study, const std::string& path) {
+bool is_sure(const Loaded& study, const io::ShardReader& rows) {
   const study::Until& until = *study.until();
   const auto& known = cycle::cycle_quantities();
   const auto quantity =
       std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
   std::vector<double> values;
-  io::ShardReader(path).append_values(static_cast<std::size_t>(quantity - known.begin()), values);
+  rows.append_values(static_cast<std::size_t>(quantity - known.begin()), values);
   return study::is_sure(until, study::sureness(study.plan, values));
+}
+
+/// Are all rows of a part there? Of a study with `until`: as many as it takes.
+bool is_whole(Loaded study, const io::ShardReader& rows) {
+  if (!study.until()) return rows.is_complete();
+  const std::uint64_t points = rows.next() / study.rows_of_a_point();
+  if (!rows.is_sound() || rows.next() % study.rows_of_a_point() != 0 || !study::is_look(study.file.study, points))
+    return false;
+  study.take_points(points);
+  return points == study.until()->most || is_sure(study, rows);
 }
 
 /// Computes what is missing of a part, and of a study with `until` as much as it takes.
 void compute(const StudyOptions& options, Loaded& study, const std::string& path) {
   const io::ShardHeader header = study.header(options.part, options.parts);
-  io::ShardWriter writer(path, header);
+  io::ShardWriter writer(path, header, study.longer());
   const StopRequest stop;
   if (!study.until()) return compute(options, study, writer, header.range(), stop);
   for (std::optional<std::uint64_t> points = study.file.study.sampling.scenarios; points;
        points = study::next_look(*study.until(), *points)) {
-    study.file.study = study::with_points(study.file.study, *points);
-    study.plan = study::Plan(study.file.study);
+    study.take_points(*points);
     // What was there before is not computed again, and what is beyond was computed because it had to be.
     if (writer.next() > study.plan.size()) continue;
     compute(options, study, writer, {0, study.plan.size()}, stop);
-    if (is_sure(study, path)) return;
+    if (is_sure(study, io::ShardReader(path))) return;
   }
 }
 
@@ -194,6 +229,9 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
   std::vector<Fault> faults;
   std::vector<io::ShardReader> shards;
   std::optional<std::uint64_t> parts;
+  const auto go_on_words = [&](std::uint64_t part) {
+    return *parts == 1 ? resume_words(options) : resume_words(options, part, *parts);
+  };
   for (const PartFile& file : files.parts()) {
     if (!file.is_finished) continue;
     if (parts && *parts != file.parts) {
@@ -202,11 +240,18 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
     }
     parts = file.parts;
     shards.emplace_back(file.path);
-    const std::string differs = io::difference(shards.back().header(), study.header(file.part, file.parts));
-    if (!differs.empty())
+    const io::ShardHeader wanted = study.header(file.part, file.parts);
+    const io::ShardHeader& found = shards.back().header();
+    const std::string differs = io::difference(found, wanted);
+    const bool may_go_on = study.goes_on_from(found, wanted);
+    if (!differs.empty() && !may_go_on) {
       faults.push_back({{}, fmt::format("{}: these rows are of {}", file.path, differs), "compute this part anew"});
-    if (shards.back().header().part != file.part || !(shards.back().is_complete() || study.until()))
-      faults.push_back({{}, fmt::format("{}: this part is not complete", file.path), "compute it anew"});
+    } else if (may_go_on || !is_whole(study, shards.back())) {
+      faults.push_back({{},
+                        fmt::format("{}: this part is not complete{}", file.path,
+                                    shards.back().is_sound() ? "" : ", since a chunk of it is spoilt"),
+                        go_on_words(file.part)});
+    }
   }
   if (!parts) {
     throw InputError(fmt::format("{}: there is no finished part of a study", options.output),
@@ -217,8 +262,7 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
     const bool is_begun = fs::exists(files.growing(part, *parts));
     faults.push_back({{},
                       fmt::format("part {} of {} is {}", part, *parts, is_begun ? "not finished" : "missing"),
-                      fmt::format("ringfilm study {} -o {} --shard {}/{} --resume", options.study_path, options.output,
-                                  part, *parts)});
+                      go_on_words(part)});
   }
   if (!faults.empty()) throw InputError(std::move(faults));
   return shards;
@@ -247,13 +291,18 @@ void run_study(const StudyOptions& options) {
   bool is_there = false;
   if (options.resume && fs::exists(finished)) {
     const io::ShardReader there(finished);
-    const std::string differs = io::difference(there.header(), study.header(options.part, options.parts));
-    if (!differs.empty()) {
+    const io::ShardHeader wanted = study.header(options.part, options.parts);
+    const std::string differs = io::difference(there.header(), wanted);
+    const bool may_go_on = study.goes_on_from(there.header(), wanted);
+    if (!differs.empty() && !may_go_on) {
       throw InputError(fmt::format("{}: these rows are of {}", finished, differs),
                        "results of both must not be mixed: name another output, or leave --resume out");
     }
-    // Of a study with `until` the name alone says that it came to its end.
-    is_there = there.is_complete() || study.until();
+    is_there = !may_go_on && is_whole(study, there);
+    // Its rows, as far as they are sound, are the first ones of what is computed now. Where somebody else has begun
+    // with that, they go on with their own.
+    if (!is_there && !fs::exists(growing) && std::rename(finished.c_str(), growing.c_str()) != 0 && errno != ENOENT)
+      io::fail_to_write(growing, errno);
   }
   if (!is_there) {
     compute(options, study, growing);
@@ -292,7 +341,7 @@ void merge_study(const StudyOptions& options) {
 std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t usual) {
   const Loaded study(options.study_path);
   check_grid(options, study.plan);
-  check_parts(options, study);
+  check_can_be_submitted(options, study);
   check_curves(options, study.plan);
   const StudyFiles files(options.output);
   check_outputs_apart(files, study);
@@ -307,15 +356,16 @@ std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t us
                         fmt::format("go on with --parts {}, name another output, or delete this file", file.parts)});
       continue;
     }
+    const io::ShardHeader wanted = study.header(file.part, file.parts);
     // A header that was cut off says nothing: the part is begun anew.
-    if (!file.is_finished && fs::file_size(file.path) == 0) continue;
+    if (!file.is_finished && fs::file_size(file.path) < io::size_without_rows(wanted)) continue;
     const io::ShardReader rows(file.path);
-    const std::string differs = io::difference(rows.header(), study.header(file.part, file.parts));
-    if (!differs.empty()) {
+    const std::string differs = io::difference(rows.header(), wanted);
+    if (!differs.empty() && !study.goes_on_from(rows.header(), wanted)) {
       faults.push_back({{},
                         fmt::format("{}: these rows are of {}", file.path, differs),
                         "results of both must not be mixed: name another output, or delete this file"});
-    } else if (file.is_finished && rows.is_complete()) {
+    } else if (differs.empty() && file.is_finished && rows.is_complete()) {
       finished.insert(file.part);
     }
   }

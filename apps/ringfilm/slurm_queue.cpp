@@ -33,6 +33,11 @@ std::string shell_word(const std::string& word) {
   return quoted.append(1, '\'');
 }
 
+std::string told_word(const std::string& word) {
+  constexpr const char* kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_=.,:/%+@";
+  return !word.empty() && word.find_first_not_of(kPlain) == std::string::npos ? word : shell_word(word);
+}
+
 bool is_command(const std::string& name) {
   return said_by(fmt::format("command -v {} >/dev/null", shell_word(name))).exit_code == 0;
 }

@@ -1,27 +1,33 @@
 #include "stop_request.hpp"
 
-#include <csignal>
-
 namespace ringfilm::app {
 namespace {
 
 // A signal has no other way to say that it came.
 volatile std::sig_atomic_t stop_wanted = 0;
 
-constexpr int kSignals[] = {SIGINT, SIGTERM};
+/// @returns what was done about the signal before; nothing where it is ignored, and stays so
+std::optional<struct sigaction> note(int number) {
+  struct sigaction before {};
+  if (::sigaction(number, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) return std::nullopt;
+  struct sigaction action {};
+  action.sa_handler = [](int) { stop_wanted = 1; };
+  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+  ::sigaction(number, &action, nullptr);
+  return before;
+}
 
 }  // namespace
 
 StopRequest::StopRequest() {
   stop_wanted = 0;
-  struct sigaction action {};
-  action.sa_handler = [](int) { stop_wanted = 1; };
-  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
-  for (const int number : kSignals) ::sigaction(number, &action, nullptr);
+  interrupt_before_ = note(SIGINT);
+  kill_before_ = note(SIGTERM);
 }
 
 StopRequest::~StopRequest() {
-  for (const int number : kSignals) std::signal(number, SIG_DFL);
+  if (interrupt_before_) ::sigaction(SIGINT, &*interrupt_before_, nullptr);
+  if (kill_before_) ::sigaction(SIGTERM, &*kill_before_, nullptr);
 }
 
 bool StopRequest::is_made() const { return stop_wanted != 0; }

@@ -155,11 +155,29 @@ class SlurmStudy {
   const StudyFiles& files_;
 };
 
-void check_not_in_queue(const StudyFiles& files) {
+void check_not_in_queue(const StudyFiles& files, const StudyOptions& options) {
   const auto jobs = StudyJobs::read(files);
-  if (!jobs || queue_states(*jobs).value_or(std::map<std::uint64_t, std::string>{}).empty()) return;
-  throw InputError(fmt::format("this study is in the queue already, as jobs {} and {}", jobs->array, jobs->merge),
-                   fmt::format("wait for them, or: scancel {} {}", jobs->array, jobs->merge));
+  if (!jobs) return;
+  const auto states = queue_states(*jobs);
+  if (states ? states->empty() : options.yes) return;
+  const bool has_merge = !jobs->merge.empty();  // not where sbatch did not take it
+  const std::string told = has_merge ? fmt::format("jobs {} and {}", jobs->array, jobs->merge) : "job " + jobs->array;
+  if (!states) {
+    throw InputError(fmt::format("squeue does not answer: {} of this study may be in the queue still", told),
+                     "try again when it does, or add --yes if they are surely gone");
+  }
+  throw InputError(fmt::format("this study is in the queue already, as {}", told),
+                   fmt::format("wait for {}, or: scancel {}{}{}", has_merge ? "them" : "it", jobs->array,
+                               has_merge ? " " : "", jobs->merge));
+}
+
+std::string submit_merge(const SlurmStudy& slurm, const std::string& array) {
+  try {
+    return slurm.submit(slurm.merge_script(), fmt::format("--dependency=afterok:{} --kill-on-invalid-dep=yes ", array));
+  } catch (const FailedChecks& refusal) {
+    throw FailedChecks(fmt::format("{}\nthe parts are in the queue, as job {}; to take them back: scancel {}",
+                                   refusal.what(), array, array));
+  }
 }
 
 }  // namespace
@@ -177,7 +195,7 @@ void submit_study(const SubmitOptions& given) {
   const std::vector<std::uint64_t> missing = missing_parts(options.study, kUsualParts);
   if (missing.empty()) {
     std::cout << fmt::format("all {} parts are there; to join them: ringfilm study merge {} -o {}\n",
-                             options.study.parts, options.study.study_path, options.study.output);
+                             options.study.parts, told_word(options.study.study_path), told_word(options.study.output));
     return;
   }
   if (!options.is_rehearsal) {
@@ -185,7 +203,7 @@ void submit_study(const SubmitOptions& given) {
       throw InputError("sbatch, the command of Slurm that takes jobs, is not here",
                        "submit on a machine of the cluster; --dry-run only writes the scripts");
     }
-    check_not_in_queue(files);
+    check_not_in_queue(files, options.study);
   }
   files.make_folder();
   const std::string array = slurm.place(slurm.array_script()), merge = slurm.place(slurm.merge_script());
@@ -200,16 +218,15 @@ void submit_study(const SubmitOptions& given) {
   jobs.parts = options.study.parts;
   jobs.array = slurm.submit(slurm.array_script(), "");
   jobs.write(files);
-  jobs.merge =
-      slurm.submit(slurm.merge_script(), fmt::format("--dependency=afterok:{} --kill-on-invalid-dep=yes ", jobs.array));
+  jobs.merge = submit_merge(slurm, jobs.array);
   jobs.write(files);
   std::cout << fmt::format(
       "job {}: {} of {} parts, {}\n"
       "job {}: joins them when all are done; where one fails, it is not run\n"
       "how far it is: ringfilm study status {} -o {}\n"
       "after a failure the same command again computes what is missing\n",
-      jobs.array, missing.size(), options.study.parts, array, jobs.merge, options.study.study_path,
-      options.study.output);
+      jobs.array, missing.size(), options.study.parts, array, jobs.merge, told_word(options.study.study_path),
+      told_word(options.study.output));
 }
 
 }  // namespace ringfilm::app

@@ -44,4 +44,4 @@ class StudyFolder(ProgramTest):
         return done.stdout
 
     def contents(self, output):
-        return [(self.folder / output / name).read_bytes() for name in ("study.nc", "study.csv")]
+        return [(self.folder / output / name).read_bytes() for name in ("study.nc", "study.csv", "study.html")]

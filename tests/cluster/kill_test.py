@@ -59,7 +59,7 @@ class KilledStudy(StudyFolder):
               flush=True)
 
     def assert_no_half_result(self):
-        for name in ("study.nc", "study.csv"):
+        for name in ("study.nc", "study.csv", "study.html"):
             path = self.folder / "out" / name
             if path.exists():
                 self.assertEqual(path.read_bytes(), (self.folder / "whole" / name).read_bytes(), name)
@@ -91,7 +91,7 @@ class KilledStudy(StudyFolder):
             self.run_well("study", "study.toml", "-o", "out", "--resume")
             self.assertEqual(self.contents("whole"), self.contents("out"))
             self.assertEqual(sorted(path.name for path in (self.folder / "out").iterdir()),
-                             ["study.csv", "study.nc", rows])
+                             ["study.csv", "study.html", "study.nc", rows])
         print(f"\n{n_killed} kills in the last {last:.2f} s, seed {SEED}: {len(seen)} different states were left",
               flush=True)
         self.assertGreater(n_killed, KILLS // 2)

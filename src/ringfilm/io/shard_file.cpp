@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <bit>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -26,7 +29,7 @@ namespace {
 // Numbers are little-endian: values of 8 bytes, those of curves of 4.
 constexpr std::uint64_t kDigits = 64, kFrame = 8 + kDigits, kChunkHead = 16;
 constexpr std::uint64_t kLargestHeader = 1 << 16, kLargestBlock = std::uint64_t{1} << 30;
-constexpr const char* kMagic = "ringfilm study rows 2";
+constexpr const char* kMagic = "ringfilm study rows 3";
 
 std::string number_bytes(std::uint64_t number) {
   std::string bytes(8, '\0');
@@ -77,9 +80,10 @@ void numbers_of(const char* bytes, std::size_t n, float* to) {
 }
 
 std::string text_of(const ShardHeader& h) {
-  return fmt::format("{}\nplan {}\ninputs {}\npart {} {}\nrange {} {}\nvalues {}\ncurves {} {} {}\nprogram {}\n",
-                     kMagic, h.plan, h.inputs, h.part, h.parts, h.first, h.end, h.n_values, h.n_angles, h.curves.size(),
-                     fmt::join(h.curves, " "), h.program);
+  return fmt::format(
+      "{}\nplan {}\ninputs {}\npart {} {}\nrange {} {}\nvalues {}\ncurves {} {} {}\nkernels {}\nprogram {}\n", kMagic,
+      h.plan, h.inputs, h.part, h.parts, h.first, h.end, h.n_values, h.n_angles, h.curves.size(),
+      fmt::join(h.curves, " "), h.kernels, h.program);
 }
 
 /// Bytes of the numbers of a row.
@@ -114,10 +118,18 @@ std::string difference(const ShardHeader& found, const ShardHeader& wanted) {
   if (found.plan != wanted.plan) return "another plan: bases, factors, method or seed";
   if (found.curves != wanted.curves || found.n_angles != wanted.n_angles) return "other curves: keep has changed";
   if (found.n_values != wanted.n_values) return "other values";
-  const bool is_same_part = found.part == wanted.part && found.parts == wanted.parts;
-  const bool has_same_range = found.first == wanted.first && found.end == wanted.end;
-  return is_same_part && !has_same_range ? "another number of scenarios" : "";
+  if (found.part != wanted.part || found.parts != wanted.parts)
+    return fmt::format("part {} of {}", found.part, found.parts);
+  return found.first != wanted.first || found.end != wanted.end ? "another number of scenarios" : "";
 }
+
+bool is_beginning_of(const ShardHeader& found, const ShardHeader& wanted) {
+  ShardHeader longer = found;
+  longer.end = wanted.end;
+  return found.parts == 1 && found.end < wanted.end && difference(longer, wanted).empty();
+}
+
+std::uint64_t size_without_rows(const ShardHeader& header) { return kFrame + text_of(header).size(); }
 
 ShardReader::ShardReader(const std::string& path) : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
   struct stat status {};
@@ -139,6 +151,7 @@ ShardReader::ShardReader(ShardReader&& other) noexcept
     : path_(std::move(other.path_)),
       file_(std::exchange(other.file_, -1)),
       size_(other.size_),
+      header_bytes_(other.header_bytes_),
       sound_bytes_(other.sound_bytes_),
       n_unsolved_(other.n_unsolved_),
       reason_bytes_(other.reason_bytes_),
@@ -169,6 +182,12 @@ std::string ShardReader::bytes(std::uint64_t at, std::uint64_t n) const {
   return all;
 }
 
+void ShardReader::copy_chunks(const std::function<void(const std::string&)>& put) const {
+  constexpr std::uint64_t kPiece = 1 << 20;
+  for (std::uint64_t at = header_bytes_; at < sound_bytes_; at += kPiece)
+    put(bytes(at, std::min(kPiece, sound_bytes_ - at)));
+}
+
 void ShardReader::read_header() {
   const InputError no_such_file(fmt::format("{}: this is no file of rows of a study, or was cut off at once", path_),
                                 "delete it to begin anew");
@@ -189,14 +208,14 @@ void ShardReader::read_header() {
   if (!lines || n_curves > kMostCurves) throw no_such_file;
   h.curves.resize(n_curves);
   for (std::string& name : h.curves) lines >> name;
-  lines >> word;
+  lines >> word >> h.kernels >> word;
   std::getline(lines >> std::ws, h.program);
   constexpr std::uint64_t kMostValues = 10'000;
   if (magic != kMagic || !lines || h.first > h.end || h.n_values == 0 || h.n_values > kMostValues ||
       h.n_angles > study::kMostCurveNumbers || h.n_curve_numbers() > study::kMostCurveNumbers) {
     throw no_such_file;
   }
-  sound_bytes_ = kFrame + n;
+  header_bytes_ = sound_bytes_ = kFrame + n;
 }
 
 bool ShardReader::read_chunk() {
@@ -287,45 +306,80 @@ void ShardReader::append_unsolved(const study::ScenarioRange& range, std::vector
 
 void ShardReader::append_unsolved(std::vector<Unsolved>& all) const { append_unsolved({header_.first, next()}, all); }
 
-ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header)
+ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Longer longer)
     : path_(path), header_(header), next_(header.first) {
-  constexpr mode_t kReadWriteAsUmaskAllows = 0666;
-  file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kReadWriteAsUmaskAllows);
-  if (file_ < 0) fail_to_write(path, errno);
   try {
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      throw InputError(fmt::format("{}: another process computes this part", path), "wait for it, or stop it first");
-    }
-    struct stat status {};
-    if (::fstat(file_, &status) != 0) fail_to_write(path, errno);
-    struct stat named {};
-    if (::stat(path.c_str(), &named) != 0 || named.st_ino != status.st_ino || named.st_dev != status.st_dev) {
-      // Its last owner gave it its final name between the opening and the lock.
-      throw InputError(fmt::format("{}: another process has just finished this part", path),
-                       "start again, with --resume");
-    }
-    const std::string first = block(text_of(header));
+    const std::uint64_t size = open_alone();
     // A header that was cut off says nothing; the rest of one that is there decides.
-    if (static_cast<std::uint64_t>(status.st_size) < first.size()) {
+    if (size < size_without_rows(header)) {
       if (::ftruncate(file_, 0) != 0) fail_to_write(path, errno);
-      write(first);
+      write(block(text_of(header)));
       return;
     }
-    const ShardReader there(path);
-    const ShardHeader& h = there.header();
-    std::string differs = difference(h, header);
-    if (differs.empty() && (h.part != header.part || h.parts != header.parts)) differs = "another part";
-    if (!differs.empty()) {
-      throw InputError(fmt::format("{}: these rows are of {}", path, differs),
-                       "results of both must not be mixed: name another output, or delete this file");
+    std::optional<ShardReader> there(path);
+    check(there->header(), longer);
+    if (there->header().end != header.end) {
+      write_anew(*there);
+      open_alone();
+      there.emplace(path);
+      check(there->header(), Longer::kRefused);
     }
-    next_ = there.next();
-    length_ = there.sound_bytes();
+    next_ = there->next();
+    n_unsolved_ = there->n_unsolved();
+    length_ = there->sound_bytes();
     if (::ftruncate(file_, static_cast<off_t>(length_)) != 0) fail_to_write(path, errno);
   } catch (...) {
-    ::close(file_);
+    if (file_ >= 0) ::close(file_);
     throw;
   }
+}
+
+std::uint64_t ShardWriter::open_alone() {
+  if (file_ >= 0) ::close(file_);
+  constexpr mode_t kReadWriteAsUmaskAllows = 0666;
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kReadWriteAsUmaskAllows);
+  if (file_ < 0) fail_to_write(path_, errno);
+  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    throw InputError(fmt::format("{}: another process computes this part", path_), "wait for it, or stop it first");
+  }
+  struct stat status {};
+  if (::fstat(file_, &status) != 0) fail_to_write(path_, errno);
+  struct stat named {};
+  if (::stat(path_.c_str(), &named) != 0 || named.st_ino != status.st_ino || named.st_dev != status.st_dev) {
+    // Its last owner gave it its final name, or put a longer one in its place, between the opening and the lock.
+    throw InputError(fmt::format("{}: another process has just finished this part", path_),
+                     "start again, with --resume");
+  }
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
+void ShardWriter::check(const ShardHeader& found, Longer longer) const {
+  const std::string differs = difference(found, header_);
+  if (!differs.empty() && !(longer == Longer::kAllowed && is_beginning_of(found, header_))) {
+    throw InputError(fmt::format("{}: these rows are of {}", path_, differs),
+                     "results of both must not be mixed: name another output, or delete this file");
+  }
+  if (found.kernels != header_.kernels) {
+    throw InputError(
+        fmt::format("{}: these rows were computed with the kernels {}, not with {}", path_, found.kernels,
+                    header_.kernels),
+        fmt::format("both round differently: go on with RINGFILM_KERNELS={}, or name another output", found.kernels));
+  }
+}
+
+void ShardWriter::write_anew(const ShardReader& there) {
+  AsideFile aside(path_);
+  {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(aside.path().c_str(), "wb"), &std::fclose);
+    if (file == nullptr) fail_to_write(path_, errno);
+    const auto put = [&](const std::string& bytes) {
+      if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail_to_write(path_, errno);
+    };
+    put(block(text_of(header_)));
+    there.copy_chunks(put);
+    if (std::fflush(file.get()) != 0) fail_to_write(path_, errno);
+  }
+  aside.put_in_place();
 }
 
 ShardWriter::~ShardWriter() { ::close(file_); }
@@ -333,6 +387,7 @@ ShardWriter::~ShardWriter() { ::close(file_); }
 void ShardWriter::append(const study::ScenarioChunk& chunk) {
   write(block(content_of(chunk, header_)));
   next_ = chunk.first + chunk.rows.size();
+  for (const study::ScenarioRow& row : chunk.rows) n_unsolved_ += row.reason.empty() ? 0 : 1;
 }
 
 void ShardWriter::write(const std::string& bytes) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,14 +21,21 @@ struct ShardHeader {
   std::uint64_t n_values = 0;            ///< of each row
   std::vector<std::string> curves = {};  ///< names of those that are kept of each row
   std::uint64_t n_angles = 0;            ///< over which they are kept, evenly spread over the cycle; 0 without curves
+  std::string kernels = "any";           ///< name of the film::FilmKernels that computed them
 
   std::uint64_t n_curve_numbers() const { return curves.size() * n_angles; }
   study::ScenarioRange range() const { return {first, end}; }
 };
 
-/// What differs between two headers, in words ("another plan"); empty if their rows may be mixed. Which part it is is
-/// not compared; the same part must have the same scenarios.
+/// What differs between two headers, in words ("another plan"); empty if the rows found are of what is wanted. Kernels
+/// are not compared: rows that are there may be read wherever they were computed.
 std::string difference(const ShardHeader& found, const ShardHeader& wanted);
+
+/// Are the rows found the first ones of those wanted, of a study in one part that has only become longer?
+bool is_beginning_of(const ShardHeader& found, const ShardHeader& wanted);
+
+/// Bytes of a file that has no row yet.
+std::uint64_t size_without_rows(const ShardHeader& header);
 
 /// Where the sound chunks of a file lie.
 struct ChunkPlace {
@@ -50,7 +58,9 @@ class ShardReader {
   const ShardHeader& header() const { return header_; }
   std::uint64_t next() const;  ///< first scenario that is not there
   bool is_complete() const { return next() == header_.end; }
+  std::uint64_t header_bytes() const { return header_bytes_; }  ///< after which the chunks begin
   std::uint64_t sound_bytes() const { return sound_bytes_; }
+  bool is_sound() const { return sound_bytes_ == size_; }  ///< is nothing cut off or spoilt?
   std::uint64_t n_unsolved() const { return n_unsolved_; }
 
   /// Value `i` of these scenarios, all of which must be there.
@@ -71,6 +81,9 @@ class ShardReader {
   void append_unsolved(const study::ScenarioRange& range, std::vector<Unsolved>& all) const;
   std::uint64_t reason_bytes() const { return reason_bytes_; }  ///< of all reasons together
 
+  /// Hands over the bytes of all sound chunks, piece by piece.
+  void copy_chunks(const std::function<void(const std::string&)>& put) const;
+
  private:
   void read_header();
   bool read_chunk();
@@ -81,32 +94,43 @@ class ShardReader {
 
   std::string path_;
   int file_ = -1;
-  std::uint64_t size_ = 0, sound_bytes_ = 0, n_unsolved_ = 0, reason_bytes_ = 0;
+  std::uint64_t size_ = 0, header_bytes_ = 0, sound_bytes_ = 0, n_unsolved_ = 0, reason_bytes_ = 0;
   ShardHeader header_;
   std::vector<ChunkPlace> chunks_;
 };
 
+/// May a study that is there become longer?
+enum class Longer { kRefused, kAllowed };
+
 /// Appends chunks to a file that nobody else appends to. What was appended is on the disk, also if the machine stops.
 class ShardWriter {
  public:
-  /// Begins the file, or goes on after the last sound chunk of the one that is there. Throws InputError if that one
-  /// belongs to another study, program or input, or if another process appends to it; OutputError.
-  ShardWriter(const std::string& path, const ShardHeader& header);
+  /// Begins the file, or goes on after the last sound chunk of the one that is there. Where it may become longer and
+  /// is_beginning_of the one wanted, it is written anew aside, with its rows. Throws InputError if that one belongs to
+  /// another study, program, input or other kernels, or if another process appends to it; OutputError.
+  ShardWriter(const std::string& path, const ShardHeader& header, Longer longer = Longer::kRefused);
   ShardWriter(const ShardWriter&) = delete;
   ShardWriter& operator=(const ShardWriter&) = delete;
   ~ShardWriter();
 
-  std::uint64_t next() const { return next_; }  ///< first scenario that is not there
+  std::uint64_t next() const { return next_; }              ///< first scenario that is not there
+  std::uint64_t n_unsolved() const { return n_unsolved_; }  ///< of those that are there
   /// Throws OutputError; the file then ends with the chunk before.
   void append(const study::ScenarioChunk& chunk);
 
  private:
+  /// Opens the file for this process alone. @returns its size
+  std::uint64_t open_alone();
+  /// Throws InputError unless the rows that are there can be gone on with.
+  void check(const ShardHeader& found, Longer longer) const;
+  /// Puts a file with our header and these rows in the place of theirs.
+  void write_anew(const ShardReader& there);
   void write(const std::string& bytes);
 
   std::string path_;
   int file_ = -1;
   ShardHeader header_;
-  std::uint64_t next_, length_ = 0;
+  std::uint64_t next_, length_ = 0, n_unsolved_ = 0;
 };
 
 }  // namespace ringfilm::io

@@ -152,14 +152,13 @@ class StudyReader {
     StudyTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels", "until"},
                      faults_);
     table.needed_text("method", "\"sobol\"");
-    sampling.method = table
-                          .chosen<Method>("method", {{"grid", Method::kGrid},
-                                                     {"one-at-a-time", Method::kOneAtATime},
-                                                     {"latin-hypercube", Method::kLatinHypercube},
-                                                     {"sobol", Method::kSobol},
-                                                     {"list", Method::kList},
-                                                     {"morris", Method::kMorris}})
-                          .value_or(sampling.method);
+    const auto method = table.chosen<Method>("method", {{"grid", Method::kGrid},
+                                                        {"one-at-a-time", Method::kOneAtATime},
+                                                        {"latin-hypercube", Method::kLatinHypercube},
+                                                        {"sobol", Method::kSobol},
+                                                        {"list", Method::kList},
+                                                        {"morris", Method::kMorris}});
+    sampling.method = method.value_or(sampling.method);
     sampling.scenarios = table.count("scenarios").value_or(sampling.scenarios);
     sampling.trajectories = table.count("trajectories").value_or(sampling.trajectories);
     sampling.levels = table.count("levels").value_or(sampling.levels);
@@ -167,8 +166,26 @@ class StudyReader {
                            .chosen<study::Indices>("indices", {{"none", study::Indices::kNone},
                                                                {"first-and-total", study::Indices::kFirstAndTotal}})
                            .value_or(sampling.indices);
+    if (method) refuse_idle_keys(table, *method);
     if (sampling.method == Method::kList && faults_.empty()) read_list(table);
     read_until(table);
+  }
+
+  /// Keys that the method does not read; of until and indices the plan itself says so.
+  static void refuse_idle_keys(StudyTable& table, Method method) {
+    const auto refuse = [&table](const char* key, const char* remedy) {
+      if (const TomlValue* value = table.find(key))
+        table.refuse(value->key_mark,
+                     fmt::format("plan.{} means nothing with method = \"{}\"", key, table.find("method")->text),
+                     remedy);
+    };
+    if (method != Method::kSobol && method != Method::kLatinHypercube)
+      refuse("scenarios", "leave it out, or sample: method = \"sobol\"");
+    if (method != Method::kList) refuse("list", "leave it out, or take its points: method = \"list\"");
+    if (method != Method::kMorris) {
+      refuse("trajectories", "leave it out, or screen: method = \"morris\"");
+      refuse("levels", "leave it out, or screen: method = \"morris\"");
+    }
   }
 
   void read_until(StudyTable& plan) {
@@ -187,6 +204,7 @@ class StudyReader {
     const auto quantity =
         std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
     if (faults_.size() > n_before) return;
+    until.mark = value->key_mark;
     if (quantity == known.end()) {
       std::vector<std::string> names;
       for (const auto& one : known) names.push_back(one.name);
@@ -201,17 +219,25 @@ class StudyReader {
     if (quantity.unit == "1") {
       const auto width = table.number("width");
       if (!width) table.refuse(table.mark(), "plan.until has no width", "write, for example, width = 0.01");
-      return width;
+      return above_zero(table, width);
     }
     const std::string example = fmt::format("\"0.1 {}\"", quantity.display_unit);
     const std::string text = table.needed_text("width", example);
     if (text.empty()) return std::nullopt;
     try {
-      return units_.quantity(text, quantity.unit, example);
+      return above_zero(table, units_.quantity(text, quantity.unit, example));
     } catch (const UnitError& problem) {
       table.refuse(table.find("width")->mark, fmt::format("width = \"{}\" {}", text, problem.what()), problem.remedy);
       return std::nullopt;
     }
+  }
+
+  static std::optional<double> above_zero(StudyTable& table, std::optional<double> width) {
+    if (!width || *width > 0) return width;
+    const TomlValue& value = *table.find("width");
+    table.refuse(value.mark, fmt::format("the width of an interval is above 0, not {}", value.as_written()),
+                 "state how narrow it shall become");
+    return std::nullopt;
   }
 
   /// A column for each factor, in any order; of choices their place in the list of values, from 0.
@@ -221,8 +247,10 @@ class StudyReader {
     const CsvFile csv = read_csv(locate(name, folder_));
     record({"list", csv.source.path, csv.source.sha256});
     std::vector<std::vector<double>> columns;
+    std::set<std::size_t> of_factors;
     for (const study::Factor& factor : study_.factors) {
       const auto found = csv.find(factor.name);
+      if (found) of_factors.insert(*found);
       if (!found) {
         table.refuse(csv.source.mark(csv.header_line), fmt::format("there is no column {}", factor.name),
                      fmt::format("the columns are {}; one is wanted for each factor", csv.names()));
@@ -240,6 +268,11 @@ class StudyReader {
                      fmt::format("write it as {} [{}]", factor.name, factor.display_unit));
       }
       columns.push_back(std::move(values));
+    }
+    for (std::size_t i = 0; i < csv.columns.size(); ++i) {
+      if (!of_factors.contains(i))
+        table.refuse(csv.header_mark(i), fmt::format("the column {} is of no factor", csv.columns[i].name),
+                     "leave it out, or state a factor of this name");
     }
     if (!faults_.empty()) return;
     for (std::size_t i = 0; i < csv.row_lines.size(); ++i) {

@@ -71,6 +71,7 @@ void write_head(ResultFileWriter& file, const StudyRows& rows) {
   file.attribute("program", program.program);
   file.attribute("commit", program.commit);
   file.attribute("compiler", program.compiler);
+  file.attribute("kernels", rows.kernels());
   std::vector<std::string> roles, paths, digests;
   for (const cycle::InputFile& input : rows.file.files) {
     roles.push_back(input.role);
@@ -145,7 +146,7 @@ class BlockWriter {
       file_.describe(variable, "key", factor.targets.front().key);
       if (!factor.source.empty()) file_.describe(variable, "source", factor.source);
       const std::vector<std::string> texts = choice_texts(factor);
-      const std::string choices = variable + "_choice";
+      const std::string choices = choice_variable(variable);
       if (!texts.empty())
         file_.texts(choices.c_str(),
                     {choices, "", "", fmt::format("choices of {}, counted from 0", factor.name), "", ""}, texts);

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <set>
 
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/study_until.hpp"
@@ -32,6 +33,12 @@ std::string csv_text(const std::string& text) {
 }
 
 }  // namespace
+
+std::string StudyRows::kernels() const {
+  std::set<std::string> names;
+  for (const ShardReader& shard : shards) names.insert(shard.header().kernels);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
 
 std::vector<double> StudyRows::values(std::size_t i) const {
   std::vector<double> all;
@@ -81,6 +88,15 @@ std::vector<ShardReader::Unsolved> StudyRows::unsolved() const {
 std::vector<std::string> StudyRows::notes() const {
   std::vector<std::string> all = plan.notes();
   for (std::string& note : until_notes(*this)) all.push_back(std::move(note));
+  const bool is_mixed = std::any_of(shards.begin(), shards.end(), [this](const ShardReader& shard) {
+    return shard.header().kernels != shards.front().header().kernels;
+  });
+  if (is_mixed) {
+    all.push_back(
+        fmt::format("the parts were computed with different kernels ({}), which round differently: the last digits are "
+                    "not those of one run",
+                    kernels()));
+  }
   return all;
 }
 
@@ -107,13 +123,24 @@ std::vector<std::vector<double>> factor_columns(const study::Plan& plan, const s
   return columns;
 }
 
+std::string choice_variable(const std::string& factor_variable) { return fmt::format("{}_choice", factor_variable); }
+
 std::vector<std::string> factor_variables(const study::Study& study) {
+  constexpr std::size_t kLongest = 200;  // NetCDF takes 256
   std::vector<std::string> variables;
+  std::set<std::string> taken;
   for (const study::Factor& factor : study.factors) {
-    std::string variable = "factor_";
-    for (const char c : factor.name) variable.append(1, std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_');
-    if (std::find(variables.begin(), variables.end(), variable) != variables.end())
-      variable.append("_").append(std::to_string(variables.size() + 1));
+    std::string name = "factor_";
+    for (const char c : factor.name.substr(0, kLongest))
+      name.append(1, std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_');
+    const bool has_texts = std::holds_alternative<study::Choices>(factor.variation);
+    const auto is_taken = [&](const std::string& variable) {
+      return taken.contains(variable) || (has_texts && taken.contains(choice_variable(variable)));
+    };
+    std::string variable = name;
+    for (std::size_t n = variables.size() + 1; is_taken(variable); ++n) variable = fmt::format("{}_{}", name, n);
+    taken.insert(variable);
+    if (has_texts) taken.insert(choice_variable(variable));
     variables.push_back(variable);
   }
   return variables;

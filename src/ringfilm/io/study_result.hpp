@@ -15,6 +15,9 @@ struct StudyRows {
   const study::Plan& plan;
   std::vector<ShardReader> shards;  ///< in the order of their scenarios, without a gap
 
+  /// Names of the film::FilmKernels with which they were computed: "avx2", "avx2, avx512".
+  std::string kernels() const;
+
   /// A cycle value of all scenarios, or of some; `i` counts cycle::cycle_quantities(). NaN where not solved.
   std::vector<double> values(std::size_t i) const;
   std::vector<double> values(std::size_t i, const study::ScenarioRange& range) const;  ///< in the order of the plan
@@ -43,6 +46,8 @@ std::vector<std::vector<double>> factor_columns(const study::Plan& plan, const s
 
 /// The names of the factors in result files: "factor_face_crown", with a number where two would be called alike.
 std::vector<std::string> factor_variables(const study::Study& study);
+/// The name under which the texts of a choice stand beside it.
+std::string choice_variable(const std::string& factor_variable);
 
 /// The texts of a factor that is a choice; empty of one that is a number.
 std::vector<std::string> choice_texts(const study::Factor& factor);

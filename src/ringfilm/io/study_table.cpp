@@ -73,7 +73,8 @@ std::optional<double> StudyTable::number(const std::string& key) {
 std::optional<std::uint64_t> StudyTable::count(const std::string& key) {
   const TomlValue* value = find(key);
   if (value == nullptr) return std::nullopt;
-  if (value->kind == Kind::kInteger && value->number >= 0 && value->number <= 0x1p53)
+  const bool is_number = value->kind == Kind::kInteger || value->kind == Kind::kNumber;  // 1e6 is whole, too
+  if (is_number && value->number >= 0 && value->number <= 0x1p53 && value->number == std::floor(value->number))
     return static_cast<std::uint64_t>(value->number);
   refuse(value->mark, fmt::format("{} = {} is no whole number", key, value->as_written()),
          "a whole number, 0 or above, is wanted here");

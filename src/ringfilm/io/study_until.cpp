@@ -18,7 +18,11 @@ std::vector<std::string> until_notes(const StudyRows& rows) {
       std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
   const auto bases = study::sureness(rows.plan, rows.values(static_cast<std::size_t>(quantity - known.begin())));
   const Units units;
-  const auto shown = [&](double width) { return units.shown(width, quantity->unit, quantity->display_unit); };
+  const auto shown = [&](double width) {
+    const double number = units.scale(quantity->display_unit, quantity->unit).from_si(width);
+    return fmt::format("{:.4g}{}{}", number, quantity->unit == "1" ? "" : " ",
+                       quantity->unit == "1" ? "" : quantity->display_unit);
+  };
   const bool is_sure = study::is_sure(until, bases);
   std::string note =
       fmt::format("{} {} points: the 95 % interval of {} is ", is_sure ? "stopped after" : "gave up after",

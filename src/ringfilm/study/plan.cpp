@@ -115,6 +115,10 @@ std::uint64_t Plan::most() const {
   return std::max(size(), until->most * points_per_row() * study_.bases.size());
 }
 
+bool Plan::can_grow() const {
+  return study_.sampling.method == Method::kSobol || study_.sampling.method == Method::kMorris;
+}
+
 bool Plan::is_block_by_block() const {
   return study_.sampling.method == Method::kGrid || study_.sampling.method == Method::kOneAtATime;
 }

@@ -28,8 +28,8 @@ std::vector<Fault> faults_of(const Study& study);
 
 /// All scenarios of a study, by their number. Each costs as much as it has factors, whichever comes first and whatever
 /// was asked for before; nothing is stored for them. The same study gives the same numbers whatever it is split into,
-/// and with Sobol points and Morris trajectories whatever their count: such a study can go on. A Latin hypercube, a
-/// grid and a list cannot.
+/// and with Sobol points and Morris trajectories whatever their count: such a study can go on, see can_grow(). A Latin
+/// hypercube, a grid and a list cannot.
 class Plan {
  public:
   /// Throws InputError with all faults_of(study).
@@ -39,6 +39,7 @@ class Plan {
 
   std::uint64_t size() const;  ///< scenarios of all bases
   std::uint64_t most() const;  ///< up to which the study may go on; size() where it does not
+  bool can_grow() const;       ///< do its scenarios stay the same where there are more of them?
 
   /// Scenario i. Throws std::out_of_range unless i < most().
   Point point(std::uint64_t i) const;

@@ -316,8 +316,8 @@ void check_until(const Study& study, Faults& faults) {
   const Sampling& sampling = study.sampling;
   if (!sampling.until) return;
   const Until& until = *sampling.until;
-  const auto refuse = [&faults](const std::string& message, const std::string& remedy) {
-    faults.push_back({{}, message, remedy});
+  const auto refuse = [&](const std::string& message, const std::string& remedy) {
+    faults.push_back({until.mark, message, remedy});
   };
   if (sampling.method != Method::kSobol) {
     refuse("plan.until: this plan cannot go on", "only Sobol points can: method = \"sobol\"");

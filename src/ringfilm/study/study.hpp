@@ -34,6 +34,7 @@ struct Until {
   std::optional<double> quantile;  ///< its share; absent: the mean
   double width = 0;                ///< of the interval [unit of the value]
   std::uint64_t most = 0;          ///< never more points than these
+  SourceMark mark = {};
 };
 
 struct Sampling {

@@ -13,6 +13,12 @@ std::optional<std::uint64_t> next_look(const Until& until, std::uint64_t points)
   return points > until.most / 2 ? until.most : 2 * points;
 }
 
+bool is_look(const Study& study, std::uint64_t points) {
+  std::optional<std::uint64_t> look = study.sampling.scenarios;
+  while (look && *look < points) look = next_look(study.sampling.until.value(), *look);
+  return look == points;
+}
+
 std::vector<Sureness> sureness(const Plan& plan, const std::vector<double>& values) {
   const Until& until = plan.study().sampling.until.value();
   std::vector<Sureness> all;

@@ -15,6 +15,9 @@ namespace ringfilm::study {
 /// @returns how many points come after `points`; nothing after the last
 std::optional<std::uint64_t> next_look(const Until& until, std::uint64_t points);
 
+/// Is this one of them, counted from the study's plan.scenarios on?
+bool is_look(const Study& study, std::uint64_t points);
+
 /// How sure a statistic is for one base.
 struct Sureness {
   std::size_t base = 0;

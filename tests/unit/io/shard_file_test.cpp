@@ -105,12 +105,14 @@ TEST(ShardFile, SeesASpoiltChunkWhereverItIsSpoilt) {
 TEST(ShardFile, RefusesRowsOfSomethingElse) {
   const ScratchFolder folder;
   const std::string path = whole(folder, "rows"), before = bytes_of(path);
-  ShardHeader plan = header(), inputs = header(), program = header(), part = header();
+  ShardHeader plan = header(), inputs = header(), program = header(), part = header(), kernels = header();
   plan.plan[0] = 'x';
   inputs.inputs[0] = 'x';
   program.program = "ringfilm 9.8";
   part.part = 1;
-  for (const ShardHeader& other : {plan, inputs, program, part}) EXPECT_THROW(ShardWriter(path, other), InputError);
+  kernels.kernels = "avx2";
+  for (const ShardHeader& other : {plan, inputs, program, part, kernels})
+    EXPECT_THROW(ShardWriter(path, other), InputError);
   EXPECT_NE(difference(header(), plan), difference(header(), inputs));
   EXPECT_EQ(bytes_of(path), before);
 }
@@ -171,6 +173,43 @@ TEST(ShardFile, GivesBackAnyPartOfTheCurves) {
   EXPECT_TRUE(unsolved.empty());
   shard.append_unsolved({12, 13}, unsolved);
   EXPECT_EQ(unsolved.size(), 1u);
+}
+
+ShardHeader alone(std::uint64_t end) {
+  ShardHeader h = header();
+  h.part = h.parts = 1;
+  h.end = end;
+  return h;
+}
+
+TEST(ShardFile, BecomesLongerWithTheBytesOfTheLongOne) {
+  const ScratchFolder folder;
+  {
+    ShardWriter writer(folder / "long", alone(1016));
+    writer.append(chunk(10, 3));
+    writer.append(chunk(13, 3));
+  }
+  const std::string path = folder / "rows";
+  {
+    ShardWriter writer(path, alone(13));
+    writer.append(chunk(10, 3));
+  }
+  const std::string before = bytes_of(path);
+  EXPECT_THROW(ShardWriter(path, alone(1016)), InputError);
+  EXPECT_THROW(ShardWriter(path, alone(12), Longer::kAllowed), InputError);
+  EXPECT_EQ(bytes_of(path), before);
+  {
+    ShardWriter writer(path, alone(1016), Longer::kAllowed);
+    EXPECT_EQ(writer.next(), 13u);
+    EXPECT_EQ(writer.n_unsolved(), 1u);
+    EXPECT_THROW(ShardWriter(path, alone(1016)), InputError) << "somebody else may write to it";
+    writer.append(chunk(13, 3));
+  }
+  EXPECT_EQ(bytes_of(path), bytes_of(folder / "long"));
+  ShardHeader of_two = header();
+  of_two.end = 1016;
+  EXPECT_FALSE(is_beginning_of(header(), of_two)) << "a part of several";
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(std::filesystem::path(path).parent_path()), {}), 2);
 }
 
 TEST(ShardFile, LetsOneAlonePutRowsIn) {

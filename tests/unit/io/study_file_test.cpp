@@ -160,6 +160,40 @@ TEST(StudyFile, TellsWhereAFaultLiesAndWhatMayBeMeant) {
   EXPECT_THAT(folder.refusal("", ""), HasSubstr("no plan"));
 }
 
+TEST(StudyFile, RefusesKeysOfThePlanThatNobodyReads) {
+  const StudyFolder folder;
+  folder.folder().write("plan.csv", "speed [rpm],note\n60,1\n120,2\n");
+  const std::string values = kSpeed + "values = [\"60 rpm\", \"120 rpm\"]\n";
+  const auto plan = [](const std::string& method, const std::string& key) {
+    return "[plan]\nmethod = \"" + method + "\"\n" + key + "\n";
+  };
+  for (const auto& [method, key] : std::vector<std::pair<std::string, std::string>>{{"grid", "scenarios = 8"},
+                                                                                    {"one-at-a-time", "scenarios = 8"},
+                                                                                    {"morris", "scenarios = 8"},
+                                                                                    {"sobol", "trajectories = 8"},
+                                                                                    {"grid", "levels = 4"},
+                                                                                    {"sobol", "list = \"plan.csv\""}}) {
+    EXPECT_THAT(folder.refusal(values, plan(method, key)),
+                ::testing::AllOf(HasSubstr("study.toml:12:1"), HasSubstr("means nothing with method = \"" + method)));
+  }
+  EXPECT_EQ(folder.refusal(values, plan("morris", "trajectories = 8\nlevels = 4")), "");
+  EXPECT_THAT(folder.refusal(kSpeed, plan("list", "list = \"plan.csv\"")),
+              ::testing::AllOf(HasSubstr("plan.csv:1:"), HasSubstr("the column note is of no factor")));
+}
+
+TEST(StudyFile, TellsAWidthAsItIsWrittenAndCountsWhatIsWhole) {
+  const StudyFolder folder;
+  const auto until = [&](const std::string& width, const std::string& most) {
+    return folder.refusal(kSpeed + "range = [\"60 rpm\", \"120 rpm\"]\n",
+                          kPlan + "until = { value = \"fmep\", width = " + width + ", most = " + most + " }\n");
+  };
+  EXPECT_EQ(until("\"2 kPa\"", "1e3"), "");
+  EXPECT_THAT(until("\"-2 kPa\"", "1000"), ::testing::AllOf(HasSubstr("study.toml:13:"), HasSubstr("\"-2 kPa\"")));
+  EXPECT_THAT(until("\"2 kPa\"", "4"),
+              ::testing::AllOf(HasSubstr("study.toml:13:"), HasSubstr("below plan.scenarios")));
+  EXPECT_THAT(until("\"2 kPa\"", "1000.5"), HasSubstr("is no whole number"));
+}
+
 TEST(StudyFile, RefusesEveryValueOfTheWrongKind) {
   const StudyFolder folder;
   const std::string base = "[[base]]\ncase = \"case.toml\"\n";

@@ -1,4 +1,3 @@
-#include "ringfilm/io/study_netcdf.hpp"
 #include "ringfilm/io/study_result.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 
 #include "case_example.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/study_netcdf.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -101,6 +101,18 @@ TEST(FactorVariables, AreNeverAlike) {
   study.factors[1].name = "a-b";
   study.factors[2].name = "c";
   EXPECT_EQ(factor_variables(study), (std::vector<std::string>{"factor_a_b", "factor_a_b_2", "factor_c"}));
+}
+
+TEST(FactorVariables, LeaveRoomForTheTextsOfChoices) {
+  study::Study study;
+  study.factors.resize(4);
+  const std::vector<std::string> names = {"oil", "oil choice", "law choice", "law"};
+  for (std::size_t i = 0; i < names.size(); ++i) study.factors[i].name = names[i];
+  study.factors[0].variation = study.factors[3].variation = study::Choices{};
+  EXPECT_EQ(factor_variables(study),
+            (std::vector<std::string>{"factor_oil", "factor_oil_choice_2", "factor_law_choice", "factor_law_4"}));
+  study.factors[0].name = std::string(1000, 'a');
+  EXPECT_LT(factor_variables(study)[0].size(), 240u) << "NetCDF takes 256 with the end of a choice";
 }
 
 }  // namespace

@@ -31,6 +31,14 @@ TEST(Until, LooksAtTwiceAsManyPointsUpToTheMost) {
   EXPECT_FALSE(next_look(until, 100));
 }
 
+TEST(Until, KnowsItsLooks) {
+  Study study;
+  study.sampling.scenarios = 16;
+  study.sampling.until = Until{"fmep", std::nullopt, 1, 100};
+  for (const std::uint64_t n : {16, 32, 64, 100}) EXPECT_TRUE(is_look(study, n)) << n;
+  for (const std::uint64_t n : {0, 8, 17, 48, 128}) EXPECT_FALSE(is_look(study, n)) << n;
+}
+
 TEST(Until, EachBaseIsAsSureAsItsOwnSample) {
   const Plan plan(going_on(4, Indices::kNone));
   // Scenarios go from base to base: the first has 1, 2, 3, 4, the second always 7.
