@@ -120,7 +120,7 @@ void add_study_command(CLI::App& program, Actions& actions) {
       ->type_name("OUT");
   command->add_option("--shard", words->shard, "compute part i of n only")->type_name("i/n");
   command->add_flag("--resume", words->resume, "go on with what is there");
-  command->add_flag("--yes", words->yes, "run a full grid of more than 10000 points");
+  command->add_flag("--yes", words->yes, "run a full grid of more than 10000 points, keep more than 2 GB of curves");
   command->add_option("--threads", words->threads, "1 to 1024; without it as many as the machine runs at once")
       ->type_name("N");
   command->add_option("--engine", words->engine, "of submit: slurm")->type_name("NAME");

@@ -257,6 +257,11 @@ std::vector<std::string> Plan::notes() const {
                     (sampling.method == Method::kSobol ? "scrambled Sobol points" : "the points of a Latin hypercube") +
                     " are more even, so that the intervals are wider than need be");
   }
+  if (sampling.method == Method::kList) {
+    notes.push_back(
+        "means, quantiles and their intervals presume that the points of the list were drawn at random from what the "
+        "factors may be; of points that were chosen otherwise they say nothing about how likely a value is");
+  }
   if (sampling.method == Method::kOneAtATime && !study_.correlations.empty()) {
     notes.push_back("one factor at a time: the others stay at their medians, and correlations play no part");
   }
