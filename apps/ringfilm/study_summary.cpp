@@ -97,8 +97,7 @@ class Summary {
       return effects[a]->mean_absolute > effects[b]->mean_absolute;
     });
     std::string text = fmt::format(
-        "  elementary effects on {} over the whole range of each factor (Morris), mu* with its 95 % interval\n",
-        of.name);
+        "  elementary effects on {} over the whole range of each factor (Morris), with 95 % intervals\n", of.name);
     for (const std::size_t j : order) {
       text += fmt::format("    {:<36} mu* {:>14} +- {:>14}   sigma {:>14}\n", plan_.study().factors[j].name,
                           shown(of, effects[j]->mean_absolute),
