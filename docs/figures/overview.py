@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws docs/figures/overview.svg, the figure of the README, from the shipped cases.
 
-usage: docs/figures/overview.py [path of the program, default build/ringfilm]
+usage: docs/figures/overview.py [path of the program, default build/ringfilm [file to write]]
 """
 import csv
 import pathlib
@@ -83,4 +83,5 @@ def drawing(rings):
 
 if __name__ == "__main__":
     program = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build" / "ringfilm").resolve()
-    (HERE / "overview.svg").write_text(drawing(curves(program)), encoding="utf-8")
+    picture = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else HERE / "overview.svg"
+    picture.write_text(drawing(curves(program)), encoding="utf-8")

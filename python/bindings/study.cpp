@@ -350,8 +350,8 @@ Raises InputError where the plan has no points for indices. Source: docs/theory/
 }  // namespace
 
 void bind_study(py::module_& module) {
+  bind_results(module);  // first, so that the words about Study.run() know what it returns
   bind_plan(module);
-  bind_results(module);
 }
 
 }  // namespace ringfilm::python

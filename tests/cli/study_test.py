@@ -184,6 +184,20 @@ class StudyTest(ProgramTest):
         smallest = curves[solved].min(axis=1) / data.min_film_thickness.values[solved]
         self.assertTrue(((smallest >= 1 - 1e-6) & (smallest < 1.05)).all(), smallest)
 
+    def test_rows_of_a_sample_are_marked(self):
+        try:
+            import netCDF4
+        except ImportError:
+            program.skip_loudly(self, "python3-netcdf4 is not installed")
+        self.write_study(STUDY.replace("SCENARIOS", '4\nindices = "first-and-total"'))
+        said = self.run_well("study", "study.toml", "-o", "out")
+        self.assertIn("indices from 4 rows, fewer than 64", said)
+        with netCDF4.Dataset(self.folder / "out" / "study.nc") as file:
+            self.assertEqual(file["sample"][:].tolist(), [1, 1, 0, 0] * 4)
+            speeds = file["factor_speed"][:].tolist()
+        # Where a scenario is none of the sample, it has its speed from another one.
+        self.assertEqual(len(set(speeds)), 8)
+
     def test_curve_of_a_scenario_is_that_of_its_case(self):
         self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
                          'values = ["2000 rpm"]\n[plan]\nmethod = "grid"\n[keep]\ncurves = "all"\n'

@@ -784,7 +784,7 @@ class Study:
     def read(path: object) -> Study:
         """A study with its bases and all that they name. Raises InputError with every fault, in the words of the program."""
         ...
-    def run(self, threads: object = None, progress: object = None) -> ringfilm::python::(anonymous namespace)::StudyResultObject:
+    def run(self, threads: object = None, progress: object = None) -> StudyResult:
         """Computes all scenarios, in memory; a study that must survive is run by `ringfilm study`.
 
         threads: None, or 1 to 1024; the numbers do not depend on it. progress: called as progress(done, total) now and then.

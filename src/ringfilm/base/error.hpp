@@ -25,10 +25,11 @@ struct Fault {
 /// The input cannot be used (exit code 2). Carries every fault that was found, not only the first.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(std::vector<Fault> faults);
+  explicit InputError(std::vector<Fault> faults);  ///< every fault, in the order in which it was found
+  /// One fault that lies at no place of a file.
   explicit InputError(const std::string& message, const std::string& remedy = "");
 
-  const std::vector<Fault>& faults() const noexcept { return faults_; }
+  const std::vector<Fault>& faults() const noexcept { return faults_; }  ///< all of them, in their order
 
  private:
   std::vector<Fault> faults_;
@@ -37,11 +38,12 @@ class InputError : public std::runtime_error {
 /// No film was found that balances what acts on it, all remedies spent (exit code 3).
 class ConvergenceError : public std::runtime_error {
  public:
-  explicit ConvergenceError(const std::string& message) : std::runtime_error(message) {}
+  explicit ConvergenceError(const std::string& message) : std::runtime_error(message) {}  ///< where no crank turns
   /// @param crank_angle_deg where a cycle stopped [degree], 0 = firing TDC; nothing where no crank turns
   ConvergenceError(const std::string& message, std::optional<double> crank_angle_deg)
       : std::runtime_error(message), crank_angle_deg_(crank_angle_deg) {}
 
+  /// Where a cycle stopped [degree].
   std::optional<double> crank_angle_deg() const noexcept { return crank_angle_deg_; }
 
  private:

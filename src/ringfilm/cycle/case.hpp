@@ -15,6 +15,7 @@
 /// `cycle/case_fields.hpp` has the one table of keys, units, ranges and meanings.
 namespace ringfilm::cycle {
 
+/// A value of an oil at one temperature.
 struct TemperatureValue {
   double temperature = 0;  ///< [K]
   double value = 0;        ///< [SI unit of the quantity]
@@ -34,43 +35,46 @@ struct OilTable {
   std::vector<double> density;      ///< [kg/m3]
 };
 
-enum class Problem { kCycle, kPad };
-enum class Direction { kPlusX, kMinusX };
-enum class Sides { kOpen, kPeriodic, kClosed };
-enum class GasModel { kTrace, kWiebe };
-enum class PressureReference { kAbsolute, kGauge };
-enum class AngleZero { kFiringTdc, kGasExchangeTdc };
-enum class TraceOrigin { kNotStated, kMeasured, kComputed, kSynthetic };
-enum class FaceForm { kPolynomial, kParabola, kPoints };
-enum class HeightZero { kMinimum, kAsGiven };
-enum class Orientation { kX0Chamber, kX0Crankcase, kLeadingEdge };
-enum class ContactModulus { kCoating, kBase };
-enum class RoughnessMeasure { kAsGiven, kRaToRq };
-enum class ContactIntegrals { kExact, kPolynomial4Digit, kPolynomialAsPrinted };
-enum class FilmParameter { kLocal, kNominal };
-enum class ViscosityTemperature { kWalther, kHoupert };
-enum class ViscosityPressure { kRoelands, kNone, kBarus };
-enum class DensityTemperature { kTable, kThermalExpansivity };
-enum class Compressibility { kDowsonHigginson, kNone };
-enum class FilmDimension { kFace, kUnrolled };
-enum class Cavitation { kReynoldsExit, kMassConserving };
-enum class StepControl { kAdaptive, kFixed };
-enum class Method { kCoupledNewton, kPointRelaxation, kNestedSecant };
-enum class Properties { kFitted, kExact };
-enum class FieldsWanted { kNone, kListed, kAll };
-enum class FieldReduction { kNone, kAlongFace };
+enum class Problem { kCycle, kPad };                                              ///< an engine cycle, or `[pad]`
+enum class Direction { kPlusX, kMinusX };                                         ///< `pad.direction`
+enum class Sides { kOpen, kPeriodic, kClosed };                                   ///< `pad.sides`
+enum class GasModel { kTrace, kWiebe };                                           ///< `gas.model`
+enum class PressureReference { kAbsolute, kGauge };                               ///< `gas.pressure_reference`
+enum class AngleZero { kFiringTdc, kGasExchangeTdc };                             ///< `gas.angle_zero`
+enum class TraceOrigin { kNotStated, kMeasured, kComputed, kSynthetic };          ///< `gas.trace_origin`
+enum class FaceForm { kPolynomial, kParabola, kPoints };                          ///< `ring.face.form`
+enum class HeightZero { kMinimum, kAsGiven };                                     ///< `ring.face.height_zero`
+enum class Orientation { kX0Chamber, kX0Crankcase, kLeadingEdge };                ///< `ring.face.orientation`
+enum class ContactModulus { kCoating, kBase };                                    ///< `ring.coating.contact_modulus`
+enum class RoughnessMeasure { kAsGiven, kRaToRq };                                ///< `contact.roughness_measure`
+enum class ContactIntegrals { kExact, kPolynomial4Digit, kPolynomialAsPrinted };  ///< `contact.integrals`
+enum class FilmParameter { kLocal, kNominal };                                    ///< `contact.film_parameter`
+enum class ViscosityTemperature { kWalther, kHoupert };                           ///< `lubricant.viscosity_temperature`
+enum class ViscosityPressure { kRoelands, kNone, kBarus };                        ///< `lubricant.viscosity_pressure`
+enum class DensityTemperature { kTable, kThermalExpansivity };                    ///< `lubricant.density_temperature`
+enum class Compressibility { kDowsonHigginson, kNone };                           ///< `lubricant.compressibility`
+enum class FilmDimension { kFace, kUnrolled };                                    ///< `film.dimension`
+enum class Cavitation { kReynoldsExit, kMassConserving };                         ///< `film.cavitation`
+enum class StepControl { kAdaptive, kFixed };                                     ///< `solver.crank_step_control`
+enum class Method { kCoupledNewton, kPointRelaxation, kNestedSecant };            ///< `solver.method`
+enum class Properties { kFitted, kExact };                                        ///< `solver.properties`
+enum class FieldsWanted { kNone, kListed, kAll };                                 ///< `output.fields`
+enum class FieldReduction { kNone, kAlongFace };                                  ///< `output.reduction`
 
+/// The keys under `engine`.
 struct Engine {
   double bore = 0;                   ///< [m]
   double stroke = 0;                 ///< [m]
   double connecting_rod_length = 0;  ///< [m]
 };
 
+/// The keys under `operating`.
 struct Operating {
   double speed = 0;            ///< [rad/s]
   double oil_temperature = 0;  ///< [K]
 };
 
+/// The keys under `gas`, with the traces that they name.
 struct Gas {
   GasModel model = GasModel::kTrace;
   // model = "trace"
@@ -111,6 +115,7 @@ struct MeasuredFace {
   std::optional<std::string> invented_shape;  ///< where the face has what the trace has not
 };
 
+/// The keys under `ring.face`, with the points that they name.
 struct RingFace {
   FaceForm form{};
   HeightZero height_zero = HeightZero::kMinimum;
@@ -137,6 +142,7 @@ struct Coating {
   ContactModulus contact_modulus = ContactModulus::kCoating;
 };
 
+/// The keys under `ring`.
 struct Ring {
   double face_width = 0;          ///< [m]
   double youngs_modulus = 203e9;  ///< [Pa]
@@ -153,6 +159,7 @@ struct Ring {
   Coating coating;
 };
 
+/// The keys under `liner`.
 struct Liner {
   double youngs_modulus = 92.3e9;  ///< [Pa]
   double poissons_ratio = 0.211;   ///< [-]
@@ -183,6 +190,7 @@ struct MeasuredContact {
   MeasuredShearStrength shear_strength;
 };
 
+/// The keys under `contact`.
 struct Contact {
   double asperity_density = 0;  ///< N [1/m2]
   double asperity_radius = 0;   ///< beta [m]
@@ -196,6 +204,7 @@ struct Contact {
   MeasuredContact measured;
 };
 
+/// The keys under `lubricant`, with the oil of the file that they name.
 struct Lubricant {
   std::optional<std::string> file;                    ///< where the keys of this table were read from
   std::string name;                                   ///< for people; empty if the case states the values itself
@@ -217,12 +226,14 @@ struct Lubricant {
   double viscosity = 0;                       ///< of a pad, at the zero of its pressures [Pa s]
 };
 
+/// The keys under `film`.
 struct Film {
   FilmDimension dimension = FilmDimension::kFace;
   Cavitation cavitation = Cavitation::kMassConserving;
   double cavitation_pressure = 101325;  ///< [Pa] absolute; of a pad counted like its other pressures
 };
 
+/// The keys under `solver`.
 struct Solver {
   int cells = 200;
   int cells_y = 180;                            ///< of a film in two dimensions: around the ring, or across the pad
@@ -236,6 +247,7 @@ struct Solver {
   Properties properties = Properties::kFitted;
 };
 
+/// The keys under `output`.
 struct Output {
   double crank_angle_step_deg = 1.0;     ///< used where the list is empty [degree]
   std::vector<double> crank_angles_deg;  ///< explicit list, increasing, within [0, 720)
@@ -272,7 +284,7 @@ struct Pad {
   std::optional<double> end_time;     ///< absent: end of the history [s]
   std::optional<double> output_step;  ///< absent: every time step is kept [s]
 
-  bool has_sides_at_pressures() const { return width && sides == Sides::kOpen; }
+  bool has_sides_at_pressures() const { return width && sides == Sides::kOpen; }  ///< of width alone
 
   /// Where the march ends [s].
   double last_time() const { return end_time.value_or(history_time.empty() ? 0.0 : history_time.back()); }
@@ -285,6 +297,7 @@ struct InputFile {
   std::string sha256;  ///< of its bytes
 };
 
+/// All keys of a case. Members that a problem or a model does not use stay as they are.
 struct Case {
   Problem problem = Problem::kCycle;  ///< a pad where any of its keys is stated
   std::string title;
@@ -300,6 +313,7 @@ struct Case {
   Output output;
   Pad pad;
 
+  /// Around the ring, too?.
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
   /// Around the bore; of an unrolled film without the gap [m].
   double ring_length() const;

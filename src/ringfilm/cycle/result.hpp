@@ -38,6 +38,7 @@ struct Quantity {
   std::string equation;      ///< label in docs/theory, e.g. "eq-power-loss"
 };
 
+/// A quantity over crank angle and where `Sample` has it.
 struct CurveQuantity : Quantity {
   double Sample::*value;
 };
@@ -66,10 +67,11 @@ struct CycleValues {
   double power_stroke_energy = 0, exhaust_stroke_energy = 0, intake_stroke_energy = 0, compression_stroke_energy = 0;
 };
 
+/// A value of the cycle and where `CycleValues` has it.
 struct CycleQuantity : Quantity {
   double CycleValues::*value;
 };
-const std::vector<CycleQuantity>& cycle_quantities();
+const std::vector<CycleQuantity>& cycle_quantities();  ///< in the order of files and tables
 
 /// Fields along the face at some crank angles, of an unrolled film along its strip halfway; row-major [angle][node]. x
 /// from the chamber edge.
@@ -96,6 +98,7 @@ struct UnrolledSample {
   double load_without_ends = 0, friction_without_ends = 0;
 };
 
+/// A quantity over crank angle of an unrolled film and where `UnrolledSample` has it.
 struct UnrolledQuantity : Quantity {
   double UnrolledSample::*value;
 };
@@ -113,10 +116,11 @@ struct UnrolledValues {
   double ends_share_absolute_flow = 0;   ///< of the mean at the middle section [-]
 };
 
+/// A value of the cycle of an unrolled film and where `UnrolledValues` has it.
 struct UnrolledCycleQuantity : Quantity {
   double UnrolledValues::*value;
 };
-const std::vector<UnrolledCycleQuantity>& unrolled_cycle_quantities();
+const std::vector<UnrolledCycleQuantity>& unrolled_cycle_quantities();  ///< in the order of files and tables
 
 /// Fields of the unrolled film at some crank angles: x from the chamber edge, y from one end of the gap around to the
 /// other, or from the joint of a closed ring. In full over [angle][y][x], or reduced along the face to [angle][y];
@@ -137,17 +141,18 @@ struct UnrolledFields {
   std::vector<float> strip_min_film_thickness;                      ///< [m]
   std::vector<float> strip_oil_flow_middle;  ///< positive to the crankcase, per length in y [kg/(m s)]
 
-  bool empty() const { return crank_angle_deg.empty(); }
+  bool empty() const { return crank_angle_deg.empty(); }  ///< no angle was asked for
   /// Does it belong to a film across the face, which has nothing of it?
   bool is_absent() const { return y.empty(); }
 };
 
+/// A field of an unrolled film and where `UnrolledFields` has it.
 struct UnrolledField : Quantity {
   std::vector<float> UnrolledFields::*values;
 };
 /// Fields over (crank_angle, y, x), then those over (crank_angle, y).
 const std::vector<UnrolledField>& unrolled_fields();
-const std::vector<UnrolledField>& strip_fields();
+const std::vector<UnrolledField>& strip_fields();  ///< those reduced along the face
 
 /// Where on the stroke asperities rub: contact work per liner length over one cycle.
 struct StrokeProfile {
@@ -162,6 +167,7 @@ struct Note {
   long count = 1;       ///< crank steps or evaluations concerned
 };
 
+/// What the march cost, and how well it kept its tolerances.
 struct Effort {
   double cycles_marched = 0;     ///< until periodic
   double periodicity_error = 0;  ///< largest relative difference of the state one cycle apart [-]
@@ -174,6 +180,7 @@ struct Effort {
   long relaxation_sweeps = 0;  ///< of solver.method = "point-relaxation"
 };
 
+/// All that a march gives. Plain data: what files, pages and other programs are made of.
 struct CycleResult {
   std::vector<Sample> samples;  ///< at the crank angles asked for
   CycleValues values;           ///< from the whole march, whatever was asked for

@@ -19,6 +19,7 @@ class Observer {
 /// The march stopped at a crank angle where nothing balances the load; `result` holds all up to the last good one.
 class StoppedCycle : public ConvergenceError {
  public:
+  /// What was solved goes with it.
   StoppedCycle(const std::string& message, std::optional<double> crank_angle_deg, CycleResult result_so_far)
       : ConvergenceError(message, crank_angle_deg), result(std::move(result_so_far)) {}
   CycleResult result;

@@ -34,6 +34,7 @@ struct SurfaceOrigin {
   std::vector<std::string> notes;  ///< what the user said, what was chosen, what is odd
 };
 
+/// A map of heights as read, and where it came from.
 struct SurfaceFile {
   surface::HeightMap map;
   SurfaceOrigin origin;
@@ -41,6 +42,7 @@ struct SurfaceFile {
   std::string plausibility_line;
 };
 
+/// A trace as read, its places as measured, and where it came from.
 struct TraceFile {
   surface::Trace trace;  ///< places that rise; points that were not measured are left out
   SurfaceOrigin origin;

@@ -41,6 +41,7 @@ struct PreparedSurface {
   std::vector<surface::Region> regions;  ///< empty: the whole map
 };
 
+/// Level and filtered as the analysis says.
 PreparedSurface prepare_surface(const SurfaceFile& file, const SurfaceAnalysis& analysis);
 
 /// Measures of each region of a prepared surface, or of the whole map, less the moments of the instrument's noise.

@@ -27,7 +27,7 @@ struct Provenance {
   std::string compiler;  ///< name, version, build type
   std::string kernels;   ///< inner loops that found the films, and how many at once: "avx512, 1 lane"; of a run alone
 };
-Provenance this_program();
+Provenance this_program();  ///< of this build
 
 /// The same for a run of this program that marches by itself, in one lane.
 Provenance this_run();

@@ -88,6 +88,9 @@ class BlockWriter {
         column({"base", "", "", "base case of the scenario, counted from 0 in base_name", "", ""}, Stored::kInteger);
     define_factors();
     solved_ = column({"solved", "1", "", "1 where the scenario was solved", "", ""}, Stored::kByte);
+    sample_ = column({"sample", "1", "",
+                      "1 where the scenario is one of a sample, of which means and quantiles may be taken", "", ""},
+                     Stored::kByte);
     for (const auto& quantity : cycle::cycle_quantities()) {
       values_.push_back(column(quantity, Stored::kDouble));
       file_.describe(quantity.name, "coordinates", coordinates_);
@@ -162,6 +165,9 @@ class BlockWriter {
     std::fill(numbers.begin(), numbers.end(), 1.0);
     for (const auto& one : unsolved) numbers.at(one.scenario - block.first) = 0;
     put(solved_, block, numbers);
+    for (std::uint64_t k = 0; k < block.size(); ++k)
+      numbers[k] = rows_.plan.is_sample(rows_.plan.point_of(block.first + k)) ? 1.0 : 0.0;
+    put(sample_, block, numbers);
     for (std::size_t i = 0; i < values_.size(); ++i) put(values_[i], block, rows_.values(i, block));
     std::move(unsolved.begin(), unsolved.end(), std::back_inserter(waiting_));
     if (waiting_.size() >= kBlock) put_unsolved(kBlock);
@@ -200,7 +206,7 @@ class BlockWriter {
   const std::uint64_t n_;
   const std::size_t n_angles_;
   std::string coordinates_;
-  std::optional<int> base_, solved_, unsolved_, reasons_;
+  std::optional<int> base_, solved_, sample_, unsolved_, reasons_;
   std::vector<std::optional<int>> factors_, values_, curves_;
   std::vector<ShardReader::Unsolved> waiting_;
   std::uint64_t n_unsolved_ = 0;  ///< written

@@ -17,14 +17,14 @@ struct StudyRows {
 
   /// A cycle value of all scenarios, or of some; `i` counts cycle::cycle_quantities(). NaN where not solved.
   std::vector<double> values(std::size_t i) const;
-  std::vector<double> values(std::size_t i, const study::ScenarioRange& range) const;
+  std::vector<double> values(std::size_t i, const study::ScenarioRange& range) const;  ///< in the order of the plan
   /// A curve of some scenarios at some angles, index [angle][scenario]; `i` counts study::Keep::quantities. NaN where
   /// not solved.
   std::vector<float> curve(std::size_t i, std::size_t first_angle, std::size_t n_angles,
                            const study::ScenarioRange& range) const;
-  std::vector<ShardReader::Unsolved> unsolved() const;
-  std::vector<ShardReader::Unsolved> unsolved(const study::ScenarioRange& range) const;
-  std::uint64_t n_unsolved() const;
+  std::vector<ShardReader::Unsolved> unsolved() const;  ///< of all scenarios, in their order
+  std::vector<ShardReader::Unsolved> unsolved(const study::ScenarioRange& range) const;  ///< of a range
+  std::uint64_t n_unsolved() const;                                                      ///< how many
 
   /// What must be known about the plan and how it ended, one sentence each.
   std::vector<std::string> notes() const;

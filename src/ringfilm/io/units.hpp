@@ -9,6 +9,7 @@ namespace ringfilm::io {
 /// What is wrong with a quantity, as the end of a sentence ("has no unit"), and what to write instead.
 class UnitError : public std::runtime_error {
  public:
+  /// The rule that was broken, and what to write.
   UnitError(const std::string& predicate, const std::string& what_to_write)
       : std::runtime_error(predicate), remedy(what_to_write) {}
   std::string remedy;  ///< may be empty
@@ -21,8 +22,8 @@ struct Scale {
   double divisor = 1;
   double offset = 0;
 
-  double to_si(double value) const { return value * factor / divisor + offset; }
-  double from_si(double value) const { return (value - offset) * divisor / factor; }
+  double to_si(double value) const { return value * factor / divisor + offset; }      ///< value in SI
+  double from_si(double value) const { return (value - offset) * divisor / factor; }  ///< value in this unit
 };
 
 /// Reads units. Holds the unit system, so building one takes some milliseconds; each thread may have its own.
@@ -30,8 +31,8 @@ class Units {
  public:
   Units();
   ~Units();
-  Units(Units&&) noexcept;
-  Units& operator=(Units&&) noexcept;
+  Units(Units&&) noexcept;             ///< moved, not copied: it holds a system of units
+  Units& operator=(Units&&) noexcept;  ///< moved, not copied
 
   /// The value in `si_unit` of a text such as "82.5 mm". Throws UnitError for: no number, comma decimal, NaN, infinity,
   /// no unit, unknown unit, gauge pressure, another dimension, a speed without rpm or rad, a temperature in other than

@@ -23,6 +23,7 @@ struct ContactQuintic {
 /// Convention: 2/E_prime = sum (1 - nu^2)/E goes with 8 sqrt(2)/15.
 class GreenwoodTripp {
  public:
+  /// What a pair of surfaces brings.
   struct Parameters {
     double N;        ///< density of asperity peaks [1/m2]
     double beta;     ///< mean radius of asperity summits [m]
@@ -31,7 +32,7 @@ class GreenwoodTripp {
     ContactIntegralForm form = ContactIntegralForm::kExact;
   };
 
-  explicit GreenwoodTripp(const Parameters& parameters);
+  explicit GreenwoodTripp(const Parameters& parameters);  ///< all of them above zero
 
   /// Pressure on the nominal area at the separation h [m], its slope and the real contact area per nominal area.
   struct Contact {
@@ -39,14 +40,14 @@ class GreenwoodTripp {
     double pressure_slope;  ///< dp_a/dh [Pa/m]
     double area_share;      ///< A_a/A [-]
   };
-  Contact contact(double h) const;
+  Contact contact(double h) const;  ///< at separation h [m]
 
   /// p_a and dp_a/dh alone, for the inner loop. Below h = 0 both continue along the tangent; NaN gives NaN.
   void pressure(double h, double& p_a, double& dp_a_dh) const;
 
-  const Parameters& parameters() const { return parameters_; }
-  double pressure_scale() const { return pressure_scale_; }  ///< p_a/F_5/2 [Pa]
-  double area_scale() const { return area_scale_; }          ///< (A_a/A)/F_2 [-]
+  const Parameters& parameters() const { return parameters_; }  ///< as given
+  double pressure_scale() const { return pressure_scale_; }     ///< p_a/F_5/2 [Pa]
+  double area_scale() const { return area_scale_; }             ///< (A_a/A)/F_2 [-]
 
   /// What may stand for the integrals of the exact form; nullptr for the other forms.
   const ContactFit* fit() const { return quintics_ ? nullptr : &contact_fit(); }

@@ -15,10 +15,10 @@ class CyclePressure {
   /// cycle later. Positive pressures.
   CyclePressure(std::vector<double> crank_angle_deg, std::vector<double> pressure);
 
-  double pressure(double crank_angle_deg) const;
+  double pressure(double crank_angle_deg) const;  ///< [Pa], absolute
   /// Largest sample and its angle in [0, 720).
   double peak() const;
-  double peak_angle_deg() const;
+  double peak_angle_deg() const;  ///< of the highest pressure [degree]
 
  private:
   std::vector<double> angle_, pressure_;

@@ -31,8 +31,8 @@ class OilAtTemperature {
   /// Polynomials that may stand for the laws within their range of pressure; nullptr where there are none.
   virtual const OilFit* fit() const { return nullptr; }
 
-  double density(double p) const;
-  double viscosity(double p) const;
+  double density(double p) const;    ///< [kg/m3]
+  double viscosity(double p) const;  ///< [Pa s]
 };
 
 enum class DensityTemperatureLaw { kTable, kThermalExpansivity };
@@ -47,7 +47,7 @@ struct DensityLaw {
 
   /// Linear between and beyond the points, or rho(theta_0) [1 - gamma (T - theta_0)]; eq-density-temperature [kg/m3].
   double density(double T) const;
-  bool extrapolates(double T) const;
+  bool extrapolates(double T) const;  ///< does T [K] lie outside the points?
 };
 
 /// Kinematic viscosity against temperature after ASTM D341 (Walther) through two points (least squares through more):

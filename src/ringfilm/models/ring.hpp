@@ -16,15 +16,15 @@ class RingFace {
   /// Measured points, linear between them: no shape is invented. x [m] increasing, covers 0 to b; else InputError.
   static RingFace points(std::vector<double> x, std::vector<double> height, double face_width);
 
-  double height(double x) const;  ///< as given, without taking the minimum off [m]
-  double face_width() const { return face_width_; }
+  double height(double x) const;                     ///< as given, without taking the minimum off [m]
+  double face_width() const { return face_width_; }  ///< b [m]
 
   /// True minimum over the face (not only over sample points) and where it lies.
   struct Minimum {
     double x;       ///< [m]
     double height;  ///< [m]
   };
-  Minimum minimum() const;
+  Minimum minimum() const;  ///< lowest point of the face
 
   /// x -> b - x.
   RingFace turned() const;

@@ -8,6 +8,7 @@ namespace ringfilm::pad {
 /// The film could not be solved, or not to the end; `result` holds all up to the last good instant.
 class StoppedPad : public ConvergenceError {
  public:
+  /// What was solved goes with it.
   StoppedPad(const std::string& message, PadResult result_so_far)
       : ConvergenceError(message), result(std::move(result_so_far)) {}
   PadResult result;

@@ -12,6 +12,7 @@
 /// Many scenarios at once: threads, and on each of them the lanes of a vector register.
 namespace ringfilm::study {
 
+/// How a batch is computed; none of it changes a number.
 struct BatchOptions {
   int threads = 0;  ///< 0: as many as the machine runs at once
   /// How a case is made ready: empty, by cycle::prepare. One's own may bring another oil (cycle::OwnOil); it is called
@@ -27,7 +28,7 @@ struct Ending {
   std::optional<cycle::Stop> stop;    ///< why the march stopped
   std::optional<InputError> refusal;  ///< why the case could not be prepared, or which rules it breaks
 
-  bool is_solved() const { return !stop && !refusal; }
+  bool is_solved() const { return !stop && !refusal; }  ///< neither stopped nor refused
   /// Why not, on one line; empty if solved.
   std::string reason() const;
 };

@@ -36,7 +36,7 @@ struct LedgerPlan {
   std::vector<LedgerEntry> entries;  ///< variants with their settings alone
   std::vector<cycle::Case> cases;    ///< those of all variants, entry by entry, and at last the case itself
 };
-LedgerPlan ledger_plan(const cycle::Case& c);
+LedgerPlan ledger_plan(const cycle::Case& c);  ///< which choices can be lifted
 
 /// The ledger of a plan whose cases ended like this, in their order. @param own values of the case as it is told; a
 /// value that a setting does not move, bit by bit among the cases of the plan, is that one. Throws std::logic_error if

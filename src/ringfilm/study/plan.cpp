@@ -262,6 +262,10 @@ std::vector<std::string> Plan::notes() const {
         "means, quantiles and their intervals presume that the points of the list were drawn at random from what the "
         "factors may be; of points that were chosen otherwise they say nothing about how likely a value is");
   }
+  if (sampling.indices != Indices::kNone && sampling.scenarios < kFewRows) {
+    notes.push_back("indices from " + std::to_string(sampling.scenarios) + " rows, fewer than " +
+                    std::to_string(kFewRows) + ", can be further off than their intervals tell");
+  }
   if (sampling.method == Method::kOneAtATime && !study_.correlations.empty()) {
     notes.push_back("one factor at a time: the others stay at their medians, and correlations play no part");
   }

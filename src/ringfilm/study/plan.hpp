@@ -90,6 +90,9 @@ class Plan {
   MorrisTrajectories trajectories_;
 };
 
+/// With fewer rows the bootstrap does not see how uneven they are; docs/theory/study.md.
+inline constexpr std::uint64_t kFewRows = 64;
+
 /// Where the numbers of a distribution lie in a plan that wants levels: shares of its probability [-].
 inline constexpr double kLowShare = 0.05, kHighShare = 0.95;          ///< one at a time, about the median
 inline constexpr double kLowestShare = 0.005, kHighestShare = 0.995;  ///< ends of a trajectory of Morris

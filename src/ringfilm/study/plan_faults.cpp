@@ -356,7 +356,20 @@ void check_list(const Study& study, Faults& faults) {
   }
 }
 
+/// Pictures of a kind that the plan cannot give would be missing without a word.
+void check_kind(const Study& study, Faults& faults) {
+  const Method method = study.sampling.method;
+  if (study.kind == StudyKind::kMap && method != Method::kGrid) {
+    faults.push_back({{}, "kind = \"map\" without a grid", "a map is drawn over method = \"grid\""});
+  }
+  if (study.kind == StudyKind::kScreening && method != Method::kMorris && method != Method::kOneAtATime) {
+    faults.push_back(
+        {{}, "kind = \"screening\" without trajectories", "write method = \"morris\", or \"one-at-a-time\""});
+  }
+}
+
 void check_sampling(const Study& study, Faults& faults) {
+  check_kind(study, faults);
   const Sampling& sampling = study.sampling;
   const auto refuse = [&faults](const std::string& message, const std::string& remedy) {
     faults.push_back({{}, message, remedy});

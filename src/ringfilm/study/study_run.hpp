@@ -29,15 +29,16 @@ struct ScenarioChunk {
 /// Scenarios from `first` to before `end`.
 struct ScenarioRange {
   std::uint64_t first = 0, end = 0;
-  std::uint64_t size() const { return end - first; }
+  std::uint64_t size() const { return end - first; }  ///< how many
 };
 
 /// The scenarios of part `part` (from 1) of `parts` that differ by one scenario at the most. Throws InputError unless
 /// 1 <= part <= parts.
 ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::uint64_t parts);
 
-enum class GoOn { kYes, kNo };
+enum class GoOn { kYes, kNo };  ///< what an observer wants
 
+/// How a study is run; none of it changes a number.
 struct StudyRunOptions {
   BatchOptions batch;
   std::uint64_t most_rows = 256;  ///< in one chunk; fewer where their curves are more than 16 MB

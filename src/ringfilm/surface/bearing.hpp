@@ -43,6 +43,7 @@ enum class CavityRule {
   below_core,     ///< below the core of the bearing curve: a share of 1 - Mr2
 };
 
+/// Cavities of a surface: what lies below a threshold.
 struct Cavities {
   double area_share = 0.0;    ///< of the measured points, 0 to 1
   double threshold_m = 0.0;   ///< height below which a point counts [m]

@@ -10,11 +10,13 @@
 /// A measured trace over a ring face to the shape that a case wants (docs/theory/face.md).
 namespace ringfilm::surface {
 
+/// Which way the heights of a trace count.
 enum class HeightSense {
   kMaterial,  ///< heights count away from the ring, as a stylus has them: the land is high
   kGap        ///< heights are the gap to a straight liner, as in a case: the land is low
 };
 
+/// How the tilt of the holder is taken off.
 enum class FaceLevelling {
   kNone,    ///< as measured
   kStated,  ///< the stated tilt is taken off
@@ -22,8 +24,9 @@ enum class FaceLevelling {
 };
 
 enum class FaceDirection { kAsMeasured, kTurned };  ///< turned: x = 0 is the end of the trace
-enum class FaceZero { kLowestPoint, kAsMeasured };
+enum class FaceZero { kLowestPoint, kAsMeasured };  ///< where the face has its height zero
 
+/// What a trace does not tell, and what may be stated about its fit.
 struct FaceRule {
   HeightSense sense{};
   double width_m = 0;             ///< of the face, b [m]
@@ -44,20 +47,23 @@ struct FaceResidual {
   double rms_m = 0, largest_m = 0, largest_at_m = 0;
 };
 
+/// Why a shape counts as invented.
 enum class InventionReason {
   kDeparts,             ///< polynomial and trace lie apart by more than the noise
   kTurnNotInTrace,      ///< the polynomial's gap falls there, that of the trace does not
   kFallsTowardsTheEdge  ///< both fall towards the edge, as no worn ring against a straight liner does
 };
 
+/// A stretch where the polynomial has a shape that the trace has not.
 struct InventedShape {
   double from_m = 0, to_m = 0;
   InventionReason reason{};
   double size_m = 0;  ///< largest distance, or fall [m]
 
-  std::string words() const;
+  std::string words() const;  ///< the same as a sentence
 };
 
+/// A face: polynomial and spline through a trace, and how far they are from it.
 struct FaceFit {
   std::vector<double> x_m;    ///< from 0 to the width [m]
   std::vector<double> gap_m;  ///< of the trace, levelled and aligned [m]

@@ -23,15 +23,16 @@ struct ShearStrength {
   double reference_deviation = 0;    ///< from the value taken over for psi; common to all samples [-]
   double low = 0, high = 0;          ///< 95 % interval, not below 0 [-]
 
-  double deviation() const;
+  double deviation() const;  ///< one standard deviation, all shares [-]
 };
 
+/// Coefficients of several samples and what their errors have in common.
 struct ShearStrengths {
   std::vector<ShearStrength> samples;
   /// Of zeta of all samples, row after row: those of one calibration rise and fall together, eq-zeta-covariance.
   std::vector<double> covariance;
 
-  double correlation(std::size_t i, std::size_t j) const;
+  double correlation(std::size_t i, std::size_t j) const;  ///< of the errors of two samples [-]
 };
 
 /// Throws InputError where loads of samples and calibration differ in kind, or a slope is not positive.

@@ -10,7 +10,7 @@ namespace ringfilm::surface {
 
 /// Mean and scatter of N, beta and sigma, in this order, over regions or maps of one surface or pair; eq-scatter.
 struct ParameterScatter {
-  using Matrix = std::array<std::array<double, 3>, 3>;
+  using Matrix = std::array<std::array<double, 3>, 3>;  ///< rows and columns: N, beta, sigma
 
   std::size_t count = 0;
   std::array<double, 3> mean{};      ///< arithmetic means [1/m^2, m, m]
@@ -44,6 +44,7 @@ struct PairScatter {
   std::string without_scatter;  ///< empty, "first", "second" or "both"
 };
 
+/// Contact parameters of a pair from the regions of both, with their scatter.
 PairScatter scatter_of_pair(std::span<const SurfaceMeasures> first, std::span<const SurfaceMeasures> second,
                             SigmaRule rule);
 

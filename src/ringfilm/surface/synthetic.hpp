@@ -50,6 +50,7 @@ struct HonedSurface {
   double groove_width_m = 12e-6;    ///< at the top
 };
 
+/// A honed liner; the same seed gives the same heights.
 HeightMap honed_surface(const SurfaceGrid& grid, const HonedSurface& of, std::uint64_t seed);
 
 /// A sprayed face with pores: a Gaussian surface with holes where a second, independent one is lowest. The share of the
@@ -68,6 +69,7 @@ struct PorousMap {
   std::vector<std::uint8_t> pore;  ///< 1 where a pore is
 };
 
+/// A porous face; the same seed gives the same heights.
 PorousMap porous_surface(const SurfaceGrid& grid, const PorousSurface& of, std::uint64_t seed);
 
 }  // namespace ringfilm::surface

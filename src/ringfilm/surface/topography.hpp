@@ -18,10 +18,11 @@ struct HeightMap {
   std::vector<double> height_m;       ///< points_x * points_y [m]
   std::vector<std::uint8_t> missing;  ///< 1 where there is no height; empty when every point was measured
 
-  std::size_t points() const { return points_x * points_y; }
+  std::size_t points() const { return points_x * points_y; }  ///< measured or not
+  /// Of a point, row after row.
   std::size_t index(std::size_t column, std::size_t row) const { return row * points_x + column; }
-  bool measured(std::size_t point) const { return missing.empty() || missing[point] == 0; }
-  bool is_profile() const { return points_y == 1; }
+  bool measured(std::size_t point) const { return missing.empty() || missing[point] == 0; }  ///< is there a height?
+  bool is_profile() const { return points_y == 1; }                                          ///< one row
 };
 
 /// Refuses a map that no analysis can take: sizes that do not fit, steps that are no positive lengths, a map of one

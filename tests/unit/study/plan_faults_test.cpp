@@ -175,6 +175,8 @@ TEST(PlanFaults, OfPlans) {
                 s.factors = {factor("lubricant.file", files), factor("lubricant.table", files)};
               }),
               HasSubstr("chooses files for lubricant.table, as factor \"lubricant.file\" does"));
+  EXPECT_THAT(of([](Study& s) { s.kind = StudyKind::kMap; }), HasSubstr("kind = \"map\" without a grid"));
+  EXPECT_THAT(of([](Study& s) { s.kind = StudyKind::kScreening; }), HasSubstr("without trajectories"));
   Study vast = study_of({}, Method::kGrid);
   for (const std::string& key : some_keys())
     vast.factors.push_back(factor(key, Span{1, 2, 1000, Spacing::kLinear}, How::kScale));

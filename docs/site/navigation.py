@@ -1,0 +1,29 @@
+"""What stands where in the site, in the order in which a reader needs it.
+
+A name without an ending is a page of docs/manual. Pages of docs/manual that stand nowhere here are added at the end of
+"Reference", so that none is lost.
+"""
+
+# (caption, pages)
+SECTIONS = [
+    ("Begin here", ["five-minutes", "install", "command-line", "case-file", "report"]),
+    ("From scan to friction", ["measured-chain", "surfaces", "surface-files", "face", "lateral-force", "measurement-files"]),
+    ("Many cases", ["study", "performance"]),
+    ("Other films", ["unrolled", "pad"]),
+    ("Tutorials", ["docs/tutorials/*"]),
+    ("From programs", ["python", "matlab", "library", "examples/*/README", "result-file"]),
+    ("Reference", ["case-keys", "docs/glossary", "docs/references", "docs/api/python", "docs/api/cpp"]),
+    ("Theory", ["docs/theory/README", "docs/theory/*"]),
+    ("Whether to believe it", ["verification", "robustness", "verification/*/README", "cases/measured/README"]),
+    ("To carry it on", ["CONTRIBUTING", "adding-*", "docs/decisions/*", "CHANGELOG"]),
+]
+
+# Shorter words for the list at the side than the page's own heading.
+TITLES = {
+    "docs/manual/five-minutes": "A cycle in five minutes",
+    "docs/manual/case-keys": "Every key of a case",
+    "docs/theory/README": "What is solved",
+    "CHANGELOG": "Changes",
+    "CONTRIBUTING": "Contributing",
+    "cases/measured/README": "The synthetic measurements",
+}

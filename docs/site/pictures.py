@@ -1,0 +1,36 @@
+"""Makes the pictures and example pages of the site with the program as it is now.
+
+usage: pictures.py STAGE FOLDER      (`ringfilm` in PATH; FOLDER is copied into the site as it is)
+"""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def run(*words):
+    subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+
+
+def main(stage, folder):
+    # The figure of the first page, drawn by the script that drew the stored one.
+    run(sys.executable, str(ROOT / "docs" / "figures" / "overview.py"), shutil.which("ringfilm"), str(stage / "docs" / "figures" / "overview.svg"))
+    examples = folder / "examples"
+    shutil.rmtree(examples, ignore_errors=True)
+    examples.mkdir(parents=True)
+    with tempfile.TemporaryDirectory() as scratch:
+        scratch = pathlib.Path(scratch)
+        run("ringfilm", "reproduce", "styles2014", "--output", str(scratch / "paper"))
+        shutil.copyfile(next((scratch / "paper").glob("*.html")), examples / "report.html")
+        run("ringfilm", "study", str(ROOT / "cases" / "studies" / "new_ring_uncertainty.toml"), "-o", str(scratch / "study.nc"))
+        shutil.copyfile(scratch / "study.html", examples / "study.html")
+        run("ringfilm", "verify", "--output", str(examples / "verification.html"))
+    print(f"docs: {len(list(examples.iterdir()))} example pages")
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))
