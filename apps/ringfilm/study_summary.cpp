@@ -45,7 +45,7 @@ class Summary {
       if (plan_.study().sampling.indices != study::Indices::kNone && quantities[i].name == study::main_values().front())
         indices_ = indices_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i].name, base);
       if (plan_.study().sampling.method == study::Method::kMorris && quantities[i].name == study::main_values().front())
-        indices_ = screening_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i]);
+        indices_ = screening_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i], base);
     }
     text_ += std::exchange(indices_, "");
   }
@@ -86,24 +86,26 @@ class Summary {
   }
 
   /// Factors by the size of their elementary effects, strongest first.
-  std::string screening_text(const std::vector<double>& values, const cycle::Quantity& of) const {
+  std::string screening_text(const std::vector<double>& values, const cycle::Quantity& of, std::size_t base) const {
     const auto effects = study::morris_effects(plan_.trajectories(), values);
+    const auto moves = [&](std::size_t j) { return study::applies(plan_.study().factors[j], base); };
     std::vector<std::size_t> order;
     for (std::size_t j = 0; j < effects.size(); ++j) {
-      if (effects[j]) order.push_back(j);
+      if (effects[j] && moves(j)) order.push_back(j);
     }
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return effects[a]->mean_absolute > effects[b]->mean_absolute;
     });
-    std::string text =
-        fmt::format("  elementary effects on {} over the whole range of each factor (Morris)\n", of.name);
+    std::string text = fmt::format(
+        "  elementary effects on {} over the whole range of each factor (Morris), with 95 % intervals\n", of.name);
     for (const std::size_t j : order) {
       text += fmt::format("    {:<36} mu* {:>14} +- {:>14}   sigma {:>14}\n", plan_.study().factors[j].name,
-                          shown(of, effects[j]->mean_absolute), shown(of, effects[j]->mean_absolute_error),
+                          shown(of, effects[j]->mean_absolute),
+                          shown(of, study::mean_half_width(effects[j]->count) * effects[j]->mean_absolute_error),
                           shown(of, effects[j]->deviation));
     }
     for (std::size_t j = 0; j < effects.size(); ++j) {
-      if (!effects[j])
+      if (!effects[j] && moves(j))
         text += fmt::format("    {:<36} no effect known: too few solved\n", plan_.study().factors[j].name);
     }
     return text;

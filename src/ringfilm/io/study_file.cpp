@@ -14,12 +14,12 @@
 #include "ringfilm/io/study_table.hpp"
 #include "ringfilm/io/units.hpp"
 #include "ringfilm/study/measured_factors.hpp"
+#include "ringfilm/study/study_words.hpp"
 
 namespace ringfilm::io {
 namespace {
 
 using study::Method;
-using study::StudyKind;
 
 class StudyReader {
  public:
@@ -33,12 +33,7 @@ class StudyReader {
     StudyTable table(root, "a study",
                      {"title", "kind", "seed", "base", "factor", "measured", "correlation", "plan", "keep"}, faults_);
     study_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
-    study_.kind = table
-                      .chosen<StudyKind>("kind", {{"map", StudyKind::kMap},
-                                                  {"uncertainty", StudyKind::kUncertainty},
-                                                  {"compare", StudyKind::kCompare},
-                                                  {"screening", StudyKind::kScreening}})
-                      .value_or(StudyKind::kUncertainty);
+    study_.kind = table.chosen("kind", study::kind_words()).value_or(study_.kind);
     study_.seed = table.count("seed").value_or(study_.seed);
     const std::vector<TomlValue> bases = table.items("base");
     for (const TomlValue& base : bases) read_base(base);

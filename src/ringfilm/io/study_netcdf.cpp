@@ -8,6 +8,7 @@
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/result_file_writer.hpp"
 #include "ringfilm/io/study_curves.hpp"
+#include "ringfilm/study/study_words.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -23,20 +24,6 @@ constexpr std::size_t kRings = 1;
 
 /// Scenarios that are written at once, and that make a compressed piece; fewer where curves are kept in full.
 constexpr std::uint64_t kBlock = 4096, kCurveBlock = 256;
-
-const char* kind_name(study::StudyKind kind) {
-  switch (kind) {
-    case study::StudyKind::kMap:
-      return "map";
-    case study::StudyKind::kUncertainty:
-      return "uncertainty";
-    case study::StudyKind::kCompare:
-      return "compare";
-    case study::StudyKind::kScreening:
-      return "screening";
-  }
-  return "";
-}
 
 /// Numbers along a dimension that is stored in whole pieces.
 std::uint64_t padded(std::uint64_t n, std::uint64_t piece) { return n < piece ? n : (n + piece - 1) / piece * piece; }
@@ -66,7 +53,7 @@ void write_head(ResultFileWriter& file, const StudyRows& rows) {
   const Provenance program = this_program();
   file.attribute("title", study.title);
   file.attribute("ringfilm_study_schema", kStudySchema);
-  file.attribute("kind", std::string(kind_name(study.kind)));
+  file.attribute("kind", study::word_of(study.kind));
   file.attribute("seed", static_cast<long>(study.seed));
   file.attribute("program", program.program);
   file.attribute("commit", program.commit);

@@ -15,7 +15,8 @@ nlohmann::ordered_json study_head(const io::StudyRows& rows, const io::Units& un
 /// and the comparison of bases and choices, as far as the plan has them.
 void add_study_values(const io::StudyRows& rows, const io::Units& units, nlohmann::ordered_json& payload);
 
-/// Values at the points of a grid, and an even subset of all points for a Stribeck curve.
+/// Values at the points of a grid, unless it has more than the page can hold, and an even subset of the points of each
+/// base for a Stribeck curve.
 void add_study_points(const io::StudyRows& rows, nlohmann::ordered_json& payload);
 
 /// Bands of the curves that were kept; none where they were not.

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/report/payload_numbers.hpp"
 #include "ringfilm/report/payload_study.hpp"
+#include "ringfilm/report/unsolved_reasons.hpp"
 #include "ringfilm/study/main_values.hpp"
+#include "ringfilm/study/study_words.hpp"
+#include "ringfilm/study/swing.hpp"
 
 namespace ringfilm::report {
 namespace {
@@ -15,38 +17,8 @@ using nlohmann::ordered_json;
 
 /// Listed values that are told in words, reasons that are told.
 constexpr std::size_t kToldValues = 12, kToldReasons = 12;
-
-const char* kind_word(study::StudyKind kind) {
-  switch (kind) {
-    case study::StudyKind::kMap:
-      return "map";
-    case study::StudyKind::kUncertainty:
-      return "uncertainty";
-    case study::StudyKind::kCompare:
-      return "compare";
-    case study::StudyKind::kScreening:
-      return "screening";
-  }
-  return "";
-}
-
-const char* method_word(study::Method method) {
-  switch (method) {
-    case study::Method::kGrid:
-      return "grid";
-    case study::Method::kOneAtATime:
-      return "one-at-a-time";
-    case study::Method::kLatinHypercube:
-      return "latin-hypercube";
-    case study::Method::kSobol:
-      return "sobol";
-    case study::Method::kList:
-      return "list";
-    case study::Method::kMorris:
-      return "morris";
-  }
-  return "";
-}
+/// Scenarios whose reasons are held in memory at once.
+constexpr std::uint64_t kBlock = 4096;
 
 /// How a factor varies, in words and in the units that people read.
 class VariationWords {
@@ -144,6 +116,7 @@ ordered_json factor_object(const study::Study& study, const study::Factor& facto
           {"display_unit", factor.display_unit},
           {"words", std::visit(VariationWords(factor, units), factor.variation)},
           {"choices", std::move(choices)},
+          {"listed", study::swing_ends(factor.variation) == study::SwingEnds::kValues},
           {"logarithmic", std::holds_alternative<study::Span>(factor.variation) &&
                               std::get<study::Span>(factor.variation).spacing == study::Spacing::kLogarithmic},
           {"origin", is_measured ? "measured" : "stated"},
@@ -151,25 +124,20 @@ ordered_json factor_object(const study::Study& study, const study::Factor& facto
 }
 
 ordered_json unsolved_object(const io::StudyRows& rows) {
-  struct Reason {
-    std::uint64_t count = 0, first = 0;
-  };
-  std::map<std::string, Reason> reasons;
-  std::uint64_t n = 0;
-  for (const auto& [scenario, reason] : rows.unsolved()) {
-    Reason& known = reasons[reason];
-    if (known.count++ == 0) known.first = scenario;
-    ++n;
+  UnsolvedReasons reasons;
+  for (std::uint64_t first = 0; first < rows.plan.size(); first += kBlock) {
+    for (const auto& one : rows.unsolved({first, std::min(first + kBlock, rows.plan.size())}))
+      reasons.add(one.scenario, one.reason);
   }
-  std::vector<std::pair<std::string, Reason>> ordered(reasons.begin(), reasons.end());
-  std::stable_sort(ordered.begin(), ordered.end(),
-                   [](const auto& a, const auto& b) { return a.second.count > b.second.count; });
   ordered_json told = ordered_json::array();
+  const std::vector<UnsolvedReasons::Reason> ordered = reasons.most_frequent_first();
   for (std::size_t i = 0; i < std::min(ordered.size(), kToldReasons); ++i) {
-    told.push_back(
-        {{"reason", ordered[i].first}, {"count", ordered[i].second.count}, {"first", ordered[i].second.first}});
+    told.push_back({{"reason", ordered[i].text},
+                    {"count", ordered[i].count},
+                    {"first", ordered[i].first},
+                    {"numbers_differ", ordered[i].numbers_differ}});
   }
-  return {{"count", n}, {"n_reasons", ordered.size()}, {"reasons", std::move(told)}};
+  return {{"count", reasons.count()}, {"n_reasons", ordered.size()}, {"reasons", std::move(told)}};
 }
 
 }  // namespace
@@ -196,15 +164,15 @@ ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const
   for (const cycle::InputFile& file : rows.file.files)
     files.push_back({{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}});
   return {{"title", study.title},
-          {"kind", kind_word(study.kind)},
-          {"method", method_word(study.sampling.method)},
+          {"kind", study::word_of(study.kind)},
+          {"method", study::word_of(study.sampling.method)},
           {"seed", study.seed},
           {"scenarios", rows.plan.size()},
           {"points_per_row", rows.plan.points_per_row()},
           {"has_sample", study::has_sample(rows.plan)},
           {"has_indices", study.sampling.indices != study::Indices::kNone},
           {"unsolved", unsolved_object(rows)},
-          {"notes", rows.plan.notes()},
+          {"notes", rows.notes()},
           {"bases", std::move(bases)},
           {"factors", std::move(factors)},
           {"correlations", std::move(correlations)},

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/report/even_pick.hpp"
 #include "ringfilm/report/payload_numbers.hpp"
 #include "ringfilm/report/payload_study.hpp"
 
@@ -26,7 +28,8 @@ struct Axis {
   std::vector<std::size_t> kept;
 };
 
-std::vector<Axis> axes_of(const study::Plan& plan, std::size_t base) {
+/// Nothing where the page cannot hold the grid with two levels of each axis.
+std::optional<std::vector<Axis>> axes_of(const study::Plan& plan, std::size_t base) {
   std::vector<Axis> axes;
   const auto& factors = plan.study().factors;
   for (std::size_t j = 0; j < factors.size(); ++j) {
@@ -44,7 +47,7 @@ std::vector<Axis> axes_of(const study::Plan& plan, std::size_t base) {
   while (!axes.empty() && points() * plan.study().bases.size() > kMostGridPoints) {
     Axis& longest = *std::max_element(axes.begin(), axes.end(),
                                       [](const Axis& a, const Axis& b) { return a.kept.size() < b.kept.size(); });
-    if (longest.kept.size() < 4) break;
+    if (longest.kept.size() < 3) return std::nullopt;
     std::vector<std::size_t> fewer;
     for (std::size_t k = 0; k < longest.kept.size(); k += 2) fewer.push_back(longest.kept[k]);
     if (fewer.back() != longest.kept.back()) fewer.push_back(longest.kept.back());
@@ -66,10 +69,20 @@ std::vector<std::uint64_t> kept_points(const std::vector<Axis>& axes) {
   return points;
 }
 
-ordered_json grid_object(const study::Plan& plan, const std::vector<std::vector<double>>& columns) {
+/// Null where one of the bases has more points than the page can hold.
+ordered_json grid_object(const io::StudyRows& rows) {
+  const study::Plan& plan = rows.plan;
+  std::vector<std::vector<Axis>> all_axes;
+  for (std::size_t b = 0; b < plan.study().bases.size(); ++b) {
+    auto axes = axes_of(plan, b);
+    if (!axes) return nullptr;
+    all_axes.push_back(std::move(*axes));
+  }
+  std::vector<std::vector<double>> columns;
+  for (const std::string& name : kMapped) columns.push_back(rows.values(place_of(name)));
   ordered_json bases = ordered_json::array();
   for (std::size_t b = 0; b < plan.study().bases.size(); ++b) {
-    const std::vector<Axis> axes = axes_of(plan, b);
+    const std::vector<Axis>& axes = all_axes[b];
     const std::vector<std::uint64_t> points = kept_points(axes);
     ordered_json described = ordered_json::array(), values = ordered_json::object();
     for (const Axis& axis : axes) {
@@ -88,39 +101,60 @@ ordered_json grid_object(const study::Plan& plan, const std::vector<std::vector<
   return {{"quantities", kMapped}, {"bases", std::move(bases)}};
 }
 
-/// Every so many of the scenarios that were solved, so that no more than `kMostDrawnPoints` are left.
+/// Of each base its share of `kMostDrawnPoints`, evenly picked among its scenarios that were solved; by their number.
+std::vector<std::uint64_t> drawn_scenarios(const study::Plan& plan, const std::vector<bool>& is_solved) {
+  const std::size_t n_bases = plan.study().bases.size();
+  std::vector<std::uint64_t> solved(n_bases), seen(n_bases);
+  std::uint64_t n_solved = 0;
+  for (std::uint64_t i = 0; i < is_solved.size(); ++i) {
+    if (!is_solved[i]) continue;
+    ++solved[plan.base_of(i)];
+    ++n_solved;
+  }
+  std::vector<std::vector<std::uint64_t>> picked(n_bases);
+  for (std::size_t b = 0; b < n_bases; ++b) {
+    const std::uint64_t most =
+        n_solved <= kMostDrawnPoints ? solved[b] : std::max<std::uint64_t>(1, kMostDrawnPoints * solved[b] / n_solved);
+    picked[b] = evenly_picked(solved[b], most);
+  }
+  std::vector<std::size_t> next(n_bases);
+  std::vector<std::uint64_t> drawn;
+  for (std::uint64_t i = 0; i < is_solved.size(); ++i) {
+    if (!is_solved[i]) continue;
+    const std::size_t b = plan.base_of(i);
+    const std::uint64_t place = seen[b]++;
+    if (next[b] == picked[b].size() || picked[b][next[b]] != place) continue;
+    drawn.push_back(i);
+    ++next[b];
+  }
+  return drawn;
+}
+
 ordered_json stribeck_object(const io::StudyRows& rows) {
-  std::vector<std::vector<double>> columns;
-  for (const std::string& name : kStribeck) columns.push_back(rows.values(place_of(name)));
-  std::vector<std::uint64_t> solved;
-  for (std::uint64_t i = 0; i < rows.plan.size(); ++i) {
-    if (std::isfinite(columns[0][i]) && std::isfinite(columns[1][i])) solved.push_back(i);
+  std::vector<bool> is_solved(rows.plan.size(), true);
+  for (const std::size_t q : {0, 1}) {
+    const std::vector<double> values = rows.values(place_of(kStribeck[q]));
+    for (std::uint64_t i = 0; i < values.size(); ++i) is_solved[i] = is_solved[i] && std::isfinite(values[i]);
   }
-  const std::size_t n = std::min(solved.size(), kMostDrawnPoints);
-  ordered_json scenarios = ordered_json::array(), bases = ordered_json::array();
-  std::vector<ordered_json> lists(kStribeck.size(), ordered_json::array());
-  for (std::size_t k = 0; k < n; ++k) {
-    // In whole numbers, so that the same study shows the same points everywhere.
-    const std::uint64_t i = solved[k * solved.size() / n];
-    scenarios.push_back(i);
-    bases.push_back(rows.plan.base_of(i));
-    for (std::size_t q = 0; q < lists.size(); ++q) lists[q].push_back(rounded(columns[q][i], kDigits));
+  const std::vector<std::uint64_t> drawn = drawn_scenarios(rows.plan, is_solved);
+  ordered_json bases = ordered_json::array();
+  for (const std::uint64_t i : drawn) bases.push_back(rows.plan.base_of(i));
+  ordered_json object = {
+      {"of", std::count(is_solved.begin(), is_solved.end(), true)}, {"scenario", drawn}, {"base", std::move(bases)}};
+  for (const std::string& name : kStribeck) {
+    const std::vector<double> values = rows.values(place_of(name));
+    ordered_json list = ordered_json::array();
+    for (const std::uint64_t i : drawn) list.push_back(rounded(values[i], kDigits));
+    object[name] = std::move(list);
   }
-  ordered_json object = {{"of", solved.size()}, {"scenario", std::move(scenarios)}, {"base", std::move(bases)}};
-  for (std::size_t q = 0; q < lists.size(); ++q) object[kStribeck[q]] = std::move(lists[q]);
   return object;
 }
 
 }  // namespace
 
 void add_study_points(const io::StudyRows& rows, ordered_json& payload) {
-  const study::Study& study = rows.plan.study();
-  payload["grid"] = nullptr;
-  if (study.sampling.method == study::Method::kGrid) {
-    std::vector<std::vector<double>> columns;
-    for (const std::string& name : kMapped) columns.push_back(rows.values(place_of(name)));
-    payload["grid"] = grid_object(rows.plan, columns);
-  }
+  const bool is_grid = rows.plan.study().sampling.method == study::Method::kGrid;
+  payload["grid"] = is_grid ? grid_object(rows) : ordered_json(nullptr);
   payload["stribeck"] = stribeck_object(rows);
 }
 

@@ -3,6 +3,8 @@
 #include <limits>
 
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/study_curves.hpp"
+#include "ringfilm/report/even_pick.hpp"
 #include "ringfilm/report/payload_numbers.hpp"
 #include "ringfilm/report/payload_study.hpp"
 #include "ringfilm/report/study_groups.hpp"
@@ -19,7 +21,8 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kDigits = 6;
-const std::vector<double> kShares = {0.05, 0.25, 0.5, 0.75, 0.95};
+/// Numbers of factors that are held in memory at once, 8 MB.
+constexpr std::uint64_t kMostSwungNumbers = std::uint64_t{1} << 20;
 /// Of the curves of convergence: 5 %, 50 %, 95 %.
 const std::vector<double> kConvergingShares = {0.05, 0.5, 0.95};
 
@@ -50,7 +53,7 @@ ordered_json statistics_object(const std::vector<double>& values, const std::vec
   object["mean"] = mean ? mean_object(*mean) : ordered_json(nullptr);
   object["deviation"] = mean ? number(mean->deviation) : ordered_json(nullptr);
   ordered_json quantiles = ordered_json::array();
-  for (const double share : kShares) {
+  for (const double share : io::band_shares()) {
     const study::Quantile q = study::quantile_of(sorted, share);
     quantiles.push_back(with_ends(q.value, q.low, q.high));
   }
@@ -68,24 +71,29 @@ class MainValues {
     ordered_json names = ordered_json::array();
     for (const ComparisonGroup& group : groups_) names.push_back({{"name", group.name}, {"base", group.base}});
     payload_["comparison_groups"] = std::move(names);
-    if (has_swings()) factors_ = io::factor_columns(plan_);
+    if (has_swings()) pick_for_swings();
   }
 
   void add(const std::string& name, const std::vector<double>& all) {
     const bool is_sample = study::has_sample(plan_);
     if (is_sample) payload_["histograms"][name] = histogram_object(all);
     for (std::size_t b = 0; b < plan_.study().bases.size(); ++b) {
-      if (is_sample) payload_["convergence"][name].push_back(convergence_object(of_base(all, b)));
+      if (settles()) payload_["convergence"][name].push_back(convergence_object(of_base(all, b)));
       if (plan_.study().sampling.indices != study::Indices::kNone)
-        payload_["indices"][name].push_back(indices_object(study::values_of_base(plan_, all, b, study::Among::kAll), b));
+        payload_["indices"][name].push_back(
+            indices_object(study::values_of_base(plan_, all, b, study::Among::kAll), b));
       if (has_swings()) payload_["swings"][name].push_back(swings_object(all, b));
       if (plan_.study().sampling.method == study::Method::kMorris)
-        payload_["effects"][name].push_back(effects_object(study::values_of_base(plan_, all, b, study::Among::kAll)));
+        payload_["effects"][name].push_back(
+            effects_object(study::values_of_base(plan_, all, b, study::Among::kAll), b));
     }
     if (!groups_.empty()) payload_["comparison"][name] = comparison_object(all);
   }
 
  private:
+  /// The first points of a list tell nothing of the others: its order is as it was written.
+  bool settles() const { return study::has_sample(plan_) && plan_.study().sampling.method != study::Method::kList; }
+
   bool has_swings() const {
     return study::has_sample(plan_) || plan_.study().sampling.method == study::Method::kOneAtATime;
   }
@@ -137,18 +145,45 @@ class MainValues {
     return {{"rows", found->rows}, {"left_out", found->left_out}, {"first", first}, {"total", total}};
   }
 
+  /// The factors' numbers of all scenarios may not fit into memory: of a large sample an even part of each base.
+  void pick_for_swings() {
+    const study::Study& study = plan_.study();
+    const std::uint64_t most = kMostSwungNumbers / std::max<std::size_t>(study.factors.size() * study.bases.size(), 1);
+    swung_.resize(study.bases.size());
+    for (std::size_t b = 0; b < study.bases.size(); ++b) {
+      std::uint64_t n = 0;
+      for (std::uint64_t p = 0; p < plan_.n_points(b); ++p) n += is_swung(p) ? 1 : 0;
+      const std::vector<std::uint64_t> picked = evenly_picked(n, study::has_sample(plan_) ? most : n);
+      swung_[b].factors.resize(study.factors.size());
+      std::uint64_t place = 0;
+      auto next = picked.begin();
+      for (std::uint64_t p = 0; p < plan_.n_points(b) && next != picked.end(); ++p) {
+        if (!is_swung(p) || place++ != *next) continue;
+        ++next;
+        swung_[b].scenarios.push_back(plan_.scenario(b, p));
+        const study::Point point = plan_.point(swung_[b].scenarios.back());
+        for (std::size_t j = 0; j < study.factors.size(); ++j)
+          swung_[b].factors[j].push_back(point.values[j].value_or(std::nan("")));
+      }
+    }
+  }
+
+  bool is_swung(std::uint64_t p) const { return !study::has_sample(plan_) || plan_.is_sample(p); }
+
   /// For each factor the value where it is low and where it is high; null where that cannot be told.
   ordered_json swings_object(const std::vector<double>& all, std::size_t base) const {
+    const Swung& swung = swung_[base];
+    std::vector<double> values;
+    for (const std::uint64_t i : swung.scenarios) values.push_back(all[i]);
     ordered_json swings = ordered_json::array();
-    for (std::size_t j = 0; j < factors_.size(); ++j) {
-      const auto swing = study::has_sample(plan_)
-                             ? study::swing_of(study::values_of_base(plan_, factors_[j], base, study::Among::kSample),
-                                               of_base(all, base))
-                             : swing_alone(all, base, j);
+    for (std::size_t j = 0; j < swung.factors.size(); ++j) {
+      const auto swing =
+          study::has_sample(plan_)
+              ? study::swing_of(swung.factors[j], values, study::swing_ends(plan_.study().factors[j].variation))
+              : swing_alone(values, swung.factors[j]);
       swings.push_back(swing ? ordered_json{number(swing->low), number(swing->high)} : ordered_json(nullptr));
     }
-    const std::vector<double> values = of_base(all, base);
-    const auto sorted = study::sorted_values(values);
+    const auto sorted = study::sorted_values(of_base(all, base));
     const double own = all[plan_.scenario(base, 0)];
     const double middle =
         study::has_sample(plan_) ? (sorted.empty() ? std::nan("") : study::quantile_of(sorted, 0.5).value) : own;
@@ -156,25 +191,25 @@ class MainValues {
   }
 
   /// One at a time: the points that move this factor, at its lowest and its highest value.
-  std::optional<study::Swing> swing_alone(const std::vector<double>& all, std::size_t base, std::size_t j) const {
-    const std::uint64_t middle = plan_.scenario(base, 0);
+  static std::optional<study::Swing> swing_alone(const std::vector<double>& values, const std::vector<double>& factor) {
     std::optional<std::size_t> low, high;
-    for (std::uint64_t p = 1; p < plan_.n_points(base); ++p) {
-      const std::uint64_t i = plan_.scenario(base, p);
-      const double x = factors_[j][i];
+    for (std::size_t p = 1; p < factor.size(); ++p) {
       // A factor that another point moves stands as in point 0.
-      if (!std::isfinite(x) || x == factors_[j][middle]) continue;
-      if (!low || x < factors_[j][*low]) low = i;
-      if (!high || x > factors_[j][*high]) high = i;
+      if (!std::isfinite(factor[p]) || factor[p] == factor.front()) continue;
+      if (!low || factor[p] < factor[*low]) low = p;
+      if (!high || factor[p] > factor[*high]) high = p;
     }
-    if (!low || !std::isfinite(all[*low]) || !std::isfinite(all[*high])) return std::nullopt;
-    return study::Swing{all[*low], all[*high]};
+    if (!low || !std::isfinite(values[*low]) || !std::isfinite(values[*high])) return std::nullopt;
+    return study::Swing{values[*low], values[*high]};
   }
 
-  ordered_json effects_object(const std::vector<double>& values) const {
+  /// Null for a factor that moves nothing in that base, and where too few scenarios were solved.
+  ordered_json effects_object(const std::vector<double>& values, std::size_t base) const {
     ordered_json effects = ordered_json::array();
-    for (const auto& effect : study::morris_effects(plan_.trajectories(), values)) {
-      if (!effect) {
+    const auto found = study::morris_effects(plan_.trajectories(), values);
+    for (std::size_t j = 0; j < found.size(); ++j) {
+      const auto& effect = found[j];
+      if (!effect || !study::applies(plan_.study().factors[j], base)) {
         effects.push_back(nullptr);
         continue;
       }
@@ -212,7 +247,13 @@ class MainValues {
   const study::Plan& plan_;
   ordered_json& payload_;
   std::vector<ComparisonGroup> groups_;
-  std::vector<std::vector<double>> factors_;
+
+  /// Scenarios of a base from which swings are told, with the numbers of their factors.
+  struct Swung {
+    std::vector<std::uint64_t> scenarios;
+    std::vector<std::vector<double>> factors;
+  };
+  std::vector<Swung> swung_;
 };
 
 }  // namespace
@@ -234,7 +275,7 @@ void add_study_values(const io::StudyRows& rows, const io::Units& units, ordered
     statistics[quantities[i].name] = std::move(of_bases);
     if (std::find(names.begin(), names.end(), quantities[i].name) != names.end()) main.add(quantities[i].name, all);
   }
-  payload["shares"] = kShares;
+  payload["shares"] = io::band_shares();
   payload["converging_shares"] = kConvergingShares;
   payload["statistics"] = std::move(statistics);
 }

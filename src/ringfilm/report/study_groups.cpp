@@ -15,7 +15,7 @@ constexpr std::size_t kMostGroups = 30;
 
 bool is_choice(const study::Factor& factor) { return std::holds_alternative<study::Choices>(factor.variation); }
 
-/// "SAE 30" of "../../data/lubricants/sae-30.toml": what a reader calls it.
+/// "sae-30" of "../../data/lubricants/sae-30.toml": the rest is the same for all, as a rule.
 std::string short_name(const std::string& text) {
   const std::size_t slash = text.find_last_of("/\\");
   const std::string last = slash == std::string::npos ? text : text.substr(slash + 1);
@@ -69,7 +69,8 @@ bool is_paired(const study::Plan& plan, const ComparisonGroup& first, const Comp
 std::vector<ComparisonGroup> comparison_groups(const study::Plan& plan, const io::Units& units) {
   const study::Study& study = plan.study();
   const bool has_choice = std::any_of(study.factors.begin(), study.factors.end(), is_choice);
-  const bool each_alone = !has_choice && study.bases.size() == 1 && plan.size() <= kMostGroups;
+  const bool each_alone =
+      !has_choice && !study::has_sample(plan) && study.bases.size() == 1 && plan.size() <= kMostGroups;
   if (!has_choice && study.bases.size() == 1 && !each_alone) return {};
   std::vector<ComparisonGroup> groups;
   std::map<std::pair<std::size_t, std::vector<int>>, std::size_t> known;

@@ -19,7 +19,8 @@ struct ComparisonGroup {
 };
 
 /// In the order in which the plan comes to them; of a sample its points alone. Where nothing but numbers varies in few
-/// scenarios, each of these is a group. Empty where there is nothing to compare, or more than a picture holds.
+/// scenarios that are no sample, each of these is a group. Empty where there is nothing to compare, or more than a
+/// picture holds.
 std::vector<ComparisonGroup> comparison_groups(const study::Plan& plan, const io::Units& units);
 
 }  // namespace ringfilm::report

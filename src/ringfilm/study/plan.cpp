@@ -261,6 +261,11 @@ std::vector<std::string> Plan::notes() const {
                     (sampling.method == Method::kSobol ? "scrambled Sobol points" : "the points of a Latin hypercube") +
                     " are more even, so that the intervals are wider than need be");
   }
+  if (sampling.method == Method::kList) {
+    notes.push_back(
+        "means, quantiles and their intervals presume that the points of the list were drawn at random from what the "
+        "factors may be; of points that were chosen otherwise they say nothing about how likely a value is");
+  }
   if (sampling.indices != Indices::kNone && sampling.scenarios < kFewRows) {
     notes.push_back("indices from " + std::to_string(sampling.scenarios) + " rows, fewer than " +
                     std::to_string(kFewRows) + ", can be further off than their intervals tell");

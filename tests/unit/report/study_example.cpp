@@ -52,10 +52,12 @@ MadeUp with(const std::vector<std::string>& factors) {
 
 }  // namespace
 
-std::string study_page(const std::string& lines, const MadeUp& made_up) {
+std::string study_page(const std::string& lines, const MadeUp& made_up,
+                       const std::vector<std::pair<std::string, std::string>>& files) {
   const io::ScratchFolder folder;
   folder.write("case.toml", io::CaseText{}.text());
   folder.write("p.csv", io::full_trace());
+  for (const auto& [name, text] : files) folder.write(name, text);
   const io::StudyFile file = io::read_study(folder.write("study.toml", lines));
   const study::Plan plan(file.study);
   const study::Keep& keep = plan.study().keep;

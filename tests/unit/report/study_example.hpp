@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ringfilm/study/plan.hpp"
@@ -12,8 +13,9 @@ namespace example {
 using MadeUp = std::function<double(const std::string& value, const ringfilm::study::Point& point)>;
 
 /// The page of a study whose file holds these lines, with bases "new" and "worn" that have their cases; scenarios of
-/// which `made_up` gives no finite film are not solved.
-std::string study_page(const std::string& lines, const MadeUp& made_up);
+/// which `made_up` gives no finite film are not solved. @param files that stand beside it: names and contents
+std::string study_page(const std::string& lines, const MadeUp& made_up,
+                       const std::vector<std::pair<std::string, std::string>>& files = {});
 
 /// Two bases, three factors of which two are correlated, Sobol points with indices, curves.
 std::string uncertainty_page(const std::string& title = "made-up uncertainty");

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -120,6 +122,121 @@ TEST(StudyPage, DrawsAnEvenSubsetOfManyPoints) {
   EXPECT_EQ(axes.at(0).at("of"), 300);
   EXPECT_NEAR(axes.at(0).at("levels").back().get<double>(), 6000 * M_PI / 30, 1e-4);
   EXPECT_LT(page.size(), 2'000'000u);
+}
+
+const std::string kTwoBases =
+    "[[base]]\nname = \"new\"\ncase = \"case.toml\"\n[[base]]\nname = \"worn\"\ncase = \"case.toml\"\n";
+const std::string kSpeed = "[[factor]]\nname = \"speed\"\nkey = \"operating.speed\"\n";
+const std::string kEvenSpeed = kSpeed + "distribution = \"uniform\"\nlower = \"1000 rpm\"\nupper = \"3000 rpm\"\n";
+
+double speed_of(const std::string&, const study::Point& point) { return point.values[0].value_or(200); }
+
+TEST(StudyPage, DrawsPointsOfEveryBaseAndOfEveryLevel) {
+  const json two = data_of(example::study_page(
+      "kind = \"uncertainty\"\n" + kTwoBases + kEvenSpeed + "[plan]\nmethod = \"sobol\"\nscenarios = 2048\n",
+      speed_of));
+  const auto of_base = two.at("stribeck").at("base").get<std::vector<int>>();
+  EXPECT_EQ(of_base.size(), report::kMostDrawnPoints);
+  EXPECT_EQ(std::count(of_base.begin(), of_base.end(), 1), report::kMostDrawnPoints / 2);
+  const json grid = data_of(
+      example::study_page("kind = \"map\"\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n" + kSpeed +
+                              "range = [\"1000 rpm\", \"6000 rpm\"]\npoints = 2000\n[[factor]]\nname = \"warmth\"\n"
+                              "key = \"operating.oil_temperature\"\nhow = \"add\"\nvalues = [\"-20 K\", \"20 K\"]\n"
+                              "[plan]\nmethod = \"grid\"\n",
+                          speed_of));
+  const auto drawn = grid.at("stribeck").at("scenario").get<std::vector<std::uint64_t>>();
+  EXPECT_EQ(drawn.size(), report::kMostDrawnPoints);
+  const auto n_warm = std::count_if(drawn.begin(), drawn.end(), [](std::uint64_t i) { return i % 2 == 1; });
+  // Half of them, to five deviations of tossing coins.
+  EXPECT_NEAR(static_cast<double>(n_warm), 1000, 5 * std::sqrt(500.0));
+}
+
+/// A full grid of ten factors.
+json grid_of_ten(int n_bases, const std::string& levels) {
+  std::string lines = "kind = \"map\"\n";
+  for (int b = 0; b < n_bases; ++b)
+    lines.append("[[base]]\nname = \"b").append(std::to_string(b)).append("\"\ncase = \"case.toml\"\n");
+  for (const char* key : {"operating.speed", "contact.roughness", "contact.asperity_density", "contact.asperity_radius",
+                          "contact.boundary_shear_strength_coefficient", "ring.face_width", "ring.elastic_pressure",
+                          "ring.face.crown_height", "engine.stroke", "engine.connecting_rod_length"}) {
+    lines.append("[[factor]]\nkey = \"").append(key).append("\"\nhow = \"scale\"\nvalues = ").append(levels);
+    lines.append("\n");
+  }
+  const auto one = [](const std::string&, const study::Point&) { return 1.0; };
+  return data_of(example::study_page(lines + "[plan]\nmethod = \"grid\"\n", one)).at("grid");
+}
+
+TEST(StudyPage, ThinsAGridOfManyFactorsToTwoLevelsOfEachOrLeavesItOut) {
+  const json grid = grid_of_ten(1, "[0.9, 1.0, 1.1]");
+  std::size_t n = 1;
+  for (const json& axis : grid.at("bases").at(0).at("axes")) {
+    n *= axis.at("levels").size();
+    EXPECT_EQ(axis.at("levels").front(), 0.9);
+    EXPECT_EQ(axis.at("levels").back(), 1.1);
+  }
+  EXPECT_LE(n, report::kMostGridPoints);
+  EXPECT_EQ(n, grid.at("bases").at(0).at("values").at("fmep").size());
+  EXPECT_GT(n, report::kMostGridPoints / 2);  // no more goes than must
+  EXPECT_TRUE(grid_of_ten(20, "[0.9, 1.1]").is_null());
+}
+
+TEST(StudyPage, TellsHowAStudyThatWatchesItsStatisticsEnded) {
+  const json data = data_of(example::study_page(
+      "kind = \"uncertainty\"\n" + kTwoBases + kEvenSpeed +
+          "[plan]\nmethod = \"sobol\"\nscenarios = 64\nuntil = { value = \"fmep\", width = \"1 kPa\", most = 128 }\n",
+      speed_of));
+  EXPECT_THAT(data.at("notes").get<std::vector<std::string>>(),
+              testing::Contains(HasSubstr("stopped after 64 points")));
+}
+
+TEST(StudyPage, TellsNoConvergenceOfAListThatAnyoneMayHaveSorted) {
+  std::string table = "speed [rpm]\n";
+  for (int i = 0; i < 40; ++i) table += std::to_string(1000 + 50 * i) + "\n";
+  const json data = data_of(example::study_page(
+      "kind = \"uncertainty\"\n" + kTwoBases + kSpeed + "[plan]\nmethod = \"list\"\nlist = \"points.csv\"\n", speed_of,
+      {{"points.csv", table}}));
+  EXPECT_TRUE(data.at("convergence").empty());
+  EXPECT_THAT(data.at("notes").get<std::vector<std::string>>(), testing::Contains(HasSubstr("drawn at random")));
+}
+
+TEST(StudyPage, TakesFirstAndLastOfListedValuesForASwing) {
+  const json data =
+      data_of(example::study_page("kind = \"uncertainty\"\n" + kTwoBases + kSpeed +
+                                      "values = [\"1000 rpm\", \"2000 rpm\", \"3000 rpm\", \"4000 rpm\"]\n"
+                                      "[plan]\nmethod = \"sobol\"\nscenarios = 64\n",
+                                  speed_of));
+  EXPECT_TRUE(data.at("factors").at(0).at("listed").get<bool>());
+  const json& swing = data.at("swings").at("fmep").at(0).at("factors").at(0);
+  EXPECT_NEAR(swing.at(0).get<double>(), 1000 * M_PI / 30, 1e-3);
+  EXPECT_NEAR(swing.at(1).get<double>(), 4000 * M_PI / 30, 1e-3);
+}
+
+TEST(StudyPage, RanksNoFactorThatMovesNothingInABase) {
+  const json effects =
+      data_of(example::study_page("kind = \"screening\"\n" + kTwoBases + kSpeed +
+                                      "range = [\"1000 rpm\", \"6000 rpm\"]\n[[factor]]\nname = \"roughness\"\n"
+                                      "key = \"contact.roughness\"\nhow = \"scale\"\nbases = [\"worn\"]\n"
+                                      "range = [0.5, 1.5]\n[plan]\nmethod = \"morris\"\ntrajectories = 10\n",
+                                  speed_of))
+          .at("effects")
+          .at("fmep");
+  EXPECT_TRUE(effects.at(0).at(1).is_null());
+  EXPECT_FALSE(effects.at(1).at(1).is_null());
+}
+
+TEST(StudyPage, ComparesNoSinglePointsOfASample) {
+  const json data =
+      data_of(example::study_page("kind = \"uncertainty\"\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n" +
+                                      kEvenSpeed + "[plan]\nmethod = \"sobol\"\nscenarios = 16\n",
+                                  speed_of));
+  EXPECT_TRUE(data.at("comparison_groups").empty());
+}
+
+TEST(StudyPage, CountsReasonsByTheirWords) {
+  const json unsolved = data_of(example::map_page()).at("unsolved");
+  EXPECT_EQ(unsolved.at("count"), 4);
+  EXPECT_EQ(unsolved.at("n_reasons"), 1);
+  EXPECT_FALSE(unsolved.at("reasons").at(0).at("numbers_differ").get<bool>());
 }
 
 TEST(StudyPage, RanksFactorsOfAScreening) {

@@ -179,6 +179,7 @@ TEST(Plan, AListIsRunAsItStands) {
   EXPECT_EQ(plan.point(1).base, 1u);
   EXPECT_EQ(plan.point(2).values, (Values{200, 2e-7}));
   EXPECT_TRUE(plan.is_sample(1));
+  EXPECT_THAT(plan.notes(), ElementsAre(HasSubstr("presume that the points of the list were drawn at random")));
 }
 
 TEST(Plan, RowsForIndicesShareTheirNumbers) {

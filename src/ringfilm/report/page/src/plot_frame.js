@@ -52,7 +52,7 @@ export function frame(box, across, up, margins = {}) {
   const x = scaler(across.log, across.low, across.high, plot.left, plot.right);
   const y = scaler(up.log, up.low, up.high, plot.bottom, plot.top);
   const shapes = [];
-  const onX = across.log ? thinned(logTicks(across.low, across.high), x, 40) : ticks(across.low, across.high, Math.max(2, (plot.right - plot.left) / 75));
+  const onX = across.log ? thinned(logTicks(across.low, across.high), x, 40) : readableTicks(across.low, across.high, (plot.right - plot.left) / 75);
   const onY = up.bare ? { values: [] } : up.log ? logTicks(up.low, up.high) : ticks(up.low, up.high, Math.max(2, (plot.bottom - plot.top) / 36));
   for (const v of onY.values) shapes.push(rule(plot.left, y(v), plot.right, y(v), kGrid), text(plot.left - 6, y(v) + 4, tickText(v, onY.step), { anchor: 'end' }));
   for (const v of onX.values) shapes.push(rule(x(v), plot.top, x(v), plot.bottom, kGrid), rule(x(v), plot.bottom, x(v), plot.bottom + 5, kInk), text(x(v), plot.bottom + 18, tickText(v, onX.step), { anchor: 'middle' }));
@@ -61,6 +61,12 @@ export function frame(box, across, up, margins = {}) {
   shapes.push(text((plot.left + plot.right) / 2, plot.bottom + 36, axisTitle(across.label, across.unit), { anchor: 'middle', fill: kFaint }));
   const edges = [rule(plot.left, plot.bottom, plot.right, plot.bottom, kInk), rule(plot.left, plot.top, plot.left, plot.bottom, kInk)];
   return { plot, x, y, shapes, edges };
+}
+
+/** At least two: one alone is no scale. */
+function readableTicks(low, high, count) {
+  const found = ticks(low, high, Math.max(2, count));
+  return found.values.length < 2 ? ticks(low, high, 2 * Math.max(2, count)) : found;
 }
 
 /** Ticks of which none stands closer to the one before than so many pixels. */

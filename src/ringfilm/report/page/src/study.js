@@ -6,7 +6,7 @@ import { FigureView, Visibility } from './figure_view.js';
 import { comparisonFigure } from './study_compare.js';
 import { bandFigures } from './study_curves.js';
 import { effectsFigure, indicesFigure, rankingFigure, swingFigure } from './study_decides.js';
-import { gridCurvesFigure, MapChoice, mapFigure } from './study_map.js';
+import { gridCurvesFigure, GridValues, MapChoice, mapFigure } from './study_map.js';
 import { StudyModel } from './study_model.js';
 import { convergenceFigure, histogramFigure } from './study_spread.js';
 import { stribeckFigure } from './study_stribeck.js';
@@ -29,7 +29,7 @@ const kMostListed = 400;
 
 /** What is drawn of a grid, with the choice of its axes. */
 function gridPart(model, context) {
-  if (!model.grid) return null;
+  if (!model.grid) return model.method === 'grid' ? { views: [], choices: element('p', { class: 'how' }, 'No maps are drawn: even with two levels of each factor the grid has more points than a page can hold. The result file has all of them.') } : null;
   const shown = model.grid.quantities.map((name) => model.quantity.get(name));
   const choice = new MapChoice(model);
   if (choice.up === undefined) {
@@ -114,7 +114,11 @@ function buildPage(model) {
     uncertainty: ['curves', 'spread', 'decides', 'compare', 'settle', 'screening', 'maps', 'stribeck'],
   };
   const makers = {
-    maps: () => add('maps', 'Maps', 'Maps', maps()),
+    maps: () => {
+      const curve = model.grid?.bases.every((_, b) => new GridValues(model, b).numeric().length < 2) ? new GridValues(model, 0).numeric()[0] : null;
+      const label = curve ? `Over ${curve.factor.name}` : 'Maps';
+      add('maps', label, label, maps());
+    },
     stribeck: () => add('regimes', 'Stribeck curve', 'Regimes of lubrication', stribeck()),
     screening: () => add('screening', 'Screening', 'Which inputs matter', screening()),
     spread: () => add('spread', 'Spread', 'How far the values are spread', spread()),

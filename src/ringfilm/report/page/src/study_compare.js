@@ -56,7 +56,7 @@ export function comparisonFigure(model) {
     caption() {
       const [q] = shown;
       const ranked = model.comparison[q.name].map((s, g) => ({ s: spread(model, q, s), name: groups[g].name })).filter(({ s }) => s).sort((a, b) => a.s.middle - b.s.middle);
-      const told = ({ s, name }) => `${name} (${withUnit(s.middle, q.shown, 3)})`;
+      const told = ({ s, name }) => `${name.replace(/-/g, '\u2011')} (${withUnit(s.middle, q.shown, 3)})`;
       const ends = ranked.length > 1 ? ` Lowest ${q.short_name}: ${told(ranked[0])}; highest: ${told(ranked[ranked.length - 1])}.` : '';
       return (model.has_sample ? 'Mark: median; thick: 25 % to 75 % of the scenarios; thin: 5 % to 95 %.' : most > 1 ? 'Mark: median; thin line: from the lowest to the highest of the scenarios.' : 'Each mark is one scenario.') + ends;
     },

@@ -101,7 +101,7 @@ export function swingFigure(model, chosen) {
       return { shapes: [...named.shapes, ...drawn.shapes], height: drawn.bottom };
     },
     caption: () => (model.has_sample
-      ? `Median of ${q().short_name} over the scenarios with the lowest third of each factor (light) and with its highest third (solid), against the median of all (${all().map((s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.told(q(), s.middle)}`).join(', ')}); all other factors vary as they do. Of correlated factors it holds what comes with them.`
+      ? `Median of ${q().short_name} over the scenarios with the lowest third of each factor (light) and with its highest third (solid)${model.factors.some((f) => f.listed) ? ', of listed values and choices with the lowest (first) and the highest (last) of them,' : ','} against the median of all (${all().map((s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.told(q(), s.middle)}`).join(', ')}); all other factors vary as they do. Of correlated factors it holds what comes with them.`
       : `${q().short_name} with each factor alone at its lowest value (light) and at its highest (solid), against the scenario that moves none (${all().map((s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.told(q(), s.middle)}`).join(', ')}); a distribution at its quantiles of 5 % and 95 %.`),
     columns: () => [{ title: 'factor', values: model.factors.map((f) => f.name) }, ...all().flatMap((s, b) => ['low', 'high'].map((end, i) => ({ title: axisTitle(`${model.bases[b].name}: ${q().short_name}, factor ${end}`, q().shown), values: model.factors.map((f) => (s.factors[f.index] ? q().convert(s.factors[f.index][i]) : null)) })))],
   };

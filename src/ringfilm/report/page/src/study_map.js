@@ -55,7 +55,7 @@ export class MapChoice {
 function axisOf(axis) {
   const levels = axis.levels.map(axis.factor.convert);
   const log = axis.factor.logarithmic && levels.every((v) => v > 0);
-  return { levels, log, low: Math.min(...levels), high: Math.max(...levels), label: axis.factor.name, unit: axis.factor.shown };
+  return { levels, log, low: Math.min(...levels), high: Math.max(...levels), label: axis.factor.name, unit: axis.factor.shown, of: axis.of };
 }
 
 export function mapFigure(model, q, choice) {
@@ -148,9 +148,11 @@ export function mapFigure(model, q, choice) {
   };
 }
 
+/** As many as there are colours, and ways to draw a line. */
 const kMostCurves = 8;
+const kBaseDashes = ['', '8 4', '2 3', '10 3 2 3'];
 
-/** Where one factor alone is a number: a curve for each base and choice. */
+/** Where one factor alone is a number: a curve for each base and choice. With several of both a colour for each choice and a dash for each base. */
 export function gridCurvesFigure(model, q) {
   const curves = [];
   model.grid.bases.forEach((_, b) => {
@@ -160,27 +162,29 @@ export function gridCurvesFigure(model, q) {
     const at = grid.axes.indexOf(axis);
     let combinations = [grid.axes.map(() => 0)];
     grid.axes.forEach((other, k) => { if (k !== at) combinations = combinations.flatMap((places) => other.levels.map((__, i) => places.map((p, n) => (n === k ? i : p)))); });
-    for (const places of combinations) {
+    combinations.forEach((places, combination) => {
       const label = [...(model.several ? [model.bases[b].name] : []), ...grid.axes.map((other, k) => (k === at || other.levels.length < 2 ? null : model.levelText(other.factor, other.levels[places[k]]))).filter(Boolean)].join(', ');
-      curves.push({ label: label || model.bases[b].name, axis: axisOf(axis), values: axis.levels.map((__, i) => { const v = grid.at(q.name, places.map((p, k) => (k === at ? i : p))); return v === null ? null : q.convert(v); }) });
-    }
+      curves.push({ base: b, combination, label: label || model.bases[b].name, axis: axisOf(axis), values: axis.levels.map((__, i) => { const v = grid.at(q.name, places.map((p, k) => (k === at ? i : p))); return v === null ? null : q.convert(v); }) });
+    });
   });
   if (curves.length === 0) return null;
-  const shown = curves.slice(0, kMostCurves);
+  const isCrossed = model.several && model.bases.length <= kBaseDashes.length && curves.some((c) => c.combination > 0);
+  const shown = (isCrossed ? curves.filter((c) => c.combination < kMostCurves) : curves.slice(0, kMostCurves))
+    .map((c, i) => ({ ...c, look: isCrossed ? c.combination : i, dash: isCrossed ? kBaseDashes[c.base] : '' }));
   return {
     id: `map-${q.name.replace(/_/g, '-')}`, title: axisTitle(q.short_name, q.shown), half: true,
     draw(width) {
-      const named = legend(shown.length > 1 ? shown.map((c, i) => ({ label: fitted(c.label, width - 60), swatch: (x, y) => rule(x, y, x + 28, y, caseColour(i), 2) + mark(i, x + 14, y, 3.4) })) : [], width, 0);
+      const named = legend(shown.length > 1 ? shown.map((c) => ({ label: fitted(c.label, width - 60), swatch: (x, y) => rule(x, y, x + 28, y, caseColour(c.look), 2, c.dash) + mark(c.look, x + 14, y, 3.4) })) : [], width, 0);
       const height = 300;
       const { axis } = shown[0];
       const { x, y, shapes, edges } = frame({ x: 0, y: named.height, width, height }, { ...axis, ...airy(axis.levels, { log: axis.log }) }, { ...airy(shown.flatMap((c) => c.values), { fromZero: true }), label: q.short_name, unit: q.shown });
-      const lines = shown.flatMap((c, i) => {
+      const lines = shown.flatMap((c) => {
         const points = c.values.map((v, k) => (v === null ? null : [x(c.axis.levels[k]), y(v)]));
-        return [line(points, caseColour(i)), ...points.map((p, k) => (p ? mark(i, p[0], p[1], 3.2, { told: safe(`${c.label}, ${withUnit(c.axis.levels[k], axis.unit)}: ${withUnit(c.values[k], q.shown)}`) }) : ''))];
+        return [line(points, caseColour(c.look), { dash: c.dash }), ...points.map((p, k) => (p ? mark(c.look, p[0], p[1], 3.2, { told: safe(`${c.label}, ${withUnit(c.axis.levels[k], axis.unit)}: ${withUnit(c.values[k], q.shown)}`) }) : ''))];
       });
       return { shapes: [...named.shapes, ...shapes, ...lines, ...edges], height: named.height + height };
     },
-    caption: () => `${q.short_name[0].toUpperCase()}${q.short_name.slice(1)} against ${shown[0].axis.label}, ${shown.length === 1 ? 'one curve' : `${shown.length} curves`}: ${(extent(shown.flatMap((c) => c.values)) ?? [null, null]).map((v) => withUnit(v, q.shown, 3)).join(' to ')}.${curves.length > shown.length ? ` The first ${shown.length} of ${curves.length} curves; the result file has all.` : ''}${shown.some((c) => c.values.includes(null)) ? ' Gaps: not solved.' : ''}`,
+    caption: () => `${q.short_name[0].toUpperCase()}${q.short_name.slice(1)} against ${shown[0].axis.label}, ${shown.length === 1 ? 'one curve' : `${shown.length} curves`}: ${(extent(shown.flatMap((c) => c.values)) ?? [null, null]).map((v) => withUnit(v, q.shown, 3)).join(' to ')}.${curves.length > shown.length ? ` The first ${shown.length} of ${curves.length} curves; the result file has all.` : ''}${shown[0].axis.levels.length < shown[0].axis.of ? ` This page carries ${shown[0].axis.levels.length} of ${shown[0].axis.of} levels; the result file has all.` : ''}${shown.some((c) => c.values.includes(null)) ? ' Gaps: not solved.' : ''}`,
     columns: () => [{ title: axisTitle(shown[0].axis.label, shown[0].axis.unit), values: shown[0].axis.levels }, ...shown.map((c) => ({ title: axisTitle(`${c.label}: ${q.long_name}`, q.shown), values: c.values }))],
   };
 }

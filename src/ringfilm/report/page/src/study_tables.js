@@ -50,6 +50,9 @@ function card(model, name) {
   return element('section', { class: 'card' }, element('h2', {}, q.short_name), rows);
 }
 
+/** Reasons that differ in their numbers alone are told with those of the first. */
+const reasonText = (r) => `${sentence(r.reason)}${r.numbers_differ ? ' The numbers are those of the first.' : ''}`;
+
 export function firstScreen(model) {
   const failed = model.unsolved.count;
   const notes = model.notes.map((note) => element('li', {}, sentence(note)));
@@ -58,7 +61,7 @@ export function firstScreen(model) {
     element('h1', {}, model.title || 'A study'),
     element('p', { class: 'operating' }, `${count(model.scenarios)} scenarios: ${model.several ? `${model.bases.length} bases (${model.bases.map((b) => b.name).join(', ')})` : `base ${model.bases[0].name}`}, ${model.factors.length} ${model.factors.length === 1 ? 'factor' : 'factors'}, ${points(model)}, seed ${model.seed}`),
     failed > 0 ? element('div', { class: 'warning stopped', role: 'alert' }, element('p', {}, element('strong', {}, `${count(failed)} of ${count(model.scenarios)} scenarios NOT SOLVED. `),
-      `Most often: ${model.unsolved.reasons[0].reason} `, element('a', { href: '#unsolved' }, 'All reasons'))) : null,
+      `${model.unsolved.reasons[0].count > 1 ? 'Most often' : 'The first'}: ${reasonText(model.unsolved.reasons[0])} `, element('a', { href: '#unsolved' }, 'All reasons'))) : null,
     model.solved > 0 ? element('div', { class: 'cards' }, kCards.map((name) => card(model, name))) : null,
     model.solved > 0 ? element('p', { class: 'how' }, model.has_sample ? 'Median, and 5 % to 95 % of the scenarios.' : 'Median, lowest and highest of the scenarios.') : null,
     notes.length ? element('div', { class: 'warning', role: 'note' }, element('strong', {}, 'Mind: '), element('ul', { class: 'notes' }, notes.slice(0, kNotesShown)),
@@ -121,13 +124,15 @@ export function differencesTable(model) {
   const shown = model.mainValues.filter((q) => model.comparison[q.name]);
   const groups = model.comparison_groups;
   const middle = (q, s) => (!s ? '–' : withUnit(q.convert(model.has_sample ? s.quantiles[2][0] : s.median), '', 4));
-  const paired = shown.some((q) => model.comparison[q.name].some((s) => s?.difference));
+  const others = groups.slice(1).map((_, i) => shown.some((q) => model.comparison[q.name][i + 1]?.difference));
+  const [paired, alone] = [others.some(Boolean), model.has_sample && others.some((one) => !one)];
+  const whom = alone ? 'Where an interval stands, both' : groups.length > 2 ? 'All' : 'Both';
   const rows = groups.map((g, k) => [g.name, ...shown.map((q) => {
     const difference = differenceOf(model, q, k);
     return { text: [middle(q, model.comparison[q.name][k]), difference ? element('span', { class: `change ${difference.sure ? 'strong' : ''}` }, difference.text) : '', difference?.interval ? element('span', { class: 'interval' }, difference.interval) : ''], attributes: { class: 'number' } };
   })]);
   return [
-    element('p', {}, `Median, and the change against ${groups[0].name}.`, paired ? ' Both were run at the same points, so that what they have in common cancels: the change is that of the mean, with its 95 % confidence interval below it; in bold where that leaves no doubt about the sign.' : ''),
+    element('p', {}, `Median, and the change against ${groups[0].name}.`, paired ? ` ${whom} were run at the same points, so that what they have in common cancels: the change is that of the mean, with its 95 % confidence interval below it; in bold where that leaves no doubt about the sign.${alone ? ' Without one the points differ, and the change is that of the median.' : ''}` : alone ? ' The points differ, and the change is that of the median.' : ''),
     table(`Against ${groups[0].name}`, ['', ...shown.map((q) => right(axisTitle(q.short_name, q.shown)))], rows, { folds: true, classes: 'differences' }),
   ];
 }
@@ -147,7 +152,7 @@ export function unsolvedSection(model) {
   if (failed === 0) return null;
   return section('unsolved', 'Scenarios that were not solved',
     element('p', {}, `${count(failed)} of ${count(model.scenarios)} (${percent(failed / model.scenarios).replace('+', '')}). They are left out of all statistics, which are those of what could be run.${n > reasons.length ? ` The ${reasons.length} most frequent of ${n} reasons; the result file has all.` : ''}`),
-    table('Reasons', [right('scenarios'), 'reason', right('the first')], reasons.map((r) => [right(count(r.count)), sentence(r.reason), right(String(r.first))]), { folds: true }));
+    table('Reasons', [right('scenarios'), 'reason', right('the first')], reasons.map((r) => [right(count(r.count)), reasonText(r), right(String(r.first))]), { folds: true }));
 }
 
 export function provenanceSection(model) {
