@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -12,7 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = RINGFILM_SOURCE_FOLDER;
+/// The folder of the project, or the copy of it that RINGFILM_DOCUMENTS names.
+fs::path root() {
+  const char* copy = std::getenv("RINGFILM_DOCUMENTS");
+  return copy != nullptr ? copy : RINGFILM_SOURCE_FOLDER;
+}
 
 bool ends_with(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
@@ -35,9 +40,9 @@ std::string heading_anchor(const std::string& heading) {
 
 std::map<std::string, std::string> texts_below(const std::string& folder, const std::vector<std::string>& endings) {
   std::map<std::string, std::string> texts;
-  if (!fs::is_directory(kRoot / folder)) return texts;
-  for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
-    const std::string path = fs::relative(entry.path(), kRoot).generic_string();
+  if (!fs::is_directory(root() / folder)) return texts;
+  for (const auto& entry : fs::recursive_directory_iterator(root() / folder)) {
+    const std::string path = fs::relative(entry.path(), root()).generic_string();
     const bool wanted =
         std::any_of(endings.begin(), endings.end(), [&](const std::string& ending) { return ends_with(path, ending); });
     if (!wanted || !entry.is_regular_file() || path.find("node_modules") != std::string::npos) continue;
@@ -48,7 +53,7 @@ std::map<std::string, std::string> texts_below(const std::string& folder, const 
 
 std::string text_of(const std::string& path) {
   std::stringstream text;
-  text << std::ifstream(kRoot / path).rdbuf();
+  text << std::ifstream(root() / path).rdbuf();
   return text.str();
 }
 

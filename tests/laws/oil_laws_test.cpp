@@ -23,7 +23,7 @@ OilLaws laws_of_paper_oil() {
   laws.kinematic_viscosity = {59.99e-6, 9.590e-6};
   laws.density.temperature = {288.15, 313.15};
   laws.density.value = {849.7, 833.8};
-  laws.alpha_0 = 1e-8;
+  laws.parameters["pressure_viscosity_coefficient"] = 1e-8;
   laws.beta_0 = 4e-2;
   laws.theta_0 = 313.15;
   laws.compression = DowsonHigginson{};
@@ -36,18 +36,14 @@ std::vector<NamedOil> all_oils() {
   for (const double T : {313.15, 393.15, 423.15}) {
     const std::string at = " at " + std::to_string(T) + " K";
     for (const auto temperature_law : {ViscosityTemperatureLaw::kWalther, ViscosityTemperatureLaw::kHoupert}) {
-      for (const auto pressure_law :
-           {ViscosityPressureLaw::kRoelands, ViscosityPressureLaw::kBarus, ViscosityPressureLaw::kNone}) {
+      for (std::size_t k = 0; k < viscosity_laws().size(); ++k) {
         for (const bool compressible : {true, false}) {
           auto laws = laws_of_paper_oil();
           laws.viscosity_temperature_law = temperature_law;
-          laws.viscosity_pressure_law = pressure_law;
+          laws.viscosity_pressure_law = static_cast<ViscosityPressureLaw>(k);
           if (!compressible) laws.compression.reset();
           oils.push_back({(temperature_law == ViscosityTemperatureLaw::kWalther ? "walther " : "houpert ") +
-                              std::string(pressure_law == ViscosityPressureLaw::kRoelands ? "roelands "
-                                          : pressure_law == ViscosityPressureLaw::kBarus  ? "barus "
-                                                                                          : "none ") +
-                              (compressible ? "dowson-higginson" : "incompressible") + at,
+                              viscosity_laws()[k].name + (compressible ? " dowson-higginson" : " incompressible") + at,
                           closed_form_oil(laws, T)});
         }
       }
@@ -134,7 +130,7 @@ TEST(OilLaws, PressureViscosityCoefficientIsTheSlopeOfLnEtaAtZeroPressure) {
   // Roelands' law is made so, up to its rounded constants: 5.1e-9 * 1.98e8 = 1.0098.
   const auto laws = laws_of_paper_oil();
   const auto at = properties(*closed_form_oil(laws, 393.15), {0});
-  EXPECT_NEAR(at.deta_dp[0] / at.eta[0], laws.alpha_0 / 1.0098, 1e-12 * laws.alpha_0);
+  EXPECT_NEAR(at.deta_dp[0] / at.eta[0], 1e-8 / 1.0098, 1e-12 * 1e-8);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ enum class RoughnessMeasure { kAsGiven, kRaToRq };                              
 enum class ContactIntegrals { kExact, kPolynomial4Digit, kPolynomialAsPrinted };  ///< `contact.integrals`
 enum class FilmParameter { kLocal, kNominal };                                    ///< `contact.film_parameter`
 enum class ViscosityTemperature { kWalther, kHoupert };                           ///< `lubricant.viscosity_temperature`
-enum class ViscosityPressure { kRoelands, kNone, kBarus };                        ///< `lubricant.viscosity_pressure`
+using ViscosityPressure = models::ViscosityPressureLaw;                           ///< `lubricant.viscosity_pressure`
 enum class DensityTemperature { kTable, kThermalExpansivity };                    ///< `lubricant.density_temperature`
 enum class Compressibility { kDowsonHigginson, kNone };                           ///< `lubricant.compressibility`
 enum class FilmDimension { kFace, kUnrolled };                                    ///< `film.dimension`
@@ -213,12 +213,12 @@ struct Lubricant {
   std::optional<double> constant_density;             ///< instead of `density`: the same at all temperatures [kg/m3]
   std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws
   OilTable table;
-  double pressure_viscosity_coefficient = 1e-8;     ///< alpha_0 [1/Pa]
   double temperature_viscosity_coefficient = 0.04;  ///< beta_0 [1/K], houpert
   double reference_temperature = 313.15;            ///< theta_0 [K], houpert and thermal-expansivity
   double thermal_expansivity = 7.5e-4;              ///< gamma [1/K]
   ViscosityTemperature viscosity_temperature = ViscosityTemperature::kWalther;
   ViscosityPressure viscosity_pressure = ViscosityPressure::kRoelands;
+  models::LawParameters law_parameters = models::usual_law_parameters();  ///< of viscosity against pressure [SI]
   DensityTemperature density_temperature = DensityTemperature::kTable;
   Compressibility compressibility = Compressibility::kDowsonHigginson;
   double dh_a = models::DowsonHigginson{}.a;  ///< [1/Pa]

@@ -1,5 +1,6 @@
 #include "ringfilm/cycle/case_fields.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "ringfilm/cycle/case_fields_table.hpp"
@@ -9,13 +10,19 @@ namespace {
 
 using namespace table;
 
+/// Is it the key of a number that laws of viscosity take?
+bool is_law_parameter(const std::string& key) {
+  const auto parameters = models::law_parameters();
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [&](const models::LawParameter& parameter) { return key == "lubricant." + parameter.key; });
+}
+
 /// Keys of a ring's case that a pad has as well; of the others `pad` and the pad's viscosity are its own.
 std::optional<Problem> problem_of(const std::string& key) {
   static const std::set<std::string> shared = {"title",
                                                "lubricant.name",
                                                "lubricant.density",
                                                "lubricant.viscosity_pressure",
-                                               "lubricant.pressure_viscosity_coefficient",
                                                "lubricant.compressibility",
                                                "lubricant.dh_a",
                                                "lubricant.dh_b",
@@ -24,7 +31,7 @@ std::optional<Problem> problem_of(const std::string& key) {
                                                "solver.cells",
                                                "solver.cells_y",
                                                "solver.tolerance"};
-  if (shared.contains(key)) return std::nullopt;
+  if (shared.contains(key) || is_law_parameter(key)) return std::nullopt;
   return key.rfind("pad.", 0) == 0 || key == "lubricant.viscosity" ? Problem::kPad : Problem::kCycle;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,7 +11,7 @@
 /// manual and the studies all walk it; nothing else knows a key.
 namespace ringfilm::cycle {
 
-using NumberRef = double& (*)(Case&);
+using NumberRef = std::function<double&(Case&)>;
 using OptionalNumberRef = std::optional<double>& (*)(Case&);
 using TextRef = std::string& (*)(Case&);
 using OptionalTextRef = std::optional<std::string>& (*)(Case&);
@@ -99,11 +100,11 @@ struct Field {
   std::string display_unit;  ///< the unit in which people write and read it, e.g. "mm"
   std::optional<Range> range;
   Need need = Need::kDefault;
-  bool (*active)(const Case&) = nullptr;  ///< nullptr: always in use
-  std::string active_when;                ///< in words, e.g. "gas.model = \"trace\""
-  std::string help;                       ///< one line: what it is, symbol, source if assumed
-  std::string example;                    ///< the right-hand side as one would write it in TOML
-  std::optional<Problem> problem = {};    ///< the problem to which the key belongs; absent: both
+  std::function<bool(const Case&)> active;  ///< empty: always in use
+  std::string active_when;                  ///< in words, e.g. "gas.model = \"trace\""
+  std::string help;                         ///< one line: what it is, symbol, source if assumed
+  std::string example;                      ///< the right-hand side as one would write it in TOML
+  std::optional<Problem> problem = {};      ///< the problem to which the key belongs; absent: both
 };
 
 /// All keys, in the order of a case file.

@@ -9,9 +9,6 @@ constexpr When kLaws{has_laws, "no lubricant.table"};
 constexpr When kHoupert{
     [](const Case& c) { return has_laws(c) && c.lubricant.viscosity_temperature == ViscosityTemperature::kHoupert; },
     "lubricant.viscosity_temperature = \"houpert\""};
-constexpr When kThickening{
-    [](const Case& c) { return has_laws(c) && c.lubricant.viscosity_pressure != ViscosityPressure::kNone; },
-    "lubricant.viscosity_pressure = \"roelands\" or \"barus\""};
 constexpr When kDowsonHigginson{
     [](const Case& c) { return has_laws(c) && c.lubricant.compressibility == Compressibility::kDowsonHigginson; },
     "lubricant.compressibility = \"dowson-higginson\""};
@@ -23,6 +20,39 @@ constexpr When kThermalExpansivity{[](const Case& c) {
 constexpr When kReferenceTemperature{
     [](const Case& c) { return kHoupert.holds(c) || kThermalExpansivity.holds(c); },
     "lubricant.viscosity_temperature = \"houpert\" or lubricant.density_temperature = \"thermal-expansivity\""};
+
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const auto& law : models::viscosity_laws()) names.push_back(law.name);
+  return names;
+}
+
+std::string law_meanings() {
+  std::string text = "viscosity against pressure";
+  for (const auto& law : models::viscosity_laws()) text += "; " + law.name + ": " + law.meaning;
+  return text;
+}
+
+/// The key of a number that laws of viscosity take; in use where one of them is chosen.
+Field law_field(const models::LawParameter& parameter) {
+  std::string laws;
+  for (const auto& law : models::viscosity_laws()) {
+    if (models::takes(law, parameter.key)) laws += (laws.empty() ? "\"" : " or \"") + law.name + "\"";
+  }
+  return {.key = "lubricant." + parameter.key,
+          .kind = NumberKind{[key = parameter.key](Case& c) -> double& { return c.lubricant.law_parameters.at(key); }},
+          .unit = parameter.unit,
+          .display_unit = parameter.display_unit,
+          .range = between(parameter.low, parameter.high),
+          .need = parameter.statement == models::Statement::kRequired ? Need::kRequired : Need::kDefault,
+          .active =
+              [key = parameter.key](const Case& c) {
+                return has_laws(c) && models::takes(models::viscosity_law(c.lubricant.viscosity_pressure), key);
+              },
+          .active_when = "lubricant.viscosity_pressure = " + laws,
+          .help = parameter.meaning,
+          .example = parameter.example};
+}
 
 }  // namespace
 
@@ -62,13 +92,13 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                 choice<&Case::lubricant, &Lubricant::viscosity_temperature>({"walther", "houpert"}), kNoUnit, {},
                 Need::kDefault, kLaws,
                 {"viscosity against temperature: ASTM D341 through the points, or Houpert's term", "\"walther\""}),
-          field("lubricant.viscosity_pressure",
-                choice<&Case::lubricant, &Lubricant::viscosity_pressure>({"roelands", "none", "barus"}), kNoUnit, {},
-                Need::kDefault, kLaws, {"viscosity against pressure", "\"roelands\""}),
-          field("lubricant.pressure_viscosity_coefficient",
-                NumberKind{member<&Case::lubricant, &Lubricant::pressure_viscosity_coefficient>}, {"Pa-1", "Pa-1"},
-                between(0, 1e-6), Need::kDefault, kThickening,
-                {"pressure-viscosity coefficient, alpha_0; a pad must state it", "\"1e-8 m2/N\""}),
+          field("lubricant.viscosity_pressure", choice<&Case::lubricant, &Lubricant::viscosity_pressure>(law_names()),
+                kNoUnit, {}, Need::kDefault, kLaws, {law_meanings(), "\"roelands\""}),
+      });
+  for (const auto& parameter : models::law_parameters()) fields.push_back(law_field(parameter));
+  fields.insert(
+      fields.end(),
+      {
           field("lubricant.temperature_viscosity_coefficient",
                 NumberKind{member<&Case::lubricant, &Lubricant::temperature_viscosity_coefficient>}, {"K-1", "K-1"},
                 between(0, 1), Need::kDefault, kHoupert, {"temperature-viscosity coefficient, beta_0", "\"0.04 K-1\""}),

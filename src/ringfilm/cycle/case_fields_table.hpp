@@ -50,7 +50,7 @@ inline Range between(double low, double high) { return {low, high, false, false}
 inline Range strictly_between(double low, double high) { return {low, high, true, true}; }
 
 struct Text {
-  const char* help;
+  std::string help;
   const char* example;
 };
 

@@ -176,11 +176,12 @@ void check_oil(const Case& c, Breaches& breaches) {
     breaches.push_back({"lubricant.density", "lubricant.density has values at temperatures; a pad has no temperature",
                         "write one value, for example \"850 kg/m3\""});
   }
-  if (c.lubricant.viscosity_pressure != ViscosityPressure::kNone &&
-      !c.stated.contains("lubricant.pressure_viscosity_coefficient")) {
+  for (const auto& parameter : models::viscosity_law(c.lubricant.viscosity_pressure).parameters) {
+    if (parameter.statement == models::Statement::kRequired || c.stated.contains("lubricant." + parameter.key))
+      continue;
     breaches.push_back({"lubricant.viscosity_pressure",
-                        "lubricant.pressure_viscosity_coefficient is not stated, and a pad has none to fall back on",
-                        "state it in [lubricant], for example pressure_viscosity_coefficient = \"2e-8 m2/N\""});
+                        "lubricant." + parameter.key + " is not stated, and a pad has none to fall back on",
+                        "state it in [lubricant], for example " + parameter.key + " = " + parameter.example});
   }
 }
 

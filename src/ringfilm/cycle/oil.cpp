@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -35,18 +34,6 @@ std::vector<double> values(const std::vector<TemperatureValue>& points) {
   return out;
 }
 
-models::ViscosityPressureLaw pressure_law(ViscosityPressure choice) {
-  switch (choice) {
-    case ViscosityPressure::kRoelands:
-      return models::ViscosityPressureLaw::kRoelands;
-    case ViscosityPressure::kNone:
-      return models::ViscosityPressureLaw::kNone;
-    case ViscosityPressure::kBarus:
-      return models::ViscosityPressureLaw::kBarus;
-  }
-  throw std::logic_error("viscosity-pressure law without a model");
-}
-
 models::OilLaws oil_laws(const Lubricant& oil, double temperature) {
   models::OilLaws laws;
   laws.viscosity_temperature = temperatures(oil.kinematic_viscosity);
@@ -60,8 +47,8 @@ models::OilLaws oil_laws(const Lubricant& oil, double temperature) {
   laws.viscosity_temperature_law = oil.viscosity_temperature == ViscosityTemperature::kWalther
                                        ? models::ViscosityTemperatureLaw::kWalther
                                        : models::ViscosityTemperatureLaw::kHoupert;
-  laws.viscosity_pressure_law = pressure_law(oil.viscosity_pressure);
-  laws.alpha_0 = oil.pressure_viscosity_coefficient;
+  laws.viscosity_pressure_law = oil.viscosity_pressure;
+  laws.parameters = oil.law_parameters;
   laws.beta_0 = oil.temperature_viscosity_coefficient;
   laws.theta_0 = oil.reference_temperature;
   if (oil.compressibility == Compressibility::kDowsonHigginson)
@@ -140,22 +127,14 @@ void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
 }
 
 std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant) {
-  const double eta = lubricant.viscosity, rho = lubricant.constant_density.value(),
-               alpha = lubricant.pressure_viscosity_coefficient;
   models::DowsonHigginson compression{0, 0};
   if (lubricant.compressibility == Compressibility::kDowsonHigginson) {
     compression = {lubricant.dh_a, lubricant.dh_b};
   }
   compression.reference_pressure = 0;
-  switch (lubricant.viscosity_pressure) {
-    case ViscosityPressure::kBarus:
-      return models::closed_form_oil(eta, rho, models::Barus{alpha}, compression);
-    case ViscosityPressure::kRoelands:
-      return models::closed_form_oil(eta, rho, models::Roelands::from_coefficient(alpha, eta).Z, compression);
-    case ViscosityPressure::kNone:
-      return models::closed_form_oil(eta, rho, 0.0, compression);
-  }
-  throw std::logic_error("viscosity-pressure law without a model");
+  const double eta = lubricant.viscosity;
+  return models::closed_form_oil(models::viscosity_law(lubricant.viscosity_pressure),
+                                 {eta, eta, lubricant.law_parameters}, lubricant.constant_density.value(), compression);
 }
 
 }  // namespace ringfilm::cycle

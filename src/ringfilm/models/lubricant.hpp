@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ringfilm/base/constants.hpp"
+#include "ringfilm/models/viscosity_laws.hpp"
 
 namespace ringfilm::models {
 
@@ -69,26 +70,10 @@ struct DowsonHigginson {
   double reference_pressure = base::kAtmosphere;  ///< p_r, at which the density is known [Pa]
 };
 
-/// Pressure rise of viscosity, eq-barus: eta = eta_T exp(alpha p), p from the zero of pressures at which eta_T holds.
-struct Barus {
-  double alpha;  ///< [1/Pa]
-};
-
-/// Houpert's form of Roelands' law, eqs eq-roelands, eq-roelands-index; pressure absolute.
-/// eta = exp{ (ln eta_T + 9.67) [(1 + p/1.98e8)^Z - 1] } eta_T with eta_T the viscosity at T and p = 0 and
-/// Z = alpha_0/(5.1e-9 (ln eta_0 + 9.67)).
-struct Roelands {
-  double Z;  ///< pressure-viscosity index [-]
-
-  /// @param alpha_0 pressure-viscosity coefficient [1/Pa]; @param eta_0 viscosity to which it belongs [Pa s]
-  static Roelands from_coefficient(double alpha_0, double eta_0);
-};
-
 /// Houpert's temperature term, eq-houpert: viscosity at T and p = 0 from eta_0 at theta_0 [Pa s].
 double houpert_viscosity(double eta_0, double theta_0, double beta_0, double T);
 
 enum class ViscosityTemperatureLaw { kWalther, kHoupert };
-enum class ViscosityPressureLaw { kRoelands, kNone, kBarus };
 
 /// An oil as its laws describe it, at all temperatures.
 struct OilLaws {
@@ -97,30 +82,31 @@ struct OilLaws {
   DensityLaw density;
   ViscosityTemperatureLaw viscosity_temperature_law = ViscosityTemperatureLaw::kWalther;
   ViscosityPressureLaw viscosity_pressure_law = ViscosityPressureLaw::kRoelands;
-  double alpha_0 = 0;                          ///< pressure-viscosity coefficient [1/Pa]
-  double beta_0 = 0;                           ///< temperature-viscosity coefficient, Houpert [1/K]
-  double theta_0 = 0;                          ///< reference temperature, Houpert [K]
-  std::optional<DowsonHigginson> compression;  ///< absent: density does not depend on pressure
+  LawParameters parameters = usual_law_parameters();  ///< of the laws of viscosity against pressure [SI]
+  double beta_0 = 0;                                  ///< temperature-viscosity coefficient, Houpert [1/K]
+  double theta_0 = 0;                                 ///< reference temperature, Houpert [K]
+  std::optional<DowsonHigginson> compression;         ///< absent: density does not depend on pressure
 };
 
 /// What the laws give at one temperature and atmospheric pressure.
 struct OilState {
   double eta_T;  ///< [Pa s]
   double rho_T;  ///< [kg/m3]
-  double Z;      ///< Roelands' index [-]; 0 where the viscosity does not follow his law
+  double eta_0;  ///< to which the coefficients of the laws of pressure belong [Pa s]
 };
 
-/// Walther: eta_T = nu(T) rho(T), and Z belongs to eta_T. Houpert: eta_0 = nu(theta_0) rho(theta_0) with nu after
-/// Walther or the one value stated there, eta_T after Houpert, and Z belongs to eta_0. Throws InputError where a law
-/// has no value at T [K].
+/// Walther: eta_T = eta_0 = nu(T) rho(T). Houpert: eta_0 = nu(theta_0) rho(theta_0) with nu after Walther or the one
+/// value stated there, and eta_T after Houpert. Throws InputError where a law has no value at T [K].
 OilState oil_state(const OilLaws& laws, double T);
 
 /// Closed-form oil at one temperature.
-/// @param eta_T [Pa s] and rho_T [kg/m3] at atmospheric pressure; Z = 0 switches the pressure dependence of eta off.
+/// @param eta_T [Pa s] and rho_T [kg/m3] at atmospheric pressure
+/// @param Z Roelands' index [-]; 0 switches the pressure dependence of eta off
 std::shared_ptr<const OilAtTemperature> closed_form_oil(double eta_T, double rho_T, double Z, DowsonHigginson law);
 
-/// The same with Barus' law.
-std::shared_ptr<const OilAtTemperature> closed_form_oil(double eta_T, double rho_T, Barus barus, DowsonHigginson law);
+/// The same with any law of viscosity. Throws InputError where it has no value for the oil.
+std::shared_ptr<const OilAtTemperature> closed_form_oil(const ViscosityLaw& law, const LawInputs& oil, double rho_T,
+                                                        DowsonHigginson compression);
 
 /// The same from its laws.
 std::shared_ptr<const OilAtTemperature> closed_form_oil(const OilLaws& laws, double T);

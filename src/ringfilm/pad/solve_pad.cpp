@@ -99,14 +99,16 @@ bool any_separation_carries(PadFilms& films, const film::FilmState& state, Effor
 }
 
 std::string no_film_at(const PadSetup& setup) {
-  const cycle::Lubricant& oil = setup.input.lubricant;
   std::string message = "no steady film was found, from slower motion and coarser grids either";
-  if (oil.viscosity_pressure != cycle::ViscosityPressure::kNone) {
+  const double p = 0;
+  double rho = 0, drho_dp = 0, eta = 0, deta_dp = 0;
+  setup.oil->properties({&p, 1}, {{&rho, 1}, {&drho_dp, 1}, {&eta, 1}, {&deta_dp, 1}});
+  if (deta_dp > 0) {
     message += text(
         "; where viscosity grows with pressure there is none above a pressure of about 1/alpha = %.3g bar as a "
         "constant "
         "viscosity would make it: take a larger separation",
-        1e-5 / oil.pressure_viscosity_coefficient);
+        1e-5 * eta / deta_dp);
   }
   return message;
 }

@@ -1,5 +1,6 @@
 #include "ringfilm/study/assumptions.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -65,6 +66,24 @@ Assumption roughness_measure(const Case& c) {
                     other_choices(key, c));
 }
 
+const models::ViscosityLaw& law_of(const Case& c) { return models::viscosity_law(c.lubricant.viscosity_pressure); }
+
+/// Has each number that the law takes a default, or does the case state it?
+bool is_known(const Case& c) {
+  const auto& parameters = law_of(c).parameters;
+  return std::all_of(parameters.begin(), parameters.end(), [&](const models::LawParameter& parameter) {
+    return parameter.statement == models::Statement::kDefault || c.stated.contains("lubricant." + parameter.key);
+  });
+}
+
+/// Does viscosity grow with pressure? Without that all laws are one.
+bool thickens(const Case& c) {
+  constexpr double kEta = 0.01, kPressure = 0;  // [Pa s], [Pa]
+  double eta = 0, slope = 0;
+  law_of(c).curve({kEta, kEta, c.lubricant.law_parameters})->viscosity({&kPressure, 1}, {&eta, 1}, {&slope, 1});
+  return slope > 0;
+}
+
 Assumption oil_laws(const Case& c) {
   const char* topic = "oil-laws";
   if (c.lubricant.table_file) {
@@ -72,11 +91,12 @@ Assumption oil_laws(const Case& c) {
                       "beyond the pressures of the table its last slopes are continued");
   }
   std::vector<Alternative> others;
-  const bool thickens = c.lubricant.pressure_viscosity_coefficient > 0;
-  for (const char* key : {"lubricant.viscosity_pressure", "lubricant.compressibility"}) {
-    if (std::string(key) == "lubricant.viscosity_pressure" && !thickens) continue;  // both choices are one law then
-    for (Alternative& other : other_choices(key, c)) others.push_back(std::move(other));
+  for (Alternative& other : other_choices("lubricant.viscosity_pressure", c)) {
+    Case changed = c;
+    other.apply(changed);
+    if (is_known(changed) && (thickens(c) || thickens(changed))) others.push_back(std::move(other));
   }
+  for (Alternative& other : other_choices("lubricant.compressibility", c)) others.push_back(std::move(other));
   return assumption(topic,
                     "viscosity follows \"" + chosen("lubricant.viscosity_temperature", c) + "\" in temperature and \"" +
                         chosen("lubricant.viscosity_pressure", c) + "\" in pressure, density \"" +

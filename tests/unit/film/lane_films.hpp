@@ -43,7 +43,7 @@ inline LaneFilm lane_film(const BlockKind& kind, const LaneFilmForm& form) {
   laws.kinematic_viscosity = {60e-6, 9.6e-6};
   laws.density.temperature = {288.15, 313.15};
   laws.density.value = {850, 834};
-  laws.alpha_0 = 1e-8;
+  laws.parameters["pressure_viscosity_coefficient"] = 1e-8;
   laws.compression = models::DowsonHigginson{};
 
   LaneFilm film;

@@ -116,7 +116,7 @@ TEST(StudyFile, AFileThatIsChosenUndoesNoOtherFactor) {
     std::set<std::pair<std::string, int>> seen;
     for (std::uint64_t i = 0; i < plan.size(); ++i) {
       const cycle::Case c = study::scenario_case(plan.study(), plan.point(i));
-      EXPECT_EQ(c.lubricant.pressure_viscosity_coefficient, 2e-8);
+      EXPECT_EQ(c.lubricant.law_parameters.at("pressure_viscosity_coefficient"), 2e-8);
       EXPECT_TRUE(c.stated.contains("lubricant.viscosity_pressure"));
       EXPECT_TRUE(c.stated.contains("gas.cylinder_pressure"));
       seen.insert({c.lubricant.file.value(), static_cast<int>(c.lubricant.viscosity_pressure)});

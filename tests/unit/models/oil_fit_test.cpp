@@ -22,7 +22,7 @@ OilLaws thick_oil() {
   laws.kinematic_viscosity = {110e-6, 14.6e-6};
   laws.density.temperature = {15 + kZero, 40 + kZero};
   laws.density.value = {880, 863.5};
-  laws.alpha_0 = 1e-8;
+  laws.parameters["pressure_viscosity_coefficient"] = 1e-8;
   laws.compression = DowsonHigginson{};
   return laws;
 }
@@ -33,6 +33,11 @@ OilLaws thin_oil() {
   laws.kinematic_viscosity = {45e-6, 8.6e-6};
   laws.density.value = {842, 826.2};
   return laws;
+}
+
+Oil barus_oil(double alpha, const DowsonHigginson& compression) {
+  return closed_form_oil(viscosity_law(ViscosityPressureLaw::kBarus),
+                         {0.01, 0.01, {{"pressure_viscosity_coefficient", alpha}}}, 850, compression);
 }
 
 OilFit::Values<double> values_of_law(const OilAtTemperature& oil, double p) {
@@ -123,8 +128,7 @@ TEST(OilFit, StandsForAnOilThatNoPressureChanges) {
 
 TEST(OilFit, StandsForBarusLawAndForCompressionAlone) {
   const DowsonHigginson none{.a = 0, .b = 0};
-  for (const Oil& oil : {closed_form_oil(0.01, 850, Barus{2e-8}, none), closed_form_oil(0.01, 850, 0.0, {}),
-                         closed_form_oil(0.01, 850, Barus{1e-8}, {})}) {
+  for (const Oil& oil : {barus_oil(2e-8, none), closed_form_oil(0.01, 850, 0.0, {}), barus_oil(1e-8, {})}) {
     const auto fit = fit_oil(*oil, 0, 40e6);
     ASSERT_TRUE(fit);
     EXPECT_LT(differences_at(*fit, *oil, random_pressures(0, 40e6)).value, 1e-11);
@@ -137,8 +141,8 @@ TEST(OilFit, IsRefusedWhereItWouldNotStandForTheLaw) {
       tabulated_oil({1e5, 5e6, 1e7, 2e7, 4e7}, {0.01, 0.0107, 0.0113, 0.0128, 0.016}, {850, 852, 855, 860, 868});
   EXPECT_TRUE(refused(table, 20e6));
   // Viscosity over many decades, and one that overflows.
-  EXPECT_TRUE(refused(closed_form_oil(0.01, 850, Barus{1e-6}, {}), 20e6));
-  EXPECT_TRUE(refused(closed_form_oil(0.01, 850, Barus{1e-6}, {}), 1e9));
+  EXPECT_TRUE(refused(barus_oil(1e-6, {}), 20e6));
+  EXPECT_TRUE(refused(barus_oil(1e-6, {}), 1e9));
   // 2 GPa: ten half-lives of the fluidity.
   EXPECT_TRUE(refused(closed_form_oil(thick_oil(), 100 + kZero), 2e9));
 }
@@ -156,7 +160,7 @@ TEST(FittedOil, CarriesTheFitAndAnswersByTheLaw) {
 }
 
 TEST(FittedOil, IsTheOilItselfWhereNoFitStandsForIt) {
-  const Oil oil = closed_form_oil(0.01, 850, Barus{1e-6}, {});
+  const Oil oil = barus_oil(1e-6, {});
   EXPECT_EQ(fitted_oil(oil, 0, 20e6), oil);
 }
 

@@ -361,7 +361,7 @@ TEST(SheetPad, BarusAndDowsonHigginsonReachTheirReferencesAcrossClosedAndJoinedS
   for (const cycle::Sides sides : {cycle::Sides::kPeriodic, cycle::Sides::kClosed}) {
     cycle::Case barus = verification_slider(6.6e-6, 3e-6, sides);
     barus.lubricant.viscosity_pressure = cycle::ViscosityPressure::kBarus;
-    barus.lubricant.pressure_viscosity_coefficient = 20e-9;
+    barus.lubricant.law_parameters["pressure_viscosity_coefficient"] = 20e-9;
     const Sample thick = solved(barus);
     EXPECT_NEAR(thick.load / 238320.6, 1, kOfCells);
     EXPECT_NEAR(thick.peak_film_pressure / 41987533, 1, kOfCells);
@@ -386,7 +386,7 @@ TEST(SheetPad, BarusFollowsFromTheFilmOfConstantViscosity) {
   c.pad.gap_height = {8e-6, 4e-6};
   const PadResult plain = solve_pad(c);
   c.lubricant.viscosity_pressure = cycle::ViscosityPressure::kBarus;
-  c.lubricant.pressure_viscosity_coefficient = alpha;
+  c.lubricant.law_parameters["pressure_viscosity_coefficient"] = alpha;
   const PadResult thick = solve_pad(c);
   const std::vector<double>&P = plain.fields.back().pressure, &p = thick.fields.back().pressure;
   ASSERT_EQ(P.size(), p.size());

@@ -95,7 +95,7 @@ TEST(PadSlider, OfBarusOilHasTheReducedPressureOfAConstantOil) {
   c.solver.cells = 400;
   const double peak_q = solved(c).peak_film_pressure;
   c.lubricant.viscosity_pressure = cycle::ViscosityPressure::kBarus;
-  c.lubricant.pressure_viscosity_coefficient = 0.8 / peak_q;
+  c.lubricant.law_parameters["pressure_viscosity_coefficient"] = 0.8 / peak_q;
   const Sample thick = solved(c);
   const double expected = -std::log(1 - 0.8) / 0.8 * peak_q;
   EXPECT_NEAR(thick.peak_film_pressure / expected, 1, 2e-4);  // second order, steeper than the constant oil

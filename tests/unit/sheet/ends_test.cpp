@@ -22,7 +22,7 @@ struct Pressures {
 };
 
 SheetIntegrals at_rest(int n_across, const std::function<double(double)>& heights, const Pressures& pressures) {
-  const auto oil = models::closed_form_oil(kEta, kRho, models::Barus{0.0}, {0.0, 0.0});
+  const auto oil = models::closed_form_oil(kEta, kRho, 0.0, {0.0, 0.0});
   SheetProblem problem;
   problem.strip.grid = film::uniform_grid(n_across, kWidth, heights);
   problem.strip.oil = oil.get();
