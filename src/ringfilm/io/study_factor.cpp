@@ -19,26 +19,10 @@ using Kind = TomlValue::Kind;
 using study::Factor;
 using study::How;
 
-const std::vector<std::string> kFactorKeys = {"name",
-                                              "source",
-                                              "key",
-                                              "keys",
-                                              "bases",
-                                              "how",
-                                              "values",
-                                              "range",
-                                              "points",
-                                              "spacing",
-                                              "distribution",
-                                              "mean",
-                                              "deviation",
-                                              "relative_deviation",
-                                              "lower",
-                                              "upper",
-                                              "mode",
-                                              "median",
-                                              "log_deviation",
-                                              "truncate"};
+const std::vector<std::string> kFactorKeys = {
+    "name",  "source", "key",     "keys",         "bases",         "how",       "values",
+    "range", "points", "spacing", "distribution", "mean",          "deviation", "relative_deviation",
+    "lower", "upper",  "mode",    "median",       "log_deviation", "truncate"};
 
 /// A value or a difference of two: "5 degC" warmer is 5 K, not 278.15 K.
 enum class Meaning { kValue, kDifference };

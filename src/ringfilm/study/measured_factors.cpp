@@ -43,8 +43,8 @@ class MeasuredFactors {
     if (!varies(deviation)) return std::nullopt;
     ++n_errors_;
     const std::string name = key.substr(key.find('.') + 1) + " of " + study_.bases[b].name;
-    study_.factors.push_back({name, {{b, key, 1.0}}, How::kSet, positive(mean, *deviation), unit, display_unit, {},
-                              kSource});
+    study_.factors.push_back(
+        {name, {{b, key, 1.0}}, How::kSet, positive(mean, *deviation), unit, display_unit, {}, kSource});
     return study_.factors.size() - 1;
   }
 
