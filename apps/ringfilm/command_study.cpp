@@ -284,6 +284,15 @@ void run_study(const StudyOptions& options) {
     throw InputError(fmt::format("{}: here stands a study that was not finished", growing),
                      "go on with it by --resume, or delete this file to begin anew");
   }
+  if (!options.resume && options.is_part && fs::exists(finished)) {
+    // Parts are computed on their own: one of another study would be missed long after it was lost.
+    const std::string differs =
+        io::difference(io::ShardReader(finished).header(), study.header(options.part, options.parts));
+    if (!differs.empty()) {
+      throw InputError(fmt::format("{}: here stands a finished part of {}", finished, differs),
+                       "name another output, or delete this file");
+    }
+  }
   files.make_folder();
   io::check_can_write(files.result(), io::Sink::kFile);
   io::check_can_write(files.table(), io::Sink::kFile);
@@ -346,7 +355,11 @@ std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t us
   const StudyFiles files(options.output);
   check_outputs_apart(files, study);
   const std::vector<PartFile> there = files.parts();
-  if (options.parts == 0) options.parts = there.empty() ? usual : there.front().parts;
+  if (options.parts == 0) options.parts = there.empty() ? std::min(usual, study.plan.size()) : there.front().parts;
+  if (options.parts > study.plan.size()) {
+    throw InputError(fmt::format("--parts {}: the study has {} scenarios", options.parts, study.plan.size()),
+                     "each part wants one at least");
+  }
   std::vector<Fault> faults;
   std::set<std::uint64_t> finished;
   for (const PartFile& file : there) {

@@ -104,6 +104,8 @@ class StudyTest(ProgramTest):
         self.run_well("study", "study.toml", "-o", "out", "--shard", "2/2")
         self.assert_refused(self.run_program("study", "merge", "study.toml", "-o", "out"), "part-1-of-2",
                             "another plan")
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "1/2"),
+                            "a finished part of another plan", "delete this file")
         trace = self.folder / "trace.csv"
         trace.write_text("# another day\n" + trace.read_text())
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "2/2", "--resume"),
