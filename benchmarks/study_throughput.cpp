@@ -18,10 +18,13 @@
 #include <utility>
 #include <vector>
 
+#include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/shard_file.hpp"
 #include "ringfilm/io/study_file.hpp"
 #include "ringfilm/io/study_netcdf.hpp"
 #include "ringfilm/io/study_result.hpp"
+#include "ringfilm/io/units.hpp"
+#include "ringfilm/report/study_page.hpp"
 #include "ringfilm/study/hash.hpp"
 #include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
@@ -195,7 +198,8 @@ void write_rows(const study::Plan& plan, const std::string& path) {
 double megabytes(const std::string& path) { return static_cast<double>(fs::file_size(path)) / 1e6; }
 
 void measure_results(std::uint64_t n, study::Curves curves, const char* name, const fs::path& folder) {
-  const std::string rows_path = folder / "study.rows", result = folder / "study.nc", table = folder / "study.csv";
+  const std::string rows_path = folder / "study.rows", result = folder / "study.nc", table = folder / "study.csv",
+                    page = folder / "study.html";
   const io::StudyFile file = uncertainty_study(n, curves);
   const study::Plan plan(file.study);
   fs::remove(rows_path);
@@ -214,6 +218,13 @@ void measure_results(std::uint64_t n, study::Curves curves, const char* name, co
   std::printf("| %-9s | %9llu | %7.0f | CSV    |", name, static_cast<unsigned long long>(n), megabytes(rows_path));
   const double of_table = memory_of([&] { with_rows([&](const auto& rows) { io::write_study_csv(table, rows); }); });
   std::printf(" %7.0f | %7.0f |\n", megabytes(table), of_table);
+  std::printf("| %-9s | %9llu | %7.0f | page   |", name, static_cast<unsigned long long>(n), megabytes(rows_path));
+  const double of_page = memory_of([&] {
+    with_rows([&](const auto& rows) {
+      io::write_atomically(page, report::study_page(rows, io::Units(), {"ringfilm", "", "", ""}));
+    });
+  });
+  std::printf(" %7.1f | %7.0f |\n", megabytes(page), of_page);
 }
 
 int run(const Options& options) {
