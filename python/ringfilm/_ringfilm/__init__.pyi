@@ -523,12 +523,24 @@ class Result:
         """Mean cavitated share of the face [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-complementarity."""
         ...
     @property
+    def mean_film_parameter(self) -> object:
+        """Mean film parameter, weighted with the load [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-load-mean."""
+        ...
+    @property
+    def mean_friction_coefficient(self) -> object:
+        """Mean friction coefficient, weighted with the load [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-load-mean."""
+        ...
+    @property
     def mean_gap_leakage(self) -> object:
         """Mean oil flow out of the film into the ring's gap [kg/s], a float; NaN unless the film is unrolled. Source: docs/theory, eq-gap-leakage."""
         ...
     @property
     def mean_power_loss(self) -> object:
         """Mean friction power [W], a float; NaN where the cycle was not finished. Source: docs/theory, eq-mean."""
+        ...
+    @property
+    def mean_stribeck_number(self) -> object:
+        """Mean Stribeck number, weighted with the load [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-load-mean."""
         ...
     @property
     def mean_total_friction(self) -> object:
