@@ -35,7 +35,7 @@ def check_cases(project, program):
     of_another = 'pressure_viscosity_coefficient = "1e-8 Pa-1"\n'
     if "pressure_viscosity_coefficient is not used" not in call(law + numbers + of_another, "check", "case.toml", expect=2):
         project.fail("a number of another law is not refused")
-    call(law + numbers, "run", "case.toml", "-o", "result.nc")
+    call(law + numbers, "run", "case.toml", "--output", "result.nc")
     result = (scratch / "result.nc").read_bytes()
     if b"cameron_exponent" not in result or b'"cameron"' not in result:
         project.fail("the result does not say which law was taken, with which numbers")
