@@ -157,7 +157,9 @@ def index(stage, others):
         name = page.removesuffix(".md")
         if name not in taken:
             sections["Reference"].append(name)
-    text = [(stage.root / "docs/site/welcome.md").read_text(encoding="utf-8")]
+    welcome = (stage.root / "docs/site/welcome.md").read_text(encoding="utf-8")
+    # It becomes the page above all others.
+    text = [welcome.replace("](../../", "](").replace("](../", "](docs/")]
     for caption, pages in sections.items():
         if pages:
             lines = [f"{navigation.TITLES[page]} <{page}>" if page in navigation.TITLES else page for page in pages]

@@ -20,8 +20,8 @@ const std::string kPlan = "[plan]\nmethod = \"sobol\"\nscenarios = 8\n";
 /// A study beside a case; tests put their own words between.
 class StudyFolder {
  public:
-  StudyFolder() {
-    folder_.write("case.toml", CaseText{}.text());
+  explicit StudyFolder(const CaseText& text = {}) {
+    folder_.write("case.toml", text.text());
     folder_.write("p.csv", full_trace());
   }
 
@@ -98,7 +98,9 @@ TEST(StudyFile, PutsTheContentOfAFileIntoScenarios) {
 // The file of an oil brings the whole table; what is chosen or set beside it must stand in the scenario all the same,
 // whatever the order of the factors.
 TEST(StudyFile, AFileThatIsChosenUndoesNoOtherFactor) {
-  const StudyFolder folder;
+  CaseText text;
+  text.lubricant = "[lubricant]\nfile = \"a.toml\"\n";
+  const StudyFolder folder(text);
   const std::string oil =
       "name = \"NAME\"\nkinematic_viscosity = [{ temperature = \"40 degC\", value = \"50 mm2/s\" }, "
       "{ temperature = \"100 degC\", value = \"8 mm2/s\" }]\n"
