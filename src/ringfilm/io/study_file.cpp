@@ -147,12 +147,7 @@ class StudyReader {
     StudyTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels", "until"},
                      faults_);
     table.needed_text("method", "\"sobol\"");
-    const auto method = table.chosen<Method>("method", {{"grid", Method::kGrid},
-                                                        {"one-at-a-time", Method::kOneAtATime},
-                                                        {"latin-hypercube", Method::kLatinHypercube},
-                                                        {"sobol", Method::kSobol},
-                                                        {"list", Method::kList},
-                                                        {"morris", Method::kMorris}});
+    const auto method = table.chosen("method", study::method_words());
     sampling.method = method.value_or(sampling.method);
     sampling.scenarios = table.count("scenarios").value_or(sampling.scenarios);
     sampling.trajectories = table.count("trajectories").value_or(sampling.trajectories);

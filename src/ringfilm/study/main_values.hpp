@@ -17,7 +17,8 @@ enum class Among {
   kSample  ///< those from which means and quantiles may be taken
 };
 
-/// Values of the points of one base, in their order. @param all one value for each scenario of the plan
+/// Values of the points of one base, in their order. @param all one value for each scenario of the plan. Throws
+/// std::out_of_range if there are fewer.
 std::vector<double> values_of_base(const Plan& plan, std::span<const double> all, std::size_t base, Among among);
 
 /// Is the plan, or the part of it that statistics are taken from, a sample of the factors?

@@ -121,9 +121,7 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
   };
   const auto ended = [&](Ending ending) {
     const std::uint64_t i = scenario_of.extract(ending.index).mapped();
-    collector.put(i, ending.is_solved()
-                         ? row_of(ending.result, keep)
-                         : unsolved_row(ending.refusal ? reason_of(*ending.refusal) : ending.reason(), keep));
+    collector.put(i, ending.is_solved() ? row_of(ending.result, keep) : unsolved_row(ending.reason(), keep));
   };
   try {
     simulate_cases(source, ended, options.batch);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ringfilm/study/main_values.hpp"
 #include "ringfilm/study/statistics.hpp"
 #include "ringfilm/study/wording.hpp"
 
@@ -23,10 +24,7 @@ std::vector<Sureness> sureness(const Plan& plan, const std::vector<double>& valu
   const Until& until = plan.study().sampling.until.value();
   std::vector<Sureness> all;
   for (std::size_t base = 0; base < plan.study().bases.size(); ++base) {
-    std::vector<double> sample;
-    for (std::uint64_t p = 0; p < plan.n_points(base); ++p) {
-      if (plan.is_sample(p)) sample.push_back(values.at(plan.scenario(base, p)));
-    }
+    const std::vector<double> sample = values_of_base(plan, values, base, Among::kSample);
     all.push_back({base, interval_width(sample, until.quantile)});
   }
   return all;
