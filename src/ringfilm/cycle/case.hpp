@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/base/shared.hpp"
 #include "ringfilm/models/lubricant.hpp"
 
 /// The input of one engine cycle, or of a pad, as one plain value: SI units, complete, checked. Angles alone are in
@@ -79,7 +80,7 @@ struct Gas {
   GasModel model = GasModel::kTrace;
   // model = "trace"
   std::string cylinder_pressure_file;
-  SampledTrace cylinder_pressure;  ///< [Pa] as the file gives it: absolute or gauge, zero as stated below
+  base::Shared<SampledTrace> cylinder_pressure;  ///< [Pa] as the file gives it: absolute or gauge, zero as stated below
   PressureReference pressure_reference{};
   AngleZero angle_zero{};
   TraceOrigin trace_origin = TraceOrigin::kNotStated;        ///< shown wherever the trace appears
@@ -101,7 +102,7 @@ struct Gas {
   // always
   double crankcase_pressure = 101325;  ///< [Pa] absolute; not used where a trace is given
   std::optional<std::string> crankcase_pressure_file;
-  std::optional<SampledTrace> crankcase_trace;
+  std::optional<base::Shared<SampledTrace>> crankcase_trace;
   double pressure_behind_ring = 1.0;  ///< share of the absolute gas pressure that acts behind the ring [-]
 };
 
@@ -212,7 +213,7 @@ struct Lubricant {
   std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure
   std::optional<double> constant_density;             ///< instead of `density`: the same at all temperatures [kg/m3]
   std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws
-  OilTable table;
+  base::Shared<OilTable> table;
   double temperature_viscosity_coefficient = 0.04;  ///< beta_0 [1/K], houpert
   double reference_temperature = 313.15;            ///< theta_0 [K], houpert and thermal-expansivity
   double thermal_expansivity = 7.5e-4;              ///< gamma [1/K]
