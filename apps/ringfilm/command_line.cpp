@@ -171,7 +171,7 @@ class Commands {
            error_estimate_ ? ErrorsWanted::kEstimated : ErrorsWanted::kNone, jobs()});
     });
     run_words_.add_to(command);
-    command.add_option("--output", output_, "write the whole result as NetCDF-4")->type_name("X.nc");
+    command.add_option("-o,--output", output_, "write the whole result as NetCDF-4")->type_name("X.nc");
     command
         .add_option("--csv", csv_,
                     "write the curves as CSV, SI units: over crank angle, of a pad along its length; without a name: "
@@ -214,7 +214,7 @@ class Commands {
     command.add_option("--overlay", report_.overlays, "measured curves to lay over; may be repeated")
         ->allow_extra_args(false)
         ->type_name("X.csv");
-    command.add_option("--output", report_.output, "the page to write")->type_name("X.html");
+    command.add_option("-o,--output", report_.output, "the page to write")->type_name("X.html");
     command
         .add_option(
             "--vts", report_.vts_folder,
@@ -235,7 +235,7 @@ class Commands {
                     "styles2014: three rings, new, run-in and embedded; measured: the same from files of instruments")
         ->required()
         ->type_name("");
-    command.add_option("--output", reproduce_.folder, "folder for results and report (default ./<publication>)")
+    command.add_option("-o,--output", reproduce_.folder, "folder for results and report (default ./<publication>)")
         ->type_name("DIR");
     add_jobs(command);
     command.footer(kReproduceFooter);
@@ -249,7 +249,7 @@ class Commands {
     command.add_option("NAME", verify_.names, "cases to check; all if none is named")->type_name("...");
     command.add_flag("--list", list_, "print the names of the cases, compute nothing");
     command.add_flag("--json", verify_json_, "print the rows as JSON, SI units, instead of the table");
-    command.add_option("--output", verify_.output, "write the same as a web page")->type_name("X.html");
+    command.add_option("-o,--output", verify_.output, "write the same as a web page")->type_name("X.html");
     command.footer(kVerifyFooter);
   }
 

@@ -176,11 +176,8 @@ void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& 
 /// Is a study with `until` sure enough with the rows that are there?
 bool is_sure(const Loaded& study, const io::ShardReader& rows) {
   const study::Until& until = *study.until();
-  const auto& known = cycle::cycle_quantities();
-  const auto quantity =
-      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
   std::vector<double> values;
-  rows.append_values(static_cast<std::size_t>(quantity - known.begin()), values);
+  rows.append_values(*cycle::cycle_quantity_index(until.value), values);
   return study::is_sure(until, study::sureness(study.plan, values));
 }
 

@@ -16,13 +16,13 @@ namespace ringfilm::app {
 namespace {
 
 /// The case itself, on one lane: its bits are the same whatever else is computed.
-Computation marched(const Wanted& wanted, ProgressLine& line) {
+Computation marched(const Wanted& wanted, ComputationWatch& watch) {
   const cycle::Case& input = wanted.input;
-  MarchProgress progress(line, wanted.name);
+  watch.begins(wanted);
   Computation done;
   cycle::CycleResult result;
   try {
-    result = cycle::simulate(cycle::prepare(input), &progress);
+    result = cycle::simulate(cycle::prepare(input), &watch);
   } catch (const cycle::StoppedCycle& stop) {
     result = stop.result;
     result.complete = false;
@@ -53,12 +53,31 @@ void add_errors(const Wanted& wanted, std::span<const study::Ending> ended, io::
   document.result.notes.insert(document.result.notes.end(), notes.begin(), notes.end());
 }
 
+/// Tells the progress on a line.
+class LineWatch : public ComputationWatch {
+ public:
+  void begins(const Wanted& one) override { march_.emplace(line_, one.name); }
+  void advanced(int cycle, double crank_angle_deg) override { march_->advanced(cycle, crank_angle_deg); }
+  void others_ended(int n_done, int n_total) override {
+    line_.show(fmt::format("{} of {} other grids and choices", n_done, n_total));
+  }
+
+ private:
+  ProgressLine line_;
+  std::optional<MarchProgress> march_;
+};
+
 }  // namespace
 
 std::vector<Computation> computations(const std::vector<Wanted>& wanted, const study::BatchOptions& options) {
-  ProgressLine line;
+  LineWatch watch;
+  return computations(wanted, options, watch);
+}
+
+std::vector<Computation> computations(const std::vector<Wanted>& wanted, const study::BatchOptions& options,
+                                      ComputationWatch& watch) {
   std::vector<Computation> all;
-  for (const Wanted& one : wanted) all.push_back(marched(one, line));
+  for (const Wanted& one : wanted) all.push_back(marched(one, watch));
 
   std::vector<cycle::Case> further;
   std::vector<Inquiry> inquiries(all.size());
@@ -72,9 +91,7 @@ std::vector<Computation> computations(const std::vector<Wanted>& wanted, const s
       append(inquiries[i].ledger.cases, further);
     }
   }
-  const auto told = [&](int n_done, int n_total) {
-    line.show(fmt::format("{} of {} other grids and choices", n_done, n_total));
-  };
+  const auto told = [&](int n_done, int n_total) { watch.others_ended(n_done, n_total); };
   const std::string others = fmt::format("; other grids and choices {} lanes", film::kernels().width);
   const std::vector<study::Ending> ended = study::endings(further, told, options);
 

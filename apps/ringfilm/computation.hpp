@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/io/result_file.hpp"
 #include "ringfilm/study/batch.hpp"
 
@@ -25,7 +26,18 @@ struct Computation {
   std::optional<ConvergenceError> stopped;
 };
 
+/// Told how far computations are: of the march of a case as cycle::Observer, and of all others.
+class ComputationWatch : public cycle::Observer {
+ public:
+  virtual void begins(const Wanted& one) = 0;              ///< the march of this case
+  virtual void others_ended(int n_done, int n_total) = 0;  ///< other grids and choices; never twice at a time
+};
+
 /// Marches each case, then all that ledgers and error estimates want in one batch.
+std::vector<Computation> computations(const std::vector<Wanted>& wanted, const study::BatchOptions& options,
+                                      ComputationWatch& watch);
+
+/// The same, with a line of progress on standard error.
 std::vector<Computation> computations(const std::vector<Wanted>& wanted, const study::BatchOptions& options);
 
 }  // namespace ringfilm::app

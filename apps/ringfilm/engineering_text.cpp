@@ -49,10 +49,9 @@ std::string EngineeringText::operator()(const std::string& name, double si_value
 }
 
 const cycle::CycleQuantity& cycle_quantity(const std::string& name) {
-  const auto& quantities = cycle::cycle_quantities();
-  const auto found = std::find_if(quantities.begin(), quantities.end(), [&](const auto& q) { return q.name == name; });
-  if (found == quantities.end()) throw std::logic_error("no cycle value is called " + name);
-  return *found;
+  const std::optional<std::size_t> found = cycle::cycle_quantity_index(name);
+  if (!found) throw std::logic_error("no cycle value is called " + name);
+  return cycle::cycle_quantities()[*found];
 }
 
 std::string pressure_origin(const cycle::Gas& gas) {

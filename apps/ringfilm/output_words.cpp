@@ -5,7 +5,7 @@
 namespace ringfilm::app {
 
 void OutputWords::add_to(CLI::App& command, bool with_fragment) {
-  command.add_option("--output", outputs.netcdf, "write everything as NetCDF-4")->type_name("X.nc");
+  command.add_option("-o,--output", outputs.netcdf, "write everything as NetCDF-4")->type_name("X.nc");
   command.add_option("--html", outputs.page, "write everything as one self-contained web page")->type_name("X.html");
   if (with_fragment) {
     command

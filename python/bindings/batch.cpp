@@ -7,6 +7,7 @@
 #include "errors.hpp"
 #include "result_object.hpp"
 #include "ringfilm/film/kernels.hpp"
+#include "run.hpp"
 
 namespace ringfilm::python {
 namespace {
@@ -89,13 +90,10 @@ class Batch {
   std::size_t n_ended_ = 0;
 };
 
-py::list simulate_many(const py::object& cases, int threads, const py::object& progress, const std::string& curves) {
-  if (threads < 0 || threads > 1024) {
-    throw InputError("threads = " + std::to_string(threads) + " is out of range",
-                     "0 takes as many as the machine runs at once, 1024 are the most");
-  }
+py::list simulate_many(const py::object& cases, const py::object& threads, const py::object& progress,
+                       const std::string& curves) {
   const py::object total = py::hasattr(cases, "__len__") ? py::object(py::int_(py::len(cases))) : py::none();
-  return Batch(py::iter(cases), total, curves_of(curves), progress).run(threads);
+  return Batch(py::iter(cases), total, curves_of(curves), progress).run(threads_of(threads));
 }
 
 }  // namespace

@@ -224,12 +224,20 @@ Raises InputError for a key that does not exist.)");
            R"(Checks the case as a whole. Returns what the program has to say about it, a list of sentences.
 Raises InputError with everything that is wrong.)");
   type.def(
-      "run", [](CaseObject& self, const py::object& progress) { return run_case(self, progress); },
-      py::arg("progress") = py::none(),
+      "run",
+      [](CaseObject& self, const py::object& progress, bool ledger, bool error_estimate, const py::object& threads) {
+        return run_case(self, progress, {ledger, error_estimate, threads_of(threads)});
+      },
+      py::arg("progress") = py::none(), py::arg("ledger") = false, py::arg("error_estimate") = false,
+      py::arg("threads") = py::none(),
       R"(Computes the cycle, or the film of a pad.
 
 progress: called now and then, at most every 20 ms, as progress(cycle, crank_angle) with the number of the cycle from 1
     and the crank angle [degree]; of a pad as progress(time, end_time) [s]. What it raises ends the run.
+ledger: also run the other choice for every assumption that can be lifted; see Result.ledger. Rings only.
+error_estimate: also run finer and coarser cells and crank steps, about four times the work; the errors stand beside
+    their quantities: result["cycle_fmep_error"], result["min_film_thickness_error"]. Rings only.
+threads: for these others, 1 to 1024; None: as many as the machine runs at once. The numbers do not depend on it.
 Returns a Result, of a pad a PadResult. Other threads go on meanwhile; Ctrl-C ends the run with KeyboardInterrupt.
 Raises InputError, and ConvergenceError with all up to the last good crank angle in its attribute `result`.
 Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`.)");

@@ -31,10 +31,14 @@ std::string documented(const cycle::Quantity& quantity, const std::string& dimen
   return text;
 }
 
-py::dict cycle_values(const ResultObject& self) {
+py::dict named_values(const cycle::CycleValues& of) {
   py::dict values;
-  for (const auto& quantity : cycle::cycle_quantities())
-    values[py::str(quantity.name)] = self.result().values.*quantity.value;
+  for (const auto& quantity : cycle::cycle_quantities()) values[py::str(quantity.name)] = of.*quantity.value;
+  return values;
+}
+
+py::dict cycle_values(const ResultObject& self) {
+  py::dict values = named_values(self.result().values);
   if (self.result().unrolled.is_absent()) return values;
   for (const auto& quantity : cycle::unrolled_cycle_quantities())
     values[py::str(quantity.name)] = self.result().unrolled_values.*quantity.value;
@@ -46,6 +50,27 @@ py::list notes(const ResultObject& self) {
   for (const std::string& note : self.document().input_notes) list.append(py::make_tuple("input", note, 1));
   for (const cycle::Note& note : self.result().notes) list.append(py::make_tuple(note.topic, note.message, note.count));
   return list;
+}
+
+py::list ledger(const ResultObject& self) {
+  py::list lifted;
+  for (const study::LedgerEntry& entry : self.document().ledger) {
+    if (entry.variants.empty()) continue;
+    py::list variants;
+    for (const study::LedgerVariant& variant : entry.variants) {
+      py::dict one;
+      one["setting"] = variant.setting;
+      one["values"] = named_values(variant.values);
+      one["reason"] = variant.reason;
+      variants.append(one);
+    }
+    py::dict told;
+    told["topic"] = entry.topic;
+    told["statement"] = entry.statement;
+    told["variants"] = variants;
+    lifted.append(told);
+  }
+  return lifted;
 }
 
 /// Every variable of the result file, as (dimensions, array, attributes).
@@ -144,6 +169,12 @@ void bind_words(py::class_<ResultObject>& type) {
         return list;
       },
       "What the cycle takes for granted: tuples (topic, statement, consequence, source).");
+  type.def_property_readonly("ledger", &ledger,
+                             R"(What it would change to lift an assumption, if run(ledger=True) was asked to find out.
+
+Dicts in the order of `assumptions`, of those that were lifted: topic, statement, and variants, a list of dicts: setting
+as one would write it, values {name: float in SI} of the cycle with this setting alone changed, reason (empty; why it was
+not solved, with NaN for values). Empty where it was not asked for.)");
   type.def_property_readonly(
       "inputs",
       [](const ResultObject& self) {

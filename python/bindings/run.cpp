@@ -1,5 +1,8 @@
 #include "run.hpp"
 
+#include <string>
+
+#include "computation.hpp"
 #include "errors.hpp"
 #include "interpreter.hpp"
 #include "pad_object.hpp"
@@ -10,9 +13,13 @@
 namespace ringfilm::python {
 namespace {
 
-class CycleWatch : public cycle::Observer {
+class CycleWatch : public app::ComputationWatch {
  public:
   explicit CycleWatch(const py::object& progress) : progress_(progress) {}
+  void begins(const app::Wanted&) override {}
+  void others_ended(int, int) override {
+    interpreter_.visit([] {});
+  }
   void advanced(int cycle, double crank_angle_deg) override {
     interpreter_.visit([&] {
       if (!progress_.is_none()) progress_(cycle, crank_angle_deg);
@@ -38,7 +45,11 @@ class PadWatch : public pad::Observer {
   Interpreter interpreter_;
 };
 
-py::object run_pad(const cycle::Case& input, const py::object& progress) {
+py::object run_pad(const cycle::Case& input, const py::object& progress, const RunWishes& wishes) {
+  if (wishes.ledger || wishes.error_estimate) {
+    throw InputError(std::string(wishes.ledger ? "ledger" : "error_estimate") + " is for rings",
+                     "leave it out for a pad");
+  }
   PadWatch watch(progress);
   try {
     pad::PadResult result;
@@ -52,13 +63,36 @@ py::object run_pad(const cycle::Case& input, const py::object& progress) {
   }
 }
 
+/// With more to find out than the result alone.
+py::object inquire(const cycle::Case& input, CycleWatch& watch, const RunWishes& wishes) {
+  const app::Wanted wanted{input, wishes.ledger ? app::LedgerWanted::kComputed : app::LedgerWanted::kStatements,
+                           wishes.error_estimate ? app::ErrorsWanted::kEstimated : app::ErrorsWanted::kNone, ""};
+  app::Computation done;
+  {
+    const py::gil_scoped_release others_go_on;
+    done = std::move(app::computations({wanted}, {wishes.threads}, watch).front());
+  }
+  py::object result = py::cast(std::make_unique<ResultObject>(std::move(done.document)));
+  if (done.stopped) raise_convergence(*done.stopped, result);
+  return result;
+}
+
 }  // namespace
 
-py::object run_case(CaseObject& self, const py::object& progress) {
+int threads_of(const py::object& threads) {
+  if (threads.is_none()) return 0;
+  const int n = py::cast<int>(threads);
+  if (n >= 1 && n <= 1024) return n;
+  throw InputError("threads = " + std::to_string(n) + " is out of range",
+                   "1 to 1024, or None for as many as the machine runs at once");
+}
+
+py::object run_case(CaseObject& self, const py::object& progress, const RunWishes& wishes) {
   self.check();
   const cycle::Case input = self.value();  // another thread may change the case meanwhile
-  if (input.problem == cycle::Problem::kPad) return run_pad(input, progress);
+  if (input.problem == cycle::Problem::kPad) return run_pad(input, progress, wishes);
   CycleWatch watch(progress);
+  if (wishes.ledger || wishes.error_estimate) return inquire(input, watch, wishes);
   try {
     cycle::CycleResult result;
     {

@@ -4,7 +4,17 @@
 
 namespace ringfilm::python {
 
+/// What a run is to find out beside the result itself.
+struct RunWishes {
+  bool ledger = false;          ///< the other choice for every assumption that can be lifted
+  bool error_estimate = false;  ///< other grids
+  int threads = 0;              ///< for these; 0: as many as the machine runs at once
+};
+
 /// Runs a case without the interpreter lock; looks for Ctrl-C and tells `progress` now and then.
-py::object run_case(CaseObject& self, const py::object& progress);
+py::object run_case(CaseObject& self, const py::object& progress, const RunWishes& wishes);
+
+/// The threads that a user asks for; None: 0, as many as the machine runs at once. Throws InputError out of 1 to 1024.
+int threads_of(const py::object& threads);
 
 }  // namespace ringfilm::python

@@ -11,6 +11,8 @@
 #include "ringfilm/study/sobol_indices.hpp"
 #include "ringfilm/study/statistics.hpp"
 #include "ringfilm/study/study_run.hpp"
+#include "ringfilm/study/until.hpp"
+#include "run.hpp"
 
 namespace ringfilm::python {
 namespace {
@@ -47,12 +49,8 @@ std::vector<double> of_base(const StudyResultObject& self, std::size_t quantity,
 }
 
 std::size_t quantity_index(const std::string& name) {
-  const auto& all = cycle::cycle_quantities();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& quantity) { return quantity.name == name; });
-  if (found == all.end()) {
-    throw InputError("\"" + name + "\" is no value of a cycle", "ringfilm.quantities()[\"cycle\"] lists them");
-  }
-  return static_cast<std::size_t>(found - all.begin());
+  if (const auto found = cycle::cycle_quantity_index(name)) return *found;
+  throw InputError("\"" + name + "\" is no value of a cycle", "ringfilm.quantities()[\"cycle\"] lists them");
 }
 
 std::size_t base_index(const Loaded& loaded, const std::optional<std::string>& name) {
@@ -105,11 +103,13 @@ py::list base_of_scenarios(const Loaded& loaded) {
   return names;
 }
 
-StudyResultObject run(const StudyObject& self, int threads, const py::object& progress) {
-  const Plan& plan = self.loaded->plan;
+/// Computes what is missing of the scenarios of the result's plan.
+void compute(StudyResultObject& result, int threads, const py::object& progress) {
+  const Plan& plan = result.loaded->plan;
   const auto n = static_cast<std::size_t>(plan.size());
-  StudyResultObject result{self.loaded, {}, std::vector<std::string>(n), {}};
-  result.values.assign(cycle::cycle_quantities().size(), std::vector<double>(n));
+  const std::size_t n_there = result.reasons.size();
+  result.reasons.resize(n);
+  for (std::vector<double>& values : result.values) values.resize(n);
   study::StudyRunOptions options;
   options.batch.threads = threads;
   options.longest_wait = 0.2;  // Ctrl-C is seen then
@@ -127,7 +127,25 @@ StudyResultObject run(const StudyObject& self, int threads, const py::object& pr
     return study::GoOn::kYes;
   };
   const py::gil_scoped_release others_go_on;
-  study::run_scenarios(plan, {0, plan.size()}, finished, options);
+  study::run_scenarios(plan, {n_there, plan.size()}, finished, options);
+}
+
+StudyResultObject run(const StudyObject& self, int threads, const py::object& progress) {
+  StudyResultObject result{self.loaded, {}, {}, {}};
+  result.values.resize(cycle::cycle_quantities().size());
+  compute(result, threads, progress);
+  const std::optional<study::Until> until = self.loaded->study().sampling.until;
+  if (!until) return result;
+  const std::size_t value = quantity_index(until->value);
+  std::optional<std::uint64_t> points = self.loaded->study().sampling.scenarios;
+  while (!study::is_sure(*until, study::sureness(result.loaded->plan, result.values[value]))) {
+    points = study::next_look(*until, *points);
+    if (!points) break;
+    io::StudyFile longer = result.loaded->file;
+    longer.study = study::with_points(longer.study, *points);
+    result.loaded = std::make_shared<const Loaded>(std::move(longer));
+    compute(result, threads, progress);
+  }
   return result;
 }
 
@@ -259,20 +277,15 @@ Source: docs/theory/study.md.)")
       .def(
           "run",
           [](const py::object& self, const py::object& threads, const py::object& progress) {
-            int n = 0;
-            if (!threads.is_none()) n = py::cast<int>(threads);
-            if (!threads.is_none() && (n < 1 || n > 1024)) {
-              throw InputError("threads = " + std::to_string(n) + " is out of range",
-                               "1 to 1024, or None for as many as the machine runs at once");
-            }
-            return run(self.cast<const StudyObject&>(), n, progress);
+            return run(self.cast<const StudyObject&>(), threads_of(threads), progress);
           },
           py::arg("threads") = py::none(), py::arg("progress") = py::none(),
           R"(Computes all scenarios, in memory; a study that must survive is run by `ringfilm study`.
 
 threads: None, or 1 to 1024; the numbers do not depend on it. progress: called as progress(done, total) now and then.
 Returns a StudyResult. Ctrl-C ends the run with KeyboardInterrupt. A scenario that cannot be solved is a row of NaN with
-its reason; a plan with [plan.until] is run at its stated size. Raises InputError.)")
+its reason. A plan with `until` goes on until it is sure enough: the result has more scenarios than this study then,
+its own `study` tells the plan as it ended, and `total` grows. Raises InputError.)")
       .def(
           "__repr__",
           [](const StudyObject& self) {

@@ -63,11 +63,7 @@ def simulate_many(
     Raises InputError for wrong words; a case that is refused or not solved is a result with its reason.
     Source: docs/theory/study.md.
     """
-    if threads is not None and threads < 1:
-        from .errors import InputError
-
-        raise InputError(f"threads = {threads} is out of range\n    1 to 1024, or None for as many as the machine runs")
-    return BatchResult(_simulate_many(cases, threads or 0, progress, curves))
+    return BatchResult(_simulate_many(cases, threads, progress, curves))
 
 
 def cycle_units() -> dict:

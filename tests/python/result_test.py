@@ -7,6 +7,7 @@ import numpy
 import pytest
 
 import ringfilm
+from conftest import PAD
 
 
 @pytest.fixture
@@ -129,3 +130,32 @@ def test_pandas(result):
 def test_a_report_is_a_page(result, folder):
     result.write_report("x.html")
     assert (folder / "x.html").read_text().lstrip().lower().startswith("<!doctype html>")
+
+
+def test_what_a_run_finds_out_beside_is_that_of_the_program(case, folder, run_program):
+    case["solver.cells"] = 60
+    (folder / "small.toml").write_text(case.resolved())
+    words = ("--error-estimate", "--ledger", "--output", "program.nc")
+    assert run_program("run", "small.toml", *words).returncode == 0
+    result = ringfilm.Case.read("small.toml").run(error_estimate=True, ledger=True, threads=1)
+    result.write("module.nc")
+    assert (folder / "module.nc").read_bytes() == (folder / "program.nc").read_bytes()
+    assert result["cycle_fmep_error"] > 0 and result["friction_on_liner_error"].shape == (720,)
+    settings = {variant["setting"]: variant for entry in result.ledger for variant in entry["variants"]}
+    assert settings['lubricant.viscosity_pressure = "none"']["values"]["fmep"] != result.fmep
+    assert all(not variant["reason"] for variant in settings.values())
+    assert {entry["topic"] for entry in result.ledger} < {topic for topic, *_ in result.assumptions}
+    assert ringfilm.Result.read("program.nc").ledger == result.ledger
+
+
+def test_a_run_that_only_runs_has_neither_ledger_nor_errors(result):
+    assert result.ledger == []
+    with pytest.raises(KeyError):
+        result["cycle_fmep_error"]
+
+
+def test_a_pad_has_neither_ledger_nor_errors(folder):
+    pad = ringfilm.Case.read(PAD / "inclined_slider.toml")
+    for wish in ("ledger", "error_estimate"):
+        with pytest.raises(ringfilm.InputError, match=f"{wish} is for rings"):
+            pad.run(**{wish: True})

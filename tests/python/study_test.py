@@ -109,3 +109,18 @@ def test_a_bad_study_is_refused(folder):
     (folder / "study.toml").write_text(STUDY.replace("operating.speed", "operating.sped"))
     with pytest.raises(ringfilm.InputError, match="operating.sped"):
         ringfilm.Study.read("study.toml")
+
+
+def test_a_plan_with_until_goes_on_as_in_the_program(folder, run_program):
+    until = 'scenarios = 8\nuntil = { value = "fmep", width = "2.5 kPa", most = 64 }\n'
+    (folder / "until.toml").write_text(STUDY.replace("scenarios = 16\n", until))
+    study = ringfilm.Study.read("until.toml")
+    told = []
+    result = study.run(progress=lambda done, total: told.append((done, total)))
+    assert len(study) == 8 < len(result) == len(result.study) < 64, "it looks after 8, 16, 32 and 64 points"
+    assert {total for _, total in told} >= {8, len(result)} and told[-1] == (len(result), len(result))
+    assert run_program("study", "until.toml", "-o", "out").returncode == 0
+    with open(folder / "out" / "study.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["fmep [Pa]"]) for row in rows] == list(result["fmep"])
+    assert result.to_pandas().shape[0] == len(result)

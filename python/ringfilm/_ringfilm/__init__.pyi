@@ -79,11 +79,15 @@ class Case:
     def resolved(self) -> str:
         """The case as a complete case file in SI, which gives the same bits again."""
         ...
-    def run(self, progress: object = None) -> object:
+    def run(self, progress: object = None, ledger: bool = False, error_estimate: bool = False, threads: object = None) -> object:
         """Computes the cycle, or the film of a pad.
 
         progress: called now and then, at most every 20 ms, as progress(cycle, crank_angle) with the number of the cycle from 1
             and the crank angle [degree]; of a pad as progress(time, end_time) [s]. What it raises ends the run.
+        ledger: also run the other choice for every assumption that can be lifted; see Result.ledger. Rings only.
+        error_estimate: also run finer and coarser cells and crank steps, about four times the work; the errors stand beside
+            their quantities: result["cycle_fmep_error"], result["min_film_thickness_error"]. Rings only.
+        threads: for these others, 1 to 1024; None: as many as the machine runs at once. The numbers do not depend on it.
         Returns a Result, of a pad a PadResult. Other threads go on meanwhile; Ctrl-C ends the run with KeyboardInterrupt.
         Raises InputError, and ConvergenceError with all up to the last good crank angle in its attribute `result`.
         Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`."""
@@ -495,6 +499,14 @@ class Result:
         """Friction energy of the intake stroke [J], a float; NaN where the cycle was not finished. Source: docs/theory, eq-energy-per-cycle."""
         ...
     @property
+    def ledger(self) -> object:
+        """What it would change to lift an assumption, if run(ledger=True) was asked to find out.
+
+        Dicts in the order of `assumptions`, of those that were lifted: topic, statement, and variants, a list of dicts: setting
+        as one would write it, values {name: float in SI} of the cycle with this setting alone changed, reason (empty; why it was
+        not solved, with NaN for values). Empty where it was not asked for."""
+        ...
+    @property
     def load_residual(self) -> object:
         """Imbalance of the load, relative [1], shape (crank_angle,). Source: docs/theory, eq-load-balance."""
         ...
@@ -801,7 +813,8 @@ class Study:
 
         threads: None, or 1 to 1024; the numbers do not depend on it. progress: called as progress(done, total) now and then.
         Returns a StudyResult. Ctrl-C ends the run with KeyboardInterrupt. A scenario that cannot be solved is a row of NaN with
-        its reason; a plan with [plan.until] is run at its stated size. Raises InputError."""
+        its reason. A plan with `until` goes on until it is sure enough: the result has more scenarios than this study then,
+        its own `study` tells the plan as it ended, and `total` grows. Raises InputError."""
         ...
     @property
     def title(self) -> object:
@@ -862,7 +875,7 @@ def _run_program(words: List[str]) -> int:
     """The command line, its program's name first. Returns the exit code."""
     ...
 
-def _simulate_many(cases: object, threads: int, progress: object, curves: str) -> list:
+def _simulate_many(cases: object, threads: object, progress: object, curves: str) -> list:
     """Results of a batch, a list; see ringfilm.simulate_many."""
     ...
 

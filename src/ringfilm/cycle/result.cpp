@@ -157,6 +157,14 @@ const std::vector<CycleQuantity>& cycle_quantities() {
   return table;
 }
 
+std::optional<std::size_t> cycle_quantity_index(const std::string& name) {
+  const auto& all = cycle_quantities();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].name == name) return i;
+  }
+  return std::nullopt;
+}
+
 const std::vector<Quantity>& derived_quantities() {
   static const std::vector<Quantity> table = {
       {"elastic_pressure", "Pa", "MPa", "ring elastic pressure", "p_e", "eq-elastic-pressure"},

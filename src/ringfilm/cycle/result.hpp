@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,6 +74,9 @@ struct CycleQuantity : Quantity {
   double CycleValues::*value;
 };
 const std::vector<CycleQuantity>& cycle_quantities();  ///< in the order of files and tables
+
+/// Where a name stands among cycle_quantities(); nothing where no value of a cycle has it.
+std::optional<std::size_t> cycle_quantity_index(const std::string& name);
 
 /// Fields along the face at some crank angles, of an unrolled film along its strip halfway; row-major [angle][node]. x
 /// from the chamber edge.

@@ -1,6 +1,5 @@
 #include "ringfilm/io/result_file.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -53,14 +52,13 @@ void give_back(const std::string& path, const VariantTable& table, std::vector<s
   const auto& known = cycle::cycle_quantities();
   std::vector<const cycle::CycleQuantity*> columns;
   for (std::size_t i = 0; !table.rows.empty() && i < table.quantities.size(); ++i) {
-    const auto found =
-        std::find_if(known.begin(), known.end(), [&](const auto& q) { return q.name == table.quantities[i]; });
-    if (found == known.end() || table.units[i] != found->unit) {
+    const std::optional<std::size_t> place = cycle::cycle_quantity_index(table.quantities[i]);
+    if (!place || table.units[i] != known[*place].unit) {
       throw InputError(path + ": cannot be read as a result: variant_values has a column " + table.quantities[i] +
                            " [" + table.units[i] + "], which this program does not know",
                        "read it with the ringfilm that wrote it, or run its case again");
     }
-    columns.push_back(&*found);
+    columns.push_back(&known[*place]);
   }
   if (!table.rows.empty() && columns.size() != known.size()) {
     throw InputError(path + ": cannot be read as a result: variant_values has " + std::to_string(columns.size()) +

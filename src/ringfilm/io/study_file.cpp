@@ -191,17 +191,16 @@ class StudyReader {
       table.refuse(value->mark, "plan.until has no most", "state how many points are enough: most = 100000");
     until.most = most.value_or(0);
     const auto& known = cycle::cycle_quantities();
-    const auto quantity =
-        std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
+    const std::optional<std::size_t> quantity = cycle::cycle_quantity_index(until.value);
     if (faults_.size() > n_before) return;
     until.mark = value->key_mark;
-    if (quantity == known.end()) {
+    if (!quantity) {
       std::vector<std::string> names;
       for (const auto& one : known) names.push_back(one.name);
       table.refuse_word(*table.find("value"), "value", until.value, names);
       return;
     }
-    if (const auto width = read_width(table, *quantity)) until.width = *width;
+    if (const auto width = read_width(table, known[*quantity])) until.width = *width;
     if (faults_.size() == n_before) study_.sampling.until = until;
   }
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "ringfilm/io/units.hpp"
 #include "ringfilm/study/until.hpp"
 
@@ -13,15 +11,14 @@ std::vector<std::string> until_notes(const StudyRows& rows) {
   const study::Study& study = rows.plan.study();
   if (!study.sampling.until) return {};
   const study::Until& until = *study.sampling.until;
-  const auto& known = cycle::cycle_quantities();
-  const auto quantity =
-      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; });
-  const auto bases = study::sureness(rows.plan, rows.values(static_cast<std::size_t>(quantity - known.begin())));
+  const std::size_t place = *cycle::cycle_quantity_index(until.value);
+  const cycle::CycleQuantity& quantity = cycle::cycle_quantities()[place];
+  const auto bases = study::sureness(rows.plan, rows.values(place));
   const Units units;
   const auto shown = [&](double width) {
-    const double number = units.scale(quantity->display_unit, quantity->unit).from_si(width);
-    return fmt::format("{:.4g}{}{}", number, quantity->unit == "1" ? "" : " ",
-                       quantity->unit == "1" ? "" : quantity->display_unit);
+    const double number = units.scale(quantity.display_unit, quantity.unit).from_si(width);
+    return fmt::format("{:.4g}{}{}", number, quantity.unit == "1" ? "" : " ",
+                       quantity.unit == "1" ? "" : quantity.display_unit);
   };
   const bool is_sure = study::is_sure(until, bases);
   std::string note =

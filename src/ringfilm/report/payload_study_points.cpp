@@ -16,12 +16,6 @@ constexpr int kDigits = 5;
 const std::vector<std::string> kMapped = {"mean_total_friction", "fmep", "min_film_thickness", "mixed_share"};
 const std::vector<std::string> kStribeck = {"mean_stribeck_number", "mean_friction_coefficient", "mean_film_parameter"};
 
-std::size_t place_of(const std::string& name) {
-  const auto& all = cycle::cycle_quantities();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
-  return static_cast<std::size_t>(found - all.begin());
-}
-
 /// A factor of the grid of one base, and which of its levels the page carries.
 struct Axis {
   std::size_t factor = 0, levels = 0;
@@ -79,7 +73,7 @@ ordered_json grid_object(const io::StudyRows& rows) {
     all_axes.push_back(std::move(*axes));
   }
   std::vector<std::vector<double>> columns;
-  for (const std::string& name : kMapped) columns.push_back(rows.values(place_of(name)));
+  for (const std::string& name : kMapped) columns.push_back(rows.values(*cycle::cycle_quantity_index(name)));
   ordered_json bases = ordered_json::array();
   for (std::size_t b = 0; b < plan.study().bases.size(); ++b) {
     const std::vector<Axis>& axes = all_axes[b];
@@ -133,7 +127,7 @@ std::vector<std::uint64_t> drawn_scenarios(const study::Plan& plan, const std::v
 ordered_json stribeck_object(const io::StudyRows& rows) {
   std::vector<bool> is_solved(rows.plan.size(), true);
   for (const std::size_t q : {0, 1}) {
-    const std::vector<double> values = rows.values(place_of(kStribeck[q]));
+    const std::vector<double> values = rows.values(*cycle::cycle_quantity_index(kStribeck[q]));
     for (std::uint64_t i = 0; i < values.size(); ++i) is_solved[i] = is_solved[i] && std::isfinite(values[i]);
   }
   const std::vector<std::uint64_t> drawn = drawn_scenarios(rows.plan, is_solved);
@@ -142,7 +136,7 @@ ordered_json stribeck_object(const io::StudyRows& rows) {
   ordered_json object = {
       {"of", std::count(is_solved.begin(), is_solved.end(), true)}, {"scenario", drawn}, {"base", std::move(bases)}};
   for (const std::string& name : kStribeck) {
-    const std::vector<double> values = rows.values(place_of(name));
+    const std::vector<double> values = rows.values(*cycle::cycle_quantity_index(name));
     ordered_json list = ordered_json::array();
     for (const std::uint64_t i : drawn) list.push_back(rounded(values[i], kDigits));
     object[name] = std::move(list);

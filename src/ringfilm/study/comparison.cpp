@@ -12,9 +12,7 @@ namespace {
 constexpr double kAgrees = 0.01;
 
 double cycle::CycleValues::*member_of(const std::string& quantity) {
-  for (const cycle::CycleQuantity& candidate : cycle::cycle_quantities()) {
-    if (candidate.name == quantity) return candidate.value;
-  }
+  if (const auto found = cycle::cycle_quantity_index(quantity)) return cycle::cycle_quantities()[*found].value;
   throw InputError("a published value names the quantity \"" + quantity + "\", which no cycle value has",
                    "the names are those of `ringfilm run --json`");
 }

@@ -322,8 +322,7 @@ void check_until(const Study& study, Faults& faults) {
   if (sampling.method != Method::kSobol) {
     refuse("plan.until: this plan cannot go on", "only Sobol points can: method = \"sobol\"");
   }
-  const auto& known = cycle::cycle_quantities();
-  if (std::none_of(known.begin(), known.end(), [&](const auto& one) { return one.name == until.value; })) {
+  if (!cycle::cycle_quantity_index(until.value)) {
     refuse("plan.until: there is no value " + until.value + " of a cycle", "for example fmep");
   }
   if (!(until.width > 0)) refuse("plan.until: the width is " + shown(until.width), "it must be above 0");
