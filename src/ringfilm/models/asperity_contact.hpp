@@ -15,8 +15,8 @@ double gaussian_integral(double n, double lambda);
 /// A polynomial of the literature in place of F_n(lambda): the fifth power first, never below zero, and zero from `end`
 /// on.
 struct ContactQuintic {
-  std::array<double, 6> c;
-  double end;  ///< lambda [-]
+  std::array<double, 6> c;  ///< coefficients in lambda, that of the fifth power first [-]
+  double end;               ///< lambda from which on it is zero [-]
 };
 
 /// Contact of two rough surfaces after Greenwood and Tripp @cite greenwood1971, eqs eq-asperity-load, eq-asperity-area.
@@ -25,11 +25,11 @@ class GreenwoodTripp {
  public:
   /// What a pair of surfaces brings.
   struct Parameters {
-    double N;        ///< density of asperity peaks [1/m2]
-    double beta;     ///< mean radius of asperity summits [m]
-    double sigma;    ///< composite roughness [m]
-    double E_prime;  ///< [Pa]
-    ContactIntegralForm form = ContactIntegralForm::kExact;
+    double N;                                                ///< density of asperity peaks [1/m2]
+    double beta;                                             ///< mean radius of asperity summits [m]
+    double sigma;                                            ///< composite roughness [m]
+    double E_prime;                                          ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
+    ContactIntegralForm form = ContactIntegralForm::kExact;  ///< of the height integrals F_2 and F_5/2
   };
 
   explicit GreenwoodTripp(const Parameters& parameters);  ///< all of them above zero

@@ -11,7 +11,7 @@ class StoppedPad : public ConvergenceError {
   /// What was solved goes with it.
   StoppedPad(const std::string& message, PadResult result_so_far)
       : ConvergenceError(message), result(std::move(result_so_far)) {}
-  PadResult result;
+  PadResult result;  ///< its `complete` is false
 };
 
 /// Told how far the march in time is; may be slow; what it throws ends the work.

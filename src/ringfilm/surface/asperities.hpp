@@ -11,9 +11,9 @@ enum class SigmaRule { ra, rq };
 
 /// What one surface brings into a pair, all after the same form and filters.
 struct SurfaceMeasures {
-  double Sa_m = 0.0;
-  double Sq_m = 0.0;
-  SpectralMoments moments;
+  double Sa_m = 0.0;        ///< mean absolute deviation of the heights (Ra of a profile) [m]
+  double Sq_m = 0.0;        ///< rms of the heights about their mean (Rq of a profile) [m]
+  SpectralMoments moments;  ///< of profiles, in the direction that was asked for
 };
 
 /// Density of asperity peaks, mean radius of their summits, roughness: what a contact model takes.
