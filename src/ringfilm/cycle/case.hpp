@@ -35,31 +35,159 @@ struct OilTable {
   std::vector<double> density;      ///< [kg/m3]
 };
 
-enum class Problem { kCycle, kPad };                                              ///< an engine cycle, or `[pad]`
-enum class Direction { kPlusX, kMinusX };                                         ///< `pad.direction`
-enum class Sides { kOpen, kPeriodic, kClosed };                                   ///< `pad.sides`
-enum class GasModel { kTrace, kWiebe };                                           ///< `gas.model`
-enum class PressureReference { kAbsolute, kGauge };                               ///< `gas.pressure_reference`
-enum class AngleZero { kFiringTdc, kGasExchangeTdc };                             ///< `gas.angle_zero`
-enum class TraceOrigin { kNotStated, kMeasured, kComputed, kSynthetic };          ///< `gas.trace_origin`
-enum class FaceForm { kPolynomial, kParabola, kPoints };                          ///< `ring.face.form`
-enum class HeightZero { kMinimum, kAsGiven };                                     ///< `ring.face.height_zero`
-enum class Orientation { kX0Chamber, kX0Crankcase, kLeadingEdge };                ///< `ring.face.orientation`
-enum class ContactModulus { kCoating, kBase };                                    ///< `ring.coating.contact_modulus`
-enum class RoughnessMeasure { kAsGiven, kRaToRq };                                ///< `contact.roughness_measure`
-enum class ContactIntegrals { kExact, kPolynomial4Digit, kPolynomialAsPrinted };  ///< `contact.integrals`
-enum class FilmParameter { kLocal, kNominal };                                    ///< `contact.film_parameter`
-enum class ViscosityTemperature { kWalther, kHoupert };                           ///< `lubricant.viscosity_temperature`
-using ViscosityPressure = models::ViscosityPressureLaw;                           ///< `lubricant.viscosity_pressure`
-enum class DensityTemperature { kTable, kThermalExpansivity };                    ///< `lubricant.density_temperature`
-enum class Compressibility { kDowsonHigginson, kNone };                           ///< `lubricant.compressibility`
-enum class FilmDimension { kFace, kUnrolled };                                    ///< `film.dimension`
-enum class Cavitation { kReynoldsExit, kMassConserving };                         ///< `film.cavitation`
-enum class StepControl { kAdaptive, kFixed };                                     ///< `solver.crank_step_control`
-enum class Method { kCoupledNewton, kPointRelaxation, kNestedSecant };            ///< `solver.method`
-enum class Properties { kFitted, kExact };                                        ///< `solver.properties`
-enum class FieldsWanted { kNone, kListed, kAll };                                 ///< `output.fields`
-enum class FieldReduction { kNone, kAlongFace };                                  ///< `output.reduction`
+/// An engine cycle, or a pad: a pad where any key of `pad` is stated.
+enum class Problem {
+  kCycle,  ///< a ring over the four strokes
+  kPad     ///< a film of stated shape
+};
+
+/// `pad.direction`: which way the flat surface moves.
+enum class Direction {
+  kPlusX,  ///< towards larger x
+  kMinusX  ///< towards x = 0
+};
+
+/// `pad.sides`: what the film ends at across the motion.
+enum class Sides {
+  kOpen,      ///< stated pressures
+  kPeriodic,  ///< its own other side
+  kClosed     ///< walls
+};
+
+/// `gas.model`: where the cylinder pressure comes from.
+enum class GasModel {
+  kTrace,  ///< a file
+  kWiebe   ///< a single-zone cycle with Wiebe heat release
+};
+
+/// `gas.pressure_reference`: the zero of the pressures of a trace.
+enum class PressureReference {
+  kAbsolute,  ///< no pressure
+  kGauge      ///< 1.01325 bar
+};
+
+/// `gas.angle_zero`: the dead centre at which a trace has crank angle 0.
+enum class AngleZero {
+  kFiringTdc,      ///< that of the firing, as everywhere else
+  kGasExchangeTdc  ///< that of the gas exchange, 360 degree off
+};
+
+/// `gas.trace_origin`: where a trace comes from.
+enum class TraceOrigin {
+  kNotStated,  ///< the case does not say
+  kMeasured,   ///< on an engine
+  kComputed,   ///< by a model of the engine
+  kSynthetic   ///< made up; marked SYNTHETIC wherever it appears
+};
+
+/// `ring.face.form`: how the height of the face is given.
+enum class FaceForm {
+  kPolynomial,  ///< coefficients
+  kParabola,    ///< crown height and place of the lowest point
+  kPoints       ///< measured points, straight between them
+};
+
+/// `ring.face.height_zero`: zero of the stored heights of the face.
+enum class HeightZero {
+  kMinimum,  ///< its lowest point
+  kAsGiven   ///< that of the input
+};
+
+/// `ring.face.orientation`: which edge is x = 0 of the input.
+enum class Orientation {
+  kX0Chamber,    ///< that at the chamber
+  kX0Crankcase,  ///< that at the crankcase
+  kLeadingEdge   ///< always the leading one: the face turns over at each reversal
+};
+
+/// `ring.coating.contact_modulus`: whose modulus the contact spots feel.
+enum class ContactModulus {
+  kCoating,  ///< that of the coating
+  kBase      ///< that of the ring below
+};
+
+/// `contact.roughness_measure`: what is made of the stated roughness.
+enum class RoughnessMeasure {
+  kAsGiven,  ///< it is sigma
+  kRaToRq    ///< it is Ra, and sigma 1.25 times as much
+};
+
+/// `contact.integrals`: the Gaussian height integrals F_2 and F_5/2.
+enum class ContactIntegrals {
+  kExact,               ///< their values
+  kPolynomial4Digit,    ///< a fit of the literature, zero from its first root on
+  kPolynomialAsPrinted  ///< the same as styles2014 has it, digits cut off: rises again beyond 1.911
+};
+
+/// `contact.film_parameter`: what the contact pressure follows.
+enum class FilmParameter {
+  kLocal,   ///< h(x)/sigma along the face
+  kNominal  ///< h_m/sigma, on the whole face
+};
+
+/// `lubricant.viscosity_temperature`: law of viscosity against temperature.
+enum class ViscosityTemperature {
+  kWalther,  ///< ASTM D341 through the points
+  kHoupert   ///< Houpert's term
+};
+
+using ViscosityPressure = models::ViscosityPressureLaw;  ///< `lubricant.viscosity_pressure`
+
+/// `lubricant.density_temperature`: law of density against temperature.
+enum class DensityTemperature {
+  kTable,              ///< linear through the points and beyond
+  kThermalExpansivity  ///< by the expansivity gamma
+};
+
+/// `lubricant.compressibility`: law of density against pressure.
+enum class Compressibility {
+  kDowsonHigginson,  ///< rho_0 [1 + a p/(1 + b p)]
+  kNone              ///< none: pressure does not change it
+};
+
+/// `film.dimension`: on what the film is solved.
+enum class FilmDimension {
+  kFace,     ///< across the face, alike all around
+  kUnrolled  ///< the whole unrolled ring, with the ends of its gap
+};
+
+/// `film.cavitation`: how the film ruptures.
+enum class Cavitation {
+  kReynoldsExit,   ///< pressure is never below p_c (Reynolds)
+  kMassConserving  ///< and mass is kept, too (JFO)
+};
+
+/// `solver.crank_step_control`: how long a crank step is.
+enum class StepControl {
+  kAdaptive,  ///< refined where the film needs it
+  kFixed      ///< the stated one alone
+};
+
+/// `solver.method`: how film and load balance are solved.
+enum class Method {
+  kCoupledNewton,    ///< both at once by Newton's method
+  kPointRelaxation,  ///< pressures one by one, in a relaxed correction of h_m, as in styles2014
+  kNestedSecant      ///< the film at fixed h_m by Newton's method, in a secant on h_m
+};
+
+/// `solver.properties`: what the iteration asks for oil and contact.
+enum class Properties {
+  kFitted,  ///< polynomials fitted to their laws
+  kExact    ///< the laws themselves
+};
+
+/// `output.fields`: at which crank angles pressure and film along the face are kept.
+enum class FieldsWanted {
+  kNone,    ///< at none
+  kListed,  ///< at Output::field_angles_deg
+  kAll      ///< at all of the result
+};
+
+/// `output.reduction`: what is kept of the fields of an unrolled film.
+enum class FieldReduction {
+  kNone,      ///< each place
+  kAlongFace  ///< what each strip across the face sums up to
+};
 
 /// The keys under `engine`.
 struct Engine {

@@ -29,7 +29,7 @@ struct Scale {
 /// Reads units. Holds the unit system, so building one takes some milliseconds; each thread may have its own.
 class Units {
  public:
-  Units();
+  Units();  ///< reads the units of UDUNITS-2 and adds those of engineers
   ~Units();
   Units(Units&&) noexcept;             ///< moved, not copied: it holds a system of units
   Units& operator=(Units&&) noexcept;  ///< moved, not copied

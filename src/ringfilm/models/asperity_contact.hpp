@@ -4,9 +4,15 @@
 
 #include "ringfilm/models/contact_fit.hpp"
 
+/// What rough surfaces carry where they touch (docs/theory/contact.md).
 namespace ringfilm::models {
 
-enum class ContactIntegralForm { kExact, kPolynomial4Digit, kPolynomialAsPrinted };
+/// Where the height integrals F_2 and F_5/2 of contact come from.
+enum class ContactIntegralForm {
+  kExact,               ///< quadrature, to rounding
+  kPolynomial4Digit,    ///< a fit of the literature, zero from its first root on
+  kPolynomialAsPrinted  ///< the same as styles2014 has it, digits cut off: rises again beyond 1.911
+};
 
 /// Exact Gaussian integral F_n(lambda) = 1/sqrt(2 pi) int_lambda^inf (s - lambda)^n exp(-s^2/2) ds,
 /// eq-gaussian-integral, by quadrature to rounding; n = 3/2, 2, 5/2 are what contact needs. n >= 1, 0 <= lambda <= 30.

@@ -3,6 +3,7 @@
 
 #include "ringfilm/models/crank_slider.hpp"
 
+/// Gas pressure over the cycle (docs/theory/gas.md).
 namespace ringfilm::models {
 
 /// A pressure over the 720 degree cycle: absolute [Pa], linear between samples, periodic. Angles in degrees,
@@ -50,6 +51,7 @@ struct WiebeCycle {
   double intake_valve_opening_deg;   ///< e.g. 345: 15 degree before gas-exchange TDC [degree]
   double intake_valve_closing_deg;   ///< e.g. 590: 50 degree after the dead centre where compression begins [degree]
 };
+/// The cylinder pressure of that cycle. Throws InputError for peak pressure and angle that no heat release meets.
 CyclePressure wiebe_pressure(const WiebeCycle& cycle);
 
 }  // namespace ringfilm::models

@@ -8,6 +8,7 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/models/viscosity_laws.hpp"
 
+/// Viscosity and density of oils (docs/theory/oil.md).
 namespace ringfilm::models {
 
 struct OilFit;
@@ -36,7 +37,11 @@ class OilAtTemperature {
   double viscosity(double p) const;  ///< [Pa s]
 };
 
-enum class DensityTemperatureLaw { kTable, kThermalExpansivity };
+/// Law of density against temperature.
+enum class DensityTemperatureLaw {
+  kTable,              ///< linear through the points and beyond
+  kThermalExpansivity  ///< by the expansivity gamma
+};
 
 /// Density at atmospheric pressure against temperature.
 struct DensityLaw {
@@ -74,7 +79,11 @@ struct DowsonHigginson {
 /// Houpert's temperature term, eq-houpert: viscosity at T and p = 0 from eta_0 at theta_0 [Pa s].
 double houpert_viscosity(double eta_0, double theta_0, double beta_0, double T);
 
-enum class ViscosityTemperatureLaw { kWalther, kHoupert };
+/// Law of viscosity against temperature.
+enum class ViscosityTemperatureLaw {
+  kWalther,  ///< ASTM D341 through the points
+  kHoupert   ///< Houpert's term
+};
 
 /// An oil as its laws describe it, at all temperatures.
 struct OilLaws {

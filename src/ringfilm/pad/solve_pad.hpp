@@ -3,6 +3,7 @@
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 
+/// Films of stated shape, without engine and ring (docs/theory/pad.md).
 namespace ringfilm::pad {
 
 /// The film could not be solved, or not to the end; `result` holds all up to the last good instant.

@@ -37,7 +37,11 @@ struct ScenarioRange {
 /// 1 <= part <= parts.
 ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::uint64_t parts);
 
-enum class GoOn { kYes, kNo };  ///< what an observer wants
+/// What an observer of a run wants.
+enum class GoOn {
+  kYes,  ///< the next scenarios
+  kNo    ///< no more: what is not handed over is given up
+};
 
 /// How a study is run; none of it changes a number.
 struct StudyRunOptions {

@@ -6,8 +6,11 @@
 
 namespace ringfilm::surface {
 
-/// Which height statistic stands for sigma: Ra (Sa of a map), as in styles2014, or Rq (Sq).
-enum class SigmaRule { ra, rq };
+/// Which height statistic stands for sigma.
+enum class SigmaRule {
+  ra,  ///< Ra (Sa of a map), as in styles2014
+  rq   ///< Rq (Sq of a map)
+};
 
 /// What one surface brings into a pair, all after the same form and filters.
 struct SurfaceMeasures {

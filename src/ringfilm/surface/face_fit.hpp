@@ -23,8 +23,17 @@ enum class FaceLevelling {
   kLand     ///< the line through the land is made level
 };
 
-enum class FaceDirection { kAsMeasured, kTurned };  ///< turned: x = 0 is the end of the trace
-enum class FaceZero { kLowestPoint, kAsMeasured };  ///< where the face has its height zero
+/// Which end of the face is x = 0.
+enum class FaceDirection {
+  kAsMeasured,  ///< the one where the trace begins
+  kTurned       ///< the one where it ends
+};
+
+/// Where the face has its height zero.
+enum class FaceZero {
+  kLowestPoint,  ///< at the lowest point of the smoothed gap
+  kAsMeasured    ///< where the trace has it
+};
 
 /// What a trace does not tell, and what may be stated about its fit.
 struct FaceRule {

@@ -14,8 +14,8 @@ enum class DifferenceScheme {
 
 /// Along which lines the moments of a map are taken.
 enum class MomentDirection {
-  x,
-  y,
+  x,         ///< along the rows
+  y,         ///< along the columns; none of a profile
   mean,      ///< arithmetic mean of both: for an isotropic surface
   geometric  ///< root of the product of both: the equivalent isotropic surface of one with a lay
 };
