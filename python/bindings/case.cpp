@@ -91,11 +91,10 @@ std::string repr(const CaseObject& self) {
 
 constexpr int kStateVersion = 1;
 
-/// The samples that files gave, in the order of a pickle.
-auto samples(Case& c) {
-  return std::tie(c.gas.cylinder_pressure.crank_angle_deg, c.gas.cylinder_pressure.value, c.ring.face.x,
-                  c.ring.face.height, c.lubricant.table.temperature, c.lubricant.table.pressure,
-                  c.lubricant.table.viscosity, c.lubricant.table.density, c.pad.gap_x, c.pad.gap_y, c.pad.gap_height,
+/// The samples that files gave, in the order of a pickle; those that copies of a case share stand beside it.
+auto samples(Case& c, cycle::SampledTrace& cylinder, cycle::OilTable& oil) {
+  return std::tie(cylinder.crank_angle_deg, cylinder.value, c.ring.face.x, c.ring.face.height, oil.temperature,
+                  oil.pressure, oil.viscosity, oil.density, c.pad.gap_x, c.pad.gap_y, c.pad.gap_height,
                   c.pad.history_time, c.pad.history_separation);
 }
 
@@ -114,11 +113,13 @@ py::tuple state_of(const CaseObject& self) {
     if (cycle::belongs(field, c)) values[py::str(field.key)] = stored_value(field, c);
   }
   py::list arrays;
-  std::apply([&](auto&... each) { (arrays.append(array_of(each)), ...); }, samples(c));
+  cycle::SampledTrace cylinder = *c.gas.cylinder_pressure;
+  cycle::OilTable oil = *c.lubricant.table;
+  std::apply([&](auto&... each) { (arrays.append(array_of(each)), ...); }, samples(c, cylinder, oil));
   py::object crankcase = py::none();
   if (c.gas.crankcase_trace) {
-    crankcase =
-        py::make_tuple(array_of(c.gas.crankcase_trace->crank_angle_deg), array_of(c.gas.crankcase_trace->value));
+    const cycle::SampledTrace& trace = **c.gas.crankcase_trace;
+    crankcase = py::make_tuple(array_of(trace.crank_angle_deg), array_of(trace.value));
   }
   py::list files;
   for (const cycle::InputFile& file : c.files) files.append(py::make_tuple(file.role, file.path, file.sha256));
@@ -134,7 +135,11 @@ CaseObject from_state(const py::tuple& state) {
     restore_value(known_field(py::cast<std::string>(key)), value, c);
   const auto arrays = py::cast<py::list>(state[3]);
   std::size_t i = 0;
-  std::apply([&](auto&... each) { ((each = values_of(arrays[i++])), ...); }, samples(c));
+  cycle::SampledTrace cylinder;
+  cycle::OilTable oil;
+  std::apply([&](auto&... each) { ((each = values_of(arrays[i++])), ...); }, samples(c, cylinder, oil));
+  c.gas.cylinder_pressure = std::move(cylinder);
+  c.lubricant.table = std::move(oil);
   if (!state[4].is_none()) {
     const auto trace = py::cast<py::tuple>(state[4]);
     c.gas.crankcase_trace = cycle::SampledTrace{values_of(trace[0]), values_of(trace[1])};

@@ -82,7 +82,7 @@ void draw_trace(Coordinates& at, RepeatableNumbers& noise, EngineScenario& scena
   for (int i = 0; i < static_cast<int>(720 / kTraceStepDeg); ++i) {
     const double angle = i * kTraceStepDeg;
     const auto scaled = [&](double at_deg) {
-      const double p = interpolated(c.gas.cylinder_pressure, at_deg);
+      const double p = interpolated(*c.gas.cylinder_pressure, at_deg);
       return kSuction + (p - kSuction) * (peak - kSuction) / (kNewRingPeak - kSuction);
     };
     double p = scaled(angle) + ripple * noise.between(-1, 1);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/base/shared.hpp"
 #include "ringfilm/models/lubricant.hpp"
 
 /// The input of one engine cycle, or of a pad, as one plain value: SI units, complete, checked. Angles alone are in
@@ -206,10 +207,10 @@ struct Operating {
 struct Gas {
   GasModel model = GasModel::kTrace;  ///< cylinder pressure from a file, or from a cycle with Wiebe heat release
   // model = "trace"
-  std::string cylinder_pressure_file;      ///< CSV of pressure against crank angle, as named
-  SampledTrace cylinder_pressure;          ///< [Pa] as the file gives it: absolute or gauge, zero as stated below
-  PressureReference pressure_reference{};  ///< zero of the traces; gauge: above 1.01325 bar
-  AngleZero angle_zero{};                  ///< dead centre at which the traces have crank angle 0
+  std::string cylinder_pressure_file;            ///< CSV of pressure against crank angle, as named
+  base::Shared<SampledTrace> cylinder_pressure;  ///< [Pa] as the file gives it: absolute or gauge, zero as stated below
+  PressureReference pressure_reference{};        ///< zero of the traces; gauge: above 1.01325 bar
+  AngleZero angle_zero{};                        ///< dead centre at which the traces have crank angle 0
   TraceOrigin trace_origin = TraceOrigin::kNotStated;  ///< shown wherever the trace appears
   std::optional<std::string> pressure_column;          ///< name in the header; absent: the only pressure in the file
   std::optional<std::string> angle_column;             ///< name in the header; absent: the only crank angle in the file
@@ -231,8 +232,8 @@ struct Gas {
   static constexpr double kWiebeExhaustPressure = 1.05e5;  ///< likewise [Pa]
   // always
   double crankcase_pressure = 101325;  ///< under the ring, absolute [Pa]; not used where a trace is given
-  std::optional<std::string> crankcase_pressure_file;  ///< CSV like that of the cylinder, as named
-  std::optional<SampledTrace> crankcase_trace;         ///< [Pa] as that file gives it
+  std::optional<std::string> crankcase_pressure_file;         ///< CSV like that of the cylinder, as named
+  std::optional<base::Shared<SampledTrace>> crankcase_trace;  ///< [Pa] as that file gives it
   double pressure_behind_ring = 1.0;  ///< share of the absolute gas pressure that acts behind the ring [-]
 };
 
@@ -350,7 +351,7 @@ struct Lubricant {
   std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure
   std::optional<double> constant_density;             ///< instead of `density`: the same at all temperatures [kg/m3]
   std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws
-  OilTable table;                                     ///< of that file; empty without one
+  base::Shared<OilTable> table;                       ///< of that file; empty without one
   double temperature_viscosity_coefficient = 0.04;    ///< beta_0 [1/K], houpert
   double reference_temperature = 313.15;              ///< theta_0 [K], houpert and thermal-expansivity
   double thermal_expansivity = 7.5e-4;                ///< gamma [1/K]

@@ -5,7 +5,7 @@ namespace ringfilm::cycle::table {
 namespace {
 
 bool partial_trace(const Case& c) {
-  const auto& angles = c.gas.cylinder_pressure.crank_angle_deg;
+  const auto& angles = c.gas.cylinder_pressure->crank_angle_deg;
   return c.gas.model == GasModel::kTrace && !angles.empty() && !models::covers_cycle(angles);
 }
 

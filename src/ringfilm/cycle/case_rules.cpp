@@ -74,7 +74,7 @@ void check_wiebe(const Gas& gas, Breaches& breaches) {
 }
 
 void check_trace(const Gas& gas, Breaches& breaches) {
-  const auto& angles = gas.cylinder_pressure.crank_angle_deg;
+  const auto& angles = gas.cylinder_pressure->crank_angle_deg;
   if (angles.empty() || models::covers_cycle(angles)) return;
   const std::string span = "the trace covers only " + number_text(angles.front()) + " to " +
                            number_text(angles.back()) + " degree of the cycle, and ";
@@ -90,7 +90,7 @@ void check_trace(const Gas& gas, Breaches& breaches) {
 }
 
 void check_crankcase(const Gas& gas, Breaches& breaches) {
-  if (!gas.crankcase_trace || models::covers_cycle(gas.crankcase_trace->crank_angle_deg)) return;
+  if (!gas.crankcase_trace || models::covers_cycle((*gas.crankcase_trace)->crank_angle_deg)) return;
   breaches.push_back({"gas.crankcase_pressure", "the crankcase trace covers only a part of the cycle",
                       "give samples over all 720 degrees, none more than 10 degrees apart, or one pressure"});
 }

@@ -86,7 +86,7 @@ double range_of_fits(double largest_mean_pressure) {
 
 PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
   if (lubricant.table_file) {
-    const OilTable& t = lubricant.table;
+    const OilTable& t = *lubricant.table;
     auto oil = models::tabulated_oil({t.temperature, t.pressure, t.viscosity, t.density}, temperature);
     return {oil, oil->viscosity(base::kAtmosphere), oil->density(base::kAtmosphere), {}};
   }

@@ -34,7 +34,7 @@ models::CyclePressure absolute_trace(const Case& c, SampledTrace trace) {
 models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c.engine.connecting_rod_length}; }
 
 models::CyclePressure cylinder_pressure(const Case& c) {
-  if (c.gas.model == GasModel::kTrace) return absolute_trace(c, c.gas.cylinder_pressure);
+  if (c.gas.model == GasModel::kTrace) return absolute_trace(c, *c.gas.cylinder_pressure);
   const Gas& g = c.gas;
   return models::wiebe_pressure({crank_slider(c), g.compression_ratio, g.peak_pressure, g.peak_angle_deg,
                                  g.burn_duration_deg, g.intake_pressure.value_or(Gas::kWiebeIntakePressure),
@@ -109,7 +109,7 @@ Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
   append_end_cell_note(c, oil.notes);
   const double p_e = elastic_pressure(c);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, cylinder));
-  models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, *c.gas.crankcase_trace)
+  models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
                                                           : models::CyclePressure(c.gas.crankcase_pressure);
   return {c,
           crank_slider(c),

@@ -64,7 +64,7 @@ void append_coating_note(const Setup& setup, double lowest_film_parameter, std::
 
 void append_oil_table_note(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
   if (!setup.input.lubricant.table_file) return;
-  const double highest = setup.input.lubricant.table.pressure.back();
+  const double highest = setup.input.lubricant.table->pressure.back();
   const auto beyond = [&](const Sample& s) { return s.peak_film_pressure > highest; };
   const long steps = count(base, beyond);
   if (steps == 0) return;

@@ -101,15 +101,12 @@ Case without_samples(const Case& c) {
   lean.engine = c.engine;
   lean.operating = c.operating;
   lean.gas = c.gas;
-  lean.gas.cylinder_pressure = {};
-  lean.gas.crankcase_trace.reset();
   lean.ring = c.ring;
   lean.ring.face.x.clear();
   lean.ring.face.height.clear();
   lean.liner = c.liner;
   lean.contact = c.contact;
   lean.lubricant = c.lubricant;
-  lean.lubricant.table = {};
   lean.film = c.film;
   lean.solver = c.solver;
   lean.output = c.output;

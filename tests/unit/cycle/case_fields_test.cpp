@@ -167,7 +167,7 @@ TEST(CaseFields, AreInUseOnlyWithTheirModel) {
   c.gas.model = GasModel::kTrace;
   EXPECT_FALSE(active("gas.compression_ratio", c));
   EXPECT_FALSE(active("gas.intake_pressure", c));
-  c.gas.cylinder_pressure.crank_angle_deg = {-100, -95, -90};
+  c.gas.cylinder_pressure = SampledTrace{{-100, -95, -90}, {}};
   EXPECT_TRUE(active("gas.intake_pressure", c));
 
   EXPECT_TRUE(active("ring.youngs_modulus", c));

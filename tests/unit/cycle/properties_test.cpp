@@ -18,7 +18,7 @@ bool has_note(const std::vector<Note>& notes, const std::string& topic) {
 Case tabulated_case() {
   Case c = styles_new_ring();
   c.lubricant.table_file = "oil.csv";
-  c.lubricant.table = {{393.15}, {1e5, 5e6, 1e7, 4e7}, {5.2e-3, 5.5e-3, 5.7e-3, 7.5e-3}, {783, 785, 788, 801}};
+  c.lubricant.table = OilTable{{393.15}, {1e5, 5e6, 1e7, 4e7}, {5.2e-3, 5.5e-3, 5.7e-3, 7.5e-3}, {783, 785, 788, 801}};
   return c;
 }
 

@@ -39,7 +39,7 @@ inline Case styles_new_ring() {
   c.engine = {0.089, 0.0795, 0.1381};
   c.operating = {1500 * 2 * std::numbers::pi / 60, 393.15};
   Columns trace = read_columns("cases/styles2014/cylinder_pressure_1500rpm_synthetic.csv");
-  c.gas.cylinder_pressure = {trace.begin()->second,
+  c.gas.cylinder_pressure = SampledTrace{trace.begin()->second,
                              trace.rbegin()->second};  // "crank_angle ...", "cylinder_pressure ..."
   c.ring.face_width = 1.2e-3;
   c.ring.elastic_pressure = 2e5;

@@ -75,9 +75,9 @@ TEST(CaseEdit, ReadsATraceAnewWhenItsMeaningChanges) {
   const CaseFolder folder;
   cycle::Case c = folder.read();
   const Units units;
-  const double before = c.gas.cylinder_pressure.value.front();
+  const double before = c.gas.cylinder_pressure->value.front();
   state(c, "gas.pressure_reference", text("absolute"), units);
-  EXPECT_EQ(c.gas.cylinder_pressure.value.front(), before);
+  EXPECT_EQ(c.gas.cylinder_pressure->value.front(), before);
   EXPECT_THAT(c.files, Contains(::testing::Field(&cycle::InputFile::role, "gas.cylinder_pressure")).Times(1));
 }
 

@@ -25,8 +25,8 @@ TEST(CaseFile, GivesEveryValueInSi) {
   EXPECT_EQ(c.contact.asperity_density, 0.097e12);
   EXPECT_EQ(c.lubricant.kinematic_viscosity.at(1).value, 9.59e-6);
   EXPECT_EQ(c.lubricant.density.at(0).temperature, 288.15);
-  ASSERT_EQ(c.gas.cylinder_pressure.value.size(), 144u);
-  EXPECT_EQ(c.gas.cylinder_pressure.value.front(), 6.1e6);
+  ASSERT_EQ(c.gas.cylinder_pressure->value.size(), 144u);
+  EXPECT_EQ(c.gas.cylinder_pressure->value.front(), 6.1e6);
   EXPECT_THAT(c.stated, Contains("engine.bore"));
   EXPECT_THAT(c.stated, Not(Contains("liner.youngs_modulus")));
 }
@@ -298,9 +298,9 @@ TEST(CaseFile, ReadsMeasuredFacesAndOilTables) {
   const cycle::Case c = folder.read();
   EXPECT_EQ(c.ring.face.x.back(), c.ring.face_width);
   EXPECT_DOUBLE_EQ(c.ring.face.height.at(2), 12e-6);
-  EXPECT_THAT(c.lubricant.table.temperature, ::testing::ElementsAre(313.15, 373.15));
-  EXPECT_THAT(c.lubricant.table.viscosity, ::testing::ElementsAre(0.05, 0.2, 0.005, 0.012));
-  EXPECT_THAT(c.lubricant.table.density, ::testing::ElementsAre(830, 870, 790, 830));
+  EXPECT_THAT(c.lubricant.table->temperature, ::testing::ElementsAre(313.15, 373.15));
+  EXPECT_THAT(c.lubricant.table->viscosity, ::testing::ElementsAre(0.05, 0.2, 0.005, 0.012));
+  EXPECT_THAT(c.lubricant.table->density, ::testing::ElementsAre(830, 870, 790, 830));
 }
 
 TEST(CaseFile, RefusesAFaceThatDoesNotCoverTheWidth) {

@@ -32,14 +32,14 @@ void expect_same_values(const cycle::Case& a, const cycle::Case& b) {
   EXPECT_EQ(a.engine.bore, b.engine.bore);
   EXPECT_EQ(a.operating.speed, b.operating.speed);
   EXPECT_EQ(a.operating.oil_temperature, b.operating.oil_temperature);
-  EXPECT_EQ(a.gas.cylinder_pressure.value, b.gas.cylinder_pressure.value);
-  EXPECT_EQ(a.gas.cylinder_pressure.crank_angle_deg, b.gas.cylinder_pressure.crank_angle_deg);
+  EXPECT_EQ(a.gas.cylinder_pressure->value, b.gas.cylinder_pressure->value);
+  EXPECT_EQ(a.gas.cylinder_pressure->crank_angle_deg, b.gas.cylinder_pressure->crank_angle_deg);
   EXPECT_EQ(a.contact.asperity_density, b.contact.asperity_density);
   EXPECT_EQ(a.contact.composite_modulus, b.contact.composite_modulus);
   EXPECT_EQ(a.ring.face.coefficients, b.ring.face.coefficients);
   EXPECT_EQ(a.ring.face.length_unit, b.ring.face.length_unit);
   EXPECT_EQ(a.ring.face.x, b.ring.face.x);
-  EXPECT_EQ(a.lubricant.table.viscosity, b.lubricant.table.viscosity);
+  EXPECT_EQ(a.lubricant.table->viscosity, b.lubricant.table->viscosity);
   EXPECT_EQ(a.solver.crank_step_deg, b.solver.crank_step_deg);
   EXPECT_EQ(a.output.crank_angles_deg, b.output.crank_angles_deg);
   EXPECT_EQ(a.output.field_angles_deg, b.output.field_angles_deg);

@@ -90,7 +90,7 @@ TEST(StudyFile, PutsTheContentOfAFileIntoScenarios) {
                   "[plan]\nmethod = \"grid\"\n");
   const study::Plan plan(file.study);
   const cycle::Case c = study::scenario_case(plan.study(), plan.point(0));
-  EXPECT_EQ(c.gas.cylinder_pressure.value, file.study.bases[0].input.gas.cylinder_pressure.value);
+  EXPECT_EQ(c.gas.cylinder_pressure->value, file.study.bases[0].input.gas.cylinder_pressure->value);
   // The study, its case and its trace, each told once.
   EXPECT_EQ(file.files.size(), 3u);
 }

@@ -165,7 +165,7 @@ TEST(Assumptions, OilLawsCanBeLiftedWhereLawsAreInUse) {
   EXPECT_EQ(settings(no_thickening, "oil-laws"), std::vector<std::string>{"lubricant.compressibility = \"none\""});
   Case table = coarse_case();
   table.lubricant.table_file = "oil.csv";
-  table.lubricant.table = {{383.15, 403.15}, {1e5, 1e7}, {6e-3, 7e-3, 4e-3, 5e-3}, {790, 795, 780, 785}};
+  table.lubricant.table = cycle::OilTable{{383.15, 403.15}, {1e5, 1e7}, {6e-3, 7e-3, 4e-3, 5e-3}, {790, 795, 780, 785}};
   EXPECT_TRUE(settings(table, "oil-laws").empty());
 }
 

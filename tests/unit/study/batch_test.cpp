@@ -21,7 +21,7 @@ constexpr std::size_t kStops = 4, kRefused = 7;
 
 Case outside_its_table(Case c) {
   c.lubricant.table_file = "oil.csv";
-  c.lubricant.table = {{283.15, 293.15}, {1e5, 1e7}, {6e-3, 7e-3, 4e-3, 5e-3}, {790, 795, 780, 785}};
+  c.lubricant.table = cycle::OilTable{{283.15, 293.15}, {1e5, 1e7}, {6e-3, 7e-3, 4e-3, 5e-3}, {790, 795, 780, 785}};
   return c;
 }
 

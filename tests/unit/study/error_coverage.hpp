@@ -33,7 +33,9 @@ inline cycle::Case coverage_case(std::uint64_t seed) {
   c.operating.speed = draw.log_between(800, 6000) * 2 * std::numbers::pi / 60;
   c.operating.oil_temperature = 273.15 + draw.between(60, 150);
   const double load = draw.log_between(20, 160) / 62;
-  for (double& p : c.gas.cylinder_pressure.value) p = 1e5 + (p - 1e5) * (p > 1e5 ? load : 1);
+  cycle::SampledTrace trace = *c.gas.cylinder_pressure;
+  for (double& p : trace.value) p = 1e5 + (p - 1e5) * (p > 1e5 ? load : 1);
+  c.gas.cylinder_pressure = trace;
   c.contact.roughness = draw.log_between(0.1e-6, 1e-6);
   c.contact.asperity_density = 0.07 / (c.contact.asperity_radius * c.contact.roughness);
   c.ring.elastic_pressure = draw.log_between(0.05e6, 0.5e6);

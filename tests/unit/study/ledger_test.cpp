@@ -105,7 +105,7 @@ TEST(Ledger, AVariantThatCannotBeSolvedIsKeptWithItsReason) {
   Case c = coarse_case();
   c.solver.cells = 20;
   c.lubricant.table_file = "oil.csv";  // 20 K to either side of 120 degC lie outside
-  c.lubricant.table = {{383.15, 403.15}, {1e5, 1e7}, {6e-3, 7e-3, 4e-3, 5e-3}, {790, 795, 780, 785}};
+  c.lubricant.table = cycle::OilTable{{383.15, 403.15}, {1e5, 1e7}, {6e-3, 7e-3, 4e-3, 5e-3}, {790, 795, 780, 785}};
   const auto ledger = study::ledger(c);
   for (const char* setting : {"operating.oil_temperature = \"100 degC\"", "operating.oil_temperature = \"140 degC\""}) {
     const LedgerVariant& outside = variant(ledger, setting);
