@@ -2,6 +2,8 @@
 
 from typing import NamedTuple, Optional
 
+__all__ = ["ConvergenceError", "Fault", "InputError", "OutputError"]
+
 
 class Fault(NamedTuple):
     """One thing that is wrong with the input: where, what rule was broken with which value, what to write instead.
@@ -15,6 +17,14 @@ class Fault(NamedTuple):
     line_text: str
     message: str
     remedy: str
+
+
+Fault.file.__doc__ = 'As the user named it; "--set" for the command line, empty where no file is to blame.'
+Fault.line.__doc__ = "Counted from 1; 0: the file as a whole."
+Fault.column.__doc__ = "Of the first character that is blamed, counted from 1; 0: the whole line."
+Fault.line_text.__doc__ = "The line itself, without its end; empty if it is not known."
+Fault.message.__doc__ = "What was found, and the rule that it breaks."
+Fault.remedy.__doc__ = "What to write instead; may be empty."
 
 
 class InputError(ValueError):

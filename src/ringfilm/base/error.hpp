@@ -9,15 +9,15 @@ namespace ringfilm {
 
 /// Where in the user's text a fault lies. `line` and `column` count from 1; 0 means "the file as a whole".
 struct SourceMark {
-  std::string file;  ///< as the user named it; "--set" for the command line
-  int line = 0;
-  int column = 0;
+  std::string file;       ///< as the user named it; "--set" for the command line
+  int line = 0;           ///< from 1; 0: the file as a whole
+  int column = 0;         ///< of the first character that is blamed, from 1; 0: the whole line
   std::string line_text;  ///< the line itself, without its end; empty if not known
 };
 
 /// One thing that is wrong with the input: where, what rule was broken with which value, what to write instead.
 struct Fault {
-  SourceMark mark;
+  SourceMark mark;      ///< of an empty file name where it lies at no place of a file
   std::string message;  ///< value and rule, e.g. "ring.tangential_force = 12.5 has no unit"
   std::string remedy;   ///< next step, e.g. "a force is wanted here, for example \"12.5 N\""; may be empty
 };

@@ -16,23 +16,44 @@ namespace ringfilm::cycle {
 /// the same sense of motion, so that the force on the ring itself is its opposite; oil flow positive from chamber to
 /// crankcase.
 struct Sample {
-  double crank_angle_deg = 0;
-  double piston_position = 0, piston_velocity = 0, sliding_distance = 0;
-  double gas_pressure = 0, crankcase_pressure = 0;
-  double applied_load = 0, hydrodynamic_load = 0, asperity_load = 0;
-  double min_film_thickness = 0, film_parameter = 0, asperity_contact_area = 0;
-  double boundary_friction = 0, viscous_friction = 0, viscous_friction_liner = 0, viscous_friction_ring = 0;
-  double total_friction = 0, friction_on_liner = 0, friction_coefficient = 0, power_loss = 0;
-  double wear_drive = 0;  ///< asperity load x speed
-  double oil_flow_middle = 0, oil_flow_chamber_edge = 0, oil_flow_crankcase_edge = 0;
-  double stribeck_number = 0, peak_film_pressure = 0, cavitated_fraction = 0;
-  double rupture_position = 0, reformation_position = 0;  ///< along the face; NaN where the film is full
-  double newton_iterations = 0, crank_sub_steps = 0, fallbacks = 0, load_residual = 0;
+  double crank_angle_deg = 0;          ///< in [0, 720), 0 = firing TDC [degree]
+  double piston_position = 0;          ///< distance below TDC [m]
+  double piston_velocity = 0;          ///< U_p, positive towards TDC [m/s]
+  double sliding_distance = 0;         ///< path on the liner since firing TDC, down and up strokes added [m]
+  double gas_pressure = 0;             ///< in the cylinder, absolute [Pa]
+  double crankcase_pressure = 0;       ///< under the ring, absolute [Pa]
+  double applied_load = 0;             ///< W: what presses the ring on the liner, its tension and the gas behind it [N]
+  double hydrodynamic_load = 0;        ///< W_h: carried by the film, of absolute pressure [N]
+  double asperity_load = 0;            ///< W_a: carried by touching asperities [N]
+  double min_film_thickness = 0;       ///< h_m: thinnest place of the film, where the face is lowest [m]
+  double film_parameter = 0;           ///< h_m over composite roughness [-]
+  double asperity_contact_area = 0;    ///< A_a, in real contact [m2]
+  double boundary_friction = 0;        ///< f_b = tau_0 A_a + zeta W_a, modulus [N]
+  double viscous_friction = 0;         ///< f_v: oil shear on the liner, modulus [N]
+  double viscous_friction_liner = 0;   ///< the same with its sign, positive towards TDC [N]
+  double viscous_friction_ring = 0;    ///< oil shear at the ring, sign as said above [N]
+  double total_friction = 0;           ///< f_t = f_b + f_v [N]
+  double friction_on_liner = 0;        ///< boundary and viscous, positive towards TDC [N]
+  double friction_coefficient = 0;     ///< f_t/W [-]
+  double power_loss = 0;               ///< f_t |U_p| [W]
+  double wear_drive = 0;               ///< asperity load x speed [W]
+  double oil_flow_middle = 0;          ///< through the middle of the face, in the frame of the ring [kg/s]
+  double oil_flow_chamber_edge = 0;    ///< the same through the edge at the chamber [kg/s]
+  double oil_flow_crankcase_edge = 0;  ///< the same through the edge at the crankcase [kg/s]
+  double stribeck_number = 0;          ///< eta |U_p|/(p sigma), eta of the oil at 1 atm, p = W per area of the face [-]
+  double peak_film_pressure = 0;       ///< largest along the face, absolute [Pa]
+  double cavitated_fraction = 0;       ///< share of the face that is a cavity [-]
+  double rupture_position = 0;      ///< where the cavity begins, from the chamber edge [m]; NaN where the film is full
+  double reformation_position = 0;  ///< where the cavity ends, from the chamber edge [m]; NaN where the film is full
+  double newton_iterations = 0;     ///< spent on the way here from the crank step before
+  double crank_sub_steps = 0;       ///< steps taken on that way
+  double fallbacks = 0;             ///< bracketed searches and shorter steps that were needed on it
+  double load_residual = 0;         ///< |W_h + W_a - W|/W [-]
 };
 
 /// Name, unit and meaning of one quantity; `name` is the word used everywhere, from the CSV header to the caption.
 struct Quantity {
-  std::string name;
+  std::string name;          ///< e.g. "min_film_thickness"
   std::string unit;          ///< SI, UDUNITS spelling; "degree" for crank angles, "1" dimensionless
   std::string display_unit;  ///< engineer's unit, e.g. "um"
   std::string long_name;     ///< plain words, e.g. "minimum film thickness"
@@ -42,36 +63,58 @@ struct Quantity {
 
 /// A quantity over crank angle and where `Sample` has it.
 struct CurveQuantity : Quantity {
-  double Sample::*value;
+  double Sample::*value;  ///< the member that holds it
 };
 
 /// In the order of the CSV columns. The first is the crank angle.
 const std::vector<CurveQuantity>& curve_quantities();
 
-/// Values of the cycle as a whole, SI, in the order of `cycle_quantities()`.
+/// Values of the cycle as a whole, SI, in the order of `cycle_quantities()`. Means over time and peaks over the crank
+/// steps of the last cycle (docs/theory/cycle-values.md); angles with 0 = firing TDC.
 struct CycleValues {
-  double energy_per_cycle = 0, mean_power_loss = 0, fmep = 0;
-  double mean_boundary_power = 0, mean_viscous_power = 0;
-  double mean_boundary_friction = 0, peak_boundary_friction = 0, peak_boundary_friction_angle = 0;
-  double mean_viscous_friction = 0, peak_viscous_friction = 0, peak_viscous_friction_angle = 0;
-  double mean_total_friction = 0, peak_total_friction = 0, peak_total_friction_angle = 0;
-  double peak_friction_coefficient = 0, peak_friction_coefficient_angle = 0;
-  double peak_friction_coefficient_firing = 0;  ///< within +-60 degree of firing TDC
-  double min_film_thickness = 0, min_film_thickness_angle = 0, max_film_thickness = 0;
-  double peak_gas_pressure = 0, peak_gas_pressure_angle = 0;
-  double film_parameter_at_peak_pressure = 0, min_film_parameter = 0;
-  double mixed_share = 0;
-  /// Weighted with the load: what a scenario is on a Stribeck curve.
-  double mean_friction_coefficient = 0, mean_stribeck_number = 0, mean_film_parameter = 0;
-  double net_oil_flow = 0, mean_absolute_oil_flow = 0;
-  double peak_film_pressure = 0, mean_cavitated_fraction = 0;
-  double wear_drive_energy = 0;  ///< integral of asperity load x speed over the cycle
-  double power_stroke_energy = 0, exhaust_stroke_energy = 0, intake_stroke_energy = 0, compression_stroke_energy = 0;
+  double energy_per_cycle = 0;              ///< E: friction energy of one cycle [J]
+  double mean_power_loss = 0;               ///< of total friction [W]
+  double fmep = 0;                          ///< friction mean effective pressure of this ring: E over swept volume [Pa]
+  double mean_boundary_power = 0;           ///< part of mean_power_loss by boundary friction [W]
+  double mean_viscous_power = 0;            ///< part of it by oil shear on the liner [W]
+  double mean_boundary_friction = 0;        ///< of the modulus [N]
+  double peak_boundary_friction = 0;        ///< largest modulus [N]
+  double peak_boundary_friction_angle = 0;  ///< crank angle of it [degree]
+  double mean_viscous_friction = 0;         ///< of the modulus on the liner [N]
+  double peak_viscous_friction = 0;         ///< largest modulus on the liner [N]
+  double peak_viscous_friction_angle = 0;   ///< crank angle of it [degree]
+  double mean_total_friction = 0;           ///< of f_t = f_b + f_v [N]
+  double peak_total_friction = 0;           ///< largest f_t [N]
+  double peak_total_friction_angle = 0;     ///< crank angle of it [degree]
+  double peak_friction_coefficient = 0;     ///< largest f_t/W [-]
+  double peak_friction_coefficient_angle = 0;   ///< crank angle of it [degree]
+  double peak_friction_coefficient_firing = 0;  ///< within +-60 degree of firing TDC [-]
+  double min_film_thickness = 0;                ///< smallest h_m of the cycle [m]
+  double min_film_thickness_angle = 0;          ///< crank angle of it [degree]
+  double max_film_thickness = 0;                ///< largest h_m of the cycle [m]
+  double peak_gas_pressure = 0;                 ///< of the cylinder, absolute [Pa]
+  double peak_gas_pressure_angle = 0;           ///< crank angle of it [degree]
+  double film_parameter_at_peak_pressure = 0;   ///< h_m/sigma at the peak of the cylinder pressure [-]
+  double min_film_parameter = 0;                ///< smallest h_m/sigma of the cycle [-]
+  double mixed_share = 0;                       ///< share of time in mixed lubrication: h_m/sigma below 3 [-]
+  /// Weighted with the load, as are the next two: what a scenario is on a Stribeck curve [-].
+  double mean_friction_coefficient = 0;
+  double mean_stribeck_number = 0;       ///< weighted with the load [-]
+  double mean_film_parameter = 0;        ///< weighted with the load [-]
+  double net_oil_flow = 0;               ///< mean through the middle of the face, positive to the crankcase [kg/s]
+  double mean_absolute_oil_flow = 0;     ///< mean of its modulus [kg/s]
+  double peak_film_pressure = 0;         ///< largest along the face and over the cycle, absolute [Pa]
+  double mean_cavitated_fraction = 0;    ///< share of the face that is a cavity [-]
+  double wear_drive_energy = 0;          ///< integral of asperity load x speed over the cycle [J]
+  double power_stroke_energy = 0;        ///< part of E from 0 to 180 degree [J]
+  double exhaust_stroke_energy = 0;      ///< part of E from 180 to 360 degree [J]
+  double intake_stroke_energy = 0;       ///< part of E from 360 to 540 degree [J]
+  double compression_stroke_energy = 0;  ///< part of E from 540 to 720 degree [J]
 };
 
 /// A value of the cycle and where `CycleValues` has it.
 struct CycleQuantity : Quantity {
-  double CycleValues::*value;
+  double CycleValues::*value;  ///< the member that holds it
 };
 const std::vector<CycleQuantity>& cycle_quantities();  ///< in the order of files and tables
 
@@ -93,37 +136,39 @@ struct FaceFields {
 
 /// What one crank angle gives beyond `Sample` where the film is unrolled.
 struct UnrolledSample {
-  double gap_leakage = 0;          ///< oil out of the film through both ends of the ring [kg/s]; negative: drawn in
-  double ends_share_load = 0;      ///< 1 - strip opposite the gap x length / whole ring [-]
-  double ends_share_friction = 0;  ///< the same of the total friction [-]
-  double ends_share_flow = 0;      ///< the same of the oil flow at the middle section; NaN where that is 0 [-]
-  double gap_leakage_low_end = 0, gap_leakage_high_end = 0;  ///< of it, through y = 0 and y = length [kg/s]
+  double gap_leakage = 0;            ///< oil out of the film through both ends of the ring [kg/s]; negative: drawn in
+  double ends_share_load = 0;        ///< 1 - strip opposite the gap x length / whole ring [-]
+  double ends_share_friction = 0;    ///< the same of the total friction [-]
+  double ends_share_flow = 0;        ///< the same of the oil flow at the middle section; NaN where that is 0 [-]
+  double gap_leakage_low_end = 0;    ///< of it, through the end y = 0 [kg/s]
+  double gap_leakage_high_end = 0;   ///< of it, through the end y = length [kg/s]
   double oil_flow_without_ends = 0;  ///< at the middle section, if all were like the strip opposite the gap [kg/s]
-  /// Load [N] and total friction [N] likewise: what the shares over the cycle are made of; in no file.
-  double load_without_ends = 0, friction_without_ends = 0;
+  double load_without_ends = 0;  ///< load carried likewise: the shares over the cycle are made of it; in no file [N]
+  double friction_without_ends = 0;  ///< total friction likewise; in no file [N]
 };
 
 /// A quantity over crank angle of an unrolled film and where `UnrolledSample` has it.
 struct UnrolledQuantity : Quantity {
-  double UnrolledSample::*value;
+  double UnrolledSample::*value;  ///< the member that holds it
 };
 /// In the order of their CSV columns.
 const std::vector<UnrolledQuantity>& unrolled_quantities();
 
 /// What the ends of the gap do over a cycle, in the order of `unrolled_cycle_quantities()`.
 struct UnrolledValues {
-  double mean_gap_leakage = 0, mean_absolute_gap_leakage = 0;  ///< [kg/s]
-  double peak_gap_leakage = 0;                                 ///< largest either way, with its sign [kg/s]
-  double peak_gap_leakage_angle = 0;                           ///< [degree]
+  double mean_gap_leakage = 0;           ///< positive out of the film [kg/s]
+  double mean_absolute_gap_leakage = 0;  ///< of its modulus [kg/s]
+  double peak_gap_leakage = 0;           ///< largest either way, positive out of the film [kg/s]
+  double peak_gap_leakage_angle = 0;     ///< crank angle of it [degree]
   double gap_leakage_share = 0;          ///< mean absolute leakage over mean absolute flow at the middle section [-]
-  double ends_share_mean_load = 0;       ///< [-]
-  double ends_share_friction_power = 0;  ///< of the mean [-]
-  double ends_share_absolute_flow = 0;   ///< of the mean at the middle section [-]
+  double ends_share_mean_load = 0;       ///< 1 - mean as if without ends / mean of the whole ring [-]
+  double ends_share_friction_power = 0;  ///< the same of the mean friction power [-]
+  double ends_share_absolute_flow = 0;   ///< the same of the mean absolute flow at the middle section [-]
 };
 
 /// A value of the cycle of an unrolled film and where `UnrolledValues` has it.
 struct UnrolledCycleQuantity : Quantity {
-  double UnrolledValues::*value;
+  double UnrolledValues::*value;  ///< the member that holds it
 };
 const std::vector<UnrolledCycleQuantity>& unrolled_cycle_quantities();  ///< in the order of files and tables
 
@@ -131,20 +176,22 @@ const std::vector<UnrolledCycleQuantity>& unrolled_cycle_quantities();  ///< in 
 /// other, or from the joint of a closed ring. In full over [angle][y][x], or reduced along the face to [angle][y];
 /// what was not asked for is empty.
 struct UnrolledFields {
-  double circumference = 0;              ///< pi x bore [m]
-  double end_gap = 0;                    ///< between y = length and y = 0 [m]; 0: a closed ring
-  double gap_position = 0;               ///< of the middle of the gap around the bore [rad]
-  std::vector<double> x, y;              ///< [m]
-  std::vector<double> crank_angle_deg;   ///< may be empty
-  std::vector<float> film_thickness;     ///< [m], [angle][y][x]
-  std::vector<float> film_pressure;      ///< [Pa] absolute
-  std::vector<float> fill;               ///< theta, liquid share of the gap [-]
-  std::vector<float> asperity_pressure;  ///< [Pa]
-  std::vector<float> strip_hydrodynamic_load, strip_asperity_load;  ///< per length in y [N/m], [angle][y]
-  std::vector<float> strip_peak_film_pressure;                      ///< [Pa] absolute
-  std::vector<float> strip_cavitated_fraction;                      ///< share of the width [-]
-  std::vector<float> strip_min_film_thickness;                      ///< [m]
-  std::vector<float> strip_oil_flow_middle;  ///< positive to the crankcase, per length in y [kg/(m s)]
+  double circumference = 0;                     ///< pi x bore [m]
+  double end_gap = 0;                           ///< between y = length and y = 0 [m]; 0: a closed ring
+  double gap_position = 0;                      ///< of the middle of the gap around the bore [rad]
+  std::vector<double> x;                        ///< along the face, from 0 to its width [m]
+  std::vector<double> y;                        ///< around the ring, from 0 to its length [m]
+  std::vector<double> crank_angle_deg;          ///< may be empty
+  std::vector<float> film_thickness;            ///< [m], [angle][y][x]
+  std::vector<float> film_pressure;             ///< [Pa] absolute
+  std::vector<float> fill;                      ///< theta, liquid share of the gap [-]
+  std::vector<float> asperity_pressure;         ///< [Pa]
+  std::vector<float> strip_hydrodynamic_load;   ///< carried by the film, per length in y [N/m], [angle][y]
+  std::vector<float> strip_asperity_load;       ///< carried by asperities, per length in y [N/m]
+  std::vector<float> strip_peak_film_pressure;  ///< largest across the face, absolute [Pa]
+  std::vector<float> strip_cavitated_fraction;  ///< share of the width [-]
+  std::vector<float> strip_min_film_thickness;  ///< smallest across the face [m]
+  std::vector<float> strip_oil_flow_middle;     ///< positive to the crankcase, per length in y [kg/(m s)]
 
   bool empty() const { return crank_angle_deg.empty(); }  ///< no angle was asked for
   /// Does it belong to a film across the face, which has nothing of it?
@@ -153,7 +200,7 @@ struct UnrolledFields {
 
 /// A field of an unrolled film and where `UnrolledFields` has it.
 struct UnrolledField : Quantity {
-  std::vector<float> UnrolledFields::*values;
+  std::vector<float> UnrolledFields::*values;  ///< the member that holds it, [angle][y][x] or [angle][y]
 };
 /// Fields over (crank_angle, y, x), then those over (crank_angle, y).
 const std::vector<UnrolledField>& unrolled_fields();
@@ -176,28 +223,31 @@ struct Note {
 struct Effort {
   double cycles_marched = 0;     ///< until periodic
   double periodicity_error = 0;  ///< largest relative difference of the state one cycle apart [-]
-  long crank_steps = 0, newton_iterations = 0, sub_steps = 0;
-  long fallback_secant = 0, fallback_sub_step = 0;
+  long crank_steps = 0;          ///< taken in all cycles marched, shortened ones among them
+  long newton_iterations = 0;    ///< of all films that were sought, those of steps that were taken again shorter too
+  long sub_steps = 0;            ///< of the crank steps: shorter than solver.crank_step
+  long fallback_secant = 0;      ///< films that a bracketed search found because Newton's method failed
+  long fallback_sub_step = 0;    ///< times that a step was cut because no film was found
   double max_load_residual = 0;  ///< |W_h + W_a - W|/W [-]
   double max_newton_step = 0;    ///< last relative Newton step accepted, worst of the cycle [-]
-  double max_mass_residual =
-      0;                       ///< worst mass balance of a step, relative to the largest flow at the middle section [-]
+  /// Worst mass balance of a step, relative to the largest flow at the middle section [-].
+  double max_mass_residual = 0;
   long relaxation_sweeps = 0;  ///< of solver.method = "point-relaxation"
 };
 
 /// All that a march gives. Plain data: what files, pages and other programs are made of.
 struct CycleResult {
-  std::vector<Sample> samples;  ///< at the crank angles asked for
-  CycleValues values;           ///< from the whole march, whatever was asked for
-  FaceFields fields;
+  std::vector<Sample> samples;                   ///< at the crank angles asked for
+  CycleValues values;                            ///< from the whole march, whatever was asked for
+  FaceFields fields;                             ///< where output.fields asks for them; x and face_height always
   std::vector<UnrolledSample> unrolled_samples;  ///< beside `samples`; empty without an unrolled film
   UnrolledValues unrolled_values;                ///< NaN where the march stopped
   UnrolledFields unrolled;                       ///< without an unrolled film not even y
-  StrokeProfile stroke;
+  StrokeProfile stroke;                          ///< empty where the march stopped
   std::map<std::string, double> derived;  ///< composite_modulus, elastic_pressure, ... [SI]; see derived_quantities()
-  std::vector<Note> notes;
-  Effort effort;
-  bool complete = true;  ///< false: the march stopped; `samples` are those that it had passed
+  std::vector<Note> notes;  ///< laws outside their range, remedies that were used; empty: nothing to be known
+  Effort effort;            ///< of the whole march, the cycles before the last one too
+  bool complete = true;     ///< false: the march stopped; `samples` are those that it had passed
 };
 
 /// Constants that follow from the case before anything is marched (keys of CycleResult::derived).

@@ -16,18 +16,18 @@ namespace ringfilm::cycle {
 
 /// A case made ready to march: models built, trace joined, grid laid. Immutable; may be used from several threads.
 struct Setup {
-  Case input;
-  models::CrankSlider crank;
+  Case input;                                ///< the case that was prepared, as given
+  models::CrankSlider crank;                 ///< moves piston and ring
   models::CyclePressure cylinder_pressure;   ///< absolute [Pa], 0 = firing TDC
   models::CyclePressure crankcase_pressure;  ///< absolute [Pa]
   models::RingFace face;                     ///< as given, before turning and before its minimum is taken off
   double elastic_pressure;                   ///< p_e [Pa]
-  double E_prime;                            ///< [Pa]
+  double E_prime;                            ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
   double sigma;                              ///< composite roughness as the contact model uses it [m]
-  models::GreenwoodTripp contact;
+  models::GreenwoodTripp contact;            ///< asperity contact of the pair
   std::shared_ptr<const models::OilAtTemperature> oil;  ///< with fit() where solver.properties asks for it
   double oil_viscosity;                                 ///< at the oil temperature, no pressure [Pa s]
-  double oil_density;                                   ///< [kg/m3]
+  double oil_density;                                   ///< likewise [kg/m3]
   std::vector<Note> notes;                              ///< what was found out on the way (extrapolated density, ...)
 
   const film::FilmKernels* kernels = &film::kernels();  ///< the inner loops that are to find the films

@@ -22,7 +22,7 @@ class StoppedCycle : public ConvergenceError {
   /// What was solved goes with it.
   StoppedCycle(const std::string& message, std::optional<double> crank_angle_deg, CycleResult result_so_far)
       : ConvergenceError(message, crank_angle_deg), result(std::move(result_so_far)) {}
-  CycleResult result;
+  CycleResult result;  ///< complete is false, values of the cycle are NaN
 };
 
 /// Marches the engine cycle until its state repeats and returns every quantity at the angles asked for.

@@ -23,9 +23,9 @@ struct SurfaceOptions {
 
 /// Where a map or a trace comes from, for the record.
 struct SurfaceOrigin {
-  std::string path;
+  std::string path;    ///< as named
   std::string sha256;  ///< of the file
-  std::string format;
+  std::string format;  ///< in words, e.g. "Digital Surf, 16 bit, low byte first"; which program read it, if another did
   std::string channel;             ///< name of the one that was taken
   std::size_t channel_number = 1;  ///< counted from 1
   std::string instrument;          ///< as the file names it; may be empty
@@ -36,17 +36,17 @@ struct SurfaceOrigin {
 
 /// A map of heights as read, and where it came from.
 struct SurfaceFile {
-  surface::HeightMap map;
-  SurfaceOrigin origin;
+  surface::HeightMap map;  ///< in metres, nothing taken off
+  SurfaceOrigin origin;    ///< file, channel, and what the user said
   /// Size in points and lengths, step, Sq, min, max, share of missing points: to be shown on every read.
   std::string plausibility_line;
 };
 
 /// A trace as read, its places as measured, and where it came from.
 struct TraceFile {
-  surface::Trace trace;  ///< places that rise; points that were not measured are left out
-  SurfaceOrigin origin;
-  std::string plausibility_line;
+  surface::Trace trace;           ///< places that rise; points that were not measured are left out
+  SurfaceOrigin origin;           ///< file, channel, and what the user said
+  std::string plausibility_line;  ///< points, length, step and range of heights: to be shown on every read
 };
 
 /// Opens a file of any known format: X3P, SDF, SUR, GSF, .gwy and text by our own readers, all else through the program

@@ -15,29 +15,32 @@ namespace ringfilm::instrument {
 /// Which parts of a map are measured each by itself; the whole map where nothing is chosen.
 struct RegionChoice {
   std::vector<std::array<double, 4>> rectangles_m;  ///< x, y, width, height [m]
-  std::size_t across = 0, down = 0;                 ///< a grid of equal parts
+  std::size_t across = 0;                           ///< parts along x of a grid of equal ones; 0: no grid
+  std::size_t down = 0;                             ///< its parts along y
   std::size_t prominent = 0;                        ///< so many of `size_m`, those that stand out most
   double size_m = 0;                                ///< side of these squares [m]
 };
 
 /// What is asked of a measured surface beside its form and filters.
 struct SurfaceAnalysis {
-  surface::Preparation preparation;
-  RegionChoice regions;
+  surface::Preparation preparation;  ///< form and filters that come before
+  RegionChoice regions;              ///< what is measured by itself; as it is: the whole map
+  /// Lines along which slopes and curvatures of a map are taken.
   surface::MomentDirection direction = surface::MomentDirection::mean;
+  /// How they are made of neighbouring heights.
   surface::DifferenceScheme scheme = surface::DifferenceScheme::neighbours;
-  surface::SigmaRule sigma_rule = surface::SigmaRule::ra;
+  surface::SigmaRule sigma_rule = surface::SigmaRule::ra;  ///< does Ra (Sa) or Rq (Sq) stand for sigma?
   std::optional<double> angle_rad;       ///< slopes and curvatures of a map at this angle to x are told, too
   std::optional<double> cavity_depth_m;  ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
 };
 
 /// A surface file after form and filters.
 struct PreparedSurface {
-  SurfaceOrigin origin;
-  std::string plausibility_line;
-  surface::HeightMap map;
-  surface::HeightMap middle;  ///< part of it, form taken off, not filtered: for what is worked out again and again
-  surface::Prepared prepared;
+  SurfaceOrigin origin;           ///< file, channel, and what the user said
+  std::string plausibility_line;  ///< of the map as it was read
+  surface::HeightMap map;         ///< form taken off, filtered
+  surface::HeightMap middle;      ///< part of it, form taken off, not filtered: for what is worked out again and again
+  surface::Prepared prepared;     ///< what was taken off, and with which filters
   std::vector<surface::Region> regions;  ///< empty: the whole map
 };
 

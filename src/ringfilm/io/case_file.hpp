@@ -11,8 +11,8 @@ namespace ringfilm::io {
 /// `--set key=value` of the command line: the value is read as TOML, else as text; an empty value takes the key out, so
 /// that another way to state the same (a ring's tension, a gas model) can stand in its place.
 struct Override {
-  std::string key;
-  std::string value;
+  std::string key;    ///< "engine.bore"
+  std::string value;  ///< as written, e.g. "89 mm"; empty: the key is taken out
 };
 
 /// Reads a case with its includes, oil file, traces and points; overrides come last and replace.

@@ -9,11 +9,11 @@ namespace ringfilm::io {
 
 /// What is told of a pad: the case as it was used, and the result.
 struct PadDocument {
-  std::string title;
-  std::vector<CaseEntry> inputs;
-  std::vector<std::string> input_notes;
-  Provenance provenance;
-  pad::PadResult result;
+  std::string title;                     ///< Case::title
+  std::vector<CaseEntry> inputs;         ///< the active keys with the values in use, in table order
+  std::vector<std::string> input_notes;  ///< Case::notes
+  Provenance provenance;                 ///< what computed it
+  pad::PadResult result;                 ///< up to the last good instant where it stopped
 };
 
 /// The numbers of the last instant as one flat JSON object, SI: title, every entry of

@@ -17,7 +17,7 @@ struct CaseEntry {
   std::string value;     ///< TOML right-hand side in SI, exact
   std::string shown;     ///< in the unit people use, e.g. "89 mm"
   bool assumed = false;  ///< the user did not state it
-  std::string help;
+  std::string help;      ///< what the key is, one line
 };
 
 /// What computed the result.
@@ -34,17 +34,17 @@ Provenance this_run();
 
 /// All that a result file holds; a report can be drawn again from it alone.
 struct ResultDocument {
-  std::string title;
-  std::vector<CaseEntry> inputs;
-  std::string resolved_case;  ///< a complete case file in SI that gives the same bits again
-  std::vector<cycle::InputFile> files;
-  std::vector<std::string> input_notes;  ///< Case::notes
-  Provenance provenance;
-  cycle::CycleResult result;
-  std::vector<study::LedgerEntry> ledger;
-  bool ledger_computed = false;  ///< were the variants run?
-  std::vector<study::ComparisonRow> comparison;
-  std::optional<study::ErrorEstimate> errors;  ///< absent where they were not asked for
+  std::string title;                             ///< Case::title
+  std::vector<CaseEntry> inputs;                 ///< the active keys with the values in use, in table order
+  std::string resolved_case;                     ///< a complete case file in SI that gives the same bits again
+  std::vector<cycle::InputFile> files;           ///< everything that was read, with its digest
+  std::vector<std::string> input_notes;          ///< Case::notes
+  Provenance provenance;                         ///< what computed it
+  cycle::CycleResult result;                     ///< up to the last good angle where the march stopped
+  std::vector<study::LedgerEntry> ledger;        ///< what the case takes for granted
+  bool ledger_computed = false;                  ///< were the variants run?
+  std::vector<study::ComparisonRow> comparison;  ///< with published values; empty where there are none
+  std::optional<study::ErrorEstimate> errors;    ///< absent where they were not asked for
 };
 
 /// Writes NetCDF-4 with named dimensions crank_angle, x, ...; aside first, flushed, then renamed, so that a kill or a

@@ -9,7 +9,7 @@ namespace ringfilm::io {
 
 /// A study as its file states it.
 struct StudyFile {
-  study::Study study;
+  study::Study study;  ///< bases read, numbers in SI
   /// The study's own file, then every file that its bases, choices and list were read from, each once.
   std::vector<cycle::InputFile> files;
 };

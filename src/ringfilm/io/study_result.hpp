@@ -11,8 +11,8 @@ namespace ringfilm::io {
 
 /// A study with all its rows, in files.
 struct StudyRows {
-  const StudyFile& file;
-  const study::Plan& plan;
+  const StudyFile& file;            ///< what was asked for
+  const study::Plan& plan;          ///< which scenario has which numbers
   std::vector<ShardReader> shards;  ///< in the order of their scenarios, without a gap
 
   /// Names of the film::FilmKernels with which they were computed: "avx2", "avx2, avx512".

@@ -18,9 +18,9 @@ class UnitError : public std::runtime_error {
 /// The line from a unit to SI: SI = value * factor / divisor + offset. Decimal prefixes are whole factors or divisors,
 /// so that they round once: "82.5 mm" is 0.0825 to the last bit or the one before.
 struct Scale {
-  double factor = 1;
-  double divisor = 1;
-  double offset = 0;
+  double factor = 1;   ///< [SI unit/unit], with the divisor
+  double divisor = 1;  ///< [-]
+  double offset = 0;   ///< of the unit's zero, e.g. 273.15 of degC [SI unit]
 
   double to_si(double value) const { return value * factor / divisor + offset; }      ///< value in SI
   double from_si(double value) const { return (value - offset) * divisor / factor; }  ///< value in this unit
@@ -29,7 +29,7 @@ struct Scale {
 /// Reads units. Holds the unit system, so building one takes some milliseconds; each thread may have its own.
 class Units {
  public:
-  Units();
+  Units();  ///< reads the units of UDUNITS-2 and adds those of engineers
   ~Units();
   Units(Units&&) noexcept;             ///< moved, not copied: it holds a system of units
   Units& operator=(Units&&) noexcept;  ///< moved, not copied

@@ -4,9 +4,15 @@
 
 #include "ringfilm/models/contact_fit.hpp"
 
+/// What rough surfaces carry where they touch (docs/theory/contact.md).
 namespace ringfilm::models {
 
-enum class ContactIntegralForm { kExact, kPolynomial4Digit, kPolynomialAsPrinted };
+/// Where the height integrals F_2 and F_5/2 of contact come from.
+enum class ContactIntegralForm {
+  kExact,               ///< quadrature, to rounding
+  kPolynomial4Digit,    ///< a fit of the literature, zero from its first root on
+  kPolynomialAsPrinted  ///< the same as styles2014 has it, digits cut off: rises again beyond 1.911
+};
 
 /// Exact Gaussian integral F_n(lambda) = 1/sqrt(2 pi) int_lambda^inf (s - lambda)^n exp(-s^2/2) ds,
 /// eq-gaussian-integral, by quadrature to rounding; n = 3/2, 2, 5/2 are what contact needs. n >= 1, 0 <= lambda <= 30.
@@ -15,8 +21,8 @@ double gaussian_integral(double n, double lambda);
 /// A polynomial of the literature in place of F_n(lambda): the fifth power first, never below zero, and zero from `end`
 /// on.
 struct ContactQuintic {
-  std::array<double, 6> c;
-  double end;  ///< lambda [-]
+  std::array<double, 6> c;  ///< coefficients in lambda, that of the fifth power first [-]
+  double end;               ///< lambda from which on it is zero [-]
 };
 
 /// Contact of two rough surfaces after Greenwood and Tripp @cite greenwood1971, eqs eq-asperity-load, eq-asperity-area.
@@ -25,11 +31,11 @@ class GreenwoodTripp {
  public:
   /// What a pair of surfaces brings.
   struct Parameters {
-    double N;        ///< density of asperity peaks [1/m2]
-    double beta;     ///< mean radius of asperity summits [m]
-    double sigma;    ///< composite roughness [m]
-    double E_prime;  ///< [Pa]
-    ContactIntegralForm form = ContactIntegralForm::kExact;
+    double N;                                                ///< density of asperity peaks [1/m2]
+    double beta;                                             ///< mean radius of asperity summits [m]
+    double sigma;                                            ///< composite roughness [m]
+    double E_prime;                                          ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
+    ContactIntegralForm form = ContactIntegralForm::kExact;  ///< of the height integrals F_2 and F_5/2
   };
 
   explicit GreenwoodTripp(const Parameters& parameters);  ///< all of them above zero

@@ -1,5 +1,6 @@
 #pragma once
 
+/// How piston and ring move (docs/theory/kinematics.md).
 namespace ringfilm::models {
 
 /// Kinematics of the piston; eq-piston-velocity. Crank angle phi [rad], 0 = TDC. Velocity is positive towards TDC.

@@ -3,6 +3,7 @@
 
 #include "ringfilm/models/crank_slider.hpp"
 
+/// Gas pressure over the cycle (docs/theory/gas.md).
 namespace ringfilm::models {
 
 /// A pressure over the 720 degree cycle: absolute [Pa], linear between samples, periodic. Angles in degrees,
@@ -38,14 +39,19 @@ CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vecto
 /// Single-zone cycle with Wiebe heat release, eq-wiebe. Heat and start of combustion are found so that peak pressure
 /// and peak angle are met; throws InputError where that cannot be.
 struct WiebeCycle {
-  CrankSlider crank;
-  double compression_ratio;  ///< [-]
-  double peak_pressure;      ///< [Pa] absolute
-  double peak_angle_deg;
-  double burn_duration_deg;
-  double intake_pressure, exhaust_pressure;  ///< [Pa] absolute
-  double exhaust_valve_opening_deg, exhaust_valve_closing_deg, intake_valve_opening_deg, intake_valve_closing_deg;
+  CrankSlider crank;                 ///< gives the volume of the cylinder
+  double compression_ratio;          ///< largest over smallest volume [-]
+  double peak_pressure;              ///< highest of the cycle, absolute [Pa]
+  double peak_angle_deg;             ///< of the highest pressure, after firing TDC [degree]
+  double burn_duration_deg;          ///< length of the heat release [degree]
+  double intake_pressure;            ///< during intake, absolute [Pa]
+  double exhaust_pressure;           ///< during exhaust, absolute [Pa]
+  double exhaust_valve_opening_deg;  ///< from firing TDC, as the next three [degree]
+  double exhaust_valve_closing_deg;  ///< e.g. 375: 15 degree after gas-exchange TDC [degree]
+  double intake_valve_opening_deg;   ///< e.g. 345: 15 degree before gas-exchange TDC [degree]
+  double intake_valve_closing_deg;   ///< e.g. 590: 50 degree after the dead centre where compression begins [degree]
 };
+/// The cylinder pressure of that cycle. Throws InputError for peak pressure and angle that no heat release meets.
 CyclePressure wiebe_pressure(const WiebeCycle& cycle);
 
 }  // namespace ringfilm::models

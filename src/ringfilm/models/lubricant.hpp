@@ -8,6 +8,7 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/models/viscosity_laws.hpp"
 
+/// Viscosity and density of oils (docs/theory/oil.md).
 namespace ringfilm::models {
 
 struct OilFit;
@@ -36,15 +37,19 @@ class OilAtTemperature {
   double viscosity(double p) const;  ///< [Pa s]
 };
 
-enum class DensityTemperatureLaw { kTable, kThermalExpansivity };
+/// Law of density against temperature.
+enum class DensityTemperatureLaw {
+  kTable,              ///< linear through the points and beyond
+  kThermalExpansivity  ///< by the expansivity gamma
+};
 
 /// Density at atmospheric pressure against temperature.
 struct DensityLaw {
-  std::vector<double> temperature;  ///< [K], increasing, one or more
-  std::vector<double> value;        ///< [kg/m3]
-  DensityTemperatureLaw law = DensityTemperatureLaw::kTable;
-  double thermal_expansivity = 0;    ///< gamma [1/K]
-  double reference_temperature = 0;  ///< theta_0 [K]
+  std::vector<double> temperature;                            ///< [K], increasing, one or more
+  std::vector<double> value;                                  ///< [kg/m3]
+  DensityTemperatureLaw law = DensityTemperatureLaw::kTable;  ///< linear through the points, or by the expansivity
+  double thermal_expansivity = 0;                             ///< gamma [1/K]
+  double reference_temperature = 0;                           ///< theta_0 [K]
 
   /// Linear between and beyond the points, or rho(theta_0) [1 - gamma (T - theta_0)]; eq-density-temperature [kg/m3].
   double density(double T) const;
@@ -54,7 +59,8 @@ struct DensityLaw {
 /// Kinematic viscosity against temperature after ASTM D341 (Walther) through two points (least squares through more):
 /// log10 log10(nu + 0.7) = A - B log10 T, nu in mm2/s, T in K; eq-walther.
 struct Walther {
-  double A, B;
+  double A;  ///< [-]
+  double B;  ///< fall with temperature, above zero [-]
 
   /// Fits temperature [K] and kinematic viscosity [m2/s]. Throws InputError unless there are two temperatures or more,
   /// each viscosity is above the 0.3 mm2/s below which the law has no value, and the fit falls with temperature.
@@ -73,15 +79,20 @@ struct DowsonHigginson {
 /// Houpert's temperature term, eq-houpert: viscosity at T and p = 0 from eta_0 at theta_0 [Pa s].
 double houpert_viscosity(double eta_0, double theta_0, double beta_0, double T);
 
-enum class ViscosityTemperatureLaw { kWalther, kHoupert };
+/// Law of viscosity against temperature.
+enum class ViscosityTemperatureLaw {
+  kWalther,  ///< ASTM D341 through the points
+  kHoupert   ///< Houpert's term
+};
 
 /// An oil as its laws describe it, at all temperatures.
 struct OilLaws {
   std::vector<double> viscosity_temperature;  ///< [K]
   std::vector<double> kinematic_viscosity;    ///< [m2/s], as many
-  DensityLaw density;
+  DensityLaw density;                         ///< at atmospheric pressure
+  /// Walther through the values above, or Houpert's term from theta_0 on.
   ViscosityTemperatureLaw viscosity_temperature_law = ViscosityTemperatureLaw::kWalther;
-  ViscosityPressureLaw viscosity_pressure_law = ViscosityPressureLaw::kRoelands;
+  ViscosityPressureLaw viscosity_pressure_law = ViscosityPressureLaw::kRoelands;  ///< takes `parameters`
   LawParameters parameters = usual_law_parameters();  ///< of the laws of viscosity against pressure [SI]
   double beta_0 = 0;                                  ///< temperature-viscosity coefficient, Houpert [1/K]
   double theta_0 = 0;                                 ///< reference temperature, Houpert [K]
@@ -90,8 +101,8 @@ struct OilLaws {
 
 /// What the laws give at one temperature and atmospheric pressure.
 struct OilState {
-  double eta_T;  ///< [Pa s]
-  double rho_T;  ///< [kg/m3]
+  double eta_T;  ///< viscosity [Pa s]
+  double rho_T;  ///< density [kg/m3]
   double eta_0;  ///< to which the coefficients of the laws of pressure belong [Pa s]
 };
 

@@ -2,6 +2,7 @@
 #include <functional>
 #include <vector>
 
+/// Shape of the ring face and tension of the ring (docs/theory/ring.md).
 namespace ringfilm::models {
 
 /// Gap of the ring face to a straight line, h_s(x), 0 <= x <= b, counted from the zero of its source: the land is low,
@@ -39,6 +40,7 @@ class RingFace {
 
 /// Ring pressing on the bore: p_e = 2 F_t/(b B), eq-elastic-pressure [Pa].
 double elastic_pressure_from_tangential_force(double F_t, double face_width, double bore);
+/// The inverse, F_t = p_e b B/2 [N].
 double tangential_force_from_elastic_pressure(double p_e, double face_width, double bore);
 /// p_e = E t^3 s/(36 pi r^4), r = bore/2, eq-elastic-pressure-gap [Pa].
 double elastic_pressure_from_free_gap(double free_gap, double radial_thickness, double E, double bore);

@@ -3,6 +3,7 @@
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 
+/// Films of stated shape, without engine and ring (docs/theory/pad.md).
 namespace ringfilm::pad {
 
 /// The film could not be solved, or not to the end; `result` holds all up to the last good instant.
@@ -11,7 +12,7 @@ class StoppedPad : public ConvergenceError {
   /// What was solved goes with it.
   StoppedPad(const std::string& message, PadResult result_so_far)
       : ConvergenceError(message), result(std::move(result_so_far)) {}
-  PadResult result;
+  PadResult result;  ///< its `complete` is false
 };
 
 /// Told how far the march in time is; may be slow; what it throws ends the work.

@@ -38,7 +38,7 @@ using CaseSource = std::function<std::optional<cycle::Case>()>;
 
 /// What a batch took.
 struct BatchEffort {
-  int threads = 0;
+  int threads = 0;          ///< that had something to do
   cycle::LaneEffort lanes;  ///< of all threads
 };
 

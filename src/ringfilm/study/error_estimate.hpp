@@ -12,12 +12,12 @@ namespace ringfilm::study {
 
 /// One march of the same case, on its own grid or on another.
 struct GridRun {
-  long cells = 0;
-  double crank_step_deg = 0;  ///< [degree]
+  long cells = 0;             ///< across the face
+  double crank_step_deg = 0;  ///< of the march [degree]
   double step_error = 0;      ///< of adaptive control [-]
-  bool solved = true;
-  std::string reason;  ///< why not, if not solved
-  long cells_y = 0;    ///< around the ring; 0: a film across the face
+  bool solved = true;         ///< did its march reach its end?
+  std::string reason;         ///< why not, if not solved
+  long cells_y = 0;           ///< around the ring; 0: a film across the face
 };
 
 /// Errors in the units of what they belong to; NaN where there is no estimate. Effort has none.
@@ -25,8 +25,9 @@ struct ErrorEstimate {
   std::vector<GridRun> runs;           ///< the case itself, then cells doubled and halved, steps halved and doubled
   cycle::CycleValues values;           ///< error of each value of the cycle
   std::vector<cycle::Sample> samples;  ///< error of each curve at each crank angle of the result
-  /// Observed orders (eq-observed-order); NaN where the three grids do not converge monotonically.
-  cycle::CycleValues order_in_cells, order_in_step;
+  /// Observed orders in the cells (eq-observed-order) [-]; NaN where the three grids do not converge monotonically.
+  cycle::CycleValues order_in_cells;
+  cycle::CycleValues order_in_step;  ///< the same in the crank step [-]
 };
 
 /// Can a curve have a discretisation error? Not the crank angle itself and not the effort that was spent.

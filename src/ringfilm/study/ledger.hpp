@@ -14,8 +14,8 @@ namespace ringfilm::study {
 struct LedgerVariant {
   std::string setting;        ///< as one would write it, e.g. "film.cavitation = \"mass-conserving\""
   cycle::CycleValues values;  ///< of the run with this setting alone changed; NaN if not solved
-  bool solved = true;
-  std::string reason;  ///< why not, if not solved
+  bool solved = true;         ///< did its march reach its end?
+  std::string reason;         ///< why not, if not solved
 };
 
 /// One simplification or unstated input.

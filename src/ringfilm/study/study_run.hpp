@@ -22,13 +22,14 @@ struct ScenarioRow {
 
 /// Scenarios `first` to `first + rows.size()`.
 struct ScenarioChunk {
-  std::uint64_t first = 0;
-  std::vector<ScenarioRow> rows;
+  std::uint64_t first = 0;        ///< number of the first of them in the plan
+  std::vector<ScenarioRow> rows;  ///< in the order of the plan
 };
 
 /// Scenarios from `first` to before `end`.
 struct ScenarioRange {
-  std::uint64_t first = 0, end = 0;
+  std::uint64_t first = 0;                            ///< number in the plan, from 0
+  std::uint64_t end = 0;                              ///< one past the last
   std::uint64_t size() const { return end - first; }  ///< how many
 };
 
@@ -36,11 +37,15 @@ struct ScenarioRange {
 /// 1 <= part <= parts.
 ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::uint64_t parts);
 
-enum class GoOn { kYes, kNo };  ///< what an observer wants
+/// What an observer of a run wants.
+enum class GoOn {
+  kYes,  ///< the next scenarios
+  kNo    ///< no more: what is not handed over is given up
+};
 
 /// How a study is run; none of it changes a number.
 struct StudyRunOptions {
-  BatchOptions batch;
+  BatchOptions batch;             ///< threads, and how a case is made ready
   std::uint64_t most_rows = 256;  ///< in one chunk; fewer where their curves are more than 16 MB
   double longest_wait = 2;        ///< what is ready is handed over after this time at the latest [s]
 };

@@ -6,14 +6,17 @@
 
 namespace ringfilm::surface {
 
-/// Which height statistic stands for sigma: Ra (Sa of a map), as in styles2014, or Rq (Sq).
-enum class SigmaRule { ra, rq };
+/// Which height statistic stands for sigma.
+enum class SigmaRule {
+  ra,  ///< Ra (Sa of a map), as in styles2014
+  rq   ///< Rq (Sq of a map)
+};
 
 /// What one surface brings into a pair, all after the same form and filters.
 struct SurfaceMeasures {
-  double Sa_m = 0.0;
-  double Sq_m = 0.0;
-  SpectralMoments moments;
+  double Sa_m = 0.0;        ///< mean absolute deviation of the heights (Ra of a profile) [m]
+  double Sq_m = 0.0;        ///< rms of the heights about their mean (Rq of a profile) [m]
+  SpectralMoments moments;  ///< of profiles, in the direction that was asked for
 };
 
 /// Density of asperity peaks, mean radius of their summits, roughness: what a contact model takes.

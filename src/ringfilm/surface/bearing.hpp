@@ -8,9 +8,9 @@ namespace ringfilm::surface {
 
 /// Heights of core, reduced peaks and valleys after @cite iso13565_2; eq-surface-core.
 struct CoreRoughness {
-  double Rk_m = 0.0;
-  double Rpk_m = 0.0;
-  double Rvk_m = 0.0;
+  double Rk_m = 0.0;     ///< height of the core [m]
+  double Rpk_m = 0.0;    ///< height of the peaks above the core, reduced to a triangle [m]
+  double Rvk_m = 0.0;    ///< depth of the valleys below the core, reduced to a triangle [m]
   double Mr1 = 0.0;      ///< material ratio where the core begins, 0 to 1
   double Mr2 = 0.0;      ///< where it ends
   double upper_m = 0.0;  ///< height of the line of the core at 0 [m]

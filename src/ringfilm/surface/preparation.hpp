@@ -11,16 +11,16 @@ namespace ringfilm::surface {
 
 /// What happens to a map between the instrument and its statistics, in this order: form, short cut-off, long cut-off.
 struct Preparation {
-  FormChoice form{FormKind::none};
-  std::optional<double> short_cutoff_m;  ///< S-filter [m]
-  std::optional<double> long_cutoff_m;   ///< L-filter [m]
-  FilterKind filter = FilterKind::gaussian;
+  FormChoice form{FormKind::none};           ///< what shape is taken off
+  std::optional<double> short_cutoff_m;      ///< S-filter [m]
+  std::optional<double> long_cutoff_m;       ///< L-filter [m]
+  FilterKind filter = FilterKind::gaussian;  ///< of both cut-offs
 };
 
 /// What happened.
 struct Prepared {
-  FormRemoved form;
-  std::vector<FilterApplied> filters;
+  FormRemoved form;                    ///< the shape that was taken off
+  std::vector<FilterApplied> filters;  ///< in the order in which they were applied; empty: none
 
   /// A line for each step, for tables and files.
   std::vector<std::string> lines() const;

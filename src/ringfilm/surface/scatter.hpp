@@ -12,7 +12,7 @@ namespace ringfilm::surface {
 struct ParameterScatter {
   using Matrix = std::array<std::array<double, 3>, 3>;  ///< rows and columns: N, beta, sigma
 
-  std::size_t count = 0;
+  std::size_t count = 0;             ///< regions or maps
   std::array<double, 3> mean{};      ///< arithmetic means [1/m^2, m, m]
   std::array<double, 3> mean_log{};  ///< of the natural logarithms, in SI
   Matrix covariance{};               ///< of one region, n - 1 below [products of the units of the means]
@@ -40,8 +40,9 @@ struct PairScatter {
   AsperityParameters central;                      ///< of the mean m2, m4 and roughness of both
   ParameterScatter::Matrix covariance_log{};       ///< of one region of each
   ParameterScatter::Matrix mean_covariance_log{};  ///< of the mean over the regions
-  std::size_t first_count = 0, second_count = 0;
-  std::string without_scatter;  ///< empty, "first", "second" or "both"
+  std::size_t first_count = 0;                     ///< regions of the first surface
+  std::size_t second_count = 0;                    ///< regions of the second
+  std::string without_scatter;                     ///< empty, "first", "second" or "both"
 };
 
 /// Contact parameters of a pair from the regions of both, with their scatter.

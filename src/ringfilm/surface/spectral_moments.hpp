@@ -14,8 +14,8 @@ enum class DifferenceScheme {
 
 /// Along which lines the moments of a map are taken.
 enum class MomentDirection {
-  x,
-  y,
+  x,         ///< along the rows
+  y,         ///< along the columns; none of a profile
   mean,      ///< arithmetic mean of both: for an isotropic surface
   geometric  ///< root of the product of both: the equivalent isotropic surface of one with a lay
 };
@@ -29,15 +29,19 @@ struct SpectralMoments {
 
 /// Sums from which the moments in every direction follow.
 struct MomentTable {
-  DifferenceScheme scheme = DifferenceScheme::neighbours;
-  bool profile = false;
-  double m0_m2 = 0.0;                                 ///< about the mean of all measured points
-  double m2_x = 0.0, m2_y = 0.0;                      ///< of slopes along x, y
-  double m4_x_per_m2 = 0.0, m4_y_per_m2 = 0.0;        ///< of curvatures along x, y
-  double m2_xy = 0.0;                                 ///< mean product of both slopes
-  double m4_xxyy_per_m2 = 0.0, m4_xyxy_per_m2 = 0.0;  ///< zxx zyy, zxy zxy
-  double m4_xxxy_per_m2 = 0.0, m4_xyyy_per_m2 = 0.0;  ///< zxx zxy, zxy zyy
-  std::size_t stencils = 0;                           ///< complete ones along x of the curvature
+  DifferenceScheme scheme = DifferenceScheme::neighbours;  ///< with which they were formed
+  bool profile = false;                                    ///< of one row: what has a y stays 0
+  double m0_m2 = 0.0;           ///< variance of the heights about the mean of all measured points [m^2]
+  double m2_x = 0.0;            ///< mean square slope along x [-]
+  double m2_y = 0.0;            ///< mean square slope along y [-]
+  double m4_x_per_m2 = 0.0;     ///< mean square curvature along x [1/m^2]
+  double m4_y_per_m2 = 0.0;     ///< mean square curvature along y [1/m^2]
+  double m2_xy = 0.0;           ///< mean product of both slopes; it and the next four stay 0 with seven_point [-]
+  double m4_xxyy_per_m2 = 0.0;  ///< mean of zxx zyy, the curvatures along x and y [1/m^2]
+  double m4_xyxy_per_m2 = 0.0;  ///< mean square of the twist zxy [1/m^2]
+  double m4_xxxy_per_m2 = 0.0;  ///< mean of zxx zxy [1/m^2]
+  double m4_xyyy_per_m2 = 0.0;  ///< mean of zxy zyy [1/m^2]
+  std::size_t stencils = 0;     ///< complete ones along x of the curvature
 };
 
 /// Means over all complete stencils: one that meets a missing point or the edge is left out.

@@ -9,10 +9,10 @@ namespace ringfilm::surface {
 /// Size and steps of a surface to be made. Sizes without prime factors above 5 give periodic surfaces, others are cut
 /// out of the next larger one of these.
 struct SurfaceGrid {
-  std::size_t points_x = 512;
-  std::size_t points_y = 512;  ///< 1: a profile
-  double step_x_m = 1e-6;
-  double step_y_m = 1e-6;
+  std::size_t points_x = 512;  ///< along a row
+  std::size_t points_y = 512;  ///< rows; 1: a profile
+  double step_x_m = 1e-6;      ///< between points of a row [m]
+  double step_y_m = 1e-6;      ///< between rows [m]
 };
 
 /// Power over frequency along x and y [1/m], in any unit: only its shape counts.
@@ -42,12 +42,12 @@ HeightMap gaussian_surface(const SurfaceGrid& grid, const PowerSpectrum& spectru
 /// A plateau-honed liner: a fine Gaussian plateau, into which two families of straight grooves of triangular section
 /// cut.
 struct HonedSurface {
-  double plateau_Sq_m = 0.08e-6;
-  double plateau_length_m = 5e-6;   ///< correlation length of the plateau
-  double hatch_angle_rad = 0.8;     ///< between both families; the x axis halves it
-  double groove_spacing_m = 60e-6;  ///< mean, from half to three halves of it
-  double groove_depth_m = 2e-6;     ///< mean, from half to three halves of it
-  double groove_width_m = 12e-6;    ///< at the top
+  double plateau_Sq_m = 0.08e-6;    ///< rms of the plateau between the grooves [m]
+  double plateau_length_m = 5e-6;   ///< correlation length of the plateau [m]
+  double hatch_angle_rad = 0.8;     ///< between both families; the x axis halves it [rad]
+  double groove_spacing_m = 60e-6;  ///< mean, from half to three halves of it [m]
+  double groove_depth_m = 2e-6;     ///< mean, from half to three halves of it [m]
+  double groove_width_m = 12e-6;    ///< at the top [m]
 };
 
 /// A honed liner; the same seed gives the same heights.
@@ -56,16 +56,16 @@ HeightMap honed_surface(const SurfaceGrid& grid, const HonedSurface& of, std::ui
 /// A sprayed face with pores: a Gaussian surface with holes where a second, independent one is lowest. The share of the
 /// area holds to one point.
 struct PorousSurface {
-  double fine_Sq_m = 0.3e-6;
-  double fine_length_m = 3e-6;   ///< correlation length of the face between the pores
-  double pore_share = 0.15;      ///< of the area, 0 to 0.9
-  double pore_length_m = 15e-6;  ///< correlation length of the pores
-  double pore_depth_m = 4e-6;    ///< mean
+  double fine_Sq_m = 0.3e-6;     ///< rms of the face between the pores [m]
+  double fine_length_m = 3e-6;   ///< correlation length of the face between the pores [m]
+  double pore_share = 0.15;      ///< of the area, 0 to 0.9 [-]
+  double pore_length_m = 15e-6;  ///< correlation length of the pores [m]
+  double pore_depth_m = 4e-6;    ///< mean [m]
 };
 
 /// A made face, and where its pores are: what a test wants to find again.
 struct PorousMap {
-  HeightMap map;
+  HeightMap map;                   ///< with the pores in it, every point measured
   std::vector<std::uint8_t> pore;  ///< 1 where a pore is
 };
 

@@ -11,10 +11,10 @@ namespace ringfilm::surface {
 /// counted away from the material. A profile is a map of one row. Points that were not measured are marked, and their
 /// height is 0.
 struct HeightMap {
-  std::size_t points_x = 0;
-  std::size_t points_y = 0;
-  double step_x_m = 0.0;
-  double step_y_m = 0.0;
+  std::size_t points_x = 0;           ///< along a row
+  std::size_t points_y = 0;           ///< rows; 1: a profile
+  double step_x_m = 0.0;              ///< between points of a row [m]
+  double step_y_m = 0.0;              ///< between rows; of a profile of no meaning [m]
   std::vector<double> height_m;       ///< points_x * points_y [m]
   std::vector<std::uint8_t> missing;  ///< 1 where there is no height; empty when every point was measured
 
@@ -38,8 +38,8 @@ std::string length_text(double length_m);
 
 /// A trace of a stylus: places [m], rising, not always evenly spaced, and heights [m].
 struct Trace {
-  std::vector<double> x_m;
-  std::vector<double> height_m;
+  std::vector<double> x_m;       ///< places along the trace, rising [m]
+  std::vector<double> height_m;  ///< at these places [m]
 };
 
 }  // namespace ringfilm::surface
