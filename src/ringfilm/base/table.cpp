@@ -3,10 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
+
+#include "ringfilm/base/error.hpp"
 
 namespace ringfilm {
 namespace {
+
+void check_samples(std::span<const double> x, std::span<const double> y, std::size_t fewest) {
+  if (x.size() == y.size() && x.size() >= fewest) return;
+  throw InputError("a table has " + std::to_string(x.size()) + " places and " + std::to_string(y.size()) + " values",
+                   "as many of both are wanted, " + std::to_string(fewest) + " or more");
+}
 
 /// Number of the interval of increasing x in which `at` lies, the end intervals reaching to infinity.
 std::size_t interval(std::span<const double> x, double at) {
@@ -33,6 +42,7 @@ MonotoneCubic::ValueAndSlope cubic(double width, double t, double y_0, double y_
 }  // namespace
 
 double interpolate_linear(std::span<const double> x, std::span<const double> y, double at) {
+  check_samples(x, y, 1);
   if (x.size() == 1) return y[0];
   const std::size_t i = interval(x, at);
   const double share = (at - x[i]) / (x[i + 1] - x[i]);
@@ -41,6 +51,7 @@ double interpolate_linear(std::span<const double> x, std::span<const double> y, 
 
 MonotoneCubic::MonotoneCubic(std::vector<double> x, std::vector<double> y)
     : x_(std::move(x)), y_(std::move(y)), slope_(x_.size()) {
+  check_samples(x_, y_, 2);
   const std::size_t n = x_.size();
   std::vector<double> width(n - 1), secant(n - 1);
   for (std::size_t i = 0; i + 1 < n; ++i) {

@@ -5,14 +5,14 @@
 namespace ringfilm {
 
 /// Linear interpolation of samples y at increasing x, continued with the slope of the nearest interval beyond the ends.
-/// One sample alone is a constant. The unit is that of y.
+/// One sample alone is a constant; throws InputError unless there are as many x as y. The unit is that of y.
 double interpolate_linear(std::span<const double> x, std::span<const double> y, double at);
 
 /// Cubic through all samples that stays monotone wherever they are, after Fritsch and Carlson; continued with the slope
 /// of its end points. Continuous with its first derivative.
 class MonotoneCubic {
  public:
-  /// @param x increasing, two samples or more; @param y as many
+  /// @param x increasing, two samples or more; @param y as many, or InputError
   MonotoneCubic(std::vector<double> x, std::vector<double> y);
 
   struct ValueAndSlope {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "ringfilm/cycle/case_fields_table.hpp"
+#include "ringfilm/models/oil_temperature.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -49,7 +50,7 @@ std::vector<Field> all_fields() {
       field("operating.speed", NumberKind{member<&Case::operating, &Operating::speed>}, {"rad/s", "rpm"},
             above(0, 2094.39510239320), Need::kRequired, {}, {"speed of the crankshaft, omega", "\"1500 rpm\""}),
       field("operating.oil_temperature", NumberKind{member<&Case::operating, &Operating::oil_temperature>},
-            {"K", "degC"}, strictly_between(200, 600), Need::kRequired, {},
+            {"K", "degC"}, strictly_between(models::kColdestOil, models::kHottestOil), Need::kRequired, {},
             {"temperature of the oil film, T; one value for the whole stroke", "\"120 degC\""}),
   };
   append_gas_fields(fields);

@@ -33,7 +33,7 @@ double quantity(const std::string& option, const std::string& text, const std::s
 
 double load_deviation(const ForceRule& rule, LoadUnit unit, const io::Units& units) {
   if (!rule.load_deviation) return 0;
-  return quantity("--load-deviation", *rule.load_deviation, si_unit(unit), "0.5 nN", units);
+  return quantity(rule.load_deviation_word, *rule.load_deviation, si_unit(unit), "0.5 nN", units);
 }
 
 /// Says which sample it is, since the analysis does not know.

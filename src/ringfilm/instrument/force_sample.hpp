@@ -13,7 +13,8 @@ namespace ringfilm::instrument {
 struct ForceRule {
   double end_share = 0.1;  ///< of the scan length, cut off at each end [-]
   surface::DeviationScale deviations = surface::DeviationScale::kFromResiduals;
-  std::optional<std::string> load_deviation;  ///< standard deviation of each load, e.g. "0.5 nN"
+  std::optional<std::string> load_deviation;             ///< standard deviation of each load, e.g. "0.5 nN"
+  std::string load_deviation_word = "--load-deviation";  ///< what errors call it: the option, or a function's argument
 };
 
 /// Which channels of a scan are the lateral signals, and what the file does not say.

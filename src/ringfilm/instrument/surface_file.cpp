@@ -38,7 +38,8 @@ bool starts_with(const std::string& bytes, std::string_view signature) {
 
 bool is_length(const std::string& unit, const io::Units& units) { return !unit.empty() && units.measures(unit, "m"); }
 
-std::size_t channel_by_text(const InstrumentFile& file, const std::string& path, const std::string& text) {
+std::size_t channel_by_text(const InstrumentFile& file, const std::string& path, const SurfaceOptions& options) {
+  const std::string& text = *options.channel;
   std::vector<std::size_t> named;
   for (std::size_t i = 0; i < file.channels.size(); ++i) {
     if (file.channels[i].name == text) named.push_back(i);
@@ -46,7 +47,7 @@ std::size_t channel_by_text(const InstrumentFile& file, const std::string& path,
   if (named.size() == 1) return named[0];
   if (named.size() > 1) {
     refuse(path, fmt::format("{} channels are named \"{}\":\n{}", named.size(), text, channel_list(file.channels)),
-           "choose one by its number: --channel N");
+           "choose one by its number: " + options.words.channel);
   }
   std::size_t number = 0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -54,12 +55,12 @@ std::size_t channel_by_text(const InstrumentFile& file, const std::string& path,
     return number - 1;
   }
   refuse(path, fmt::format("there is no channel {} among:\n{}", text, channel_list(file.channels)),
-         "choose one of them: --channel N");
+         "choose one of them: " + options.words.channel);
 }
 
 std::size_t chosen_channel(const InstrumentFile& file, const std::string& path, const SurfaceOptions& options,
                            const io::Units& units, std::vector<std::string>& notes) {
-  if (options.channel) return channel_by_text(file, path, *options.channel);
+  if (options.channel) return channel_by_text(file, path, options);
   if (file.channels.size() == 1) return 0;
   std::vector<std::size_t> heights;
   for (std::size_t i = 0; i < file.channels.size(); ++i) {
@@ -69,7 +70,7 @@ std::size_t chosen_channel(const InstrumentFile& file, const std::string& path, 
     refuse(path,
            fmt::format("the file has {} channels, {} of them in a unit of length:\n{}", file.channels.size(),
                        heights.empty() ? "none" : std::to_string(heights.size()), channel_list(file.channels)),
-           "choose one: --channel N");
+           "choose one: " + options.words.channel);
   }
   notes.push_back(fmt::format("channel {} ({}) of {} was taken: the only one in a unit of length", heights[0] + 1,
                               file.channels[heights[0]].name, file.channels.size()));
@@ -90,14 +91,16 @@ io::Scale height_scale(const std::string& path, const ChannelValues& values, con
     notes.push_back(fmt::format(
         "unit of heights: {} as the user says{}", *options.height_unit,
         stated.empty() || stated == *options.height_unit ? "" : ", against the file, which says " + stated));
-    return length_scale(path, *options.height_unit, "--unit says", "give a length, for example --unit um", units);
+    return length_scale(path, *options.height_unit, "the stated unit of heights is",
+                        "give a length, for example " + options.words.height_unit, units);
   }
   if (stated.empty()) {
     refuse(path, fmt::format("the file does not say in which unit channel \"{}\" is", values.channel.name),
-           "say it, for example --unit um");
+           "say it, for example " + options.words.height_unit);
   }
   return length_scale(path, stated, fmt::format("channel \"{}\" is in", values.channel.name),
-                      "choose a channel of heights with --channel N; where the unit is wrong, say it: --unit um",
+                      fmt::format("choose a channel of heights with {}; where the unit is wrong, say it: {}",
+                                  options.words.channel, options.words.height_unit),
                       units);
 }
 
@@ -120,12 +123,15 @@ io::Scale lateral_scale(const std::string& path, const ChannelValues& values, co
                                 values.step_unit.empty() || values.step_unit == *options.lateral_unit
                                     ? ""
                                     : ", against the file, which says " + values.step_unit));
-    return length_scale(path, *options.lateral_unit, "--lateral-unit says", "give a length, for example mm", units);
+    return length_scale(path, *options.lateral_unit, "the stated unit of x and y is",
+                        "give a length, for example " + options.words.lateral_unit, units);
   }
   if (values.step_unit.empty()) {
-    refuse(path, "the file does not say in which unit x and y are", "say it, for example --lateral-unit um");
+    refuse(path, "the file does not say in which unit x and y are",
+           "say it, for example " + options.words.lateral_unit);
   }
-  return length_scale(path, values.step_unit, "x and y are in", "say the step, for example --step-x \"0.5 um\"", units);
+  return length_scale(path, values.step_unit, "x and y are in", "say the step, for example " + options.words.step_x,
+                      units);
 }
 
 struct Steps {
@@ -143,11 +149,11 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
   const bool is_profile = values.channel.points_y == 1;
   Steps steps;
   if (options.step_x) {
-    steps.x_m = length_of_user(path, *options.step_x, "--step-x", units);
+    steps.x_m = length_of_user(path, *options.step_x, "the step along x", units);
     notes.push_back(fmt::format("step x: {} as the user says{}", *options.step_x, against(values.step_x, values)));
   }
   if (options.step_y) {
-    steps.y_m = length_of_user(path, *options.step_y, "--step-y", units);
+    steps.y_m = length_of_user(path, *options.step_y, "the step along y", units);
     notes.push_back(fmt::format("step y: {} as the user says{}", *options.step_y, against(values.step_y, values)));
   } else if (options.step_x) {
     steps.y_m = steps.x_m;
@@ -155,7 +161,7 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
   const bool wants_x = steps.x_m == 0, wants_y = steps.y_m == 0 && !is_profile;
   if (wants_x || wants_y) {
     if ((wants_x && values.step_x == 0) || (wants_y && values.step_y == 0)) {
-      refuse(path, "the file does not say the step between its points", "say it, for example --step-x \"0.5 um\"");
+      refuse(path, "the file does not say the step between its points", "say it, for example " + options.words.step_x);
     }
     const io::Scale scale = lateral_scale(path, values, options, units, notes);
     if (wants_x) steps.x_m = scale.to_si(values.step_x);
@@ -178,7 +184,7 @@ void turn_column(ChannelValues& values) {
   values.notes.push_back("the map has one column: it was read as a profile");
 }
 
-void scale_heights(const std::string& path, ChannelValues& values, const io::Scale& scale) {
+void scale_heights(const std::string& path, ChannelValues& values, const io::Scale& scale, const OptionWords& words) {
   double largest = 0;
   bool any = false;
   for (std::size_t i = 0; i < values.value.size(); ++i) {
@@ -194,7 +200,8 @@ void scale_heights(const std::string& path, ChannelValues& values, const io::Sca
   if (!any) refuse(path, "no point was measured: all are missing", "is it the right file or channel?");
   if (largest > kHighest_m) {
     refuse(path, fmt::format("the largest height is {:.4g} m, over {} m", largest, kHighest_m),
-           "the unit is wrong (say it: --unit um), or the heights are damaged or in another byte order");
+           fmt::format("the unit is wrong (say it: {}), or the heights are damaged or in another byte order",
+                       words.height_unit));
   }
 }
 
@@ -220,7 +227,7 @@ Loaded load(const std::string& path, const SurfaceOptions& options, const io::Un
   turn_column(loaded.values);
   origin.notes.insert(origin.notes.end(), loaded.values.notes.begin(), loaded.values.notes.end());
   const io::Scale scale = height_scale(path, loaded.values, options, units, origin.notes);
-  scale_heights(path, loaded.values, scale);
+  scale_heights(path, loaded.values, scale, options.words);
   origin.sha256 = io::file_sha256(path);
   return loaded;
 }

@@ -11,6 +11,15 @@
 /// The door for measured surfaces: any known format in, a height map in metres out, with what was taken from where.
 namespace ringfilm::instrument {
 
+/// How the remedies of errors write the options: those of the program, or those of the language from which it is
+/// called.
+struct OptionWords {
+  std::string channel = "--channel N";             ///< SurfaceOptions::channel
+  std::string height_unit = "--unit um";           ///< SurfaceOptions::height_unit
+  std::string lateral_unit = "--lateral-unit um";  ///< SurfaceOptions::lateral_unit
+  std::string step_x = "--step-x \"0.5 um\"";      ///< SurfaceOptions::step_x
+};
+
 /// What the user says because the file does not, or against it. Nothing is guessed in their place.
 struct SurfaceOptions {
   std::optional<std::string> channel;            ///< --channel: number counted from 1, or name
@@ -19,6 +28,7 @@ struct SurfaceOptions {
   std::optional<std::string> step_x;             ///< --step-x: e.g. "0.5 um"
   std::optional<std::string> step_y;             ///< --step-y: the same as --step-x if left out
   TableLayout layout = TableLayout::kByContent;  ///< --layout: of a text file
+  OptionWords words;                             ///< for errors
 };
 
 /// Where a map or a trace comes from, for the record.

@@ -10,6 +10,9 @@
 #include <numbers>
 #include <vector>
 
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
+
 namespace ringfilm::models {
 namespace {
 
@@ -119,7 +122,7 @@ Numbers integral(const Pieces& pieces, const ContactQuintic* other, double lambd
   if (std::isnan(lambda)) return {lambda, lambda};  // else it would pick no piece, or pass for "no contact"
   const double inside = std::max(lambda, 0.0);
   auto F = other ? quintic(*other, inside) : exact(pieces, inside);
-  F.value += F.slope * (lambda - inside);
+  if (lambda < 0) F.value += F.slope * lambda;
   return F;
 }
 
@@ -180,6 +183,17 @@ double share_below_coating(double spot_radius, double thickness, double nu) {
 }
 
 double composite_modulus(double E_1, double nu_1, double E_2, double nu_2) {
+  for (const double E : {E_1, E_2}) {
+    if (!(E > 0)) {
+      throw InputError("a Young's modulus of " + number_text(E) + " Pa is not above 0", "that of steel is 2.1e11 Pa");
+    }
+  }
+  for (const double nu : {nu_1, nu_2}) {
+    if (!(nu > -1 && nu <= 0.5)) {
+      throw InputError("a Poisson's ratio of " + number_text(nu) + " is not above -1 and up to 0.5",
+                       "that of steel is 0.3");
+    }
+  }
   return 2 / ((1 - nu_1 * nu_1) / E_1 + (1 - nu_2 * nu_2) / E_2);
 }
 

@@ -83,7 +83,7 @@ double contact_spot_radius(double beta, double sigma, double lambda);
 /// 1 at the most. Poisson's ratio is that of the coating.
 double share_below_coating(double spot_radius, double thickness, double nu);
 
-/// E' of 2/E' = sum (1 - nu^2)/E, eq-composite-modulus [Pa].
+/// E' of 2/E' = sum (1 - nu^2)/E, eq-composite-modulus [Pa]. Throws InputError unless E > 0 and -1 < nu <= 0.5.
 double composite_modulus(double E_1, double nu_1, double E_2, double nu_2);
 
 }  // namespace ringfilm::models

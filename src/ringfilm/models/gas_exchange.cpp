@@ -29,6 +29,7 @@ double end_slope(const std::vector<double>& x, const std::vector<double>& y, std
 
 CyclePressure closed_cycle(std::vector<double> crank_angle_deg, std::vector<double> pressure,
                            const GasExchange& exchange) {
+  check_trace(crank_angle_deg, pressure);
   const double begin = crank_angle_deg.front() + kCycle;
   const double slope_at_end = end_slope(crank_angle_deg, pressure, crank_angle_deg.size() - 1, -1);
   const double slope_at_begin = end_slope(crank_angle_deg, pressure, 0, 1);

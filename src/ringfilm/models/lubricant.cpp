@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/base/table.hpp"
+#include "ringfilm/models/oil_temperature.hpp"
 #include "ringfilm/models/roelands.hpp"
 
 namespace ringfilm::models {
@@ -74,8 +76,21 @@ bool DensityLaw::extrapolates(double T) const {
   return asked < temperature.front() || asked > temperature.back();
 }
 
+void check_oil_temperature(double T) {
+  if (T > kColdestOil && T < kHottestOil) return;
+  throw InputError("an oil at " + number_text(T) + " K is out of the range of " + number_text(kColdestOil) + " to " +
+                       number_text(kHottestOil) + " K",
+                   "temperatures are in kelvin: 313.15 for 40 degC");
+}
+
 Walther Walther::fit(std::span<const double> temperature, std::span<const double> kinematic_viscosity) {
   const std::size_t n = temperature.size();
+  if (kinematic_viscosity.size() != n) {
+    throw InputError("there are " + std::to_string(n) + " temperatures and " +
+                         std::to_string(kinematic_viscosity.size()) + " kinematic viscosities",
+                     "give one viscosity for each temperature");
+  }
+  for (const double T : temperature) check_oil_temperature(T);
   double x_mean = 0, y_mean = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const double nu = kinematic_viscosity[i];

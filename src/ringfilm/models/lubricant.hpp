@@ -62,8 +62,8 @@ struct Walther {
   double A;  ///< [-]
   double B;  ///< fall with temperature, above zero [-]
 
-  /// Fits temperature [K] and kinematic viscosity [m2/s]. Throws InputError unless there are two temperatures or more,
-  /// each viscosity is above the 0.3 mm2/s below which the law has no value, and the fit falls with temperature.
+  /// Fits temperature [K] and as many kinematic viscosities [m2/s]. Throws InputError for fewer than two temperatures,
+  /// one where no oil flows, a viscosity not above 0.3 mm2/s, where the law ends, and a fit that does not fall.
   static Walther fit(std::span<const double> temperature, std::span<const double> kinematic_viscosity);
 
   double kinematic_viscosity(double T) const;  ///< [m2/s]

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/surface/face_spline.hpp"
 
 namespace ringfilm::surface {
@@ -34,15 +35,20 @@ std::vector<double> area_up_to(const Trace& trace) {
 }  // namespace
 
 Trace gap_trace(const Trace& trace, HeightSense sense) {
-  if (trace.x_m.size() != trace.height_m.size() || trace.x_m.size() < 2) {
+  if (trace.x_m.size() != trace.height_m.size()) {
     throw InputError("the trace has " + std::to_string(trace.x_m.size()) + " places and " +
                          std::to_string(trace.height_m.size()) + " heights",
                      "as many of both are wanted");
   }
-  const auto finite = [](double v) { return std::isfinite(v); };
-  if (!std::all_of(trace.x_m.begin(), trace.x_m.end(), finite) ||
-      !std::all_of(trace.height_m.begin(), trace.height_m.end(), finite)) {
-    throw InputError("the trace holds a value that is no number", "leave points that were not measured out");
+  if (trace.x_m.size() < 2) {
+    throw InputError("the trace has too few points, " + std::to_string(trace.x_m.size()), "give the whole trace");
+  }
+  for (std::size_t i = 0; i < trace.x_m.size(); ++i) {
+    const bool is_place = !std::isfinite(trace.x_m[i]);
+    if (!is_place && std::isfinite(trace.height_m[i])) continue;
+    throw InputError("the trace holds a value that is no number: point " + std::to_string(i + 1) + " has the " +
+                         (is_place ? "place " + number_text(trace.x_m[i]) : "height " + number_text(trace.height_m[i])),
+                     "leave points that were not measured out");
   }
   if (!std::is_sorted(trace.x_m.begin(), trace.x_m.end(), std::less_equal<>())) {
     throw InputError("the places of the trace do not rise", "x must increase from point to point");

@@ -81,6 +81,9 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
   if (!std::isfinite(rule.land_height_m) || rule.land_height_m <= 0) {
     throw InputError("the height of the land is not a length above zero", "for example 1 um");
   }
+  if (!std::isfinite(rule.tilt)) {
+    throw InputError("the tilt of the face is not a finite number", "a slope is wanted, for example 0.002");
+  }
   if (rule.pore_depth_m && (!std::isfinite(*rule.pore_depth_m) || *rule.pore_depth_m <= 0)) {
     throw InputError("the depth from which on pores are left out is not a length above zero",
                      "some three times the roughness, for example 1 um");

@@ -133,6 +133,11 @@ std::vector<double> robust(const Smoother& smoother, FilterApplied& applied) {
 }  // namespace
 
 double gaussian_transmission(double wavelength_m, double cutoff_m) {
+  if (!(wavelength_m > 0) || !(std::isfinite(cutoff_m) && cutoff_m > 0)) {
+    throw InputError("a wave of " + length_text(wavelength_m) + " and a filter cut-off of " + length_text(cutoff_m) +
+                         " are not both positive lengths",
+                     "state both in metres, for example 80e-6");
+  }
   const double ratio = cutoff_m / wavelength_m;
   return std::exp(-std::log(2.0) * ratio * ratio);
 }

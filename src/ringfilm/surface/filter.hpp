@@ -34,6 +34,7 @@ struct FilterApplied {
 FilterApplied apply_filter(HeightMap& map, const FilterChoice& choice);
 
 /// Share of the amplitude of a wave that a Gaussian S-filter lets pass; 1/2 at the cut-off.
+/// Throws InputError where one is not above zero.
 double gaussian_transmission(double wavelength_m, double cutoff_m);
 
 }  // namespace ringfilm::surface

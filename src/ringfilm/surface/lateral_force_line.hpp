@@ -48,6 +48,7 @@ LineFit friction_load_line(const std::vector<LoadFriction>& loads, DeviationScal
 LineFit offset_load_line(const std::vector<LoadFriction>& loads, DeviationScale scale);
 
 /// Student's factor of a two-sided interval; `degrees_of_freedom` may be infinite (the normal distribution).
+/// Throws InputError for a confidence out of 0 to 1 and for no freedom.
 double coverage_factor(double confidence, double degrees_of_freedom);
 
 }  // namespace ringfilm::surface

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 
 #include "ringfilm/base/error.hpp"
 
@@ -25,6 +26,11 @@ void visit_rows(const HeightMap& map, const Visit& visit) {
     }
     if (count > 0) visit(kept.head(count));
   }
+}
+
+[[noreturn]] void refuse_huge(const char* what) {
+  throw InputError("the heights of the map are so large that " + std::string(what) + " cannot be told in numbers",
+                   "heights are in metres");
 }
 
 struct Extent {
@@ -63,6 +69,7 @@ HeightStatistics height_statistics(const HeightMap& map) {
   if (!(of.Sz_m > 0)) {
     throw InputError("all heights of the map are the same: it has no roughness", "choose another channel or region");
   }
+  if (!std::isfinite(of.Sz_m)) refuse_huge("their range");
   // In units of Sz, so that no power of a height in metres runs out of range.
   double absolute = 0, squares = 0, cubes = 0, fourths = 0;
   Eigen::ArrayXd z, square;
@@ -113,6 +120,7 @@ RowRoughness row_roughness(const HeightMap& map) {
   }
   of.Ra_m = absolute / static_cast<double>(of.rows);
   of.Rq_m = std::sqrt(squares / static_cast<double>(of.rows));
+  if (!std::isfinite(of.Ra_m) || !std::isfinite(of.Rq_m)) refuse_huge("their squares");
   return of;
 }
 

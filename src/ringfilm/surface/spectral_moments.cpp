@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "ringfilm/base/error.hpp"
@@ -166,7 +167,7 @@ MomentTable moment_table(const HeightMap& map, DifferenceScheme scheme) {
   const double round_off = 8 * std::numeric_limits<double>::epsilon() * size;
   const auto curvature = [&](const Mean& curve) {
     const double square = curve.value();
-    return square > round_off * round_off ? square : 0.0;
+    return std::sqrt(square) > round_off ? square : 0.0;
   };
   table.m4_x_per_m2 = curvature(sums.curve_x) / (h * h * h * h);
   if (!table.profile) {
@@ -182,6 +183,11 @@ MomentTable moment_table(const HeightMap& map, DifferenceScheme scheme) {
       table.m4_xxxy_per_m2 = sums.curve_xxxy.value() / (h * h * h * k);
       table.m4_xyyy_per_m2 = sums.curve_xyyy.value() / (h * k * k * k);
     }
+  }
+  for (const double moment : {table.m0_m2, table.m2_x, table.m2_y, table.m4_x_per_m2, table.m4_y_per_m2}) {
+    if (std::isfinite(moment)) continue;
+    throw InputError("the heights of the map are so large that its spectral moments cannot be told in numbers",
+                     "heights and steps are in metres");
   }
   if (table.m4_x_per_m2 == 0 && table.m4_y_per_m2 == 0) {
     throw InputError("the surface has no curvature: m4 is zero, the radius of its asperities infinite",

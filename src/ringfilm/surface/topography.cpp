@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::surface {
 namespace {
@@ -37,6 +38,9 @@ std::size_t measured_points(const HeightMap& map) {
 }
 
 void check_map(const HeightMap& map, std::size_t least_points) {
+  if (map.height_m.empty() && map.points() == 0) {
+    throw InputError("a map of " + size_text(map) + " has no heights", "give one row of heights or more");
+  }
   if (map.points_y == 0 || map.points_x == 0 || map.height_m.size() / map.points_y != map.points_x ||
       map.height_m.size() % map.points_y != 0 || (!map.missing.empty() && map.missing.size() != map.height_m.size())) {
     throw InputError("a map of " + size_text(map) + " holds " + std::to_string(map.height_m.size()) + " heights and " +
@@ -58,7 +62,8 @@ void check_map(const HeightMap& map, std::size_t least_points) {
     ++measured;
     if (!std::isfinite(map.height_m[i])) {
       throw InputError("the height in column " + std::to_string(i % map.points_x + 1) + " of row " +
-                           std::to_string(i / map.points_x + 1) + " is not a number",
+                           std::to_string(i / map.points_x + 1) + " is not a number but " +
+                           number_text(map.height_m[i]),
                        "mark points without a height as missing");
     }
   }

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <vector>
 
+#include "ringfilm/base/error.hpp"
+
 namespace {
 
+using ringfilm::InputError;
 using ringfilm::interpolate_linear;
 using ringfilm::MonotoneBlend;
 using ringfilm::MonotoneCubic;
@@ -27,6 +30,15 @@ TEST(InterpolateLinear, PassesThroughSamplesAndContinuesTheEndSlopes) {
 TEST(InterpolateLinear, OneSampleIsAConstant) {
   const std::vector<double> x{5}, y{7};
   EXPECT_EQ(interpolate_linear(x, y, -100), 7);
+}
+
+TEST(InterpolateLinear, ListsOfUnlikeLengthsAreRefused) {
+  const std::vector<double> three{1, 2, 3}, two{1, 2}, none;
+  EXPECT_THROW(interpolate_linear(three, two, 2.5), InputError);
+  EXPECT_THROW(interpolate_linear(two, three, 1.5), InputError);
+  EXPECT_THROW(interpolate_linear(none, none, 1), InputError);
+  EXPECT_THROW(MonotoneCubic(three, two), InputError);
+  EXPECT_THROW(MonotoneCubic({1}, {1}), InputError);
 }
 
 TEST(MonotoneCubic, PassesThroughItsSamples) {

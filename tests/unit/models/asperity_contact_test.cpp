@@ -8,6 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include "../../traps/floating_point_traps.hpp"
+#include "ringfilm/base/error.hpp"
+
 namespace {
 
 using ringfilm::models::composite_modulus;
@@ -189,6 +192,31 @@ TEST(CompositeModulus, IsThatOfThePaperConvention) {
   EXPECT_NEAR(composite_modulus(203e9, 0.3, 92.3e9, 0.211), 134.8e9, 0.05e9);
   // Two equal bodies: 2/E' = 2 (1 - nu^2)/E.
   EXPECT_NEAR(composite_modulus(200e9, 0.3, 200e9, 0.3), 200e9 / 0.91, 1);
+}
+
+TEST(CompositeModulus, OfWhatIsNoBodyIsRefused) {
+  const ringfilm::testing::NoTraps no_traps;  // NaNs on purpose
+  for (const double E : {-2e11, 0.0, double(NAN)}) {
+    EXPECT_THROW(composite_modulus(E, 0.3, 2e11, 0.3), ringfilm::InputError) << E;
+    EXPECT_THROW(composite_modulus(2e11, 0.3, E, 0.3), ringfilm::InputError) << E;
+  }
+  for (const double nu : {-1.0, 0.51, 5.0, double(NAN)}) {
+    EXPECT_THROW(composite_modulus(2e11, nu, 2e11, 0.3), ringfilm::InputError) << nu;
+    EXPECT_THROW(composite_modulus(2e11, 0.3, 2e11, nu), ringfilm::InputError) << nu;
+  }
+  // A rigid body takes no part: 2/E' = (1 - nu^2)/E of the other.
+  EXPECT_NEAR(composite_modulus(2e11, 0.3, INFINITY, 0.3), 4e11 / 0.91, 1);
+}
+
+TEST(GreenwoodTripp, HasNoContactAtAnInfiniteSeparation) {
+  const ringfilm::testing::NoTraps no_traps;  // an infinity on purpose
+  for (const auto form : {ContactIntegralForm::kExact, ContactIntegralForm::kPolynomial4Digit,
+                          ContactIntegralForm::kPolynomialAsPrinted}) {
+    const auto contact = GreenwoodTripp({0.1e12, 1.5e-6, 0.5e-6, 1.4e11, form}).contact(INFINITY);
+    EXPECT_EQ(contact.pressure, 0);
+    EXPECT_EQ(contact.pressure_slope, 0);
+    EXPECT_EQ(contact.area_share, 0);
+  }
 }
 
 TEST(ContactSpot, HasTheRealAreaOverTheNumberOfSpots) {

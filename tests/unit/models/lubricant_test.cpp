@@ -60,6 +60,10 @@ TEST(Walther, RefusesPointsThatAreNoOil) {
   EXPECT_THROW(Walther::fit(T, std::vector<double>{9e-6, NAN}), InputError);
   EXPECT_THROW(Walther::fit(std::vector<double>{313.15}, std::vector<double>{60e-6}), InputError);
   EXPECT_THROW(Walther::fit(std::vector<double>{313.15, 313.15}, std::vector<double>{60e-6, 50e-6}), InputError);
+  EXPECT_THROW(Walther::fit(std::vector<double>{300, 350, 400}, std::vector<double>{60e-6, 9e-6}), InputError);
+  EXPECT_THROW(Walther::fit(T, std::vector<double>{60e-6, 20e-6, 9e-6}), InputError);
+  EXPECT_THROW(Walther::fit(std::vector<double>{40, 100}, std::vector<double>{60e-6, 9e-6}), InputError);  // degC
+  EXPECT_THROW(Walther::fit(std::vector<double>{313.15, NAN}, std::vector<double>{60e-6, 9e-6}), InputError);
 }
 
 TEST(Oil, OfThePaperAt120DegreesHasTheReferenceValues) {

@@ -281,6 +281,10 @@ TEST(FaceFit, RefusesWhatIsNoFace) {
   bad.x_m.pop_back();
   refused(bad, as_measured());
   refused({}, as_measured());
+  refused({{0.0}, {0.0}}, as_measured());
+  rule = as_measured();
+  rule.tilt = INFINITY;
+  refused(good, rule);
 }
 
 }  // namespace

@@ -52,6 +52,13 @@ TEST(Filter, OtherWavesPassAsTheLawOfTheStandardSays) {
   }
 }
 
+TEST(Filter, NoWaveAndNoCutOffAreRefused) {
+  EXPECT_THROW(gaussian_transmission(-1, 1), ringfilm::InputError);
+  EXPECT_THROW(gaussian_transmission(0, 1), ringfilm::InputError);
+  EXPECT_THROW(gaussian_transmission(1, 0), ringfilm::InputError);
+  EXPECT_THROW(gaussian_transmission(1, INFINITY), ringfilm::InputError);
+}
+
 TEST(Filter, ShortAndLongSideAddUpToTheMap) {
   HeightMap map = map_of(70, 50, 1e-6, 2e-6, [](double x, double y) { return std::sin(x * 3e5) + std::cos(y * 2e5); });
   lose_points(map, 0.2, 8);

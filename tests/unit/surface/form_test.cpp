@@ -169,7 +169,10 @@ TEST(Topography, MapsThatNoAnalysisCanTakeAreRefused) {
   };
   HeightMap map = good;
   map.height_m[6] = NAN;
-  refused(map, "column 3 of row 2 is not a number");
+  refused(map, "column 3 of row 2 is not a number but nan");
+  map.height_m[6] = INFINITY;
+  refused(map, "column 3 of row 2 is not a number but inf");
+  refused({}, "a map of 0 x 0 points has no heights");
   map.missing.assign(12, 0);
   refused(map, "is not a number");
   map.missing[6] = 1;

@@ -91,6 +91,13 @@ TEST(LineFit, KnowsStudentsFactors) {
   EXPECT_NEAR(coverage_factor(0.95, kInfinity), 1.959964, 1e-6);
 }
 
+TEST(LineFit, HasNoIntervalOfOtherConfidence) {
+  for (const double confidence : {-0.1, 0.0, 1.0, 1.5}) {
+    EXPECT_THROW(coverage_factor(confidence, 6), ringfilm::InputError) << confidence;
+  }
+  EXPECT_THROW(coverage_factor(0.95, 0), ringfilm::InputError);
+}
+
 struct Coverage {
   double slope, offset;
 };

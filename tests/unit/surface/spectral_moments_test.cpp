@@ -5,7 +5,9 @@
 
 #include <numbers>
 
+#include "../../traps/floating_point_traps.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/surface/roughness.hpp"
 #include "ringfilm/surface/synthetic.hpp"
 #include "surface_maps.hpp"
 
@@ -173,6 +175,13 @@ TEST(SpectralMoments, NoiseOfAFlatMeasuredLikewiseLeavesTheSurface) {
   // the chance product with the surface, 5 * 2 sqrt(m4 noise/160000).
   EXPECT_GT(with.m4_per_m2 / true_ones.m4_per_m2, 1.1);
   EXPECT_NEAR(rest.m4_per_m2 / true_ones.m4_per_m2, 1, 0.125 * 5 * 0.0061 + 5 * 2 * std::sqrt(0.125 / 160000));
+}
+
+TEST(SpectralMoments, OfHeightsBeyondAllMeasureAreRefused) {
+  const ringfilm::testing::NoTraps no_traps;  // squares that overflow on purpose
+  const HeightMap map = map_of(40, 30, 1e-6, 1e-6, [](double x, double y) { return 1e200 * std::sin(3e5 * x + y); });
+  EXPECT_THAT([&] { moment_table(map); }, ThrowsMessage<InputError>(HasSubstr("so large")));
+  EXPECT_THAT([&] { row_roughness(map); }, ThrowsMessage<InputError>(HasSubstr("so large")));
 }
 
 TEST(SpectralMoments, OfSurfacesWithoutCurvatureAreRefused) {
