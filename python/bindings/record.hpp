@@ -1,17 +1,21 @@
 #pragma once
-#include <cstdio>
+#include <functional>
+#include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
-#include "bindings.hpp"
+#include "arguments.hpp"
 
 namespace ringfilm::python {
 
-/// A plain struct of C++ as a class of Python: members by their names, a repr that shows them, pickles by value.
+/// A plain struct of C++ as a class of Python: members by their names, a repr that shows them, `==` member by member,
+/// pickles and copies by value. Every member of the struct must be named, by with() or with_word(), or kept by keep():
+/// what is not is lost in a pickle.
 template <class Struct>
 class Record {
  public:
-  Record(py::module_& module, const char* name, const char* doc) : name_(name), type_(module, name, doc) {
+  Record(py::module_& module, const char* name, const char* doc) : type_(module, name, doc) {
     type_.attr("_members") = py::list();
     type_.def(
         "__repr__",
@@ -34,30 +38,125 @@ class Record {
           return values;
         },
         "All members, {name: value}.");
+    type_.def(
+        "__eq__",
+        [parts = parts_](const Struct& self, const py::object& other) -> py::object {
+          if (!py::isinstance<Struct>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+          const auto& of = py::cast<const Struct&>(other);
+          for (const Part& part : *parts) {
+            if (!part.is_same(self, of)) return py::bool_(false);
+          }
+          return py::bool_(true);
+        },
+        "Are all members the same? A NaN is not.");
+    type_.def(py::pickle(
+        [parts = parts_](const Struct& self) {
+          py::tuple state(parts->size());
+          for (std::size_t i = 0; i < parts->size(); ++i) state[i] = (*parts)[i].get(self);
+          return state;
+        },
+        [parts = parts_](const py::tuple& state) {
+          if (state.size() != parts->size()) {
+            throw py::value_error("this pickle was written by another version of ringfilm");
+          }
+          Struct made{};
+          for (std::size_t i = 0; i < parts->size(); ++i) (*parts)[i].set(made, state[i]);
+          return made;
+        }));
   }
 
+  /// A member under its name; an array is a read-only view.
   template <class Member>
   Record& with(const char* name, Member Struct::*member, const char* doc) {
     if constexpr (std::is_same_v<Member, std::vector<double>>) {
       type_.def_property_readonly(
           name,
-          [member](const Struct& self) {
-            const auto& values = self.*member;
-            return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+          [member](const py::object& self) {
+            const auto& values = py::cast<const Struct&>(self).*member;
+            return view_of(values.data(), values.size(), self);
           },
           doc);
     } else {
       type_.def_readonly(name, member, doc);
     }
     type_.attr("_members").attr("append")(name);
+    return keep(member);
+  }
+
+  /// What follows from the members, `Value value(const Struct&)`, listed with them.
+  template <class Function>
+  Record& told(const char* name, const Function& value, const char* doc) {
+    type_.def_property_readonly(name, value, doc);
+    type_.attr("_members").attr("append")(name);
+    return *this;
+  }
+
+  /// A choice as its word, which `Text word(Choice)` gives.
+  template <class Choice, class Function>
+  Record& with_word(const char* name, Choice Struct::*member, const Function& word, const char* doc) {
+    told(
+        name, [member, word](const Struct& self) { return word(self.*member); }, doc);
+    return keep(member);
+  }
+
+  /// A member that has no name in Python, but belongs to the value.
+  template <class Member>
+  Record& keep(Member Struct::*member) {
+    return keep([member](const Struct& self) { return to_python(self.*member); },
+                [member](Struct& self, const py::handle& value) { from_python(value, self.*member); },
+                [member](const Struct& a, const Struct& b) { return is_same(a.*member, b.*member); });
+  }
+
+  /// The same of one that needs words of its own: what goes into a pickle, what comes out of it, when two are the same.
+  Record& keep(std::function<py::object(const Struct&)> get, std::function<void(Struct&, const py::handle&)> set,
+               std::function<bool(const Struct&, const Struct&)> is_same) {
+    parts_->push_back({std::move(get), std::move(set), std::move(is_same)});
     return *this;
   }
 
   py::class_<Struct>& type() { return type_; }
 
  private:
-  const char* name_;
+  struct Part {
+    std::function<py::object(const Struct&)> get;
+    std::function<void(Struct&, const py::handle&)> set;
+    std::function<bool(const Struct&, const Struct&)> is_same;
+  };
+
+  template <class Value>
+  static py::object to_python(const Value& value) {
+    if constexpr (std::is_enum_v<Value>) {
+      return py::int_(static_cast<int>(value));
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      return array_of(value);
+    } else {
+      return py::cast(value);
+    }
+  }
+
+  template <class Value>
+  static void from_python(const py::handle& from, Value& value) {
+    if constexpr (std::is_enum_v<Value>) {
+      value = static_cast<Value>(py::cast<int>(from));
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      value = row_of("a member of the pickle", from);
+    } else {
+      value = py::cast<Value>(from);
+    }
+  }
+
+  template <class Value>
+  static bool is_same(const Value& a, const Value& b) {
+    if constexpr (std::is_arithmetic_v<Value> || std::is_enum_v<Value> || std::is_same_v<Value, std::string> ||
+                  std::is_same_v<Value, std::vector<double>>) {
+      return a == b;
+    } else {
+      return py::cast(a).equal(py::cast(b));
+    }
+  }
+
   py::class_<Struct> type_;
+  std::shared_ptr<std::vector<Part>> parts_ = std::make_shared<std::vector<Part>>();
 };
 
 }  // namespace ringfilm::python

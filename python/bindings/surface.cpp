@@ -1,5 +1,9 @@
+#include <cmath>
+
 #include "height_maps.hpp"
+#include "measured_files.hpp"
 #include "record.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/instrument/surface_file.hpp"
 #include "ringfilm/surface/asperities.hpp"
 #include "ringfilm/surface/bearing.hpp"
@@ -30,17 +34,27 @@ const std::map<std::string, CavityRule> kCavityRules{{"below-depth", CavityRule:
                                                      {"below-plateau", CavityRule::below_plateau},
                                                      {"below-core", CavityRule::below_core}};
 
-py::tuple prepared(const Heights& heights, const py::object& step, const std::string& form, int degree,
-                   const std::optional<double>& short_cutoff, const std::optional<double>& long_cutoff,
-                   const std::string& filter) {
+py::tuple prepared(const GivenNumbers& heights, const GivenStep& step, const GivenText& form,
+                   const Given<kinds::Integer>& degree, const GivenMaybeNumber& short_cutoff,
+                   const GivenMaybeNumber& long_cutoff, const GivenText& filter) {
   HeightMap map = height_map(heights, step);
   Preparation wanted;
-  wanted.form = {chosen("form", form, kForms), degree};
-  wanted.short_cutoff_m = short_cutoff;
-  wanted.long_cutoff_m = long_cutoff;
+  wanted.form = {chosen("form", form, kForms), integer_of("degree", degree.value)};
+  wanted.short_cutoff_m = maybe_number_of("short_cutoff", short_cutoff.value, "m");
+  wanted.long_cutoff_m = maybe_number_of("long_cutoff", long_cutoff.value, "m");
   wanted.filter = chosen("filter", filter, kFilters);
   const Prepared done = prepare(map, wanted);
-  return py::make_tuple(heights_of(map, heights), done.lines());
+  return py::make_tuple(heights_of(map, py::len(py::module_::import("numpy").attr("shape")(heights.value)) == 1),
+                        done.lines());
+}
+
+/// Throws InputError unless it is finite and not below zero.
+double from_zero_on(const char* name, const GivenNumber& given, const char* unit) {
+  const double value = number_of(name, given.value, unit);
+  if (!(std::isfinite(value) && value >= 0)) {
+    throw InputError(std::string(name) + " = " + number_text(value) + " is no finite number from 0 on");
+  }
+  return value;
 }
 
 void bind_records(py::module_& module) {
@@ -95,18 +109,21 @@ void bind_records(py::module_& module) {
   moments_record.with("m0_m2", &SpectralMoments::m0_m2, "Of heights [m2].")
       .with("m2", &SpectralMoments::m2, "Of slopes [-].")
       .with("m4_per_m2", &SpectralMoments::m4_per_m2, "Of curvatures [1/m2].");
-  moments_record.type().def(py::init([](double m0, double m2, double m4) {
-                              return SpectralMoments{m0, m2, m4};
+  moments_record.type().def(py::init([](const GivenNumber& m0, const GivenNumber& m2, const GivenNumber& m4) {
+                              return SpectralMoments{from_zero_on("m0_m2", m0, "m2"), from_zero_on("m2", m2, ""),
+                                                     from_zero_on("m4_per_m2", m4, "1/m2")};
                             }),
-                            py::arg("m0_m2"), py::arg("m2"), py::arg("m4_per_m2"), "From three numbers in SI.");
+                            py::arg("m0_m2"), py::arg("m2"), py::arg("m4_per_m2"),
+                            "From three numbers from 0 on [m2, -, 1/m2]. Raises InputError.");
   Record<SurfaceMeasures> measures(module, "SurfaceMeasures", "What one surface brings into a pair.");
   measures.with("Sa_m", &SurfaceMeasures::Sa_m, "Mean absolute deviation [m].")
       .with("Sq_m", &SurfaceMeasures::Sq_m, "Rms deviation [m].")
       .with("moments", &SurfaceMeasures::moments, "Its SpectralMoments.");
-  measures.type().def(py::init([](double Sa, double Sq, const SpectralMoments& of) {
-                        return SurfaceMeasures{Sa, Sq, of};
+  measures.type().def(py::init([](const GivenNumber& Sa, const GivenNumber& Sq, const SpectralMoments& of) {
+                        return SurfaceMeasures{from_zero_on("Sa_m", Sa, "m"), from_zero_on("Sq_m", Sq, "m"), of};
                       }),
-                      py::arg("Sa_m"), py::arg("Sq_m"), py::arg("moments"), "From numbers in SI.");
+                      py::arg("Sa_m"), py::arg("Sq_m"), py::arg("moments"),
+                      "From lengths from 0 on [m] and SpectralMoments. Raises InputError.");
   Record<AsperityParameters> asperities(module, "AsperityParameters",
                                         "What a contact model takes. Source: docs/theory/surface.md.");
   asperities.with("density_per_m2", &AsperityParameters::density_per_m2, "N [1/m2].")
@@ -120,11 +137,20 @@ void bind_records(py::module_& module) {
 void bind_functions(py::module_& module) {
   module.def("_prepare", &prepared, py::arg("heights"), py::arg("step"), py::arg("form"), py::arg("degree"),
              py::arg("short_cutoff"), py::arg("long_cutoff"), py::arg("filter"), "See ringfilm.surface.prepare.");
-  module.def("gaussian_transmission", py::vectorize(&gaussian_transmission), py::arg("wavelength"), py::arg("cutoff"),
-             "Share of the amplitude of a wave that a Gaussian S-filter lets pass [-]; numbers or arrays [m].");
+  module.def(
+      "gaussian_transmission",
+      [](const GivenNumbers& wavelength, const GivenNumbers& cutoff) {
+        return mapped({{"wavelength", &wavelength}, {"cutoff", &cutoff}},
+                      [](const std::vector<double>& at) { return gaussian_transmission(at[0], at[1]); });
+      },
+      py::arg("wavelength"), py::arg("cutoff"),
+      R"(Share of the amplitude of a wave that a Gaussian S-filter lets pass [-].
+
+wavelength, cutoff: above 0, numbers or arrays of shapes that fit together [m]. Raises InputError.
+Source: docs/theory, eq-surface-gaussian.)");
   module.def(
       "height_statistics",
-      [](const Heights& heights, const py::object& step) { return height_statistics(height_map(heights, step)); },
+      [](const GivenNumbers& heights, const GivenStep& step) { return height_statistics(height_map(heights, step)); },
       py::arg("heights"), py::arg("step"),
       R"(Height statistics of all measured points about their mean.
 
@@ -132,25 +158,28 @@ heights: shape (y, x), or (x,) for a profile [m]; NaN where nothing was measured
 Raises InputError for fewer than 4 points or a flat surface. Source: docs/theory, eq-surface-heights.)");
   module.def(
       "row_roughness",
-      [](const Heights& heights, const py::object& step) { return row_roughness(height_map(heights, step)); },
+      [](const GivenNumbers& heights, const GivenStep& step) { return row_roughness(height_map(heights, step)); },
       py::arg("heights"), py::arg("step"),
       "Ra and Rq of the rows of a map of shape (y, x) [m]. Raises InputError where no row has 8 measured points.");
   module.def(
       "bearing_curve",
-      [](const Heights& heights, const py::object& step) { return array_of(bearing_curve(height_map(heights, step))); },
+      [](const GivenNumbers& heights, const GivenStep& step) {
+        return array_of(bearing_curve(height_map(heights, step)));
+      },
       py::arg("heights"), py::arg("step"),
       "Heights of the measured points, falling, shape (points,) [m]: the bearing curve.");
   module.def(
-      "core_roughness", [](const Heights& curve) { return core_roughness(numbers_of(curve)); }, py::arg("curve"),
-      "Rk family of a bearing curve of shape (points,) [m]. Source: ISO 13565-2, eq-surface-core.");
+      "core_roughness", [](const GivenNumbers& curve) { return core_roughness(row_of("curve", curve.value)); },
+      py::arg("curve"), "Rk family of a bearing curve of shape (points,) [m]. Source: ISO 13565-2, eq-surface-core.");
   module.def(
-      "probability_roughness", [](const Heights& curve) { return probability_roughness(numbers_of(curve)); },
-      py::arg("curve"),
+      "probability_roughness",
+      [](const GivenNumbers& curve) { return probability_roughness(row_of("curve", curve.value)); }, py::arg("curve"),
       "Rpq, Rvq, Rmq of a bearing curve [m]; None for a surface made in one step. Source: ISO 13565-3.");
   module.def(
       "cavities",
-      [](const Heights& curve, const std::string& rule, double depth) {
-        return cavities(numbers_of(curve), chosen("rule", rule, kCavityRules), depth);
+      [](const GivenNumbers& curve, const GivenText& rule, const GivenNumber& depth) {
+        return cavities(row_of("curve", curve.value), chosen("rule", rule, kCavityRules),
+                        number_of("depth", depth.value, "m"));
       },
       py::arg("curve"), py::arg("rule") = "below-plateau", py::arg("depth") = 0.0,
       R"(Share of the area that are pores and grooves, of a bearing curve of shape (points,) [m].
@@ -159,7 +188,7 @@ rule: "below-plateau", "below-core" or "below-depth" with its depth below the me
 Source: docs/theory, eq-surface-cavities.)");
   module.def(
       "moments",
-      [](const Heights& heights, const py::object& step, const std::string& direction, const std::string& scheme) {
+      [](const GivenNumbers& heights, const GivenStep& step, const GivenText& direction, const GivenText& scheme) {
         return moments(moment_table(height_map(heights, step), chosen("scheme", scheme, kSchemes)),
                        chosen("direction", direction, kDirections));
       },
@@ -170,7 +199,7 @@ direction: "mean" of x and y, "geometric", "x", "y". scheme: "neighbours" or "se
 Raises InputError for fewer than 16 complete stencils. Source: docs/theory, eq-surface-moments.)");
   module.def(
       "surface_measures",
-      [](const Heights& heights, const py::object& step, const std::string& direction, const std::string& scheme) {
+      [](const GivenNumbers& heights, const GivenStep& step, const GivenText& direction, const GivenText& scheme) {
         return surface_measures(height_map(heights, step), chosen("direction", direction, kDirections),
                                 chosen("scheme", scheme, kSchemes));
       },
@@ -179,81 +208,133 @@ Raises InputError for fewer than 16 complete stencils. Source: docs/theory, eq-s
       "Raises InputError. Source: docs/theory/surface.md.");
   module.def(
       "single_parameters",
-      [](const SurfaceMeasures& of, const std::string& rule) {
+      [](const SurfaceMeasures& of, const GivenText& rule) {
         return single_parameters(of, chosen("rule", rule, kRules));
       },
       py::arg("surface"), py::arg("rule") = "ra",
       "N, beta, sigma of one surface against a smooth flat. rule: \"ra\" or \"rq\", what sigma is. Raises InputError.");
   module.def(
       "pair_parameters",
-      [](const SurfaceMeasures& first, const SurfaceMeasures& second, const std::string& rule) {
+      [](const SurfaceMeasures& first, const SurfaceMeasures& second, const GivenText& rule) {
         return pair_parameters(first, second, chosen("rule", rule, kRules));
       },
       py::arg("first"), py::arg("second"), py::arg("rule") = "ra",
       "N, beta, sigma of two surfaces in contact. rule: \"ra\" or \"rq\", what sigma is. Raises InputError. "
       "Source: eq-asperity-pair.");
   module.def(
-      "asperity_parameters", [](const SpectralMoments& of, double sigma) { return asperity_parameters(of, sigma); },
+      "asperity_parameters",
+      [](const SpectralMoments& of, const GivenNumber& sigma) {
+        return asperity_parameters(of, number_of("sigma", sigma.value, "m"));
+      },
       py::arg("moments"), py::arg("sigma"),
       "N and beta of moments; sigma [m] is taken over. Raises InputError. Source: eq-asperity-density.");
-  module.def("moments_of", &moments_of, py::arg("density"), py::arg("beta"),
-             "Moments that give N [1/m2] and beta [m], the inverse of asperity_parameters(); m0 stays 0.");
+  module.def(
+      "moments_of",
+      [](const GivenNumber& density, const GivenNumber& beta) {
+        return moments_of(number_of("density", density.value, "1/m2"), number_of("beta", beta.value, "m"));
+      },
+      py::arg("density"), py::arg("beta"),
+      "Moments that give N [1/m2] and beta [m], the inverse of asperity_parameters(); m0 stays 0. "
+      "Raises InputError. Source: eq-asperity-density, eq-asperity-radius.");
   module.def(
       "count_summits",
-      [](const Heights& heights, const py::object& step) { return count_summits(height_map(heights, step)); },
+      [](const GivenNumbers& heights, const GivenStep& step) { return count_summits(height_map(heights, step)); },
       py::arg("heights"), py::arg("step"),
       "Summits of a map of shape (y, x) [m], one by one. Raises InputError for a profile. Source: eq-summits.");
-  module.def("summit_theory", &summit_theory, py::arg("m0"), py::arg("m2"), py::arg("m4"),
-             "What Gaussian isotropic surfaces of these moments should show [m2, -, 1/m2]. Source: Nayak (1971), "
-             "eq-nayak.");
+  module.def(
+      "summit_theory",
+      [](const GivenNumber& m0, const GivenNumber& m2, const GivenNumber& m4) {
+        return summit_theory(number_of("m0", m0.value, "m2"), number_of("m2", m2.value, ""),
+                             number_of("m4", m4.value, "1/m2"));
+      },
+      py::arg("m0"), py::arg("m2"), py::arg("m4"),
+      "What Gaussian isotropic surfaces of these moments should show [m2, -, 1/m2]. Raises InputError. "
+      "Source: Nayak (1971), eq-nayak.");
 }
 
 struct MeasuredMap {
-  instrument::SurfaceFile file;
+  py::array heights;  ///< read-only
+  double step_x_m, step_y_m;
+  std::string plausibility, sha256, format;
+  std::vector<std::string> notes;
+
+  py::tuple state() const { return py::make_tuple(heights, step_x_m, step_y_m, plausibility, sha256, format, notes); }
 };
+
+MeasuredMap map_of(const py::tuple& state) {
+  if (state.size() != 7) throw py::value_error("this pickle was written by another version of ringfilm");
+  MeasuredMap map{py::cast<py::array>(state[0]),
+                  py::cast<double>(state[1]),
+                  py::cast<double>(state[2]),
+                  py::cast<std::string>(state[3]),
+                  py::cast<std::string>(state[4]),
+                  py::cast<std::string>(state[5]),
+                  py::cast<std::vector<std::string>>(state[6])};
+  map.heights.attr("setflags")(py::arg("write") = false);
+  return map;
+}
+
+bool is_same(const MeasuredMap& a, const MeasuredMap& b) {
+  const py::object equal = py::module_::import("numpy").attr("array_equal");
+  return py::cast<bool>(equal(a.heights, b.heights, py::arg("equal_nan") = true)) && a.step_x_m == b.step_x_m &&
+         a.step_y_m == b.step_y_m && a.plausibility == b.plausibility && a.sha256 == b.sha256 && a.format == b.format &&
+         a.notes == b.notes;
+}
+
+/// A channel by its number or its name.
+std::optional<std::string> channel_of(const py::object& given) {
+  if (PyIndex_Check(given.ptr()) && !PyBool_Check(given.ptr())) return std::to_string(integer_of("channel", given));
+  if (!given.is_none() && !PyUnicode_Check(given.ptr())) {
+    throw py::type_error("channel must be a number from 1 or a name, not of type " +
+                         py::cast<std::string>(py::type::of(given).attr("__name__")));
+  }
+  return maybe_text_of("channel", given, "Height");
+}
+
+MeasuredMap measured(const Given<kinds::Path>& path, const Given<kinds::NumberOrText>& channel,
+                     const GivenMaybeText& height_unit, const GivenMaybeText& lateral_unit,
+                     const GivenMaybeText& step_x, const GivenMaybeText& step_y) {
+  instrument::SurfaceOptions options = file_options(height_unit, lateral_unit, "step_x", step_x);
+  options.channel = channel_of(channel.value);
+  options.step_y = maybe_text_of("step_y", step_y.value, "0.5 um");
+  const auto file = instrument::read_surface_file(path_of("path", path.value), options, io::Units());
+  MeasuredMap map{heights_of(file.map, true), file.map.step_x_m,  file.map.step_y_m, file.plausibility_line,
+                  file.origin.sha256,         file.origin.format, file.origin.notes};
+  map.heights.attr("setflags")(py::arg("write") = false);
+  return map;
+}
 
 void bind_files(py::module_& module) {
   py::class_<MeasuredMap>(module, "MeasuredMap", "A map of heights as an instrument's file gave it.")
+      .def_readonly("heights", &MeasuredMap::heights,
+                    "Shape (y, x), of a profile (x,) [m]; NaN where nothing was measured. Read-only: .copy() for an "
+                    "array to work on.")
       .def_property_readonly(
-          "heights", [](const MeasuredMap& self) { return heights_of(self.file.map); },
-          "Shape (y, x), of a profile (x,) [m]; NaN where nothing was measured.")
-      .def_property_readonly(
-          "step",
-          [](const MeasuredMap& self) { return py::make_tuple(self.file.map.step_x_m, self.file.map.step_y_m); },
+          "step", [](const MeasuredMap& self) { return py::make_tuple(self.step_x_m, self.step_y_m); },
           "Between the points along x and y [m], as every function here takes it.")
-      .def_property_readonly(
-          "plausibility", [](const MeasuredMap& self) { return self.file.plausibility_line; },
-          "A line that says whether the map can be what one thinks it is.")
-      .def_property_readonly(
-          "notes", [](const MeasuredMap& self) { return self.file.origin.notes; }, "What is odd about the file.")
-      .def_property_readonly(
-          "sha256", [](const MeasuredMap& self) { return self.file.origin.sha256; }, "Digest of the file.")
-      .def_property_readonly(
-          "format", [](const MeasuredMap& self) { return self.file.origin.format; }, "Format of the file.")
+      .def_readonly("plausibility", &MeasuredMap::plausibility,
+                    "A line that says whether the map can be what one thinks it is.")
+      .def_readonly("notes", &MeasuredMap::notes, "What is odd about the file.")
+      .def_readonly("sha256", &MeasuredMap::sha256, "Digest of the file.")
+      .def_readonly("format", &MeasuredMap::format, "Format of the file.")
+      .def(
+          "__eq__",
+          [](const MeasuredMap& self, const py::object& other) -> py::object {
+            if (!py::isinstance<MeasuredMap>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+            return py::bool_(is_same(self, py::cast<const MeasuredMap&>(other)));
+          },
+          "Are the heights and all that is told of them the same? Points that were not measured are.")
+      .def(py::pickle([](const MeasuredMap& self) { return self.state(); }, &map_of))
       .def(
           "__repr__",
-          [](const MeasuredMap& self) { return "<ringfilm.surface.MeasuredMap " + self.file.plausibility_line + ">"; },
+          [](const MeasuredMap& self) { return "<ringfilm.surface.MeasuredMap " + self.plausibility + ">"; },
           "The plausibility line.");
-  module.def(
-      "read",
-      [](const py::object& path, const std::optional<std::string>& channel,
-         const std::optional<std::string>& height_unit, const std::optional<std::string>& lateral_unit,
-         const std::optional<std::string>& step_x, const std::optional<std::string>& step_y) {
-        instrument::SurfaceOptions options;
-        options.channel = channel;
-        options.height_unit = height_unit;
-        options.lateral_unit = lateral_unit;
-        options.step_x = step_x;
-        options.step_y = step_y;
-        const auto name = py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
-        return MeasuredMap{instrument::read_surface_file(name, options, io::Units())};
-      },
-      py::arg("path"), py::arg("channel") = py::none(), py::arg("height_unit") = py::none(),
-      py::arg("lateral_unit") = py::none(), py::arg("step_x") = py::none(), py::arg("step_y") = py::none(),
-      R"(Heights from a file of any known format (docs/manual/surface-files.md): X3P, SDF, SUR, GSF, .gwy, text.
+  module.def("read", &measured, py::arg("path"), py::arg("channel") = py::none(), py::arg("height_unit") = py::none(),
+             py::arg("lateral_unit") = py::none(), py::arg("step_x") = py::none(), py::arg("step_y") = py::none(),
+             R"(Heights from a file of any known format (docs/manual/surface-files.md): X3P, SDF, SUR, GSF, .gwy, text.
 
 channel: number from 1, or name. height_unit, lateral_unit: "um"; step_x, step_y: "0.5 um", where the file does not say.
-Returns a MeasuredMap. Raises InputError with file, place, rule and remedy.)");
+Returns a MeasuredMap. Raises InputError with file, place, rule and remedy, and TypeError.)");
 }
 
 }  // namespace

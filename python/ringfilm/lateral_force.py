@@ -1,6 +1,7 @@
 """Friction loops of a lateral force microscope to the coefficient of boundary shear strength.
 
-Theory in docs/theory/boundary-shear.md, files in docs/manual/lateral-force.md.
+NaN and masked values are refused: leave such lines out. Theory in docs/theory/boundary-shear.md, files in
+docs/manual/lateral-force.md.
 """
 
 from ._ringfilm.lateral_force import (

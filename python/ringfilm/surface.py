@@ -1,7 +1,8 @@
 """Analysis of measured heights: form, filters, roughness, asperities (docs/theory/surface.md).
 
-Heights are arrays of shape (y, x), or (x,) for a profile, in metres away from the material; NaN where nothing was
-measured. A step is the distance of two points, one number or (step_x, step_y) [m].
+Heights are arrays of shape (y, x), or (x,) for a profile, in metres away from the material; NaN, or masked in an array
+of numpy.ma, where nothing was measured. A step is the distance of two points, one number or (step_x, step_y) [m]. What
+is no array of real numbers, or no number, is a TypeError; values that mean nothing are an InputError.
 """
 
 from typing import Optional
@@ -49,11 +50,12 @@ def prepare(
 ):
     """What happens between the instrument and the statistics, in this order: form, short cut-off, long cut-off.
 
-    heights: shape (y, x) or (x,) [m]. step: [m].
+    heights: shape (y, x) or (x,) [m]; NaN or masked where nothing was measured. step: [m].
     form: "none", "mean", "tilt", "cylinder", or "polynomial" with its degree. short_cutoff, long_cutoff: nesting
     indices of the S- and the L-filter [m]. filter: "gaussian" (ISO 16610-21, -61) or "robust-gaussian" (-31, -71).
 
-    Returns new heights of the same shape. Raises InputError. Source: docs/theory, eq-surface-form, eq-surface-gaussian.
+    Returns new heights of the same shape, NaN where nothing was measured. Raises InputError, TypeError.
+    Source: docs/theory, eq-surface-form, eq-surface-gaussian.
     """
     return _prepare(heights, step, form, degree, short_cutoff, long_cutoff, filter)[0]
 

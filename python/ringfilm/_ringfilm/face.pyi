@@ -8,20 +8,27 @@ from . import Case
 
 
 class FaceFit:
-    """The shape of a ring face. Source: docs/theory/face.md."""
+    """The shape of a ring face; its arrays are read-only. Source: docs/theory/face.md."""
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __repr__(self) -> str:
         """All members."""
         ...
     @property
+    def averaged(self) -> object:
+        """Neighbouring points of the trace that were averaged into one."""
+        ...
+    @property
     def coefficients(self) -> object:
-        """Of the polynomial, height in um of x in mm, highest power first, as ring.face.coefficients has them."""
+        """Of the polynomial, height in um of x in mm, highest power first, as ring.face.coefficients has them; shape (degree + 1,), read-only."""
         ...
     @property
     def gap_m(self) -> object:
         """Gap of the trace, levelled and aligned, shape (x,) [m]."""
         ...
     def height(self, x: numpy.ndarray) -> object:
-        """Height of the polynomial at x, any shape [m]."""
+        """Height of the polynomial at x, any shape [m]. Raises InputError."""
         ...
     @property
     def invented(self) -> object:
@@ -40,8 +47,16 @@ class FaceFit:
         """Rms of what neither follows [m]."""
         ...
     @property
+    def polynomial_end_m(self) -> object:
+        """The polynomial at x = 0 and at the width, above its lowest place, (first, last) [m]."""
+        ...
+    @property
     def polynomial_minimum_at_m(self) -> object:
         """Lowest place of the polynomial [m]."""
+        ...
+    @property
+    def polynomial_minimum_m(self) -> object:
+        """Least gap of the polynomial, as gap_m counts [m]."""
         ...
     @property
     def polynomial_residual(self) -> object:
@@ -56,12 +71,20 @@ class FaceFit:
         """Its stiffness [m]."""
         ...
     @property
+    def spline_end_m(self) -> object:
+        """The same of the spline, (first, last) [m]."""
+        ...
+    @property
     def spline_m(self) -> object:
         """Spline at x_m, shape (x,) [m]."""
         ...
     @property
     def spline_minimum_at_m(self) -> object:
         """Lowest place of the spline [m]."""
+        ...
+    @property
+    def spline_minimum_m(self) -> object:
+        """Least gap of the spline, as gap_m counts [m]."""
         ...
     @property
     def spline_residual(self) -> object:
@@ -85,6 +108,9 @@ class FaceFit:
 
 class FaceResidual:
     """Trace less fit."""
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __repr__(self) -> str:
         """All members."""
         ...
@@ -106,12 +132,19 @@ class FaceResidual:
 
 class InventedShape:
     """Where the polynomial has what the trace has not."""
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __repr__(self) -> str:
         """All members."""
         ...
     @property
     def from_m(self) -> object:
         """Begin [m]."""
+        ...
+    @property
+    def reason(self) -> object:
+        """What gives it away: "departs" from the trace, "turn-not-in-trace", "falls-towards-the-edge"."""
         ...
     @property
     def size_m(self) -> object:
@@ -135,11 +168,12 @@ def fit_face(x: numpy.ndarray, height: numpy.ndarray, width: float, sense: str =
     sense: "material" (heights away from the ring, as a stylus has them) or "gap". start: where the face begins in the
     trace [m]; None: where its mean gap is least. direction: "as-measured", "turned". levelling: "land", "stated" with its
     tilt [-], "none". zero: "lowest-point", "as-measured". land_height, pore_depth, spline_cutoff [m]; degree of the
-    polynomial. Returns a FaceFit. Raises InputError. Source: docs/theory/face.md."""
+    polynomial. Returns a FaceFit. Raises InputError, for NaN and masked points too, and TypeError.
+    Source: docs/theory/face.md."""
     ...
 
 def read_trace(path: object, height_unit: Optional[str] = None, lateral_unit: Optional[str] = None, step: Optional[str] = None) -> tuple:
     """Places and heights of a trace, two arrays of shape (points,) [m], from a file of any known format.
 
-    height_unit, lateral_unit: "um"; step: "0.5 um", where the file does not say. Raises InputError."""
+    height_unit, lateral_unit: "um"; step: "0.5 um", where the file does not say. Raises InputError, TypeError."""
     ...

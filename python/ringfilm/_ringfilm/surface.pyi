@@ -9,6 +9,9 @@ from . import Case
 
 class AsperityParameters:
     """What a contact model takes. Source: docs/theory/surface.md."""
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __repr__(self) -> str:
         """All members."""
         ...
@@ -36,6 +39,9 @@ class AsperityParameters:
 
 class Cavities:
     """Pores and grooves. Source: docs/theory, eq-surface-cavities."""
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __repr__(self) -> str:
         """All members."""
         ...
@@ -80,6 +86,9 @@ class CoreRoughness:
     @property
     def Rvk_m(self) -> object:
         """Reduced valleys [m]."""
+        ...
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
         """All members."""
@@ -126,6 +135,9 @@ class HeightStatistics:
     def Sz_m(self) -> object:
         """Peak to pit [m]."""
         ...
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __repr__(self) -> str:
         """All members."""
         ...
@@ -147,6 +159,9 @@ class HeightStatistics:
 
 class MeasuredMap:
     """A map of heights as an instrument's file gave it."""
+    def __eq__(self, arg0: object) -> object:
+        """Are the heights and all that is told of them the same? Points that were not measured are."""
+        ...
     def __repr__(self) -> str:
         """The plausibility line."""
         ...
@@ -156,7 +171,7 @@ class MeasuredMap:
         ...
     @property
     def heights(self) -> object:
-        """Shape (y, x), of a profile (x,) [m]; NaN where nothing was measured."""
+        """Shape (y, x), of a profile (x,) [m]; NaN where nothing was measured. Read-only: .copy() for an array to work on."""
         ...
     @property
     def notes(self) -> object:
@@ -189,6 +204,9 @@ class ProbabilityRoughness:
     def Rvq_m(self) -> object:
         """Rms of the valleys [m]."""
         ...
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __repr__(self) -> str:
         """All members."""
         ...
@@ -206,6 +224,9 @@ class RowRoughness:
     def Rq_m(self) -> object:
         """Root of the mean square of Rq [m]."""
         ...
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __repr__(self) -> str:
         """All members."""
         ...
@@ -219,8 +240,11 @@ class RowRoughness:
 
 class SpectralMoments:
     """Variances of heights, slopes, curvatures. Source: eq-surface-moments."""
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __init__(self, m0_m2: float, m2: float, m4_per_m2: float) -> None:
-        """From three numbers in SI."""
+        """From three numbers from 0 on [m2, -, 1/m2]. Raises InputError."""
         ...
     def __repr__(self) -> str:
         """All members."""
@@ -243,6 +267,9 @@ class SpectralMoments:
 
 class SummitTheory:
     """What Gaussian isotropic surfaces should show, after Nayak (1971)."""
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __repr__(self) -> str:
         """All members."""
         ...
@@ -272,6 +299,9 @@ class SummitTheory:
 
 class Summits:
     """Summits counted one by one. Source: docs/theory, eq-summits."""
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __repr__(self) -> str:
         """All members."""
         ...
@@ -313,8 +343,11 @@ class SurfaceMeasures:
     def Sq_m(self) -> object:
         """Rms deviation [m]."""
         ...
+    def __eq__(self, arg0: object) -> object:
+        """Are all members the same? A NaN is not."""
+        ...
     def __init__(self, Sa_m: float, Sq_m: float, moments: SpectralMoments) -> None:
-        """From numbers in SI."""
+        """From lengths from 0 on [m] and SpectralMoments. Raises InputError."""
         ...
     def __repr__(self) -> str:
         """All members."""
@@ -327,7 +360,7 @@ class SurfaceMeasures:
         """All members, {name: value}."""
         ...
 
-def _prepare(heights: numpy.ndarray, step: object, form: str, degree: int, short_cutoff: Optional[float], long_cutoff: Optional[float], filter: str) -> tuple:
+def _prepare(heights: numpy.ndarray, step: Union[float, Tuple[float, float]], form: str, degree: int, short_cutoff: Optional[float], long_cutoff: Optional[float], filter: str) -> tuple:
     """See ringfilm.surface.prepare."""
     ...
 
@@ -335,7 +368,7 @@ def asperity_parameters(moments: SpectralMoments, sigma: float) -> AsperityParam
     """N and beta of moments; sigma [m] is taken over. Raises InputError. Source: eq-asperity-density."""
     ...
 
-def bearing_curve(heights: numpy.ndarray, step: object) -> numpy.ndarray:
+def bearing_curve(heights: numpy.ndarray, step: Union[float, Tuple[float, float]]) -> numpy.ndarray:
     """Heights of the measured points, falling, shape (points,) [m]: the bearing curve."""
     ...
 
@@ -350,22 +383,25 @@ def core_roughness(curve: numpy.ndarray) -> CoreRoughness:
     """Rk family of a bearing curve of shape (points,) [m]. Source: ISO 13565-2, eq-surface-core."""
     ...
 
-def count_summits(heights: numpy.ndarray, step: object) -> Summits:
+def count_summits(heights: numpy.ndarray, step: Union[float, Tuple[float, float]]) -> Summits:
     """Summits of a map of shape (y, x) [m], one by one. Raises InputError for a profile. Source: eq-summits."""
     ...
 
 def gaussian_transmission(wavelength: numpy.ndarray, cutoff: numpy.ndarray) -> object:
-    """Share of the amplitude of a wave that a Gaussian S-filter lets pass [-]; numbers or arrays [m]."""
+    """Share of the amplitude of a wave that a Gaussian S-filter lets pass [-].
+
+    wavelength, cutoff: above 0, numbers or arrays of shapes that fit together [m]. Raises InputError.
+    Source: docs/theory, eq-surface-gaussian."""
     ...
 
-def height_statistics(heights: numpy.ndarray, step: object) -> HeightStatistics:
+def height_statistics(heights: numpy.ndarray, step: Union[float, Tuple[float, float]]) -> HeightStatistics:
     """Height statistics of all measured points about their mean.
 
     heights: shape (y, x), or (x,) for a profile [m]; NaN where nothing was measured. step: a number or (x, y) [m].
     Raises InputError for fewer than 4 points or a flat surface. Source: docs/theory, eq-surface-heights."""
     ...
 
-def moments(heights: numpy.ndarray, step: object, direction: str = 'mean', scheme: str = 'neighbours') -> SpectralMoments:
+def moments(heights: numpy.ndarray, step: Union[float, Tuple[float, float]], direction: str = 'mean', scheme: str = 'neighbours') -> SpectralMoments:
     """Spectral moments of a map of shape (y, x), or of a profile (x,) along x [m].
 
     direction: "mean" of x and y, "geometric", "x", "y". scheme: "neighbours" or "seven-point".
@@ -373,7 +409,7 @@ def moments(heights: numpy.ndarray, step: object, direction: str = 'mean', schem
     ...
 
 def moments_of(density: float, beta: float) -> SpectralMoments:
-    """Moments that give N [1/m2] and beta [m], the inverse of asperity_parameters(); m0 stays 0."""
+    """Moments that give N [1/m2] and beta [m], the inverse of asperity_parameters(); m0 stays 0. Raises InputError. Source: eq-asperity-density, eq-asperity-radius."""
     ...
 
 def pair_parameters(first: SurfaceMeasures, second: SurfaceMeasures, rule: str = 'ra') -> AsperityParameters:
@@ -384,14 +420,14 @@ def probability_roughness(curve: numpy.ndarray) -> Optional[ProbabilityRoughness
     """Rpq, Rvq, Rmq of a bearing curve [m]; None for a surface made in one step. Source: ISO 13565-3."""
     ...
 
-def read(path: object, channel: Optional[str] = None, height_unit: Optional[str] = None, lateral_unit: Optional[str] = None, step_x: Optional[str] = None, step_y: Optional[str] = None) -> MeasuredMap:
+def read(path: object, channel: Optional[Union[int, str]] = None, height_unit: Optional[str] = None, lateral_unit: Optional[str] = None, step_x: Optional[str] = None, step_y: Optional[str] = None) -> MeasuredMap:
     """Heights from a file of any known format (docs/manual/surface-files.md): X3P, SDF, SUR, GSF, .gwy, text.
 
     channel: number from 1, or name. height_unit, lateral_unit: "um"; step_x, step_y: "0.5 um", where the file does not say.
-    Returns a MeasuredMap. Raises InputError with file, place, rule and remedy."""
+    Returns a MeasuredMap. Raises InputError with file, place, rule and remedy, and TypeError."""
     ...
 
-def row_roughness(heights: numpy.ndarray, step: object) -> RowRoughness:
+def row_roughness(heights: numpy.ndarray, step: Union[float, Tuple[float, float]]) -> RowRoughness:
     """Ra and Rq of the rows of a map of shape (y, x) [m]. Raises InputError where no row has 8 measured points."""
     ...
 
@@ -400,9 +436,9 @@ def single_parameters(surface: SurfaceMeasures, rule: str = 'ra') -> AsperityPar
     ...
 
 def summit_theory(m0: float, m2: float, m4: float) -> SummitTheory:
-    """What Gaussian isotropic surfaces of these moments should show [m2, -, 1/m2]. Source: Nayak (1971), eq-nayak."""
+    """What Gaussian isotropic surfaces of these moments should show [m2, -, 1/m2]. Raises InputError. Source: Nayak (1971), eq-nayak."""
     ...
 
-def surface_measures(heights: numpy.ndarray, step: object, direction: str = 'mean', scheme: str = 'neighbours') -> SurfaceMeasures:
+def surface_measures(heights: numpy.ndarray, step: Union[float, Tuple[float, float]], direction: str = 'mean', scheme: str = 'neighbours') -> SurfaceMeasures:
     """What a levelled and filtered map of shape (y, x) [m] brings into a pair; words as for moments(). Raises InputError. Source: docs/theory/surface.md."""
     ...

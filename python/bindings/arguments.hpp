@@ -1,0 +1,132 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bindings.hpp"
+
+/// What users hand over, as functions take it: looked at by their own names, so that a wrong kind is said in one
+/// sentence.
+namespace ringfilm::python {
+
+/// An argument that nobody has looked at; `Kind` is what the signature says of it.
+template <class Kind>
+struct Given {
+  py::object value;
+};
+
+namespace kinds {
+struct Numbers {
+  static constexpr auto name = py::detail::const_name("numpy.ndarray");
+};
+struct Number {
+  static constexpr auto name = py::detail::const_name("float");
+};
+struct MaybeNumber {
+  static constexpr auto name = py::detail::const_name("Optional[float]");
+};
+struct Integer {
+  static constexpr auto name = py::detail::const_name("int");
+};
+struct Text {
+  static constexpr auto name = py::detail::const_name("str");
+};
+struct MaybeText {
+  static constexpr auto name = py::detail::const_name("Optional[str]");
+};
+struct NumberOrText {
+  static constexpr auto name = py::detail::const_name("Optional[Union[int, str]]");
+};
+struct NumberOrPair {
+  static constexpr auto name = py::detail::const_name("Union[float, Tuple[float, float]]");
+};
+struct MaybePair {
+  static constexpr auto name = py::detail::const_name("Optional[Tuple[float, float]]");
+};
+struct Path {
+  static constexpr auto name = py::detail::const_name("object");
+};
+}  // namespace kinds
+
+using GivenNumbers = Given<kinds::Numbers>;
+using GivenNumber = Given<kinds::Number>;
+using GivenMaybeNumber = Given<kinds::MaybeNumber>;
+using GivenText = Given<kinds::Text>;
+using GivenMaybeText = Given<kinds::MaybeText>;
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// A number: float, int, one of numpy's, an array without dimensions. Throws TypeError for all else, a bool too, and
+/// InputError for a masked one. `unit` stands in the message: "m", empty where there is none.
+double number_of(const char* name, const py::handle& value, const char* unit);
+std::optional<double> maybe_number_of(const char* name, const py::handle& value, const char* unit);
+/// One number for both, or two. Throws TypeError.
+std::pair<double, double> pair_of(const char* name, const py::handle& value, const char* unit);
+/// Throws TypeError for what is no integer, a bool too.
+int integer_of(const char* name, const py::handle& value);
+/// Throws TypeError for what is no text, InputError for one that is no Unicode. `example` stands in the message.
+std::string text_of(const char* name, const py::handle& value, const char* example);
+std::optional<std::string> maybe_text_of(const char* name, const py::handle& value, const char* example);
+/// A name of a file: str, bytes or os.PathLike. Throws TypeError for all else, InputError for what no file can be
+/// called.
+std::string path_of(const char* name, const py::handle& value);
+
+/// Numbers of any shape and, where an array of numpy.ma has some masked, which.
+struct MaybeMasked {
+  Doubles values;
+  std::optional<py::array_t<bool, py::array::c_style | py::array::forcecast>> mask;  ///< of the same shape
+};
+/// Throws TypeError for what are no real numbers: complex ones, bools, texts, lists of unlike lengths.
+MaybeMasked maybe_masked_of(const char* name, const py::handle& value);
+/// The same where a masked number has no meaning: InputError.
+Doubles doubles_of(const char* name, const py::handle& value);
+/// The same of one dimension, or InputError.
+std::vector<double> row_of(const char* name, const py::handle& value);
+
+/// Arrays under the names of their arguments.
+using Named = std::vector<std::pair<const char*, const GivenNumbers*>>;
+
+/// Arrays as numpy spreads them to one shape; InputError where they have none in common.
+std::vector<Doubles> spread(const Named& given);
+
+/// f of the numbers at each place, `double f(const std::vector<double>&)`, in the shape that all have in common; a
+/// float where none has dimensions.
+template <class Function>
+py::object mapped(const Named& given, const Function& f) {
+  const std::vector<Doubles> all = spread(given);
+  const Doubles& first = all.front();
+  py::array_t<double> values(std::vector<py::ssize_t>(first.shape(), first.shape() + first.ndim()));
+  double* const to = values.mutable_data();
+  std::vector<double> at(all.size());
+  for (py::ssize_t i = 0; i < first.size(); ++i) {
+    for (std::size_t k = 0; k < all.size(); ++k) at[k] = all[k].data()[i];
+    to[i] = f(at);
+  }
+  if (first.ndim() == 0) return py::float_(*to);
+  return values;
+}
+
+/// The same of one array, `double f(double)`.
+template <class Function>
+py::object mapped(const char* name, const GivenNumbers& given, const Function& f) {
+  return mapped({{name, &given}}, [&f](const std::vector<double>& at) { return f(at[0]); });
+}
+
+py::array array_of(const std::vector<double>& values);
+
+/// Numbers that `owner` keeps: read-only, without a copy.
+py::array view_of(const double* values, std::size_t count, const py::handle& owner);
+
+}  // namespace ringfilm::python
+
+namespace pybind11::detail {
+template <class Kind>
+struct type_caster<ringfilm::python::Given<Kind>> {
+  PYBIND11_TYPE_CASTER(ringfilm::python::Given<Kind>, Kind::name);
+  bool load(handle from, bool) {
+    value.value = reinterpret_borrow<object>(from);
+    return true;
+  }
+};
+}  // namespace pybind11::detail

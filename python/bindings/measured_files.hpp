@@ -1,0 +1,19 @@
+#pragma once
+#include "arguments.hpp"
+#include "ringfilm/instrument/surface_file.hpp"
+
+namespace ringfilm::python {
+
+/// What a user says of a file, and how the errors are to call it.
+/// @param step_name of the argument that has the step along x
+inline instrument::SurfaceOptions file_options(const GivenMaybeText& height_unit, const GivenMaybeText& lateral_unit,
+                                               const char* step_name, const GivenMaybeText& step) {
+  instrument::SurfaceOptions options;
+  options.height_unit = maybe_text_of("height_unit", height_unit.value, "um");
+  options.lateral_unit = maybe_text_of("lateral_unit", lateral_unit.value, "um");
+  options.step_x = maybe_text_of(step_name, step.value, "0.5 um");
+  options.words = {"channel=1", "height_unit=\"um\"", "lateral_unit=\"um\"", std::string(step_name) + "=\"0.5 um\""};
+  return options;
+}
+
+}  // namespace ringfilm::python
