@@ -143,6 +143,12 @@ std::string path_of(const char* name, const py::handle& value) {
   return text;
 }
 
+void check_type(const char* name, const py::handle& value, const py::handle& wanted) {
+  if (!py::isinstance(value, wanted)) {
+    refuse(name, "a " + py::cast<std::string>(wanted.attr("__name__")), value);
+  }
+}
+
 MaybeMasked maybe_masked_of(const char* name, const py::handle& value) {
   const auto wrong = [&](const std::string& what) {
     throw py::type_error(std::string(name) + " must be an array of real numbers, not " + what);

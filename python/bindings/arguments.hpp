@@ -47,6 +47,10 @@ struct MaybePair {
 struct Path {
   static constexpr auto name = py::detail::const_name("object");
 };
+template <class Type>
+struct One {
+  static constexpr auto name = py::detail::make_caster<Type>::name;
+};
 }  // namespace kinds
 
 using GivenNumbers = Given<kinds::Numbers>;
@@ -54,6 +58,10 @@ using GivenNumber = Given<kinds::Number>;
 using GivenMaybeNumber = Given<kinds::MaybeNumber>;
 using GivenText = Given<kinds::Text>;
 using GivenMaybeText = Given<kinds::MaybeText>;
+
+/// One of this module's classes.
+template <class Type>
+using GivenOne = Given<kinds::One<Type>>;
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
@@ -71,6 +79,16 @@ std::optional<std::string> maybe_text_of(const char* name, const py::handle& val
 /// A name of a file: str, bytes or os.PathLike. Throws TypeError for all else, InputError for what no file can be
 /// called.
 std::string path_of(const char* name, const py::handle& value);
+
+/// Throws TypeError for what is not of the class `wanted`.
+void check_type(const char* name, const py::handle& value, const py::handle& wanted);
+
+/// One of this module's classes. Throws TypeError for all else.
+template <class Type>
+Type& one_of(const char* name, const GivenOne<Type>& given) {
+  check_type(name, given.value, py::type::of<Type>());
+  return py::cast<Type&>(given.value);
+}
 
 /// Numbers of any shape and, where an array of numpy.ma has some masked, which.
 struct MaybeMasked {

@@ -15,6 +15,10 @@ const std::map<std::string, LoadUnit> kLoadUnits{{"V", LoadUnit::kVolt}, {"N", L
 const std::map<std::string, DeviationScale> kScales{{"stated", DeviationScale::kStated},
                                                     {"from-residuals", DeviationScale::kFromResiduals}};
 
+struct Samples {
+  static constexpr auto name = py::detail::make_caster<std::vector<instrument::ForceSample>>::name;
+};
+
 FrictionLoop loop_of(const GivenNumbers& position, const GivenNumbers& trace, const GivenNumbers& retrace) {
   return {0, row_of("position", position.value), row_of("trace", trace.value), row_of("retrace", retrace.value)};
 }
@@ -43,6 +47,7 @@ std::vector<instrument::ForceSample> read(const py::args& paths, const GivenNumb
                                           const GivenText& deviations, const GivenMaybeText& load_deviation) {
   std::vector<std::string> names;
   for (const auto path : paths) names.push_back(path_of("path", path));
+  if (names.empty()) throw InputError("no file is named", "name one CSV file of friction loops or more");
   instrument::ForceRule rule;
   rule.end_share = number_of("end_share", end_share.value, "");
   rule.deviations = chosen("deviations", deviations, kScales);
@@ -191,19 +196,26 @@ x, y: shape (points,) [any unit]. x_deviation, y_deviation: standard deviations,
 Source: York (2004).)");
   part.def(
       "calibrate_on_silicon",
-      [](const LineFit& silicon, const GivenText& load_unit, const Given<kinds::MaybePair>& value) {
+      [](const GivenOne<LineFit>& silicon, const GivenText& load_unit, const Given<kinds::MaybePair>& value) {
         const Uncertain reference = value.value.is_none() ? kSiliconAhimou : uncertain_of("reference", value.value);
-        return calibrate_on_silicon(silicon, chosen("load_unit", load_unit, kLoadUnits), reference);
+        return calibrate_on_silicon(one_of("silicon", silicon), chosen("load_unit", load_unit, kLoadUnits), reference);
       },
       py::arg("silicon"), py::arg("load_unit"), py::arg("reference") = py::none(),
       R"(psi from the line of silicon. load_unit: "V" or "N". reference: (coefficient of friction, its deviation);
 None: 0.19, 0.1 after Ahimou et al. (2007). Returns a Calibration. Raises InputError. Source: eq-psi-silicon.)");
   part.def(
       "boundary_shear_strengths",
-      [](const std::vector<instrument::ForceSample>& samples, const Calibration& calibration) {
+      [](const Given<Samples>& samples, const GivenOne<Calibration>& calibration) {
+        const py::handle given = samples.value;
+        if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given))
+          throw py::type_error("samples must be a list of ForceSample");
         std::vector<FrictionSample> lines;
-        for (const auto& sample : samples) lines.push_back({sample.name, sample.line, sample.load_unit});
-        const ShearStrengths all = boundary_shear_strengths(lines, calibration);
+        for (const py::handle one : given) {
+          const auto& sample =
+              one_of<instrument::ForceSample>("each of samples", {py::reinterpret_borrow<py::object>(one)});
+          lines.push_back({sample.name, sample.line, sample.load_unit});
+        }
+        const ShearStrengths all = boundary_shear_strengths(lines, one_of("calibration", calibration));
         const auto n = static_cast<py::ssize_t>(all.samples.size());
         py::array_t<double> covariance({n, n}, all.covariance.data());
         return py::make_tuple(all.samples, covariance);

@@ -28,7 +28,8 @@ struct Oil {
   double ambient_pressure;  ///< that of the air, as its laws count it [Pa]
 };
 
-Oil oil_of(CaseObject& self) {
+Oil oil_of(const GivenOne<CaseObject>& given) {
+  CaseObject& self = one_of("case", given);
   self.check();
   const cycle::Case& c = self.value();
   if (c.problem == cycle::Problem::kPad) return {pad::prepare_pad(c).oil, c.operating.oil_temperature, 0};
@@ -97,7 +98,7 @@ N [1/m2], beta [m], sigma [m], E_prime [Pa] of 2/E_prime = sum (1 - nu^2)/E. Sou
             if (!py::isinstance<GreenwoodTripp>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
             return py::bool_(state_of(self).equal(state_of(py::cast<const GreenwoodTripp&>(other))));
           },
-          "Are all parameters the same?")
+          py::arg("other"), "Are all parameters the same?")
       .def(py::pickle(&state_of,
                       [](const py::tuple& state) {
                         if (state.size() != 5) throw py::value_error("this is no pickle of a GreenwoodTripp");

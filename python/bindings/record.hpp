@@ -48,7 +48,7 @@ class Record {
           }
           return py::bool_(true);
         },
-        "Are all members the same? A NaN is not.");
+        py::arg("other"), "Are all members the same? A NaN is not.");
     type_.def(py::pickle(
         [parts = parts_](const Struct& self) {
           py::tuple state(parts->size());

@@ -119,11 +119,12 @@ void bind_records(py::module_& module) {
   measures.with("Sa_m", &SurfaceMeasures::Sa_m, "Mean absolute deviation [m].")
       .with("Sq_m", &SurfaceMeasures::Sq_m, "Rms deviation [m].")
       .with("moments", &SurfaceMeasures::moments, "Its SpectralMoments.");
-  measures.type().def(py::init([](const GivenNumber& Sa, const GivenNumber& Sq, const SpectralMoments& of) {
-                        return SurfaceMeasures{from_zero_on("Sa_m", Sa, "m"), from_zero_on("Sq_m", Sq, "m"), of};
-                      }),
-                      py::arg("Sa_m"), py::arg("Sq_m"), py::arg("moments"),
-                      "From lengths from 0 on [m] and SpectralMoments. Raises InputError.");
+  measures.type().def(
+      py::init([](const GivenNumber& Sa, const GivenNumber& Sq, const GivenOne<SpectralMoments>& of) {
+        return SurfaceMeasures{from_zero_on("Sa_m", Sa, "m"), from_zero_on("Sq_m", Sq, "m"), one_of("moments", of)};
+      }),
+      py::arg("Sa_m"), py::arg("Sq_m"), py::arg("moments"),
+      "From lengths from 0 on [m] and SpectralMoments. Raises InputError.");
   Record<AsperityParameters> asperities(module, "AsperityParameters",
                                         "What a contact model takes. Source: docs/theory/surface.md.");
   asperities.with("density_per_m2", &AsperityParameters::density_per_m2, "N [1/m2].")
@@ -208,23 +209,23 @@ Raises InputError for fewer than 16 complete stencils. Source: docs/theory, eq-s
       "Raises InputError. Source: docs/theory/surface.md.");
   module.def(
       "single_parameters",
-      [](const SurfaceMeasures& of, const GivenText& rule) {
-        return single_parameters(of, chosen("rule", rule, kRules));
+      [](const GivenOne<SurfaceMeasures>& of, const GivenText& rule) {
+        return single_parameters(one_of("surface", of), chosen("rule", rule, kRules));
       },
       py::arg("surface"), py::arg("rule") = "ra",
       "N, beta, sigma of one surface against a smooth flat. rule: \"ra\" or \"rq\", what sigma is. Raises InputError.");
   module.def(
       "pair_parameters",
-      [](const SurfaceMeasures& first, const SurfaceMeasures& second, const GivenText& rule) {
-        return pair_parameters(first, second, chosen("rule", rule, kRules));
+      [](const GivenOne<SurfaceMeasures>& first, const GivenOne<SurfaceMeasures>& second, const GivenText& rule) {
+        return pair_parameters(one_of("first", first), one_of("second", second), chosen("rule", rule, kRules));
       },
       py::arg("first"), py::arg("second"), py::arg("rule") = "ra",
       "N, beta, sigma of two surfaces in contact. rule: \"ra\" or \"rq\", what sigma is. Raises InputError. "
       "Source: eq-asperity-pair.");
   module.def(
       "asperity_parameters",
-      [](const SpectralMoments& of, const GivenNumber& sigma) {
-        return asperity_parameters(of, number_of("sigma", sigma.value, "m"));
+      [](const GivenOne<SpectralMoments>& of, const GivenNumber& sigma) {
+        return asperity_parameters(one_of("moments", of), number_of("sigma", sigma.value, "m"));
       },
       py::arg("moments"), py::arg("sigma"),
       "N and beta of moments; sigma [m] is taken over. Raises InputError. Source: eq-asperity-density.");
@@ -323,7 +324,7 @@ void bind_files(py::module_& module) {
             if (!py::isinstance<MeasuredMap>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
             return py::bool_(is_same(self, py::cast<const MeasuredMap&>(other)));
           },
-          "Are the heights and all that is told of them the same? Points that were not measured are.")
+          py::arg("other"), "Are the heights and all that is told of them the same? Points that were not measured are.")
       .def(py::pickle([](const MeasuredMap& self) { return self.state(); }, &map_of))
       .def(
           "__repr__",

@@ -140,6 +140,13 @@ def test_numbers_of_any_kind_are_numbers(step):
         (lambda: contact().pressure("1 um"), "h must be an array of real numbers, not '1 um'"),
         (lambda: laws.GreenwoodTripp(N=None, beta=1e-6, sigma=1e-6, E_prime=1e11), "N must be a number in 1/m2, not None"),
         (lambda: surface.SpectralMoments("0", 1, 1), "m0_m2 must be a number in m2, not '0'"),
+        (lambda: surface.SurfaceMeasures(0, 0, None), "moments must be a SpectralMoments, not None"),
+        (lambda: surface.single_parameters(3), "surface must be a SurfaceMeasures, not of type int"),
+        (lambda: surface.asperity_parameters((0, 1, 1), 1e-6), "moments must be a SpectralMoments, not of type tuple"),
+        (lambda: lateral_force.calibrate_on_silicon(0.2, "V"), "silicon must be a LineFit, not of type float"),
+        (lambda: lateral_force.boundary_shear_strengths([line()], None), "each of samples must be a ForceSample"),
+        (lambda: lateral_force.boundary_shear_strengths([], None), "calibration must be a Calibration, not None"),
+        (lambda: laws.oil("case.toml"), "case must be a Case, not 'case.toml'"),
     ],
 )
 def test_a_wrong_kind_is_said_in_one_sentence(call, words):
@@ -222,6 +229,8 @@ def with_one(value):
         (lambda: fitted(tilt=numpy.nan, levelling="stated"), "the tilt of the face is not a finite number"),
         (lambda: fitted(tilt=numpy.inf), "the tilt of the face is not a finite number"),
         (lambda: fitted(X, numpy.where(X == X[7], numpy.nan, GAP)), "point 8 has the height nan"),
+        (lambda: lateral_force.loop_friction(PLACES, 1e200 * SIGNAL, SIGNAL), "so large that"),
+        (lambda: lateral_force.read(), "no file is named"),
         (lambda: line().slope_half_width(1.5), "a confidence between 0 and 1 is wanted"),
         (lambda: line().slope_half_width(0), "a confidence between 0 and 1 is wanted"),
         (lambda: line().slope_half_width(numpy.nan), "a confidence between 0 and 1 is wanted"),

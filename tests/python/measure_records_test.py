@@ -19,6 +19,14 @@ def heights():
     return 1e-7 * numpy.random.default_rng(7).standard_normal((64, 64))
 
 
+def two_steps():
+    """A plateau of 0.1 um over valleys of 2 um in a tenth of the area."""
+    generator = numpy.random.default_rng(7)
+    z = 1e-7 * generator.standard_normal(40_000)
+    z[:4000] = -2e-6 * numpy.abs(generator.standard_normal(4000))
+    return numpy.sort(z)[::-1]
+
+
 def fit():
     x = numpy.linspace(0, 1.2e-3, 601)
     # A step in the middle that no polynomial follows, so that shapes are invented.
@@ -42,6 +50,7 @@ MADE = {
     "HeightStatistics": lambda: surface.height_statistics(heights(), 1e-6),
     "RowRoughness": lambda: surface.row_roughness(heights(), 1e-6),
     "CoreRoughness": lambda: surface.core_roughness(surface.bearing_curve(heights(), 1e-6)),
+    "ProbabilityRoughness": lambda: surface.probability_roughness(two_steps()),
     "Cavities": lambda: surface.cavities(surface.bearing_curve(heights(), 1e-6)),
     "Summits": lambda: surface.count_summits(heights(), 1e-6),
     "SummitTheory": lambda: surface.summit_theory(1e-12, 1e-3, 1e8),

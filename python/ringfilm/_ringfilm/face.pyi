@@ -9,7 +9,7 @@ from . import Case
 
 class FaceFit:
     """The shape of a ring face; its arrays are read-only. Source: docs/theory/face.md."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -108,7 +108,7 @@ class FaceFit:
 
 class FaceResidual:
     """Trace less fit."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -132,7 +132,7 @@ class FaceResidual:
 
 class InventedShape:
     """Where the polynomial has what the trace has not."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:

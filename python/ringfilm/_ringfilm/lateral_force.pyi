@@ -9,7 +9,7 @@ from . import Case
 
 class Calibration:
     """The factor psi of zeta = psi m."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -45,7 +45,7 @@ class Calibration:
 
 class ForceSample:
     """Loops of one sample and the line through them."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -73,7 +73,7 @@ class ForceSample:
 
 class LineFit:
     """y = offset + slope x. Source: York (2004), docs/theory, eq-line-weights."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -124,7 +124,7 @@ class LineFit:
 
 class LoadFriction:
     """All loops of one load."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -168,7 +168,7 @@ class LoadFriction:
 
 class LoopFriction:
     """A friction loop without its ends. Source: eq-friction-loop."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -200,7 +200,7 @@ class LoopFriction:
 
 class ShearStrength:
     """zeta of one sample. Source: eq-zeta, eq-zeta-shares."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:

@@ -19,7 +19,7 @@ class GreenwoodTripp:
     def N(self) -> object:
         """Density of asperity peaks [1/m2]."""
         ...
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all parameters the same?"""
         ...
     def __init__(self, N: float, beta: float, sigma: float, E_prime: float, integrals: str = 'exact') -> None:
@@ -76,7 +76,7 @@ class Walther:
     def B(self) -> object:
         """Its fall with temperature, above 0 [-]."""
         ...
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:

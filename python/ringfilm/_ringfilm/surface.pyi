@@ -9,7 +9,7 @@ from . import Case
 
 class AsperityParameters:
     """What a contact model takes. Source: docs/theory/surface.md."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -39,7 +39,7 @@ class AsperityParameters:
 
 class Cavities:
     """Pores and grooves. Source: docs/theory, eq-surface-cavities."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -87,7 +87,7 @@ class CoreRoughness:
     def Rvk_m(self) -> object:
         """Reduced valleys [m]."""
         ...
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -135,7 +135,7 @@ class HeightStatistics:
     def Sz_m(self) -> object:
         """Peak to pit [m]."""
         ...
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -159,7 +159,7 @@ class HeightStatistics:
 
 class MeasuredMap:
     """A map of heights as an instrument's file gave it."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are the heights and all that is told of them the same? Points that were not measured are."""
         ...
     def __repr__(self) -> str:
@@ -204,7 +204,7 @@ class ProbabilityRoughness:
     def Rvq_m(self) -> object:
         """Rms of the valleys [m]."""
         ...
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -224,7 +224,7 @@ class RowRoughness:
     def Rq_m(self) -> object:
         """Root of the mean square of Rq [m]."""
         ...
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -240,7 +240,7 @@ class RowRoughness:
 
 class SpectralMoments:
     """Variances of heights, slopes, curvatures. Source: eq-surface-moments."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __init__(self, m0_m2: float, m2: float, m4_per_m2: float) -> None:
@@ -267,7 +267,7 @@ class SpectralMoments:
 
 class SummitTheory:
     """What Gaussian isotropic surfaces should show, after Nayak (1971)."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -299,7 +299,7 @@ class SummitTheory:
 
 class Summits:
     """Summits counted one by one. Source: docs/theory, eq-summits."""
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __repr__(self) -> str:
@@ -343,7 +343,7 @@ class SurfaceMeasures:
     def Sq_m(self) -> object:
         """Rms deviation [m]."""
         ...
-    def __eq__(self, arg0: object) -> object:
+    def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""
         ...
     def __init__(self, Sa_m: float, Sq_m: float, moments: SpectralMoments) -> None:

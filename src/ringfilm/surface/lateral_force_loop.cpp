@@ -136,6 +136,11 @@ LoopFriction loop_friction(const FrictionLoop& loop, double end_share) {
                      "give longer lines or cut a smaller share");
   }
   const Mean tmr = mean_along(half_difference), offset = mean_along(half_sum);
+  for (const double value : {tmr.value, tmr.deviation, offset.value, offset.deviation}) {
+    if (std::isfinite(value)) continue;
+    throw InputError("the signals of a friction loop are so large that their scatter cannot be told in numbers",
+                     "trace and retrace are in volts");
+  }
   return {tmr.value, tmr.deviation, offset.value, offset.deviation, static_cast<int>(half_difference.size())};
 }
 
