@@ -46,8 +46,7 @@ def batch_to_pandas(batch):
 
 def pad_to_xarray(result):
     """The dataset that xarray reads from the file of a pad."""
-    dataset = _dataset(result._dataset(), {"title": result.title})
-    return dataset.assign_coords(time=dataset["time"])
+    return _dataset(*result._dataset())
 
 
 def pad_to_pandas(result):
