@@ -1,7 +1,7 @@
 """Mixed lubrication of piston rings: friction, film and oil flow over an engine cycle, from measured surfaces.
 
     import ringfilm
-    case = ringfilm.Case.read("cases/fired-1500rpm.toml")
+    case = ringfilm.Case.read("cases/styles2014/new.toml")
     case["operating.speed"] = "2000 rpm"
     result = case.run()
     result.fmep, result.min_film_thickness, result.to_xarray(), result.plot()
@@ -26,6 +26,8 @@ from ._ringfilm import (
     version,
 )
 from .errors import ConvergenceError, Fault, InputError, OutputError
+
+__version__ = version().split()[1]
 
 __all__ = [
     "BatchResult",
