@@ -6,8 +6,8 @@
     result = case.run()
     result.fmep, result.min_film_thickness, result.to_xarray(), result.plot()
 
-All numbers are in SI, crank angles in degrees with 0 = firing TDC. The names are those of the case files, of the result
-files and of the C++ library; docs/manual/python.md has examples.
+All numbers are in SI, crank angles in degrees, those of results from 0 = firing TDC to 720. The names are those of the
+case files, of the result files and of the C++ library; docs/manual/python.md has examples.
 """
 
 from . import face, lateral_force, laws, surface

@@ -73,9 +73,11 @@ def draw_over_angle(axes, angles, values, **style):
     alone = numpy.flatnonzero(there[1:-1] & ~there[:-2] & ~there[2:])
     if angles.size > 1 and numpy.median(numpy.diff(angles)) > _COARSE:
         alone = numpy.flatnonzero(there[1:-1])
-    marker = {"--": "x", ":": "+"}.get(style.get("linestyle"), "o")
-    marked = {"marker": marker, "markersize": 3.5 if marker == "o" else 6, "markevery": list(alone)} if alone.size else {}
-    line, = axes.plot(x, y, **{"linewidth": 1.3, **marked, **style})
+    look = {"linewidth": 1.3, **style}
+    if alone.size:
+        marker = {"--": "x", ":": "+"}.get(style.get("linestyle"), "o")
+        look = {"marker": marker, "markersize": 3.5 if marker == "o" else 6, "markevery": list(alone), **look}
+    line, = axes.plot(x, y, **look)
     return line
 
 

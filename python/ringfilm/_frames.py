@@ -156,7 +156,8 @@ def study_to_pandas(study):
     """Factors as columns, scenarios as rows."""
     import pandas
 
-    frame = pandas.DataFrame({"base": study.base_of, **{factor["variable"]: column for factor, column in _columns(study)}})
+    columns = {factor["variable"]: column for factor, column in _columns(study)}
+    frame = pandas.DataFrame({"base": study.base_of, **columns})
     frame.index.name = "scenario"
     frame.attrs.update(title=study.title, units={factor["variable"]: factor["unit"] for factor in study.factors})
     return frame

@@ -12,7 +12,8 @@ def plot_pad(result, what="film", axes=None, label=None, **style):
     """See PadResult.plot."""
     names = list(result.values)
     if what not in ("film", *_ALONG, *names):
-        raise ValueError(f"{what!r} cannot be drawn; one of film, {', '.join(_ALONG)}, or a number of the pad over time")
+        known = ", ".join(("film", *_ALONG))
+        raise ValueError(f"{what!r} cannot be drawn; one of {known}, or a number of the pad over time")
     if what == "film" and (axes is not None or label is not None or style):
         raise ValueError("'film' is a figure of two panels: axes, label and style are for film_thickness, pressure, "
                          "fill or a number of the pad")

@@ -125,7 +125,7 @@ def test_labels_stay_beside_their_panels_with_their_unit(result, what):
 
 
 def test_a_long_title_is_told_in_lines_that_fit(case):
-    case["title"] = "all that an engineer wants to say about engine, ring, oil and liner, and its price of $5 or $6, " * 4
+    case["title"] = "all that one wants to say about engine, ring, oil and liner, and its price of $5 or $6, " * 4
     figure = case.run().plot()
     left, bottom, right, top = reaches(figure, figure.texts[0])
     assert 0 <= left < right <= 1 and 0 <= bottom < top <= reaches(figure, figure.axes[-1].xaxis.label)[1]
