@@ -33,7 +33,7 @@ def shown(values, quantity):
 
 
 def fitting_unit(values, quantity):
-    """(unit, factor to SI) in which the numbers can be read: that of the quantity, if they are of its size."""
+    """(unit, size in SI) in which the numbers can be read: that of the quantity, if they are of its size."""
     finite = numpy.abs(numpy.asarray(values)[numpy.isfinite(values)])
     largest = finite.max(initial=0.0)
     factor, offset = _unit_scale(quantity.display_unit, quantity.unit)
@@ -42,7 +42,8 @@ def fitting_unit(values, quantity):
     for unit, size, most in _BY_SIZE.get(quantity.unit, ()):
         if 1 <= largest / size < most:
             return unit, size
-    return quantity.unit, 1.0
+    plain_units = ((quantity.display_unit, factor), (quantity.unit, 1.0))
+    return min(plain_units, key=lambda of: abs(numpy.log10(largest / of[1]) - 1))
 
 
 def label_of(long_name, unit, width=_LABEL_WIDTH):
@@ -108,6 +109,8 @@ def crank_axis(axes, peak, strokes="above"):
     for angle in (-360, -180, 0, 180, 360):
         axes.axvline(angle, color="0.8", linewidth=0.8, zorder=0, gid=_FRAME)
     up = strokes == "above"
+    if strokes == "inside":
+        axes.set_ymargin(0.1)  # room for the words
     for angle, stroke in _STROKES if strokes != "none" else ():
         axes.annotate(stroke, (angle, 1), xycoords=("data", "axes fraction"), xytext=(0, 2 if up else -2),
                       textcoords="offset points", ha="center", va="bottom" if up else "top", fontsize=7, color="0.45")

@@ -50,15 +50,13 @@ def _described(name):
 def _in_reading_unit(axes, which, values, name):
     """Numbers in a unit of their size; the axis says which, and an axis that has one already keeps it."""
     quantity = _described(name)
-    unit, factor = axes_unit(axes, which) or fitting_unit(values, quantity)
-    setattr(axes, f"_ringfilm_unit_{which}", (unit, factor))
-    getattr(axes, f"set_{which}label")(label_of(quantity.long_name, unit), fontsize=8)
+    axis = getattr(axes, f"{which}axis")
+    before, unit, factor = getattr(axis, "_ringfilm_unit", (None, None, None))
+    if before != quantity.unit or not axes.lines:
+        unit, factor = fitting_unit(values, quantity)
+        axis._ringfilm_unit = (quantity.unit, unit, factor)
+    axis.set_label_text(label_of(quantity.long_name, unit), fontsize=8)
     return numpy.asarray(values) / factor
-
-
-def axes_unit(axes, which):
-    """(unit, factor) of what was drawn before; None in empty axes."""
-    return getattr(axes, f"_ringfilm_unit_{which}", None) if axes.lines else None
 
 
 def _draw_along(axes, result, name, style):

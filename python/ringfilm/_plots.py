@@ -116,6 +116,12 @@ def _refuse_without_curves(result):
     raise ValueError("this result has no curves: run the batch with curves=\"all\"")
 
 
+def _without_aliases(style):
+    from matplotlib import cbook, lines
+
+    return cbook.normalize_kwargs(style, lines.Line2D)
+
+
 def plot_result(result, what="overview", axes=None, label=None, **style):
     """See Result.plot."""
     curves = _curves()
@@ -131,6 +137,9 @@ def plot_result(result, what="overview", axes=None, label=None, **style):
         return _plot_panels(result, _PANELS[what])
     if what in curves and not numpy.size(result[what]):
         raise ValueError(f"this result has no {what}: its film is not unrolled")
+    if axes is not None and not hasattr(axes, "plot"):
+        raise ValueError(f"axes is one matplotlib Axes, not {type(axes).__name__}")
+    style = _without_aliases(style)
     draw = _draw_stribeck if what == "stribeck" else _draw_over_cycle if what in curves else _draw_field
     if axes is not None:
         draw(axes, result, what, {"label": plain(_name_of(result) if label is None else label), **style}, "inside")
@@ -146,9 +155,6 @@ def plot_result(result, what="overview", axes=None, label=None, **style):
 
 def _own_look(style, strokes):
     """In a figure of ours the colour is ours, in axes of others it is the next of theirs."""
-    from matplotlib import cbook, lines
-
-    style = cbook.normalize_kwargs(style, lines.Line2D)
     return style if strokes == "inside" else {**TOTAL, **style}
 
 

@@ -221,3 +221,13 @@ def test_a_second_pad_keeps_the_unit_of_the_first():
     plot_pad(pad("inclined_slider"), "film_thickness", axes)
     assert axes.get_ylabel() == "film thickness [m]"
     assert axes.lines[1].get_ydata().max() == pytest.approx(20e-6)
+
+
+def test_small_flows_of_a_pad_keep_their_small_unit():
+    from ringfilm._drawing import fitting_unit
+
+    flow = next(quantity for quantity in ringfilm.quantities()["pad"] if quantity.name == "mass_flow_left")
+    assert fitting_unit([2e-5], flow) == ("g/(m s)", pytest.approx(1e-3))
+    gap = next(quantity for quantity in ringfilm.quantities()["pad_film"] if quantity.name == "film_thickness")
+    for size, unit in ((5e-8, "nm"), (5e-7, "um"), (2e-3, "mm"), (0.5, "m"), (0.0, "um")):
+        assert fitting_unit([size, numpy.nan, -size], gap)[0] == unit
