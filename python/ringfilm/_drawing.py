@@ -11,6 +11,7 @@ TOTAL = {"color": "#000000", "linestyle": "-"}
 BOUNDARY = {"color": "#D55E00", "linestyle": "--"}
 VISCOUS = {"color": "#0072B2", "linestyle": ":"}
 
+BY_ANGLE = "crank angle [degree], 0 = firing TDC"
 _STROKES = ((-270, "intake"), (-90, "compression"), (90, "power"), (270, "exhaust"))
 _LABEL_WIDTH, _CAPTION_WIDTH = 28, 140  # letters, as high as a panel and as wide as a figure
 _FRAME = "ringfilm-crank-axis"
@@ -114,6 +115,11 @@ def crank_axis(axes, peak, strokes="above"):
     for angle, stroke in _STROKES if strokes != "none" else ():
         axes.annotate(stroke, (angle, 1), xycoords=("data", "axes fraction"), xytext=(0, 2 if up else -2),
                       textcoords="offset points", ha="center", va="bottom" if up else "top", fontsize=7, color="0.45")
+
+
+def dotted_line(result):
+    """What a caption says of the line of the peak pressure."""
+    return " Dotted grey line: peak of the gas pressure." if numpy.isfinite(result.peak_gas_pressure_angle) else ""
 
 
 def new_figure(n_panels):
