@@ -231,6 +231,14 @@ py::dict dataset(const py::object& object) {
     attributes["long_name"] = quantities[q].long_name;
     variables[py::str(quantities[q].name)] = py::make_tuple(scenario, view(self.values[q], object), attributes);
   }
+  const Plan& plan = self.loaded->plan;
+  py::array_t<std::int8_t> sample(static_cast<py::ssize_t>(plan.size()));
+  for (std::uint64_t i = 0; i < plan.size(); ++i)
+    sample.mutable_at(static_cast<py::ssize_t>(i)) = plan.is_sample(plan.point_of(i)) ? 1 : 0;
+  py::dict attributes;
+  attributes["units"] = "1";
+  attributes["long_name"] = "1 where the scenario is one of a sample, of which means and quantiles may be taken";
+  variables["sample"] = py::make_tuple(scenario, sample, attributes);
   return variables;
 }
 

@@ -2,12 +2,13 @@
 
 import gc
 import pickle
+import re
 
 import numpy
 import pytest
 
 import ringfilm
-from conftest import PAD
+from conftest import PAD, SOURCES
 
 
 @pytest.fixture
@@ -172,3 +173,13 @@ def test_a_file_name_with_a_null_byte_writes_nothing(result, folder):
     with pytest.raises(ValueError, match="null byte"):
         result.write("a\0b.nc")
     assert not (folder / "a").exists()
+
+
+def test_the_version_is_that_of_the_program(result, run_program):
+    assert run_program("--version").stdout.split()[1] == ringfilm.__version__
+    assert result.provenance["program"] == f"ringfilm {ringfilm.__version__}"
+
+
+def test_the_first_example_of_the_module_names_a_case_that_there_is():
+    named = re.search(r'Case.read\("(.*)"\)', ringfilm.__doc__).group(1)
+    assert (SOURCES / named).is_file()
