@@ -5,7 +5,9 @@
 
 #include "case_object.hpp"
 #include "errors.hpp"
+#include "interpreter.hpp"
 #include "result_object.hpp"
+#include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/film/kernels.hpp"
 #include "run.hpp"
 
@@ -33,34 +35,65 @@ class Batch {
       : cases_(std::move(cases)), total_(std::move(total)), curves_(curves), progress_(std::move(progress)) {}
 
   py::list run(int threads) {
-    {
-      const py::gil_scoped_release others_go_on;
-      study::simulate_cases([this] { return next(); }, [this](study::Ending ending) { put(std::move(ending)); },
-                            {threads});
-    }
+    Interruptible batch;
+    study::BatchOptions options;
+    options.threads = threads;
+    options.pulse = [&batch] { batch.pulse(); };
+    batch.run([&] {
+      study::simulate_cases([this] { return next(); }, [this](study::Ending ending) { end(std::move(ending)); },
+                            options);
+    });
     return results_;
   }
 
  private:
+  /// A case of the batch, and where its result is to stand.
+  struct Given {
+    std::size_t place;
+    cycle::Case input;
+  };
+
   std::optional<cycle::Case> next() {
     const py::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (cases_ == py::iterator::sentinel()) return std::nullopt;
-    const py::object one = py::reinterpret_borrow<py::object>(*cases_);
-    if (!py::isinstance<CaseObject>(one)) {
-      throw py::type_error("simulate_many takes cases, not " + py::cast<std::string>(py::repr(py::type::of(one))));
+    for (; cases_ != py::iterator::sentinel(); ++cases_) {
+      const py::object one = py::reinterpret_borrow<py::object>(*cases_);
+      if (!py::isinstance<CaseObject>(one)) {
+        throw py::type_error("simulate_many takes cases, not " + py::cast<std::string>(py::repr(py::type::of(one))));
+      }
+      auto& object = one.cast<CaseObject&>();
+      Given given{results_.size(), object.value()};
+      results_.append(py::none());
+      try {
+        check(object);
+      } catch (const InputError& refusal) {
+        study::Ending ending{0, {}, std::nullopt, refusal};
+        ending.result.values = cycle::no_cycle_values();
+        put(std::move(given), std::move(ending));
+        continue;
+      }
+      cycle::Case input = given.input;
+      given_.push_back(std::move(given));
+      ++cases_;
+      return input;
     }
-    cycle::Case input = one.cast<const CaseObject&>().value();
-    results_.append(py::none());
-    inputs_.push_back(input);
-    ++cases_;
-    return input;
+    return std::nullopt;
   }
 
-  void put(study::Ending ending) {
+  static void check(CaseObject& one) {
+    if (one.value().problem == cycle::Problem::kPad) {
+      throw InputError("this is a pad, which has no engine cycle", "run it by itself: case.run()");
+    }
+    one.check();
+  }
+
+  void end(study::Ending ending) {
     const py::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    const std::size_t i = ending.index;
+    std::optional<Given>& given = given_[ending.index];
+    put(std::move(*given), std::move(ending));
+    given.reset();
+  }
+
+  void put(Given given, study::Ending ending) {
     std::string reason = ending.reason();
     if (curves_ == Curves::kNone) {
       cycle::CycleResult values;
@@ -73,9 +106,8 @@ class Batch {
       ending.result = std::move(values);
     }
     if (!ending.is_solved()) ending.result.complete = false;
-    results_[i] = py::cast(std::make_unique<ResultObject>(std::move(inputs_[i].value()), std::move(ending.result),
-                                                          provenance_, std::move(reason)));
-    inputs_[i].reset();
+    results_[given.place] = py::cast(std::make_unique<ResultObject>(std::move(given.input), std::move(ending.result),
+                                                                    provenance_, std::move(reason)));
     ++n_ended_;
     if (!progress_.is_none()) progress_(n_ended_, total_);
   }
@@ -85,7 +117,7 @@ class Batch {
   Curves curves_;
   py::object progress_;
   io::Provenance provenance_ = of_batch();
-  std::vector<std::optional<cycle::Case>> inputs_;  ///< of cases on their way
+  std::vector<std::optional<Given>> given_;  ///< those on their way, in the order of the batch
   py::list results_;
   std::size_t n_ended_ = 0;
 };

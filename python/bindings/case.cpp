@@ -28,13 +28,15 @@ const Field& known_field(const std::string& key) {
                    near.empty() ? "ringfilm.fields() lists all keys" : "");
 }
 
-CaseObject read_case(const py::object& path, const py::dict& overrides) {
-  const auto name = py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
+CaseObject read_case(const py::object& path, const std::optional<py::dict>& overrides) {
+  const auto name = path_of(path);
   auto units = std::make_shared<const io::Units>();
-  if (overrides.empty()) return {io::read_case(name, {}, *units), units};
+  if (!overrides || overrides->empty()) return {io::read_case(name, {}, *units), units};
   // As --set has them, so that what is missing in the file may be among them.
   std::vector<io::Override> changes;
-  for (const auto& [key, value] : overrides) {
+  for (const auto& [key, value] : *overrides) {
+    if (!py::isinstance<py::str>(key))
+      throw py::type_error("overrides: " + py::cast<std::string>(py::repr(key)) + " is no key");
     const auto text = py::cast<std::string>(key);
     if (value.is_none()) {
       changes.push_back({text, ""});
@@ -65,17 +67,23 @@ std::vector<std::string> check(CaseObject& self) {
   return notes;
 }
 
+std::string text_of(const CaseObject& self, const std::string& key) {
+  const Field& field = known_field(key);
+  return is_missing(field, self.value()) ? "" : io::written_value(field, self.value(), self.units());
+}
+
 py::dict assumed(const CaseObject& self) {
   py::dict assumed;
   for (const std::string& key : keys_in_use(self)) {
     if (self.value().stated.contains(key)) continue;
-    const std::string text = io::written_value(known_field(key), self.value(), self.units());
+    const std::string text = text_of(self, key);
     if (!text.empty()) assumed[py::str(key)] = text;
   }
   return assumed;
 }
 
-std::vector<std::string> assumptions(const CaseObject& self) {
+std::vector<std::string> assumptions(CaseObject& self) {
+  self.check();
   std::vector<std::string> statements;
   for (const study::LedgerEntry& entry : study::assumptions(self.value())) statements.push_back(entry.statement);
   return statements;
@@ -184,7 +192,7 @@ void CaseObject::check() {
 
 void bind_case(py::module_& module) {
   py::class_<CaseObject> type(module, "Case", kCaseDoc);
-  type.def_static("read", &read_case, py::arg("path"), py::arg("overrides") = py::dict(),
+  type.def_static("read", &read_case, py::arg("path"), py::arg("overrides") = py::none(),
                   R"(A case from a TOML file, with all files that it names.
 
 path: name of the file, a str or a path.
@@ -210,16 +218,23 @@ Raises InputError for an unknown key, a wrong unit, a value out of range; TypeEr
       "__iter__", [](const CaseObject& self) { return py::iter(py::cast(keys_in_use(self))); }, "Over keys().");
   type.def("keys", &keys_in_use, "The keys that are in use, stated or not, in the order of a case file.");
   type.def(
-      "text",
-      [](const CaseObject& self, const std::string& key) {
-        return io::written_value(known_field(key), self.value(), self.units());
+      "items",
+      [](const CaseObject& self) {
+        py::list items;
+        for (const std::string& key : keys_in_use(self))
+          items.append(py::make_tuple(key, si_value(known_field(key), self.value())));
+        return items;
       },
-      py::arg("key"),
-      R"(The value of a key as a case file has it, in the unit people use: '"2000 rpm"'. Empty where there is none.
+      "The keys in use with their values, a list of tuples (key, value).");
+  type.def(
+      "__len__", [](const CaseObject& self) { return keys_in_use(self).size(); }, "How many keys are in use.");
+  type.def("text", &text_of, py::arg("key"),
+           R"(The value of a key as a case file has it, in the unit people use: '"2000 rpm"'. Empty where there is none.
 Raises InputError for a key that does not exist.)");
   type.def("assumed", &assumed, "The keys in use that the case does not state, with their values as text().");
   type.def("assumptions", &assumptions,
-           "What a cycle of this case takes for granted, a sentence each. Source: docs/theory/assumptions.md.");
+           "What a cycle of this case takes for granted, a sentence each. Raises InputError as check() does. Source: "
+           "docs/theory/assumptions.md.");
   type.def("check", &check,
            R"(Checks the case as a whole. Returns what the program has to say about it, a list of sentences.
 Raises InputError with everything that is wrong.)");
@@ -275,7 +290,7 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
       py::arg("other"), "Have both cases the same values, from files with the same bytes?");
   type.attr("__hash__") = py::none();
   type.def("__repr__", &repr, "Title, file and number of stated keys.");
-  type.def(py::pickle(&state_of, &from_state));
+  picklable(type, &state_of, &from_state);
   module.def("starting_case", &io::starting_case,
              "A commented, complete case file to start from, a str, as `ringfilm new` writes it.");
 }

@@ -143,7 +143,13 @@ bool is_truth_value(const py::handle& value) {
   return PyBool_Check(value.ptr()) != 0 || py::str(py::type::of(value)).cast<std::string>() == "<class 'numpy.bool_'>";
 }
 
-bool is_whole(const py::handle& value) { return PyIndex_Check(value.ptr()) != 0; }
+/// Throws UnicodeEncodeError for a text that is none (lone surrogates).
+std::string words_of(const py::handle& value) {
+  Py_ssize_t size = 0;
+  const char* words = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
+  if (words == nullptr) throw py::error_already_set();
+  return {words, static_cast<std::size_t>(size)};
+}
 
 TomlValue text(const std::string& words) {
   TomlValue value;
@@ -170,9 +176,9 @@ class Toml {
   Toml(const py::handle& value, const Field& field) : value_(value), field_(field) {}
 
   TomlValue operator()() const {
-    if (py::isinstance<py::str>(value_)) return text(py::cast<std::string>(value_));
-    if (py::hasattr(value_, "__fspath__")) return text(py::cast<std::string>(value_.attr("__fspath__")()));
-    if (is_truth_value(value_)) refuse();
+    if (py::isinstance<py::str>(value_)) return text(words_of(value_));
+    if (py::hasattr(value_, "__fspath__")) return text(path_of(py::reinterpret_borrow<py::object>(value_)));
+    if (is_truth_value(value_) || py::isinstance<py::bytes>(value_)) refuse();
     if (py::isinstance<py::dict>(value_)) refuse();
     if (py::hasattr(value_, "__len__") && py::hasattr(value_, "__getitem__") && !is_scalar_array(value_)) return list();
     return one_number(value_);
@@ -200,7 +206,7 @@ class Toml {
   TomlValue one_number(const py::handle& value) const {
     const double x = plain(value);
     if (std::holds_alternative<cycle::CountKind>(field_.kind)) {
-      return number(x, is_whole(value) ? TomlValue::Kind::kInteger : TomlValue::Kind::kNumber);
+      return number(x, std::trunc(x) == x ? TomlValue::Kind::kInteger : TomlValue::Kind::kNumber);
     }
     return quantity(x, field_.unit);
   }
@@ -215,7 +221,7 @@ class Toml {
       if (has_temperatures) {
         list.items.push_back(temperature_value(item));
       } else if (py::isinstance<py::str>(item)) {
-        list.items.push_back(text(py::cast<std::string>(item)));
+        list.items.push_back(text(words_of(item)));
       } else {
         list.items.push_back(number(plain(item)));
       }
@@ -240,7 +246,7 @@ class Toml {
   }
 
   TomlValue part(const py::handle& value, const std::string& unit) const {
-    if (py::isinstance<py::str>(value)) return text(py::cast<std::string>(value));
+    if (py::isinstance<py::str>(value)) return text(words_of(value));
     return quantity(plain(value), unit);
   }
 
@@ -253,7 +259,15 @@ Case& readable(const Case& c) { return const_cast<Case&>(c); }
 
 }  // namespace
 
-py::object si_value(const Field& field, const Case& c) { return std::visit(SiValue(readable(c)), field.kind); }
+bool is_missing(const Field& field, const Case& c) {
+  const bool is_required = field.need == cycle::Need::kRequired ||
+                           (field.need == cycle::Need::kRequiredInCycle && c.problem == cycle::Problem::kCycle);
+  return is_required && !c.stated.contains(field.key);
+}
+
+py::object si_value(const Field& field, const Case& c) {
+  return is_missing(field, c) ? py::none() : std::visit(SiValue(readable(c)), field.kind);
+}
 
 TomlValue toml_value(const py::handle& value, const Field& field) { return Toml(value, field)(); }
 

@@ -8,6 +8,9 @@
 /// Values of case keys as Python has them.
 namespace ringfilm::python {
 
+/// Is it a key without which there is no case, and does this case not state it?
+bool is_missing(const cycle::Field& field, const cycle::Case& c);
+
 /// The value of a key in SI: a float, an int, a str, a list, None where the case has none.
 py::object si_value(const cycle::Field& field, const cycle::Case& c);
 

@@ -18,6 +18,18 @@ py::object DatasetWriter::objects(const py::list& texts) {
   return py::module_::import("numpy").attr("array")(texts, py::arg("dtype") = py::dtype("O"));
 }
 
+std::optional<std::vector<py::ssize_t>> DatasetWriter::shape_of(const std::vector<const char*>& dimensions,
+                                                                std::size_t n_values) {
+  if (n_values == 0) return std::nullopt;
+  if (dimensions.size() == 1) sizes_[dimensions.front()] = n_values;
+  std::vector<py::ssize_t> shape;
+  for (const char* dimension : dimensions) {
+    if (!sizes_.contains(dimension)) return std::nullopt;
+    shape.push_back(static_cast<py::ssize_t>(sizes_[dimension]));
+  }
+  return shape;
+}
+
 void DatasetWriter::put(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
                         const py::object& values) {
   py::dict attributes;

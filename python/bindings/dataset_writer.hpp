@@ -60,13 +60,14 @@ class DatasetWriter {
   template <class Number>
   void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
                const std::vector<Number>& values) {
-    if (dimensions.size() == 1 && !values.empty()) sizes_[dimensions.front()] = values.size();
-    std::vector<py::ssize_t> shape;
-    for (const char* dimension : dimensions) {
-      if (!sizes_.contains(dimension)) return;
-      shape.push_back(static_cast<py::ssize_t>(sizes_[dimension]));
-    }
-    if (!values.empty()) put(dimensions, quantity, view(values, shape, owner_));
+    if (const auto shape = shape_of(dimensions, values.size())) put(dimensions, quantity, view(values, *shape, owner_));
+  }
+
+  /// Numbers that nobody keeps.
+  void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+               std::vector<double>&& values) {
+    if (const auto shape = shape_of(dimensions, values.size()))
+      put(dimensions, quantity, py::array_t<double>(*shape, values.data()));
   }
 
   void scalar(const cycle::Quantity& quantity, double value) { put({}, quantity, py::float_(value)); }
@@ -86,6 +87,8 @@ class DatasetWriter {
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
   }
   static py::object objects(const py::list& texts);
+  /// Nothing where there is nothing to tell.
+  std::optional<std::vector<py::ssize_t>> shape_of(const std::vector<const char*>& dimensions, std::size_t n_values);
   void put(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity, const py::object& values);
 
   py::object owner_;

@@ -1,7 +1,10 @@
 #pragma once
+#include <atomic>
 #include <chrono>
+#include <functional>
 
 #include "bindings.hpp"
+#include "ringfilm/study/threads.hpp"
 
 namespace ringfilm::python {
 
@@ -23,6 +26,31 @@ class Interpreter {
   using Clock = std::chrono::steady_clock;
   bool is_visited_ = false;
   Clock::time_point next_;
+};
+
+/// Work on threads of its own that Ctrl-C ends.
+class Interruptible {
+ public:
+  /// Does the work without the interpreter lock. Python tells of signals on its main thread alone, and there only when
+  /// asked: so this thread asks, whatever the work is at.
+  void run(const std::function<void()>& work) {
+    const py::gil_scoped_release others_go_on;
+    study::look_after(work, [this] {
+      const py::gil_scoped_acquire lock;
+      if (PyErr_CheckSignals() == 0) return;
+      is_to_end_ = true;
+      throw py::error_already_set();
+    });
+  }
+
+  /// For the work to call now and then, from any thread: throws where it is to end.
+  void pulse() const {
+    if (is_to_end_) throw Interrupted{};
+  }
+
+ private:
+  struct Interrupted {};
+  std::atomic<bool> is_to_end_ = false;
 };
 
 }  // namespace ringfilm::python

@@ -1,17 +1,14 @@
 #include <algorithm>
 
+#include "dataset_writer.hpp"
 #include "pad_object.hpp"
-#include "result_object.hpp"
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/case_file.hpp"
+#include "ringfilm/io/pad_file_layout.hpp"
 #include "ringfilm/io/pad_netcdf.hpp"
 
 namespace ringfilm::python {
 namespace {
-
-std::string path_of(const py::object& path) {
-  return py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
-}
 
 using Film = std::vector<double> pad::Profile::*;
 
@@ -36,31 +33,10 @@ py::dict values(const PadObject& self) {
   return values;
 }
 
-/// Variables as (dimensions, array, attributes), for to_xarray.
-py::dict dataset(const py::object& self) {
-  const auto& pad = self.cast<const PadObject&>();
-  py::dict variables;
-  const auto add = [&](const cycle::Quantity& quantity, const py::tuple& dimensions, const py::object& numbers) {
-    py::dict attributes;
-    if (!quantity.unit.empty()) attributes["units"] = quantity.unit;
-    attributes["long_name"] = quantity.long_name;
-    variables[py::str(quantity.name)] = py::make_tuple(dimensions, numbers, attributes);
-  };
-  const auto described = [](const std::string& name) {
-    const auto& all = pad::profile_quantities();
-    return *std::find_if(all.begin(), all.end(), [&](const auto& quantity) { return quantity.name == name; });
-  };
-  for (const auto& quantity : pad::told_quantities(pad.result())) {
-    add(quantity, py::make_tuple("time"), column_view(pad.result().samples, quantity.value, self));
-  }
-  add(described("x"), py::make_tuple("x"), view(pad.result().x, self));
-  const bool has_width = !pad.result().y.empty();
-  if (has_width) add(pad::place_across(), py::make_tuple("y"), view(pad.result().y, self));
-  const py::tuple grid = has_width ? py::make_tuple("time", "y", "x") : py::make_tuple("time", "x");
-  add(described("film_thickness"), grid, film(pad, &pad::Profile::film_thickness));
-  add(described("pressure"), grid, film(pad, &pad::Profile::pressure));
-  add(described("fill"), grid, film(pad, &pad::Profile::fill));
-  return variables;
+py::tuple dataset(const py::object& self) {
+  DatasetWriter writer(self);
+  io::put_pad(writer, self.cast<const PadObject&>().document());
+  return py::make_tuple(writer.variables(), writer.attributes());
 }
 
 void bind_numbers(py::class_<PadObject>& type) {
@@ -128,18 +104,28 @@ Source: docs/theory/pad.md.)");
         io::write_atomically(path_of(path), io::pad_csv(self.result()));
       },
       py::arg("path"), "Writes the film along the pad as `ringfilm run --csv`. Raises OutputError.");
-  type.def("_dataset", &dataset, "Variables for to_xarray.");
+  type.def("_dataset", &dataset, "Variables and attributes of the result file, for to_xarray.");
   type.def(
       "to_xarray",
       [](const py::object& self) { return py::module_::import("ringfilm._frames").attr("pad_to_xarray")(self); },
-      "The result as an xarray.Dataset over time, x and, with a width, y; SI.");
+      "The result as an xarray.Dataset over time, x and, with a width, y, as xarray reads it from the file of write(); "
+      "SI.");
   type.def(
       "to_pandas",
       [](const py::object& self) { return py::module_::import("ringfilm._frames").attr("pad_to_pandas")(self); },
       "The numbers of all instants as a pandas.DataFrame, indexed by time [s]; units in attrs.");
   type.def(
-      "plot", [](const py::object& self) { return py::module_::import("ringfilm._plots").attr("plot_pad")(self); },
-      "Draws gap and pressure of the last instant. Returns the matplotlib.figure.Figure.");
+      "plot",
+      [](const py::object& self, const std::string& what, const py::object& axes, const py::object& label,
+         const py::kwargs& style) {
+        return py::module_::import("ringfilm._plots").attr("plot_pad")(self, what, axes, label, **style);
+      },
+      py::arg("what") = "film", py::arg("axes") = py::none(), py::arg("label") = py::none(),
+      R"(Draws the pad with matplotlib, in units that go by the size of the numbers.
+
+what: "film" (gap and pressure of the last instant), "film_thickness", "pressure", "fill", or a number over time ("load").
+axes, label, style: as in Result.plot; not for "film", which is two panels.
+Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn.)");
   type.def(
       "__repr__",
       [](const PadObject& self) {
@@ -147,6 +133,7 @@ Source: docs/theory/pad.md.)");
                "\": " + std::to_string(self.result().samples.size()) + " instants>";
       },
       "Title and number of instants.");
+  picklable(type, &state_of, &pad_of_state);
 }
 
 }  // namespace ringfilm::python

@@ -10,6 +10,7 @@ namespace ringfilm::python {
 class PadObject {
  public:
   PadObject(const cycle::Case& input, pad::PadResult result);
+  explicit PadObject(io::PadDocument document) : document_(std::move(document)) {}
 
   const io::PadDocument& document() const { return document_; }
   const pad::PadResult& result() const { return document_.result; }
@@ -17,5 +18,10 @@ class PadObject {
  private:
   io::PadDocument document_;
 };
+
+/// All that a result holds, for pickles.
+py::tuple state_of(const PadObject& self);
+/// Its inverse. Throws py::value_error for a pickle of another version.
+PadObject pad_of_state(const py::tuple& state);
 
 }  // namespace ringfilm::python

@@ -17,10 +17,6 @@
 namespace ringfilm::python {
 namespace {
 
-std::string path_of(const py::object& path) {
-  return py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
-}
-
 py::object plain_layer(const char* module, const char* function) { return py::module_::import(module).attr(function); }
 
 std::string documented(const cycle::Quantity& quantity, const std::string& dimensions) {
@@ -80,6 +76,21 @@ DatasetWriter dataset(const py::object& self) {
   return writer;
 }
 
+py::list keys(const py::object& self) { return py::list(dataset(self).variables()); }
+
+/// The variable that a name means; nothing if there is none.
+std::optional<std::string> spelling_of(const std::string& name, const py::dict& variables) {
+  for (const std::string& spelling : {name, "cycle_" + name, "derived_" + name}) {
+    if (variables.contains(spelling)) return spelling;
+  }
+  return std::nullopt;
+}
+
+bool has(const py::object& self, const py::object& name) {
+  return py::isinstance<py::str>(name) &&
+         spelling_of(py::cast<std::string>(name), dataset(self).variables()).has_value();
+}
+
 py::object item(const py::object& self, const std::string& name) {
   const auto& result = self.cast<const ResultObject&>();
   for (const auto& quantity : cycle::curve_quantities()) {
@@ -87,9 +98,7 @@ py::object item(const py::object& self, const std::string& name) {
   }
   const DatasetWriter writer = dataset(self);
   const py::dict& variables = writer.variables();
-  for (const std::string& spelling : {name, "cycle_" + name, "derived_" + name}) {
-    if (variables.contains(spelling)) return variables[py::str(spelling)].cast<py::tuple>()[1];
-  }
+  if (const auto spelling = spelling_of(name, variables)) return variables[py::str(*spelling)].cast<py::tuple>()[1];
   std::vector<std::string> names;
   for (const auto& entry : variables) names.push_back(py::cast<std::string>(entry.first));
   const std::string near = io::nearest_word(name, names);
@@ -231,7 +240,12 @@ void bind_outputs(py::class_<ResultObject>& type) {
       "A result from a NetCDF file that this module or `ringfilm run` wrote. Raises InputError.");
   type.def(
       "write",
-      [](const ResultObject& self, const py::object& path) { io::write_result(path_of(path), self.document()); },
+      [](const ResultObject& self, const py::object& path) {
+        const std::string name = path_of(path);
+        const io::ResultDocument& document = self.document();
+        const py::gil_scoped_release others_go_on;
+        io::write_result(name, document);
+      },
       py::arg("path"),
       "Writes the same NetCDF file as `ringfilm run --output`, byte by byte, aside first. Raises OutputError.");
   type.def(
@@ -268,27 +282,39 @@ the same as xarray.open_dataset gives of what write() wrote, in SI, numbers with
       "attrs.");
   type.def(
       "plot",
-      [](const py::object& self, const std::string& what, const py::object& axes) {
-        return plain_layer("ringfilm._plots", "plot_result")(self, what, axes);
+      [](const py::object& self, const std::string& what, const py::object& axes, const py::object& label,
+         const py::kwargs& style) {
+        return plain_layer("ringfilm._plots", "plot_result")(self, what, axes, label, **style);
       },
-      py::arg("what") = "overview", py::arg("axes") = py::none(),
+      py::arg("what") = "overview", py::arg("axes") = py::none(), py::arg("label") = py::none(),
       R"(Draws the result with matplotlib, in units of engineers, from -360 to 360 degree with firing TDC in the middle.
 
-what: "overview" (film, friction, pressure), "friction", "film", "stribeck", or the name of a curve or of a field.
-axes: a matplotlib Axes to draw one curve into; a new figure without it.
+what: "overview" (pressure, film, friction), "friction", "film", "stribeck", or the name of a curve or of a field
+    (curves of up to 8 angles, a map of more).
+axes: a matplotlib Axes to draw into, in its next colour; a new figure without it. Not for "overview", "friction" and
+    "film", which are several panels.
+label: for a legend; title and speed of the case where axes is given.
+style: words of matplotlib's plot(), of pcolormesh() for a map.
 Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn.)");
   type.def("__getitem__", &item, py::arg("name"),
            R"(A curve, a value of the cycle or a field, by its name in the result file (docs/manual/result-file.md):
 "film_pressure" has the shape (field_crank_angle, x). Raises KeyError.)");
+  type.def("keys", &keys, "Names of all that [] gives, as in the result file, in its order.");
+  type.def(
+      "__iter__", [](const py::object& self) { return py::iter(keys(self)); }, "Over keys().");
+  type.def(
+      "__len__", [](const py::object& self) { return py::len(keys(self)); }, "How many keys().");
+  type.def("__contains__", &has, py::arg("name"), "Does [] give something for this name?");
   type.def("__repr__", &repr, "Title and number of crank angles.");
-  type.def(py::pickle(
+  picklable(
+      type,
       [](const ResultObject& self) {
         return py::make_tuple(py::bytes(io::result_bytes(self.document())), self.reason());
       },
       [](const py::tuple& state) {
         io::ResultDocument document = io::result_of_bytes("a pickle", py::cast<std::string>(state[0]));
         return ResultObject(std::move(document), py::cast<std::string>(state[1]));
-      }));
+      });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "errors.hpp"
+#include "interpreter.hpp"
 #include "record.hpp"
 #include "result_object.hpp"
 #include "ringfilm/io/study_file.hpp"
@@ -49,7 +50,9 @@ std::vector<double> of_base(const StudyResultObject& self, std::size_t quantity,
 }
 
 std::size_t quantity_index(const std::string& name) {
-  if (const auto found = cycle::cycle_quantity_index(name)) return *found;
+  // As a result file has it, or as a study has it, where no curve can be meant.
+  const std::string plain = name.rfind("cycle_", 0) == 0 ? name.substr(6) : name;
+  if (const auto found = cycle::cycle_quantity_index(plain)) return *found;
   throw InputError("\"" + name + "\" is no value of a cycle", "ringfilm.quantities()[\"cycle\"] lists them");
 }
 
@@ -91,6 +94,7 @@ py::list factors(const Loaded& loaded) {
     one["unit"] = factor.unit;
     one["keys"] = keys;
     one["choices"] = choices;
+    one["source"] = factor.source;
     all.append(one);
   }
   return all;
@@ -112,7 +116,7 @@ void compute(StudyResultObject& result, int threads, const py::object& progress)
   for (std::vector<double>& values : result.values) values.resize(n);
   study::StudyRunOptions options;
   options.batch.threads = threads;
-  options.longest_wait = 0.2;  // Ctrl-C is seen then
+  options.longest_wait = 0.2;
   const auto finished = [&](const study::ScenarioChunk& chunk) {
     for (std::size_t i = 0; i < chunk.rows.size(); ++i) {
       const std::size_t scenario = chunk.first + i;
@@ -122,12 +126,12 @@ void compute(StudyResultObject& result, int threads, const py::object& progress)
       result.curves.insert(result.curves.end(), chunk.rows[i].curves.begin(), chunk.rows[i].curves.end());
     }
     const py::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (!progress.is_none()) progress(chunk.first + chunk.rows.size(), n);
     return study::GoOn::kYes;
   };
-  const py::gil_scoped_release others_go_on;
-  study::run_scenarios(plan, {n_there, plan.size()}, finished, options);
+  Interruptible all;
+  options.batch.pulse = [&all] { all.pulse(); };
+  all.run([&] { study::run_scenarios(plan, {n_there, plan.size()}, finished, options); });
 }
 
 StudyResultObject run(const StudyObject& self, int threads, const py::object& progress) {
@@ -227,6 +231,14 @@ py::dict dataset(const py::object& object) {
     attributes["long_name"] = quantities[q].long_name;
     variables[py::str(quantities[q].name)] = py::make_tuple(scenario, view(self.values[q], object), attributes);
   }
+  const Plan& plan = self.loaded->plan;
+  py::array_t<std::int8_t> sample(static_cast<py::ssize_t>(plan.size()));
+  for (std::uint64_t i = 0; i < plan.size(); ++i)
+    sample.mutable_at(static_cast<py::ssize_t>(i)) = plan.is_sample(plan.point_of(i)) ? 1 : 0;
+  py::dict attributes;
+  attributes["units"] = "1";
+  attributes["long_name"] = "1 where the scenario is one of a sample, of which means and quantiles may be taken";
+  variables["sample"] = py::make_tuple(scenario, sample, attributes);
   return variables;
 }
 
@@ -239,7 +251,7 @@ Source: docs/theory/study.md.)")
       .def_static(
           "read",
           [](const py::object& path) {
-            const auto name = py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
+            const auto name = path_of(path);
             return StudyObject{std::make_shared<const Loaded>(io::read_study(name))};
           },
           py::arg("path"),
@@ -259,7 +271,7 @@ Source: docs/theory/study.md.)")
           "Names of the base cases, a list of str.")
       .def_property_readonly(
           "factors", [](const StudyObject& self) { return factors(*self.loaded); },
-          "What varies: dicts with name, variable (as in files), unit in SI, keys, choices.")
+          "What varies: dicts with name, variable (as in files), unit in SI, keys, choices, source of its scatter.")
       .def_property_readonly(
           "notes", [](const StudyObject& self) { return self.loaded->plan.notes(); },
           "What must be known about the plan, a list of str.")
@@ -344,7 +356,8 @@ Raises InputError where the plan has no points for indices. Source: docs/theory/
           [](const py::object& self) {
             return py::module_::import("ringfilm._frames").attr("study_result_to_xarray")(self);
           },
-          "An xarray.Dataset over scenario, with base and factors as coordinates, SI.")
+          "An xarray.Dataset over scenario, SI: base, factors and choices (as texts) as coordinates, kept curves over "
+          "scenario, crank_angle and ring.")
       .def(
           "to_pandas",
           [](const py::object& self) {

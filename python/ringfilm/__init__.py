@@ -1,13 +1,13 @@
 """Mixed lubrication of piston rings: friction, film and oil flow over an engine cycle, from measured surfaces.
 
     import ringfilm
-    case = ringfilm.Case.read("cases/fired-1500rpm.toml")
+    case = ringfilm.Case.read("cases/styles2014/new.toml")
     case["operating.speed"] = "2000 rpm"
     result = case.run()
     result.fmep, result.min_film_thickness, result.to_xarray(), result.plot()
 
-All numbers are in SI, crank angles in degrees with 0 = firing TDC. The names are those of the case files, of the result
-files and of the C++ library; docs/manual/python.md has examples.
+All numbers are in SI, crank angles in degrees, those of results from 0 = firing TDC to 720. The names are those of the
+case files, of the result files and of the C++ library; docs/manual/python.md has examples.
 """
 
 from . import face, lateral_force, laws, surface
@@ -26,6 +26,8 @@ from ._ringfilm import (
     version,
 )
 from .errors import ConvergenceError, Fault, InputError, OutputError
+
+__version__ = version().split()[1]
 
 __all__ = [
     "BatchResult",

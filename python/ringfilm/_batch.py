@@ -1,5 +1,6 @@
 """Many cases at once."""
 
+import operator
 from collections.abc import Sequence
 from typing import Callable, Iterable, Optional
 
@@ -9,7 +10,8 @@ from ._ringfilm import Case, Result, _simulate_many, quantities
 class BatchResult(Sequence):
     """What became of many cases: a sequence of Result in the order of the cases.
 
-    A case that could not be solved is there too, with `complete` False, its `reason`, and NaN for every value.
+    A case that could not be solved is there too, with `complete` False, its `reason`, and NaN for every value. Beside
+    numbers it takes what numpy takes, and the names of values: batch[batch["fmep"] > 2e4], batch[[0, 2]].
     """
 
     def __init__(self, results: list):
@@ -20,10 +22,26 @@ class BatchResult(Sequence):
         return len(self._results)
 
     def __getitem__(self, index):
-        """The result of one case, or a BatchResult of a slice."""
+        """The result of one case; a BatchResult of a slice, of a list of numbers or of booleans; a value of all cases.
+
+        A name gives the value of the cycle [SI] of all cases, shape (case,), NaN where one was not solved, or "reason".
+        `min_film_thickness` is the value here, and may be written `cycle_min_film_thickness`, too. Raises IndexError,
+        KeyError.
+        """
+        if isinstance(index, str):
+            from ._frames import batch_column
+
+            return batch_column(self, index)
         if isinstance(index, slice):
             return BatchResult(self._results[index])
-        return self._results[index]
+        if hasattr(index, "__index__") and not getattr(index, "ndim", 0):
+            return self._results[operator.index(index)]
+        import numpy
+
+        chosen = numpy.arange(len(self))[index if isinstance(index, list) else numpy.asarray(index)]
+        if chosen.ndim != 1:
+            raise IndexError("a batch has one dimension, its cases")
+        return BatchResult(self._results[i] for i in chosen)
 
     @property
     def unsolved(self) -> dict:
@@ -38,6 +56,17 @@ class BatchResult(Sequence):
         from ._frames import batch_to_pandas
 
         return batch_to_pandas(self)
+
+    def to_xarray(self, curves: Optional[Iterable[str]] = None):
+        """An xarray.Dataset in SI: values over `case`, and the curves that were kept over `case` and `crank_angle`.
+
+        curves: names of those to take, None for all; they are copied. Where a curve and a value share their name the
+        value is `cycle_...`. Cases of different crank angles share an axis of all of them, NaN where one has none, as
+        for a case that was not solved: see `solved` and `reason`. Raises KeyError.
+        """
+        from ._frames import batch_to_xarray
+
+        return batch_to_xarray(self, curves)
 
     def __repr__(self) -> str:
         """Number of results, and how many of them are not solved."""

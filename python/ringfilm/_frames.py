@@ -1,6 +1,22 @@
 """Results as tables of xarray and pandas, which are only loaded here."""
 
-from ._ringfilm import quantities
+import difflib
+
+import numpy
+
+from ._ringfilm import quantities, version
+from .errors import InputError
+
+
+def _attributes(quantity):
+    """Of a variable, those that result files have."""
+    words = {"units": quantity.unit, "long_name": quantity.long_name, "symbol": quantity.symbol,
+             "source_equation": quantity.equation}
+    return {name: word for name, word in words.items() if word}
+
+
+def _texts(words):
+    return numpy.array(list(words), dtype=object)
 
 
 def _dataset(variables, attributes):
@@ -31,23 +47,86 @@ def result_to_pandas(result):
     return frame
 
 
+def _values_by_attribute(tables):
+    """{attribute of a Result: quantity} of the values of a cycle: `cycle_...` where a curve has the name."""
+    curves = {quantity.name for quantity in tables["curve"]}
+    return {f"cycle_{quantity.name}" if quantity.name in curves else quantity.name: quantity
+            for table in ("cycle", "unrolled_cycle") for quantity in tables[table]}
+
+
+def batch_column(batch, name):
+    """One value of all cases, shape (case,)."""
+    if name == "reason":
+        return _texts(result.reason for result in batch)
+    attributes = {name: name for name in _values_by_attribute(quantities())}
+    attributes.update({name[len("cycle_"):]: name for name in attributes if name.startswith("cycle_")})
+    if name not in attributes:
+        near = difflib.get_close_matches(name, attributes, 1)
+        raise KeyError(f"a batch has no value {name}" + (f"; did you mean {near[0]}?" if near else ""))
+    return numpy.array([getattr(result, attributes[name]) for result in batch], dtype=float)
+
+
 def batch_to_pandas(batch):
     """Values of the cycle as columns, cases as rows."""
     import pandas
 
-    units = {quantity.name: quantity.unit for quantity in quantities()["cycle"]}
+    tables = quantities()
+    units = {quantity.name: quantity.unit for quantity in (*tables["cycle"], *tables["unrolled_cycle"])}
     rows = [result.values for result in batch]
-    frame = pandas.DataFrame(rows, columns=list(rows[0]) if rows else list(units))
-    frame["reason"] = [result.reason for result in batch]
+    there = {quantity.name for quantity in tables["cycle"]}.union(*rows)
+    units = {name: unit for name, unit in units.items() if name in there}
+    frame = pandas.DataFrame(rows, columns=list(units), dtype=float)
+    frame["reason"] = _texts(result.reason for result in batch)
     frame.index.name = "case"
     frame.attrs["units"] = units
     return frame
 
 
+def _over_all_angles(results, name, angles, places):
+    """A curve of all results over the angles of all of them, NaN where one has none."""
+    curves = numpy.full((len(results), len(angles)), numpy.nan)
+    for row, result, at in zip(curves, results, places):
+        if len(result[name]):
+            row[at] = result[name]
+    return curves
+
+
+def batch_to_xarray(batch, curves=None):
+    """Values over case, curves over case and crank angle."""
+    import xarray
+
+    tables = quantities()
+    results = list(batch)
+    data = {"solved": ("case", numpy.array([not result.reason for result in results], dtype=numpy.int8),
+                       {"units": "1", "long_name": "1 where the case was solved"}),
+            "reason": ("case", _texts(result.reason for result in results), {"long_name": "why it was not solved"})}
+    for name, quantity in _values_by_attribute(tables).items():
+        values = numpy.array([getattr(result, name) for result in results], dtype=float)
+        if quantity not in tables["unrolled_cycle"] or numpy.isfinite(values).any():
+            data[name] = ("case", values, _attributes(quantity))
+    titles = _texts(result.title for result in results)
+    coordinates = {"case": numpy.arange(len(results)), "title": ("case", titles, {"long_name": "title of the case"})}
+    angles = numpy.unique(numpy.concatenate([numpy.empty(0), *(result.crank_angle for result in results)]))
+    axis, *known = tables["curve"]
+    if any(result.gap_leakage.size for result in results):
+        known += tables["unrolled_curve"]
+    unknown = set(curves or ()) - {quantity.name for quantity in known}
+    if unknown:
+        raise KeyError(f"this batch has no curve {', '.join(sorted(unknown))}: "
+                       "ringfilm.quantities()[\"curve\"] lists them")
+    if angles.size:
+        coordinates["crank_angle"] = ("crank_angle", angles, _attributes(axis))
+        places = [numpy.searchsorted(angles, result.crank_angle) for result in results]
+        for quantity in known:
+            if curves is None or quantity.name in curves:
+                over = _over_all_angles(results, quantity.name, angles, places)
+                data[quantity.name] = (("case", "crank_angle"), over, _attributes(quantity))
+    return xarray.Dataset(data, coordinates)
+
+
 def pad_to_xarray(result):
     """The dataset that xarray reads from the file of a pad."""
-    dataset = _dataset(result._dataset(), {"title": result.title})
-    return dataset.assign_coords(time=dataset["time"])
+    return _dataset(*result._dataset())
 
 
 def pad_to_pandas(result):
@@ -61,32 +140,67 @@ def pad_to_pandas(result):
     return frame.set_index("time") if "time" in frame else frame
 
 
+def _columns(study):
+    """(factor, its numbers over the scenarios); of choices their texts, empty where it leaves its base as it is."""
+    points = study.points
+    for j, factor in enumerate(study.factors):
+        numbers, choices = points[:, j], factor["choices"]
+        if choices:
+            yield factor, _texts("" if numpy.isnan(number) else choices[int(number)] for number in numbers)
+        else:
+            yield factor, numbers
+
+
 def study_to_pandas(study):
     """Factors as columns, scenarios as rows."""
     import pandas
 
-    factors = study.factors
-    frame = pandas.DataFrame(study.points, columns=[factor["variable"] for factor in factors])
-    frame.insert(0, "base", study.base_of)
+    columns = {factor["variable"]: column for factor, column in _columns(study)}
+    frame = pandas.DataFrame({"base": study.base_of, **columns})
     frame.index.name = "scenario"
-    frame.attrs.update(title=study.title, units={factor["variable"]: factor["unit"] for factor in factors})
+    frame.attrs.update(title=study.title, units={factor["variable"]: factor["unit"] for factor in study.factors})
     return frame
+
+
+def _kept_curves(result):
+    """Curves over scenario, crank angle and ring, as in files of studies."""
+    for quantity in quantities()["curve"]:
+        try:
+            curves = result.curves(quantity.name)
+        except InputError:
+            continue
+        yield f"curve_{quantity.name}", (("scenario", "crank_angle", "ring"), curves[:, :, None], _attributes(quantity))
+
+
+def _reasons(result):
+    unsolved = result.unsolved
+    return _texts(unsolved.get(i, "") for i in range(len(result)))
 
 
 def study_result_to_xarray(result):
     """Values over scenario, base and factors as coordinates."""
     import xarray
 
-    study = result.study
-    points = study.points
-    coordinates = {"base": ("scenario", study.base_of)}
-    for j, factor in enumerate(study.factors):
-        attributes = {"units": factor["unit"], "long_name": factor["name"]}
-        coordinates[factor["variable"]] = ("scenario", points[:, j], attributes)
-    dataset = xarray.Dataset(result._dataset(), coordinates, {"title": study.title})
-    unsolved = result.unsolved
-    dataset["reason"] = ("scenario", [unsolved.get(i, "") for i in range(len(result))])
-    return dataset
+    study, tables = result.study, quantities()
+    coordinates = {"base": ("scenario", _texts(study.base_of), {"long_name": "base case of the scenario"})}
+    for factor, column in _columns(study):
+        words = {"units": factor["unit"], "long_name": factor["name"], "key": factor["keys"][0],
+                 "source": factor.get("source", "")}
+        attributes = {name: word for name, word in words.items() if word}
+        coordinates[factor["variable"]] = ("scenario", column, attributes)
+    described = {quantity.name: _attributes(quantity) for quantity in tables["cycle"]}
+    reasons = _reasons(result)
+    data = {"solved": ("scenario", (reasons == "").astype(numpy.int8),
+                       {"units": "1", "long_name": "1 where the scenario was solved"})}
+    for name, (dimensions, values, attributes) in result._dataset().items():
+        data[name] = (dimensions, values, {**attributes, **described.get(name, {})})
+    if len(result.crank_angle):
+        coordinates["crank_angle"] = ("crank_angle", result.crank_angle, _attributes(tables["curve"][0]))
+        coordinates["ring"] = ("ring", [1.0], {"units": "1", "long_name": "ring, counted from the chamber"})
+        data.update(_kept_curves(result))
+    data["reason"] = ("scenario", reasons, {"long_name": "why it was not solved"})
+    program, commit = version().split(" commit ")
+    return xarray.Dataset(data, coordinates, {"title": study.title, "program": program, "commit": commit})
 
 
 def study_result_to_pandas(result):
@@ -96,7 +210,6 @@ def study_result_to_pandas(result):
     plan = study_to_pandas(result.study)
     units = {quantity.name: quantity.unit for quantity in quantities()["cycle"]}
     frame = pandas.concat([plan, pandas.DataFrame({name: result[name] for name in units}, index=plan.index)], axis=1)
-    unsolved = result.unsolved
-    frame["reason"] = [unsolved.get(i, "") for i in range(len(result))]
+    frame["reason"] = _reasons(result)
     frame.attrs.update(title=result.study.title, units={**plan.attrs["units"], **units})
     return frame

@@ -2,19 +2,34 @@
 
 import numpy
 
-from ._ringfilm import _unit_scale, quantities
+from ._drawing import (
+    BOUNDARY,
+    BY_ANGLE,
+    TOTAL,
+    VISCOUS,
+    caption,
+    crank_axis,
+    dotted_line,
+    draw_over_angle,
+    from_intake,
+    from_zero,
+    label_of,
+    new_figure,
+    plain,
+    shown,
+)
+from ._field_plots import FIELDS, draw_field
+from ._pad_plots import plot_pad
+from ._ringfilm import quantities
 
-# Told apart by colour-blind readers and in grey print (Okabe and Ito); one line style a contribution.
-_TOTAL = {"color": "#000000", "linestyle": "-"}
-_BOUNDARY = {"color": "#D55E00", "linestyle": "--"}
-_VISCOUS = {"color": "#0072B2", "linestyle": ":"}
-_STROKES = ((-270, "intake"), (-90, "compression"), (90, "power"), (270, "exhaust"))
+__all__ = ["plot_pad", "plot_result"]
 
 _PANELS = {
     "film": ("min_film_thickness", "film_parameter", "cavitated_fraction"),
     "friction": ("friction", "friction_coefficient", "power_loss"),
     "overview": ("gas_pressure", "min_film_thickness", "friction"),
 }
+_FROM_ZERO = ("min_film_thickness", "film_parameter", "friction_coefficient", "gas_pressure")
 
 
 def _curves():
@@ -22,168 +37,156 @@ def _curves():
     return {quantity.name: quantity for table in ("curve", "unrolled_curve") for quantity in tables[table]}
 
 
-def _shown(values, quantity):
-    """Values in the unit that people read."""
-    factor, offset = _unit_scale(quantity.display_unit, quantity.unit)
-    return (numpy.asarray(values) - offset) / factor
+def _input(result, key):
+    """An input of the case as people read it; empty where it is not in use."""
+    return next((read for name, _, read, _ in result.inputs if name == key), "")
 
 
-def _label(quantity):
-    return quantity.long_name if quantity.display_unit == "1" else f"{quantity.long_name} [{quantity.display_unit}]"
+def _when(result):
+    n = len(result.crank_angle)
+    return "Over one cycle" if n >= 90 else f"At {n} crank angles of the cycle"
 
 
-def _from_intake(angles):
-    """Angles from -360 to 360 with the order in which they follow each other there."""
-    turned = numpy.where(angles >= 360, angles - 720, angles)
-    order = numpy.argsort(turned, kind="stable")
-    return turned[order], order
+def _is_synthetic(result):
+    return _input(result, "gas.trace_origin") == "synthetic"
 
 
-def _crank_axis(axes, result, strokes=True):
-    axes.set_xlim(-360, 360)
-    axes.set_xticks(range(-360, 361, 90))
-    for angle in (-360, -180, 0, 180, 360):
-        axes.axvline(angle, color="0.8", linewidth=0.8, zorder=0)
-    for angle, stroke in _STROKES if strokes else ():
-        axes.annotate(stroke, (angle, 1), xycoords=("data", "axes fraction"), xytext=(0, 2),
-                      textcoords="offset points", ha="center", va="bottom", fontsize=7, color="0.45")
-    peak = result.peak_gas_pressure_angle
-    if numpy.isfinite(peak):
-        peak = peak - 720 if peak >= 360 else peak
-        axes.axvline(peak, color="0.55", linewidth=0.8, linestyle=(0, (1, 2)), zorder=0)
-
-
-def _draw_curve(axes, result, name, style=None, label=None):
-    quantity = _curves()[name]
-    angles, order = _from_intake(result.crank_angle)
-    values = _shown(result[name], quantity)[order]
-    axes.plot(angles, values, **(style or _TOTAL), linewidth=1.3, label=label)
-    axes.set_ylabel(_label(quantity), fontsize=8)
-    if numpy.nanmin(values) < 0 < numpy.nanmax(values):
-        axes.axhline(0, color="0.6", linewidth=0.8, zorder=0)
-
-
-def _draw_panel(axes, result, name, strokes=True):
-    if name == "friction":
-        _draw_curve(axes, result, "total_friction", _TOTAL, "total")
-        _draw_curve(axes, result, "boundary_friction", _BOUNDARY, "boundary")
-        _draw_curve(axes, result, "viscous_friction", _VISCOUS, "viscous")
-        axes.set_ylabel(_label(_curves()["total_friction"]).replace("total friction", "friction"), fontsize=8)
-        axes.legend(fontsize=7, loc="upper left")
-    else:
-        _draw_curve(axes, result, name)
-    if name in ("min_film_thickness", "film_parameter"):
-        axes.set_ylim(bottom=0)
-    _crank_axis(axes, result, strokes)
+def _name_of(result):
+    """What tells a result from another in a legend: the title of its case, and its speed."""
+    title, speed = result.title or "without a title", _input(result, "operating.speed")
+    return title if not speed or speed in title else f"{title}, {speed}"
 
 
 def _caption(figure, text, result):
-    by = result.provenance["program"]
-    figure.text(0.01, 0.005, f"{text} Case: {result.title or 'without a title'}; {by}.", fontsize=7, color="0.3",
-                wrap=True)
+    words = [text]
+    if _is_synthetic(result):
+        words.append("The cylinder pressure is SYNTHETIC: made by a formula, not measured.")
+    if not result.complete:
+        words.append(f"The march STOPPED at {result.crank_angle[-1]:g} degree, before the end of the cycle.")
+    words.append(f"Case: {result.title or 'without a title'}; {result.provenance['program']}.")
+    caption(figure, " ".join(words))
 
 
-def _figure(n_panels):
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(7.5, 1.2 + 2.0 * n_panels), layout="constrained")
-    figure.get_layout_engine().set(rect=(0, 0.05, 1, 0.95))
-    return figure
-
-
-def _known():
-    fields = ("film_thickness", "film_pressure", "fill", "local_film_parameter", "asperity_pressure")
-    return (*_PANELS, "stribeck"), tuple(_curves()), fields
-
-
-def plot_result(result, what="overview", axes=None):
-    """See Result.plot."""
-    kinds, curves, fields = _known()
-    if not result.crank_angle.size:
-        raise ValueError("this result has no curves: run the batch with curves=\"all\"")
-    if what in fields:
-        return _plot_field(result, what)
-    if what == "stribeck":
-        return _plot_stribeck(result)
-    if what in curves:
-        return _plot_curves(result, (what,), axes)
-    if what in _PANELS:
-        return _plot_curves(result, _PANELS[what], axes)
-    raise ValueError(f"{what!r} cannot be drawn; one of {', '.join(kinds)}, a curve or a field of the result")
+def _draw_curve(axes, result, name, style):
+    """Draws one curve with what belongs to its quantity."""
+    quantity = _curves()[name]
+    angles, order = from_intake(result.crank_angle)
+    values = shown(result[name], quantity)[order]
+    line = draw_over_angle(axes, angles, values, **style)
+    axes.set_ylabel(label_of(quantity.long_name, quantity.display_unit), fontsize=8)
+    there = values[numpy.isfinite(values)]
+    if not there.size:
+        axes.text(0.5, 0.5, "no value at any crank angle", transform=axes.transAxes, ha="center", color="0.45")
+        return line
+    if there.min() < 0 < there.max():
+        axes.axhline(0, color="0.6", linewidth=0.8, zorder=0)
+    if name in _FROM_ZERO or (there.min() == there.max() >= 0):
+        from_zero(axes, line)
+    if quantity.unit == "1" and (there == there.round()).all():
+        axes.yaxis.get_major_locator().set_params(integer=True)
+    if name == "gas_pressure" and _is_synthetic(result):
+        top = numpy.nanargmax(values)
+        axes.annotate("SYNTHETIC", (angles[top], values[top]), xytext=(12, -2), textcoords="offset points",
+                      ha="left", va="top", fontsize=7, color=line.get_color())
+    return line
 
 
-def _plot_curves(result, names, axes):
-    if axes is not None:
-        if len(names) > 1:
-            raise ValueError("axes takes one curve; leave it out for a figure of several")
-        _draw_panel(axes, result, names[0])
-        axes.set_xlabel("crank angle [degree]", fontsize=8)
-        return axes.figure
-    figure = _figure(len(names))
-    panels = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
-    for panel, name in zip(panels, names):
-        _draw_panel(panel, result, name, panel is panels[0])
-    panels[-1].set_xlabel("crank angle [degree], 0 = firing TDC", fontsize=8)
-    told = ", ".join("friction" if name == "friction" else _curves()[name].long_name for name in names)
-    _caption(figure, f"Over one cycle: {told}. Dotted grey line: peak of the gas pressure.", result)
-    return figure
-
-
-def _plot_stribeck(result):
-    curves = _curves()
-    figure = _figure(2)
-    axes = figure.subplots()
-    number = numpy.asarray(result.stribeck_number)
-    shown = number > 1e-6 * number.max()  # at a dead centre it is only the round-off of the angle
-    axes.semilogx(number[shown], numpy.asarray(result.friction_coefficient)[shown], ".", color="#000000", markersize=3)
-    axes.set_xlabel(_label(curves["stribeck_number"]), fontsize=8)
-    axes.set_ylabel(_label(curves["friction_coefficient"]), fontsize=8)
-    axes.set_ylim(bottom=0)
-    _caption(figure, "Friction coefficient over the Stribeck number, each crank angle a point.", result)
-    return figure
-
-
-def _plot_field(result, name):
-    variables, _ = result._dataset()
-    if name not in variables:
-        raise ValueError(f"this result has no field {name}: state output.fields in the case")
-    dimensions, values, attributes = variables[name]
-    values = numpy.asarray(values)
-    angles, order = _from_intake(numpy.asarray(variables["field_crank_angle"][1]))
-    display = {"m": ("um", 1e6), "Pa": ("MPa", 1e-6)}
-    unit, factor = display.get(attributes.get("units", "1"), ("", 1.0))
-    figure = _figure(2)
-    axes = figure.subplots()
-    x = numpy.asarray(variables["x"][1]) * 1e3
-    if len(angles) > 1:
-        mesh = axes.pcolormesh(angles, x, values[order].T * factor, shading="nearest", cmap="viridis")
-        figure.colorbar(mesh, ax=axes).set_label(f"{attributes['long_name']} [{unit or '1'}]", fontsize=8)
-        axes.set_xlabel("crank angle [degree], 0 = firing TDC", fontsize=8)
-        axes.set_ylabel("position from the chamber edge [mm]", fontsize=8)
-        _crank_axis(axes, result)
+def _draw_panel(axes, result, name, strokes):
+    if name == "friction":
+        _draw_curve(axes, result, "total_friction", {**TOTAL, "label": "total"})
+        _draw_curve(axes, result, "boundary_friction", {**BOUNDARY, "label": "boundary"})
+        _draw_curve(axes, result, "viscous_friction", {**VISCOUS, "label": "viscous"})
+        axes.set_ylabel("friction [N]", fontsize=8)
+        axes.legend(fontsize=7)
     else:
-        axes.plot(x, values[0] * factor, **_TOTAL)
-        axes.set_xlabel("position from the chamber edge [mm]", fontsize=8)
-        axes.set_ylabel(f"{attributes['long_name']} [{unit or '1'}]", fontsize=8)
-    _caption(figure, f"{attributes['long_name'].capitalize()} at {len(angles)} crank angles.", result)
+        _draw_curve(axes, result, name, TOTAL)
+    crank_axis(axes, result.peak_gas_pressure_angle, strokes)
+
+
+def _refuse_without_curves(result):
+    if result.crank_angle.size:
+        return
+    if result.reason:
+        raise ValueError(f"this result has no curves: the case was not solved: {result.reason}")
+    if not result.complete:
+        raise ValueError("this result has no curves: the march stopped before the first crank angle that is kept")
+    raise ValueError("this result has no curves: run the batch with curves=\"all\"")
+
+
+def _without_aliases(style):
+    from matplotlib import cbook, lines
+
+    return cbook.normalize_kwargs(style, lines.Line2D)
+
+
+def plot_result(result, what="overview", axes=None, label=None, **style):
+    """See Result.plot."""
+    curves = _curves()
+    if what not in (*_PANELS, "stribeck", *curves, *FIELDS):
+        kinds = ", ".join((*_PANELS, "stribeck"))
+        raise ValueError(f"{what!r} cannot be drawn; one of {kinds}, a curve or a field of the result")
+    _refuse_without_curves(result)
+    if what in _PANELS:
+        if axes is not None:
+            raise ValueError(f"{what!r} is a figure of several panels: leave axes out, or draw its curves one by one")
+        if label is not None or style:
+            raise ValueError(f"{what!r} is a figure of several panels: label and style are for one curve")
+        return _plot_panels(result, _PANELS[what])
+    if what in curves and not numpy.size(result[what]):
+        raise ValueError(f"this result has no {what}: its film is not unrolled")
+    if axes is not None and not hasattr(axes, "plot"):
+        raise ValueError(f"axes is one matplotlib Axes, not {type(axes).__name__}")
+    style = _without_aliases(style)
+    draw = _draw_stribeck if what == "stribeck" else _draw_over_cycle if what in curves else draw_field
+    if axes is not None:
+        draw(axes, result, what, {"label": plain(_name_of(result) if label is None else label), **style}, "inside")
+        return axes.figure
+    figure = new_figure(1 if what in curves else 2)
+    own = {} if label is None else {"label": plain(label)}
+    told = draw(figure.subplots(), result, what, {**own, **style}, "above")
+    if label is not None:
+        figure.axes[0].legend(fontsize=7)
+    _caption(figure, told, result)
     return figure
 
 
-def plot_pad(result):
-    """See PadResult.plot."""
-    figure = _figure(2)
-    gap, pressure = figure.subplots(2, 1, sharex=True)
-    x = result.x * 1e3
-    thickness, film = result.film_thickness[-1], result.pressure[-1]
-    where = ""
-    if thickness.ndim == 2:
-        middle = thickness.shape[0] // 2
-        thickness, film, where = thickness[middle], film[middle], f" on the strip y = {result.y[middle] * 1e3:.4g} mm"
-    gap.plot(x, thickness * 1e6, **_TOTAL)
-    gap.set_ylabel("film thickness [um]", fontsize=8)
-    gap.set_ylim(bottom=0)
-    pressure.plot(x, film * 1e-6, **_TOTAL)
-    pressure.set_ylabel("film pressure [MPa]", fontsize=8)
-    pressure.set_xlabel("position along the pad [mm]", fontsize=8)
-    figure.text(0.01, 0.005, f"Film of the pad{where}. Case: {result.title}.", fontsize=7, color="0.3")
+def _own_look(style, strokes):
+    """In a figure of ours the colour is ours, in axes of others it is the next of theirs."""
+    return style if strokes == "inside" else {**TOTAL, **style}
+
+
+def _draw_over_cycle(axes, result, name, style, strokes):
+    if name == "gas_pressure" and _is_synthetic(result) and "label" in style:
+        style = {**style, "label": f"{style['label']} (SYNTHETIC)"}
+    _draw_curve(axes, result, name, _own_look(style, strokes))
+    crank_axis(axes, result.peak_gas_pressure_angle, strokes)
+    axes.set_xlabel(BY_ANGLE, fontsize=8)
+    return f"{_when(result)}: {_curves()[name].long_name}.{dotted_line(result)}"
+
+
+def _plot_panels(result, names):
+    figure = new_figure(len(names))
+    panels = figure.subplots(len(names), 1, sharex=True)
+    for panel, name in zip(panels, names):
+        _draw_panel(panel, result, name, "above" if panel is panels[0] else "none")
+    panels[-1].set_xlabel(BY_ANGLE, fontsize=8)
+    told = "; ".join("friction" if name == "friction" else _curves()[name].long_name for name in names)
+    _caption(figure, f"{_when(result)}: {told}.{dotted_line(result)}", result)
     return figure
+
+
+def _draw_stribeck(axes, result, _, style, strokes):
+    curves = _curves()
+    number = numpy.asarray(result.stribeck_number)
+    moves = number > 1e-6 * numpy.nanmax(number, initial=0.0)  # at a dead centre it is only the round-off of the angle
+    if not moves.any():
+        raise ValueError("at none of its crank angles this result has a Stribeck number")
+    look = {"linestyle": "none", "marker": ".", "markersize": 3, **_own_look(style, strokes)}
+    if "linestyle" not in style:
+        look["linestyle"] = "none"
+    line, = axes.plot(number[moves], numpy.asarray(result.friction_coefficient)[moves], **look)
+    axes.set_xscale("log")
+    axes.set_xlabel(label_of(curves["stribeck_number"].long_name, "1"), fontsize=8)
+    axes.set_ylabel(label_of(curves["friction_coefficient"].long_name, "1"), fontsize=8)
+    from_zero(axes, line)
+    return "Friction coefficient over the Stribeck number, each crank angle a point."

@@ -128,7 +128,7 @@ def test_an_oil_file_takes_the_place_of_the_oil(case):
 
 
 def test_copies_stand_alone(case):
-    for other in (case.copy(), copy.copy(case), copy.deepcopy(case), pickle.loads(pickle.dumps(case))):
+    for other in (case.copy(), copy.copy(case), copy.deepcopy(case), *(pickle.loads(pickle.dumps(case, protocol)) for protocol in range(6))):
         assert other == case
         other["operating.speed"] = "3000 rpm"
         assert other != case
@@ -163,3 +163,40 @@ def test_the_table_of_fields():
     assert "trace" in fields["gas.model"].choices
     assert all(field.help for field in fields.values())
     assert {quantity.name for quantity in ringfilm.quantities()["cycle"]} >= {"fmep", "mixed_share"}
+
+
+def test_a_key_that_a_case_cannot_do_without_has_no_value_once_it_is_taken_out(case):
+    del case["engine.bore"]
+    assert case["engine.bore"] is None and case.text("engine.bore") == ""
+    assert "engine.bore" not in case.assumed()
+    with pytest.raises(ringfilm.InputError, match="engine.bore"):
+        case.check()
+
+
+def test_a_case_is_walked_like_a_dict(case):
+    assert len(case) == len(case.keys()) == len(case.items()) == len(list(case))
+    assert dict(case) == dict(case.items())
+    assert dict(case)["engine.bore"] == 0.089
+
+
+def test_numbers_that_are_whole_are_counts(case):
+    case["solver.cells"] = numpy.float64(80)
+    assert case["solver.cells"] == 80 and isinstance(case["solver.cells"], int)
+    with pytest.raises(ringfilm.InputError, match="whole number"):
+        case["solver.cells"] = 80.5
+
+
+@pytest.mark.parametrize("value", [b"90 mm", {"bore": 1}, None.__class__, object()])
+def test_what_is_no_value_is_told_as_such(case, value):
+    with pytest.raises(TypeError, match="engine.bore = .* is wanted"):
+        case["engine.bore"] = value
+
+
+def test_names_that_no_file_can_have(case, folder):
+    with pytest.raises(ValueError, match="null byte"):
+        ringfilm.Case.read("case\0.toml")
+    with pytest.raises(UnicodeEncodeError):
+        case["engine.bore"] = "90 \ud800"
+    with pytest.raises(TypeError, match="3 is no key"):
+        ringfilm.Case.read("case.toml", overrides={3: 4})
+    assert ringfilm.Case.read(b"case.toml") == ringfilm.Case.read("case.toml", overrides=None)

@@ -1,5 +1,7 @@
 """The pad problem from Python."""
 
+import pickle
+
 import numpy
 import pytest
 
@@ -47,3 +49,15 @@ def test_a_march_in_time_tells_its_progress():
 def test_a_pad_has_a_picture(slider):
     pytest.importorskip("matplotlib")
     assert len(slider.run().plot().axes) == 2
+
+
+@pytest.mark.parametrize("name", ["inclined_slider.toml", "closed_pocket.toml", "oscillating_squeeze.toml"])
+def test_a_result_is_that_of_its_file_and_comes_back_from_a_pickle(name, folder):
+    xarray = pytest.importorskip("xarray")
+    result = ringfilm.Case.read(PAD / name).run()
+    result.write("pad.nc")
+    xarray.testing.assert_identical(result.to_xarray(), xarray.load_dataset("pad.nc"))
+    for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+        again = pickle.loads(pickle.dumps(result, protocol))
+        again.write("again.nc")
+        assert (folder / "again.nc").read_bytes() == (folder / "pad.nc").read_bytes()

@@ -2,12 +2,13 @@
 
 import gc
 import pickle
+import re
 
 import numpy
 import pytest
 
 import ringfilm
-from conftest import PAD
+from conftest import PAD, SOURCES
 
 
 @pytest.fixture
@@ -95,7 +96,7 @@ def test_a_file_that_cannot_be_written_is_an_output_error(result, folder):
 
 
 def test_pickles(result):
-    again = pickle.loads(pickle.dumps(result))
+    again = pickle.loads(pickle.dumps(result, 0))
     for name in ("min_film_thickness", "friction_on_liner", "film_pressure"):
         numpy.testing.assert_array_equal(again[name], result[name])
     assert again.values == result.values
@@ -159,3 +160,26 @@ def test_a_pad_has_neither_ledger_nor_errors(folder):
     for wish in ("ledger", "error_estimate"):
         with pytest.raises(ringfilm.InputError, match=f"{wish} is for rings"):
             pad.run(**{wish: True})
+
+
+def test_a_result_is_walked_like_a_dict(result):
+    assert "fmep" in result and "min_film_thickness" in result and "film_pressure" in result
+    assert "nothing" not in result and 3 not in result
+    assert len(result) == len(result.keys()) and set(result) >= {"crank_angle", "cycle_fmep", "film_pressure"}
+    assert all(result[name] is not None for name in result)
+
+
+def test_a_file_name_with_a_null_byte_writes_nothing(result, folder):
+    with pytest.raises(ValueError, match="null byte"):
+        result.write("a\0b.nc")
+    assert not (folder / "a").exists()
+
+
+def test_the_version_is_that_of_the_program(result, run_program):
+    assert run_program("--version").stdout.split()[1] == ringfilm.__version__
+    assert result.provenance["program"] == f"ringfilm {ringfilm.__version__}"
+
+
+def test_the_first_example_of_the_module_names_a_case_that_there_is():
+    named = re.search(r'Case.read\("(.*)"\)', ringfilm.__doc__).group(1)
+    assert (SOURCES / named).is_file()

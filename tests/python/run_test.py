@@ -14,6 +14,12 @@ import numpy
 import pytest
 
 import ringfilm
+from conftest import PAD
+
+
+@pytest.fixture
+def slider():
+    return ringfilm.Case.read(PAD / "inclined_slider.toml")
 
 
 @pytest.fixture
@@ -66,16 +72,36 @@ def test_other_threads_go_on(slow):
     assert len(during) > (end - begin) / 0.005 / 10
 
 
-@pytest.mark.parametrize("how", ["case.run()", "ringfilm.simulate_many(case.copy() for _ in range(10_000))"])
-def test_ctrl_c_stops(folder, how):
+@pytest.mark.parametrize(
+    "how",
+    [
+        "case.run()",
+        "case.run(error_estimate=True)",
+        "ringfilm.simulate_many([case] * 3)",
+        "ringfilm.Study.read('study.toml').run()",
+    ],
+)
+def test_ctrl_c_stops_what_would_go_on_for_minutes(folder, how):
     script = textwrap.dedent(
         f"""
-        import ringfilm, sys
+        import pathlib, ringfilm, sys
         case = ringfilm.Case.read("case.toml")
-        if {how.startswith("case")}:
-            case["solver.cells"] = 5000
-            case["solver.crank_step"] = "0.1 degree"
-            case["output.crank_angles"] = "10 degree"
+        case["solver.cells"] = 20000
+        case["solver.crank_step"] = "0.02 degree"
+        case["output.crank_angles"] = "10 degree"
+        pathlib.Path("slow.toml").write_text(case.resolved())
+        pathlib.Path("study.toml").write_text('''
+            kind = "map"
+            [[base]]
+            name = "slow"
+            case = "slow.toml"
+            [[factor]]
+            name = "speed"
+            key = "operating.speed"
+            values = ["1000 rpm", "2000 rpm", "3000 rpm"]
+            [plan]
+            method = "grid"
+        ''')
         print("running", flush=True)
         try:
             {how}
@@ -85,9 +111,9 @@ def test_ctrl_c_stops(folder, how):
     )
     process = subprocess.Popen([sys.executable, "-c", script], cwd=folder, stdout=subprocess.PIPE)
     assert process.stdout.readline() == b"running\n"
-    time.sleep(0.5)
+    time.sleep(1)
     process.send_signal(signal.SIGINT)
-    assert process.wait(timeout=30) == 77
+    assert process.wait(timeout=30) == 77, "it ended by itself, or of another cause"
 
 
 def test_a_cycle_that_stops_says_where_and_keeps_what_it_passed(case):
@@ -161,6 +187,39 @@ def test_a_case_that_cannot_be_run_is_a_row_with_its_reason(case):
     assert frame["reason"].tolist()[0] == "" and frame["reason"].tolist()[1] != ""
     assert frame["fmep"].isna().tolist() == [False, True, False]
     assert frame.attrs["units"]["fmep"] == "Pa"
+
+
+def test_a_batch_refuses_what_a_run_refuses(case, slider):
+    """Most of these would give numbers, of zeros that nobody stated."""
+    cases = [case.copy() for _ in range(7)]
+    for one, key in zip(cases, ("ring.face.crown_height", "contact.asperity_density", "contact.roughness", "engine.bore")):
+        del one[key]
+    del cases[4]["lubricant.density"]
+    cases[5]["gas.model"] = "wiebe"
+    cases.insert(3, slider)
+    batch = ringfilm.simulate_many(cases)
+    assert sorted(batch.unsolved) == [0, 1, 2, 3, 4, 5, 6]
+    assert "pad" in batch[3].reason and "engine.bore" in batch[4].reason and "lubricant.density" in batch[5].reason
+    for i in (0, 1, 2, 4, 5, 6):
+        assert not batch[i].complete and all(numpy.isnan(value) for value in batch[i].values.values())
+        with pytest.raises(ringfilm.InputError):
+            cases[i].run()
+        with pytest.raises(ringfilm.InputError):
+            cases[i].assumptions()
+    assert batch[7].complete and batch[7].fmep == ringfilm.simulate_many([case])[0].fmep
+
+
+def test_results_are_read_on_other_threads_without_a_word(folder):
+    script = textwrap.dedent(
+        """
+        import concurrent.futures, ringfilm
+        ringfilm.Case.read("case.toml").run().write("result.nc")
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            list(pool.map(ringfilm.Result.read, ["result.nc"] * 2))
+        """
+    )
+    done = subprocess.run([sys.executable, "-c", script], cwd=folder, capture_output=True, text=True, check=True)
+    assert done.stdout + done.stderr == ""
 
 
 def test_what_the_cases_raise_ends_the_batch(case):

@@ -124,3 +124,85 @@ def test_a_plan_with_until_goes_on_as_in_the_program(folder, run_program):
         rows = list(csv.DictReader(file))
     assert [float(row["fmep [Pa]"]) for row in rows] == list(result["fmep"])
     assert result.to_pandas().shape[0] == len(result)
+
+
+def test_the_dataset_has_what_the_file_of_the_program_has(folder, run_program):
+    xarray = pytest.importorskip("xarray")
+    factor = '[[factor]]\nname = "cavity"\nkey = "film.cavitation"\nvalues = ["mass-conserving", "reynolds-exit"]\n'
+    text = STUDY[: STUDY.index("[[factor]]")] + factor + '[plan]\nmethod = "grid"\n[keep]\ncurves = "all"\n'
+    (folder / "study.toml").write_text(text.replace('kind = "uncertainty"', 'kind = "compare"'))
+    assert run_program("study", "study.toml", "-o", "out").returncode == 0
+    made = ringfilm.Study.read("study.toml").run().to_xarray()
+    with xarray.open_dataset(folder / "out" / "study.nc") as stored:
+        elsewhere = {"base", "factor_cavity"}  # a number there, the words themselves here
+        common = [name for name in made.variables if name in stored.variables and name not in elsewhere]
+        assert {"fmep", "solved", "crank_angle", "ring", "curve_min_film_thickness"} < set(common)
+        for name in common:
+            assert made[name].dims == stored[name].dims and made[name].dtype == stored[name].dtype
+            assert made[name].attrs == stored[name].attrs, name
+            numpy.testing.assert_array_equal(made[name], stored[name])
+        assert made["factor_cavity"].attrs == stored["factor_cavity"].attrs
+        choices = stored["factor_cavity_choice"].values[stored["factor_cavity"].values.astype(int)]
+        assert list(made["factor_cavity"].values) == list(choices) == ["mass-conserving", "reynolds-exit"]
+        assert list(made["base"].values) == list(stored["base_name"].values[stored["base"].values])
+    assert made.attrs["program"] == stored.attrs["program"]
+    assert list(ringfilm.Study.read("study.toml").to_pandas()["factor_cavity"]) == ["mass-conserving", "reynolds-exit"]
+
+
+@pytest.fixture
+def batch(case):
+    """Four cases, of which the third is not solved."""
+    cases = [case.copy() for _ in range(4)]
+    for rpm, one in zip((1000, 2000, 2500, 3000), cases):
+        one["operating.speed"] = f"{rpm} rpm"
+    for key, text in (("contact.asperity_density", "1e-6 um-2"), ("contact.roughness", "0.01 um"),
+                      ("ring.elastic_pressure", "60 MPa"), ("ring.face.crown_height", "200 um")):
+        cases[2][key] = text
+    cases[3]["output.crank_angles"] = [0.0, 20.0]
+    batch = ringfilm.simulate_many(cases)
+    assert list(batch.unsolved) == [2]
+    return batch
+
+
+def test_a_batch_takes_what_numpy_takes(batch):
+    fmep = batch["fmep"]
+    assert fmep.shape == (4,) and fmep.dtype == float and fmep[1] == batch[1].fmep and numpy.isnan(fmep[2])
+    assert list(batch["cycle_min_film_thickness"][:2]) == list(batch["min_film_thickness"][:2])
+    assert batch["min_film_thickness"][1] == batch[1].cycle_min_film_thickness
+    assert list(batch["reason"]) == [result.reason for result in batch]
+    solved = batch[numpy.isfinite(fmep)]
+    assert len(solved) == 3 and solved[2] is batch[3] and not solved.unsolved
+    assert [one is other for one, other in zip(batch[[3, -4]], (batch[3], batch[0]))] == [True, True]
+    assert len(batch[[]]) == 0 and batch[numpy.int64(1)] is batch[1] and len(batch[1:3]) == 2
+    for wrong in ([0, 9], [True], [0.5], [[0]]):
+        with pytest.raises(IndexError):
+            batch[wrong]
+    with pytest.raises(KeyError, match="did you mean fmep"):
+        batch["fmepp"]
+
+
+def test_a_batch_as_a_dataset(batch):
+    pytest.importorskip("xarray")
+    data = batch.to_xarray()
+    assert data["fmep"].dims == ("case",) and data["fmep"].attrs["units"] == "Pa"
+    numpy.testing.assert_array_equal(data["fmep"], batch["fmep"])
+    numpy.testing.assert_array_equal(data["cycle_min_film_thickness"], batch["min_film_thickness"])
+    curve = data["min_film_thickness"]
+    assert curve.dims == ("case", "crank_angle") and curve.attrs["long_name"] == "minimum film thickness"
+    numpy.testing.assert_array_equal(curve[1], batch[1].min_film_thickness)
+    assert float(curve.sel(case=3, crank_angle=20)) == batch[3].min_film_thickness[1]
+    assert numpy.isfinite(curve[3]).sum() == 2 and numpy.isnan(curve[2]).all()
+    assert list(data["solved"].values) == [1, 1, 0, 1] and str(data["reason"][2].values) == batch[2].reason
+    assert set(batch.to_xarray(["power_loss"]).data_vars) - set(batch[:0].to_xarray().data_vars) == {"power_loss"}
+    with pytest.raises(KeyError, match="no curve nothing"):
+        batch.to_xarray(["nothing"])
+
+
+def test_a_batch_without_curves_and_one_without_cases(case):
+    pandas = pytest.importorskip("pandas")
+    data = ringfilm.simulate_many([case], curves="none").to_xarray()
+    assert "crank_angle" not in data.dims and data["fmep"].shape == (1,)
+    frame = ringfilm.simulate_many([]).to_pandas()
+    assert len(frame) == 0 and set(frame.drop(columns="reason").dtypes) == {numpy.dtype(float)}
+    assert list(frame.columns) == list(ringfilm.simulate_many([case]).to_pandas().columns)
+    assert pandas.api.types.is_object_dtype(frame["reason"])

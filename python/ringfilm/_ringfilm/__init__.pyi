@@ -36,6 +36,9 @@ class Case:
     def __iter__(self) -> Iterator:
         """Over keys()."""
         ...
+    def __len__(self) -> int:
+        """How many keys are in use."""
+        ...
     def __repr__(self) -> str:
         """Title, file and number of stated keys."""
         ...
@@ -47,7 +50,7 @@ class Case:
         """The keys in use that the case does not state, with their values as text()."""
         ...
     def assumptions(self) -> List[str]:
-        """What a cycle of this case takes for granted, a sentence each. Source: docs/theory/assumptions.md."""
+        """What a cycle of this case takes for granted, a sentence each. Raises InputError as check() does. Source: docs/theory/assumptions.md."""
         ...
     def check(self) -> List[str]:
         """Checks the case as a whole. Returns what the program has to say about it, a list of sentences.
@@ -64,11 +67,14 @@ class Case:
     def is_pad(self) -> object:
         """Is it a film without engine and ring?"""
         ...
+    def items(self) -> list:
+        """The keys in use with their values, a list of tuples (key, value)."""
+        ...
     def keys(self) -> List[str]:
         """The keys that are in use, stated or not, in the order of a case file."""
         ...
     @staticmethod
-    def read(path: object, overrides: dict = {}) -> Case:
+    def read(path: object, overrides: Optional[dict] = None) -> Case:
         """A case from a TOML file, with all files that it names.
 
         path: name of the file, a str or a path.
@@ -248,8 +254,12 @@ class PadResult:
     def peak_position_y(self) -> object:
         """where across the pad the film pressure peaks [m], shape (time,). Source: docs/theory/pad.md."""
         ...
-    def plot(self) -> object:
-        """Draws gap and pressure of the last instant. Returns the matplotlib.figure.Figure."""
+    def plot(self, what: str = 'film', axes: object = None, label: object = None, **kwargs) -> object:
+        """Draws the pad with matplotlib, in units that go by the size of the numbers.
+
+        what: "film" (gap and pressure of the last instant), "film_thickness", "pressure", "fill", or a number over time ("load").
+        axes, label, style: as in Result.plot; not for "film", which is two panels.
+        Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn."""
         ...
     @property
     def pressure(self) -> object:
@@ -271,7 +281,7 @@ class PadResult:
         """The numbers of all instants as a pandas.DataFrame, indexed by time [s]; units in attrs."""
         ...
     def to_xarray(self) -> object:
-        """The result as an xarray.Dataset over time, x and, with a width, y; SI."""
+        """The result as an xarray.Dataset over time, x and, with a width, y, as xarray reads it from the file of write(); SI."""
         ...
     @property
     def total_friction_fixed(self) -> object:
@@ -343,9 +353,18 @@ class Result:
     curve has the same name, and all stand in result.values. Every variable of a result file is an item by its name there.
     Loads, friction and flow are those of the whole ring; signs are told in docs/manual/result-file.md. Crank angles are in
     degrees, 0 = firing TDC, from 0 to 720. Results can be pickled."""
+    def __contains__(self, name: object) -> bool:
+        """Does [] give something for this name?"""
+        ...
     def __getitem__(self, name: str) -> object:
         """A curve, a value of the cycle or a field, by its name in the result file (docs/manual/result-file.md):
         "film_pressure" has the shape (field_crank_angle, x). Raises KeyError."""
+        ...
+    def __iter__(self) -> Iterator:
+        """Over keys()."""
+        ...
+    def __len__(self) -> int:
+        """How many keys()."""
         ...
     def __repr__(self) -> str:
         """Title and number of crank angles."""
@@ -497,6 +516,9 @@ class Result:
     @property
     def intake_stroke_energy(self) -> object:
         """Friction energy of the intake stroke [J], a float; NaN where the cycle was not finished. Source: docs/theory, eq-energy-per-cycle."""
+        ...
+    def keys(self) -> list:
+        """Names of all that [] gives, as in the result file, in its order."""
         ...
     @property
     def ledger(self) -> object:
@@ -674,11 +696,15 @@ class Result:
     def piston_velocity(self) -> object:
         """Piston velocity, positive towards TDC [m/s], shape (crank_angle,). Source: docs/theory, eq-piston-velocity."""
         ...
-    def plot(self, what: str = 'overview', axes: object = None) -> object:
+    def plot(self, what: str = 'overview', axes: object = None, label: object = None, **kwargs) -> object:
         """Draws the result with matplotlib, in units of engineers, from -360 to 360 degree with firing TDC in the middle.
 
-        what: "overview" (film, friction, pressure), "friction", "film", "stribeck", or the name of a curve or of a field.
-        axes: a matplotlib Axes to draw one curve into; a new figure without it.
+        what: "overview" (pressure, film, friction), "friction", "film", "stribeck", or the name of a curve or of a field
+            (curves of up to 8 angles, a map of more).
+        axes: a matplotlib Axes to draw into, in its next colour; a new figure without it. Not for "overview", "friction" and
+            "film", which are several panels.
+        label: for a legend; title and speed of the case where axes is given.
+        style: words of matplotlib's plot(), of pcolormesh() for a map.
         Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn."""
         ...
     @property
@@ -794,7 +820,7 @@ class Study:
         ...
     @property
     def factors(self) -> object:
-        """What varies: dicts with name, variable (as in files), unit in SI, keys, choices."""
+        """What varies: dicts with name, variable (as in files), unit in SI, keys, choices, source of its scatter."""
         ...
     @property
     def notes(self) -> object:
@@ -864,7 +890,7 @@ class StudyResult:
         """A pandas.DataFrame: one row a scenario, columns base, factors, values of the cycle in SI, reason."""
         ...
     def to_xarray(self) -> object:
-        """An xarray.Dataset over scenario, with base and factors as coordinates, SI."""
+        """An xarray.Dataset over scenario, SI: base, factors and choices (as texts) as coordinates, kept curves over scenario, crank_angle and ring."""
         ...
     @property
     def unsolved(self) -> object:

@@ -35,6 +35,9 @@ std::vector<double> values(const std::vector<TemperatureValue>& points) {
 }
 
 models::OilLaws oil_laws(const Lubricant& oil, double temperature) {
+  if (!oil.constant_density && oil.density.empty()) {
+    throw InputError("lubricant.density has no value", "state one, or values at temperatures");
+  }
   models::OilLaws laws;
   laws.viscosity_temperature = temperatures(oil.kinematic_viscosity);
   laws.kinematic_viscosity = values(oil.kinematic_viscosity);

@@ -118,7 +118,8 @@ class Block {
 
 }  // namespace
 
-LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::function<void(Owned)>& finished) {
+LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::function<void(Owned)>& finished,
+                              const std::function<void()>& pulse) {
   LaneEffort effort;
   std::map<Kind, Block> blocks;
   std::map<Kind, std::deque<Owned>> waiting;
@@ -134,6 +135,7 @@ LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::fun
       while (!march->done()) {
         march->march().propose();
         march->conclude(march->march().solve());
+        if (pulse) pulse();
       }
       return finished(std::move(march));
     }
@@ -165,6 +167,7 @@ LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::fun
         at = blocks.erase(at);
       } else {
         at->second.iterate(finished, effort);
+        if (pulse) pulse();
         ++at;
       }
     }

@@ -29,8 +29,9 @@ struct LaneEffort {
 /// that is free takes the next march, so that none waits for the slowest. Marches of unlike grids share a block, as
 /// long as the longest in it, if their cells have the same next power of two; those that are not solved by the coupled
 /// Newton method, and those of an unrolled film, are marched one by one. What becomes of a march depends on no other.
-/// One thread.
+/// `pulse` is called every few crank steps at the latest; what it throws ends all marches. One thread.
 LaneEffort march_side_by_side(const std::function<std::unique_ptr<Marching>()>& next,
-                              const std::function<void(std::unique_ptr<Marching>)>& finished);
+                              const std::function<void(std::unique_ptr<Marching>)>& finished,
+                              const std::function<void()>& pulse = {});
 
 }  // namespace ringfilm::cycle

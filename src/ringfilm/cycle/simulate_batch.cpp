@@ -5,7 +5,8 @@
 
 namespace ringfilm::cycle {
 
-LaneEffort simulate_batch(const SetupSource& next, const std::function<void(BatchOutcome)>& finished) {
+LaneEffort simulate_batch(const SetupSource& next, const std::function<void(BatchOutcome)>& finished,
+                          const std::function<void()>& pulse) {
   std::map<const Marching*, std::size_t> index;
   std::size_t n_given = 0;
   const auto start = [&]() -> std::unique_ptr<Marching> {
@@ -20,7 +21,7 @@ LaneEffort simulate_batch(const SetupSource& next, const std::function<void(Batc
     const auto number = index.extract(&run).mapped();
     finished({number, run.result(), run.stop()});
   };
-  return march_side_by_side(start, end);
+  return march_side_by_side(start, end, pulse);
 }
 
 }  // namespace ringfilm::cycle

@@ -32,7 +32,7 @@ constexpr const char* kWanted = "a variable h(y, x) is wanted, with coordinates 
 /// A file of NetCDF-4, open as long as this lives.
 class OpenFile {
  public:
-  OpenFile(const std::string& shown, const std::string& bytes) : shown_(shown), lock_(netcdf_in_use()) {
+  OpenFile(const std::string& shown, const std::string& bytes) : shown_(shown) {
     // The library promises not to write into memory that is opened NC_NOWRITE.
     check(nc_open_mem("gap", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file_), "the file");
   }
@@ -108,7 +108,7 @@ class OpenFile {
   }
 
   std::string shown_;
-  std::unique_lock<std::mutex> lock_;
+  NetcdfInUse in_use_;
   int file_ = -1;
 };
 

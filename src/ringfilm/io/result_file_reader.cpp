@@ -4,7 +4,6 @@
 #include <netcdf_mem.h>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/result_file_netcdf.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -14,8 +13,7 @@ constexpr std::size_t kMostValues = std::size_t{1} << 28;
 
 }  // namespace
 
-ResultFileReader::ResultFileReader(const std::string& path, const std::string& bytes)
-    : path_(path), lock_(netcdf_in_use()) {
+ResultFileReader::ResultFileReader(const std::string& path, const std::string& bytes) : path_(path) {
   // The library promises not to write into memory that is opened NC_NOWRITE.
   check(nc_open_mem("ringfilm", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file_), "the file");
 }

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/result_file_netcdf.hpp"
 
 namespace ringfilm::io {
 
@@ -97,7 +97,7 @@ class ResultFileReader {
   void check(int status, const std::string& what) const;
 
   std::string path_;
-  std::unique_lock<std::mutex> lock_;
+  NetcdfInUse in_use_;
   int file_ = -1;
 };
 

@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/result_file_netcdf.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -38,20 +37,14 @@ std::size_t length_in_superblock(const unsigned char* file, std::size_t size) {
 
 }  // namespace
 
-std::mutex& netcdf_in_use() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-ResultFileWriter::ResultFileWriter(const std::string& path) : path_(path), lock_(netcdf_in_use()) {
+ResultFileWriter::ResultFileWriter(const std::string& path) : path_(path) {
   constexpr std::size_t kFirstSize = 1 << 16;  // grows as needed [bytes]
   int previous = 0;
   check(nc_create_mem("ringfilm", NC_NETCDF4, kFirstSize, &file_), "the file");
   check(nc_set_fill(file_, NC_NOFILL, &previous), "the file");  // every variable is written as a whole
 }
 
-ResultFileWriter::ResultFileWriter(const std::string& path, AsideFile& aside, std::uint64_t most_bytes)
-    : path_(path), lock_(netcdf_in_use()) {
+ResultFileWriter::ResultFileWriter(const std::string& path, AsideFile& aside, std::uint64_t most_bytes) : path_(path) {
   check(nc_create(aside.path().c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "the file");
   try {
     aside.reserve(most_bytes);  // not before: what begins a file anew gives its room back

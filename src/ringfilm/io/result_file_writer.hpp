@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/result_file_netcdf.hpp"
 
 namespace ringfilm::io {
 
@@ -136,7 +136,7 @@ class ResultFileWriter {
   void check(int status, const std::string& what) const;
 
   std::string path_;
-  std::unique_lock<std::mutex> lock_;
+  NetcdfInUse in_use_;
   int file_ = -1;
   std::unique_ptr<void, void (*)(void*)> content_{nullptr, &std::free};  ///< of the closed file
 };

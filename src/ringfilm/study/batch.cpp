@@ -1,5 +1,6 @@
 #include "ringfilm/study/batch.hpp"
 
+#include <atomic>
 #include <deque>
 #include <exception>
 #include <map>
@@ -81,6 +82,14 @@ class Desk {
   void fail(std::exception_ptr failure) {
     const std::lock_guard lock(mutex_);
     if (failure_ == nullptr) failure_ = std::move(failure);
+    has_failed_ = true;
+  }
+
+  /// Throws what ended the batch, for a thread that is in the midst of its marches.
+  void look() {
+    if (!has_failed_) return;
+    const std::lock_guard lock(mutex_);
+    std::rethrow_exception(failure_);
   }
 
  private:
@@ -91,6 +100,7 @@ class Desk {
       return callback();
     } catch (...) {
       failure_ = std::current_exception();
+      has_failed_ = true;
       throw;
     }
   }
@@ -103,6 +113,7 @@ class Desk {
   std::size_t n_read_ = 0;
   bool is_dry_ = false;
   std::exception_ptr failure_;
+  std::atomic<bool> has_failed_ = false;
 };
 
 Ending refused(std::size_t index, const InputError& refusal) {
@@ -142,7 +153,11 @@ cycle::LaneEffort serve(Desk& desk, int thread, const BatchOptions& options) {
     desk.hand_in(
         {index.extract(outcome.index).mapped(), std::move(outcome.result), std::move(outcome.stop), std::nullopt});
   };
-  return cycle::simulate_batch(setup, finished);
+  const auto pulse = [&] {
+    desk.look();
+    if (options.pulse) options.pulse();
+  };
+  return cycle::simulate_batch(setup, finished, pulse);
 }
 
 }  // namespace

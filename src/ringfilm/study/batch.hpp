@@ -18,6 +18,9 @@ struct BatchOptions {
   /// How a case is made ready: empty, by cycle::prepare. One's own may bring another oil (cycle::OwnOil); it is called
   /// from several threads at a time, and an InputError that it throws refuses the case.
   std::function<cycle::Setup(const cycle::Case&)> prepare = {};
+  /// Called by every thread now and then from within its marches, from several at a time. What it throws ends the
+  /// batch.
+  std::function<void()> pulse = {};
 };
 
 /// How a scenario of a batch ended.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -195,6 +196,21 @@ TEST(Batch, NobodyIsCalledAgainAfterAnException) {
     EXPECT_THROW(simulate_cases(next, told, {4}), std::runtime_error);
     EXPECT_EQ(n_too_late, 0);
   }
+}
+
+TEST(Batch, APulseThatThrowsEndsItInTheMidstOfAMarch) {
+  std::vector<Case> cases(3, testing::coarse_case());
+  std::size_t n_given = 0;
+  std::atomic<int> pulses = 0;
+  BatchOptions options;
+  options.threads = 2;
+  options.pulse = [&] {
+    if (++pulses == 5) throw std::runtime_error("enough");
+  };
+  const auto told = [](const Ending&) {
+    ADD_FAILURE() << "five pulses are fewer than the steps of any of these cycles";
+  };
+  EXPECT_THROW(simulate_cases(source_of(cases, n_given), told, options), std::runtime_error);
 }
 
 TEST(Batch, AnExceptionOfTheSourceEndsIt) {

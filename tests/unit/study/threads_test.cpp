@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 namespace ringfilm::study {
 namespace {
@@ -33,6 +35,40 @@ TEST(Threads, AnExceptionIsRethrownWhenAllHaveEnded) {
   };
   EXPECT_THROW(on_threads(3, work), std::runtime_error);
   EXPECT_EQ(ended, 2);
+}
+
+TEST(Threads, WorkIsLookedAfterFromTheThreadOfTheCaller) {
+  const std::thread::id here = std::this_thread::get_id();
+  std::atomic<int> looked = 0;
+  look_after(
+      [&] {
+        EXPECT_NE(std::this_thread::get_id(), here);
+        while (looked < 2) std::this_thread::yield();
+      },
+      [&] {
+        EXPECT_EQ(std::this_thread::get_id(), here);
+        ++looked;
+      });
+  EXPECT_GE(looked, 2);
+}
+
+TEST(Threads, WhatLookingAfterWorkFindsOutIsRethrownWhenTheWorkHasEnded) {
+  std::atomic<bool> is_to_end = false, has_ended = false;
+  const auto work = [&] {
+    while (!is_to_end) std::this_thread::yield();
+    has_ended = true;
+    throw std::logic_error("of the work, which was told to end");
+  };
+  const auto look = [&] {
+    is_to_end = true;
+    throw std::runtime_error("of the look");
+  };
+  EXPECT_THROW(look_after(work, look), std::runtime_error);
+  EXPECT_TRUE(has_ended);
+}
+
+TEST(Threads, WhatWorkThrowsThatIsLookedAfterIsRethrown) {
+  EXPECT_THROW(look_after([] { throw std::runtime_error("from the work"); }, [] {}), std::runtime_error);
 }
 
 TEST(Threads, AsManyAsWantedAndAtLeastOne) {
