@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "case_object.hpp"
 #include "case_values.hpp"
 #include "ringfilm/base/error.hpp"
@@ -29,7 +30,7 @@ const Field& known_field(const std::string& key) {
 }
 
 CaseObject read_case(const py::object& path, const std::optional<py::dict>& overrides) {
-  const auto name = path_of(path);
+  const auto name = path_of("path", path);
   auto units = std::make_shared<const io::Units>();
   if (!overrides || overrides->empty()) return {io::read_case(name, {}, *units), units};
   // As --set has them, so that what is missing in the file may be among them.
@@ -67,7 +68,7 @@ std::vector<std::string> check(CaseObject& self) {
   return notes;
 }
 
-std::string text_of(const CaseObject& self, const std::string& key) {
+std::string key_text(const CaseObject& self, const std::string& key) {
   const Field& field = known_field(key);
   return is_missing(field, self.value()) ? "" : io::written_value(field, self.value(), self.units());
 }
@@ -76,7 +77,7 @@ py::dict assumed(const CaseObject& self) {
   py::dict assumed;
   for (const std::string& key : keys_in_use(self)) {
     if (self.value().stated.contains(key)) continue;
-    const std::string text = text_of(self, key);
+    const std::string text = key_text(self, key);
     if (!text.empty()) assumed[py::str(key)] = text;
   }
   return assumed;
@@ -228,7 +229,7 @@ Raises InputError for an unknown key, a wrong unit, a value out of range; TypeEr
       "The keys in use with their values, a list of tuples (key, value).");
   type.def(
       "__len__", [](const CaseObject& self) { return keys_in_use(self).size(); }, "How many keys are in use.");
-  type.def("text", &text_of, py::arg("key"),
+  type.def("text", &key_text, py::arg("key"),
            R"(The value of a key as a case file has it, in the unit people use: '"2000 rpm"'. Empty where there is none.
 Raises InputError for a key that does not exist.)");
   type.def("assumed", &assumed, "The keys in use that the case does not state, with their values as text().");
@@ -290,7 +291,7 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
       py::arg("other"), "Have both cases the same values, from files with the same bytes?");
   type.attr("__hash__") = py::none();
   type.def("__repr__", &repr, "Title, file and number of stated keys.");
-  picklable(type, &state_of, &from_state);
+  type.def(py::pickle(&state_of, &from_state)).def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
   module.def("starting_case", &io::starting_case,
              "A commented, complete case file to start from, a str, as `ringfilm new` writes it.");
 }

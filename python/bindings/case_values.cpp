@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "arguments.hpp"
 #include "ringfilm/io/units.hpp"
 
 namespace ringfilm::python {
@@ -177,7 +178,7 @@ class Toml {
 
   TomlValue operator()() const {
     if (py::isinstance<py::str>(value_)) return text(words_of(value_));
-    if (py::hasattr(value_, "__fspath__")) return text(path_of(py::reinterpret_borrow<py::object>(value_)));
+    if (py::hasattr(value_, "__fspath__")) return text(path_of(field_.key.c_str(), value_));
     if (is_truth_value(value_) || py::isinstance<py::bytes>(value_)) refuse();
     if (py::isinstance<py::dict>(value_)) refuse();
     if (py::hasattr(value_, "__len__") && py::hasattr(value_, "__getitem__") && !is_scalar_array(value_)) return list();

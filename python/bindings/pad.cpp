@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "arguments.hpp"
 #include "dataset_writer.hpp"
 #include "pad_object.hpp"
 #include "ringfilm/io/atomic_file.hpp"
@@ -96,12 +97,13 @@ Source: docs/theory/pad.md.)");
       },
       "What one must know about this result: tuples (topic, sentence, how many times).");
   type.def(
-      "write", [](const PadObject& self, const py::object& path) { io::write_pad(path_of(path), self.document()); },
+      "write",
+      [](const PadObject& self, const py::object& path) { io::write_pad(path_of("path", path), self.document()); },
       py::arg("path"), "Writes the same NetCDF file as `ringfilm run --output`. Raises OutputError.");
   type.def(
       "write_csv",
       [](const PadObject& self, const py::object& path) {
-        io::write_atomically(path_of(path), io::pad_csv(self.result()));
+        io::write_atomically(path_of("path", path), io::pad_csv(self.result()));
       },
       py::arg("path"), "Writes the film along the pad as `ringfilm run --csv`. Raises OutputError.");
   type.def("_dataset", &dataset, "Variables and attributes of the result file, for to_xarray.");
@@ -133,7 +135,7 @@ Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn
                "\": " + std::to_string(self.result().samples.size()) + " instants>";
       },
       "Title and number of instants.");
-  picklable(type, &state_of, &pad_of_state);
+  type.def(py::pickle(&state_of, &pad_of_state)).def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
 }
 
 }  // namespace ringfilm::python

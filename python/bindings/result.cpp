@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 
+#include "arguments.hpp"
 #include "dataset_writer.hpp"
 #include "result_object.hpp"
 #include "ringfilm/io/atomic_file.hpp"
@@ -236,12 +237,12 @@ not solved, with NaN for values). Empty where it was not asked for.)");
 
 void bind_outputs(py::class_<ResultObject>& type) {
   type.def_static(
-      "read", [](const py::object& path) { return ResultObject(io::read_result(path_of(path))); }, py::arg("path"),
-      "A result from a NetCDF file that this module or `ringfilm run` wrote. Raises InputError.");
+      "read", [](const py::object& path) { return ResultObject(io::read_result(path_of("path", path))); },
+      py::arg("path"), "A result from a NetCDF file that this module or `ringfilm run` wrote. Raises InputError.");
   type.def(
       "write",
       [](const ResultObject& self, const py::object& path) {
-        const std::string name = path_of(path);
+        const std::string name = path_of("path", path);
         const io::ResultDocument& document = self.document();
         const py::gil_scoped_release others_go_on;
         io::write_result(name, document);
@@ -252,14 +253,14 @@ void bind_outputs(py::class_<ResultObject>& type) {
       "write_csv",
       [](const ResultObject& self, const py::object& path) {
         const io::ResultDocument& document = self.document();
-        io::write_atomically(
-            path_of(path), io::result_csv(document.result.samples, document.errors, document.result.unrolled_samples));
+        io::write_atomically(path_of("path", path), io::result_csv(document.result.samples, document.errors,
+                                                                   document.result.unrolled_samples));
       },
       py::arg("path"), "Writes the curves as `ringfilm run --csv`. Raises OutputError.");
   type.def(
       "write_report",
       [](const ResultObject& self, const py::object& path) {
-        io::write_atomically(path_of(path), report::report_page({self.document()}, {}));
+        io::write_atomically(path_of("path", path), report::report_page({self.document()}, {}));
       },
       py::arg("path"), "Writes the result as one self-contained web page, as `ringfilm report`. Raises OutputError.");
   type.def(
@@ -306,15 +307,15 @@ Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn
       "__len__", [](const py::object& self) { return py::len(keys(self)); }, "How many keys().");
   type.def("__contains__", &has, py::arg("name"), "Does [] give something for this name?");
   type.def("__repr__", &repr, "Title and number of crank angles.");
-  picklable(
-      type,
-      [](const ResultObject& self) {
-        return py::make_tuple(py::bytes(io::result_bytes(self.document())), self.reason());
-      },
-      [](const py::tuple& state) {
-        io::ResultDocument document = io::result_of_bytes("a pickle", py::cast<std::string>(state[0]));
-        return ResultObject(std::move(document), py::cast<std::string>(state[1]));
-      });
+  type.def(py::pickle(
+               [](const ResultObject& self) {
+                 return py::make_tuple(py::bytes(io::result_bytes(self.document())), self.reason());
+               },
+               [](const py::tuple& state) {
+                 io::ResultDocument document = io::result_of_bytes("a pickle", py::cast<std::string>(state[0]));
+                 return ResultObject(std::move(document), py::cast<std::string>(state[1]));
+               }))
+      .def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
 }
 
 }  // namespace

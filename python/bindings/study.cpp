@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "arguments.hpp"
 #include "errors.hpp"
 #include "interpreter.hpp"
 #include "record.hpp"
@@ -251,7 +252,7 @@ Source: docs/theory/study.md.)")
       .def_static(
           "read",
           [](const py::object& path) {
-            const auto name = path_of(path);
+            const auto name = path_of("path", path);
             return StudyObject{std::make_shared<const Loaded>(io::read_study(name))};
           },
           py::arg("path"),

@@ -193,7 +193,7 @@ def test_what_is_no_value_is_told_as_such(case, value):
 
 
 def test_names_that_no_file_can_have(case, folder):
-    with pytest.raises(ValueError, match="null byte"):
+    with pytest.raises(ringfilm.InputError, match="zero byte"):
         ringfilm.Case.read("case\0.toml")
     with pytest.raises(UnicodeEncodeError):
         case["engine.bore"] = "90 \ud800"

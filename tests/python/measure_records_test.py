@@ -78,7 +78,7 @@ MADE = {
 def test_copies_and_pickles_are_the_same(name):
     one = MADE[name]()
     assert type(one).__name__ == name
-    for other in [MADE[name](), pickle.loads(pickle.dumps(one)), copy.copy(one), copy.deepcopy(one)]:
+    for other in [MADE[name](), *(pickle.loads(pickle.dumps(one, protocol)) for protocol in range(6)), copy.copy(one), copy.deepcopy(one)]:
         assert other is not one
         assert other == one and not other != one
         assert repr(other) == repr(one)

@@ -170,7 +170,7 @@ def test_a_result_is_walked_like_a_dict(result):
 
 
 def test_a_file_name_with_a_null_byte_writes_nothing(result, folder):
-    with pytest.raises(ValueError, match="null byte"):
+    with pytest.raises(ringfilm.InputError, match="zero byte"):
         result.write("a\0b.nc")
     assert not (folder / "a").exists()
 
