@@ -60,9 +60,11 @@ class BatchResult(Sequence):
     def to_xarray(self, curves: Optional[Iterable[str]] = None):
         """An xarray.Dataset in SI: values over `case`, and the curves that were kept over `case` and `crank_angle`.
 
-        curves: names of those to take, None for all; they are copied. Where a curve and a value share their name the
-        value is `cycle_...`. Cases of different crank angles share an axis of all of them, NaN where one has none, as
-        for a case that was not solved: see `solved` and `reason`. Raises KeyError.
+        curves: names of those to take, None for all; they are copied.
+
+        Where a curve and a value share their name the value is `cycle_...`. Cases of different crank angles share an
+        axis of all of them, NaN where one has none, as for a case that was not solved: see `solved` and `reason`.
+        Raises KeyError.
         """
         from ._frames import batch_to_xarray
 
