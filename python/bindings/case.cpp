@@ -107,14 +107,6 @@ auto samples(Case& c, cycle::SampledTrace& cylinder, cycle::OilTable& oil) {
                   c.pad.history_time, c.pad.history_separation);
 }
 
-py::array_t<double> array_of(const std::vector<double>& values) {
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-std::vector<double> values_of(const py::handle& array) {
-  const auto values = py::cast<py::array_t<double, py::array::c_style>>(array);
-  return {values.data(), values.data() + values.size()};
-}
-
 py::tuple state_of(const CaseObject& self) {
   Case c = self.value();
   py::dict values;
@@ -146,12 +138,14 @@ CaseObject from_state(const py::tuple& state) {
   std::size_t i = 0;
   cycle::SampledTrace cylinder;
   cycle::OilTable oil;
-  std::apply([&](auto&... each) { ((each = values_of(arrays[i++])), ...); }, samples(c, cylinder, oil));
+  std::apply([&](auto&... each) { ((each = row_of("a member of the pickle", arrays[i++])), ...); },
+             samples(c, cylinder, oil));
   c.gas.cylinder_pressure = std::move(cylinder);
   c.lubricant.table = std::move(oil);
   if (!state[4].is_none()) {
     const auto trace = py::cast<py::tuple>(state[4]);
-    c.gas.crankcase_trace = cycle::SampledTrace{values_of(trace[0]), values_of(trace[1])};
+    c.gas.crankcase_trace =
+        cycle::SampledTrace{row_of("a member of the pickle", trace[0]), row_of("a member of the pickle", trace[1])};
   }
   for (const auto& file : py::cast<py::list>(state[5])) {
     const auto words = py::cast<std::vector<std::string>>(file);
