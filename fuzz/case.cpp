@@ -1,10 +1,11 @@
+#include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/io/case_file.hpp"
 
 /// A case file, with the files of fuzz/beside to refer to; what passes is made ready to march and written out again.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(case) {
   using namespace ringfilm;
   static const io::Units units;
   const std::string path = fuzz::input_file(data, size, "case.toml");

@@ -3,11 +3,12 @@
 #include <memory>
 #include <string>
 
+#include "fuzz_target.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/digital_surf_file.hpp"
 
 /// A surface of Digital Surf. Every channel that passes is read.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(digital_surf) {
   using namespace ringfilm;
   const std::string path = "a.sur";
   const auto bytes = std::make_shared<const std::string>(reinterpret_cast<const char*>(data), size);

@@ -1,10 +1,11 @@
+#include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/face_file.hpp"
 #include "ringfilm/models/ring.hpp"
 
 /// The points of a ring face as CSV; what passes becomes a face as wide as its points.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(face) {
   using namespace ringfilm;
   static const io::Units units;
   const std::string path = fuzz::input_file(data, size, "face.csv");

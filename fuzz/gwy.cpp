@@ -3,11 +3,12 @@
 #include <memory>
 #include <string>
 
+#include "fuzz_target.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/gwy_file.hpp"
 
 /// A file of Gwyddion, as its program hands it over. Every channel that passes is read.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(gwy) {
   using namespace ringfilm;
   const std::string path = "a.gwy";
   const auto bytes = std::make_shared<const std::string>(reinterpret_cast<const char*>(data), size);

@@ -3,11 +3,12 @@
 #include <memory>
 #include <string>
 
+#include "fuzz_target.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/height_table_file.hpp"
 
 /// Heights as text, in the layout that the content speaks for. Every channel that passes is read.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(height_table) {
   using namespace ringfilm;
   const std::string path = "a.csv";
   const auto bytes = std::make_shared<const std::string>(reinterpret_cast<const char*>(data), size);

@@ -1,9 +1,10 @@
+#include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/overlay_file.hpp"
 
 /// Measured curves as CSV, to be laid over computed ones.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(overlay) {
   using namespace ringfilm;
   static const io::Units units;
   const std::string path = fuzz::input_file(data, size, "overlay.csv");

@@ -1,12 +1,13 @@
 #include <string_view>
 
+#include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/pad_file.hpp"
 
 /// The gap of a pad over x and y, as CSV or NetCDF. Of NetCDF only the classic form, ours to read: for the other there
 /// is a library, whose faults are not ours to find.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(pad_map) {
   using namespace ringfilm;
   static const io::Units units;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

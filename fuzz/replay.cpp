@@ -1,31 +1,56 @@
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+#include "fuzz_target.hpp"
 
-// Runs a fuzz target over the files of a corpus, in the order of their names; stands in for libFuzzer, so that every
-// compiler can repeat what fuzzing once found.
+namespace ringfilm::fuzz {
+namespace {
+
+std::map<std::string, Target>& targets() {
+  static std::map<std::string, Target> all;
+  return all;
+}
+
+}  // namespace
+
+bool listed(const std::string& name, Target target) { return targets().emplace(name, target).second; }
+
+}  // namespace ringfilm::fuzz
+
+// Runs a fuzz target over files, and over those of folders in the order of their names; stands in for libFuzzer, so
+// that every compiler can repeat what fuzzing once found.
 int main(int argc, char** argv) {
   namespace fs = std::filesystem;
-  if (argc != 2 || !fs::is_directory(argv[1])) {
-    std::fprintf(stderr, "usage: %s CORPUS_FOLDER\n", argv[0]);
+  const auto& targets = ringfilm::fuzz::targets();
+  const auto found = argc > 2 ? targets.find(argv[1]) : targets.end();
+  if (found == targets.end()) {
+    std::fprintf(stderr, "usage: %s TARGET FILE_OR_FOLDER...\ntargets:", argv[0]);
+    for (const auto& [name, target] : targets) std::fprintf(stderr, " %s", name.c_str());
+    std::fprintf(stderr, "\n");
     return 2;
   }
   std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(argv[1])) paths.push_back(entry.path());
+  for (int i = 2; i < argc; ++i) {
+    if (fs::is_directory(argv[i])) {
+      for (const auto& entry : fs::directory_iterator(argv[i])) paths.push_back(entry.path());
+    } else {
+      paths.emplace_back(argv[i]);
+    }
+  }
   std::sort(paths.begin(), paths.end());
   for (const fs::path& path : paths) {
     std::printf("%s\n", path.filename().c_str());
     std::fflush(stdout);  // the last name is that of the culprit
     std::ifstream file(path, std::ios::binary);
+    if (!file) return 2;
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    found->second(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   }
   return paths.empty() ? 1 : 0;
 }

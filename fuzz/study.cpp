@@ -1,3 +1,4 @@
+#include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/study_file.hpp"
@@ -5,7 +6,7 @@
 #include "ringfilm/study/scenario.hpp"
 
 /// A study, with the files of fuzz/beside to refer to; of what passes some scenarios are made.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(study) {
   using namespace ringfilm;
   const std::string path = fuzz::input_file(data, size, "study.toml");
   try {

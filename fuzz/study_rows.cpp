@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/digest.hpp"
@@ -26,7 +27,7 @@ std::string framed(const std::uint8_t* data, std::size_t size) {
 }  // namespace
 
 /// Rows of a study, of which all that passes is read.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(study_rows) {
   using namespace ringfilm;
   const std::string bytes = framed(data, size);
   const std::string path =

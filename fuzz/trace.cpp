@@ -1,9 +1,10 @@
+#include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/trace_file.hpp"
 
 /// A pressure trace as CSV, taken for absolute in a cylinder and for gauge in a crankcase.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(trace) {
   using namespace ringfilm;
   static const io::Units units;
   const std::string path = fuzz::input_file(data, size, "trace.csv");

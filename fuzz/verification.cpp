@@ -1,11 +1,12 @@
 #include <filesystem>
 
+#include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/verification_file.hpp"
 
 /// The claims of a folder of verification, in fuzz/beside, whose README and cases they refer to.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(verification) {
   using namespace ringfilm;
   static const io::Units units;
   const std::filesystem::path path = fuzz::input_file(data, size, "reference.toml");

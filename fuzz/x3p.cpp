@@ -3,12 +3,13 @@
 #include <memory>
 #include <string>
 
+#include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/x3p_file.hpp"
 
 /// An X3P: the archive, its XML, its points. Every channel that passes is read.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+RINGFILM_FUZZ_TARGET(x3p) {
   using namespace ringfilm;
   const std::string path = fuzz::input_file(data, size, "a.x3p");
 

@@ -16,7 +16,7 @@
 namespace ringfilm::app {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kProgramFooter = R"(Examples:
   ringfilm new my_engine.toml
   ringfilm check my_engine.toml
   ringfilm run my_engine.toml --output my_engine.nc
@@ -307,7 +307,7 @@ Request read_command_line(int argc, const char* const* argv) {
       "ringfilm");
   program.set_version_flag("--version", version_text());
   program.require_subcommand(1);
-  program.footer(kFooter);
+  program.footer(kProgramFooter);
   const auto commands = std::make_shared<Commands>(program);
   commands->add_run();
   commands->add_check();

@@ -8,8 +8,8 @@
 
 namespace ringfilm::app {
 
-std::string EngineeringText::operator()(const cycle::Quantity& quantity, double si_value) const {
-  const double value = units_.scale(quantity.display_unit, quantity.unit).from_si(si_value);
+std::string EngineeringText::operator()(const cycle::Quantity& quantity, double value_si) const {
+  const double value = units_.scale(quantity.display_unit, quantity.unit).from_si(value_si);
   // From here on four significant digits reach the units; a point after them would promise more.
   constexpr double kNoFraction = 999.95, kTooLongToRead = 1e9;
   const std::string number = quantity.display_unit == "degree"   ? fmt::format("{:.1f}", value)
@@ -19,16 +19,16 @@ std::string EngineeringText::operator()(const cycle::Quantity& quantity, double 
   return quantity.display_unit == "1" ? number : number + " " + quantity.display_unit;
 }
 
-std::string EngineeringText::operator()(const std::string& cycle_quantity, double si_value) const {
-  return (*this)(app::cycle_quantity(cycle_quantity), si_value);
+std::string EngineeringText::operator()(const std::string& cycle_quantity, double value_si) const {
+  return (*this)(app::cycle_quantity(cycle_quantity), value_si);
 }
 
-std::string EngineeringText::operator()(const std::string& name, double si_value, double si_error) const {
+std::string EngineeringText::operator()(const std::string& name, double value_si, double error_si) const {
   const cycle::CycleQuantity& quantity = app::cycle_quantity(name);
   const io::Scale scale = units_.scale(quantity.display_unit, quantity.unit);
-  const double value = scale.from_si(si_value);
-  const double error = scale.from_si(si_error) - scale.from_si(0);
-  if (!(error > 0) || !std::isfinite(value) || !std::isfinite(error)) return (*this)(quantity, si_value);
+  const double value = scale.from_si(value_si);
+  const double error = scale.from_si(error_si) - scale.from_si(0);
+  if (!(error > 0) || !std::isfinite(value) || !std::isfinite(error)) return (*this)(quantity, value_si);
   constexpr double kAnotherPeak = 30;  // [degree], farther than a peak itself moves
   if (quantity.display_unit == "degree" && error > kAnotherPeak) {
     return fmt::format("{:.0f} degree, on other grids up to {:.0f} degree away", value, std::ceil(error));

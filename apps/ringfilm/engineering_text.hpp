@@ -11,15 +11,15 @@ namespace ringfilm::app {
 class EngineeringText {
  public:
   /// Four significant digits and the display unit, e.g. "19.09 kPa"; dimensionless ones bare.
-  std::string operator()(const cycle::Quantity& quantity, double si_value) const;
+  std::string operator()(const cycle::Quantity& quantity, double value_si) const;
 
   /// The same for a cycle value by its name.
-  std::string operator()(const std::string& cycle_quantity, double si_value) const;
+  std::string operator()(const std::string& cycle_quantity, double value_si) const;
 
   /// With its error, e.g. "19.09 +- 0.02 kPa": the error rounded up to one digit (two where the first is 1), the value
   /// to the same place. The angle of a peak that is another peak on another grid tells so. Without an error (NaN, or 0
   /// as of an input) the value alone.
-  std::string operator()(const std::string& cycle_quantity, double si_value, double si_error) const;
+  std::string operator()(const std::string& cycle_quantity, double value_si, double error_si) const;
 
  private:
   io::Units units_;

@@ -13,7 +13,7 @@ using surface::FaceLevelling;
 using surface::FaceZero;
 using surface::HeightSense;
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kFaceFooter = R"(Examples:
   ringfilm face trace.csv --heights material --width "1.2 mm"
   ringfilm face trace.csv --heights material --width "1.2 mm" --fragment face.toml --html face.html
   ringfilm face trace.x3p --heights material --width "1.2 mm" --start "0.35 mm" --direction turned
@@ -57,7 +57,7 @@ struct FaceWords {
     add("--lateral-unit", command.reading.lateral_unit, "unit of x, where the file does not say", "UNIT");
     add("--step-x", command.reading.step_x, "distance of points, where the file does not say", "LENGTH");
     outputs.add_to(app, true);
-    app.footer(kFooter);
+    app.footer(kFaceFooter);
   }
 
   FaceCommand read() const {

@@ -7,7 +7,7 @@
 namespace ringfilm::app {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kLateralForceFooter = R"(Examples:
   ringfilm lateral-force new.csv --silicon silicon.csv --reference ahimou2007
   ringfilm lateral-force new.csv worn.csv --silicon silicon.csv --reference "0.18 +- 0.03" --html friction.html
   ringfilm lateral-force new.csv worn.csv --silicon silicon.csv --reference warmack1994 --sample new --fragment new.toml
@@ -67,7 +67,7 @@ struct LateralForceWords {
         "its name in the record; samples that share it are correlated (default made of the files)", "NAME");
     add("--sample", command.sample, "whose coefficient the fragment has, where there are several", "NAME");
     outputs.add_to(app, true);
-    app.footer(kFooter);
+    app.footer(kLateralForceFooter);
   }
 
   LateralForceCommand read() const {

@@ -9,7 +9,7 @@
 namespace ringfilm::app {
 namespace {
 
-constexpr int kValueWidth = 14;
+constexpr int kPadValueWidth = 14;
 
 std::string values_table(const pad::Sample& sample, const cycle::Pad& pad) {
   const EngineeringText in_words;
@@ -18,14 +18,14 @@ std::string values_table(const pad::Sample& sample, const cycle::Pad& pad) {
     for (const pad::PadQuantity& quantity : quantities) {
       const double value = sample.*quantity.value;
       if (std::isnan(value) || quantity.name == "time") continue;
-      text += fmt::format("{:>{}}   {}\n", in_words(quantity, value), kValueWidth, quantity.long_name);
+      text += fmt::format("{:>{}}   {}\n", in_words(quantity, value), kPadValueWidth, quantity.long_name);
     }
   };
   append(pad::pad_quantities());
   if (pad.width) append(pad::width_quantities());
   for (const pad::FrontQuantity& quantity : pad::front_quantities()) {
     for (const double place : sample.*quantity.value) {
-      text += fmt::format("{:>{}}   {}\n", in_words(quantity, place), kValueWidth, quantity.long_name);
+      text += fmt::format("{:>{}}   {}\n", in_words(quantity, place), kPadValueWidth, quantity.long_name);
     }
   }
   return text;
@@ -37,7 +37,7 @@ std::string solver_line(const pad::Effort& effort) {
   return text + "\n";
 }
 
-std::string assumed_lines(const std::vector<io::CaseEntry>& inputs) {
+std::string assumed_pad_lines(const std::vector<io::CaseEntry>& inputs) {
   std::string text;
   for (const io::CaseEntry& entry : inputs) {
     if (entry.assumed) text += "    " + entry.key + " = " + entry.shown + "\n";
@@ -59,7 +59,7 @@ std::string pad_summary(const cycle::Case& input, const io::PadDocument& documen
                   pad.width ? "what is told per metre of width is the mean over it" : "all per metre of width");
   if (result.effort.time_steps > 0)
     text += fmt::format("at {:.6g} s, the last of {} instants\n", last.time, result.samples.size());
-  text += values_table(last, pad) + "\n" + solver_line(result.effort) + assumed_lines(document.inputs);
+  text += values_table(last, pad) + "\n" + solver_line(result.effort) + assumed_pad_lines(document.inputs);
   for (const std::string& note : document.input_notes) text += "note: " + note + "\n";
   for (const auto& [topic, message, count] : result.notes) {
     text += "note: " + message + (count > 1 ? fmt::format(" ({} times)", count) : "") + "\n";

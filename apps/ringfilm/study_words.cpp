@@ -13,7 +13,7 @@
 namespace ringfilm::app {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kStudyFooter = R"(Examples:
   ringfilm study study.toml -o results
   ringfilm study study.toml -o results --resume
   ringfilm study study.toml -o results --shard 2/8
@@ -127,7 +127,7 @@ void add_study_command(CLI::App& program, Actions& actions) {
   command->add_option("--engine", words->engine, "of submit: slurm")->type_name("NAME");
   command->add_option("--parts", words->parts, "of submit: into how many parts (default 8)")->type_name("N");
   command->add_flag("--dry-run", words->is_rehearsal, "of submit: write and show the scripts, submit nothing");
-  command->footer(kFooter);
+  command->footer(kStudyFooter);
   actions.emplace_back(command, [words] { words->run(); });
 }
 

@@ -11,7 +11,7 @@
 namespace ringfilm::app {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kSyntheticFooter = R"(Examples:
   ringfilm synthetic gaussian flat.x3p --sq "0.1 um" --correlation-length "4 um" --seed 7
   ringfilm synthetic gaussian ring.sur --asperity-density "0.05 um-2" --asperity-radius "2 um" --roughness "0.4 um"
   ringfilm synthetic honed liner.x3p --points 1024x1024 --step "1 um" --hatch-angle "45 degree"
@@ -53,7 +53,7 @@ struct SyntheticWords {
     app->add_option("--seed", seed, "another whole number gives another surface of the same kind")
         ->capture_default_str()
         ->type_name("N");
-    app->footer(kFooter);
+    app->footer(kSyntheticFooter);
     return app;
   }
 
@@ -241,7 +241,7 @@ void add_synthetic_command(CLI::App& program, Actions& actions) {
   CLI::App* command =
       program.add_subcommand("synthetic", "Make a surface of known statistics, as an instrument's file");
   command->require_subcommand(1);
-  command->footer(kFooter);
+  command->footer(kSyntheticFooter);
   add_kind<GaussianWords>(*command, actions);
   add_kind<HonedWords>(*command, actions);
   add_kind<PorousWords>(*command, actions);

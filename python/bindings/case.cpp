@@ -90,7 +90,7 @@ std::vector<std::string> assumptions(CaseObject& self) {
   return statements;
 }
 
-std::string repr(const CaseObject& self) {
+std::string case_words(const CaseObject& self) {
   const Case& c = self.value();
   std::string text = c.problem == cycle::Problem::kPad ? "<ringfilm.Case of a pad" : "<ringfilm.Case";
   if (!c.title.empty()) text += " \"" + c.title + "\"";
@@ -98,7 +98,7 @@ std::string repr(const CaseObject& self) {
   return text + ": " + std::to_string(c.stated.size()) + " keys stated>";
 }
 
-constexpr int kStateVersion = 1;
+constexpr int kCaseStateVersion = 1;
 
 /// The samples that files gave, in the order of a pickle; those that copies of a case share stand beside it.
 auto samples(Case& c, cycle::SampledTrace& cylinder, cycle::OilTable& oil) {
@@ -107,7 +107,7 @@ auto samples(Case& c, cycle::SampledTrace& cylinder, cycle::OilTable& oil) {
                   c.pad.history_time, c.pad.history_separation);
 }
 
-py::tuple state_of(const CaseObject& self) {
+py::tuple case_state(const CaseObject& self) {
   Case c = self.value();
   py::dict values;
   for (const Field& field : cycle::case_fields()) {
@@ -124,12 +124,12 @@ py::tuple state_of(const CaseObject& self) {
   }
   py::list files;
   for (const cycle::InputFile& file : c.files) files.append(py::make_tuple(file.role, file.path, file.sha256));
-  return py::make_tuple(kStateVersion, static_cast<int>(c.problem), values, arrays, crankcase, files,
+  return py::make_tuple(kCaseStateVersion, static_cast<int>(c.problem), values, arrays, crankcase, files,
                         std::vector<std::string>(c.stated.begin(), c.stated.end()), c.notes);
 }
 
 CaseObject from_state(const py::tuple& state) {
-  if (state.size() != 8 || py::cast<int>(state[0]) != kStateVersion)
+  if (state.size() != 8 || py::cast<int>(state[0]) != kCaseStateVersion)
     throw py::value_error("this is a pickle of a case of another version of ringfilm");
   Case c = cycle::blank_case(static_cast<cycle::Problem>(py::cast<int>(state[1])));
   for (const auto& [key, value] : py::cast<py::dict>(state[2]))
@@ -284,8 +284,8 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
       },
       py::arg("other"), "Have both cases the same values, from files with the same bytes?");
   type.attr("__hash__") = py::none();
-  type.def("__repr__", &repr, "Title, file and number of stated keys.");
-  type.def(py::pickle(&state_of, &from_state)).def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
+  type.def("__repr__", &case_words, "Title, file and number of stated keys.");
+  type.def(py::pickle(&case_state, &from_state)).def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
   module.def("starting_case", &io::starting_case,
              "A commented, complete case file to start from, a str, as `ringfilm new` writes it.");
 }

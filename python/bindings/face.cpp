@@ -9,8 +9,8 @@ namespace {
 using namespace surface;
 
 const std::map<std::string, HeightSense> kSenses{{"material", HeightSense::kMaterial}, {"gap", HeightSense::kGap}};
-const std::map<std::string, FaceDirection> kDirections{{"as-measured", FaceDirection::kAsMeasured},
-                                                       {"turned", FaceDirection::kTurned}};
+const std::map<std::string, FaceDirection> kFaceDirections{{"as-measured", FaceDirection::kAsMeasured},
+                                                           {"turned", FaceDirection::kTurned}};
 const std::map<std::string, FaceLevelling> kLevellings{
     {"none", FaceLevelling::kNone}, {"stated", FaceLevelling::kStated}, {"land", FaceLevelling::kLand}};
 const std::map<std::string, FaceZero> kZeros{{"lowest-point", FaceZero::kLowestPoint},
@@ -29,7 +29,7 @@ FaceFit fitted(const GivenNumbers& x, const GivenNumbers& height, const GivenNum
   rule.sense = chosen("sense", sense, kSenses);
   rule.width_m = number_of("width", width.value, "m");
   rule.start_m = maybe_number_of("start", start.value, "m");
-  rule.direction = chosen("direction", direction, kDirections);
+  rule.direction = chosen("direction", direction, kFaceDirections);
   rule.levelling = chosen("levelling", levelling, kLevellings);
   rule.tilt = number_of("tilt", tilt.value, "");
   rule.zero = chosen("zero", zero, kZeros);

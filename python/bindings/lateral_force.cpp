@@ -90,7 +90,7 @@ Uncertain uncertain_of(const char* name, const py::handle& given) {
   return {number_of(name, value, ""), number_of(name, deviation, "")};
 }
 
-void bind_records(py::module_& part) {
+void bind_force_records(py::module_& part) {
   Record<LoopFriction>(part, "LoopFriction", "A friction loop without its ends. Source: eq-friction-loop.")
       .with("tmr_V", &LoopFriction::tmr_V, "Half of trace minus retrace [V].")
       .with("tmr_deviation_V", &LoopFriction::tmr_deviation_V, "Its standard error [V].")
@@ -167,7 +167,7 @@ void bind_records(py::module_& part) {
 
 void bind_lateral_force(py::module_& module) {
   py::module_ part = module.def_submodule("lateral_force", "Friction loops; see ringfilm.lateral_force.");
-  bind_records(part);
+  bind_force_records(part);
   part.def(
       "loop_friction",
       [](const GivenNumbers& position, const GivenNumbers& trace, const GivenNumbers& retrace,

@@ -16,7 +16,7 @@ namespace {
 
 using namespace models;
 
-const std::map<std::string, ContactIntegralForm> kForms{
+const std::map<std::string, ContactIntegralForm> kIntegralForms{
     {"exact", ContactIntegralForm::kExact},
     {"polynomial-4-digit", ContactIntegralForm::kPolynomial4Digit},
     {"polynomial-as-printed", ContactIntegralForm::kPolynomialAsPrinted}};
@@ -45,12 +45,12 @@ GreenwoodTripp contact_of(const GivenNumber& N, const GivenNumber& beta, const G
                      "state N in 1/m2, beta and sigma in m, E_prime in Pa");
   };
   return GreenwoodTripp({above_zero("N", N, "1/m2"), above_zero("beta", beta, "m"), above_zero("sigma", sigma, "m"),
-                         above_zero("E_prime", E_prime, "Pa"), chosen("integrals", integrals, kForms)});
+                         above_zero("E_prime", E_prime, "Pa"), chosen("integrals", integrals, kIntegralForms)});
 }
 
 py::tuple state_of(const GreenwoodTripp& contact) {
   const auto& [N, beta, sigma, E_prime, form] = contact.parameters();
-  return py::make_tuple(N, beta, sigma, E_prime, word_of(form, kForms));
+  return py::make_tuple(N, beta, sigma, E_prime, word_of(form, kIntegralForms));
 }
 
 void bind_contact(py::module_& part) {
@@ -69,7 +69,7 @@ N [1/m2], beta [m], sigma [m], E_prime [Pa] of 2/E_prime = sum (1 - nu^2)/E. Sou
       .def_property_readonly("sigma", parameter(&GreenwoodTripp::Parameters::sigma), "Composite roughness [m].")
       .def_property_readonly("E_prime", parameter(&GreenwoodTripp::Parameters::E_prime), "Composite modulus [Pa].")
       .def_property_readonly(
-          "integrals", [](const GreenwoodTripp& self) { return word_of(self.parameters().form, kForms); },
+          "integrals", [](const GreenwoodTripp& self) { return word_of(self.parameters().form, kIntegralForms); },
           "Where the height integrals come from, as it was said.")
       .def(
           "pressure",

@@ -34,7 +34,7 @@ py::dict values(const PadObject& self) {
   return values;
 }
 
-py::tuple dataset(const py::object& self) {
+py::tuple pad_dataset(const py::object& self) {
   DatasetWriter writer(self);
   io::put_pad(writer, self.cast<const PadObject&>().document());
   return py::make_tuple(writer.variables(), writer.attributes());
@@ -106,7 +106,7 @@ Source: docs/theory/pad.md.)");
         io::write_atomically(path_of("path", path), io::pad_csv(self.result()));
       },
       py::arg("path"), "Writes the film along the pad as `ringfilm run --csv`. Raises OutputError.");
-  type.def("_dataset", &dataset, "Variables and attributes of the result file, for to_xarray.");
+  type.def("_dataset", &pad_dataset, "Variables and attributes of the result file, for to_xarray.");
   type.def(
       "to_xarray",
       [](const py::object& self) { return py::module_::import("ringfilm._frames").attr("pad_to_xarray")(self); },
@@ -135,7 +135,7 @@ Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn
                "\": " + std::to_string(self.result().samples.size()) + " instants>";
       },
       "Title and number of instants.");
-  type.def(py::pickle(&state_of, &pad_of_state)).def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
+  type.def(py::pickle(&pad_state, &pad_of_state)).def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
 }
 
 }  // namespace ringfilm::python

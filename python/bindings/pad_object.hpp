@@ -20,7 +20,7 @@ class PadObject {
 };
 
 /// All that a result holds, for pickles.
-py::tuple state_of(const PadObject& self);
+py::tuple pad_state(const PadObject& self);
 /// Its inverse. Throws py::value_error for a pickle of another version.
 PadObject pad_of_state(const py::tuple& state);
 

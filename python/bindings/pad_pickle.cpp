@@ -5,7 +5,7 @@
 namespace ringfilm::python {
 namespace {
 
-constexpr int kStateVersion = 1;
+constexpr int kPadStateVersion = 1;
 
 std::vector<pad::PadQuantity> numbers() {
   std::vector<pad::PadQuantity> all = pad::pad_quantities();
@@ -75,7 +75,7 @@ pad::Effort effort_of(const py::handle& stored) {
 
 }  // namespace
 
-py::tuple state_of(const PadObject& self) {
+py::tuple pad_state(const PadObject& self) {
   const io::PadDocument& document = self.document();
   const pad::PadResult& result = document.result;
   py::list inputs, notes;
@@ -83,14 +83,14 @@ py::tuple state_of(const PadObject& self) {
     inputs.append(py::make_tuple(entry.key, entry.value, entry.shown, entry.assumed, entry.help));
   for (const cycle::Note& note : result.notes) notes.append(py::make_tuple(note.topic, note.message, note.count));
   const io::Provenance& from = document.provenance;
-  return py::make_tuple(kStateVersion, document.title, inputs, document.input_notes,
+  return py::make_tuple(kPadStateVersion, document.title, inputs, document.input_notes,
                         py::make_tuple(from.program, from.commit, from.compiler, from.kernels), stored(result.samples),
                         array_of(result.x), array_of(result.y), stored(result.profiles), stored(result.fields), notes,
                         stored(result.effort), result.is_history, result.complete);
 }
 
 PadObject pad_of_state(const py::tuple& state) {
-  if (state.size() != 14 || py::cast<int>(state[0]) != kStateVersion)
+  if (state.size() != 14 || py::cast<int>(state[0]) != kPadStateVersion)
     throw py::value_error("this is a pickle of a pad of another version of ringfilm");
   io::PadDocument document;
   document.title = py::cast<std::string>(state[1]);

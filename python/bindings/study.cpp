@@ -221,7 +221,7 @@ py::array curves(const py::object& object, const std::string& name) {
 }
 
 /// Variables as (dimensions, array, attributes), for to_xarray.
-py::dict dataset(const py::object& object) {
+py::dict study_dataset(const py::object& object) {
   const auto& self = object.cast<const StudyResultObject&>();
   const py::tuple scenario = py::make_tuple("scenario");
   py::dict variables;
@@ -351,7 +351,7 @@ plan that is no sample (a grid, a list) only its order counts. Raises InputError
 
 value, base: as for statistics(). Returns a list of dicts, one a group of factors; empty where the value does not vary.
 Raises InputError where the plan has no points for indices. Source: docs/theory/study.md, eq-first-index.)")
-      .def("_dataset", &dataset, "Variables for to_xarray.")
+      .def("_dataset", &study_dataset, "Variables for to_xarray.")
       .def(
           "to_xarray",
           [](const py::object& self) {

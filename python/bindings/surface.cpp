@@ -16,17 +16,17 @@ namespace {
 
 using namespace surface;
 
-const std::map<std::string, FormKind> kForms{{"none", FormKind::none},
-                                             {"mean", FormKind::mean},
-                                             {"tilt", FormKind::tilt},
-                                             {"cylinder", FormKind::cylinder},
-                                             {"polynomial", FormKind::polynomial}};
+const std::map<std::string, FormKind> kFormKinds{{"none", FormKind::none},
+                                                 {"mean", FormKind::mean},
+                                                 {"tilt", FormKind::tilt},
+                                                 {"cylinder", FormKind::cylinder},
+                                                 {"polynomial", FormKind::polynomial}};
 const std::map<std::string, FilterKind> kFilters{{"gaussian", FilterKind::gaussian},
                                                  {"robust-gaussian", FilterKind::robust_gaussian}};
-const std::map<std::string, MomentDirection> kDirections{{"x", MomentDirection::x},
-                                                         {"y", MomentDirection::y},
-                                                         {"mean", MomentDirection::mean},
-                                                         {"geometric", MomentDirection::geometric}};
+const std::map<std::string, MomentDirection> kMomentDirections{{"x", MomentDirection::x},
+                                                               {"y", MomentDirection::y},
+                                                               {"mean", MomentDirection::mean},
+                                                               {"geometric", MomentDirection::geometric}};
 const std::map<std::string, DifferenceScheme> kSchemes{{"neighbours", DifferenceScheme::neighbours},
                                                        {"seven-point", DifferenceScheme::seven_point}};
 const std::map<std::string, SigmaRule> kRules{{"ra", SigmaRule::ra}, {"rq", SigmaRule::rq}};
@@ -39,7 +39,7 @@ py::tuple prepared(const GivenNumbers& heights, const GivenStep& step, const Giv
                    const GivenMaybeNumber& long_cutoff, const GivenText& filter) {
   HeightMap map = height_map(heights, step);
   Preparation wanted;
-  wanted.form = {chosen("form", form, kForms), integer_of("degree", degree.value)};
+  wanted.form = {chosen("form", form, kFormKinds), integer_of("degree", degree.value)};
   wanted.short_cutoff_m = maybe_number_of("short_cutoff", short_cutoff.value, "m");
   wanted.long_cutoff_m = maybe_number_of("long_cutoff", long_cutoff.value, "m");
   wanted.filter = chosen("filter", filter, kFilters);
@@ -57,7 +57,7 @@ double from_zero_on(const char* name, const GivenNumber& given, const char* unit
   return value;
 }
 
-void bind_records(py::module_& module) {
+void bind_surface_records(py::module_& module) {
   Record<HeightStatistics>(module, "HeightStatistics",
                            "Height statistics; Ra, Rq, ... of a profile. Source: docs/theory, eq-surface-heights.")
       .with("points", &HeightStatistics::points, "Measured points.")
@@ -135,7 +135,7 @@ void bind_records(py::module_& module) {
       .def("slope", &AsperityParameters::slope, "sigma/beta [-].");
 }
 
-void bind_functions(py::module_& module) {
+void bind_surface_functions(py::module_& module) {
   module.def("_prepare", &prepared, py::arg("heights"), py::arg("step"), py::arg("form"), py::arg("degree"),
              py::arg("short_cutoff"), py::arg("long_cutoff"), py::arg("filter"), "See ringfilm.surface.prepare.");
   module.def(
@@ -191,7 +191,7 @@ Source: docs/theory, eq-surface-cavities.)");
       "moments",
       [](const GivenNumbers& heights, const GivenStep& step, const GivenText& direction, const GivenText& scheme) {
         return moments(moment_table(height_map(heights, step), chosen("scheme", scheme, kSchemes)),
-                       chosen("direction", direction, kDirections));
+                       chosen("direction", direction, kMomentDirections));
       },
       py::arg("heights"), py::arg("step"), py::arg("direction") = "mean", py::arg("scheme") = "neighbours",
       R"(Spectral moments of a map of shape (y, x), or of a profile (x,) along x [m].
@@ -201,7 +201,7 @@ Raises InputError for fewer than 16 complete stencils. Source: docs/theory, eq-s
   module.def(
       "surface_measures",
       [](const GivenNumbers& heights, const GivenStep& step, const GivenText& direction, const GivenText& scheme) {
-        return surface_measures(height_map(heights, step), chosen("direction", direction, kDirections),
+        return surface_measures(height_map(heights, step), chosen("direction", direction, kMomentDirections),
                                 chosen("scheme", scheme, kSchemes));
       },
       py::arg("heights"), py::arg("step"), py::arg("direction") = "mean", py::arg("scheme") = "neighbours",
@@ -343,8 +343,8 @@ Returns a MeasuredMap. Raises InputError with file, place, rule and remedy, and 
 
 void bind_surface(py::module_& module) {
   py::module_ part = module.def_submodule("surface", "Analysis of measured heights; see ringfilm.surface.");
-  bind_records(part);
-  bind_functions(part);
+  bind_surface_records(part);
+  bind_surface_functions(part);
   bind_files(part);
 }
 

@@ -45,18 +45,19 @@ std::vector<NamedCurve> all_curves() {
   return curves;
 }
 
-struct At {
+struct ViscosityAt {
   std::vector<double> eta, deta_dp;
 };
 
-At values(const ViscosityCurve& curve, std::span<const double> p) {
-  At at{std::vector<double>(p.size()), std::vector<double>(p.size())};
+ViscosityAt values(const ViscosityCurve& curve, std::span<const double> p) {
+  ViscosityAt at{std::vector<double>(p.size()), std::vector<double>(p.size())};
   curve.viscosity(p, at.eta, at.deta_dp);
   return at;
 }
 
 /// From vacuum to a hundred times what a piston ring sees.
-const std::vector<double> kPressures{0, 1, 0.9e5, 1.01325e5, 3e5, 2.1e6, 6.2e6, 1.5e7, 2.5e7, 3.1e7, 5.1e7, 9e7, 3e8};
+const std::vector<double> kViscosityPressures{0,     1,     0.9e5, 1.01325e5, 3e5, 2.1e6, 6.2e6,
+                                              1.5e7, 2.5e7, 3.1e7, 5.1e7,     9e7, 3e8};
 
 TEST(ViscosityLaws, HaveTheOilsOwnViscosityAtNoPressure) {
   for (const auto& [name, eta_T, curve] : all_curves()) {
@@ -66,25 +67,26 @@ TEST(ViscosityLaws, HaveTheOilsOwnViscosityAtNoPressure) {
 
 TEST(ViscosityLaws, AreFiniteAndNeverFallWithPressure) {
   for (const auto& [name, eta_T, curve] : all_curves()) {
-    const At at = values(*curve, kPressures);
-    for (std::size_t i = 0; i < kPressures.size(); ++i) {
-      EXPECT_TRUE(std::isfinite(at.eta[i]) && std::isfinite(at.deta_dp[i])) << name << " at " << kPressures[i] << " Pa";
-      EXPECT_GT(at.eta[i], 0) << name << " at " << kPressures[i] << " Pa";
-      EXPECT_GE(at.deta_dp[i], 0) << name << " at " << kPressures[i] << " Pa";
+    const ViscosityAt at = values(*curve, kViscosityPressures);
+    for (std::size_t i = 0; i < kViscosityPressures.size(); ++i) {
+      EXPECT_TRUE(std::isfinite(at.eta[i]) && std::isfinite(at.deta_dp[i]))
+          << name << " at " << kViscosityPressures[i] << " Pa";
+      EXPECT_GT(at.eta[i], 0) << name << " at " << kViscosityPressures[i] << " Pa";
+      EXPECT_GE(at.deta_dp[i], 0) << name << " at " << kViscosityPressures[i] << " Pa";
       if (i == 0) continue;
       // Two series or powers of the same law differ by roundings where it is all but flat.
-      EXPECT_GE(at.eta[i], at.eta[i - 1] * (1 - 1e-14)) << name << " at " << kPressures[i] << " Pa";
+      EXPECT_GE(at.eta[i], at.eta[i - 1] * (1 - 1e-14)) << name << " at " << kViscosityPressures[i] << " Pa";
     }
   }
 }
 
 TEST(ViscosityLaws, HaveTheSlopeOfTheirValues) {
   for (const auto& [name, eta_T, curve] : all_curves()) {
-    for (const double p : kPressures) {
+    for (const double p : kViscosityPressures) {
       // Central difference over 2e3 Pa, 1e-4 or less of the pressure over which a law grows by e (2e7 Pa or more):
       // truncation 1e-8/6 of the slope, and rounding 2e-16/1e-4 of the value over that pressure.
       const double step = 2e3;
-      const At at = values(*curve, std::vector<double>{p - step, p, p + step});
+      const ViscosityAt at = values(*curve, std::vector<double>{p - step, p, p + step});
       EXPECT_NEAR((at.eta[2] - at.eta[0]) / (2 * step), at.deta_dp[1], 1e-8 * at.deta_dp[1] + 1e-11 * at.eta[1] / 2e7)
           << name << " at " << p << " Pa";
     }
@@ -95,11 +97,11 @@ TEST(ViscosityLaws, GiveTheSameBitsInLanesOfAnyNumber) {
   for (const auto& [name, eta_T, curve] : all_curves()) {
     std::vector<double> p;
     for (int k = 0; k < 37; ++k) p.push_back(1.3e6 * k);
-    const At together = values(*curve, p);
+    const ViscosityAt together = values(*curve, p);
     for (std::size_t i = 0; i < p.size(); ++i) {
       for (const std::size_t lanes : {1u, 2u, 3u, 4u, 7u, 8u, 16u}) {
         if (i + lanes > p.size()) continue;
-        const At few = values(*curve, std::span(p).subspan(i, lanes));
+        const ViscosityAt few = values(*curve, std::span(p).subspan(i, lanes));
         for (std::size_t l = 0; l < lanes; ++l) {
           EXPECT_EQ(few.eta[l], together.eta[i + l]) << name << " at " << p[i + l] << " Pa";
           EXPECT_EQ(few.deta_dp[l], together.deta_dp[i + l]) << name << " at " << p[i + l] << " Pa";

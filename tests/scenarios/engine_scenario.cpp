@@ -13,9 +13,7 @@
 namespace ringfilm::cycle::testing {
 namespace {
 
-using ringfilm::testing::RepeatableNumbers;
-
-constexpr double kPi = std::numbers::pi;
+using ringfilm::scenarios::RepeatableNumbers;
 
 /// The coordinates of one point of the sequence, asked for one after the other and always in the same order.
 class Coordinates {
@@ -69,7 +67,7 @@ void draw_trace(Coordinates& at, RepeatableNumbers& noise, EngineScenario& scena
   Case& c = scenario.input;
   const double peak = at.log_between(1e5, 300e5);
   scenario.trace = static_cast<TraceKind>(at.one_of(5));
-  const double rpm = c.operating.speed * 60 / (2 * kPi);
+  const double rpm = c.operating.speed * 60 / (2 * std::numbers::pi);
   const double frequency = at.log_between(4e3, 20e3);  // of the chamber's modes [Hz]
   const Knock knock{at.between(5, 40), std::max(6 * rpm / frequency, 2 * kTraceStepDeg), at.between(5, 40),
                     at.between(0.02, 0.4)};
@@ -89,7 +87,7 @@ void draw_trace(Coordinates& at, RepeatableNumbers& noise, EngineScenario& scena
     if (knocks && angle >= knock.start_deg) {
       const double since = angle - knock.start_deg;
       p += knock.share * scaled(knock.start_deg) * std::exp(-since / knock.decay_deg) *
-           std::sin(2 * kPi * since / knock.period_deg);
+           std::sin(2 * std::numbers::pi * since / knock.period_deg);
     }
     if (steps && angle >= step.start_deg && angle < step.start_deg + step.length_deg) p *= step.factor;
     trace.crank_angle_deg.push_back(angle);
@@ -184,7 +182,7 @@ EngineScenario engine_scenario(std::uint64_t seed, int index) {
 
   const double running = at.log_between(500, 9000);
   const double cranked = at.log_between(50, 500);
-  c.operating.speed = (at.one_of(16) == 0 ? cranked : running) * 2 * kPi / 60;
+  c.operating.speed = (at.one_of(16) == 0 ? cranked : running) * 2 * std::numbers::pi / 60;
   c.operating.oil_temperature = 273.15 + at.between(-30, 180);
   draw_trace(at, noise, scenario);
 

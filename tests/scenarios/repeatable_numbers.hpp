@@ -3,7 +3,7 @@
 #include <cstdint>
 
 /// Numbers by chance that are the same on every machine and with every library.
-namespace ringfilm::testing {
+namespace ringfilm::scenarios {
 
 /// splitmix64 of Steele, Lea and Flood (2014), its upper 53 bits.
 class RepeatableNumbers {
@@ -27,4 +27,4 @@ class RepeatableNumbers {
   std::uint64_t state_;
 };
 
-}  // namespace ringfilm::testing
+}  // namespace ringfilm::scenarios

@@ -3,7 +3,7 @@
 #include <fenv.h>
 #include <gtest/gtest.h>
 
-namespace ringfilm::testing {
+namespace ringfilm::traps {
 namespace {
 
 constexpr int kTraps = FE_INVALID | FE_DIVBYZERO;
@@ -28,4 +28,4 @@ NoTraps::~NoTraps() {
   feenableexcept(were_on_ & kTraps);
 }
 
-}  // namespace ringfilm::testing
+}  // namespace ringfilm::traps

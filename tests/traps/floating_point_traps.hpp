@@ -3,7 +3,7 @@
 /// Every program linked with these traps dies where an invalid operation or a division by zero happens: a NaN is an
 /// error where it is born. Infinities and quiet_NaN() as a documented answer raise nothing, but asking whether a NaN is
 /// less or greater does.
-namespace ringfilm::testing {
+namespace ringfilm::traps {
 
 /// Switches the traps off for its scope; for tests that let a NaN in on purpose. Say why beside it.
 class NoTraps {
@@ -17,4 +17,4 @@ class NoTraps {
   int were_on_;
 };
 
-}  // namespace ringfilm::testing
+}  // namespace ringfilm::traps

@@ -5,4 +5,7 @@ namespace ringfilm::base {
 /// Standard atmosphere: the zero of gauge pressures and the reference of the density law [Pa].
 inline constexpr double kAtmosphere = 101325;
 
+/// The four-stroke cycle in crank angle [degree].
+inline constexpr double kCycleDeg = 720;
+
 }  // namespace ringfilm::base

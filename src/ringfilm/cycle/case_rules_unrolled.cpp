@@ -14,7 +14,7 @@ namespace {
 using Breaches = std::vector<RuleBreach>;
 
 /// Four fields of four bytes each are kept at every node: 320 MB, and while the result is written two copies more.
-constexpr double kMostFieldValues = 2e7;
+constexpr double kMostSheetFieldValues = 2e7;
 constexpr double kBytesOfFields = 4 * 4;
 /// Sums of a strip that are kept at every angle with output.reduction = "along-face".
 constexpr double kMostStripValues = 1e7;
@@ -86,7 +86,7 @@ void check_end_cell(const Case& c, Breaches& breaches) {
 }
 
 /// @returns whether they are few enough
-bool check_nodes(const Case& c, Breaches& breaches) {
+bool sheet_is_small_enough(const Case& c, Breaches& breaches) {
   const double nodes = (c.solver.cells + 1.0) * strips(c);
   if (nodes <= kMostSheetNodes) return true;
   breaches.push_back({"solver.cells_y",
@@ -97,7 +97,7 @@ bool check_nodes(const Case& c, Breaches& breaches) {
   return false;
 }
 
-void check_fields(const Case& c, Breaches& breaches) {
+void check_sheet_fields(const Case& c, Breaches& breaches) {
   const Output& output = c.output;
   if (output.fields == FieldsWanted::kNone) return;
   const double all = output.crank_angles_deg.empty() ? kCycleDeg / output.crank_angle_step_deg
@@ -112,12 +112,12 @@ void check_fields(const Case& c, Breaches& breaches) {
     return;
   }
   const double values = angles * (c.solver.cells + 1.0) * strips(c);
-  if (values <= kMostFieldValues) return;
+  if (values <= kMostSheetFieldValues) return;
   breaches.push_back({"output.fields",
                       "output.fields asks for " + number_text(angles) + " angles of " +
                           number_text(c.solver.cells + 1) + " x " + number_text(strips(c)) + " nodes, which take " +
                           number_text(values * kBytesOfFields / 1e6) + " MB of memory; allowed are " +
-                          number_text(kMostFieldValues * kBytesOfFields / 1e6) + " MB",
+                          number_text(kMostSheetFieldValues * kBytesOfFields / 1e6) + " MB",
                       "list the angles that matter, for example [\"0 degree\", \"20 degree\"], or keep what each "
                       "strip sums up to: output.reduction = \"along-face\""});
 }
@@ -128,8 +128,8 @@ void append_unrolled_breaches(const Case& c, std::vector<RuleBreach>& breaches) 
   if (!c.is_unrolled()) return;
   check_method(c, breaches);
   const bool is_on_ring = check_gap(c, breaches);
-  if (check_nodes(c, breaches) && is_on_ring) check_end_cell(c, breaches);
-  check_fields(c, breaches);
+  if (sheet_is_small_enough(c, breaches) && is_on_ring) check_end_cell(c, breaches);
+  check_sheet_fields(c, breaches);
 }
 
 }  // namespace ringfilm::cycle

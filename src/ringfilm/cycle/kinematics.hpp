@@ -1,11 +1,12 @@
 #pragma once
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/models/crank_slider.hpp"
 
 /// The four-stroke cycle in time: angles in degrees, 0 = firing TDC.
 namespace ringfilm::cycle {
 
-inline constexpr double kCycleDeg = 720;
+using base::kCycleDeg;
 
 double radians(double angle_deg);
 

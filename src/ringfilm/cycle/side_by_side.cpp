@@ -19,15 +19,15 @@ using Owned = std::unique_ptr<Marching>;
 /// Marches that wait for a lane of their kind, at the most.
 constexpr std::size_t kMostWaiting = 64;
 /// Marches of one kind may share a block, which sweeps as far as the longest film in it.
-struct Kind {
+struct LaneKind {
   unsigned cells;  ///< room for so many: a power of two
   const film::FilmKernels* kernels;
   film::LaneLaws laws;
   film::LaneCavity cavity;
-  friend auto operator<=>(const Kind&, const Kind&) = default;
+  friend auto operator<=>(const LaneKind&, const LaneKind&) = default;
 };
 
-Kind kind_of(const film::FilmProblem& problem) {
+LaneKind kind_of(const film::FilmProblem& problem) {
   return {std::bit_ceil(static_cast<unsigned>(problem.grid.n_cells())), problem.kernels, film::best_laws(problem),
           problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFill
                                                                   : film::LaneCavity::kMultiplier};
@@ -36,7 +36,7 @@ Kind kind_of(const film::FilmProblem& problem) {
 /// The lanes of one kind.
 class Block {
  public:
-  explicit Block(const Kind& kind)
+  explicit Block(const LaneKind& kind)
       : newton_(*kind.kernels, kind.kernels->width, static_cast<int>(kind.cells)), marches_(kind.kernels->width) {}
 
   bool has_room() const { return n_busy_ < newton_.width(); }
@@ -121,8 +121,8 @@ class Block {
 LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::function<void(Owned)>& finished,
                               const std::function<void()>& pulse) {
   LaneEffort effort;
-  std::map<Kind, Block> blocks;
-  std::map<Kind, std::deque<Owned>> waiting;
+  std::map<LaneKind, Block> blocks;
+  std::map<LaneKind, std::deque<Owned>> waiting;
   std::size_t n_waiting = 0;
   bool more = true;
   const auto fetch = [&] {
@@ -139,13 +139,13 @@ LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::fun
       }
       return finished(std::move(march));
     }
-    const Kind kind = kind_of(problem);
+    const LaneKind kind = kind_of(problem);
     Block& block = blocks.try_emplace(kind, kind).first->second;
     if (block.has_room() && waiting[kind].empty()) return block.take(std::move(march));
     waiting[kind].push_back(std::move(march));
     ++n_waiting;
   };
-  const auto refill = [&](const Kind& kind, Block& block) {
+  const auto refill = [&](const LaneKind& kind, Block& block) {
     auto& queue = waiting[kind];
     while (block.has_room()) {
       if (!queue.empty()) {

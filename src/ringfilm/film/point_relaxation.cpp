@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kSweepsPerCell = 100;  // of one solve at the most, and kFewSweeps more
 constexpr int kFewSweeps = 1000;
-constexpr double kLargestMove = 0.25;  // of ln h_m in one correction
-constexpr double kFirstDamping = 0.2;  // d ln h_m over the relative imbalance, before a better one is known
-constexpr double kLoadShare = 0.01;    // of the imbalance that an unfinished relaxation may hide
-constexpr double kNoise = 10;          // multiple of what relaxation leaves in the load that says something
-constexpr double kLargestDamping = 1;  // the load falls at least about as fast as 1/h_m
-constexpr double kLargestGrowth = 4;   // of the damping, either way, in one correction
-constexpr double kSlowest = 1e-8;      // 1 - radius of Jacobi's iteration: no film of fewer than 10^4 cells is slower
-constexpr int kHalvings = 12;          // of the logarithm of the bracket of 1 - radius, which leaves 0.5 %
+constexpr double kLargestRelaxation = 0.25;  // of ln h_m in one correction
+constexpr double kFirstRelaxation = 0.2;     // d ln h_m over the relative imbalance, before a better one is known
+constexpr double kLoadShare = 0.01;          // of the imbalance that an unfinished relaxation may hide
+constexpr double kNoise = 10;                // multiple of what relaxation leaves in the load that says something
+constexpr double kLargestDamping = 1;        // the load falls at least about as fast as 1/h_m
+constexpr double kLargestGrowth = 4;         // of the damping, either way, in one correction
+constexpr double kSlowest = 1e-8;  // 1 - radius of Jacobi's iteration: no film of fewer than 10^4 cells is slower
+constexpr int kHalvings = 12;      // of the logarithm of the bracket of 1 - radius, which leaves 0.5 %
 
 /// The best factor for tridiagonal matrices (young1954), by the spectral radius of Jacobi's iteration.
 double best_factor(double radius) { return 2 / (1 + std::sqrt(1 - radius * radius)); }
@@ -91,7 +91,7 @@ class PointRelaxation {
 
 bool PointRelaxation::solve(FilmReport& report) {
   const double tolerance = problem_.tolerance;
-  double damping = kFirstDamping;
+  double damping = kFirstRelaxation;
   double excess = 1;
   double move = 0;
   while (true) {  // until the sweeps are used up
@@ -116,7 +116,7 @@ bool PointRelaxation::solve(FilmReport& report) {
       damping =
           std::clamp(move / relief, damping / kLargestGrowth, std::min(kLargestGrowth * damping, kLargestDamping));
     }
-    move = std::clamp(damping * excess, -kLargestMove, kLargestMove);
+    move = std::clamp(damping * excess, -kLargestRelaxation, kLargestRelaxation);
     state_.h_m *= std::exp(move);
   }
 }

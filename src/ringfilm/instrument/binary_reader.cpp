@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/channel.hpp"
 
 namespace ringfilm::instrument {
@@ -112,12 +113,6 @@ std::string utf8_from(std::string_view text) {
     }
   }
   return result;
-}
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return "";
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
 }
 
 }  // namespace ringfilm::instrument

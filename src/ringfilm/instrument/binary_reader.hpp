@@ -74,7 +74,4 @@ class BinaryReader {
 /// The text as UTF-8: taken as it is if it is UTF-8, else read as Latin-1; control characters become blanks.
 std::string utf8_from(std::string_view text);
 
-/// Without blanks at both ends.
-std::string trimmed(std::string_view text);
-
 }  // namespace ringfilm::instrument

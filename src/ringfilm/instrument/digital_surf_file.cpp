@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kHeaderSize = 512;
 constexpr std::size_t kLongestComment = 2000;
-constexpr char kSignature[] = "DIGITAL SURF";
+constexpr char kSurfSignature[] = "DIGITAL SURF";
 constexpr char kCompressed[] = "DSCOMPRESSED";
 
 /// Offsets of the fields in the header [byte].
@@ -211,7 +211,7 @@ InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const 
            "save it without compression, or export it as X3P");
   }
   const BinaryReader probe(file, *bytes);
-  if (probe.at(0, 12, "the signature") != kSignature) {
+  if (probe.at(0, 12, "the signature") != kSurfSignature) {
     probe.refuse_at(0, "a file of Digital Surf starts with \"DIGITAL SURF\"", "is it the right file?");
   }
   probe.at(0, kHeaderSize, "the header");
@@ -284,7 +284,7 @@ std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_
   }
   const std::string_view kept = std::string_view(comment).substr(0, kLongestComment);
   BinaryWriter out(kHeaderSize + kept.size());
-  out.text(0, 12, kSignature);
+  out.text(0, 12, kSurfSignature);
   out.number<std::int16_t>(kCommentSize, static_cast<std::int16_t>(kept.size()));
   out.text(kHeaderSize, kept.size(), kept);
   out.number<std::int16_t>(kObjects, 1);

@@ -10,7 +10,7 @@
 namespace ringfilm::instrument {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostLoops = 3;  // in one figure, so that they can be told apart
 
 constexpr int kLinePoints = 100;  // of a drawn line, so that its signs lie apart from the measured ones
@@ -137,14 +137,14 @@ io::MeasuredCurve friction_curve(const SampleList& samples, const std::vector<st
     }
   }
   for (int k = 0; k <= kLinePoints; ++k) {
-    places.push_back({least + (most - least) * k / kLinePoints, samples.size(), kNone});
+    places.push_back({least + (most - least) * k / kLinePoints, samples.size(), kNoForce});
   }
   std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.load < b.load; });
   for (const Place& place : places) curve.x.push_back(place.load);
   for (std::size_t s = 0; s < samples.size(); ++s) {
     std::vector<double> points, line;
     for (const Place& place : places) {
-      points.push_back(place.sample == s ? calibration.psi * place.tmr_V : kNone);
+      points.push_back(place.sample == s ? calibration.psi * place.tmr_V : kNoForce);
       line.push_back(calibration.psi * (samples[s]->line.offset + samples[s]->line.slope * place.load));
     }
     curve.series.push_back({"friction_" + words[s], samples[s]->name + " (measured)", std::move(points), true});

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <map>
 
+#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/binary_reader.hpp"
 
 namespace ringfilm::instrument {
 namespace {
 
-constexpr std::string_view kSignature = "GWYP";
+constexpr std::string_view kGwySignature = "GWYP";
 /// Objects lie in objects; a real file has four levels.
 constexpr int kDeepest = 16;
 
@@ -24,9 +25,9 @@ struct Component {
 
 using Object = std::map<std::string, Component>;
 
-class Reader {
+class GwyReader {
  public:
-  explicit Reader(const BinaryReader& in) : in_(in) {}
+  explicit GwyReader(const BinaryReader& in) : in_(in) {}
 
   /// The components of the object at `offset`, which is of the kind `name`.
   Object object(std::size_t offset, std::size_t end, const std::string& name) const {
@@ -185,14 +186,14 @@ struct Image {
   std::size_t mask = 0;  ///< [byte]; 0 where there is none
 };
 
-std::string unit_of(const Reader& reader, const Object& field, const std::string& key) {
+std::string unit_of(const GwyReader& reader, const Object& field, const std::string& key) {
   const auto unit = field.find(key);
   if (unit == field.end() || unit->second.type != 'o') return "";
   const std::size_t end = unit->second.offset + unit->second.count;
   return reader.text(reader.object(unit->second.offset, end, "GwySIUnit"), "unitstr");
 }
 
-Image read_image(const Reader& reader, const Component& component) {
+Image read_image(const GwyReader& reader, const Component& component) {
   const Object field = reader.object(component.offset, component.offset + component.count, "GwyDataField");
   const auto points_x = reader.number<std::int32_t>(field, "xres", 'i');
   const auto points_y = reader.number<std::int32_t>(field, "yres", 'i');
@@ -230,7 +231,7 @@ bool image_number(const std::string& key, int& number) {
          std::string_view(rest, static_cast<std::size_t>(key.data() + key.size() - rest)) == "/data";
 }
 
-std::map<int, Image> read_images(const Reader& reader, const Object& all) {
+std::map<int, Image> read_images(const GwyReader& reader, const Object& all) {
   std::map<int, Image> images;
   for (const auto& [key, component] : all) {
     int number = 0;
@@ -250,7 +251,7 @@ std::map<int, Image> read_images(const Reader& reader, const Object& all) {
 }
 
 /// The kind of file that gwyddion read an image from, by its log: "file::nanoscope(...)" gives "nanoscope".
-std::string source_of(const Reader& reader, const Object& all, int number) {
+std::string source_of(const GwyReader& reader, const Object& all, int number) {
   const auto log = all.find(fmt::format("/{}/data/log", number));
   if (log == all.end() || log->second.type != 'o') return "";
   const std::size_t end = log->second.offset + log->second.count;
@@ -286,11 +287,11 @@ ChannelValues values_of(const std::string& bytes, const Image& image) {
 
 InstrumentFile read_gwy(const std::string& file, std::shared_ptr<const std::string> bytes) {
   const BinaryReader in(file, *bytes);
-  if (in.at(0, kSignature.size(), "the signature") != kSignature) {
+  if (in.at(0, kGwySignature.size(), "the signature") != kGwySignature) {
     in.refuse_at(0, "a file of Gwyddion starts with \"GWYP\"", "is it the right file?");
   }
-  const Reader reader(in);
-  const Object all = reader.object(kSignature.size(), in.size(), "GwyContainer");
+  const GwyReader reader(in);
+  const Object all = reader.object(kGwySignature.size(), in.size(), "GwyContainer");
   InstrumentFile result;
   result.format = "Gwyddion (.gwy)";
   std::vector<Image> images;

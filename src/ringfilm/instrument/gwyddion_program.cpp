@@ -19,6 +19,7 @@
 #include <optional>
 #include <vector>
 
+#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/binary_reader.hpp"
 
 namespace ringfilm::instrument {

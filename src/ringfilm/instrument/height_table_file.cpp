@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/binary_reader.hpp"
 #include "ringfilm/instrument/regular_grid.hpp"
 
@@ -135,9 +136,9 @@ double rounding_of(std::string_view number) {
   return 0.5 * std::pow(10.0, exponent - decimals);
 }
 
-class Reader {
+class TableReader {
  public:
-  Reader(const std::string& file, const std::string& bytes) : file_(file), text_(bytes) {
+  TableReader(const std::string& file, const std::string& bytes) : file_(file), text_(bytes) {
     if (bytes.rfind("\xEF\xBB\xBF", 0) == 0) text_.remove_prefix(3);
   }
 
@@ -423,7 +424,7 @@ bool looks_like_table(const std::string& bytes) {
 
 InstrumentFile read_height_table(const std::string& file, const std::string& bytes, TableLayout layout) {
   InstrumentFile result;
-  const auto parsed = std::make_shared<ChannelValues>(Reader(file, bytes).read(layout, result.format));
+  const auto parsed = std::make_shared<ChannelValues>(TableReader(file, bytes).read(layout, result.format));
   checked_points(file, parsed->channel.points_x, parsed->channel.points_y);
   parsed->channel.name = "heights";
   result.channels.push_back(parsed->channel);

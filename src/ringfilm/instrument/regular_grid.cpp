@@ -13,17 +13,17 @@ namespace {
 /// By how much of a step a place may lie off the grid: files round their places to a few digits.
 constexpr double kOffGrid = 0.02;
 
-struct Axis {
+struct GridAxis {
   double first = 0;
   double step = 0;
   std::size_t points = 1;
 };
 
 /// The even places that all given ones lie on.
-Axis axis_of(const std::string& file, std::vector<double> places, const char* name) {
+GridAxis axis_of(const std::string& file, std::vector<double> places, const char* name) {
   std::sort(places.begin(), places.end());
   const double range = places.back() - places.front();
-  Axis axis;
+  GridAxis axis;
   axis.first = places.front();
   if (!(range > 0)) return axis;
   if (!std::isfinite(range)) refuse(file, fmt::format("the places {} are not finite", name), "give finite numbers");
@@ -44,7 +44,7 @@ Axis axis_of(const std::string& file, std::vector<double> places, const char* na
   return axis;
 }
 
-std::size_t place_on(const std::string& file, const Axis& axis, double place, std::size_t point, const char* name) {
+std::size_t place_on(const std::string& file, const GridAxis& axis, double place, std::size_t point, const char* name) {
   if (axis.points == 1) return 0;
   const double steps = (place - axis.first) / axis.step;
   const double nearest = std::round(steps);
@@ -61,7 +61,7 @@ std::size_t place_on(const std::string& file, const Axis& axis, double place, st
 
 ChannelValues on_regular_grid(const std::string& file, const ListedPoints& points) {
   if (points.value.empty()) refuse(file, "the file has no point", "is it the right file?");
-  const Axis along_x = axis_of(file, points.x, "x"), along_y = axis_of(file, points.y, "y");
+  const GridAxis along_x = axis_of(file, points.x, "x"), along_y = axis_of(file, points.y, "y");
   const std::size_t n_places = checked_points(file, along_x.points, along_y.points);
   if (n_places > 10 * points.value.size()) {
     refuse(file,

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/binary_reader.hpp"
 
 namespace ringfilm::instrument {
@@ -16,7 +17,7 @@ namespace {
 constexpr std::size_t kVersionSize = 8;
 constexpr std::size_t kLargestTextHeader = std::size_t{1} << 16;
 
-struct Header {
+struct SdfHeader {
   std::string version, manufacturer, date;
   std::uint64_t points_x = 0, points_y = 0;
   double step_x = 0, step_y = 0, scale_z = 0;
@@ -26,7 +27,7 @@ struct Header {
 
 constexpr std::size_t kTypeBytes[] = {1, 2, 4, 4, 1, 2, 4, 8};
 
-void check_header(const BinaryReader& in, const Header& header) {
+void check_header(const BinaryReader& in, const SdfHeader& header) {
   if (header.compression != 0) {
     in.refuse_at(0, fmt::format("the heights are compressed (Compression = {}), which is not read", header.compression),
                  "save the file without compression");
@@ -57,8 +58,8 @@ void check_trailer(const BinaryReader& in, std::size_t offset, const std::string
   if (!opens || !std::all_of(rest.begin(), rest.end(), is_text)) in.end_at(offset, map);
 }
 
-Header read_binary_header(const BinaryReader& in) {
-  Header header;
+SdfHeader read_binary_header(const BinaryReader& in) {
+  SdfHeader header;
   header.version = in.text(0, kVersionSize, "the version");
   header.manufacturer = in.text(8, 10, "the manufacturer");
   header.date = in.text(18, 12, "the date");
@@ -146,9 +147,9 @@ class TextHeader {
   std::size_t data_ = 0;
 };
 
-Header read_text_header(const BinaryReader& in) {
+SdfHeader read_text_header(const BinaryReader& in) {
   const TextHeader lines(in);
-  Header header;
+  SdfHeader header;
   header.version = in.text(0, kVersionSize, "the version");
   header.manufacturer = lines.text("ManufacID");
   header.date = lines.text("CreateDate");
@@ -176,7 +177,7 @@ void mark_missing(ChannelValues& values, std::size_t point) {
   values.missing[point] = 1;
 }
 
-void read_text(const BinaryReader& in, const Header& header, ChannelValues& values) {
+void read_text(const BinaryReader& in, const SdfHeader& header, ChannelValues& values) {
   const std::string_view all = in.at(0, in.size(), "the heights");
   const char* place = all.data() + header.data;
   const char* const end = all.data() + all.size();
@@ -234,7 +235,7 @@ bool is_missing(Number value) {
 }
 
 template <class Number>
-void read_binary(const BinaryReader& in, const Header& header, ChannelValues& values) {
+void read_binary(const BinaryReader& in, const SdfHeader& header, ChannelValues& values) {
   const char* const raw = in.at(header.data, values.value.size() * sizeof(Number), "the map").data();
   for (std::size_t i = 0; i < values.value.size(); ++i) {
     const Number number = number_at<Number>(raw + i * sizeof(Number), ByteOrder::kLittle);
@@ -246,7 +247,7 @@ void read_binary(const BinaryReader& in, const Header& header, ChannelValues& va
   }
 }
 
-void read_any(const BinaryReader& in, const Header& header, ChannelValues& values) {
+void read_any(const BinaryReader& in, const SdfHeader& header, ChannelValues& values) {
   switch (header.type) {
     case 0:
       return read_binary<std::uint8_t>(in, header, values);
@@ -279,7 +280,7 @@ InstrumentFile read_sdf(const std::string& file, std::shared_ptr<const std::stri
   const BinaryReader in(file, *bytes);
   if (!is_sdf(*bytes)) in.refuse_at(0, "an SDF starts with its version, e.g. \"aISO-1.0\"", "is it the right file?");
   const bool is_text = (*bytes)[0] == 'a';
-  const Header header = is_text ? read_text_header(in) : read_binary_header(in);
+  const SdfHeader header = is_text ? read_text_header(in) : read_binary_header(in);
   InstrumentFile result;
   result.format = fmt::format("SDF {} (ISO 25178-71, {})", header.version, is_text ? "text" : "binary");
   result.instrument = header.manufacturer;

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/binary_reader.hpp"
 #include "ringfilm/instrument/binary_writer.hpp"
 #include "ringfilm/io/units.hpp"
@@ -24,9 +25,9 @@ struct Entry {
   std::size_t offset = 0;  ///< of the line [byte]
 };
 
-class Header {
+class SimpleFieldHeader {
  public:
-  explicit Header(const BinaryReader& in) : in_(in) {
+  explicit SimpleFieldHeader(const BinaryReader& in) : in_(in) {
     const std::string_view all = in.at(0, std::min(in.size(), kLargestHeader), "the header");
     end_ = all.find('\0');
     if (end_ == std::string_view::npos) {
@@ -95,7 +96,7 @@ InstrumentFile read_simple_field(const std::string& file, std::shared_ptr<const 
   if (in.at(0, kSignature.size(), "the signature") != kSignature) {
     in.refuse_at(0, "a simple field starts with \"Gwyddion Simple Field 1.0\"", "is it the right file?");
   }
-  const Header header(in);
+  const SimpleFieldHeader header(in);
   const std::uint64_t points_x = header.count("XRes"), points_y = header.count("YRes");
   const std::size_t points = checked_points(file, points_x, points_y);
   const std::string map = fmt::format("the map of {} x {} points", points_x, points_y);

@@ -14,11 +14,11 @@
 namespace ringfilm::instrument {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kBearingPoints = 1000;
 
 double height_or_none(const surface::HeightMap& map, std::size_t point) {
-  return map.measured(point) ? map.height_m[point] : kNone;
+  return map.measured(point) ? map.height_m[point] : kNoHeight;
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ io::MeasuredCurve spectrum_curve(const PreparedSurface& surface) {
     const auto above = std::lower_bound(known.begin(), known.end(), frequency * (1 - 1e-12));
     const auto i = static_cast<std::size_t>(above - known.begin());
     if (above == known.end() || (i == 0 && known[0] > frequency * (1 + 1e-9))) {
-      y.y.push_back(kNone);
+      y.y.push_back(kNoHeight);
     } else if (i == 0 || known[i] <= frequency * (1 + 1e-9)) {
       y.y.push_back(along_y.density_m3[i]);
     } else {

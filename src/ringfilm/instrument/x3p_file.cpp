@@ -10,6 +10,7 @@
 #include <optional>
 #include <pugixml.hpp>
 
+#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/binary_reader.hpp"
 #include "ringfilm/instrument/regular_grid.hpp"
 #include "ringfilm/instrument/zip_archive.hpp"
@@ -35,7 +36,7 @@ pugi::xml_node find(const pugi::xml_node& parent, const std::string& name) {
   return {};
 }
 
-struct Axis {
+struct X3pAxis {
   bool by_step = false;
   char type = 'D';  ///< I, L, F, D: 16 and 32 bit whole numbers, single and double precision
   double increment = 1;
@@ -59,7 +60,7 @@ struct Axis {
 
 struct Description {
   std::string path;
-  Axis x, y, z;
+  X3pAxis x, y, z;
   std::size_t points_x = 0, points_y = 0, layers = 1;
   bool is_profile = false;
   bool is_list = false;  ///< points without an order of rows
@@ -145,10 +146,10 @@ void check_main(const Description& about, const ZipArchive& archive, const std::
   }
 }
 
-Axis read_axis(const Description& about, const pugi::xml_node& axes, const std::string& name) {
+X3pAxis read_axis(const Description& about, const pugi::xml_node& axes, const std::string& name) {
   const pugi::xml_node node = child_of(about, axes, name);
   const std::string kind = text_of(node, "AxisType"), type = text_of(node, "DataType");
-  Axis axis;
+  X3pAxis axis;
   if (kind != "I" && kind != "A") {
     refuse_element(about, name + "/AxisType", fmt::format("\"{}\" is neither I nor A", kind),
                    "I is an axis of even steps, A one of places");
@@ -197,7 +198,7 @@ void read_sizes(Description& about, const pugi::xml_node& record3) {
 
 /// Of a single row or column, the step across it says nothing: instruments write 0 there.
 void check_increments(const Description& about) {
-  const auto check = [&about](const Axis& axis, std::size_t points, const char* name) {
+  const auto check = [&about](const X3pAxis& axis, std::size_t points, const char* name) {
     if (axis.increment > 0 || (axis.by_step && points == 1)) return;
     refuse_element(about, fmt::format("{}/Increment", name), fmt::format("{} is no step", axis.increment),
                    "a number above zero is wanted: export the file again");
@@ -404,7 +405,7 @@ void read_datum(const Description& about, std::size_t number, const std::string&
   }
   std::size_t i = 0;
   const bool all = numbers.size() == 3;
-  const auto next = [&](const Axis& axis) {
+  const auto next = [&](const X3pAxis& axis) {
     if (axis.by_step && !all) return 0.0;
     return numbers[i++] * (axis.by_step ? 1.0 : axis.increment) + (axis.by_step ? 0.0 : axis.offset);
   };

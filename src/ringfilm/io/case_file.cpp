@@ -15,9 +15,9 @@ namespace {
 
 using cycle::Case;
 
-class Reader {
+class CaseReader {
  public:
-  Reader(CaseTree tree, const Units& units) : tree_(std::move(tree)), units_(units) {}
+  CaseReader(CaseTree tree, const Units& units) : tree_(std::move(tree)), units_(units) {}
 
   Case read() {
     case_ = cycle::blank_case(problem());
@@ -108,7 +108,7 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 }
 
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units) {
-  return Reader(read_case_tree(path, overrides), units).read();
+  return CaseReader(read_case_tree(path, overrides), units).read();
 }
 
 }  // namespace ringfilm::io

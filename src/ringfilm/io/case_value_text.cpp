@@ -36,13 +36,13 @@ class Writer {
     return value ? number(*value) : "";
   }
   std::string operator()(const cycle::CountKind& kind) { return std::to_string(kind.ref(case_)); }
-  std::string operator()(const cycle::ChoiceKind& kind) { return quoted(kind.names[kind.index(case_)]); }
+  std::string operator()(const cycle::ChoiceKind& kind) { return io::quoted(kind.names[kind.index(case_)]); }
   std::string operator()(const cycle::TextKind& kind) { return text(kind.ref(case_)); }
   std::string operator()(const cycle::OptionalTextKind& kind) { return text(kind.ref(case_).value_or("")); }
   std::string operator()(const cycle::FileKind& kind) { return text(kind.ref(case_)); }
   std::string operator()(const cycle::OptionalFileKind& kind) { return text(kind.ref(case_).value_or("")); }
   std::string operator()(const cycle::NumberOrFileKind& kind) {
-    return kind.file(case_) ? quoted(*kind.file(case_)) : number(kind.number(case_));
+    return kind.file(case_) ? io::quoted(*kind.file(case_)) : number(kind.number(case_));
   }
   std::string operator()(const cycle::UnitNameKind& kind) { return number(kind.ref(case_)); }
   std::string operator()(const cycle::NumberListKind& kind) {
@@ -74,7 +74,7 @@ class Writer {
 
  private:
   std::string number(double value) const { return write_(value, field_.unit, field_.display_unit); }
-  static std::string text(const std::string& words) { return words.empty() ? "" : quoted(words); }
+  static std::string text(const std::string& words) { return words.empty() ? "" : io::quoted(words); }
   std::string angles(const std::vector<double>& angles_deg) const {
     std::vector<std::string> parts;
     for (const double angle : angles_deg) parts.push_back(write_(angle, "degree", "degree"));

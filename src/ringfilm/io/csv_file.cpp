@@ -7,15 +7,15 @@
 namespace ringfilm::io {
 namespace {
 
-constexpr std::size_t kMostFaults = 10;
+constexpr std::size_t kMostCsvFaults = 10;
 
-struct Cell {
+struct CsvCell {
   std::string text;  ///< without blanks and quotes around it
   int column;        ///< counts from 1
 };
 
-std::vector<Cell> split(const std::string& line, char separator) {
-  std::vector<Cell> cells;
+std::vector<CsvCell> split(const std::string& line, char separator) {
+  std::vector<CsvCell> cells;
   std::size_t start = 0;
   while (true) {
     const std::size_t end = std::min(line.find(separator, start), line.size());
@@ -54,15 +54,15 @@ CsvColumn column_of(const std::string& header) {
   return {open == 0 ? "" : header.substr(0, end + 1), header.substr(open + 1, close - open - 1), {}};
 }
 
-class Reader {
+class CsvReader {
  public:
-  Reader(const NamedFile& file, NaN nan) : nan_(nan) {
+  CsvReader(const NamedFile& file, NaN nan) : nan_(nan) {
     csv_.source = read_source_text(file.path, file.shown, kLargestCsv);
   }
 
   CsvFile read() {
     const std::size_t first_row = read_header();
-    for (std::size_t i = first_row; i < csv_.source.lines.size() && faults_.size() < kMostFaults; ++i) {
+    for (std::size_t i = first_row; i < csv_.source.lines.size() && faults_.size() < kMostCsvFaults; ++i) {
       const std::string& line = csv_.source.lines[i];
       if (!is_blank(line) && !is_comment(line)) read_row(line, static_cast<int>(i) + 1);
     }
@@ -87,13 +87,13 @@ class Reader {
     if (i == lines.size()) refuse(csv_.source.mark(0), "the file has no row of numbers", "");
     csv_.header_line = static_cast<int>(i) + 1;
     csv_.separator = separator_of(lines[i]);
-    std::vector<Cell> cells = split(lines[i], csv_.separator);
+    std::vector<CsvCell> cells = split(lines[i], csv_.separator);
     if (cells.size() > 1 && cells.back().text.empty()) cells.pop_back();
-    if (std::all_of(cells.begin(), cells.end(), [](const Cell& cell) { return is_number(cell.text); })) {
+    if (std::all_of(cells.begin(), cells.end(), [](const CsvCell& cell) { return is_number(cell.text); })) {
       refuse(csv_.source.mark(csv_.header_line, 1), "the first line must name the columns and their units",
              "for example: crank_angle [degree],cylinder_pressure [Pa]");
     }
-    for (const Cell& cell : cells) {
+    for (const CsvCell& cell : cells) {
       if (cell.text.empty()) refuse(csv_.source.mark(csv_.header_line, cell.column), "a column has no name", "");
       csv_.columns.push_back(column_of(cell.text));
     }
@@ -101,7 +101,7 @@ class Reader {
   }
 
   void read_row(const std::string& line, int number) {
-    std::vector<Cell> cells = split(line, csv_.separator);
+    std::vector<CsvCell> cells = split(line, csv_.separator);
     const std::size_t n = csv_.columns.size();
     if (cells.size() == n + 1 && cells.back().text.empty()) cells.pop_back();
     if (cells.size() != n) {
@@ -117,7 +117,7 @@ class Reader {
     for (std::size_t i = 0; i < n; ++i) csv_.columns[i].values.push_back(value_of(cells[i], number));
   }
 
-  double value_of(const Cell& cell, int line) {
+  double value_of(const CsvCell& cell, int line) {
     std::string text = cell.text.rfind('+', 0) == 0 ? cell.text.substr(1) : cell.text;
     if (csv_.separator != ',' && std::count(text.begin(), text.end(), ',') == 1 &&
         text.find('.') == std::string::npos) {
@@ -181,6 +181,6 @@ std::string CsvFile::names() const {
   return all;
 }
 
-CsvFile read_csv(const NamedFile& file, NaN nan) { return Reader(file, nan).read(); }
+CsvFile read_csv(const NamedFile& file, NaN nan) { return CsvReader(file, nan).read(); }
 
 }  // namespace ringfilm::io

@@ -10,7 +10,7 @@ namespace {
 
 /// Shorter lines are cut off by the turn-around ends altogether.
 constexpr std::size_t kShortestLoop = 10;
-constexpr std::size_t kMostFaults = 10;
+constexpr std::size_t kMostForceFaults = 10;
 
 /// A line "# sample: NAME" before the header.
 std::string sample_of(const CsvFile& csv) {
@@ -26,9 +26,9 @@ std::string sample_of(const CsvFile& csv) {
   return "";
 }
 
-class Reader {
+class ForceReader {
  public:
-  Reader(const NamedFile& file, const Units& units) : csv_(read_csv(file)), units_(units) {}
+  ForceReader(const NamedFile& file, const Units& units) : csv_(read_csv(file)), units_(units) {}
 
   ForceFile read() {
     force_.sample = sample_of(csv_);
@@ -68,7 +68,7 @@ class Reader {
     const auto i = csv_.find(name);
     if (!i) return {};
     const CsvColumn& c = csv_.columns[*i];
-    for (std::size_t row = 0; row < c.values.size() && faults_.size() < kMostFaults; ++row) {
+    for (std::size_t row = 0; row < c.values.size() && faults_.size() < kMostForceFaults; ++row) {
       if (c.values[row] == std::floor(c.values[row]) && c.values[row] >= 0 && c.values[row] <= 1e9) continue;
       faults_.push_back({csv_.cell_mark(row, *i), name + " is not a whole number from zero on", "for example 3"});
     }
@@ -143,7 +143,8 @@ class Reader {
   }
 
   void tell(std::size_t row, const std::string& column, const std::string& message, const std::string& remedy) {
-    if (faults_.size() < kMostFaults) faults_.push_back({csv_.cell_mark(row, *csv_.find(column)), message, remedy});
+    if (faults_.size() < kMostForceFaults)
+      faults_.push_back({csv_.cell_mark(row, *csv_.find(column)), message, remedy});
   }
 
   CsvFile csv_;
@@ -155,6 +156,6 @@ class Reader {
 
 }  // namespace
 
-ForceFile read_force(const NamedFile& file, const Units& units) { return Reader(file, units).read(); }
+ForceFile read_force(const NamedFile& file, const Units& units) { return ForceReader(file, units).read(); }
 
 }  // namespace ringfilm::io

@@ -16,29 +16,29 @@ using surface::LeverShape;
 using surface::LoadUnit;
 using surface::Uncertain;
 
-enum class Need { kAlways, kForNewtons, kNever };
+enum class LeverNeed { kAlways, kForNewtons, kNever };
 
 struct Size {
   std::string key, si_unit, example;
-  Need need;
+  LeverNeed need;
   Uncertain Lever::*member;
 };
 
 std::vector<Size> sizes() {
-  return {{"length", "m", "\"450 um +- 5 um\"", Need::kAlways, &Lever::length_m},
-          {"tip_height", "m", "\"17 um +- 1 um\"", Need::kAlways, &Lever::tip_height_m},
-          {"poissons_ratio", "1", "\"0.27 +- 0.02\"", Need::kAlways, &Lever::poissons_ratio},
-          {"sensitivity_ratio", "1", "\"1 +- 0.05\"", Need::kNever, &Lever::sensitivity_ratio},
-          {"youngs_modulus", "Pa", "\"169 GPa +- 5 GPa\"", Need::kForNewtons, &Lever::youngs_modulus_Pa},
-          {"width", "m", "\"50 um +- 2 um\"", Need::kForNewtons, &Lever::width_m},
-          {"thickness", "m", "\"2 um +- 0.1 um\"", Need::kForNewtons, &Lever::thickness_m},
-          {"torsional_sensitivity", "V/m", "\"0.05 V/nm +- 5 %\"", Need::kForNewtons,
+  return {{"length", "m", "\"450 um +- 5 um\"", LeverNeed::kAlways, &Lever::length_m},
+          {"tip_height", "m", "\"17 um +- 1 um\"", LeverNeed::kAlways, &Lever::tip_height_m},
+          {"poissons_ratio", "1", "\"0.27 +- 0.02\"", LeverNeed::kAlways, &Lever::poissons_ratio},
+          {"sensitivity_ratio", "1", "\"1 +- 0.05\"", LeverNeed::kNever, &Lever::sensitivity_ratio},
+          {"youngs_modulus", "Pa", "\"169 GPa +- 5 GPa\"", LeverNeed::kForNewtons, &Lever::youngs_modulus_Pa},
+          {"width", "m", "\"50 um +- 2 um\"", LeverNeed::kForNewtons, &Lever::width_m},
+          {"thickness", "m", "\"2 um +- 0.1 um\"", LeverNeed::kForNewtons, &Lever::thickness_m},
+          {"torsional_sensitivity", "V/m", "\"0.05 V/nm +- 5 %\"", LeverNeed::kForNewtons,
            &Lever::torsional_sensitivity_V_per_m}};
 }
 
-class Reader {
+class LeverReader {
  public:
-  Reader(const NamedFile& file, LoadUnit load_unit, const Units& units)
+  LeverReader(const NamedFile& file, LoadUnit load_unit, const Units& units)
       : source_(read_source_text(file.path, file.shown, kLargestToml)),
         root_(parse_toml(source_)),
         load_unit_(load_unit),
@@ -90,9 +90,9 @@ class Reader {
   void read_size(const Size& size, Lever& lever) {
     const TomlValue* value = find(size.key);
     if (value == nullptr) {
-      if (size.need == Need::kAlways) {
+      if (size.need == LeverNeed::kAlways) {
         faults_.push_back({source_.mark(0), size.key + " is missing", "for example " + size.example});
-      } else if (size.need == Need::kForNewtons && load_unit_ == LoadUnit::kNewton) {
+      } else if (size.need == LeverNeed::kForNewtons && load_unit_ == LoadUnit::kNewton) {
         faults_.push_back({source_.mark(0), size.key + " is missing: the loads are in newtons",
                            "for example " + size.example + "; for loads in volts it is not needed"});
       }
@@ -128,7 +128,7 @@ class Reader {
 }  // namespace
 
 LeverFile read_lever(const NamedFile& file, LoadUnit load_unit, const Units& units) {
-  return Reader(file, load_unit, units).read();
+  return LeverReader(file, load_unit, units).read();
 }
 
 }  // namespace ringfilm::io

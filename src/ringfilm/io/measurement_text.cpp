@@ -55,14 +55,14 @@ std::string paragraph(const std::string& head, const std::string& text) {
 
 enum class Align { kLeft, kRight };
 
-struct Cell {
+struct TableCell {
   std::string text;
   Align align = Align::kLeft;
 };
 
-using Row = std::vector<Cell>;
+using Row = std::vector<TableCell>;
 
-std::string padded(const Cell& cell, const std::string& text, std::size_t room) {
+std::string padded(const TableCell& cell, const std::string& text, std::size_t room) {
   const std::string blanks(room - std::min(room, width(text)), ' ');
   return cell.align == Align::kLeft ? text + blanks : blanks + text;
 }
@@ -71,7 +71,7 @@ std::string padded(const Cell& cell, const std::string& text, std::size_t room) 
 std::string set_out(const std::vector<Row>& rows, const std::vector<std::size_t>& widths) {
   std::string out;
   for (const Row& row : rows) {
-    if (std::all_of(row.begin(), row.end(), [](const Cell& cell) { return cell.text.empty(); })) continue;
+    if (std::all_of(row.begin(), row.end(), [](const TableCell& cell) { return cell.text.empty(); })) continue;
     std::vector<std::vector<std::string>> lines;
     std::size_t n_lines = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {

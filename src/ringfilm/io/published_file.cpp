@@ -54,7 +54,7 @@ double number_of(const TomlValue& table, const std::string& si_unit, const Units
   return number;
 }
 
-std::string unit_of(const TomlValue& table, const std::string& quantity, std::vector<Fault>& faults) {
+std::string unit_of_column(const TomlValue& table, const std::string& quantity, std::vector<Fault>& faults) {
   for (const auto& candidate : cycle::cycle_quantities()) {
     if (candidate.name == quantity) return candidate.unit;
   }
@@ -92,7 +92,7 @@ std::vector<study::PublishedValue> read_published(const std::string& path, const
     published.quantity = text_of(table, "quantity", faults);
     published.statement = text_of(table, "statement", faults);
     published.decided_by = text_of(table, "decided_by", faults);
-    published.value = number_of(table, unit_of(table, published.quantity, faults), units, faults);
+    published.value = number_of(table, unit_of_column(table, published.quantity, faults), units, faults);
     if (of_case == case_name) values.push_back(std::move(published));
   }
   if (!faults.empty()) throw InputError(std::move(faults));

@@ -11,7 +11,7 @@ std::string header(const std::string& name, const std::string& unit) {
   return unit == "1" ? name : name + " [" + unit + "]";
 }
 
-std::string number(double value) {
+std::string exact_number(double value) {
   return std::isnan(value) ? "nan" : fmt::format("{}", value + 0.0);  // the sign of a NaN or a zero says nothing
 }
 
@@ -36,12 +36,12 @@ std::string result_csv(const std::vector<cycle::Sample>& samples, const std::opt
   csv += '\n';
   for (std::size_t k = 0; k < samples.size(); ++k) {
     separator = "";
-    for (const auto& quantity : quantities) add(number(samples[k].*quantity.value));
+    for (const auto& quantity : quantities) add(exact_number(samples[k].*quantity.value));
     for (const auto& quantity : cycle::unrolled_quantities()) {
-      if (!unrolled.empty()) add(number(unrolled[k].*quantity.value));
+      if (!unrolled.empty()) add(exact_number(unrolled[k].*quantity.value));
     }
     for (const auto& quantity : quantities) {
-      if (errors && study::has_error(quantity)) add(number(errors->samples[k].*quantity.value));
+      if (errors && study::has_error(quantity)) add(exact_number(errors->samples[k].*quantity.value));
     }
     csv += '\n';
   }

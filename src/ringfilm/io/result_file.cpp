@@ -25,10 +25,6 @@ std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-bool starts_with(const std::string& bytes, const std::string& start) {
-  return bytes.compare(0, start.size(), start) == 0;
-}
-
 void refuse_what_is_not_ours(const std::string& path, const ResultFileReader& file) {
   if (file.has_attribute("ringfilm_pad_schema")) {
     throw InputError(path + ": the film of a pad; a report is drawn of rings",
@@ -108,7 +104,7 @@ std::string result_bytes(const ResultDocument& document) {
 ResultDocument read_result(const std::string& path) { return result_of_bytes(path, bytes_of(path)); }
 
 ResultDocument result_of_bytes(const std::string& path, const std::string& bytes) {
-  if (!starts_with(bytes, "\x89HDF\r\n\x1a\n") && !starts_with(bytes, "CDF")) {
+  if (!bytes.starts_with("\x89HDF\r\n\x1a\n") && !bytes.starts_with("CDF")) {
     throw InputError(path + ": this is not a NetCDF file", "name a result that ringfilm run --output has written");
   }
   const ResultFileReader file(path, bytes);

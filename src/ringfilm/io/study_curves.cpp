@@ -10,7 +10,7 @@ namespace ringfilm::io {
 namespace {
 
 /// Of curves that are read at once [bytes].
-constexpr std::size_t kBlock = std::size_t{1} << 27;
+constexpr std::size_t kBytesAtATime = std::size_t{1} << 27;
 
 /// Quantiles of numbers whose order is of no more use. @param shares increasing
 std::vector<double> quantiles_of(std::vector<float>& numbers, const std::vector<double>& shares) {
@@ -53,8 +53,8 @@ class BandReader {
                          std::vector<std::vector<double>>(n_shares, std::vector<double>(n_angles_))});
     }
     const std::uint64_t n = rows_.plan.size();
-    const std::size_t at_once = std::clamp<std::size_t>(kBlock / sizeof(float) / std::max<std::uint64_t>(n, 1), 1,
-                                                        std::max<std::size_t>(n_angles_, 1));
+    const std::size_t at_once = std::clamp<std::size_t>(kBytesAtATime / sizeof(float) / std::max<std::uint64_t>(n, 1),
+                                                        1, std::max<std::size_t>(n_angles_, 1));
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       for (std::size_t first = 0; first < n_angles_; first += at_once) {
         const std::size_t n_now = std::min(at_once, n_angles_ - first);

@@ -28,7 +28,7 @@ const std::vector<std::string> kFactorKeys = {
 enum class Meaning { kValue, kDifference };
 
 /// The table whose keys a file may bring: "lubricant." for lubricant.table.
-std::string section_of(const std::string& key) {
+std::string section_of_key(const std::string& key) {
   for (const std::string section : {"lubricant.", "gas.", "ring.face."}) {
     if (key.rfind(section, 0) == 0) return section;
   }
@@ -45,7 +45,7 @@ bool is_among(const cycle::InputFile& file, const std::vector<cycle::InputFile>&
 /// been chosen.
 /// @param base the case without the file  @param from the same with it
 void put_section(const std::string& key, const cycle::Case& base, const cycle::Case& from, cycle::Case& to) {
-  const std::string section = section_of(key);
+  const std::string section = section_of_key(key);
   if (section == "lubricant.") to.lubricant = from.lubricant;
   if (section == "gas.") to.gas = from.gas;
   if (section == "ring.face.") to.ring.face = from.ring.face;

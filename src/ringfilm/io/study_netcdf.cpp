@@ -23,7 +23,7 @@ constexpr const char* kRing = "ring";
 constexpr std::size_t kRings = 1;
 
 /// Scenarios that are written at once, and that make a compressed piece; fewer where curves are kept in full.
-constexpr std::uint64_t kBlock = 4096, kCurveBlock = 256;
+constexpr std::uint64_t kRowsAtATime = 4096, kCurvesAtATime = 256;
 
 /// Numbers along a dimension that is stored in whole pieces.
 std::uint64_t padded(std::uint64_t n, std::uint64_t piece) { return n < piece ? n : (n + piece - 1) / piece * piece; }
@@ -33,7 +33,8 @@ std::uint64_t most_bytes(const StudyRows& rows) {
   const study::Keep& keep = rows.plan.study().keep;
   const bool is_full = keep.curves == study::Curves::kAll;
   const std::uint64_t n_curves = study::kept_quantities(keep).size(), n_angles = kept_angles(keep).size();
-  const std::uint64_t n = padded(rows.plan.size(), kBlock), n_of_curves = padded(rows.plan.size(), kCurveBlock);
+  const std::uint64_t n = padded(rows.plan.size(), kRowsAtATime),
+                      n_of_curves = padded(rows.plan.size(), kCurvesAtATime);
   const std::uint64_t n_columns = cycle::cycle_quantities().size() + rows.plan.study().factors.size() + 3;
   const std::uint64_t columns = n * n_columns * sizeof(double);
   const std::uint64_t curves = is_full ? n_of_curves * n_curves * n_angles * sizeof(float) : 0;
@@ -43,7 +44,8 @@ std::uint64_t most_bytes(const StudyRows& rows) {
   for (const ShardReader& shard : rows.shards) reasons += 2 * shard.reason_bytes() + 100 * shard.n_unsolved();
   // Of each compressed piece its place is kept, in blocks of some kB that are half empty at worst.
   constexpr std::uint64_t kPlace = 256, kVariable = 16'384, kHead = 1 << 20;
-  const std::uint64_t places = (n / kBlock * n_columns + (is_full ? n_of_curves / kCurveBlock * n_curves : 0)) * kPlace;
+  const std::uint64_t places =
+      (n / kRowsAtATime * n_columns + (is_full ? n_of_curves / kCurvesAtATime * n_curves : 0)) * kPlace;
   return columns + curves + bands + reasons + places + (n_columns + n_curves) * kVariable + kHead +
          2 * rows.plan.digest_text().size() + 1000 * rows.file.files.size();
 }
@@ -99,7 +101,7 @@ class BlockWriter {
     const std::uint64_t n_unsolved = rows_.n_unsolved();
     if (n_unsolved > 0) {
       file_.dimension(kUnsolved, n_unsolved);
-      const std::vector<std::size_t> piece = {std::min(n_unsolved, kBlock)};
+      const std::vector<std::size_t> piece = {std::min(n_unsolved, kRowsAtATime)};
       unsolved_ =
           file_.blocks({kUnsolved}, {"unsolved_scenario", "1", "", "scenario that was not solved, from 0", "", ""},
                        Stored::kInteger, piece);
@@ -110,16 +112,17 @@ class BlockWriter {
   }
 
   void write() {
-    for (std::uint64_t first = 0; first < n_; first += kBlock) write_block({first, std::min(first + kBlock, n_)});
+    for (std::uint64_t first = 0; first < n_; first += kRowsAtATime)
+      write_block({first, std::min(first + kRowsAtATime, n_)});
     put_unsolved(waiting_.size());
     if (curves_.empty()) return;
-    for (std::uint64_t first = 0; first < n_; first += kCurveBlock)
-      write_curves({first, std::min(first + kCurveBlock, n_)});
+    for (std::uint64_t first = 0; first < n_; first += kCurvesAtATime)
+      write_curves({first, std::min(first + kCurvesAtATime, n_)});
   }
 
  private:
   std::optional<int> column(const cycle::Quantity& quantity, Stored stored) {
-    return file_.blocks({kScenario}, quantity, stored, {static_cast<std::size_t>(std::min(n_, kBlock))});
+    return file_.blocks({kScenario}, quantity, stored, {static_cast<std::size_t>(std::min(n_, kRowsAtATime))});
   }
 
   void define_factors() {
@@ -142,7 +145,7 @@ class BlockWriter {
   }
 
   void define_curves() {
-    const std::vector<std::size_t> piece = {static_cast<std::size_t>(std::min(n_, kCurveBlock)), n_angles_, kRings};
+    const std::vector<std::size_t> piece = {static_cast<std::size_t>(std::min(n_, kCurvesAtATime)), n_angles_, kRings};
     for (const auto* quantity : study::kept_quantities(rows_.plan.study().keep)) {
       cycle::Quantity curve = *quantity;
       curve.name = fmt::format("curve_{}", quantity->name);
@@ -171,7 +174,7 @@ class BlockWriter {
     put(sample_, block, numbers);
     for (std::size_t i = 0; i < values_.size(); ++i) put(values_[i], block, rows_.values(i, block));
     std::move(unsolved.begin(), unsolved.end(), std::back_inserter(waiting_));
-    if (waiting_.size() >= kBlock) put_unsolved(kBlock);
+    if (waiting_.size() >= kRowsAtATime) put_unsolved(kRowsAtATime);
   }
 
   /// Writes the first `n` that wait, so that all blocks but the last are whole pieces.

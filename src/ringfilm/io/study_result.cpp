@@ -18,7 +18,7 @@ namespace ringfilm::io {
 namespace {
 
 /// Scenarios that are held in memory at once.
-constexpr std::uint64_t kBlock = 4096;
+constexpr std::uint64_t kRowsReadAtATime = 4096;
 
 std::string csv_number(double value) { return std::isnan(value) ? "nan" : fmt::format("{}", value + 0.0); }
 
@@ -172,8 +172,8 @@ void write_study_csv(const std::string& path, const StudyRows& rows) {
   write(line.append("\n"));
   std::vector<std::vector<std::string>> texts;
   for (const study::Factor& factor : study.factors) texts.push_back(choice_texts(factor));
-  for (std::uint64_t first = 0; first < rows.plan.size(); first += kBlock) {
-    const study::ScenarioRange block{first, std::min(first + kBlock, rows.plan.size())};
+  for (std::uint64_t first = 0; first < rows.plan.size(); first += kRowsReadAtATime) {
+    const study::ScenarioRange block{first, std::min(first + kRowsReadAtATime, rows.plan.size())};
     const auto factors = factor_columns(rows.plan, block);
     std::vector<std::vector<double>> values;
     for (std::size_t i = 0; i < quantities.size(); ++i) values.push_back(rows.values(i, block));

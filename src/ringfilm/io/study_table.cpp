@@ -12,12 +12,6 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
-
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
   const std::string near = nearest_word(word, known);
   return near.empty() ? "" : fmt::format("; did you mean {}?", near);
@@ -34,7 +28,7 @@ StudyTable::StudyTable(const TomlValue& table, std::string name, std::vector<std
   for (const auto& [key, value] : table.members) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     refuse(value.key_mark, fmt::format("unknown key {} in {}{}", key, name_, did_you_mean(key, known)),
-           fmt::format("there may be: {}", listed(known)));
+           fmt::format("there may be: {}", fmt::join(known, ", ")));
   }
 }
 
@@ -105,7 +99,7 @@ std::vector<std::string> StudyTable::texts(const std::string& key) {
 void StudyTable::refuse_word(const TomlValue& at, const std::string& key, const std::string& word,
                              const std::vector<std::string>& names) {
   refuse(at.mark, fmt::format("{} = \"{}\" is not known{}", key, word, did_you_mean(word, names)),
-         fmt::format("one of: {}", listed(names)));
+         fmt::format("one of: {}", fmt::join(names, ", ")));
 }
 
 void StudyTable::refuse(const SourceMark& mark, const std::string& message, const std::string& remedy) {

@@ -20,24 +20,23 @@ bool earlier(const SourceMark& a, const SourceMark& b) {
 }
 
 TomlValue plain(const toml::node& node, const SourceText& source) {
-  using Kind = TomlValue::Kind;
   TomlValue value;
   value.mark = mark_of(source, node.source());
   value.key_mark = value.mark;
   if (const auto* text = node.as_string()) {
-    value.kind = Kind::kText;
+    value.kind = TomlValue::Kind::kText;
     value.text = text->get();
   } else if (const auto* integer = node.as_integer()) {
-    value.kind = Kind::kInteger;
+    value.kind = TomlValue::Kind::kInteger;
     value.number = static_cast<double>(integer->get());
   } else if (const auto* number = node.as_floating_point()) {
-    value.kind = Kind::kNumber;
+    value.kind = TomlValue::Kind::kNumber;
     value.number = number->get();
   } else if (const auto* list = node.as_array()) {
-    value.kind = Kind::kList;
+    value.kind = TomlValue::Kind::kList;
     for (const toml::node& item : *list) value.items.push_back(plain(item, source));
   } else if (const auto* table = node.as_table()) {
-    value.kind = Kind::kTable;
+    value.kind = TomlValue::Kind::kTable;
     for (const auto& [key, member] : *table) {
       value.members.push_back({std::string(key.str()), plain(member, source)});
       value.members.back().value.key_mark = mark_of(source, key.source());
@@ -95,22 +94,22 @@ std::string TomlValue::as_written() const {
   constexpr std::size_t kLongest = 60;
   std::string written;
   switch (kind) {
-    case Kind::kText:
+    case TomlValue::Kind::kText:
       written = quoted(text);
       break;
-    case Kind::kInteger:
-    case Kind::kNumber:
+    case TomlValue::Kind::kInteger:
+    case TomlValue::Kind::kNumber:
       return exact_text(number);
-    case Kind::kList:
+    case TomlValue::Kind::kList:
       for (const TomlValue& item : items) {
         if (written.size() > kLongest) break;
         written += (written.empty() ? "" : ", ") + item.as_written();
       }
       written = "[" + written + "]";
       break;
-    case Kind::kTable:
+    case TomlValue::Kind::kTable:
       return "{...}";
-    case Kind::kOther:
+    case TomlValue::Kind::kOther:
       return "(neither text nor number)";
   }
   return written.size() <= kLongest ? written : written.substr(0, kLongest) + "...";

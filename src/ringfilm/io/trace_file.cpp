@@ -35,9 +35,9 @@ struct Role {
   std::optional<std::string> column, unit;
 };
 
-class Reader {
+class TraceReader {
  public:
-  Reader(const NamedFile& file, const TraceColumns& stated, const Units& units)
+  TraceReader(const NamedFile& file, const TraceColumns& stated, const Units& units)
       : csv_(read_csv(file)), stated_(stated), units_(units) {}
 
   TraceFile read() {
@@ -232,7 +232,7 @@ class Reader {
 }  // namespace
 
 TraceFile read_trace(const NamedFile& file, const TraceColumns& stated, const Units& units) {
-  return Reader(file, stated, units).read();
+  return TraceReader(file, stated, units).read();
 }
 
 }  // namespace ringfilm::io

@@ -5,13 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "ringfilm/base/trimmed.hpp"
+
 namespace ringfilm::io {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 /// The words before and after the sign; the second is empty where there is none.
 std::pair<std::string, std::string> halves(const std::string& text) {
@@ -24,7 +21,7 @@ std::pair<std::string, std::string> halves(const std::string& text) {
 }
 
 /// What follows the number.
-std::string unit_of(const std::string& text) {
+std::string unit_behind_number(const std::string& text) {
   double value = 0;
   const char* begin = text.c_str() + (text.rfind('+', 0) == 0 ? 1 : 0);
   const char* end = text.c_str() + text.size();
@@ -59,11 +56,11 @@ surface::Uncertain uncertain_quantity(const std::string& text, const std::string
   if (deviation.empty() && value != trimmed(written)) {
     throw UnitError("has nothing after +-", "for example " + example);
   }
-  const bool relative = !deviation.empty() && unit_of(deviation) == "%";
-  if (common_unit.empty() && !deviation.empty() && !relative && unit_of(value).empty())
-    common_unit = unit_of(deviation);
+  const bool relative = !deviation.empty() && unit_behind_number(deviation) == "%";
+  if (common_unit.empty() && !deviation.empty() && !relative && unit_behind_number(value).empty())
+    common_unit = unit_behind_number(deviation);
   const auto read = [&](const std::string& one) {
-    const std::string whole = unit_of(one).empty() && !common_unit.empty() ? one + " " + common_unit : one;
+    const std::string whole = unit_behind_number(one).empty() && !common_unit.empty() ? one + " " + common_unit : one;
     return si_unit == "1" ? number_of(whole, example) : units.quantity(whole, si_unit, example);
   };
   surface::Uncertain result{read(value), 0};

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/io/shipped.hpp"
 
 namespace ringfilm::io {
@@ -49,12 +50,6 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kOurNames{{{"cP", "
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(), [&word](const char* w) { return word == w; });
-}
-
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return "";
-  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
 }
 
 /// Signs that a keyboard or a word processor puts into units, as UDUNITS writes them in ASCII.

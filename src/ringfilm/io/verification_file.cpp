@@ -1,5 +1,7 @@
 #include "ringfilm/io/verification_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -23,12 +25,6 @@ namespace fs = std::filesystem;
 constexpr int kMostCount = 100000;  // far more cells or steps than anyone waits for
 constexpr int kFewestCells = 2;     // one inner node
 constexpr int kFewestLevels = 3;    // an order from two runs alone could not be seen to bend
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
 
 /// One table of the file: hands out its keys, and refuses what nobody asked for.
 class Table {
@@ -188,9 +184,9 @@ class Table {
   std::set<std::string> asked_;
 };
 
-class Reader {
+class VerificationReader {
  public:
-  Reader(const fs::path& folder, const Units& units) : folder_(folder), units_(units) {
+  VerificationReader(const fs::path& folder, const Units& units) : folder_(folder), units_(units) {
     verification_.name = folder.filename().string();
   }
 
@@ -300,7 +296,8 @@ class Reader {
       check.manufactured = table.text_of("manufactured", *film);
       const auto& known = study::manufactured_films();
       if (std::find(known.begin(), known.end(), check.manufactured) == known.end()) {
-        table.refuse("manufactured", *film, "is no manufactured film", "one of: " + listed(known));
+        table.refuse("manufactured", *film, "is no manufactured film",
+                     fmt::format("one of: {}", fmt::join(known, ", ")));
       }
     } else {
       check.run = run(table, table.text("case"));
@@ -447,7 +444,7 @@ class Reader {
 }  // namespace
 
 study::Verification read_verification(const std::string& folder, const Units& units) {
-  return Reader(folder, units).read();
+  return VerificationReader(folder, units).read();
 }
 
 std::vector<std::string> verification_folders() {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/models/gas_checks.hpp"
@@ -14,12 +15,10 @@
 namespace ringfilm::models {
 namespace {
 
-constexpr double kCycle = 720;  // [degree]
-
 /// Congruent angle in [0, 720).
 double wrapped(double angle) {
-  const double w = angle - kCycle * std::floor(angle / kCycle);
-  return w < kCycle ? w : 0;
+  const double w = angle - base::kCycleDeg * std::floor(angle / base::kCycleDeg);
+  return w < base::kCycleDeg ? w : 0;
 }
 
 struct Extent {
@@ -89,7 +88,7 @@ void check_trace(const std::vector<double>& crank_angle_deg, const std::vector<d
                        "sort the trace and give each crank angle once");
     }
   }
-  if (crank_angle_deg.back() - crank_angle_deg.front() > kCycle + 1e-6) {
+  if (crank_angle_deg.back() - crank_angle_deg.front() > base::kCycleDeg + 1e-6) {
     throw InputError("the pressure trace spans " + in_degrees(crank_angle_deg.back() - crank_angle_deg.front()) +
                          ", more than one cycle",
                      "give one cycle of 720 degree, for example the mean of the measured ones");
@@ -108,7 +107,7 @@ CyclePressure::CyclePressure(double pressure) : CyclePressure(std::vector<double
 CyclePressure::CyclePressure(std::vector<double> crank_angle_deg, std::vector<double> pressure)
     : angle_(std::move(crank_angle_deg)), pressure_(std::move(pressure)) {
   check_trace(angle_, pressure_);
-  if (angle_.size() > 1 && angle_.back() - angle_.front() > kCycle - 1e-6) {
+  if (angle_.size() > 1 && angle_.back() - angle_.front() > base::kCycleDeg - 1e-6) {
     pressure_.front() = (pressure_.front() + pressure_.back()) / 2;
     angle_.pop_back();
     pressure_.pop_back();
@@ -127,7 +126,7 @@ double CyclePressure::pressure(double crank_angle_deg) const {
     low = static_cast<std::size_t>(std::upper_bound(angle_.begin() + 1, angle_.end(), at) - angle_.begin()) - 1;
   }
   const bool wraps = low == last;
-  const double next_angle = wraps ? angle_.front() + kCycle : angle_[low + 1];
+  const double next_angle = wraps ? angle_.front() + base::kCycleDeg : angle_[low + 1];
   const double next_pressure = wraps ? pressure_.front() : pressure_[low + 1];
   return pressure_[low] + (at - angle_[low]) / (next_angle - angle_[low]) * (next_pressure - pressure_[low]);
 }
@@ -143,7 +142,7 @@ double CyclePressure::peak_angle_deg() const {
 
 bool covers_cycle(const std::vector<double>& crank_angle_deg, double largest_gap_deg) {
   if (crank_angle_deg.empty()) return false;
-  const double wrap = crank_angle_deg.front() + kCycle - crank_angle_deg.back();
+  const double wrap = crank_angle_deg.front() + base::kCycleDeg - crank_angle_deg.back();
   const double gap = crank_angle_deg.size() < 2 ? wrap : std::max(wrap, steps(crank_angle_deg).largest);
   return gap <= largest_gap_deg * (1 + 1e-9);
 }

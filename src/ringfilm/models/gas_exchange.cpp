@@ -6,14 +6,13 @@
 #include <string>
 #include <utility>
 
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/models/gas_checks.hpp"
 
 namespace ringfilm::models {
 namespace {
-
-constexpr double kCycle = 720;  // [degree]
 
 /// Mean slope over the first or last two degrees of the samples, noise being worse than curvature there.
 double end_slope(const std::vector<double>& x, const std::vector<double>& y, std::size_t end, int inwards) {
@@ -30,7 +29,7 @@ double end_slope(const std::vector<double>& x, const std::vector<double>& y, std
 CyclePressure closed_cycle(std::vector<double> crank_angle_deg, std::vector<double> pressure,
                            const GasExchange& exchange) {
   check_trace(crank_angle_deg, pressure);
-  const double begin = crank_angle_deg.front() + kCycle;
+  const double begin = crank_angle_deg.front() + base::kCycleDeg;
   const double slope_at_end = end_slope(crank_angle_deg, pressure, crank_angle_deg.size() - 1, -1);
   const double slope_at_begin = end_slope(crank_angle_deg, pressure, 0, 1);
   const auto append = [&](const MonotoneBlend::End& from, const MonotoneBlend::End& to) {
@@ -65,7 +64,7 @@ CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vecto
   }
   // The cycle in which the middle of the trace lies nearest to firing TDC.
   const double middle = (crank_angle_deg.front() + crank_angle_deg.back()) / 2;
-  const double shift = kCycle * std::round(middle / kCycle);
+  const double shift = base::kCycleDeg * std::round(middle / base::kCycleDeg);
   for (double& angle : crank_angle_deg) angle -= shift;
 
   const double first = crank_angle_deg.front(), last = crank_angle_deg.back();
@@ -77,7 +76,7 @@ CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vecto
   const GasExchange exchange{.exhaust_from = std::max(kBottom, last + kShortest),
                              .overlap_begin = kOverlapBegin,
                              .overlap_end = kOverlapEnd,
-                             .intake_until = std::min(kCycle - kBottom, first + kCycle - kShortest),
+                             .intake_until = std::min(base::kCycleDeg - kBottom, first + base::kCycleDeg - kShortest),
                              .exhaust_pressure = exhaust_pressure,
                              .intake_pressure = intake_pressure};
   if (exchange.exhaust_from > kOverlapBegin || exchange.intake_until < kOverlapEnd) {

@@ -12,17 +12,14 @@
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/models/oil_temperature.hpp"
 #include "ringfilm/models/roelands.hpp"
+#include "ringfilm/models/walther.hpp"
 
 namespace ringfilm::models {
 namespace {
 
-constexpr double kHoupertPole = 138;    // [K]
-constexpr double kMm2PerSecond = 1e-6;  // [m2/s]
-constexpr double kWaltherOffset = 0.7;  // [mm2/s]
+constexpr double kHoupertPole = 138;  // [K]
 
-std::string in_degC(double T) { return number_text(T - 273.15) + " degC"; }
-
-double walther_ordinate(double nu) { return std::log10(std::log10(nu / kMm2PerSecond + kWaltherOffset)); }
+double decadic_ordinate(double nu) { return std::log10(std::log10(nu / kMm2PerSecond + kWaltherOffset)); }
 
 /// Is theta_0 the one temperature at which the kinematic viscosity is known?
 bool stated_at(const OilLaws& laws, double theta_0) {
@@ -76,13 +73,6 @@ bool DensityLaw::extrapolates(double T) const {
   return asked < temperature.front() || asked > temperature.back();
 }
 
-void check_oil_temperature(double T) {
-  if (T > kColdestOil && T < kHottestOil) return;
-  throw InputError("an oil at " + number_text(T) + " K is out of the range of " + number_text(kColdestOil) + " to " +
-                       number_text(kHottestOil) + " K",
-                   "temperatures are in kelvin: 313.15 for 40 degC");
-}
-
 Walther Walther::fit(std::span<const double> temperature, std::span<const double> kinematic_viscosity) {
   const std::size_t n = temperature.size();
   if (kinematic_viscosity.size() != n) {
@@ -100,13 +90,13 @@ Walther Walther::fit(std::span<const double> temperature, std::span<const double
                        "give values such as \"60 mm2/s\" at 40 degC and \"9.6 mm2/s\" at 100 degC");
     }
     x_mean += std::log10(temperature[i]) / static_cast<double>(n);
-    y_mean += walther_ordinate(nu) / static_cast<double>(n);
+    y_mean += decadic_ordinate(nu) / static_cast<double>(n);
   }
   double x_x = 0, x_y = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const double x = std::log10(temperature[i]) - x_mean;
     x_x += x * x;
-    x_y += x * (walther_ordinate(kinematic_viscosity[i]) - y_mean);
+    x_y += x * (decadic_ordinate(kinematic_viscosity[i]) - y_mean);
   }
   if (n < 2 || !(x_x > 0)) {
     throw InputError("lubricant.kinematic_viscosity has values at fewer than two temperatures",

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <functional>
 #include <string>
 #include <utility>
@@ -9,6 +8,8 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/models/lubricant.hpp"
+#include "ringfilm/models/oil_temperature.hpp"
+#include "ringfilm/models/walther.hpp"
 
 namespace ringfilm::models {
 namespace {
@@ -37,15 +38,6 @@ class TabulatedOil final : public OilAtTemperature {
  private:
   MonotoneCubic ln_eta_, rho_;
 };
-
-constexpr double kMm2PerSecond = 1e-6;  // [m2/s]
-constexpr double kWaltherOffset = 0.7;  // [mm2/s]
-
-std::string in_degC(double T) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g degC", T - 273.15);
-  return text;
-}
 
 /// Walther's ordinate, straight in ln T, of a kinematic viscosity.
 double walther_ordinate(double nu) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/models/gas.hpp"
 #include "ringfilm/models/gas_checks.hpp"
@@ -17,14 +18,13 @@
 namespace ringfilm::models {
 namespace {
 
-constexpr double kCycle = 720;                     // [degree]
 constexpr double kExponent = 1.33;                 // p V^k constant without heat: gas and mean wall loss [-]
 constexpr double kEfficiency = 6.907755278982137;  // ln 1000: 99.9 % burned after the burn duration [-]
 constexpr double kForm = 2;                        // Wiebe's form exponent [-]
 constexpr double kStep = 0.1;                      // [degree]
 
 /// Congruent angle in [0, 720).
-double in_one_cycle(double angle) { return angle - kCycle * std::floor(angle / kCycle); }
+double in_one_cycle(double angle) { return angle - base::kCycleDeg * std::floor(angle / base::kCycleDeg); }
 
 /// Compression, combustion and expansion of a closed charge: with V in units of the clearance volume,
 /// d(p V^k) = (k - 1) V^(k-1) dQ, dQ = Q dx_b.
@@ -185,7 +185,8 @@ void check_cycle(const WiebeCycle& cycle) {
 CyclePressure wiebe_pressure(const WiebeCycle& cycle) {
   check_cycle(cycle);
   const auto exchange = gas_exchange(cycle);
-  const double closing = exchange.intake_until - kCycle, opening = in_one_cycle(cycle.exhaust_valve_opening_deg);
+  const double closing = exchange.intake_until - base::kCycleDeg,
+               opening = in_one_cycle(cycle.exhaust_valve_opening_deg);
   const ClosedCharge charge(cycle);
   const auto combustion = fitted_combustion(cycle, charge, closing);
   auto [angle, pressure] = closed_part(cycle, charge, combustion, closing, opening);

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kDigits = 7;
+constexpr int kMeasuredDigits = 7;
 /// So that the page stays below 2 MB: points of all pictures, of one side of one picture, of all curves.
 constexpr double kPicturePoints = 2 * 512 * 512;
 constexpr double kPictureSide = 512;
@@ -84,8 +84,8 @@ ordered_json curve_object(const io::MeasuredCurve& curve, std::size_t stretches,
     n_drawn = std::max(n_drawn, few.x.size());
     series.push_back({{"label", one.label},
                       {"points", one.points},
-                      {"x", rounded_list(across.values(few.x), kDigits)},
-                      {"y", rounded_list(up.values(few.y), kDigits)}});
+                      {"x", rounded_list(across.values(few.x), kMeasuredDigits)},
+                      {"y", rounded_list(up.values(few.y), kMeasuredDigits)}});
   }
   for (const io::MeasuredMark& mark : curve.marks) {
     marks.push_back({{"at", exact(across.value(mark.x))}, {"label", mark.label}});

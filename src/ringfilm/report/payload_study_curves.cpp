@@ -9,13 +9,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kDigits = 5;
+constexpr int kBandDigits = 5;
 /// A chart has hardly more pixels across.
 constexpr std::size_t kMostAngles = 720;
 
 ordered_json every(const std::vector<double>& values, std::size_t stride) {
   ordered_json list = ordered_json::array();
-  for (std::size_t k = 0; k < values.size(); k += stride) list.push_back(rounded(values[k], kDigits));
+  for (std::size_t k = 0; k < values.size(); k += stride) list.push_back(rounded(values[k], kBandDigits));
   return list;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kDigits = 5;
+constexpr int kPointDigits = 5;
 const std::vector<std::string> kMapped = {"mean_total_friction", "fmep", "min_film_thickness", "mixed_share"};
 const std::vector<std::string> kStribeck = {"mean_stribeck_number", "mean_friction_coefficient", "mean_film_parameter"};
 
@@ -87,7 +87,7 @@ ordered_json grid_object(const io::StudyRows& rows) {
     }
     for (std::size_t q = 0; q < kMapped.size(); ++q) {
       ordered_json list = ordered_json::array();
-      for (const std::uint64_t p : points) list.push_back(rounded(columns[q][plan.scenario(b, p)], kDigits));
+      for (const std::uint64_t p : points) list.push_back(rounded(columns[q][plan.scenario(b, p)], kPointDigits));
       values[kMapped[q]] = std::move(list);
     }
     bases.push_back({{"axes", std::move(described)}, {"values", std::move(values)}});
@@ -138,7 +138,7 @@ ordered_json stribeck_object(const io::StudyRows& rows) {
   for (const std::string& name : kStribeck) {
     const std::vector<double> values = rows.values(*cycle::cycle_quantity_index(name));
     ordered_json list = ordered_json::array();
-    for (const std::uint64_t i : drawn) list.push_back(rounded(values[i], kDigits));
+    for (const std::uint64_t i : drawn) list.push_back(rounded(values[i], kPointDigits));
     object[name] = std::move(list);
   }
   return object;

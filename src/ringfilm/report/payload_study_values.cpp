@@ -20,13 +20,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kDigits = 6;
+constexpr int kValueDigits = 6;
 /// Numbers of factors that are held in memory at once, 8 MB.
 constexpr std::uint64_t kMostSwungNumbers = std::uint64_t{1} << 20;
 /// Of the curves of convergence: 5 %, 50 %, 95 %.
 const std::vector<double> kConvergingShares = {0.05, 0.5, 0.95};
 
-ordered_json number(double value) { return rounded(value, kDigits); }
+ordered_json number(double value) { return rounded(value, kValueDigits); }
 ordered_json number(const std::optional<double>& value) { return value ? number(*value) : ordered_json(nullptr); }
 
 /// [value, low end, high end] of an interval.
@@ -107,7 +107,7 @@ class MainValues {
     for (std::size_t b = 0; b < plan_.study().bases.size(); ++b)
       sorted.push_back(study::sorted_values(of_base(all, b)));
     const study::Histogram found = study::histogram(sorted);
-    return {{"edges", rounded_list(found.edges, kDigits)},
+    return {{"edges", rounded_list(found.edges, kValueDigits)},
             {"counts", found.counts},
             {"below", found.below},
             {"above", found.above}};

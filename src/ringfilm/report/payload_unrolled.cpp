@@ -9,7 +9,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kPlaceDigits = 8;
-constexpr int kValueDigits = 5;
+constexpr int kStripDigits = 5;
 
 ordered_json packed_fields(const std::vector<PackedField>& fields) {
   ordered_json object = ordered_json::object();
@@ -24,7 +24,7 @@ ordered_json points(const std::vector<MapPoint>& list) {
   for (const MapPoint& point : list) {
     array.push_back({{"x", rounded(point.x, kPlaceDigits)},
                      {"y", rounded(point.y, kPlaceDigits)},
-                     {"value", rounded(point.value, kValueDigits)}});
+                     {"value", rounded(point.value, kStripDigits)}});
   }
   return array;
 }

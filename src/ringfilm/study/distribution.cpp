@@ -15,12 +15,13 @@ namespace {
 
 // No long double inside: it is wider on some machines than on others. What overflows is infinite and then complained
 // of.
-using Rules = boost::math::policies::policy<boost::math::policies::promote_double<false>,
-                                            boost::math::policies::overflow_error<boost::math::policies::ignore_error>>;
-using Normal = boost::math::normal_distribution<double, Rules>;
-using Lognormal = boost::math::lognormal_distribution<double, Rules>;
-using Uniform = boost::math::uniform_distribution<double, Rules>;
-using Triangular = boost::math::triangular_distribution<double, Rules>;
+using QuantileRules =
+    boost::math::policies::policy<boost::math::policies::promote_double<false>,
+                                  boost::math::policies::overflow_error<boost::math::policies::ignore_error>>;
+using Normal = boost::math::normal_distribution<double, QuantileRules>;
+using Lognormal = boost::math::lognormal_distribution<double, QuantileRules>;
+using Uniform = boost::math::uniform_distribution<double, QuantileRules>;
+using Triangular = boost::math::triangular_distribution<double, QuantileRules>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

@@ -41,7 +41,7 @@ double formal_order_in_cells(const Case& c) {
 }
 
 /// A value on three grids, each half as fine as the one before; NaN where there is none.
-struct Levels {
+struct ResultLevels {
   double fine, result, coarse;
 };
 
@@ -66,7 +66,7 @@ Estimate estimate(double finer_change, double coarser_change, double formal_orde
   return {kObserved * change * growth / (growth - 1), observed};
 }
 
-Estimate estimate(const Levels& levels, double formal_order) {
+Estimate estimate(const ResultLevels& levels, double formal_order) {
   const double finer = levels.fine - levels.result;
   const double coarser = levels.result - levels.coarse;
   if (!(finer * coarser > 0)) return without_order(std::abs(finer), std::abs(coarser));
@@ -76,7 +76,7 @@ Estimate estimate(const Levels& levels, double formal_order) {
 bool is_angle(const cycle::CycleQuantity& quantity) { return quantity.unit == "degree"; }
 
 /// An angle moves in whole crank steps, so that the largest change is taken as it is.
-Estimate angle_estimate(const Levels& levels) {
+Estimate angle_estimate(const ResultLevels& levels) {
   const auto turn = [](double a, double b) { return std::abs(std::remainder(a - b, cycle::kCycleDeg)); };
   const double finer = turn(levels.fine, levels.result), coarser = turn(levels.result, levels.coarse);
   return {std::fmax(finer, coarser), kNone};
@@ -113,7 +113,7 @@ struct Sides {
   const CycleResult* coarse;
 };
 
-Levels levels(const CycleResult& result, const Sides& sides, double CycleValues::*value) {
+ResultLevels levels(const CycleResult& result, const Sides& sides, double CycleValues::*value) {
   return {sides.fine ? sides.fine->values.*value : kNone, result.values.*value,
           sides.coarse ? sides.coarse->values.*value : kNone};
 }
@@ -124,7 +124,7 @@ void add_value_errors(const Case& c, const CycleResult& result, const Sides& cel
                       ErrorEstimate& errors) {
   for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
     const auto value = quantity.value;
-    const Levels in_cells = levels(result, cells, value), in_step = levels(result, step, value);
+    const ResultLevels in_cells = levels(result, cells, value), in_step = levels(result, step, value);
     const bool angle = is_angle(quantity);
     const Estimate by_cells = angle ? angle_estimate(in_cells) : estimate(in_cells, formal_order_in_cells(c));
     const Estimate by_step = angle ? angle_estimate(in_step) : estimate(in_step, kFormalOrderInStep);

@@ -14,7 +14,7 @@ constexpr double kTail = 0.005;
 constexpr double kThinned = 1.5;
 constexpr double kLeastBins = 8, kMostBins = 50;
 
-struct Range {
+struct Limits {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   void take(double from, double to) {
     low = std::min(low, from);
@@ -25,7 +25,7 @@ struct Range {
 }  // namespace
 
 Histogram histogram(const std::vector<std::vector<double>>& sorted) {
-  Range whole, inner;
+  Limits whole, inner;
   std::size_t most = 0;
   for (const std::vector<double>& values : sorted) {
     if (values.empty()) continue;
@@ -38,7 +38,7 @@ Histogram histogram(const std::vector<std::vector<double>>& sorted) {
   result.below.assign(sorted.size(), 0);
   result.above.assign(sorted.size(), 0);
   if (most == 0) return result;
-  Range range = whole.high - whole.low > kThinned * (inner.high - inner.low) && inner.high > inner.low ? inner : whole;
+  Limits range = whole.high - whole.low > kThinned * (inner.high - inner.low) && inner.high > inner.low ? inner : whole;
   if (range.low == range.high) {
     // All alike: one bin about them.
     const double half = range.low == 0 ? 0.5 : 0.005 * std::abs(range.low);

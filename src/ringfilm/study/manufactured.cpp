@@ -1,8 +1,8 @@
 #include "ringfilm/study/manufactured.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/film/film_solver.hpp"
@@ -25,7 +25,7 @@ struct Pressure : Varying {
 };
 
 Pressure pressure(double x, double t, double swing) {
-  const double k = kPi / kWidth;
+  const double k = std::numbers::pi / kWidth;
   const double amplitude = kPeak * (1 + swing * std::cos(kOmega * t));
   const double s = std::sin(k * x), c = std::cos(k * x);
   return {
@@ -100,12 +100,6 @@ class Film {
   double swing_;
 };
 
-double largest_difference(const film::FilmState& a, const film::FilmState& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.p.size(); ++i) largest = std::max(largest, std::abs(a.p[i] - b.p[i]));
-  return largest / kPeak;
-}
-
 }  // namespace
 
 const std::vector<std::string>& manufactured_films() {
@@ -122,13 +116,13 @@ double manufactured_error(const std::string& film, int n_cells, int n_steps) {
     const film::FilmState exact = steady.prescribed(0);
     film::FilmState start = exact;
     for (double& p : start.p) p = kEdge;
-    return largest_difference(steady.solved(0, film::kSteady, start), exact);
+    return difference_from_peak(steady.solved(0, film::kSteady, start), exact);
   }
   const Film transient(n_cells, kSwing);
   const double end = kPeriod / 4;
   film::FilmState state = transient.prescribed(0);
   for (int k = 1; k <= n_steps; ++k) state = transient.solved(end * k / n_steps, end / n_steps, state);
-  return largest_difference(state, transient.prescribed(end));
+  return difference_from_peak(state, transient.prescribed(end));
 }
 
 }  // namespace ringfilm::study

@@ -1,7 +1,9 @@
 #include "ringfilm/study/manufactured_sheet.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include "ringfilm/base/error.hpp"
@@ -24,7 +26,7 @@ struct Curve {
 
 /// sin^2(pi x/b)
 Curve hump(double x, double width) {
-  const double k = kPi / width, s = std::sin(k * x), c = std::cos(k * x);
+  const double k = std::numbers::pi / width, s = std::sin(k * x), c = std::cos(k * x);
   return {s * s, 2 * k * s * c, 2 * k * k * (c * c - s * s)};
 }
 
@@ -36,15 +38,15 @@ Curve leaning_hump(double y) {
 }
 
 /// A value with its slopes in place and in time.
-struct Varying {
+struct VaryingInSheet {
   double value, d_dx, d_dy, d_dt;
 };
 
-struct Pressure : Varying {
+struct PressureInSheet : VaryingInSheet {
   double d2_dx2, d2_dy2;
 };
 
-Pressure pressure(double x, double y, double t, double swing) {
+PressureInSheet pressure(double x, double y, double t, double swing) {
   const double amplitude = kPeak * (1 + swing * std::cos(kQuick * t));
   const double growth = -kPeak * swing * kQuick * std::sin(kQuick * t);
   const Curve along = hump(x, kWidth), across = leaning_hump(y);
@@ -54,23 +56,23 @@ Pressure pressure(double x, double y, double t, double swing) {
           amplitude * along.value * across.bend};
 }
 
-double separation(double t, double swing) { return kFilm * (1 + swing * std::sin(kQuick * t)); }
+double sheet_separation(double t, double swing) { return kFilm * (1 + swing * std::sin(kQuick * t)); }
 
 double pad(double x, double y) {
   const double u = 1 - x / kWidth;
   return kWedge * u * u * (1 + 0.5 * y / kAcross);
 }
 
-Varying gap(double x, double y, double t, double swing) {
+VaryingInSheet gap(double x, double y, double t, double swing) {
   const double u = 1 - x / kWidth;
-  return {separation(t, swing) + pad(x, y), -2 * kWedge / kWidth * u * (1 + 0.5 * y / kAcross),
+  return {sheet_separation(t, swing) + pad(x, y), -2 * kWedge / kWidth * u * (1 + 0.5 * y / kAcross),
           kWedge * u * u * 0.5 / kAcross, kFilm * swing * kQuick * std::cos(kQuick * t)};
 }
 
 /// d(rho h)/dt + d/dx [U rho h/2 - M p_x] - d/dy [M p_y] with M = rho h^3/(12 eta), every derivative written out.
 double source(double x, double y, double t, double swing) {
-  const Pressure p = pressure(x, y, t, swing);
-  const Varying h = gap(x, y, t, swing);
+  const PressureInSheet p = pressure(x, y, t, swing);
+  const VaryingInSheet h = gap(x, y, t, swing);
   const auto [rho, rho_p] = density(p.value);
   const auto [eta, eta_p] = viscosity(p.value);
   const double storage = rho_p * p.d_dt * h.value + rho * h.d_dt;
@@ -112,7 +114,7 @@ class Sheet {
 
   film::FilmState prescribed(double t) const {
     film::FilmState state;
-    state.h_m = separation(t, swing_);
+    state.h_m = sheet_separation(t, swing_);
     for (const double y : problem_.around.y) {
       for (const double x : problem_.strip.grid.x) {
         const double p = pressure(x, y, t, swing_).value;
@@ -135,7 +137,7 @@ class Sheet {
       for (const double x : problem_.strip.grid.x) inputs.strip.source.push_back(source(x, y, t, swing_));
     }
     film::FilmState state = previous;
-    state.h_m = separation(t, swing_);
+    state.h_m = sheet_separation(t, swing_);
     sheet::SheetWorkspace workspace(problem_);
     if (!sheet::solve_sheet_at_separation(problem_, inputs, previous, state, workspace).converged) {
       throw ConvergenceError("a manufactured film of " + std::to_string(problem_.strip.grid.n_cells()) +
@@ -150,12 +152,6 @@ class Sheet {
   double swing_;
 };
 
-double largest_difference(const film::FilmState& a, const film::FilmState& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.p.size(); ++i) largest = std::max(largest, std::abs(a.p[i] - b.p[i]));
-  return largest / kPeak;
-}
-
 }  // namespace
 
 double manufactured_sheet_error(int n_cells, int n_steps) {
@@ -164,13 +160,13 @@ double manufactured_sheet_error(int n_cells, int n_steps) {
     const film::FilmState exact = steady.prescribed(0);
     film::FilmState start = exact;
     std::fill(start.p.begin(), start.p.end(), kEdge);
-    return largest_difference(steady.solved(0, film::kSteady, start), exact);
+    return difference_from_peak(steady.solved(0, film::kSteady, start), exact);
   }
   const Sheet transient(n_cells, kSwing);
-  const double end = 0.5 * kPi / kQuick;
+  const double end = 0.5 * std::numbers::pi / kQuick;
   film::FilmState state = transient.prescribed(0);
   for (int k = 1; k <= n_steps; ++k) state = transient.solved(end * k / n_steps, end / n_steps, state);
-  return largest_difference(state, transient.prescribed(end));
+  return difference_from_peak(state, transient.prescribed(end));
 }
 
 }  // namespace ringfilm::study

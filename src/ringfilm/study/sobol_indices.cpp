@@ -15,14 +15,14 @@ constexpr std::uint64_t kLeastRows = 8, kMostBlocks = 4096;
 /// f(B) (f(A_B) - f(A)) and (f(A) - f(A_B))^2, all less the mean.
 using Sums = std::vector<double>;
 
-struct Indices {
+struct GroupIndices {
   std::vector<double> first, total;
   double variance = 0;
 };
 
-Indices indices_of(const Sums& sums, std::size_t n_groups) {
+GroupIndices indices_of(const Sums& sums, std::size_t n_groups) {
   const double n = sums[0], mean = sums[1] / (2 * n);
-  Indices result;
+  GroupIndices result;
   result.variance = sums[2] / (2 * n) - mean * mean;
   for (std::size_t g = 0; g < n_groups; ++g) {
     result.first.push_back(sums[3 + 2 * g] / n / result.variance);
@@ -99,7 +99,7 @@ std::optional<SobolIndices> sobol_indices(std::span<const double> values, std::s
   const std::vector<Sums> blocks = block_sums(rows, mean);
   Sums all(3 + 2 * n_groups, 0.0);
   for (const Sums& block : blocks) add(block, all);
-  const Indices estimate = indices_of(all, n_groups);
+  const GroupIndices estimate = indices_of(all, n_groups);
   // Below this the values differ by their last digits alone.
   constexpr double kRounding = 1e-13;
   if (!(estimate.variance > kRounding * kRounding * mean * mean)) return std::nullopt;
@@ -109,7 +109,7 @@ std::optional<SobolIndices> sobol_indices(std::span<const double> values, std::s
     Sums drawn(all.size(), 0.0);
     for (std::uint64_t i = 0; i < blocks.size(); ++i)
       add(blocks[below(blocks.size(), hash(options.seed, r, i))], drawn);
-    const Indices one = indices_of(drawn, n_groups);
+    const GroupIndices one = indices_of(drawn, n_groups);
     for (std::size_t g = 0; g < n_groups; ++g) {
       first[g].push_back(one.first[g]);
       total[g].push_back(one.total[g]);

@@ -11,8 +11,8 @@
 namespace ringfilm::study {
 namespace {
 
-using Rules = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-using Binomial = boost::math::binomial_distribution<double, Rules>;
+using ExactRules = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+using Binomial = boost::math::binomial_distribution<double, ExactRules>;
 
 /// Probability that no more than k of n values are below the quantile; k may be -1.
 double no_more_below(const Binomial& below, long k) {
@@ -47,7 +47,7 @@ std::optional<Mean> mean_of(std::span<const double> values) {
 }
 
 double mean_half_width(std::uint64_t count, double confidence) {
-  const boost::math::students_t_distribution<double, Rules> student(static_cast<double>(count - 1));
+  const boost::math::students_t_distribution<double, ExactRules> student(static_cast<double>(count - 1));
   return boost::math::quantile(boost::math::complement(student, (1 - confidence) / 2));
 }
 

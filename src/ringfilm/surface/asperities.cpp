@@ -1,7 +1,7 @@
 #include "ringfilm/surface/asperities.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/surface/roughness.hpp"
@@ -9,9 +9,8 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kPi = boost::math::constants::pi<double>();
-const double kSummitCurvature = 8 / (3 * std::sqrt(kPi));  // mean of the summits, in roots of m4
-const double kSummitDensity = 1 / (6 * kPi * std::sqrt(3.0));
+const double kSummitCurvature = 8 / (3 * std::sqrt(std::numbers::pi));  // mean of the summits, in roots of m4
+const double kSummitDensity = 1 / (6 * std::numbers::pi * std::sqrt(3.0));
 
 double roughness_of(const SurfaceMeasures& surface, SigmaRule rule) {
   return rule == SigmaRule::ra ? surface.Sa_m : surface.Sq_m;

@@ -9,7 +9,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kLeastPoints = 20;
+constexpr std::size_t kLeastPointsOfBearing = 20;
 constexpr std::size_t kLeastPointsOfTwoLines = 100;
 constexpr double kCoreShare = 0.4;
 constexpr double kProbabilityRange = 3;  // standard deviations to both sides
@@ -54,7 +54,7 @@ double ratio_at(std::span<const double> z, double height) {
 }  // namespace
 
 CoreRoughness core_roughness(std::span<const double> z) {
-  check_curve(z, kLeastPoints);
+  check_curve(z, kLeastPointsOfBearing);
   const std::size_t n = z.size(), width = std::max<std::size_t>(
                                       2, static_cast<std::size_t>(std::lround(kCoreShare * static_cast<double>(n))));
   std::size_t start = 0;
@@ -146,7 +146,7 @@ std::optional<ProbabilityRoughness> probability_roughness(std::span<const double
 }
 
 Cavities cavities(std::span<const double> z, CavityRule rule, double depth_m) {
-  check_curve(z, kLeastPoints);
+  check_curve(z, kLeastPointsOfBearing);
   const double median = height_at(z, 0.5);
   Cavities of;
   if (rule == CavityRule::below_core) {

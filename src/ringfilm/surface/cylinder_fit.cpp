@@ -1,8 +1,8 @@
 #include "ringfilm/surface/cylinder_fit.hpp"
 
 #include <Eigen/Dense>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "ringfilm/base/error.hpp"
@@ -14,8 +14,7 @@ using Parameters = CylinderForm::Parameters;
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
-constexpr double kPi = boost::math::constants::pi<double>();
-constexpr int kMostSteps = 40;
+constexpr int kMostNewtonSteps = 40;
 
 double from_centre(std::size_t i, std::size_t points, double step_m) {
   return (static_cast<double>(i) - 0.5 * static_cast<double>(points - 1)) * step_m;
@@ -79,7 +78,7 @@ std::optional<NormalEquations> normal_equations(const HeightMap& map, const Para
 /// From the paraboloid of least squares: across the axis it bends most.
 Parameters first_guess(const HeightMap& map) {
   const FormAtCentre at = fit_polynomial(map, 2).at_centre();
-  Parameters guess{at.value, 0, 0, 0, -kPi / 2};
+  Parameters guess{at.value, 0, 0, 0, -std::numbers::pi / 2};
   double slope_across = at.slope_x;
   if (map.is_profile()) {
     guess.curvature_per_m = -at.curve_xx;
@@ -122,7 +121,7 @@ CylinderForm fit_cylinder(const HeightMap& map) {
   std::optional<NormalEquations> sums = normal_equations(map, at);
   if (!sums) over_the_side();
   Matrix5 inverse;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostNewtonSteps; ++step) {
     Matrix5 products = is_free.asDiagonal() * sums->products * is_free.asDiagonal();
     Vector5 scale;
     for (int i = 0; i < 5; ++i) {
@@ -190,15 +189,15 @@ Cylinder CylinderForm::cylinder() const {
   found.radius_m = 1 / at_.curvature_per_m;
   found.axis_tilt_rad = std::atan(at_.tilt);
   found.ridge_offset_m = at_.offset_m;
-  double angle = std::remainder(at_.angle_rad, 2 * kPi);
-  if (angle > kPi / 2 || angle <= -kPi / 2) {  // the same axis, seen the other way
-    angle += angle > 0 ? -kPi : kPi;
+  double angle = std::remainder(at_.angle_rad, 2 * std::numbers::pi);
+  if (angle > std::numbers::pi / 2 || angle <= -std::numbers::pi / 2) {  // the same axis, seen the other way
+    angle += angle > 0 ? -std::numbers::pi : std::numbers::pi;
     if (points_y_ > 1) {
       found.axis_tilt_rad = -found.axis_tilt_rad;
       found.ridge_offset_m = -found.ridge_offset_m;
     }
   }
-  found.axis_angle_rad = points_y_ == 1 ? kPi / 2 : angle;
+  found.axis_angle_rad = points_y_ == 1 ? std::numbers::pi / 2 : angle;
   return found;
 }
 

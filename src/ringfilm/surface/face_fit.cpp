@@ -15,8 +15,8 @@ namespace ringfilm::surface {
 namespace {
 
 /// A spline of so many points is a matter of milliseconds, and its equations are still far from singular.
-constexpr std::size_t kMostPoints = 8192;
-constexpr int kMostPasses = 80;
+constexpr std::size_t kMostTracePoints = 8192;
+constexpr int kMostPassesOfFit = 80;
 constexpr int kFreePasses = 8;  ///< steps of the slope itself between a tilt too small and one too large
 constexpr double kTiltSettled = 1e-10;
 
@@ -133,7 +133,7 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
     fit.start_m = std::clamp(rule.start_m.value_or(found_start(whole, rule.width_m)), whole.x_m.front(),
                              std::max(whole.x_m.front(), whole.x_m.back() - rule.width_m));
     gap = window(whole, fit.start_m, rule.width_m);
-    fit.averaged = static_cast<int>((gap.x_m.size() - 1) / kMostPoints + 1);
+    fit.averaged = static_cast<int>((gap.x_m.size() - 1) / kMostTracePoints + 1);
     if (fit.averaged > 1) gap = averaged(gap, static_cast<std::size_t>(fit.averaged));
     if (rule.pore_depth_m) {
       const std::size_t before = gap.x_m.size();
@@ -145,7 +145,7 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
     if (rule.levelling != FaceLevelling::kLand) break;
     const std::optional<double> tilt = search.next(fit.tilt, slope_over(gap, land));
     if (!tilt) break;
-    if (pass == kMostPasses) {
+    if (pass == kMostPassesOfFit) {
       throw InputError(
           "the land of the face cannot be made level: with each tilt another part of the trace is the land",
           "state the tilt, take the trace as it is, or state a larger height of the land");

@@ -14,14 +14,14 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kFewestPoints = 8;
+constexpr std::size_t kFewestSplinePoints = 8;
 constexpr double kFewestSteps = 4;
 
 void check(const std::vector<double>& x, const std::vector<double>& height, double cutoff) {
-  if (x.size() != height.size() || x.size() < kFewestPoints) {
+  if (x.size() != height.size() || x.size() < kFewestSplinePoints) {
     throw InputError("a trace of " + std::to_string(x.size()) + " places and " + std::to_string(height.size()) +
                          " heights cannot be smoothed",
-                     "as many of both are wanted, " + std::to_string(kFewestPoints) + " or more");
+                     "as many of both are wanted, " + std::to_string(kFewestSplinePoints) + " or more");
   }
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::all_of(x.begin(), x.end(), finite) || !std::all_of(height.begin(), height.end(), finite)) {

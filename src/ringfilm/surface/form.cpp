@@ -10,7 +10,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr int kHighestDegree = 12;
+constexpr int kHighestFormDegree = 12;
 
 /// Takes a form, which gives its heights row by row, off the measured points, and tells where and how large it was.
 template <class Form>
@@ -84,9 +84,9 @@ FormRemoved remove_form(HeightMap& map, const FormChoice& choice) {
     case FormKind::cylinder:
       return remove_cylinder(map);
     case FormKind::polynomial:
-      if (choice.degree < 0 || choice.degree > kHighestDegree) {
+      if (choice.degree < 0 || choice.degree > kHighestFormDegree) {
         throw InputError("a polynomial form of degree " + std::to_string(choice.degree) + " is not offered",
-                         "degrees from 0 to " + std::to_string(kHighestDegree));
+                         "degrees from 0 to " + std::to_string(kHighestFormDegree));
       }
       return remove_polynomial(map, FormKind::polynomial, choice.degree);
   }

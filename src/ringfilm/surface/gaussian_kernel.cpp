@@ -1,25 +1,24 @@
 #include "ringfilm/surface/gaussian_kernel.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <unsupported/Eigen/FFT>
 
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kPi = boost::math::constants::pi<double>();
 constexpr double kReach = 1.3;              // cut-offs
 constexpr std::size_t kLongestSummed = 48;  // steps to one side: there both ways take about as long
-constexpr std::size_t kColumnsAtATime = 16;
+constexpr std::size_t kColumnsSummedAtATime = 16;
 constexpr std::size_t kPointsAtATime = 512;  // a piece of a line that stays close to the processor
 
 std::vector<double> sampled_gaussian(double width_steps, std::size_t reach) {
   std::vector<double> weights(reach + 1);
   for (std::size_t k = 0; k <= reach; ++k) {
     const double place = static_cast<double>(k) / width_steps;
-    weights[k] = std::exp(-kPi * place * place);
+    weights[k] = std::exp(-std::numbers::pi * place * place);
   }
   double sum = weights[0];
   for (std::size_t k = 1; k <= reach; ++k) sum += 2 * weights[k];
@@ -30,7 +29,7 @@ std::vector<double> sampled_gaussian(double width_steps, std::size_t reach) {
 double passing_share(std::span<const double> weights, double wavelength_steps) {
   double share = weights[0];
   for (std::size_t k = 1; k < weights.size(); ++k) {
-    share += 2 * weights[k] * std::cos(2 * kPi * static_cast<double>(k) / wavelength_steps);
+    share += 2 * weights[k] * std::cos(2 * std::numbers::pi * static_cast<double>(k) / wavelength_steps);
   }
   return share;
 }
@@ -38,7 +37,7 @@ double passing_share(std::span<const double> weights, double wavelength_steps) {
 }  // namespace
 
 std::vector<double> gaussian_kernel(double cutoff_steps) {
-  const double alpha = std::sqrt(std::log(2.0) / kPi);
+  const double alpha = std::sqrt(std::log(2.0) / std::numbers::pi);
   const auto reach = static_cast<std::size_t>(std::ceil(kReach * cutoff_steps)) + 1;
   double narrow = 0.95 * alpha, wide = 1.6 * alpha;
   for (int halving = 0; halving < 52; ++halving) {
@@ -138,9 +137,9 @@ void convolve_grid(std::span<double> values, std::size_t points_x, std::size_t p
   }
   if (kernel_y.empty()) return;
   LineConvolution along_y(kernel_y, points_y);
-  std::vector<double> columns(kColumnsAtATime * points_y);
-  for (std::size_t begin = 0; begin < points_x; begin += kColumnsAtATime) {
-    const std::size_t count = std::min(kColumnsAtATime, points_x - begin);
+  std::vector<double> columns(kColumnsSummedAtATime * points_y);
+  for (std::size_t begin = 0; begin < points_x; begin += kColumnsSummedAtATime) {
+    const std::size_t count = std::min(kColumnsSummedAtATime, points_x - begin);
     for (std::size_t j = 0; j < points_y; ++j) {
       for (std::size_t c = 0; c < count; ++c) columns[c * points_y + j] = values[j * points_x + begin + c];
     }

@@ -8,15 +8,15 @@ namespace {
 
 using Wave = std::complex<double>;
 
-constexpr std::size_t kColumnsAtATime = 8;
+constexpr std::size_t kColumnsTransformedAtATime = 8;
 
 /// Transforms all columns, forward or back, in place.
 void transform_columns(std::vector<Wave>& waves, std::size_t columns, std::size_t rows, Eigen::FFT<double>& fft,
                        bool forward) {
   if (rows == 1) return;
-  std::vector<Wave> block(kColumnsAtATime * rows), turned(rows);
-  for (std::size_t begin = 0; begin < columns; begin += kColumnsAtATime) {
-    const std::size_t count = std::min(kColumnsAtATime, columns - begin);
+  std::vector<Wave> block(kColumnsTransformedAtATime * rows), turned(rows);
+  for (std::size_t begin = 0; begin < columns; begin += kColumnsTransformedAtATime) {
+    const std::size_t count = std::min(kColumnsTransformedAtATime, columns - begin);
     for (std::size_t j = 0; j < rows; ++j) {
       for (std::size_t c = 0; c < count; ++c) block[c * rows + j] = waves[j * columns + begin + c];
     }

@@ -1,6 +1,7 @@
 #include "ringfilm/surface/lateral_force.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/pow.hpp>
 #include <cmath>
 #include <limits>
 
@@ -11,15 +12,13 @@ namespace {
 
 constexpr double kConfidence = 0.95;
 
-double square(double x) { return x * x; }
-
 /// Degrees of freedom of a sum of variances after Welch and Satterthwaite; a share without scatter of its own has
 /// infinitely many.
 double joint_freedom(const ShearStrength& s, double of_slope, double of_calibration) {
-  const double total = square(s.deviation());
+  const double total = boost::math::pow<2>(s.deviation());
   const double shares =
-      square(square(s.slope_deviation)) / of_slope + square(square(s.calibration_deviation)) / of_calibration;
-  return shares > 0 ? square(total) / shares : std::numeric_limits<double>::infinity();
+      boost::math::pow<4>(s.slope_deviation) / of_slope + boost::math::pow<4>(s.calibration_deviation) / of_calibration;
+  return shares > 0 ? boost::math::pow<2>(total) / shares : std::numeric_limits<double>::infinity();
 }
 
 ShearStrength shear_strength(const FrictionSample& sample, const Calibration& calibration) {
@@ -59,11 +58,11 @@ double ShearStrengths::correlation(std::size_t i, std::size_t j) const {
 ShearStrengths boundary_shear_strengths(const std::vector<FrictionSample>& samples, const Calibration& calibration) {
   ShearStrengths result;
   for (const FrictionSample& sample : samples) result.samples.push_back(shear_strength(sample, calibration));
-  const double common = square(calibration.deviation());
+  const double common = boost::math::pow<2>(calibration.deviation());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     for (std::size_t j = 0; j < samples.size(); ++j) {
       const double shared = common * samples[i].line.slope * samples[j].line.slope;
-      result.covariance.push_back(shared + (i == j ? square(result.samples[i].slope_deviation) : 0.0));
+      result.covariance.push_back(shared + (i == j ? boost::math::pow<2>(result.samples[i].slope_deviation) : 0.0));
     }
   }
   return result;

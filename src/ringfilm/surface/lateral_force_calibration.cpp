@@ -1,5 +1,6 @@
 #include "ringfilm/surface/lateral_force_calibration.hpp"
 
+#include <boost/math/special_functions/pow.hpp>
 #include <cmath>
 #include <limits>
 
@@ -7,8 +8,6 @@
 
 namespace ringfilm::surface {
 namespace {
-
-double square(double x) { return x * x; }
 
 double relative(const Uncertain& u) { return u.deviation / u.value; }
 
@@ -83,24 +82,25 @@ double torsional_stiffness(const Lever& lever) {
   check_lever(lever);
   check_section(lever);
   const double shear = rigidity(lever) / (2 * (1 + lever.poissons_ratio.value));
-  return shear / (3 * lever.length_m.value * square(lever.tip_height_m.value));
+  return shear / (3 * lever.length_m.value * boost::math::pow<2>(lever.tip_height_m.value));
 }
 
 Calibration calibrate_by_geometry(const Lever& lever, LoadUnit load_unit) {
   check_lever(lever);
   const double length = lever.length_m.value, height = lever.tip_height_m.value;
   const double of_poisson = lever.poissons_ratio.deviation / (1 + lever.poissons_ratio.value);
-  double psi = 0, variance = square(of_poisson) + square(relative(lever.tip_height_m));
+  double psi = 0, variance = boost::math::pow<2>(of_poisson) + boost::math::pow<2>(relative(lever.tip_height_m));
   if (load_unit == LoadUnit::kVolt) {
     psi = length / height * lever.sensitivity_ratio.value / (1 + lever.poissons_ratio.value);
-    variance += square(relative(lever.length_m)) + square(relative(lever.sensitivity_ratio));
+    variance += boost::math::pow<2>(relative(lever.length_m)) + boost::math::pow<2>(relative(lever.sensitivity_ratio));
   } else {
     check_section(lever);
     check_positive(lever.torsional_sensitivity_V_per_m, "torsional sensitivity of the photodiode");
     psi = 1.5 * height / length * torsional_stiffness(lever) / lever.torsional_sensitivity_V_per_m.value;
-    variance += square(2 * relative(lever.length_m)) + square(3 * relative(lever.thickness_m)) +
-                square(relative(lever.width_m)) + square(relative(lever.youngs_modulus_Pa)) +
-                square(relative(lever.torsional_sensitivity_V_per_m));
+    variance += boost::math::pow<2>(2 * relative(lever.length_m)) +
+                boost::math::pow<2>(3 * relative(lever.thickness_m)) + boost::math::pow<2>(relative(lever.width_m)) +
+                boost::math::pow<2>(relative(lever.youngs_modulus_Pa)) +
+                boost::math::pow<2>(relative(lever.torsional_sensitivity_V_per_m));
   }
   return {CalibrationMethod::kGeometry, load_unit, psi,
           psi * std::sqrt(variance),    0,         std::numeric_limits<double>::infinity()};

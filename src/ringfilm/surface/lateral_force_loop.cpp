@@ -10,12 +10,12 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr int kFewestPoints = 8;
+constexpr int kFewestLoopPoints = 8;
 /// Lags beyond this share of the line are not summed: so far apart the correlation is noise.
 constexpr double kLongestLag = 0.25;
 constexpr std::size_t kMostLags = 2000;
 
-struct Mean {
+struct LoopMean {
   double value;
   double deviation;
 };
@@ -30,8 +30,8 @@ double sum_of_squares(const std::vector<double>& values, double mean) {
   return sum;
 }
 
-/// Mean and standard error of values along a line.
-Mean mean_along(const std::vector<double>& values) {
+/// LoopMean and standard error of values along a line.
+LoopMean mean_along(const std::vector<double>& values) {
   const double n = static_cast<double>(values.size());
   const double mean = mean_of(values);
   return {mean, std::sqrt(sum_of_squares(values, mean) / (n - 1) / independent_points(values))};
@@ -129,13 +129,13 @@ LoopFriction loop_friction(const FrictionLoop& loop, double end_share) {
       half_sum.push_back((loop.trace_V[i] + loop.retrace_V[i]) / 2);
     }
   }
-  if (half_difference.size() < kFewestPoints) {
+  if (half_difference.size() < kFewestLoopPoints) {
     throw InputError("a friction loop has " + std::to_string(half_difference.size()) +
                          " points between its ends; no scatter can be told from less than " +
-                         std::to_string(kFewestPoints),
+                         std::to_string(kFewestLoopPoints),
                      "give longer lines or cut a smaller share");
   }
-  const Mean tmr = mean_along(half_difference), offset = mean_along(half_sum);
+  const LoopMean tmr = mean_along(half_difference), offset = mean_along(half_sum);
   for (const double value : {tmr.value, tmr.deviation, offset.value, offset.deviation}) {
     if (std::isfinite(value)) continue;
     throw InputError("the signals of a friction loop are so large that their scatter cannot be told in numbers",

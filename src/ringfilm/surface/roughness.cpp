@@ -11,7 +11,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kLeastPoints = 4;
+constexpr std::size_t kLeastPointsOfRoughness = 4;
 constexpr std::size_t kLeastPointsOfARow = 8;
 
 /// Calls visit(heights of the measured points) row by row.
@@ -57,7 +57,7 @@ Extent extent(const HeightMap& map, std::size_t measured) {
 }  // namespace
 
 HeightStatistics height_statistics(const HeightMap& map) {
-  check_map(map, kLeastPoints);
+  check_map(map, kLeastPointsOfRoughness);
   HeightStatistics of;
   of.points = measured_points(map);
   of.missing = map.points() - of.points;

@@ -1,16 +1,14 @@
 #include "ringfilm/surface/summits.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/surface/roughness.hpp"
 
 namespace ringfilm::surface {
 namespace {
-
-constexpr double kPi = boost::math::constants::pi<double>();
 
 bool block_measured(const HeightMap& map, std::size_t i, std::size_t j) {
   if (map.missing.empty()) return true;
@@ -96,9 +94,9 @@ SummitTheory summit_theory(double m0_m2, double m2, double m4_per_m2) {
   }
   SummitTheory of;
   of.bandwidth = bandwidth;
-  of.density_per_m2 = m4_per_m2 / (m2 * 6 * kPi * std::sqrt(3.0));
-  of.mean_curvature_per_m = 8 / (3 * std::sqrt(kPi)) * std::sqrt(m4_per_m2);
-  of.mean_height_m = 4 * std::sqrt(m0_m2 / (kPi * bandwidth));
+  of.density_per_m2 = m4_per_m2 / (m2 * 6 * std::numbers::pi * std::sqrt(3.0));
+  of.mean_curvature_per_m = 8 / (3 * std::sqrt(std::numbers::pi)) * std::sqrt(m4_per_m2);
+  of.mean_height_m = 4 * std::sqrt(m0_m2 / (std::numbers::pi * bandwidth));
   // The constant of Nayak's distribution: 1 - 0.8968/bandwidth after Bush, Gibson and Thomas.
   of.rms_height_m = std::sqrt(m0_m2 * std::max(0.0, 1 - 0.8968 / bandwidth));
   return of;

@@ -1,8 +1,8 @@
 #include "ringfilm/surface/synthetic.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/surface/random_numbers.hpp"
@@ -11,8 +11,6 @@
 
 namespace ringfilm::surface {
 namespace {
-
-constexpr double kPi = boost::math::constants::pi<double>();
 
 void check_positive(double value, const char* name) {
   if (std::isfinite(value) && value > 0) return;
@@ -59,7 +57,7 @@ PowerSpectrum gaussian_correlation(double length_x_m, double length_y_m) {
   check_positive(length_x_m, "correlation length");
   check_positive(length_y_m, "correlation length");
   return [=](double fx, double fy) {
-    const double a = kPi * fx * length_x_m, b = kPi * fy * length_y_m;
+    const double a = std::numbers::pi * fx * length_x_m, b = std::numbers::pi * fy * length_y_m;
     return std::exp(-a * a - b * b);
   };
 }

@@ -2,9 +2,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/surface/random_waves.hpp"
@@ -12,12 +12,11 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kPi = boost::math::constants::pi<double>();
 constexpr double kHurst = 0.8;
 constexpr double kSmallChange = 1e-5;  // of a logarithm, for the slopes of Newton's method
 constexpr double kLargestStep = 0.5;
 constexpr double kClose = 1e-12;
-constexpr int kMostSteps = 60;
+constexpr int kMostSearchSteps = 60;
 
 /// Logarithms of roll-off and short wavelength, and of what they give: m2 and m4 over the squared roughness.
 using Pair = Eigen::Vector2d;
@@ -46,7 +45,7 @@ Pair expected_ratios(const Pair& lengths, double roughness_per_rms) {
   const double first = -std::max(lengths[0], lengths[1]) - std::log(1e3), last = -lengths[1] + std::log(7.0);
   const int steps = 600;
   for (int k = 0; k <= steps; ++k) {
-    const double f = std::exp(first + (last - first) * k / steps), q = 2 * kPi * f;
+    const double f = std::exp(first + (last - first) * k / steps), q = 2 * std::numbers::pi * f;
     const double power = spectrum(f, 0) * f * f;
     m0 += power;
     m2 += power * q * q / 2;
@@ -58,7 +57,7 @@ Pair expected_ratios(const Pair& lengths, double roughness_per_rms) {
 /// Newton's method with slopes by differences and steps of limited length; stops when close or when nothing improves.
 Pair solve(Pair at, const std::function<Pair(const Pair&)>& difference, double close) {
   Pair rest = difference(at);
-  for (int step = 0; step < kMostSteps && rest.cwiseAbs().maxCoeff() > close; ++step) {
+  for (int step = 0; step < kMostSearchSteps && rest.cwiseAbs().maxCoeff() > close; ++step) {
     Eigen::Matrix2d slopes;
     for (int k = 0; k < 2; ++k) slopes.col(k) = (difference(at + kSmallChange * Pair::Unit(k)) - rest) / kSmallChange;
     if (!(std::abs(slopes.determinant()) > 1e-12)) not_found();
@@ -98,14 +97,14 @@ HeightMap surface_with(const WantedSurface& wanted, const SurfaceGrid& grid, std
   const auto measures = [&](const HeightMap& map) { return measuring ? measuring(map) : surface_measures(map); };
   const auto roughness = [&](const SurfaceMeasures& of) { return wanted.rule == SigmaRule::ra ? of.Sa_m : of.Sq_m; };
   const RandomWaves waves(grid, seed);
-  const double per_rms = wanted.rule == SigmaRule::ra ? std::sqrt(2 / kPi) : 1.0;
+  const double per_rms = wanted.rule == SigmaRule::ra ? std::sqrt(2 / std::numbers::pi) : 1.0;
   // Heights of about the wanted size, so that what measures them meets no surprise.
   const auto made = [&](const Pair& lengths) {
     HeightMap map = waves.surface(spectrum_of(lengths));
     for (double& height : map.height_m) height *= wanted.roughness_m / per_rms;
     return map;
   };
-  const double short_wave = 2 * kPi * std::sqrt(wanted.m2 / wanted.m4_per_m2);
+  const double short_wave = 2 * std::numbers::pi * std::sqrt(wanted.m2 / wanted.m4_per_m2);
   Pair lengths(std::log(10 * short_wave), std::log(0.5 * short_wave));
   lengths = solve(
       lengths, [&](const Pair& at) -> Pair { return expected_ratios(at, per_rms) - goal; }, 1e-6);

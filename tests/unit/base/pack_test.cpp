@@ -78,7 +78,7 @@ TYPED_TEST(PackOf, ComparesAndChoosesInEveryLane) {
 }
 
 TYPED_TEST(PackOf, OfTwoOneOfWhichIsNoNumberTheSecondIsTaken) {
-  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   const TypeParam nan(std::numeric_limits<double>::quiet_NaN());
   for (const TypeParam taken : {max(nan, TypeParam(1)), min(nan, TypeParam(1))}) {
     for (const double x : this->numbers(taken)) EXPECT_EQ(x, 1);

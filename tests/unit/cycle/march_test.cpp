@@ -162,7 +162,7 @@ TEST(March, LiteralOrientationTurnsTheRingAtEveryReversal) {
 }
 
 TEST(March, ALoadThatNothingCarriesStopsWithTheLastGoodState) {
-  const ringfilm::testing::NoTraps no_traps;  // the search lets pressures run away to learn that the film is too thin
+  const ringfilm::traps::NoTraps no_traps;  // the search lets pressures run away to learn that the film is too thin
   Case c = styles_new_ring();
   // 500 GPa on the ring: beyond what asperities of 135 GPa carry even when pressed flat, and beyond any film.
   SampledTrace trace = *c.gas.cylinder_pressure;

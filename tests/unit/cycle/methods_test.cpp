@@ -22,13 +22,13 @@ CycleResult solved_by(Method method, Case c, Cavitation cavitation) {
   return simulated(c);
 }
 
-/// Largest difference over the cycle, of the film relative to itself, of friction and flow to their peaks.
-struct Difference {
+/// Largest difference_of_methods over the cycle, of the film relative to itself, of friction and flow to their peaks.
+struct DifferenceOfMethods {
   double film = 0, friction = 0, flow = 0;
 };
 
-Difference difference(const CycleResult& a, const CycleResult& b) {
-  Difference largest;
+DifferenceOfMethods difference_of_methods(const CycleResult& a, const CycleResult& b) {
+  DifferenceOfMethods largest;
   double friction = 0, flow = 0;
   EXPECT_EQ(a.samples.size(), 360u);
   EXPECT_EQ(b.samples.size(), 360u);
@@ -53,7 +53,7 @@ class OnEveryRing : public ::testing::TestWithParam<Cavitation> {
       SCOPED_TRACE(ring.title);
       const CycleResult newton = solved_by(Method::kCoupledNewton, ring, GetParam());
       const CycleResult other = solved_by(method, ring, GetParam());
-      const Difference apart = difference(other, newton);
+      const DifferenceOfMethods apart = difference_of_methods(other, newton);
       EXPECT_LT(apart.film, within);
       EXPECT_LT(apart.friction, within);
       EXPECT_LT(apart.flow, within);

@@ -150,7 +150,7 @@ TEST_P(LaneNewtonOf, AFilmNeverFeelsItsNeighbours) {
 }
 
 TEST_P(LaneNewtonOf, AFilmNeverFeelsANeighbourThatIsNoNumber) {
-  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   std::vector<LaneFilm> films = lane_films(kind());
   films.resize(4);
   LaneFilm broken = films[1];

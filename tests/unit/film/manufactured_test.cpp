@@ -7,12 +7,12 @@
 #include "film_cases.hpp"
 
 namespace ringfilm::film::testing {
+namespace manufactured_films {
 namespace {
 
 // Manufactured solutions of the transient, compressible, piezoviscous equation (eq-reynolds): pressure (or fill) and
 // separation are prescribed functions of place and time, the mass source that makes them a solution is worked out
 // here, with laws and derivatives of this file's own, and the solver must find them again.
-constexpr double kPi = std::numbers::pi;
 constexpr double kWidth = 1.2e-3, kVelocity = 9, kOmega = 400;  // [m], [m/s], [1/s]
 constexpr double kEta = 0.006, kRho = 790, kZ = 0.6;            // [Pa s], [kg/m3], [-]
 constexpr double kA = 6.0e-10, kB = 1.7e-9;                     // Dowson-Higginson [1/Pa]
@@ -21,14 +21,17 @@ constexpr double kAtm = 101325;
 double density(double p) { return kRho * (1 + kA * (p - kAtm) / (1 + kB * (p - kAtm))); }
 double viscosity(double p) { return kEta * std::exp((std::log(kEta) + 9.67) * (std::pow(1 + p / 1.98e8, kZ) - 1)); }
 
-double face(double x) { return 6e-6 * std::pow(x / kWidth - 0.4, 2) + 0.4e-6 * std::sin(3 * kPi * x / kWidth); }
+double face(double x) {
+  return 6e-6 * std::pow(x / kWidth - 0.4, 2) + 0.4e-6 * std::sin(3 * std::numbers::pi * x / kWidth);
+}
 double separation(double t) { return 2e-6 * (1 + 0.3 * std::sin(kOmega * t)); }
 double gap(double x, double t) { return separation(t) + face(x); }
 
 /// Pressures of up to 800 bar: viscosity more than doubles, density grows by 4 %.
 double full_pressure(double x, double t) {
   return 2e5 + 3e5 * x / kWidth +
-         8e7 * std::sin(kPi * x / kWidth) * (1 + 0.3 * std::sin(2 * x / kWidth)) * (1 + 0.4 * std::cos(kOmega * t));
+         8e7 * std::sin(std::numbers::pi * x / kWidth) * (1 + 0.3 * std::sin(2 * x / kWidth)) *
+             (1 + 0.4 * std::cos(kOmega * t));
 }
 
 /// Sixth-order central difference: its error is far below the scheme's.
@@ -186,7 +189,7 @@ TEST(Manufactured, SeparationUnderLoadConvergesWithFirstOrderInTime) {
 double cavity_error(int n_cells, int n_steps) {
   const auto pressure = [](double, double) -> double { return 1e5; };
   const auto theta = [](double x, double t) {
-    return 1 - 0.5 * std::sin(kPi * x / (2 * kWidth)) * (1 + 0.3 * std::sin(kOmega * t));
+    return 1 - 0.5 * std::sin(std::numbers::pi * x / (2 * kWidth)) * (1 + 0.3 * std::sin(kOmega * t));
   };
   const Manufactured film(n_cells);
   const double end = 1 / kOmega;
@@ -216,4 +219,5 @@ TEST(Manufactured, CavityConvergesWithFirstOrderInSpaceAndTime) {
 }
 
 }  // namespace
+}  // namespace manufactured_films
 }  // namespace ringfilm::film::testing

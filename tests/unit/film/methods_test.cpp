@@ -6,6 +6,7 @@
 #include "ringfilm/film/method.hpp"
 
 namespace ringfilm::film::testing {
+namespace methods {
 namespace {
 
 constexpr double kWidth = 0.01;     // [m]
@@ -96,4 +97,5 @@ TEST(Methods, TheChosenFactorIsCloseToTheBest) {
 }
 
 }  // namespace
+}  // namespace methods
 }  // namespace ringfilm::film::testing

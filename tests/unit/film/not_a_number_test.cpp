@@ -10,7 +10,7 @@ namespace ringfilm::film::testing {
 namespace {
 
 TEST(FilmSolver, NotANumberIsNeverASolution) {
-  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   constexpr double b = 1.2e-3;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   SmoothFilm film(

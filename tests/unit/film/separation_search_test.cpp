@@ -43,7 +43,7 @@ TEST(SeparationSearch, FindsWhereTheLoadBalances) {
 }
 
 TEST(SeparationSearch, StartsFromAThickerFilmWhereNoneIsFound) {
-  const ringfilm::testing::NoTraps no_traps;  // films that are no numbers, on purpose
+  const ringfilm::traps::NoTraps no_traps;  // films that are no numbers, on purpose
   Inverse film(kLoad * 4e-12, 1.2e-6);
   FilmReport report;
   ASSERT_TRUE(search_separation(film, 1e-7, kLimits, report));
@@ -60,7 +60,7 @@ TEST(SeparationSearch, TellsAnOverloadAndALift) {
 }
 
 TEST(SeparationSearch, GivesUpWhereNothingCanBeSolved) {
-  const ringfilm::testing::NoTraps no_traps;  // films that are no numbers, on purpose
+  const ringfilm::traps::NoTraps no_traps;  // films that are no numbers, on purpose
   Inverse film(1, std::numeric_limits<double>::infinity());
   FilmReport report;
   EXPECT_FALSE(search_separation(film, 1e-6, kLimits, report));

@@ -42,7 +42,7 @@ long ended_process() {
   return child;
 }
 
-std::string refusal(const std::string& path) {
+std::string refusal_of_writing(const std::string& path) {
   try {
     check_can_write(path, Sink::kFile);
   } catch (const InputError& error) {
@@ -128,20 +128,20 @@ TEST(AtomicFile, FullDiskIsAnOutputErrorWithItsReason) {
 TEST(AtomicFile, MissingFolderIsAnOutputErrorAfterTheRunAndAnInputErrorBefore) {
   const ScratchFolder folder;
   EXPECT_THROW(write_atomically(folder / "none/a.txt", "text"), OutputError);
-  EXPECT_THAT(refusal(folder / "none/a.txt"), HasSubstr("does not exist"));
+  EXPECT_THAT(refusal_of_writing(folder / "none/a.txt"), HasSubstr("does not exist"));
 }
 
 TEST(AtomicFile, FoldersAndUnwritablePlacesAreRefusedBeforehand) {
   const ScratchFolder folder;
-  EXPECT_THAT(refusal(folder.path()), HasSubstr("this is a folder"));
+  EXPECT_THAT(refusal_of_writing(folder.path()), HasSubstr("this is a folder"));
   std::ofstream(folder / "file") << "text";
-  EXPECT_THAT(refusal(folder / "file/a.txt"), HasSubstr("is not a folder"));
-  EXPECT_THAT(refusal("/dev/null"), HasSubstr("device"));
+  EXPECT_THAT(refusal_of_writing(folder / "file/a.txt"), HasSubstr("is not a folder"));
+  EXPECT_THAT(refusal_of_writing("/dev/null"), HasSubstr("device"));
   EXPECT_NO_THROW(check_can_write("/dev/null", Sink::kFileOrDevice));
-  EXPECT_EQ(refusal(folder / "a.txt"), "not refused");
+  EXPECT_EQ(refusal_of_writing(folder / "a.txt"), "not refused");
   if (::geteuid() == 0) GTEST_SKIP() << "SKIPPED: root may write everywhere";
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-  EXPECT_THAT(refusal(folder / "a.txt"), HasSubstr("not writable"));
+  EXPECT_THAT(refusal_of_writing(folder / "a.txt"), HasSubstr("not writable"));
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
 }
 

@@ -18,7 +18,7 @@ using ::testing::Not;
 
 TomlValue text(const std::string& words) { return parse_toml_value(quoted(words)); }
 
-std::string refusal(const std::function<void()>& act) {
+std::string refusal_of_edit(const std::function<void()>& act) {
   try {
     act();
   } catch (const InputError& error) {
@@ -42,10 +42,10 @@ TEST(CaseEdit, LeavesTheCaseAloneWhereAValueIsRefused) {
   cycle::Case c = CaseFolder().read();
   const std::string before = study::digest_text(c);
   const Units units;
-  EXPECT_THAT(refusal([&] { state(c, "operating.speed", text("3000"), units); }), HasSubstr("has no unit"));
-  EXPECT_THAT(refusal([&] { state(c, "operating.sped", text("3000 rpm"), units); }),
+  EXPECT_THAT(refusal_of_edit([&] { state(c, "operating.speed", text("3000"), units); }), HasSubstr("has no unit"));
+  EXPECT_THAT(refusal_of_edit([&] { state(c, "operating.sped", text("3000 rpm"), units); }),
               HasSubstr("did you mean operating.speed?"));
-  EXPECT_THAT(refusal([&] { state(c, "gas.cylinder_pressure", text("nothing.csv"), units); }),
+  EXPECT_THAT(refusal_of_edit([&] { state(c, "gas.cylinder_pressure", text("nothing.csv"), units); }),
               HasSubstr("nothing.csv"));
   EXPECT_EQ(study::digest_text(c), before);
 }
@@ -63,10 +63,10 @@ TEST(CaseEdit, ChecksWhatIsMissingUnusedAndAtOdds) {
   cycle::Case c = CaseFolder().read();
   const Units units;
   retract(c, "engine.bore", units);
-  EXPECT_THAT(refusal([&] { check_case(c); }), HasSubstr("the key engine.bore is missing"));
+  EXPECT_THAT(refusal_of_edit([&] { check_case(c); }), HasSubstr("the key engine.bore is missing"));
   state(c, "engine.bore", text("89 mm"), units);
   state(c, "gas.peak_pressure", text("60 bar"), units);
-  EXPECT_THAT(refusal([&] { check_case(c); }), HasSubstr("gas.peak_pressure is not used in this case"));
+  EXPECT_THAT(refusal_of_edit([&] { check_case(c); }), HasSubstr("gas.peak_pressure is not used in this case"));
   retract(c, "gas.peak_pressure", units);
   check_case(c);
 }

@@ -14,15 +14,15 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-GapFile gap_of(const std::string& text) {
+GapFile map_of(const std::string& text) {
   const ScratchFolder folder;
   write_text(folder / "gap.csv", text);
   return read_gap({folder / "gap.csv", "gap.csv"}, Units());
 }
 
-std::string refusal(const std::string& text) {
+std::string map_refusal(const std::string& text) {
   try {
-    gap_of(text);
+    map_of(text);
     return "";
   } catch (const InputError& error) {
     return error.what();
@@ -33,7 +33,7 @@ const char* const kHead = "x [mm],y [cm],h [um]\n";
 
 TEST(GapMapFile, ReadsAFullRectangleWhicheverCoordinateRunsFirst) {
   for (const char* rows : {"0,0,1\n5,0,2\n0,2,3\n5,2,4\n", "0,0,1\n0,2,3\n5,0,2\n5,2,4\n"}) {
-    const GapFile gap = gap_of(std::string(kHead) + rows);
+    const GapFile gap = map_of(std::string(kHead) + rows);
     EXPECT_THAT(gap.x, ElementsAre(0, 5e-3)) << rows;
     EXPECT_THAT(gap.y, ElementsAre(0, 2e-2));
     EXPECT_THAT(gap.height, ElementsAre(1e-6, 2e-6, 3e-6, 4e-6));
@@ -41,7 +41,7 @@ TEST(GapMapFile, ReadsAFullRectangleWhicheverCoordinateRunsFirst) {
 }
 
 TEST(GapMapFile, KeepsStepsOfBothDirections) {
-  const GapFile gap = gap_of(
+  const GapFile gap = map_of(
       "x [mm],y [mm],height [um]\n0,0,1\n1,0,2\n1,0,3\n2,0,4\n0,1,5\n1,1,6\n1,1,7\n2,1,8\n"
       "0,1,9\n1,1,10\n1,1,11\n2,1,12\n0,3,13\n1,3,14\n1,3,15\n2,3,16\n");
   EXPECT_THAT(gap.x, ElementsAre(0, 1e-3, 1e-3, 2e-3));
@@ -51,39 +51,40 @@ TEST(GapMapFile, KeepsStepsOfBothDirections) {
 
 TEST(GapMapFile, RefusesWhatIsNoFullRectangle) {
   const std::string head = kHead;
-  EXPECT_THAT(refusal(head + "0,0,1\n5,0,2\n0,2,3\n"), HasSubstr("gap.csv:4:3: the last y has 1 points, the first 2"));
-  EXPECT_THAT(refusal(head + "0,0,1\n5,0,2\n0,2,3\n4,2,4\n"), HasSubstr("gap.csv:5:1: x = 4 mm stands here"));
-  EXPECT_THAT(refusal(head + "0,0,1\n0,2,1\n5,0,2\n5,3,4\n"), HasSubstr("gap.csv:5:3: y = 30 mm stands here"));
-  EXPECT_THAT(refusal(head + "0,0,1\n5,0,2\n"), HasSubstr("only one y"));
-  EXPECT_THAT(refusal(head + "0,0,1\n0,2,2\n"), HasSubstr("only one x"));
-  EXPECT_THAT(refusal("x [mm],y,h [um]\n0,0,1\n5,0,2\n"), HasSubstr("the column y has no unit"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n0,2,3\n"),
+              HasSubstr("gap.csv:4:3: the last y has 1 points, the first 2"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n0,2,3\n4,2,4\n"), HasSubstr("gap.csv:5:1: x = 4 mm stands here"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n0,2,1\n5,0,2\n5,3,4\n"), HasSubstr("gap.csv:5:3: y = 30 mm stands here"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n"), HasSubstr("only one y"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n0,2,2\n"), HasSubstr("only one x"));
+  EXPECT_THAT(map_refusal("x [mm],y,h [um]\n0,0,1\n5,0,2\n"), HasSubstr("the column y has no unit"));
 }
 
 TEST(GapMapFile, TellsWhatIsWrongWithTheFirstLineOfItAlone) {
   const std::string head = kHead;
-  EXPECT_THAT(refusal(head + "5,0,1\n0,0,2\n5,2,3\n0,2,4\n"), HasSubstr("gap.csv:3:1: x falls within the first y"));
-  EXPECT_THAT(refusal(head + "0,2,1\n0,0,2\n5,2,3\n5,0,4\n"), HasSubstr("gap.csv:3:3: y falls within the first x"));
-  EXPECT_THAT(refusal(head + "0,0,1\n3,0,2\n2,0,2\n5,0,2\n0,2,1\n2,2,2\n3,2,2\n5,2,2\n"),
+  EXPECT_THAT(map_refusal(head + "5,0,1\n0,0,2\n5,2,3\n0,2,4\n"), HasSubstr("gap.csv:3:1: x falls within the first y"));
+  EXPECT_THAT(map_refusal(head + "0,2,1\n0,0,2\n5,2,3\n5,0,4\n"), HasSubstr("gap.csv:3:3: y falls within the first x"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n3,0,2\n2,0,2\n5,0,2\n0,2,1\n2,2,2\n3,2,2\n5,2,2\n"),
               HasSubstr("gap.csv:4:1: x falls within the first y"));
   for (const char* first : {"0,0,1\n9,0,1\n", "0,0,1\n5,0,1\n", "5,0,1\n9,0,1\n"}) {
-    EXPECT_THAT(refusal(head + first + "0,2,1\n5,2,1\n9,2,1\n0,3,1\n5,3,1\n9,3,1\n"),
+    EXPECT_THAT(map_refusal(head + first + "0,2,1\n5,2,1\n9,2,1\n0,3,1\n5,3,1\n9,3,1\n"),
                 HasSubstr("the first y has no point at x = "))
         << first;
   }
-  EXPECT_THAT(refusal(head + "0,0,1\n9,0,1\n0,2,1\n5,2,1\n9,2,1\n"), HasSubstr("gap.csv:3:1: the first y has no"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n9,0,1\n0,2,1\n5,2,1\n9,2,1\n"), HasSubstr("gap.csv:3:1: the first y has no"));
 }
 
 TEST(GapMapFile, RefusesColumnsThatMakeNoMap) {
-  EXPECT_THAT(refusal("x [mm],z [mm],h [um]\n0,0,1\n5,0,2\n0,2,3\n5,2,4\n"),
+  EXPECT_THAT(map_refusal("x [mm],z [mm],h [um]\n0,0,1\n5,0,2\n0,2,3\n5,2,4\n"),
               HasSubstr("gap.csv:1:1: x runs to and fro as in a map, and there is no column y"));
-  EXPECT_THAT(refusal("x [mm],x [mm],y [mm],h [um]\n0,0,0,1\n5,5,0,2\n0,0,2,3\n5,5,2,4\n"),
+  EXPECT_THAT(map_refusal("x [mm],x [mm],y [mm],h [um]\n0,0,0,1\n5,5,0,2\n0,0,2,3\n5,5,2,4\n"),
               HasSubstr("gap.csv:1:8: the file has two columns x"));
 }
 
 TEST(GapMapFile, RefusesAStepAtASide) {
-  EXPECT_THAT(refusal(std::string(kHead) + "0,0,1\n0,0,2\n5,0,3\n0,2,1\n0,2,2\n5,2,3\n"),
+  EXPECT_THAT(map_refusal(std::string(kHead) + "0,0,1\n0,0,2\n5,0,3\n0,2,1\n0,2,2\n5,2,3\n"),
               HasSubstr("gap.csv:3:1: a step at an end of the pad"));
-  EXPECT_THAT(refusal(std::string(kHead) + "0,0,1\n5,0,2\n0,0,3\n5,0,4\n0,2,3\n5,2,4\n"),
+  EXPECT_THAT(map_refusal(std::string(kHead) + "0,0,1\n5,0,2\n0,0,3\n5,0,4\n0,2,3\n5,2,4\n"),
               HasSubstr("gap.csv:4:3: a step at an end of the pad"));
 }
 
@@ -92,16 +93,16 @@ TEST(GapMapFile, RefusesMorePlacesThanAreRead) {
   for (const char* y : {"0", "1"}) {
     for (std::size_t i = 0; i <= kMostGapPlaces; ++i) text += std::to_string(i) + "," + y + ",1\n";
   }
-  EXPECT_THAT(refusal(text), HasSubstr("the map has 4097 places along x"));
+  EXPECT_THAT(map_refusal(text), HasSubstr("the map has 4097 places along x"));
 }
 
 TEST(GapMapFile, RefusesHeightsThatNoOilFilmHas) {
   // The default fill of NetCDF as a table would print it.
-  EXPECT_THAT(refusal(std::string(kHead) + "0,0,1\n5,0,2\n0,2,3\n5,2,9.969e36\n"),
+  EXPECT_THAT(map_refusal(std::string(kHead) + "0,0,1\n5,0,2\n0,2,3\n5,2,9.969e36\n"),
               HasSubstr("gap.csv:5:5: a gap of 9.969e+30 m is no gap of an oil film"));
-  EXPECT_THAT(refusal(std::string(kHead) + "0,0,1\n5,0,-1.1e6\n0,2,3\n5,2,4\n"),
+  EXPECT_THAT(map_refusal(std::string(kHead) + "0,0,1\n5,0,-1.1e6\n0,2,3\n5,2,4\n"),
               HasSubstr("gap.csv:3:5: a gap of -1.1 m"));
-  EXPECT_EQ(refusal(std::string(kHead) + "0,0,1\n5,0,1e6\n0,2,3\n5,2,4\n"), "");  // a metre is allowed
+  EXPECT_EQ(map_refusal(std::string(kHead) + "0,0,1\n5,0,1e6\n0,2,3\n5,2,4\n"), "");  // a metre is allowed
 }
 
 struct Netcdf {

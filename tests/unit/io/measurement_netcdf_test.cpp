@@ -16,15 +16,17 @@
 namespace ringfilm::io {
 namespace {
 
-const Provenance kProgram{"ringfilm 0.0.0", "abc", "g++", ""};
+const Provenance kWriter{"ringfilm 0.0.0", "abc", "g++", ""};
 
 /// Reads by the library itself, not by our reader.
-class Opened {
+class OpenedMeasurement {
  public:
-  explicit Opened(const std::string& path) { EXPECT_EQ(nc_open(path.c_str(), NC_NOWRITE, &file_), NC_NOERR); }
-  Opened(const Opened&) = delete;
-  Opened& operator=(const Opened&) = delete;
-  ~Opened() { nc_close(file_); }
+  explicit OpenedMeasurement(const std::string& path) {
+    EXPECT_EQ(nc_open(path.c_str(), NC_NOWRITE, &file_), NC_NOERR);
+  }
+  OpenedMeasurement(const OpenedMeasurement&) = delete;
+  OpenedMeasurement& operator=(const OpenedMeasurement&) = delete;
+  ~OpenedMeasurement() { nc_close(file_); }
 
   int variable(const std::string& name) const {
     int number = -1;
@@ -94,7 +96,7 @@ void expect_same_bits(const std::vector<double>& a, const std::vector<double>& b
   }
 }
 
-std::string bytes_of(const std::string& path) {
+std::string bytes_of_measurement(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
@@ -102,8 +104,8 @@ std::string bytes_of(const std::string& path) {
 TEST(MeasurementNetcdf, HoldsValuesWithUnitErrorAndRemark) {
   const ScratchFolder folder;
   const Measurement document = example::measurement();
-  write_measurement(folder / "a.nc", document, kProgram);
-  const Opened file(folder / "a.nc");
+  write_measurement(folder / "a.nc", document, kWriter);
+  const OpenedMeasurement file(folder / "a.nc");
   for (const MeasuredGroup& group : document.groups) {
     for (const MeasuredValue& value : group.values) {
       EXPECT_TRUE(file.dimensions(value.name).empty());
@@ -117,7 +119,7 @@ TEST(MeasurementNetcdf, HoldsValuesWithUnitErrorAndRemark) {
     }
   }
   EXPECT_EQ(file.text("", "title"), document.title);
-  EXPECT_EQ(file.text("", "program"), kProgram.program);
+  EXPECT_EQ(file.text("", "program"), kWriter.program);
   EXPECT_EQ(file.texts("note_text", 2), document.notes);
   EXPECT_EQ(file.texts("fragment", 1).front(), document.fragment);
 }
@@ -126,8 +128,8 @@ TEST(MeasurementNetcdf, HoldsAMapOverItsPlaces) {
   const ScratchFolder folder;
   const Measurement document = example::measurement();
   const MeasuredMap& map = document.maps.front();
-  write_measurement(folder / "a.nc", document, kProgram);
-  const Opened file(folder / "a.nc");
+  write_measurement(folder / "a.nc", document, kWriter);
+  const OpenedMeasurement file(folder / "a.nc");
   EXPECT_EQ(file.dimensions("surface_height"), (std::vector<std::string>{"surface_height_y", "surface_height_x"}));
   EXPECT_EQ(file.dimensions("surface_height_x"), std::vector<std::string>{"surface_height_x"});
   expect_same_bits(file.numbers("surface_height"), map.values);
@@ -144,8 +146,8 @@ TEST(MeasurementNetcdf, HoldsAMapOverItsPlaces) {
 TEST(MeasurementNetcdf, HoldsCurvesAndTablesOverDimensionsOfTheirOwn) {
   const ScratchFolder folder;
   const Measurement document = example::measurement();
-  write_measurement(folder / "a.nc", document, kProgram);
-  const Opened file(folder / "a.nc");
+  write_measurement(folder / "a.nc", document, kWriter);
+  const OpenedMeasurement file(folder / "a.nc");
   for (const MeasuredCurve& curve : document.curves) {
     const std::string along = curve.name + "_" + curve.x_axis.name;
     EXPECT_EQ(file.dimensions(along), std::vector<std::string>{along});
@@ -165,25 +167,25 @@ TEST(MeasurementNetcdf, HoldsCurvesAndTablesOverDimensionsOfTheirOwn) {
 
 TEST(MeasurementNetcdf, SameDocumentGivesTheSameBytes) {
   const ScratchFolder folder;
-  write_measurement(folder / "a.nc", example::measurement(), kProgram);
-  write_measurement(folder / "b.nc", example::measurement(), kProgram);
-  EXPECT_EQ(bytes_of(folder / "a.nc"), bytes_of(folder / "b.nc"));
+  write_measurement(folder / "a.nc", example::measurement(), kWriter);
+  write_measurement(folder / "b.nc", example::measurement(), kWriter);
+  EXPECT_EQ(bytes_of_measurement(folder / "a.nc"), bytes_of_measurement(folder / "b.nc"));
 }
 
 TEST(MeasurementNetcdf, TakesAnEmptyDocument) {
   const ScratchFolder folder;
   Measurement document;
   document.tables = {{"empty", "Nothing", {{"a", "", "", "1", "1", 0, 0, ""}}, {{}}, {}}};
-  write_measurement(folder / "a.nc", document, kProgram);
-  EXPECT_EQ(Opened(folder / "a.nc").text("", "commit"), "abc");
+  write_measurement(folder / "a.nc", document, kWriter);
+  EXPECT_EQ(OpenedMeasurement(folder / "a.nc").text("", "commit"), "abc");
 }
 
 TEST(MeasurementNetcdf, LeavesNothingBehindWhereItCannotBeWritten) {
   const ScratchFolder folder;
-  EXPECT_THROW(write_measurement(folder / "no_folder/a.nc", example::measurement(), kProgram), OutputError);
+  EXPECT_THROW(write_measurement(folder / "no_folder/a.nc", example::measurement(), kWriter), OutputError);
   Measurement document = example::measurement();
   document.maps[0].name = document.groups[0].values[0].name;  // two variables of one name
-  EXPECT_THROW(write_measurement(folder / "a.nc", document, kProgram), std::logic_error);
+  EXPECT_THROW(write_measurement(folder / "a.nc", document, kWriter), std::logic_error);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

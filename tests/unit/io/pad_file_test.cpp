@@ -15,15 +15,15 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-GapFile gap_of(const std::string& text) {
+GapFile gap_of_pad(const std::string& text) {
   const ScratchFolder folder;
   write_text(folder / "gap.csv", text);
   return read_gap({folder / "gap.csv", "gap.csv"}, Units());
 }
 
-std::string refusal(const std::string& text) {
+std::string pad_refusal(const std::string& text) {
   try {
-    gap_of(text);
+    gap_of_pad(text);
     return "";
   } catch (const InputError& error) {
     return error.what();
@@ -31,22 +31,23 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(PadFile, ReadsAGapInTheUnitsOfItsHeader) {
-  const GapFile gap = gap_of("# milled\nx [mm],h [um]\n0,20\n7,20\n7,10\n10,10\n");
+  const GapFile gap = gap_of_pad("# milled\nx [mm],h [um]\n0,20\n7,20\n7,10\n10,10\n");
   EXPECT_THAT(gap.x, ElementsAre(0, 0.007, 0.007, 0.01));
   EXPECT_THAT(gap.height, ElementsAre(20e-6, 20e-6, 10e-6, 10e-6));
   EXPECT_THAT(gap.notes, ElementsAre(HasSubstr("milled")));
-  EXPECT_THAT(gap_of("height [mm];x [m]\n0,02;0\n0,01;0,01\n").height, ElementsAre(0.02e-3, 0.01e-3));
+  EXPECT_THAT(gap_of_pad("height [mm];x [m]\n0,02;0\n0,01;0,01\n").height, ElementsAre(0.02e-3, 0.01e-3));
 }
 
 TEST(PadFile, RefusesStepsThatAreNone) {
-  EXPECT_THAT(refusal("x [mm],h [um]\n0,1\n1,1\n1,2\n1,3\n2,1\n"), HasSubstr("gap.csv:5:1: this x comes three times"));
-  EXPECT_THAT(refusal("x [mm],h [um]\n0,1\n0,2\n2,1\n"), HasSubstr("gap.csv:3:1: a step at an end"));
-  EXPECT_THAT(refusal("x [mm],h [um]\n0,1\n2,2\n2,1\n"), HasSubstr("gap.csv:4:1: a step at an end"));
-  EXPECT_THAT(refusal("x [mm],h [um]\n0,1\n2,2\n1,1\n"), HasSubstr("gap.csv:4:1: x falls"));
+  EXPECT_THAT(pad_refusal("x [mm],h [um]\n0,1\n1,1\n1,2\n1,3\n2,1\n"),
+              HasSubstr("gap.csv:5:1: this x comes three times"));
+  EXPECT_THAT(pad_refusal("x [mm],h [um]\n0,1\n0,2\n2,1\n"), HasSubstr("gap.csv:3:1: a step at an end"));
+  EXPECT_THAT(pad_refusal("x [mm],h [um]\n0,1\n2,2\n2,1\n"), HasSubstr("gap.csv:4:1: a step at an end"));
+  EXPECT_THAT(pad_refusal("x [mm],h [um]\n0,1\n2,2\n1,1\n"), HasSubstr("gap.csv:4:1: x falls"));
 }
 
 TEST(PadFile, RefusesAGapThatNoOilFilmHas) {
-  EXPECT_THAT(refusal("x [mm],h [um]\n0,1\n1,9.969e36\n"), HasSubstr("gap.csv:3:3: a gap of 9.969e+30 m"));
+  EXPECT_THAT(pad_refusal("x [mm],h [um]\n0,1\n1,9.969e36\n"), HasSubstr("gap.csv:3:3: a gap of 9.969e+30 m"));
 }
 
 TEST(PadFile, ReadsAHistoryOfSeparations) {

@@ -10,12 +10,12 @@
 namespace ringfilm::io {
 namespace {
 
-class Opened {
+class OpenedPad {
  public:
-  explicit Opened(const std::string& path) { EXPECT_EQ(nc_open(path.c_str(), NC_NOWRITE, &file_), NC_NOERR); }
-  Opened(const Opened&) = delete;
-  Opened& operator=(const Opened&) = delete;
-  ~Opened() { nc_close(file_); }
+  explicit OpenedPad(const std::string& path) { EXPECT_EQ(nc_open(path.c_str(), NC_NOWRITE, &file_), NC_NOERR); }
+  OpenedPad(const OpenedPad&) = delete;
+  OpenedPad& operator=(const OpenedPad&) = delete;
+  ~OpenedPad() { nc_close(file_); }
 
   bool has(const std::string& name) const {
     int variable = 0;
@@ -67,7 +67,7 @@ PadDocument two_instants() {
 TEST(PadNetcdf, HoldsTheFilmAlongAnInfinitelyWidePad) {
   const ScratchFolder folder;
   write_pad(folder / "film.nc", two_instants());
-  const Opened file(folder / "film.nc");
+  const OpenedPad file(folder / "film.nc");
   EXPECT_EQ(file.dimensions("pressure"), "time,x");
   EXPECT_EQ(file.dimensions("load"), "time");
   EXPECT_EQ(file.values("x", 4), (std::vector<double>{0, 0.5, 0.5, 1}));
@@ -88,7 +88,7 @@ TEST(PadNetcdf, HoldsTheFieldsOfAPadWithAWidth) {
   document.result.samples.back().total_load = 7;
   const ScratchFolder folder;
   write_pad(folder / "film.nc", document);
-  const Opened file(folder / "film.nc");
+  const OpenedPad file(folder / "film.nc");
   EXPECT_EQ(file.dimensions("film_thickness"), "time,y,x");
   EXPECT_EQ(file.dimensions("fill"), "time,y,x");
   EXPECT_EQ(file.values("y", 2), (std::vector<double>{0, 2}));
@@ -99,7 +99,7 @@ TEST(PadNetcdf, HoldsTheFieldsOfAPadWithAWidth) {
 
   for (pad::Sample& sample : document.result.samples) sample.flow_front = std::nan("");
   write_pad(folder / "joined.nc", document);
-  const Opened joined(folder / "joined.nc");
+  const OpenedPad joined(folder / "joined.nc");
   EXPECT_FALSE(joined.has("flow_front")) << "a flow that is not told";
   EXPECT_TRUE(joined.has("flow_back"));
 }

@@ -35,7 +35,7 @@ std::string replaced(const std::string& old_text, const std::string& new_text) {
   return text.replace(text.find(old_text), old_text.size(), new_text);
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal_of_published(const std::string& text) {
   const ScratchFolder folder;
   std::ofstream(folder / "published.toml") << text;
   try {
@@ -61,13 +61,13 @@ TEST(PublishedFile, GivesTheValuesOfOneCaseInSi) {
 }
 
 TEST(PublishedFile, RefusesWhatCannotBeCompared) {
-  EXPECT_THAT(refusal(replaced("\"fmep\"", "\"fmeep\"")), HasSubstr("no cycle value"));
-  EXPECT_THAT(refusal(replaced("\"19 kPa\"", "19")), HasSubstr("unit"));
-  EXPECT_THAT(refusal(replaced("\"19 kPa\"", "\"19 kg\"")), HasSubstr("19 kg"));
-  EXPECT_THAT(refusal(replaced("\"19 kPa\"", "\"0 kPa\"")), HasSubstr("not 0"));
-  EXPECT_THAT(refusal(replaced("value = 1.18\n", "")), HasSubstr("published.value is missing"));
-  EXPECT_THAT(refusal(replaced("source =", "sauce =")), HasSubstr("unknown key published.sauce"));
-  EXPECT_THAT(refusal("title = \"nothing\"\n"), HasSubstr("[[published]]"));
+  EXPECT_THAT(refusal_of_published(replaced("\"fmep\"", "\"fmeep\"")), HasSubstr("no cycle value"));
+  EXPECT_THAT(refusal_of_published(replaced("\"19 kPa\"", "19")), HasSubstr("unit"));
+  EXPECT_THAT(refusal_of_published(replaced("\"19 kPa\"", "\"19 kg\"")), HasSubstr("19 kg"));
+  EXPECT_THAT(refusal_of_published(replaced("\"19 kPa\"", "\"0 kPa\"")), HasSubstr("not 0"));
+  EXPECT_THAT(refusal_of_published(replaced("value = 1.18\n", "")), HasSubstr("published.value is missing"));
+  EXPECT_THAT(refusal_of_published(replaced("source =", "sauce =")), HasSubstr("unknown key published.sauce"));
+  EXPECT_THAT(refusal_of_published("title = \"nothing\"\n"), HasSubstr("[[published]]"));
 }
 
 TEST(PublishedFile, ShippedOneHoldsWhatThePaperSaysOfEachRing) {

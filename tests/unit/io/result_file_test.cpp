@@ -153,14 +153,14 @@ void expect_same(const ResultDocument& a, const ResultDocument& b) {
   if (a.errors) expect_same(*a.errors, *b.errors);
 }
 
-std::string bytes_of(const std::string& path) {
+std::string bytes_of_result(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 void put_bytes(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
-std::string refusal(const std::string& path) {
+std::string refusal_of_result(const std::string& path) {
   try {
     read_result(path);
   } catch (const InputError& error) {
@@ -196,31 +196,31 @@ TEST(ResultFile, SameDocumentGivesSameBytes) {
   const ScratchFolder folder;
   write_result(folder / "a.nc", example_document(1500));
   write_result(folder / "b.nc", example_document(1500));
-  EXPECT_EQ(bytes_of(folder / "a.nc"), bytes_of(folder / "b.nc"));
+  EXPECT_EQ(bytes_of_result(folder / "a.nc"), bytes_of_result(folder / "b.nc"));
 }
 
 TEST(ResultFile, IsRefusedWhereverItIsCutOff) {
   const ScratchFolder folder;
   write_result(folder / "a.nc", example_document(1500));
-  const std::string whole = bytes_of(folder / "a.nc");
+  const std::string whole = bytes_of_result(folder / "a.nc");
   for (const double share : {0.0, 0.001, 0.1, 0.5, 0.9, 0.999}) {
     put_bytes(folder / "cut.nc", whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
-    EXPECT_THAT(refusal(folder / "cut.nc"), HasSubstr("cut.nc")) << share;
+    EXPECT_THAT(refusal_of_result(folder / "cut.nc"), HasSubstr("cut.nc")) << share;
   }
 }
 
 TEST(ResultFile, ForeignFilesAreRefusedWithTheirName) {
   const ScratchFolder folder;
-  EXPECT_THAT(refusal(folder / "none.nc"), HasSubstr("no such file"));
-  EXPECT_THAT(refusal(folder.path()), HasSubstr("folder"));
+  EXPECT_THAT(refusal_of_result(folder / "none.nc"), HasSubstr("no such file"));
+  EXPECT_THAT(refusal_of_result(folder.path()), HasSubstr("folder"));
   put_bytes(folder / "text.nc", "title = \"a case\"\n");
-  EXPECT_THAT(refusal(folder / "text.nc"), HasSubstr("not a NetCDF file"));
+  EXPECT_THAT(refusal_of_result(folder / "text.nc"), HasSubstr("not a NetCDF file"));
 
   int file = 0, variable = 0;
   ASSERT_EQ(nc_create((folder / "other.nc").c_str(), NC_NETCDF4, &file), NC_NOERR);
   ASSERT_EQ(nc_def_var(file, "temperature", NC_DOUBLE, 0, nullptr, &variable), NC_NOERR);
   ASSERT_EQ(nc_close(file), NC_NOERR);
-  EXPECT_THAT(refusal(folder / "other.nc"), HasSubstr("not one of ringfilm"));
+  EXPECT_THAT(refusal_of_result(folder / "other.nc"), HasSubstr("not one of ringfilm"));
 }
 
 /// As nc_copy_var, which knows no texts; without attributes.
@@ -313,10 +313,10 @@ TEST(ResultFile, LedgerOfAnotherVersionIsReadByNamesOrRefused) {
 
   quantities.pop_back();
   write_with_ledger_of(folder / "fewer.nc", quantities);
-  EXPECT_THAT(refusal(folder / "fewer.nc"), HasSubstr("variant_values has"));
+  EXPECT_THAT(refusal_of_result(folder / "fewer.nc"), HasSubstr("variant_values has"));
   quantities.back().name = "mean_temper";
   write_with_ledger_of(folder / "other.nc", quantities);
-  EXPECT_THAT(refusal(folder / "other.nc"), HasSubstr("mean_temper"));
+  EXPECT_THAT(refusal_of_result(folder / "other.nc"), HasSubstr("mean_temper"));
 }
 
 TEST(ResultFile, NewerSchemaAndMissingVariablesAreRefused) {
@@ -328,14 +328,14 @@ TEST(ResultFile, NewerSchemaAndMissingVariablesAreRefused) {
   ASSERT_EQ(nc_inq_varid(file, "power_loss", &variable), NC_NOERR);
   ASSERT_EQ(nc_rename_var(file, variable, "lost"), NC_NOERR);
   ASSERT_EQ(nc_close(file), NC_NOERR);
-  EXPECT_THAT(refusal(folder / "a.nc"), HasSubstr("power_loss"));
+  EXPECT_THAT(refusal_of_result(folder / "a.nc"), HasSubstr("power_loss"));
 
   make_editable(folder / "whole.nc", folder / "a.nc", LedgerTable::kCopied);
   const long newer = 1000;
   ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_WRITE, &file), NC_NOERR);
   ASSERT_EQ(nc_put_att_long(file, NC_GLOBAL, "ringfilm_schema", NC_INT64, 1, &newer), NC_NOERR);
   ASSERT_EQ(nc_close(file), NC_NOERR);
-  EXPECT_THAT(refusal(folder / "a.nc"), HasSubstr("newer ringfilm"));
+  EXPECT_THAT(refusal_of_result(folder / "a.nc"), HasSubstr("newer ringfilm"));
 }
 
 TEST(ResultFile, EveryNumberHasAUnitAndFieldsTheirEquation) {

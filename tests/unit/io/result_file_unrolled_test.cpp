@@ -16,7 +16,7 @@ namespace ringfilm::io {
 namespace {
 
 template <class Row, class Quantities>
-void expect_same(const Row& a, const Row& b, const Quantities& quantities) {
+void expect_same_unrolled(const Row& a, const Row& b, const Quantities& quantities) {
   for (const auto& q : quantities) {
     if (std::isnan(a.*q.value)) {
       EXPECT_TRUE(std::isnan(b.*q.value)) << q.name;
@@ -26,12 +26,12 @@ void expect_same(const Row& a, const Row& b, const Quantities& quantities) {
   }
 }
 
-void expect_same(const cycle::CycleResult& a, const cycle::CycleResult& b) {
+void expect_same_unrolled(const cycle::CycleResult& a, const cycle::CycleResult& b) {
   ASSERT_EQ(a.unrolled_samples.size(), b.unrolled_samples.size());
   for (std::size_t k = 0; k < a.unrolled_samples.size(); ++k) {
-    expect_same(a.unrolled_samples[k], b.unrolled_samples[k], cycle::unrolled_quantities());
+    expect_same_unrolled(a.unrolled_samples[k], b.unrolled_samples[k], cycle::unrolled_quantities());
   }
-  expect_same(a.unrolled_values, b.unrolled_values, cycle::unrolled_cycle_quantities());
+  expect_same_unrolled(a.unrolled_values, b.unrolled_values, cycle::unrolled_cycle_quantities());
   EXPECT_EQ(a.unrolled.circumference, b.unrolled.circumference);
   EXPECT_EQ(a.unrolled.end_gap, b.unrolled.end_gap);
   EXPECT_EQ(a.unrolled.gap_position, b.unrolled.gap_position);
@@ -49,7 +49,7 @@ TEST(UnrolledResultFile, GivesEverythingBackHoweverFieldsAreKept) {
     const ResultDocument document = unrolled_document(kept);
     write_result(folder / "a.nc", document);
     const ResultDocument read = read_result(folder / "a.nc");
-    expect_same(document.result, read.result);
+    expect_same_unrolled(document.result, read.result);
     ASSERT_TRUE(read.errors.has_value());
     EXPECT_EQ(read.errors->runs.at(1).cells_y, 180);
   }

@@ -32,7 +32,7 @@ study::ScenarioChunk chunk(std::uint64_t first, std::uint64_t n) {
   return chunk;
 }
 
-std::string bytes_of(const std::string& path) {
+std::string bytes_of_shard(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -74,20 +74,20 @@ TEST(ShardFile, GivesBackWhatWasAppended) {
 
 TEST(ShardFile, GoesOnWhereverItWasCutOff) {
   const ScratchFolder folder;
-  const std::string all = bytes_of(whole(folder, "rows"));
+  const std::string all = bytes_of_shard(whole(folder, "rows"));
   for (std::size_t n = 0; n < all.size(); ++n) {
     const std::string path = folder.write("cut", all.substr(0, n));
     ShardWriter writer(path, header());
     ASSERT_TRUE(writer.next() == 10 || writer.next() == 13) << n;
     if (writer.next() == 10) writer.append(chunk(10, 3));
     writer.append(chunk(13, 3));
-    ASSERT_EQ(bytes_of(path), all) << n;
+    ASSERT_EQ(bytes_of_shard(path), all) << n;
   }
 }
 
 TEST(ShardFile, SeesASpoiltChunkWhereverItIsSpoilt) {
   const ScratchFolder folder;
-  const std::string all = bytes_of(whole(folder, "rows"));
+  const std::string all = bytes_of_shard(whole(folder, "rows"));
   ShardWriter(folder / "empty", header());
   const std::size_t header_size = std::filesystem::file_size(folder / "empty");
   for (std::size_t n = 0; n < all.size(); ++n) {
@@ -104,7 +104,7 @@ TEST(ShardFile, SeesASpoiltChunkWhereverItIsSpoilt) {
 
 TEST(ShardFile, RefusesRowsOfSomethingElse) {
   const ScratchFolder folder;
-  const std::string path = whole(folder, "rows"), before = bytes_of(path);
+  const std::string path = whole(folder, "rows"), before = bytes_of_shard(path);
   ShardHeader plan = header(), inputs = header(), program = header(), part = header(), kernels = header();
   plan.plan[0] = 'x';
   inputs.inputs[0] = 'x';
@@ -114,7 +114,7 @@ TEST(ShardFile, RefusesRowsOfSomethingElse) {
   for (const ShardHeader& other : {plan, inputs, program, part, kernels})
     EXPECT_THROW(ShardWriter(path, other), InputError);
   EXPECT_NE(difference(header(), plan), difference(header(), inputs));
-  EXPECT_EQ(bytes_of(path), before);
+  EXPECT_EQ(bytes_of_shard(path), before);
 }
 
 ShardHeader header_with_curves() {
@@ -194,10 +194,10 @@ TEST(ShardFile, BecomesLongerWithTheBytesOfTheLongOne) {
     ShardWriter writer(path, alone(13));
     writer.append(chunk(10, 3));
   }
-  const std::string before = bytes_of(path);
+  const std::string before = bytes_of_shard(path);
   EXPECT_THROW(ShardWriter(path, alone(1016)), InputError);
   EXPECT_THROW(ShardWriter(path, alone(12), Longer::kAllowed), InputError);
-  EXPECT_EQ(bytes_of(path), before);
+  EXPECT_EQ(bytes_of_shard(path), before);
   {
     ShardWriter writer(path, alone(1016), Longer::kAllowed);
     EXPECT_EQ(writer.next(), 13u);
@@ -205,7 +205,7 @@ TEST(ShardFile, BecomesLongerWithTheBytesOfTheLongOne) {
     EXPECT_THROW(ShardWriter(path, alone(1016)), InputError) << "somebody else may write to it";
     writer.append(chunk(13, 3));
   }
-  EXPECT_EQ(bytes_of(path), bytes_of(folder / "long"));
+  EXPECT_EQ(bytes_of_shard(path), bytes_of_shard(folder / "long"));
   ShardHeader of_two = header();
   of_two.end = 1016;
   EXPECT_FALSE(is_beginning_of(header(), of_two)) << "a part of several";

@@ -195,7 +195,7 @@ TEST(CompositeModulus, IsThatOfThePaperConvention) {
 }
 
 TEST(CompositeModulus, OfWhatIsNoBodyIsRefused) {
-  const ringfilm::testing::NoTraps no_traps;  // NaNs on purpose
+  const ringfilm::traps::NoTraps no_traps;  // NaNs on purpose
   for (const double E : {-2e11, 0.0, double(NAN)}) {
     EXPECT_THROW(composite_modulus(E, 0.3, 2e11, 0.3), ringfilm::InputError) << E;
     EXPECT_THROW(composite_modulus(2e11, 0.3, E, 0.3), ringfilm::InputError) << E;
@@ -209,7 +209,7 @@ TEST(CompositeModulus, OfWhatIsNoBodyIsRefused) {
 }
 
 TEST(GreenwoodTripp, HasNoContactAtAnInfiniteSeparation) {
-  const ringfilm::testing::NoTraps no_traps;  // an infinity on purpose
+  const ringfilm::traps::NoTraps no_traps;  // an infinity on purpose
   for (const auto form : {ContactIntegralForm::kExact, ContactIntegralForm::kPolynomial4Digit,
                           ContactIntegralForm::kPolynomialAsPrinted}) {
     const auto contact = GreenwoodTripp({0.1e12, 1.5e-6, 0.5e-6, 1.4e11, form}).contact(INFINITY);

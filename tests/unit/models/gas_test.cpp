@@ -72,7 +72,7 @@ TEST(CyclePressure, PeakLiesInZeroTo720) {
 }
 
 TEST(CyclePressure, RefusesWhatIsNoTrace) {
-  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   EXPECT_THROW(CyclePressure({}, {}), InputError);
   EXPECT_THROW(CyclePressure({0, 1}, {1e5}), InputError);
   EXPECT_THROW(CyclePressure({0, 1, 1}, {1e5, 1e5, 1e5}), InputError);

@@ -53,7 +53,7 @@ TEST(Walther, TakesTheMeanOfPointsBesideOneLine) {
 }
 
 TEST(Walther, RefusesPointsThatAreNoOil) {
-  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   const std::vector<double> T{313.15, 373.15};
   EXPECT_THROW(Walther::fit(T, std::vector<double>{9e-6, 60e-6}), InputError);
   EXPECT_THROW(Walther::fit(T, std::vector<double>{9e-6, 0.3e-6}), InputError);
@@ -220,7 +220,7 @@ TEST(OilTable, ContinuesStraightBeyondItsPressures) {
 }
 
 TEST(OilTable, RefusesATemperatureOutsideWithItsRange) {
-  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   const auto table = table_of(paper_oil(), {313.15, 393.15}, {1e5, 1e7});
   for (const double T : {313.0, 393.3, std::nan("")}) {
     try {

@@ -13,14 +13,14 @@ namespace {
 using namespace ringfilm::models;
 using Oil = std::shared_ptr<const OilAtTemperature>;
 
-constexpr double kZero = 273.15;
+constexpr double kFreezing = 273.15;
 
 /// The thickest oil of data/lubricants, SAE 15W-40.
 OilLaws thick_oil() {
   OilLaws laws;
-  laws.viscosity_temperature = {40 + kZero, 100 + kZero};
+  laws.viscosity_temperature = {40 + kFreezing, 100 + kFreezing};
   laws.kinematic_viscosity = {110e-6, 14.6e-6};
-  laws.density.temperature = {15 + kZero, 40 + kZero};
+  laws.density.temperature = {15 + kFreezing, 40 + kFreezing};
   laws.density.value = {880, 863.5};
   laws.parameters["pressure_viscosity_coefficient"] = 1e-8;
   laws.compression = DowsonHigginson{};
@@ -77,7 +77,7 @@ TEST(OilFit, StandsForEngineOilsBetweenFreezingAndScorchingHeat) {
   for (const OilLaws& laws : {thin_oil(), thick_oil()}) {
     for (const double celsius : {-30.0, 20.0, 100.0, 180.0}) {
       for (const double high : {20e6, 60e6, 80e6}) {
-        const Oil oil = closed_form_oil(laws, celsius + kZero);
+        const Oil oil = closed_form_oil(laws, celsius + kFreezing);
         const auto fit = fit_oil(*oil, 0, high);
         ASSERT_TRUE(fit) << celsius << " degC, " << high << " Pa";
         EXPECT_EQ(fit->low, 0);
@@ -95,14 +95,14 @@ TEST(OilFit, StandsForEngineOilsBetweenFreezingAndScorchingHeat) {
 }
 
 TEST(OilFit, OfAUsualCycleLeavesRoundingOfTheValuesAndAMillionthOfTheSlopes) {
-  const auto fit = fit_oil(*closed_form_oil(thick_oil(), 100 + kZero), 0, 25e6);
+  const auto fit = fit_oil(*closed_form_oil(thick_oil(), 100 + kFreezing), 0, 25e6);
   ASSERT_TRUE(fit);
   EXPECT_LT(fit->error, 1e-13);
   EXPECT_LT(fit->slope_error, 1e-6);
 }
 
 TEST(OilFit, HasTheSlopesOfItsOwnValues) {
-  const Oil oil = closed_form_oil(thick_oil(), 100 + kZero);
+  const Oil oil = closed_form_oil(thick_oil(), 100 + kFreezing);
   const auto fit = fit_oil(*oil, 1e5, 30e6);
   ASSERT_TRUE(fit);
   constexpr double kStep = 1e5;  // [Pa]; a hundredth of the length over which the laws bend, squared: 1e-6
@@ -144,11 +144,11 @@ TEST(OilFit, IsRefusedWhereItWouldNotStandForTheLaw) {
   EXPECT_TRUE(refused(barus_oil(1e-6, {}), 20e6));
   EXPECT_TRUE(refused(barus_oil(1e-6, {}), 1e9));
   // 2 GPa: ten half-lives of the fluidity.
-  EXPECT_TRUE(refused(closed_form_oil(thick_oil(), 100 + kZero), 2e9));
+  EXPECT_TRUE(refused(closed_form_oil(thick_oil(), 100 + kFreezing), 2e9));
 }
 
 TEST(FittedOil, CarriesTheFitAndAnswersByTheLaw) {
-  const Oil oil = closed_form_oil(thin_oil(), 100 + kZero);
+  const Oil oil = closed_form_oil(thin_oil(), 100 + kFreezing);
   const Oil fitted = fitted_oil(oil, 0, 60e6);
   EXPECT_EQ(oil->fit(), nullptr);
   ASSERT_NE(fitted->fit(), nullptr);

@@ -89,17 +89,17 @@ TEST(OilOfFunctions, NeedsBoth) {
 TEST(OilOfFunctions, ALawWithoutAValueIsRefusedWhereItLacksOne) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(told(*oil_of_functions([&](double p) { return p > 5e7 ? nan : barus(p); }, even_density)),
-              testing::AllOf(testing::HasSubstr("a viscosity of nan Pa.s"), testing::HasSubstr("MPa")));
+              ::testing::AllOf(::testing::HasSubstr("a viscosity of nan Pa.s"), ::testing::HasSubstr("MPa")));
   EXPECT_THAT(told(*oil_of_functions(barus, [](double) { return 0.0; })),
-              testing::HasSubstr("a density of 0 kg/m3 at 0 MPa"));
-  EXPECT_THAT(told(*oil_of_functions([](double) { return -1.0; }, even_density)), testing::HasSubstr("viscosity"));
+              ::testing::HasSubstr("a density of 0 kg/m3 at 0 MPa"));
+  EXPECT_THAT(told(*oil_of_functions([](double) { return -1.0; }, even_density)), ::testing::HasSubstr("viscosity"));
 }
 
 TEST(OilOfFunctions, ASlopeThatIsNotThatOfItsValuesIsRefused) {
   EXPECT_EQ(told(Misjudged(1)), "");
-  EXPECT_THAT(told(Misjudged(-1)), testing::HasSubstr("a slope of viscosity"));
-  EXPECT_THAT(told(Misjudged(1e6)), testing::HasSubstr("a slope of viscosity"));  // per MPa
-  EXPECT_THAT(told(Misjudged(std::numeric_limits<double>::quiet_NaN())), testing::HasSubstr("a slope of viscosity"));
+  EXPECT_THAT(told(Misjudged(-1)), ::testing::HasSubstr("a slope of viscosity"));
+  EXPECT_THAT(told(Misjudged(1e6)), ::testing::HasSubstr("a slope of viscosity"));  // per MPa
+  EXPECT_THAT(told(Misjudged(std::numeric_limits<double>::quiet_NaN())), ::testing::HasSubstr("a slope of viscosity"));
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST(RingFace, PointsThatDoNotCoverTheWidthAreRefusedWithTheirRange) {
 }
 
 TEST(RingFace, PointsOutOfOrderAndMeaninglessWidthsAreRefused) {
-  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   EXPECT_THROW(RingFace::points({0, 1e-3, 1e-3, kWidth}, {0, 0, 0, 0}, kWidth), InputError);
   EXPECT_THROW(RingFace::points({0}, {0}, kWidth), InputError);
   EXPECT_THROW(RingFace::parabola(1e-6, 0.5, -kWidth), InputError);

@@ -122,7 +122,7 @@ TEST(WiebePressure, AllowsValvesWithoutOverlap) {
 }
 
 TEST(WiebePressure, RefusesWhatCannotBeAndSaysWhy) {
-  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   const auto refusal = [](const std::function<void(WiebeCycle&)>& change) {
     auto cycle = petrol();
     change(cycle);

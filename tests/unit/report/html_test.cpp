@@ -8,6 +8,7 @@
 #include <string>
 
 #include "example_document.hpp"
+#include "page_data.hpp"
 #include "ringfilm/base/error.hpp"
 
 namespace {
@@ -25,13 +26,6 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-/// What stands between the marks of the data element, read by a JSON parser that shares no line with the page.
-json data_of(const std::string& page) {
-  const std::string begin = "id=\"result-data\">";
-  const std::size_t from = page.find(begin) + begin.size();
-  return json::parse(page.substr(from, page.find("</script>", from) - from));
-}
-
 report::Overlay overlay() {
   return {.name = "floating liner",
           .quantity = "friction_on_liner",
@@ -41,7 +35,7 @@ report::Overlay overlay() {
 }
 
 TEST(ReportPage, CarriesEveryQuantityOfTheTables) {
-  const json data = data_of(report::report_page({example::document("one")}, {}));
+  const json data = example::data_of(report::report_page({example::document("one")}, {}));
   const json& only = data["cases"][0];
   for (const auto& q : cycle::curve_quantities()) {
     ASSERT_TRUE(only["curves"].contains(q.name)) << q.name;
@@ -54,7 +48,7 @@ TEST(ReportPage, CarriesEveryQuantityOfTheTables) {
 
 TEST(ReportPage, KeepsValuesInSiUnits) {
   const auto document = example::document("one");
-  const json data = data_of(report::report_page({document}, {}));
+  const json data = example::data_of(report::report_page({document}, {}));
   const json& only = data["cases"][0];
   // Curves are written with 7 significant digits: half a unit of the last one is 5e-7 at worst.
   const double film = document.result.samples[20].min_film_thickness;
@@ -82,7 +76,7 @@ TEST(ReportPage, HasOneScriptAndOneDataElementWhateverTheTextsSay) {
     const std::string page = report::report_page({document}, {laid});
     EXPECT_EQ(count(page, "</script"), harmless) << hostile;
     EXPECT_THAT(page, Not(HasSubstr("</SCRIPT"))) << hostile;
-    const json data = data_of(page);
+    const json data = example::data_of(page);
     EXPECT_EQ(data["cases"][0]["title"], hostile);
     EXPECT_EQ(data["overlays"][0]["name"], hostile);
   }
@@ -99,7 +93,7 @@ TEST(ReportPage, WritesNullWhereThereIsNoNumber) {
   document.result.samples[4].power_loss = std::numeric_limits<double>::infinity();
   document.result.values.fmep = kNaN;
   document.comparison[0].deviation = kNaN;
-  const json only = data_of(report::report_page({document}, {}))["cases"][0];
+  const json only = example::data_of(report::report_page({document}, {}))["cases"][0];
   EXPECT_TRUE(only["curves"]["rupture_position"][3].is_null());
   EXPECT_TRUE(only["curves"]["power_loss"][4].is_null());
   EXPECT_TRUE(only["values"]["fmep"].is_null());
@@ -110,11 +104,12 @@ TEST(ReportPage, WritesNullWhereThereIsNoNumber) {
 TEST(ReportPage, ShowsTextsThatAreNoUtf8) {
   const std::string broken = "motor\xff\xc3";
   const std::string page = report::report_page({example::document(broken)}, {});
-  EXPECT_THAT(data_of(page)["cases"][0]["title"].get<std::string>(), HasSubstr("motor\xEF\xBF\xBD"));
+  EXPECT_THAT(example::data_of(page)["cases"][0]["title"].get<std::string>(), HasSubstr("motor\xEF\xBF\xBD"));
 }
 
 TEST(ReportPage, KeepsTheOrderOfTheCases) {
-  const json data = data_of(report::report_page({example::document("b"), example::document("a")}, {overlay()}));
+  const json data =
+      example::data_of(report::report_page({example::document("b"), example::document("a")}, {overlay()}));
   ASSERT_EQ(data["cases"].size(), 2u);
   EXPECT_EQ(data["cases"][0]["title"], "b");
   EXPECT_EQ(data["cases"][1]["title"], "a");
@@ -123,7 +118,7 @@ TEST(ReportPage, KeepsTheOrderOfTheCases) {
 
 TEST(ReportPage, AcceptsAResultWithoutAnything) {
   io::ResultDocument empty;
-  const json only = data_of(report::report_page({empty}, {}))["cases"][0];
+  const json only = example::data_of(report::report_page({empty}, {}))["cases"][0];
   EXPECT_TRUE(only["fields"]["crank_angle"].empty());
   EXPECT_TRUE(only["ledger"].empty());
   EXPECT_TRUE(only["curves"]["crank_angle"].empty());
@@ -138,7 +133,7 @@ TEST(ReportPage, ThinsOutFieldsThatAPageCannotCarry) {
     field->assign(720 * n_nodes, 1e-6);
   for (int k = 0; k < 720; ++k) f.crank_angle_deg.push_back(k);
   f.film_thickness[2 * n_nodes] = 7e-6;  // first node of the angle 2 degree
-  const json fields = data_of(report::report_page({document}, {}))["cases"][0]["fields"];
+  const json fields = example::data_of(report::report_page({document}, {}))["cases"][0]["fields"];
   EXPECT_EQ(fields["stored_angles"], 720);
   // 60000 numbers of 121 nodes are 495 angles: every second one is kept.
   ASSERT_EQ(fields["crank_angle"].size(), 360u);
@@ -153,7 +148,7 @@ TEST(ReportPage, TellsAtWhichPressureAFilmWithoutFillIsRuptured) {
   const auto rupture_pressure = [&document](const std::string& cavitation, const std::string& pressure) {
     document.inputs = {{"film.cavitation", "", cavitation, false, ""},
                        {"film.cavitation_pressure", "", pressure, true, ""}};
-    return data_of(report::report_page({document}, {}))["cases"][0]["unrolled"]["rupture_pressure"];
+    return example::data_of(report::report_page({document}, {}))["cases"][0]["unrolled"]["rupture_pressure"];
   };
   EXPECT_NEAR(rupture_pressure("reynolds-exit", "0.5 bar").get<double>(), 5e4, 1e-6);
   EXPECT_TRUE(rupture_pressure("mass-conserving", "0.5 bar").is_null());
@@ -162,10 +157,10 @@ TEST(ReportPage, TellsAtWhichPressureAFilmWithoutFillIsRuptured) {
 
 TEST(ReportPage, CarriesTheUnrolledFilmWithinBounds) {
   auto document = example::document("around");
-  EXPECT_TRUE(data_of(report::report_page({document}, {}))["cases"][0]["unrolled"].is_null());
+  EXPECT_TRUE(example::data_of(report::report_page({document}, {}))["cases"][0]["unrolled"].is_null());
   example::add_unrolled_film(document, example::Around::kFields);
   const std::string page = report::report_page({document}, {});
-  const json data = data_of(page);
+  const json data = example::data_of(page);
   const json& unrolled = data["cases"][0]["unrolled"];
   EXPECT_EQ(unrolled["stored"]["x"], 121);
   EXPECT_EQ(unrolled["x"].size(), 61u);  // every second one

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measurement_example.hpp"
+#include "page_data.hpp"
 
 namespace {
 
@@ -15,18 +16,12 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-json data_of(const std::string& page) {
-  const std::string begin = "id=\"result-data\">";
-  const std::size_t at = page.find(begin) + begin.size();
-  return json::parse(page.substr(at, page.find("</script>", at) - at));
-}
-
 std::string page_of(const io::Measurement& measurement) {
   return report::measurement_page(measurement, io::Units(), {"ringfilm 0.0.0", "abc", "g++", ""});
 }
 
 TEST(MeasurementPage, GivesNumbersInTheUnitsThatPeopleRead) {
-  const json data = data_of(page_of(io::example::measurement()));
+  const json data = example::data_of(page_of(io::example::measurement()));
   const json& sq = data.at("groups").at(0).at("values").at(1);
   EXPECT_EQ(sq.at("name"), "Sq");
   EXPECT_EQ(sq.at("unit"), "um");
@@ -46,7 +41,7 @@ TEST(MeasurementPage, GivesNumbersInTheUnitsThatPeopleRead) {
 }
 
 TEST(MeasurementPage, SaysWhenALongCurveWasThinned) {
-  const json profile = data_of(page_of(io::example::measurement())).at("curves").at(0);
+  const json profile = example::data_of(page_of(io::example::measurement())).at("curves").at(0);
   EXPECT_EQ(profile.at("points"), 12000);
   EXPECT_LT(profile.at("drawn").get<int>(), 6000);
   EXPECT_EQ(profile.at("drawn").get<std::size_t>(), profile.at("series").at(0).at("x").size());
@@ -73,13 +68,13 @@ TEST(MeasurementPage, LetsNoTextEndItsElement) {
   const std::string page = page_of(document);
   EXPECT_THAT(page, HasSubstr("<title>&lt;/script&gt;"));
   EXPECT_THAT(page, Not(HasSubstr("</title><b>")));
-  EXPECT_THAT(data_of(page).at("notes").at(0).get<std::string>(), HasSubstr("</script></title><b>"));
+  EXPECT_THAT(example::data_of(page).at("notes").at(0).get<std::string>(), HasSubstr("</script></title><b>"));
 }
 
 TEST(MeasurementPage, TakesADocumentWithoutAnyPart) {
   io::Measurement document;
   document.title = "nothing";
-  EXPECT_EQ(data_of(page_of(document)).at("maps").size(), 0u);
+  EXPECT_EQ(example::data_of(page_of(document)).at("maps").size(), 0u);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "page_data.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/report/payload_study.hpp"
 #include "ringfilm/study/main_values.hpp"
@@ -20,14 +21,8 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-json data_of(const std::string& page) {
-  const std::string begin = "id=\"result-data\">";
-  const std::size_t at = page.find(begin) + begin.size();
-  return json::parse(page.substr(at, page.find("</script>", at) - at));
-}
-
 TEST(StudyPage, TellsWhatVariedInTheUnitsThatPeopleRead) {
-  const json data = data_of(example::uncertainty_page());
+  const json data = example::data_of(example::uncertainty_page());
   EXPECT_EQ(data.at("kind"), "uncertainty");
   EXPECT_EQ(data.at("scenarios"), 64 * 4 * 2);  // rows of A, B and one for each of two groups, for two bases
   EXPECT_EQ(data.at("factors").at(0).at("words"), "normal, mean 2000 rpm, deviation 100 rpm");
@@ -41,7 +36,7 @@ TEST(StudyPage, TellsWhatVariedInTheUnitsThatPeopleRead) {
 }
 
 TEST(StudyPage, HasStatisticsOfTheSampleAlone) {
-  const json data = data_of(example::uncertainty_page());
+  const json data = example::data_of(example::uncertainty_page());
   EXPECT_EQ(data.at("statistics").size(), cycle::cycle_quantities().size());
   const json& film = data.at("statistics").at("min_film_thickness").at(0);
   EXPECT_EQ(film.at("n"), 128);  // A and B of 64 rows
@@ -56,7 +51,7 @@ TEST(StudyPage, HasStatisticsOfTheSampleAlone) {
 }
 
 TEST(StudyPage, TellsWhichInputDecides) {
-  const json data = data_of(example::uncertainty_page());
+  const json data = example::data_of(example::uncertainty_page());
   const json& indices = data.at("indices").at("min_film_thickness").at(0);
   EXPECT_EQ(indices.at("rows"), 64);
   // The film of the made-up values knows nothing of the roughness.
@@ -69,7 +64,7 @@ TEST(StudyPage, TellsWhichInputDecides) {
 }
 
 TEST(StudyPage, ComparesBasesAtTheSamePoints) {
-  const json data = data_of(example::uncertainty_page());
+  const json data = example::data_of(example::uncertainty_page());
   EXPECT_EQ(data.at("comparison_groups").at(1).at("name"), "worn");
   const json& difference = data.at("comparison").at("min_film_thickness").at(1).at("difference");
   EXPECT_NEAR(difference.at(0).get<double>(), -0.2, 1e-6);
@@ -77,16 +72,16 @@ TEST(StudyPage, ComparesBasesAtTheSamePoints) {
 }
 
 TEST(StudyPage, HasBandsOfTheCurvesThatWereKept) {
-  const json curves = data_of(example::uncertainty_page()).at("curves");
+  const json curves = example::data_of(example::uncertainty_page()).at("curves");
   EXPECT_EQ(curves.at("angles").size(), 72u);
   EXPECT_EQ(curves.at("bands").size(), 4u);
   const json& band = curves.at("bands").at(0).at("values");
   EXPECT_LT(band.at(0).at(36), band.at(4).at(36));
-  EXPECT_TRUE(data_of(example::map_page()).at("curves").is_null());
+  EXPECT_TRUE(example::data_of(example::map_page()).at("curves").is_null());
 }
 
 TEST(StudyPage, PutsAGridInItsPlaces) {
-  const json data = data_of(example::map_page());
+  const json data = example::data_of(example::map_page());
   const json& grid = data.at("grid").at("bases").at(1);
   ASSERT_EQ(grid.at("axes").size(), 3u);
   EXPECT_EQ(grid.at("axes").at(0).at("levels").size(), 11u);
@@ -104,7 +99,7 @@ TEST(StudyPage, PutsAGridInItsPlaces) {
 }
 
 TEST(StudyPage, DrawsAnEvenSubsetOfManyPoints) {
-  const json data = data_of(example::uncertainty_page());
+  const json data = example::data_of(example::uncertainty_page());
   EXPECT_EQ(data.at("stribeck").at("of"), 512);
   EXPECT_EQ(data.at("stribeck").at("scenario").size(), 512u);
   const std::string large =
@@ -114,7 +109,7 @@ TEST(StudyPage, DrawsAnEvenSubsetOfManyPoints) {
       "[plan]\nmethod = \"grid\"\n";
   const std::string page =
       example::study_page(large, [](const std::string&, const study::Point& point) { return *point.values[0]; });
-  const json few = data_of(page);
+  const json few = example::data_of(page);
   EXPECT_EQ(few.at("stribeck").at("of"), 30000);
   EXPECT_EQ(few.at("stribeck").at("scenario").size(), report::kMostDrawnPoints);
   const json& axes = few.at("grid").at("bases").at(0).at("axes");
@@ -132,13 +127,13 @@ const std::string kEvenSpeed = kSpeed + "distribution = \"uniform\"\nlower = \"1
 double speed_of(const std::string&, const study::Point& point) { return point.values[0].value_or(200); }
 
 TEST(StudyPage, DrawsPointsOfEveryBaseAndOfEveryLevel) {
-  const json two = data_of(example::study_page(
+  const json two = example::data_of(example::study_page(
       "kind = \"uncertainty\"\n" + kTwoBases + kEvenSpeed + "[plan]\nmethod = \"sobol\"\nscenarios = 2048\n",
       speed_of));
   const auto of_base = two.at("stribeck").at("base").get<std::vector<int>>();
   EXPECT_EQ(of_base.size(), report::kMostDrawnPoints);
   EXPECT_EQ(std::count(of_base.begin(), of_base.end(), 1), report::kMostDrawnPoints / 2);
-  const json grid = data_of(
+  const json grid = example::data_of(
       example::study_page("kind = \"map\"\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n" + kSpeed +
                               "range = [\"1000 rpm\", \"6000 rpm\"]\npoints = 2000\n[[factor]]\nname = \"warmth\"\n"
                               "key = \"operating.oil_temperature\"\nhow = \"add\"\nvalues = [\"-20 K\", \"20 K\"]\n"
@@ -163,7 +158,7 @@ json grid_of_ten(int n_bases, const std::string& levels) {
     lines.append("\n");
   }
   const auto one = [](const std::string&, const study::Point&) { return 1.0; };
-  return data_of(example::study_page(lines + "[plan]\nmethod = \"grid\"\n", one)).at("grid");
+  return example::data_of(example::study_page(lines + "[plan]\nmethod = \"grid\"\n", one)).at("grid");
 }
 
 TEST(StudyPage, ThinsAGridOfManyFactorsToTwoLevelsOfEachOrLeavesItOut) {
@@ -181,7 +176,7 @@ TEST(StudyPage, ThinsAGridOfManyFactorsToTwoLevelsOfEachOrLeavesItOut) {
 }
 
 TEST(StudyPage, TellsHowAStudyThatWatchesItsStatisticsEnded) {
-  const json data = data_of(example::study_page(
+  const json data = example::data_of(example::study_page(
       "kind = \"uncertainty\"\n" + kTwoBases + kEvenSpeed +
           "[plan]\nmethod = \"sobol\"\nscenarios = 64\nuntil = { value = \"fmep\", width = \"1 kPa\", most = 128 }\n",
       speed_of));
@@ -192,7 +187,7 @@ TEST(StudyPage, TellsHowAStudyThatWatchesItsStatisticsEnded) {
 TEST(StudyPage, TellsNoConvergenceOfAListThatAnyoneMayHaveSorted) {
   std::string table = "speed [rpm]\n";
   for (int i = 0; i < 40; ++i) table += std::to_string(1000 + 50 * i) + "\n";
-  const json data = data_of(example::study_page(
+  const json data = example::data_of(example::study_page(
       "kind = \"uncertainty\"\n" + kTwoBases + kSpeed + "[plan]\nmethod = \"list\"\nlist = \"points.csv\"\n", speed_of,
       {{"points.csv", table}}));
   EXPECT_TRUE(data.at("convergence").empty());
@@ -201,10 +196,10 @@ TEST(StudyPage, TellsNoConvergenceOfAListThatAnyoneMayHaveSorted) {
 
 TEST(StudyPage, TakesFirstAndLastOfListedValuesForASwing) {
   const json data =
-      data_of(example::study_page("kind = \"uncertainty\"\n" + kTwoBases + kSpeed +
-                                      "values = [\"1000 rpm\", \"2000 rpm\", \"3000 rpm\", \"4000 rpm\"]\n"
-                                      "[plan]\nmethod = \"sobol\"\nscenarios = 64\n",
-                                  speed_of));
+      example::data_of(example::study_page("kind = \"uncertainty\"\n" + kTwoBases + kSpeed +
+                                               "values = [\"1000 rpm\", \"2000 rpm\", \"3000 rpm\", \"4000 rpm\"]\n"
+                                               "[plan]\nmethod = \"sobol\"\nscenarios = 64\n",
+                                           speed_of));
   EXPECT_TRUE(data.at("factors").at(0).at("listed").get<bool>());
   const json& swing = data.at("swings").at("fmep").at(0).at("factors").at(0);
   EXPECT_NEAR(swing.at(0).get<double>(), 1000 * M_PI / 30, 1e-3);
@@ -213,11 +208,12 @@ TEST(StudyPage, TakesFirstAndLastOfListedValuesForASwing) {
 
 TEST(StudyPage, RanksNoFactorThatMovesNothingInABase) {
   const json effects =
-      data_of(example::study_page("kind = \"screening\"\n" + kTwoBases + kSpeed +
-                                      "range = [\"1000 rpm\", \"6000 rpm\"]\n[[factor]]\nname = \"roughness\"\n"
-                                      "key = \"contact.roughness\"\nhow = \"scale\"\nbases = [\"worn\"]\n"
-                                      "range = [0.5, 1.5]\n[plan]\nmethod = \"morris\"\ntrajectories = 10\n",
-                                  speed_of))
+      example::data_of(
+          example::study_page("kind = \"screening\"\n" + kTwoBases + kSpeed +
+                                  "range = [\"1000 rpm\", \"6000 rpm\"]\n[[factor]]\nname = \"roughness\"\n"
+                                  "key = \"contact.roughness\"\nhow = \"scale\"\nbases = [\"worn\"]\n"
+                                  "range = [0.5, 1.5]\n[plan]\nmethod = \"morris\"\ntrajectories = 10\n",
+                              speed_of))
           .at("effects")
           .at("fmep");
   EXPECT_TRUE(effects.at(0).at(1).is_null());
@@ -226,21 +222,21 @@ TEST(StudyPage, RanksNoFactorThatMovesNothingInABase) {
 
 TEST(StudyPage, ComparesNoSinglePointsOfASample) {
   const json data =
-      data_of(example::study_page("kind = \"uncertainty\"\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n" +
-                                      kEvenSpeed + "[plan]\nmethod = \"sobol\"\nscenarios = 16\n",
-                                  speed_of));
+      example::data_of(example::study_page("kind = \"uncertainty\"\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n" +
+                                               kEvenSpeed + "[plan]\nmethod = \"sobol\"\nscenarios = 16\n",
+                                           speed_of));
   EXPECT_TRUE(data.at("comparison_groups").empty());
 }
 
 TEST(StudyPage, CountsReasonsByTheirWords) {
-  const json unsolved = data_of(example::map_page()).at("unsolved");
+  const json unsolved = example::data_of(example::map_page()).at("unsolved");
   EXPECT_EQ(unsolved.at("count"), 4);
   EXPECT_EQ(unsolved.at("n_reasons"), 1);
   EXPECT_FALSE(unsolved.at("reasons").at(0).at("numbers_differ").get<bool>());
 }
 
 TEST(StudyPage, RanksFactorsOfAScreening) {
-  const json effects = data_of(example::screening_page()).at("effects").at("min_film_thickness").at(0);
+  const json effects = example::data_of(example::screening_page()).at("effects").at("min_film_thickness").at(0);
   ASSERT_EQ(effects.size(), 3u);
   EXPECT_EQ(effects.at(0).at("count"), 10);
   EXPECT_GT(effects.at(0).at("mean_absolute"), effects.at(1).at("mean_absolute"));
@@ -249,7 +245,7 @@ TEST(StudyPage, RanksFactorsOfAScreening) {
 }
 
 TEST(StudyPage, SetsChoicesOfEveryBaseSideBySide) {
-  const json groups = data_of(example::comparison_page()).at("comparison_groups");
+  const json groups = example::data_of(example::comparison_page()).at("comparison_groups");
   ASSERT_EQ(groups.size(), 4u);
   EXPECT_EQ(groups.at(0).at("name"), "new, roelands");
   EXPECT_EQ(groups.at(3).at("name"), "worn, barus");
@@ -259,7 +255,7 @@ TEST(StudyPage, LetsNoTextEndItsElement) {
   const std::string page = example::uncertainty_page("</script></title><b>");
   EXPECT_THAT(page, HasSubstr("<title>&lt;/script&gt;"));
   EXPECT_THAT(page, Not(HasSubstr("</title><b>")));
-  EXPECT_EQ(data_of(page).at("title"), "</script></title><b>");
+  EXPECT_EQ(example::data_of(page).at("title"), "</script></title><b>");
 }
 
 TEST(MainValues, AreValuesOfTheCycle) {

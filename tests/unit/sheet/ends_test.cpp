@@ -9,11 +9,11 @@
 #include "ringfilm/sheet/sheet_solver.hpp"
 
 namespace ringfilm::sheet {
+namespace ends_of_sheets {
 namespace {
 
 // What the ends of a long sheet do to a film at rest of a plain oil: Laplace's equation, whose layer at an end is known
 // in closed form.
-constexpr double kPi = std::numbers::pi;
 constexpr double kWidth = 1e-3, kLength = 40e-3, kHeight = 5e-6;  // [m]
 constexpr double kEta = 0.01, kRho = 800;                         // [Pa s], [kg/m3]
 
@@ -54,7 +54,8 @@ TEST(Ends, CarryTheLoadOfTheirLayer) {
   const double above = 1e6, sum_of_odd = 1.0517997902646;
   const SheetIntegrals film = at_rest(100, even, {1e6, 1e6, 1e6 + above});
   const double extra = film.mean.hydrodynamic_load * kLength - 1e6 * kWidth * kLength;
-  const double layer = 8 * above * kWidth * kWidth / (kPi * kPi * kPi) * sum_of_odd;
+  const double layer =
+      8 * above * kWidth * kWidth / (std::numbers::pi * std::numbers::pi * std::numbers::pi) * sum_of_odd;
   EXPECT_NEAR(extra / (2 * layer), 1, 0.003);  // 100 cells across, and corners in which pressure jumps
 }
 
@@ -73,7 +74,7 @@ TEST(Ends, LeakByTheLogarithmOfTheCellWhereCornersDiffer) {
   const double rise = 3e-6;
   const auto wedge = [rise](double x) { return rise * (1 - x / kWidth); };
   const double cubes = std::pow(kHeight + rise, 3) - std::pow(kHeight, 3);
-  const double each_halving = kRho / (12 * kEta) * cubes * 1e6 / kPi * std::log(2.0);
+  const double each_halving = kRho / (12 * kEta) * cubes * 1e6 / std::numbers::pi * std::log(2.0);
   double before = at_rest(50, wedge, {2e6, 1e6, 1.5e6}).flow_low;
   for (const int n : {100, 200}) {
     const double leak = at_rest(n, wedge, {2e6, 1e6, 1.5e6}).flow_low;
@@ -83,4 +84,5 @@ TEST(Ends, LeakByTheLogarithmOfTheCellWhereCornersDiffer) {
 }
 
 }  // namespace
+}  // namespace ends_of_sheets
 }  // namespace ringfilm::sheet

@@ -8,13 +8,13 @@
 #include "ringfilm/sheet/sheet_solver.hpp"
 
 namespace ringfilm::sheet {
+namespace manufactured_films {
 namespace {
 
 // Manufactured solutions in two dimensions (eq-sheet-reynolds): pressure and separation are prescribed functions of
 // place and time, the mass source that makes them a solution is worked out here, with laws and derivatives of this
 // file's own, and the solver must find them again. The pad is about as long as wide, so that both directions count, and
 // all that varies does so with x and y together.
-constexpr double kPi = std::numbers::pi;
 constexpr double kWidth = 1.2e-3, kLength = 2e-3;         // [m]
 constexpr double kVelocity = 9, kOmega = 8000;            // [m/s], [1/s]
 constexpr double kEta = 0.006, kRho = 790, kZ = 0.6;      // [Pa s], [kg/m3], [-]
@@ -26,25 +26,27 @@ double viscosity(double p) { return kEta * std::exp((std::log(kEta) + 9.67) * (s
 
 double pad(double x, double y) {
   const double u = x / kWidth, v = y / kLength;
-  return 3e-6 * (1 - u) * (1 - u) * (1 + 0.5 * v) + 1e-6 * (1 + std::cos(2 * kPi * v)) * u * (1 - 0.5 * u);
+  return 3e-6 * (1 - u) * (1 - u) * (1 + 0.5 * v) + 1e-6 * (1 + std::cos(2 * std::numbers::pi * v)) * u * (1 - 0.5 * u);
 }
 double separation(double t) { return 2e-6 * (1 + 0.3 * std::sin(kOmega * t)); }
 
 /// Up to some 600 bar, where viscosity more than doubles; at the edge's on all four sides.
 double pressure(double x, double y, double t) {
   const double u = x / kWidth, v = y / kLength;
-  return kEdge + kTop * std::sin(kPi * u) * (1 + 0.3 * u * v) * std::sin(kPi * v) * (1 - 0.3 * v * v) *
-                     (1 + 0.4 * std::cos(kOmega * t));
+  return kEdge + kTop * std::sin(std::numbers::pi * u) * (1 + 0.3 * u * v) * std::sin(std::numbers::pi * v) *
+                     (1 - 0.3 * v * v) * (1 + 0.4 * std::cos(kOmega * t));
 }
 
 /// The same for a sheet whose ends are joined: periodic in y.
 double pad_around(double x, double y) {
   const double u = x / kWidth, v = y / kLength;
-  return 3e-6 * (1 - u) * (1 - u) * (1 + 0.3 * std::sin(2 * kPi * v)) + 1e-6 * (1 + std::cos(2 * kPi * v)) * u;
+  return 3e-6 * (1 - u) * (1 - u) * (1 + 0.3 * std::sin(2 * std::numbers::pi * v)) +
+         1e-6 * (1 + std::cos(2 * std::numbers::pi * v)) * u;
 }
 double pressure_around(double x, double y, double t) {
   const double u = x / kWidth, v = y / kLength;
-  return kEdge + kTop * std::sin(kPi * u) * (1 + 0.5 * std::sin(2 * kPi * v + u)) * (1 + 0.4 * std::cos(kOmega * t));
+  return kEdge + kTop * std::sin(std::numbers::pi * u) * (1 + 0.5 * std::sin(2 * std::numbers::pi * v + u)) *
+                     (1 + 0.4 * std::cos(kOmega * t));
 }
 
 /// Sixth-order central difference: its error is far below the scheme's.
@@ -91,7 +93,7 @@ Around uneven_around(int n_cells, Ends ends) {
   const int n_strips = ends == Ends::kJoined ? n_cells : n_cells + 1;
   for (int j = 0; j < n_strips; ++j) {
     const double s = static_cast<double>(j) / n_cells;
-    y.push_back(kLength * (s + 0.5 * std::sin(2 * kPi * s) / (2 * kPi)));
+    y.push_back(kLength * (s + 0.5 * std::sin(2 * std::numbers::pi * s) / (2 * std::numbers::pi)));
   }
   if (ends == Ends::kOpen) y.back() = kLength;
   return around_at(std::move(y), kLength, ends);
@@ -175,7 +177,7 @@ double steady_error(const Prescribed& prescribed, int n_across, int n_around) {
 
 double transient_error(int n_across, int n_around, int n_steps) {
   const ManufacturedSheet film(kOpenSheet, n_across, n_around);
-  const double end = 0.5 * kPi / kOmega;
+  const double end = 0.5 * std::numbers::pi / kOmega;
   film::FilmState state = film.prescribed(0);
   for (int k = 1; k <= n_steps; ++k) state = film.solved(end * k / n_steps, end / n_steps, state, state);
   return largest_difference(state, film.prescribed(end));
@@ -221,4 +223,5 @@ TEST(ManufacturedSheet, ErrorFallsWithTheStepInTime) {
 }
 
 }  // namespace
+}  // namespace manufactured_films
 }  // namespace ringfilm::sheet

@@ -263,7 +263,7 @@ TEST(SheetSolver, AnOverloadIsToldAsSuch) {
 }
 
 TEST(SheetSolver, NoNumberInIsNoFilmOut) {
-  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   const film::testing::LaneFilm film = film::testing::lane_films(kind(Cavitation::kMassConserving)).front();
   const SheetProblem problem = sheet_of(film.problem, refined_around(8, 0.02, 0.2e-3));
   SheetWorkspace workspace(problem);

@@ -204,7 +204,7 @@ TEST(Gmres, AMapThatHasNoMoreToGiveLeavesTheBestOfIt) {
 }
 
 TEST(Gmres, NoNumberIsNothingSolved) {
-  const ringfilm::testing::NoTraps no_traps;  // a NaN on purpose
+  const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   int calls = 0;
   const auto map = [&](const double* from, double* to) {
     to[0] = from[0] + from[1];

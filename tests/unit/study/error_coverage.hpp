@@ -18,7 +18,7 @@ namespace ringfilm::study::testing {
 /// peaks of 20-160 bar, sigma 0.1-1 um, the paper's faces and parabolas that rise by 5-60 um, 40-120 cells, crank steps
 /// of 1-2 degree adaptive and fixed, both cavitation models.
 inline cycle::Case coverage_case(std::uint64_t seed) {
-  ringfilm::testing::RepeatableNumbers draw(seed);
+  ringfilm::scenarios::RepeatableNumbers draw(seed);
   const int face = draw.one_of(4);
   cycle::Case c = face == 0   ? cycle::testing::styles_new_ring()
                   : face == 1 ? cycle::testing::styles_run_in_ring()

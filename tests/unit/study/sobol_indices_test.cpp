@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "ringfilm/study/hash.hpp"
 #include "study_example.hpp"
@@ -10,8 +11,6 @@ namespace ringfilm::study {
 namespace {
 
 using namespace testing;
-
-constexpr double kPi = std::numbers::pi;
 
 /// Ishigami and Homma: sin x1 + a sin^2 x2 + b x3^4 sin x1 on -pi to pi.
 constexpr double kA = 7, kB = 0.1;
@@ -26,7 +25,7 @@ struct Exact {
 
 /// Parts of its variance, from the means of sin^2, sin^4, x^4 and x^8 over the range.
 Exact exact_ishigami() {
-  const double pi4 = std::pow(kPi, 4), pi8 = std::pow(kPi, 8);
+  const double pi4 = std::pow(std::numbers::pi, 4), pi8 = std::pow(std::numbers::pi, 8);
   const double of_1 = std::pow(1 + kB * pi4 / 5, 2) / 2, of_2 = kA * kA / 8;
   const double of_1_and_3 = kB * kB * pi8 * (1.0 / 18 - 1.0 / 50);
   const double whole = of_1 + of_2 + of_1_and_3;
@@ -34,7 +33,7 @@ Exact exact_ishigami() {
 }
 
 Study ishigami_study(std::uint64_t rows, std::uint64_t seed) {
-  const Span span{-kPi, kPi, 2, Spacing::kLinear};
+  const Span span{-std::numbers::pi, std::numbers::pi, 2, Spacing::kLinear};
   Study study = formula_study({span, span, span}, rows, seed);
   study.sampling.indices = Indices::kFirstAndTotal;
   return study;
@@ -183,7 +182,7 @@ Coverage coverage(int seeds, const Exact& exact, const std::function<std::vector
 TEST(SobolIndices, IntervalsCoverAsOftenAsTheySayWhereRowsAreIndependent) {
   const Coverage of_ishigami = coverage(200, exact_ishigami(), [](std::uint64_t seed) {
     return independent_rows(
-        3, 256, seed, [](double share, std::size_t) { return kPi * (2 * share - 1); }, ishigami);
+        3, 256, seed, [](double share, std::size_t) { return std::numbers::pi * (2 * share - 1); }, ishigami);
   });
   EXPECT_GT(of_ishigami.first, 0.90);
   EXPECT_LT(of_ishigami.first, 0.99);
@@ -206,7 +205,7 @@ TEST(SobolIndices, IntervalsOfScrambledPointsAreOnTheSafeSide) {
   EXPECT_GE(scrambled_points.total, 0.95);
   const Coverage chance = coverage(60, exact_ishigami(), [](std::uint64_t seed) {
     return independent_rows(
-        3, 256, seed, [](double share, std::size_t) { return kPi * (2 * share - 1); }, ishigami);
+        3, 256, seed, [](double share, std::size_t) { return std::numbers::pi * (2 * share - 1); }, ishigami);
   });
   EXPECT_LT(scrambled_points.error_of_first, 0.5 * chance.error_of_first) << "that is what Sobol points are for";
 }

@@ -9,7 +9,7 @@
 namespace ringfilm::study {
 namespace {
 
-const double kNan = std::numeric_limits<double>::quiet_NaN();
+const double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Swing, IsThatOfTheMediansOfTheOuterThirds) {
   std::vector<double> x, y;
@@ -42,7 +42,7 @@ TEST(Swing, PutsNoOtherValueInThePlaceOfOneThatWasNeverSolved) {
   std::vector<double> x, y;
   for (int i = 0; i < 40; ++i) {
     x.push_back(i % 4);
-    y.push_back(i % 4 == 0 ? kNan : 10 * x.back());
+    y.push_back(i % 4 == 0 ? kMissing : 10 * x.back());
   }
   EXPECT_FALSE(swing_of(x, y, SwingEnds::kValues));
 }
@@ -57,7 +57,7 @@ TEST(Swing, HasEndsByWhatIsListed) {
 
 TEST(Swing, LeavesOutWhatWasNotSolvedAndTellsNothingOfTooFew) {
   std::vector<double> x = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, y = {1, 1, 1, 5, 5, 5, 5, 9, 9, 9};
-  y[0] = kNan;
+  y[0] = kMissing;
   x.push_back(0);
   y.push_back(1);
   const auto swing = swing_of(x, y, SwingEnds::kThirds);

@@ -18,8 +18,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(Asperities, OfAPairFollowTheEquationsOfThePaper) {
   const SurfaceMeasures ring{0.41e-6, 0.52e-6, {0.27e-12, 0.03, 1.1e11}},
       liner{0.26e-6, 0.33e-6, {0.11e-12, 0.02, 0.7e11}};
@@ -52,7 +50,7 @@ TEST(Asperities, OfFlatSurfacesAreRefused) {
 
 TEST(Summits, OfAnEggBoxAreCountedOneByOne) {
   // Crests on every tenth point: 10 x 8 of them inside, each of curvature a k^2.
-  const double a = 1e-6, k = 2 * kPi / 10e-6;
+  const double a = 1e-6, k = 2 * std::numbers::pi / 10e-6;
   const HeightMap map = map_of(101, 81, 1e-6, 1e-6, [&](double x, double y) {
     return a * (std::cos(k * (x - 5e-6)) + std::cos(k * (y - 5e-6)));
   });
@@ -99,7 +97,7 @@ TEST(Summits, OfAGaussianFieldFollowNayak) {
   // m0, m2, m4 of the autocorrelation itself: 1, 2/l^2, 12/l^4.
   const SummitTheory theory = summit_theory(1e-12, 2 / (l * l), 12 / (l * l * l * l) * 1e12);
   EXPECT_NEAR(theory.bandwidth, 3, 1e-12);
-  EXPECT_NEAR(theory.density_per_m2, 6 / (l * l) * 1e12 / (6 * kPi * std::sqrt(3.0)), 1);
+  EXPECT_NEAR(theory.density_per_m2, 6 / (l * l) * 1e12 / (6 * std::numbers::pi * std::sqrt(3.0)), 1);
   // Some 2100 summits: 5 sigma of counting (they repel each other: less than Poisson's), 2 % of discreteness.
   const double counting = 5 / std::sqrt(points * points * 0.1838 / (l * l));
   EXPECT_NEAR(of.density_per_m2 / theory.density_per_m2, 1, counting + 0.02);

@@ -12,9 +12,9 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kPoints = 20000;
+constexpr std::size_t kCurvePoints = 20000;
 
-std::vector<double> curve(const std::function<double(double)>& z, std::size_t points = kPoints) {
+std::vector<double> curve(const std::function<double(double)>& z, std::size_t points = kCurvePoints) {
   std::vector<double> heights(points);
   for (std::size_t i = 0; i < points; ++i) heights[i] = z((static_cast<double>(i) + 0.5) / static_cast<double>(points));
   return heights;
@@ -28,7 +28,7 @@ TEST(Bearing, ThreeStraightPartsGiveTheirClosedForm) {
     if (m > 0.8) return -0.8 * F - V * (m - 0.8) / 0.2;
     return -F * m;
   }));
-  const double step = 1.0 / kPoints;  // the curve is known at its points only
+  const double step = 1.0 / kCurvePoints;  // the curve is known at its points only
   EXPECT_NEAR(of.Rk_m, F, 1e-9 * F);
   EXPECT_NEAR(of.upper_m, 0, 1e-9 * F);
   EXPECT_NEAR(of.Mr1, 0.1 * (1 - 0.1 * F / P), step);
@@ -42,8 +42,8 @@ TEST(Bearing, AStraightCurveIsAllCore) {
   EXPECT_NEAR(of.Rk_m, 1, 1e-12);
   EXPECT_NEAR(of.Rpk_m, 0, 1e-12);
   EXPECT_NEAR(of.Rvk_m, 0, 1e-12);
-  EXPECT_NEAR(of.Mr1, 0, 1.0 / kPoints);
-  EXPECT_NEAR(of.Mr2, 1, 1.0 / kPoints);
+  EXPECT_NEAR(of.Mr1, 0, 1.0 / kCurvePoints);
+  EXPECT_NEAR(of.Mr2, 1, 1.0 / kCurvePoints);
 }
 
 TEST(Bearing, TheLineFollowsTheLeastSquaresOfTheFlattestPart) {
@@ -94,11 +94,11 @@ TEST(Bearing, CavitiesAreCountedByTheirRule) {
   for (const auto& [rule, depth] : {std::pair{CavityRule::below_plateau, 0.0}, {CavityRule::below_depth, 1e-6}}) {
     const Cavities of = cavities(z, rule, depth);
     const double median = 0.2e-6 * (0.5 - 0.5 / 0.85);
-    EXPECT_NEAR(of.area_share, 0.15, 1.0 / kPoints);
+    EXPECT_NEAR(of.area_share, 0.15, 1.0 / kCurvePoints);
     EXPECT_NEAR(of.mean_depth_m, 4e-6 + median, 1e-9);
     EXPECT_NEAR(of.volume_m, 0.15 * (4e-6 + of.threshold_m), 1e-11);
   }
-  EXPECT_NEAR(cavities(z, CavityRule::below_core).area_share, 1 - core_roughness(z).Mr2, 2.0 / kPoints);
+  EXPECT_NEAR(cavities(z, CavityRule::below_core).area_share, 1 - core_roughness(z).Mr2, 2.0 / kCurvePoints);
   // The plateau's edge is 0.2 um 0.35/0.85 below the median: the 3 sigma rule does not reach into it.
   EXPECT_LT(cavities(z, CavityRule::below_plateau).threshold_m, -0.1e-6);
   EXPECT_THROW(cavities(z, CavityRule::below_depth, 0), InputError);

@@ -15,22 +15,20 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kPi = std::numbers::pi;
-
 FilterChoice short_filter(double cutoff_m) { return {FilterKind::gaussian, FilterSide::short_cutoff, cutoff_m}; }
 FilterChoice long_filter(double cutoff_m) { return {FilterKind::gaussian, FilterSide::long_cutoff, cutoff_m}; }
 
 /// The law of the standard, written as it stands there.
 double law(double wavelength, double cutoff) {
   const double alpha = 0.469718639;
-  return std::exp(-kPi * (alpha * cutoff / wavelength) * (alpha * cutoff / wavelength));
+  return std::exp(-std::numbers::pi * (alpha * cutoff / wavelength) * (alpha * cutoff / wavelength));
 }
 
 /// Amplitude of a filtered wave in the middle of a row, where its crest is.
 double passed(double wavelength_steps, double cutoff_steps) {
   const std::size_t points = 4001, middle = 2000;
   HeightMap map = map_of(points, 1, 1e-6, 0, [&](double x, double) {
-    return 1e-6 * std::cos(2 * kPi * (x - middle * 1e-6) / (wavelength_steps * 1e-6));
+    return 1e-6 * std::cos(2 * std::numbers::pi * (x - middle * 1e-6) / (wavelength_steps * 1e-6));
   });
   apply_filter(map, short_filter(cutoff_steps * 1e-6));
   return map.height_m[middle] / 1e-6;
@@ -79,7 +77,7 @@ double smooth_at(const HeightMap& map, std::size_t column, std::size_t row, doub
       if (!map.measured(map.index(i, j))) continue;
       const double x = (static_cast<double>(i) - static_cast<double>(column)) * map.step_x_m;
       const double y = (static_cast<double>(j) - static_cast<double>(row)) * map.step_y_m;
-      const double weight = std::exp(-kPi * (x * x + y * y) / std::pow(0.469718639 * cutoff_m, 2));
+      const double weight = std::exp(-std::numbers::pi * (x * x + y * y) / std::pow(0.469718639 * cutoff_m, 2));
       sum += weight * map.height_m[map.index(i, j)];
       weights += weight;
     }
@@ -127,7 +125,7 @@ TEST(Filter, SummedAndTransformedKernelsAgree) {
 
 TEST(Filter, RobustFilterIsNotPulledDownByGrooves) {
   // A gentle wave with grooves: the robust line keeps to the wave, the linear one sinks.
-  const auto wave = [](double x) { return 1e-7 * std::cos(2 * kPi * x / 2e-3); };
+  const auto wave = [](double x) { return 1e-7 * std::cos(2 * std::numbers::pi * x / 2e-3); };
   HeightMap map = map_of(2000, 1, 1e-6, 0, [&](double x, double) {
     const int step = static_cast<int>(std::lround(x / 1e-6));
     return wave(x) + 2e-9 * std::cos(step * 1.7) - (step % 100 < 15 ? 3e-6 : 0.0);

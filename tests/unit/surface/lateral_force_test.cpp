@@ -10,7 +10,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnknownFreedom = std::numeric_limits<double>::infinity();
 
 LineFit exact_line(double slope, double slope_deviation = 0) {
   LineFit line;
@@ -225,7 +225,7 @@ TEST(ShearStrength, RefusesUnitsAndSlopesThatDoNotFit) {
   EXPECT_THROW(boundary_shear_strengths({{"a", exact_line(-0.1), LoadUnit::kVolt}}, calibration), InputError);
   EXPECT_THROW(calibrate_on_silicon(exact_line(-0.05), LoadUnit::kVolt, kSiliconAhimou), InputError);
   EXPECT_THROW(calibrate_on_silicon(exact_line(0.05), LoadUnit::kVolt, {0, 0.1}), InputError);
-  EXPECT_EQ(calibration.degrees_of_freedom, kInfinity);
+  EXPECT_EQ(calibration.degrees_of_freedom, kUnknownFreedom);
 }
 
 }  // namespace

@@ -11,8 +11,6 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(Scale, CutOffsDoubleFromTwoAndAHalfStepsToATenthOfTheMap) {
   const HeightMap map = map_of(400, 300, 1e-6, 2e-6, [](double x, double y) { return x * y; });
   const std::vector<double> cutoffs = short_cutoffs(map);
@@ -28,14 +26,14 @@ TEST(Scale, AFilteredGaussianFieldHasTheMomentsOfItsSmoothedAutocorrelation) {
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0].short_cutoff_m, 0);
   for (const ScaleRow& row : rows) {
-    const double c = row.short_cutoff_m, l2 = l * l + 2 * std::log(2.0) * c * c / (kPi * kPi);
-    const double m0 = 1e-12 * l * l / l2, patches = std::sqrt(kPi * l2) / 600e-6;
+    const double c = row.short_cutoff_m, l2 = l * l + 2 * std::log(2.0) * c * c / (std::numbers::pi * std::numbers::pi);
+    const double m0 = 1e-12 * l * l / l2, patches = std::sqrt(std::numbers::pi * l2) / 600e-6;
     // 5 sigma of the map, differences of (h/l)^2 and what the ends of the filter add along the edge.
     const double tolerance = 5 * patches + 1e-12 / l2 + c / 600e-6;
     EXPECT_NEAR(row.Sq_m * row.Sq_m / m0, 1, tolerance) << c;
     EXPECT_NEAR(row.moments.m2 / (2 * m0 / l2), 1, tolerance) << c;
     EXPECT_NEAR(row.moments.m4_per_m2 / (12 * m0 / (l2 * l2)), 1, tolerance) << c;
-    EXPECT_NEAR(row.density_per_m2 / (6 / l2 / (6 * kPi * std::sqrt(3.0))), 1, tolerance) << c;
+    EXPECT_NEAR(row.density_per_m2 / (6 / l2 / (6 * std::numbers::pi * std::sqrt(3.0))), 1, tolerance) << c;
     EXPECT_GT(row.summit_density_per_m2 / row.density_per_m2, 1 - 2 * tolerance);
     EXPECT_NEAR(row.Sdq, std::sqrt(2 * row.moments.m2), 1e-12);
   }

@@ -17,7 +17,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kLength_m = 100e-6;
 
 struct Sine {
@@ -33,7 +32,8 @@ HeightMap sines(std::size_t steps, std::size_t beyond) {
   const double h = kLength_m / static_cast<double>(steps);
   return map_of(steps + beyond, 1, h, 0, [](double x, double) {
     double z = 0;
-    for (const Sine& of : kSines) z += of.amplitude_m * std::sin(2 * kPi * of.waves * x / kLength_m + of.phase);
+    for (const Sine& of : kSines)
+      z += of.amplitude_m * std::sin(2 * std::numbers::pi * of.waves * x / kLength_m + of.phase);
     return z;
   });
 }
@@ -42,7 +42,7 @@ HeightMap sines(std::size_t steps, std::size_t beyond) {
 double exact(int n, const std::function<double(double)>& passed) {
   double sum = 0;
   for (const Sine& of : kSines) {
-    const double k = 2 * kPi * of.waves / kLength_m;
+    const double k = 2 * std::numbers::pi * of.waves / kLength_m;
     sum += 0.5 * of.amplitude_m * of.amplitude_m * std::pow(k, 2 * n) * passed(k);
   }
   return sum;
@@ -91,14 +91,14 @@ TEST(SpectralMoments, ConvergeWithTheOrderOfTheirScheme) {
 }
 
 TEST(SpectralMoments, OfAWaveAtAnAngleFollowTheCosine) {
-  const double lay = 0.4, a = 1e-6, k = 2 * kPi / 40e-6, h = 0.25e-6;
+  const double lay = 0.4, a = 1e-6, k = 2 * std::numbers::pi / 40e-6, h = 0.25e-6;
   const HeightMap map = map_of(800, 600, h, 1.2 * h, [&](double x, double y) {
     return a * std::cos(k * (x * std::cos(lay) + y * std::sin(lay)));
   });
   const MomentTable table = moment_table(map);
   // The map holds some waves only: the mean of cos^2 over L is 1/2 to 1/(2 k L).
   const double ends = 1 / (k * 600 * 1.2 * h), differences = 1.5 * (k * h) * (k * h);
-  for (const double angle : {0.0, 0.4, 1.0, kPi / 2, 2.5}) {
+  for (const double angle : {0.0, 0.4, 1.0, std::numbers::pi / 2, 2.5}) {
     const double c = std::cos(angle - lay);
     const SpectralMoments of = moments_at_angle(table, angle);
     EXPECT_NEAR(of.m2 / (a * a * k * k / 2), c * c, ends + differences) << angle;
@@ -114,7 +114,7 @@ TEST(SpectralMoments, OfAWaveAtAnAngleFollowTheCosine) {
 struct GaussianField {
   std::size_t points;
   double l;  // in steps
-  double mean_share() const { return kPi * l * l / static_cast<double>(points * points); }
+  double mean_share() const { return std::numbers::pi * l * l / static_cast<double>(points * points); }
   /// Without the mean of the map, which is taken off; of rms 1.
   double R(double steps) const { return (std::exp(-steps * steps / (l * l)) - mean_share()) / (1 - mean_share()); }
   double m2() const { return 2 * (R(0) - R(1)); }
@@ -178,7 +178,7 @@ TEST(SpectralMoments, NoiseOfAFlatMeasuredLikewiseLeavesTheSurface) {
 }
 
 TEST(SpectralMoments, OfHeightsBeyondAllMeasureAreRefused) {
-  const ringfilm::testing::NoTraps no_traps;  // squares that overflow on purpose
+  const ringfilm::traps::NoTraps no_traps;  // squares that overflow on purpose
   const HeightMap map = map_of(40, 30, 1e-6, 1e-6, [](double x, double y) { return 1e200 * std::sin(3e5 * x + y); });
   EXPECT_THAT([&] { moment_table(map); }, ThrowsMessage<InputError>(HasSubstr("so large")));
   EXPECT_THAT([&] { row_roughness(map); }, ThrowsMessage<InputError>(HasSubstr("so large")));

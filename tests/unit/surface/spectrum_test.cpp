@@ -12,8 +12,6 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 double area(const LineSpectrum& of) {
   double sum = 0;
   for (const double density : of.density_m3) sum += density * (of.frequency_per_m[1] - of.frequency_per_m[0]);
@@ -22,8 +20,9 @@ double area(const LineSpectrum& of) {
 
 TEST(Spectrum, ASineStandsAtItsFrequencyWithHalfItsSquaredAmplitude) {
   const double a = 0.3e-6, wavelength = 12.5e-6;
-  const HeightMap map = map_of(
-      500, 40, 1e-6, 2e-6, [&](double x, double y) { return 5e-6 + a * std::sin(2 * kPi * x / wavelength + y * 1e5); });
+  const HeightMap map = map_of(500, 40, 1e-6, 2e-6, [&](double x, double y) {
+    return 5e-6 + a * std::sin(2 * std::numbers::pi * x / wavelength + y * 1e5);
+  });
   const LineSpectrum of = line_spectrum(map, LineDirection::x);
   EXPECT_EQ(of.lines, 40u);
   // The wave has 40 periods; its image beyond the window falls with the cube of that.
@@ -33,10 +32,11 @@ TEST(Spectrum, ASineStandsAtItsFrequencyWithHalfItsSquaredAmplitude) {
     if (of.density_m3[k] > of.density_m3[highest]) highest = k;
   }
   EXPECT_NEAR(of.frequency_per_m[highest], 1 / wavelength, 1e-6 / wavelength);
-  EXPECT_NEAR(area(line_spectrum(
-                  map_of(40, 500, 2e-6, 1e-6, [&](double, double y) { return a * std::sin(2 * kPi * y / wavelength); }),
-                  LineDirection::y)),
-              a * a / 2, 1e-4 * a * a);
+  EXPECT_NEAR(
+      area(line_spectrum(map_of(40, 500, 2e-6, 1e-6,
+                                [&](double, double y) { return a * std::sin(2 * std::numbers::pi * y / wavelength); }),
+                         LineDirection::y)),
+      a * a / 2, 1e-4 * a * a);
 }
 
 TEST(Spectrum, OfWhiteNoiseIsLevelWithAndWithoutMissingPoints) {
@@ -66,7 +66,7 @@ TEST(Spectrum, OfAGaussianFieldFollowsItsLaw) {
   const RadialSpectrum of = radial_spectrum(map);
   for (std::size_t k = 10; k < of.waves.size() && of.frequency_per_m[k] < 0.1e6; k += 5) {
     const double f = of.frequency_per_m[k];
-    const double law = s * s * kPi * l * l * std::exp(-std::pow(kPi * f * l, 2));
+    const double law = s * s * std::numbers::pi * l * l * std::exp(-std::pow(std::numbers::pi * f * l, 2));
     // Half of the waves of a ring are independent, the window ties some 2.25 together; 1 % for the ring's width.
     EXPECT_NEAR(of.density_m4[k] / law, 1, 5 * std::sqrt(2 * 2.25 / static_cast<double>(of.waves[k])) + 0.03) << f;
   }

@@ -15,8 +15,6 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(RandomNumbers, AreEvenNormalAndTheSameForASeed) {
   RandomNumbers random(42), again(42), other(43);
   const int count = 200000;
@@ -48,7 +46,7 @@ TEST(GridTransform, GoesThereAndBackForEvenAndOddSizes) {
     std::complex<double> sum = 0;
     for (std::size_t j = 0; j < ny; ++j) {
       for (std::size_t i = 0; i < nx; ++i) {
-        sum += values[j * nx + i] * std::polar(1.0, -2 * kPi *
+        sum += values[j * nx + i] * std::polar(1.0, -2 * std::numbers::pi *
                                                         (static_cast<double>(m * i) / static_cast<double>(nx) +
                                                          static_cast<double>(k * j) / static_cast<double>(ny)));
       }
@@ -80,7 +78,7 @@ TEST(Synthetic, ExactRmsIsExactAndExpectedRmsHoldsOverSeeds) {
     for (const double height : map.height_m) squares += height * height / 0.09e-12;
   }
   // Independent patches: area over pi l_x l_y, of relative variance 1 each with the factor of a squared Gaussian.
-  const double area = 97e-6 * 128e-6, spread = std::sqrt(kPi * 24e-12 / area / seeds);
+  const double area = 97e-6 * 128e-6, spread = std::sqrt(std::numbers::pi * 24e-12 / area / seeds);
   EXPECT_NEAR(squares / seeds / (97 * 64), 1, 5 * spread);
 }
 
@@ -88,7 +86,7 @@ TEST(Synthetic, TheAutocorrelationIsTheOneAskedFor) {
   const std::size_t n = 512;
   const double l = 10;
   const HeightMap map = gaussian_surface({n, n, 1e-6, 1e-6}, gaussian_correlation(l * 1e-6, 2 * l * 1e-6), 1, 3);
-  const double spread = std::sqrt(kPi * 2 * l * l / static_cast<double>(n * n));
+  const double spread = std::sqrt(std::numbers::pi * 2 * l * l / static_cast<double>(n * n));
   for (const auto& [dx, dy] : {std::pair<std::size_t, std::size_t>{5, 0}, {10, 0}, {0, 10}, {0, 20}, {7, 14}}) {
     double sum = 0;
     for (std::size_t j = 0; j < n; ++j) {
@@ -131,7 +129,7 @@ TEST(Synthetic, APorousFaceHasItsShareOfPoresToAPoint) {
   // The pores lie 4 um below the face on average.
   double in = 0, out = 0;
   for (std::size_t i = 0; i < made.map.points(); ++i) (made.pore[i] ? in : out) += made.map.height_m[i];
-  EXPECT_NEAR(out / 51000 - in / 9000, 4e-6, 5 * 0.3e-6 * std::sqrt(kPi * 9 / 9000));
+  EXPECT_NEAR(out / 51000 - in / 9000, 4e-6, 5 * 0.3e-6 * std::sqrt(std::numbers::pi * 9 / 9000));
   of.fine_Sq_m = 0.05e-6;
   const PorousMap smooth = porous_surface({300, 200, 1e-6, 1e-6}, of, 8);
   const Cavities found = cavities(bearing_curve(smooth.map), CavityRule::below_plateau);
