@@ -217,11 +217,12 @@ py::array array_of(const std::vector<double>& values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-py::array view_of(const double* values, std::size_t count, const py::handle& owner) {
-  py::array array(py::dtype::of<double>(), {static_cast<py::ssize_t>(count)},
-                  {static_cast<py::ssize_t>(sizeof(double))}, values, owner);
-  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
-  return array;
+int threads_of(const py::object& threads) {
+  if (threads.is_none()) return 0;
+  const int n = py::cast<int>(threads);
+  if (n >= 1 && n <= 1024) return n;
+  throw InputError("threads = " + std::to_string(n) + " is out of range",
+                   "1 to 1024, or None for as many as the machine runs at once");
 }
 
 }  // namespace ringfilm::python

@@ -133,8 +133,8 @@ py::object mapped(const char* name, const GivenNumbers& given, const Function& f
 
 py::array array_of(const std::vector<double>& values);
 
-/// Numbers that `owner` keeps: read-only, without a copy.
-py::array view_of(const double* values, std::size_t count, const py::handle& owner);
+/// The threads that a user asks for; None: 0, as many as the machine runs at once. Throws InputError out of 1 to 1024.
+int threads_of(const py::object& threads);
 
 }  // namespace ringfilm::python
 

@@ -3,13 +3,13 @@
 #include <optional>
 #include <string>
 
+#include "arguments.hpp"
 #include "case_object.hpp"
 #include "errors.hpp"
 #include "interpreter.hpp"
 #include "result_object.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/film/kernels.hpp"
-#include "run.hpp"
 
 namespace ringfilm::python {
 namespace {

@@ -19,15 +19,7 @@ namespace {
 
 using cycle::Case;
 using cycle::Field;
-
-const Field& known_field(const std::string& key) {
-  if (const Field* field = cycle::find_field(key)) return *field;
-  std::vector<std::string> keys;
-  for (const Field& field : cycle::case_fields()) keys.push_back(field.key);
-  const std::string near = io::nearest_word(key, keys);
-  throw InputError("unknown key " + key + (near.empty() ? "" : "; did you mean " + near + "?"),
-                   near.empty() ? "ringfilm.fields() lists all keys" : "");
-}
+using io::known_field;
 
 CaseObject read_case(const py::object& path, const std::optional<py::dict>& overrides) {
   const auto name = path_of("path", path);
@@ -200,12 +192,13 @@ Source: docs/manual/case-file.md.)");
       py::arg("key"),
       R"(The value of a key: a float in SI, an int, a str, a list; of values at temperatures a list of pairs
 (temperature [K], value [SI]); of crank angles [degree]; None where the case has none.
-Raises InputError for a key that does not exist.)");
+Raises UnknownKeyError, a KeyError, for a key that does not exist.)");
   type.def("__setitem__", &CaseObject::set, py::arg("key"), py::arg("value"),
            R"(States a key: a text as in a case file ("2000 rpm"), a number in SI, a list or numpy array of them.
-Raises InputError for an unknown key, a wrong unit, a value out of range; TypeError for what is no value.)");
+Raises UnknownKeyError for a key that does not exist, InputError for a wrong unit and a value out of range; TypeError
+for what is no value.)");
   type.def("__delitem__", &CaseObject::remove, py::arg("key"),
-           "Takes a key out, so that its default holds again. Raises InputError for a key that does not exist.");
+           "Takes a key out, so that its default holds again. Raises UnknownKeyError for a key that does not exist.");
   type.def(
       "__contains__", [](const CaseObject& self, const std::string& key) { return self.value().stated.contains(key); },
       py::arg("key"), "Does the case state this key?");
@@ -225,7 +218,7 @@ Raises InputError for an unknown key, a wrong unit, a value out of range; TypeEr
       "__len__", [](const CaseObject& self) { return keys_in_use(self).size(); }, "How many keys are in use.");
   type.def("text", &key_text, py::arg("key"),
            R"(The value of a key as a case file has it, in the unit people use: '"2000 rpm"'. Empty where there is none.
-Raises InputError for a key that does not exist.)");
+Raises UnknownKeyError, a KeyError, for a key that does not exist.)");
   type.def("assumed", &assumed, "The keys in use that the case does not state, with their values as text().");
   type.def("assumptions", &assumptions,
            "What a cycle of this case takes for granted, a sentence each. Raises InputError as check() does. Source: "

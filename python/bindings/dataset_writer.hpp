@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "array_view.hpp"
 #include "result_object.hpp"
 #include "ringfilm/cycle/result.hpp"
 

@@ -18,7 +18,8 @@ void translate(std::exception_ptr failure) {
   try {
     if (failure) std::rethrow_exception(failure);
   } catch (const InputError& error) {
-    set("InputError", input_error(error));
+    const py::object raised = input_error(error);
+    PyErr_SetObject(py::type::of(raised).ptr(), raised.ptr());
   } catch (const ConvergenceError& error) {
     set("ConvergenceError", error_type("ConvergenceError")(words(error), error.crank_angle_deg(), py::none()));
   } catch (const OutputError& error) {
@@ -33,7 +34,8 @@ py::object input_error(const InputError& error) {
   for (const auto& [mark, message, remedy] : error.faults()) {
     faults.append(error_type("Fault")(mark.file, mark.line, mark.column, mark.line_text, message, remedy));
   }
-  return error_type("InputError")(words(error), faults);
+  const bool is_key = dynamic_cast<const UnknownKeyError*>(&error) != nullptr;
+  return error_type(is_key ? "UnknownKeyError" : "InputError")(words(error), faults);
 }
 
 void raise_convergence(const ConvergenceError& error, const py::object& result) {

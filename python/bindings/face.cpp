@@ -1,3 +1,4 @@
+#include "array_view.hpp"
 #include "height_maps.hpp"
 #include "measured_files.hpp"
 #include "record.hpp"
@@ -64,7 +65,7 @@ void keep_polynomial(Record<FaceFit>& fit) {
       "coefficients",
       [](const py::object& self) {
         const auto& all = py::cast<const FaceFit&>(self).polynomial.coefficients_mm_um();
-        return view_of(all.data(), all.size(), self);
+        return view(all, self);
       },
       "Of the polynomial, height in um of x in mm, highest power first, as ring.face.coefficients has them; shape "
       "(degree + 1,), read-only.");

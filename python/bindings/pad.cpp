@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "arguments.hpp"
+#include "array_view.hpp"
 #include "dataset_writer.hpp"
 #include "pad_object.hpp"
 #include "ringfilm/io/atomic_file.hpp"

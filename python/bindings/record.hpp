@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "array_view.hpp"
 
 namespace ringfilm::python {
 
@@ -72,12 +73,7 @@ class Record {
   Record& with(const char* name, Member Struct::*member, const char* doc) {
     if constexpr (std::is_same_v<Member, std::vector<double>>) {
       type_.def_property_readonly(
-          name,
-          [member](const py::object& self) {
-            const auto& values = py::cast<const Struct&>(self).*member;
-            return view_of(values.data(), values.size(), self);
-          },
-          doc);
+          name, [member](const py::object& self) { return view(py::cast<const Struct&>(self).*member, self); }, doc);
     } else {
       type_.def_readonly(name, member, doc);
     }

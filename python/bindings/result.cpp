@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "arguments.hpp"
+#include "array_view.hpp"
 #include "dataset_writer.hpp"
 #include "result_object.hpp"
 #include "ringfilm/io/atomic_file.hpp"

@@ -79,14 +79,6 @@ py::object inquire(const cycle::Case& input, CycleWatch& watch, const RunWishes&
 
 }  // namespace
 
-int threads_of(const py::object& threads) {
-  if (threads.is_none()) return 0;
-  const int n = py::cast<int>(threads);
-  if (n >= 1 && n <= 1024) return n;
-  throw InputError("threads = " + std::to_string(n) + " is out of range",
-                   "1 to 1024, or None for as many as the machine runs at once");
-}
-
 py::object run_case(CaseObject& self, const py::object& progress, const RunWishes& wishes) {
   self.check();
   const cycle::Case input = self.value();  // another thread may change the case meanwhile

@@ -14,7 +14,4 @@ struct RunWishes {
 /// Runs a case without the interpreter lock; looks for Ctrl-C and tells `progress` now and then.
 py::object run_case(CaseObject& self, const py::object& progress, const RunWishes& wishes);
 
-/// The threads that a user asks for; None: 0, as many as the machine runs at once. Throws InputError out of 1 to 1024.
-int threads_of(const py::object& threads);
-
 }  // namespace ringfilm::python

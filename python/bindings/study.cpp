@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "arguments.hpp"
+#include "array_view.hpp"
 #include "errors.hpp"
 #include "interpreter.hpp"
 #include "record.hpp"
@@ -13,8 +14,8 @@
 #include "ringfilm/study/sobol_indices.hpp"
 #include "ringfilm/study/statistics.hpp"
 #include "ringfilm/study/study_run.hpp"
+#include "ringfilm/study/study_words.hpp"
 #include "ringfilm/study/until.hpp"
-#include "run.hpp"
 
 namespace ringfilm::python {
 namespace {
@@ -238,7 +239,7 @@ py::dict study_dataset(const py::object& object) {
     sample.mutable_at(static_cast<py::ssize_t>(i)) = plan.is_sample(plan.point_of(i)) ? 1 : 0;
   py::dict attributes;
   attributes["units"] = "1";
-  attributes["long_name"] = "1 where the scenario is one of a sample, of which means and quantiles may be taken";
+  attributes["long_name"] = study::kSampleWords;
   variables["sample"] = py::make_tuple(scenario, sample, attributes);
   return variables;
 }

@@ -25,7 +25,7 @@ from ._ringfilm import (
     starting_case,
     version,
 )
-from .errors import ConvergenceError, Fault, InputError, OutputError
+from .errors import ConvergenceError, Fault, InputError, OutputError, UnknownKeyError
 
 __version__ = version().split()[1]
 
@@ -42,6 +42,7 @@ __all__ = [
     "Result",
     "Study",
     "StudyResult",
+    "UnknownKeyError",
     "face",
     "fields",
     "lateral_force",

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple, Optional
 
-__all__ = ["ConvergenceError", "Fault", "InputError", "OutputError"]
+__all__ = ["ConvergenceError", "Fault", "InputError", "OutputError", "UnknownKeyError"]
 
 
 class Fault(NamedTuple):
@@ -41,6 +41,10 @@ class InputError(ValueError):
     def __str__(self) -> str:
         """The text that the program prints."""
         return self.args[0]
+
+
+class UnknownKeyError(InputError, KeyError):
+    """A case has no key of that name; the text says which comes nearest."""
 
 
 class ConvergenceError(ArithmeticError):

@@ -33,6 +33,19 @@ def test_any_number_of_numpy_is_a_number(case, value):
     assert case["operating.speed"] == 200.0
 
 
+def test_a_key_that_does_not_exist_is_a_key_error_and_the_nearest_is_told(case):
+    with pytest.raises(KeyError) as refused:
+        case["engine.bor"]
+    assert isinstance(refused.value, ringfilm.InputError)
+    assert str(refused.value) == "unknown key engine.bor; did you mean engine.bore?"
+    assert refused.value.faults[0].message == str(refused.value)
+    for act in (lambda: case.__delitem__("engine.bor"), lambda: case.__setitem__("engine.bor", 1.0), lambda: case.text("x")):
+        with pytest.raises(ringfilm.UnknownKeyError):
+            act()
+    copied = pickle.loads(pickle.dumps(refused.value))
+    assert isinstance(copied, ringfilm.UnknownKeyError) and str(copied) == str(refused.value)
+
+
 def test_lists_and_pairs(case):
     case["lubricant.kinematic_viscosity"] = numpy.array([[313.15, 60e-6], [373.15, 9e-6]])
     assert case["lubricant.kinematic_viscosity"] == [(313.15, 60e-6), (373.15, 9e-6)]

@@ -23,7 +23,7 @@ class Case:
         """As copy()."""
         ...
     def __delitem__(self, key: str) -> None:
-        """Takes a key out, so that its default holds again. Raises InputError for a key that does not exist."""
+        """Takes a key out, so that its default holds again. Raises UnknownKeyError for a key that does not exist."""
         ...
     def __eq__(self, other: object) -> object:
         """Have both cases the same values, from files with the same bytes?"""
@@ -31,7 +31,7 @@ class Case:
     def __getitem__(self, key: str) -> object:
         """The value of a key: a float in SI, an int, a str, a list; of values at temperatures a list of pairs
         (temperature [K], value [SI]); of crank angles [degree]; None where the case has none.
-        Raises InputError for a key that does not exist."""
+        Raises UnknownKeyError, a KeyError, for a key that does not exist."""
         ...
     def __iter__(self) -> Iterator:
         """Over keys()."""
@@ -44,7 +44,8 @@ class Case:
         ...
     def __setitem__(self, key: str, value: object) -> None:
         """States a key: a text as in a case file ("2000 rpm"), a number in SI, a list or numpy array of them.
-        Raises InputError for an unknown key, a wrong unit, a value out of range; TypeError for what is no value."""
+        Raises UnknownKeyError for a key that does not exist, InputError for a wrong unit and a value out of range; TypeError
+        for what is no value."""
         ...
     def assumed(self) -> dict:
         """The keys in use that the case does not state, with their values as text()."""
@@ -100,7 +101,7 @@ class Case:
         ...
     def text(self, key: str) -> str:
         """The value of a key as a case file has it, in the unit people use: '"2000 rpm"'. Empty where there is none.
-        Raises InputError for a key that does not exist."""
+        Raises UnknownKeyError, a KeyError, for a key that does not exist."""
         ...
     @property
     def title(self) -> object:

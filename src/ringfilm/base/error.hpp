@@ -35,6 +35,12 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
+/// A name was asked for that nothing has; said where nothing else of the input was looked at yet.
+class UnknownKeyError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// No film was found that balances what acts on it, all remedies spent (exit code 3).
 class ConvergenceError : public std::runtime_error {
  public:

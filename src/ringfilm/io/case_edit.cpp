@@ -20,15 +20,6 @@ using cycle::Field;
 
 const std::string kOil = "lubricant.";
 
-const Field& known_field(const std::string& key) {
-  if (const Field* field = cycle::find_field(key)) return *field;
-  std::vector<std::string> keys;
-  for (const Field& field : cycle::case_fields()) keys.push_back(field.key);
-  const std::string near = nearest_word(key, keys);
-  throw InputError("unknown key " + key + (near.empty() ? "" : "; did you mean " + near + "?"),
-                   near.empty() ? "`ringfilm fields` lists all keys" : "");
-}
-
 /// Gives the members behind a key the values that they have in a blank case.
 class Blank {
  public:
@@ -117,6 +108,15 @@ void read_oil(Case& c, const std::string& name, const Units& units) {
 }
 
 }  // namespace
+
+const Field& known_field(const std::string& key) {
+  if (const Field* field = cycle::find_field(key)) return *field;
+  std::vector<std::string> keys;
+  for (const Field& field : cycle::case_fields()) keys.push_back(field.key);
+  const std::string near = nearest_word(key, keys);
+  throw UnknownKeyError("unknown key " + key + (near.empty() ? "" : "; did you mean " + near + "?"),
+                        near.empty() ? "`ringfilm fields` lists all keys" : "");
+}
 
 void state(Case& c, const std::string& key, const TomlValue& value, const Units& units) {
   const Field& field = known_field(key);

@@ -2,11 +2,15 @@
 #include <string>
 
 #include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/case_fields.hpp"
 #include "ringfilm/io/toml_tree.hpp"
 #include "ringfilm/io/units.hpp"
 
 /// Changes to a case in memory, key by key, for who has no file to write them into.
 namespace ringfilm::io {
+
+/// The entry of the table of case keys. Throws UnknownKeyError with the key that comes nearest.
+const cycle::Field& known_field(const std::string& key);
 
 /// States a key: its value is read as in a case file, a file that it names is read at once, and so are those whose
 /// meaning it changes (the unit of a trace, the width that a face must have). File names are relative to the working

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/provenance_attributes.hpp"
 #include "ringfilm/io/result_file_writer.hpp"
 
 namespace ringfilm::io {
@@ -126,9 +127,7 @@ void write_measurement(const std::string& path, const Measurement& measurement, 
   file.attribute("ringfilm_measurement_schema", kMeasurementSchema);
   file.attribute("kind", measurement.kind);
   file.attribute("title", measurement.title);
-  file.attribute("program", provenance.program);
-  file.attribute("commit", provenance.commit);
-  file.attribute("compiler", provenance.compiler);
+  exchange_provenance(file, provenance);
   Layout layout(file);
   layout.texts("source", "what was read", measurement.sources);
   layout.texts("statement", "what was done, in its order", measurement.statements);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ringfilm/io/pad_output.hpp"
+#include "ringfilm/io/provenance_attributes.hpp"
 
 /// What a result file of a pad holds, told once to whoever takes the calls of ResultFileWriter.
 namespace ringfilm::io {
@@ -55,9 +56,7 @@ void put_pad(File& file, const PadDocument& document) {
   file.attribute("Conventions", std::string("CF-1.10"));
   file.attribute("ringfilm_pad_schema", kPadSchema);
   file.attribute("title", document.title);
-  file.attribute("program", document.provenance.program);
-  file.attribute("commit", document.provenance.commit);
-  file.attribute("compiler", document.provenance.compiler);
+  exchange_provenance(file, document.provenance);
   file.attribute("kernels", document.provenance.kernels);
   file.attribute("complete", document.result.complete);
   for (const pad::PadQuantity& quantity : pad::told_quantities(document.result)) {

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "ringfilm/io/provenance_attributes.hpp"
 #include "ringfilm/io/result_file.hpp"
 #include "ringfilm/io/result_file_quantities.hpp"
 #include "ringfilm/io/result_file_unrolled.hpp"
@@ -24,9 +25,7 @@ struct VariantRow {
 template <class File, class Document>
 void exchange_attributes(File& file, Document& document) {
   file.attribute("title", document.title);
-  file.attribute("program", document.provenance.program);
-  file.attribute("commit", document.provenance.commit);
-  file.attribute("compiler", document.provenance.compiler);
+  exchange_provenance(file, document.provenance);
   file.attribute("kernels", document.provenance.kernels);
   file.attribute("complete", document.result.complete);
   file.attribute("ledger_computed", document.ledger_computed);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/provenance_attributes.hpp"
 #include "ringfilm/io/result_file_writer.hpp"
 #include "ringfilm/io/study_curves.hpp"
 #include "ringfilm/study/study_words.hpp"
@@ -57,9 +58,7 @@ void write_head(ResultFileWriter& file, const StudyRows& rows) {
   file.attribute("ringfilm_study_schema", kStudySchema);
   file.attribute("kind", study::word_of(study.kind));
   file.attribute("seed", static_cast<long>(study.seed));
-  file.attribute("program", program.program);
-  file.attribute("commit", program.commit);
-  file.attribute("compiler", program.compiler);
+  exchange_provenance(file, program);
   file.attribute("kernels", rows.kernels());
   std::vector<std::string> roles, paths, digests;
   for (const cycle::InputFile& input : rows.file.files) {
@@ -91,9 +90,7 @@ class BlockWriter {
         column({"base", "", "", "base case of the scenario, counted from 0 in base_name", "", ""}, Stored::kInteger);
     define_factors();
     solved_ = column({"solved", "1", "", "1 where the scenario was solved", "", ""}, Stored::kByte);
-    sample_ = column({"sample", "1", "",
-                      "1 where the scenario is one of a sample, of which means and quantiles may be taken", "", ""},
-                     Stored::kByte);
+    sample_ = column({"sample", "1", "", study::kSampleWords, "", ""}, Stored::kByte);
     for (const auto& quantity : cycle::cycle_quantities()) {
       values_.push_back(column(quantity, Stored::kDouble));
       file_.describe(quantity.name, "coordinates", coordinates_);

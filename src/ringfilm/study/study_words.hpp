@@ -14,4 +14,8 @@ const std::vector<std::pair<std::string, Method>>& method_words();
 std::string word_of(StudyKind kind);
 std::string word_of(Method method);
 
+/// What the column "sample" of a study's rows says.
+inline constexpr const char* kSampleWords =
+    "1 where the scenario is one of a sample, of which means and quantiles may be taken";
+
 }  // namespace ringfilm::study
