@@ -55,7 +55,7 @@ std::size_t quantity_index(const std::string& name) {
   // As a result file has it, or as a study has it, where no curve can be meant.
   const std::string plain = name.rfind("cycle_", 0) == 0 ? name.substr(6) : name;
   if (const auto found = cycle::cycle_quantity_index(plain)) return *found;
-  throw InputError("\"" + name + "\" is no value of a cycle", "ringfilm.quantities()[\"cycle\"] lists them");
+  throw UnknownKeyError("\"" + name + "\" is no value of a cycle", "ringfilm.quantities()[\"cycle\"] lists them");
 }
 
 std::size_t base_index(const Loaded& loaded, const std::optional<std::string>& name) {
@@ -331,7 +331,7 @@ void bind_results(py::module_& module) {
           [](const py::object& self, const std::string& name) {
             return view(self.cast<const StudyResultObject&>().values[quantity_index(name)], self);
           },
-          py::arg("value"), "A value of the cycle over the scenarios, shape (scenario,), SI. Raises InputError.")
+          py::arg("value"), "A value of the cycle over the scenarios, shape (scenario,), SI. Raises UnknownKeyError.")
       .def("curves", &curves, py::arg("quantity"),
            R"(A curve of all scenarios, shape (scenario, crank_angle), SI, single precision, without a copy.
 

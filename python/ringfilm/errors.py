@@ -44,7 +44,7 @@ class InputError(ValueError):
 
 
 class UnknownKeyError(InputError, KeyError):
-    """A case has no key of that name; the text says which comes nearest."""
+    """Nothing has that name: no key of a case, no value of a cycle in a study."""
 
 
 class ConvergenceError(ArithmeticError):

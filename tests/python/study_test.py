@@ -68,7 +68,7 @@ def test_statistics_are_those_of_numpy(study):
     assert told["quantiles"][0.5] == pytest.approx(numpy.quantile(result["fmep"], 0.5, method="median_unbiased"), rel=1e-12)
     with pytest.raises(ringfilm.InputError, match="no points for Sobol indices"):
         result.sobol_indices("fmep")
-    with pytest.raises(ringfilm.InputError, match="no value of a cycle"):
+    with pytest.raises(ringfilm.UnknownKeyError, match="no value of a cycle"):
         result["nothing"]
 
 

@@ -854,7 +854,7 @@ class Study:
 class StudyResult:
     """Values of the cycle of all scenarios of a study. Source: docs/theory/study.md."""
     def __getitem__(self, value: str) -> numpy.ndarray:
-        """A value of the cycle over the scenarios, shape (scenario,), SI. Raises InputError."""
+        """A value of the cycle over the scenarios, shape (scenario,), SI. Raises UnknownKeyError."""
         ...
     def __len__(self) -> int:
         """How many scenarios."""

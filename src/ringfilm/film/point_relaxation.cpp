@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kSweepsPerCell = 100;  // of one solve at the most, and kFewSweeps more
 constexpr int kFewSweeps = 1000;
-constexpr double kLargestRelaxation = 0.25;  // of ln h_m in one correction
-constexpr double kFirstRelaxation = 0.2;     // d ln h_m over the relative imbalance, before a better one is known
+constexpr double kLargestCorrection = 0.25;  // of ln h_m in one correction
+constexpr double kDampingAtFirst = 0.2;      // d ln h_m over the relative imbalance, before a better one is known
 constexpr double kLoadShare = 0.01;          // of the imbalance that an unfinished relaxation may hide
 constexpr double kNoise = 10;                // multiple of what relaxation leaves in the load that says something
 constexpr double kLargestDamping = 1;        // the load falls at least about as fast as 1/h_m
@@ -91,7 +91,7 @@ class PointRelaxation {
 
 bool PointRelaxation::solve(FilmReport& report) {
   const double tolerance = problem_.tolerance;
-  double damping = kFirstRelaxation;
+  double damping = kDampingAtFirst;
   double excess = 1;
   double move = 0;
   while (true) {  // until the sweeps are used up
@@ -116,7 +116,7 @@ bool PointRelaxation::solve(FilmReport& report) {
       damping =
           std::clamp(move / relief, damping / kLargestGrowth, std::min(kLargestGrowth * damping, kLargestDamping));
     }
-    move = std::clamp(damping * excess, -kLargestRelaxation, kLargestRelaxation);
+    move = std::clamp(damping * excess, -kLargestCorrection, kLargestCorrection);
     state_.h_m *= std::exp(move);
   }
 }
