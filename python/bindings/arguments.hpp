@@ -101,6 +101,8 @@ MaybeMasked maybe_masked_of(const char* name, const py::handle& value);
 Doubles doubles_of(const char* name, const py::handle& value);
 /// The same of one dimension, or InputError.
 std::vector<double> row_of(const char* name, const py::handle& value);
+/// The same of the state of a pickle.
+inline std::vector<double> pickled_row(const py::handle& value) { return row_of("a member of the pickle", value); }
 
 /// Arrays under the names of their arguments.
 using Named = std::vector<std::pair<const char*, const GivenNumbers*>>;

@@ -130,14 +130,12 @@ CaseObject from_state(const py::tuple& state) {
   std::size_t i = 0;
   cycle::SampledTrace cylinder;
   cycle::OilTable oil;
-  std::apply([&](auto&... each) { ((each = row_of("a member of the pickle", arrays[i++])), ...); },
-             samples(c, cylinder, oil));
+  std::apply([&](auto&... each) { ((each = pickled_row(arrays[i++])), ...); }, samples(c, cylinder, oil));
   c.gas.cylinder_pressure = std::move(cylinder);
   c.lubricant.table = std::move(oil);
   if (!state[4].is_none()) {
     const auto trace = py::cast<py::tuple>(state[4]);
-    c.gas.crankcase_trace =
-        cycle::SampledTrace{row_of("a member of the pickle", trace[0]), row_of("a member of the pickle", trace[1])};
+    c.gas.crankcase_trace = cycle::SampledTrace{pickled_row(trace[0]), pickled_row(trace[1])};
   }
   for (const auto& file : py::cast<py::list>(state[5])) {
     const auto words = py::cast<std::vector<std::string>>(file);

@@ -69,7 +69,7 @@ std::vector<FrictionLoop> from_state(const py::handle& state) {
   std::vector<FrictionLoop> loops;
   for (const py::handle one : state) {
     const auto parts = py::cast<py::tuple>(one);
-    const auto numbers = [&parts](int i) { return row_of("a member of the pickle", parts[i]); };
+    const auto numbers = [&parts](int i) { return pickled_row(parts[i]); };
     loops.push_back({py::cast<double>(parts[0]), numbers(1), numbers(2), numbers(3)});
   }
   return loops;

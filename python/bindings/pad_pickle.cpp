@@ -31,7 +31,7 @@ py::dict stored(const std::vector<pad::Sample>& samples) {
 std::vector<pad::Sample> samples_of(const py::dict& columns) {
   std::vector<pad::Sample> samples;
   for (const auto& quantity : numbers()) {
-    const std::vector<double> values = row_of("a member of the pickle", columns[py::str(quantity.name)]);
+    const std::vector<double> values = pickled_row(columns[py::str(quantity.name)]);
     if (samples.empty()) samples.resize(values.size());
     if (values.size() != samples.size()) throw py::value_error("this pickle of a pad is damaged");
     for (std::size_t i = 0; i < values.size(); ++i) samples[i].*quantity.value = values[i];
@@ -39,8 +39,7 @@ std::vector<pad::Sample> samples_of(const py::dict& columns) {
   for (const auto& quantity : pad::front_quantities()) {
     const auto lists = py::cast<py::list>(columns[py::str(quantity.name)]);
     if (lists.size() != samples.size()) throw py::value_error("this pickle of a pad is damaged");
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      samples[i].*quantity.value = row_of("a member of the pickle", lists[i]);
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i].*quantity.value = pickled_row(lists[i]);
   }
   return samples;
 }
@@ -56,8 +55,7 @@ std::vector<pad::Profile> profiles_of(const py::handle& list) {
   std::vector<pad::Profile> profiles;
   for (const auto& item : py::cast<py::list>(list)) {
     const auto one = py::cast<py::tuple>(item);
-    profiles.push_back({py::cast<double>(one[0]), row_of("a member of the pickle", one[1]),
-                        row_of("a member of the pickle", one[2]), row_of("a member of the pickle", one[3])});
+    profiles.push_back({py::cast<double>(one[0]), pickled_row(one[1]), pickled_row(one[2]), pickled_row(one[3])});
   }
   return profiles;
 }
@@ -108,8 +106,8 @@ PadObject pad_of_state(const py::tuple& state) {
   document.provenance.kernels = from.at(3);
   pad::PadResult& result = document.result;
   result.samples = samples_of(py::cast<py::dict>(state[5]));
-  result.x = row_of("a member of the pickle", state[6]);
-  result.y = row_of("a member of the pickle", state[7]);
+  result.x = pickled_row(state[6]);
+  result.y = pickled_row(state[7]);
   result.profiles = profiles_of(state[8]);
   result.fields = profiles_of(state[9]);
   for (const auto& item : py::cast<py::list>(state[10])) {

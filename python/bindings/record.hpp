@@ -137,7 +137,7 @@ class Record {
     if constexpr (std::is_enum_v<Value>) {
       value = static_cast<Value>(py::cast<int>(from));
     } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-      value = row_of("a member of the pickle", from);
+      value = pickled_row(from);
     } else {
       value = py::cast<Value>(from);
     }
