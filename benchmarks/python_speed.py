@@ -23,9 +23,11 @@ def seconds_of_import():
 
 
 def speeds(case, n):
+    import ringfilm
+
     for i in range(n):
         one = case.copy()
-        one["operating.speed"] = 150.0 + 100.0 * i / n
+        one["operating.speed"] = ringfilm.SI(150.0 + 100.0 * i / n)
         yield one
 
 

@@ -24,7 +24,7 @@ speeds = {"1500 rpm": ("#0072B2", "-"), "4000 rpm": ("#E69F00", "--")}
 
 def case_of(crown, speed):
     case = base.copy()
-    case["ring.face.crown_height"] = crown
+    case["ring.face.crown_height"] = ringfilm.SI(crown)
     case["operating.speed"] = speed
     return case
 

@@ -24,7 +24,7 @@ inputs = [
 
 def changed(key, step):
     case = base.copy()
-    case[key] = base[key] + step if key == "operating.oil_temperature" else base[key] * step
+    case[key] = ringfilm.SI(base[key] + step if key == "operating.oil_temperature" else base[key] * step)
     return case
 
 cases = [base] + [changed(key, step) for key, _, *steps in inputs for step in steps]

@@ -52,7 +52,9 @@ base = ringfilm.Case.read("cases/measured/new.toml")
 def cases():
     for density, radius, roughness in draws:
         case = base.copy()
-        case["contact.asperity_density"], case["contact.asperity_radius"], case["contact.roughness"] = density, radius, roughness
+        case["contact.asperity_density"] = ringfilm.SI(density)
+        case["contact.asperity_radius"] = ringfilm.SI(radius)
+        case["contact.roughness"] = ringfilm.SI(roughness)
         yield case
 
 batch = ringfilm.simulate_many(cases())

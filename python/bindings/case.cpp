@@ -21,21 +21,20 @@ using cycle::Case;
 using cycle::Field;
 using io::known_field;
 
+constexpr const char* kKeyExample = "engine.bore";
+
+std::string key_of(const GivenText& given) { return text_of("key", given.value, kKeyExample); }
+
 CaseObject read_case(const py::object& path, const std::optional<py::dict>& overrides) {
   const auto name = path_of("path", path);
   auto units = std::make_shared<const io::Units>();
   if (!overrides || overrides->empty()) return {io::read_case(name, {}, *units), units};
   // As --set has them, so that what is missing in the file may be among them.
   std::vector<io::Override> changes;
-  for (const auto& [key, value] : *overrides) {
-    if (!py::isinstance<py::str>(key))
-      throw py::type_error("overrides: " + py::cast<std::string>(py::repr(key)) + " is no key");
-    const auto text = py::cast<std::string>(key);
-    if (value.is_none()) {
-      changes.push_back({text, ""});
-    } else {
-      changes.push_back({text, written(toml_value(value, known_field(text)))});
-    }
+  for (const auto& [given, value] : *overrides) {
+    const std::string key = text_of("a key of overrides", given, kKeyExample);
+    const std::optional<io::TomlValue> stated = toml_value(value, known_field(key));
+    changes.push_back({key, stated ? written(*stated) : ""});
   }
   return {io::read_case(name, changes, *units), units};
 }
@@ -151,17 +150,18 @@ constexpr const char* kCaseDoc =
     R"(The input of one engine cycle or of one pad, as a table of keys (docs/manual/case-file.md, ringfilm.fields()).
 
 Read one with Case.read, then read and change it key by key: case["operating.speed"] is a number in SI, and
-case["operating.speed"] = "2000 rpm" or = 209.4 (SI) states another one. None, or del, takes a key out. A value out of
-its range is refused at once with InputError; what joins several keys is looked at by check() and run().
+case["operating.speed"] = "2000 rpm" or = ringfilm.SI(209.4) states another one; 209.4 alone has no unit and is refused.
+None, or del, takes a key out. A value out of its range is refused at once with InputError; what joins several keys is
+looked at by check() and run().
 Cases can be copied, compared and pickled; a pickle holds the numbers of all files that were read.)";
 
 }  // namespace
 
 void CaseObject::set(const std::string& key, const py::handle& value) {
-  if (value.is_none()) return remove(key);
-  const Field& field = known_field(key);
+  const std::optional<io::TomlValue> stated = toml_value(value, known_field(key));
+  if (!stated) return remove(key);
   is_checked_ = false;
-  io::state(value_, key, toml_value(value, field), units());
+  io::state(value_, key, *stated, units());
 }
 
 void CaseObject::remove(const std::string& key) {
@@ -181,24 +181,30 @@ void bind_case(py::module_& module) {
                   R"(A case from a TOML file, with all files that it names.
 
 path: name of the file, a str or a path.
-overrides: {key: value}, as --set of the program; None takes a key out.
+overrides: {key: value}, as --set of the program, values as for case[key] = value; None takes a key out.
 Raises InputError with every fault of every file, in the words of the program.
 Source: docs/manual/case-file.md.)");
   type.def(
       "__getitem__",
-      [](const CaseObject& self, const std::string& key) { return si_value(known_field(key), self.value()); },
+      [](const CaseObject& self, const GivenText& key) { return si_value(known_field(key_of(key)), self.value()); },
       py::arg("key"),
       R"(The value of a key: a float in SI, an int, a str, a list; of values at temperatures a list of pairs
 (temperature [K], value [SI]); of crank angles [degree]; None where the case has none.
 Raises UnknownKeyError, a KeyError, for a key that does not exist.)");
-  type.def("__setitem__", &CaseObject::set, py::arg("key"), py::arg("value"),
-           R"(States a key: a text as in a case file ("2000 rpm"), a number in SI, a list or numpy array of them.
-Raises UnknownKeyError for a key that does not exist, InputError for a wrong unit and a value out of range; TypeError
-for what is no value.)");
-  type.def("__delitem__", &CaseObject::remove, py::arg("key"),
-           "Takes a key out, so that its default holds again. Raises UnknownKeyError for a key that does not exist.");
   type.def(
-      "__contains__", [](const CaseObject& self, const std::string& key) { return self.value().stated.contains(key); },
+      "__setitem__",
+      [](CaseObject& self, const GivenText& key, const py::object& value) { self.set(key_of(key), value); },
+      py::arg("key"), py::arg("value"),
+      R"(States a key: a text as in a case file ("2000 rpm"), ringfilm.SI(209.4) for a value in SI, a list or an
+array of them. A bare number is accepted where it has no unit, or where its SI unit is the one that people write.
+Raises UnknownKeyError for a key that does not exist, InputError for a missing or wrong unit and a value out of range;
+TypeError for an object that is not a value.)");
+  type.def(
+      "__delitem__", [](CaseObject& self, const GivenText& key) { self.remove(key_of(key)); }, py::arg("key"),
+      "Takes a key out, so that its default holds again. Raises UnknownKeyError for a key that does not exist.");
+  type.def(
+      "__contains__",
+      [](const CaseObject& self, const GivenText& key) { return self.value().stated.contains(key_of(key)); },
       py::arg("key"), "Does the case state this key?");
   type.def(
       "__iter__", [](const CaseObject& self) { return py::iter(py::cast(keys_in_use(self))); }, "Over keys().");
@@ -214,8 +220,9 @@ for what is no value.)");
       "The keys in use with their values, a list of tuples (key, value).");
   type.def(
       "__len__", [](const CaseObject& self) { return keys_in_use(self).size(); }, "How many keys are in use.");
-  type.def("text", &key_text, py::arg("key"),
-           R"(The value of a key as a case file has it, in the unit people use: '"2000 rpm"'. Empty where there is none.
+  type.def(
+      "text", [](const CaseObject& self, const GivenText& key) { return key_text(self, key_of(key)); }, py::arg("key"),
+      R"(The value of a key as a case file has it, in the unit people use: '"2000 rpm"'. Empty where there is none.
 Raises UnknownKeyError, a KeyError, for a key that does not exist.)");
   type.def("assumed", &assumed, "The keys in use that the case does not state, with their values as text().");
   type.def("assumptions", &assumptions,

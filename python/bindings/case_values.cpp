@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "arguments.hpp"
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/io/units.hpp"
 
 namespace ringfilm::python {
@@ -144,12 +145,8 @@ bool is_truth_value(const py::handle& value) {
   return PyBool_Check(value.ptr()) != 0 || py::str(py::type::of(value)).cast<std::string>() == "<class 'numpy.bool_'>";
 }
 
-/// Throws UnicodeEncodeError for a text that is none (lone surrogates).
-std::string words_of(const py::handle& value) {
-  Py_ssize_t size = 0;
-  const char* words = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
-  if (words == nullptr) throw py::error_already_set();
-  return {words, static_cast<std::size_t>(size)};
+bool is_in_si(const py::handle& value) {
+  return py::isinstance(value, py::module_::import("ringfilm._values").attr("SI"));
 }
 
 TomlValue text(const std::string& words) {
@@ -166,18 +163,15 @@ TomlValue number(double x, TomlValue::Kind kind = TomlValue::Kind::kNumber) {
   return value;
 }
 
-/// A bare number means SI; a case file states the unit.
-TomlValue quantity(double x, const std::string& unit) {
-  if (unit == "1" || unit.empty() || !std::isfinite(x)) return number(x);
-  return text(io::exact_text(x) + " " + unit);
-}
+/// What a number means that has no unit.
+enum class BareNumber { kAsInCaseFile, kSi };
 
 class Toml {
  public:
-  Toml(const py::handle& value, const Field& field) : value_(value), field_(field) {}
+  Toml(const py::handle& value, BareNumber bare, const Field& field) : value_(value), bare_(bare), field_(field) {}
 
   TomlValue operator()() const {
-    if (py::isinstance<py::str>(value_)) return text(words_of(value_));
+    if (py::isinstance<py::str>(value_)) return words(value_);
     if (py::hasattr(value_, "__fspath__")) return text(path_of(field_.key.c_str(), value_));
     if (is_truth_value(value_) || py::isinstance<py::bytes>(value_)) refuse();
     if (py::isinstance<py::dict>(value_)) refuse();
@@ -192,7 +186,11 @@ class Toml {
 
   [[noreturn]] void refuse() const {
     throw py::type_error(field_.key + " = " + py::cast<std::string>(py::repr(value_)) +
-                         ": a text with its unit, a number in SI, or a list of them is wanted");
+                         ": a text with its unit, a number, ringfilm.SI(number) or a list of them is expected");
+  }
+
+  TomlValue words(const py::handle& value) const {
+    return text(text_of(field_.key.c_str(), value, field_.example.c_str()));
   }
 
   double plain(const py::handle& value) const {
@@ -209,10 +207,24 @@ class Toml {
     if (std::holds_alternative<cycle::CountKind>(field_.kind)) {
       return number(x, std::trunc(x) == x ? TomlValue::Kind::kInteger : TomlValue::Kind::kNumber);
     }
-    return quantity(x, field_.unit);
+    return quantity(x, bare_, {field_.unit, field_.display_unit, field_.example});
   }
 
-  /// Pairs of temperature [K] and value [SI], or plain numbers: of a list of numbers, of crank angles [degree].
+  struct Unit {
+    std::string si, display, example;
+  };
+
+  /// A number with its unit, as a case file has it. A unit need not be stated where people write the SI unit, too.
+  TomlValue quantity(double x, BareNumber bare, const Unit& unit) const {
+    if (unit.si == "1" || unit.si.empty() || !std::isfinite(x)) return number(x);
+    const std::string written = io::exact_text(x);
+    if (bare == BareNumber::kSi || unit.si == unit.display) return text(written + " " + unit.si);
+    throw InputError(field_.key + " = " + written + " has no unit",
+                     io::dimension_words(unit.si) + " with its unit is expected, for example " + unit.example +
+                         "; a number in " + unit.si + " is written ringfilm.SI(" + written + ")");
+  }
+
+  /// Pairs of temperature and value, or plain numbers: of a list of numbers, of crank angles [degree].
   TomlValue list() const {
     TomlValue list;
     list.kind = TomlValue::Kind::kList;
@@ -222,7 +234,7 @@ class Toml {
       if (has_temperatures) {
         list.items.push_back(temperature_value(item));
       } else if (py::isinstance<py::str>(item)) {
-        list.items.push_back(text(words_of(item)));
+        list.items.push_back(words(item));
       } else {
         list.items.push_back(number(plain(item)));
       }
@@ -231,27 +243,31 @@ class Toml {
   }
 
   TomlValue temperature_value(const py::handle& item) const {
+    const Unit kelvin{"K", "degC", "\"40 degC\""};
+    const Unit own{field_.unit, field_.display_unit, "\"1 " + field_.display_unit + "\""};
     TomlValue table;
     table.kind = TomlValue::Kind::kTable;
     if (py::isinstance<py::dict>(item)) {
       for (const auto& [name, value] : py::cast<py::dict>(item)) {
-        const auto key = py::cast<std::string>(name);
-        table.members.push_back({key, part(value, key == "temperature" ? "K" : field_.unit)});
+        const std::string key = text_of("a name in the list", name, "temperature");
+        table.members.push_back({key, part(value, key == "temperature" ? kelvin : own)});
       }
       return table;
     }
     if (!py::hasattr(item, "__len__") || py::len(item) != 2) refuse();
     const py::object temperature = item.attr("__getitem__")(0), value = item.attr("__getitem__")(1);
-    table.members = {{"temperature", part(temperature, "K")}, {"value", part(value, field_.unit)}};
+    table.members = {{"temperature", part(temperature, kelvin)}, {"value", part(value, own)}};
     return table;
   }
 
-  TomlValue part(const py::handle& value, const std::string& unit) const {
-    if (py::isinstance<py::str>(value)) return text(words_of(value));
-    return quantity(plain(value), unit);
+  TomlValue part(const py::handle& value, const Unit& unit) const {
+    if (py::isinstance<py::str>(value)) return words(value);
+    if (is_in_si(value)) return quantity(plain(value.attr("value")), BareNumber::kSi, unit);
+    return quantity(plain(value), bare_, unit);
   }
 
   const py::handle& value_;
+  BareNumber bare_;
   const Field& field_;
 };
 
@@ -270,7 +286,12 @@ py::object si_value(const Field& field, const Case& c) {
   return is_missing(field, c) ? py::none() : std::visit(SiValue(readable(c)), field.kind);
 }
 
-TomlValue toml_value(const py::handle& value, const Field& field) { return Toml(value, field)(); }
+std::optional<TomlValue> toml_value(const py::handle& value, const Field& field) {
+  const bool is_si = is_in_si(value);
+  const py::object given = is_si ? value.attr("value") : py::reinterpret_borrow<py::object>(value);
+  if (given.is_none()) return std::nullopt;
+  return Toml(given, is_si ? BareNumber::kSi : BareNumber::kAsInCaseFile, field)();
+}
 
 std::string written(const TomlValue& value) {
   std::string text;

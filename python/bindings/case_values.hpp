@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "bindings.hpp"
@@ -14,9 +15,10 @@ bool is_missing(const cycle::Field& field, const cycle::Case& c);
 /// The value of a key in SI: a float, an int, a str, a list, None where the case has none.
 py::object si_value(const cycle::Field& field, const cycle::Case& c);
 
-/// What a user assigns, as a case file would say it: a text as it is, a number with the SI unit of the key.
-/// Throws py::type_error.
-io::TomlValue toml_value(const py::handle& value, const cycle::Field& field);
+/// What a user assigns, as a case file would have it: a text as it is; a number of a key without unit, or whose SI unit
+/// is the one that people write; ringfilm.SI(...) of any key; nothing for None. Throws InputError for a number that
+/// lacks its unit, py::type_error.
+std::optional<io::TomlValue> toml_value(const py::handle& value, const cycle::Field& field);
 
 /// A value as TOML has it on the right-hand side.
 std::string written(const io::TomlValue& value);

@@ -6,8 +6,9 @@
     result = case.run()
     result.fmep, result.min_film_thickness, result.to_xarray(), result.plot()
 
-All numbers are in SI, crank angles in degrees, those of results from 0 = firing TDC to 720. The names are those of the
-case files, of the result files and of the C++ library; docs/manual/python.md has examples.
+All numbers that are read are in SI; a key of a case takes a text with its unit, or ringfilm.SI(number). Crank angles
+are in degrees, those of results from 0 = firing TDC to 720. The names are those of the case files, of the result files
+and of the C++ library; docs/manual/python.md has examples.
 """
 
 from . import face, lateral_force, laws, surface
@@ -25,6 +26,7 @@ from ._ringfilm import (
     starting_case,
     version,
 )
+from ._values import SI
 from .errors import ConvergenceError, Fault, InputError, OutputError, UnknownKeyError
 
 __version__ = version().split()[1]
@@ -40,6 +42,7 @@ __all__ = [
     "PadResult",
     "Quantity",
     "Result",
+    "SI",
     "Study",
     "StudyResult",
     "UnknownKeyError",

@@ -10,8 +10,9 @@ class Case:
     """The input of one engine cycle or of one pad, as a table of keys (docs/manual/case-file.md, ringfilm.fields()).
 
     Read one with Case.read, then read and change it key by key: case["operating.speed"] is a number in SI, and
-    case["operating.speed"] = "2000 rpm" or = 209.4 (SI) states another one. None, or del, takes a key out. A value out of
-    its range is refused at once with InputError; what joins several keys is looked at by check() and run().
+    case["operating.speed"] = "2000 rpm" or = ringfilm.SI(209.4) states another one; 209.4 alone has no unit and is refused.
+    None, or del, takes a key out. A value out of its range is refused at once with InputError; what joins several keys is
+    looked at by check() and run().
     Cases can be copied, compared and pickled; a pickle holds the numbers of all files that were read."""
     def __contains__(self, key: str) -> bool:
         """Does the case state this key?"""
@@ -43,9 +44,10 @@ class Case:
         """Title, file and number of stated keys."""
         ...
     def __setitem__(self, key: str, value: object) -> None:
-        """States a key: a text as in a case file ("2000 rpm"), a number in SI, a list or numpy array of them.
-        Raises UnknownKeyError for a key that does not exist, InputError for a wrong unit and a value out of range; TypeError
-        for what is no value."""
+        """States a key: a text as in a case file ("2000 rpm"), ringfilm.SI(209.4) for a value in SI, a list or an
+        array of them. A bare number is accepted where it has no unit, or where its SI unit is the one that people write.
+        Raises UnknownKeyError for a key that does not exist, InputError for a missing or wrong unit and a value out of range;
+        TypeError for an object that is not a value."""
         ...
     def assumed(self) -> dict:
         """The keys in use that the case does not state, with their values as text()."""
@@ -79,7 +81,7 @@ class Case:
         """A case from a TOML file, with all files that it names.
 
         path: name of the file, a str or a path.
-        overrides: {key: value}, as --set of the program; None takes a key out.
+        overrides: {key: value}, as --set of the program, values as for case[key] = value; None takes a key out.
         Raises InputError with every fault of every file, in the words of the program.
         Source: docs/manual/case-file.md."""
         ...
