@@ -120,7 +120,8 @@ std::string text_of(const char* name, const py::handle& value, const char* examp
   const char* text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
   if (text == nullptr) {
     PyErr_Clear();
-    throw InputError(std::string(name) + " = " + told(value) + " holds characters that are no Unicode text");
+    throw InputError(std::string(name) + " = " + told(value) + " contains a lone surrogate, which is not Unicode text",
+                     "replace the characters from \\ud800 to \\udfff");
   }
   return {text, static_cast<std::size_t>(size)};
 }

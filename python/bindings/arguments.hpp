@@ -73,7 +73,7 @@ std::optional<double> maybe_number_of(const char* name, const py::handle& value,
 std::pair<double, double> pair_of(const char* name, const py::handle& value, const char* unit);
 /// Throws TypeError for what is no integer, a bool too.
 int integer_of(const char* name, const py::handle& value);
-/// Throws TypeError for what is no text, InputError for one that is no Unicode. `example` stands in the message.
+/// Throws TypeError for what is no text, InputError for one with lone surrogates. `example` stands in the message.
 std::string text_of(const char* name, const py::handle& value, const char* example);
 std::optional<std::string> maybe_text_of(const char* name, const py::handle& value, const char* example);
 /// A name of a file: str, bytes or os.PathLike. Throws TypeError for all else, InputError for what no file can be

@@ -123,9 +123,10 @@ class Batch {
 };
 
 py::list simulate_many(const py::object& cases, const py::object& threads, const py::object& progress,
-                       const std::string& curves) {
+                       const GivenText& curves) {
   const py::object total = py::hasattr(cases, "__len__") ? py::object(py::int_(py::len(cases))) : py::none();
-  return Batch(py::iter(cases), total, curves_of(curves), progress).run(threads_of(threads));
+  return Batch(py::iter(cases), total, curves_of(text_of("curves", curves.value, "all")), progress)
+      .run(threads_of(threads));
 }
 
 }  // namespace

@@ -30,4 +30,7 @@ void bind_lateral_force(py::module_& module);
 void bind_laws(py::module_& module);
 void bind_command_line(py::module_& module);
 
+/// Makes the use of an object that was never constructed a TypeError, for every class of the module and of its parts.
+void refuse_unconstructed(const py::handle& module);
+
 }  // namespace ringfilm::python

@@ -119,9 +119,10 @@ Source: docs/theory/pad.md.)");
       "The numbers of all instants as a pandas.DataFrame, indexed by time [s]; units in attrs.");
   type.def(
       "plot",
-      [](const py::object& self, const std::string& what, const py::object& axes, const py::object& label,
+      [](const py::object& self, const GivenText& what, const py::object& axes, const py::object& label,
          const py::kwargs& style) {
-        return py::module_::import("ringfilm._plots").attr("plot_pad")(self, what, axes, label, **style);
+        return py::module_::import("ringfilm._plots")
+            .attr("plot_pad")(self, text_of("what", what.value, "film"), axes, label, **style);
       },
       py::arg("what") = "film", py::arg("axes") = py::none(), py::arg("label") = py::none(),
       R"(Draws the pad with matplotlib, in units that go by the size of the numbers.

@@ -88,12 +88,15 @@ std::optional<std::string> spelling_of(const std::string& name, const py::dict& 
   return std::nullopt;
 }
 
+constexpr const char* kNameExample = "min_film_thickness";
+
 bool has(const py::object& self, const py::object& name) {
   return py::isinstance<py::str>(name) &&
-         spelling_of(py::cast<std::string>(name), dataset(self).variables()).has_value();
+         spelling_of(text_of("name", name, kNameExample), dataset(self).variables()).has_value();
 }
 
-py::object item(const py::object& self, const std::string& name) {
+py::object item(const py::object& self, const GivenText& given) {
+  const std::string name = text_of("name", given.value, kNameExample);
   const auto& result = self.cast<const ResultObject&>();
   for (const auto& quantity : cycle::curve_quantities()) {
     if (quantity.name == name) return column_view(result.result().samples, quantity.value, self);
@@ -284,9 +287,10 @@ the same as xarray.open_dataset gives of what write() wrote, in SI, numbers with
       "attrs.");
   type.def(
       "plot",
-      [](const py::object& self, const std::string& what, const py::object& axes, const py::object& label,
+      [](const py::object& self, const GivenText& what, const py::object& axes, const py::object& label,
          const py::kwargs& style) {
-        return plain_layer("ringfilm._plots", "plot_result")(self, what, axes, label, **style);
+        return plain_layer("ringfilm._plots", "plot_result")(self, text_of("what", what.value, "film"), axes, label,
+                                                             **style);
       },
       py::arg("what") = "overview", py::arg("axes") = py::none(), py::arg("label") = py::none(),
       R"(Draws the result with matplotlib, in units of engineers, from -360 to 360 degree with firing TDC in the middle.

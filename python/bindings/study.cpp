@@ -58,7 +58,10 @@ std::size_t quantity_index(const std::string& name) {
   throw UnknownKeyError("\"" + name + "\" is no value of a cycle", "ringfilm.quantities()[\"cycle\"] lists them");
 }
 
-std::size_t base_index(const Loaded& loaded, const std::optional<std::string>& name) {
+std::size_t quantity_index(const GivenText& value) { return quantity_index(text_of("value", value.value, "fmep")); }
+
+std::size_t base_index(const Loaded& loaded, const GivenMaybeText& given) {
+  const std::optional<std::string> name = maybe_text_of("base", given.value, "new");
   const auto& bases = loaded.study().bases;
   if (!name && bases.size() == 1) return 0;
   std::string names;
@@ -155,7 +158,7 @@ StudyResultObject run(const StudyObject& self, int threads, const py::object& pr
   return result;
 }
 
-py::dict statistics(const StudyResultObject& self, const std::string& value, const std::optional<std::string>& base) {
+py::dict statistics(const StudyResultObject& self, const GivenText& value, const GivenMaybeText& base) {
   const std::size_t b = base_index(*self.loaded, base);
   const bool is_sample = self.loaded->plan.is_sample(0);
   const std::vector<double> values = of_base(self, quantity_index(value), b, is_sample);
@@ -182,7 +185,7 @@ py::dict statistics(const StudyResultObject& self, const std::string& value, con
   return told;
 }
 
-py::list sobol(const StudyResultObject& self, const std::string& value, const std::optional<std::string>& base) {
+py::list sobol(const StudyResultObject& self, const GivenText& value, const GivenMaybeText& base) {
   const Plan& plan = self.loaded->plan;
   if (self.loaded->study().sampling.indices == study::Indices::kNone) {
     throw InputError("the plan of this study has no points for Sobol indices",
@@ -206,7 +209,8 @@ py::list sobol(const StudyResultObject& self, const std::string& value, const st
 }
 
 /// A curve of all scenarios, shape (scenario, crank_angle), without a copy.
-py::array curves(const py::object& object, const std::string& name) {
+py::array curves(const py::object& object, const GivenText& quantity) {
+  const std::string name = text_of("quantity", quantity.value, "film_thickness");
   const auto& self = object.cast<const StudyResultObject&>();
   const study::Keep& keep = self.loaded->study().keep;
   const auto kept = study::kept_quantities(keep);
@@ -328,7 +332,7 @@ void bind_results(py::module_& module) {
           "Why scenarios were not solved, {scenario from 0: reason}.")
       .def(
           "__getitem__",
-          [](const py::object& self, const std::string& name) {
+          [](const py::object& self, const GivenText& name) {
             return view(self.cast<const StudyResultObject&>().values[quantity_index(name)], self);
           },
           py::arg("value"), "A value of the cycle over the scenarios, shape (scenario,), SI. Raises UnknownKeyError.")

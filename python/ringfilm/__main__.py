@@ -1,5 +1,6 @@
 """`python3 -m ringfilm`: the command line of the program, by the very same code."""
 
+import os
 import signal
 import sys
 
@@ -11,7 +12,7 @@ def main() -> int:
     # The program is ended by Ctrl-C and by a closed pipe, as it is without Python around it.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
-    return _run_program(["ringfilm", *sys.argv[1:]])
+    return _run_program(["ringfilm", *map(os.fsencode, sys.argv[1:])])
 
 
 if __name__ == "__main__":

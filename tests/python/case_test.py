@@ -1,6 +1,7 @@
 """Cases: read, changed key by key, refused in the words of the program, copied, compared, pickled."""
 
 import copy
+import inspect
 import pickle
 
 import numpy
@@ -251,3 +252,59 @@ def test_what_was_read_can_be_written_back(path):
     assert other == case
     other["operating.oil_temperature"] = ringfilm.SI(None)
     assert "operating.oil_temperature" not in other
+
+
+def test_a_lone_surrogate_is_refused_as_input():
+    """Every argument that is a text, by the same words."""
+    case = ringfilm.Case.read(SOURCES / "cases" / "pad" / "inclined_slider.toml")
+    pad = case.run()
+    bad = "a\ud800"
+    for use in (
+        lambda: case.__setitem__("title", bad),
+        lambda: case.__setitem__("title", ringfilm.SI(bad)),
+        lambda: case.__setitem__("operating.oil_temperature", bad),
+        lambda: case.__setitem__("lubricant.density", [{bad: 1}]),
+        lambda: case.__setitem__("lubricant.kinematic_viscosity", [(bad, "1 mm2/s")]),
+        lambda: case.__setitem__("output.crank_angles", [bad]),
+        lambda: case.__setitem__(bad, 1),
+        lambda: case[bad],
+        lambda: bad in case,
+        lambda: case.__delitem__(bad),
+        lambda: case.text(bad),
+        lambda: ringfilm.Case.read(bad),
+        lambda: ringfilm.Case.read("x.toml", {bad: 1}),
+        lambda: ringfilm.Case.read("x.toml", {"title": bad}),
+        lambda: ringfilm.Study.read(bad),
+        lambda: ringfilm.Result.read(bad),
+        lambda: ringfilm.simulate_many([], curves=bad),
+        lambda: pad.plot(bad),
+        lambda: pad.write(bad),
+        lambda: ringfilm.surface.read(bad),
+        lambda: ringfilm.surface.read("x.sur", channel=bad),
+        lambda: ringfilm.lateral_force.read("x.csv", load_deviation=bad),
+    ):
+        with pytest.raises(ringfilm.InputError, match="lone surrogate"):
+            use()
+
+
+def test_an_object_that_was_never_constructed_is_a_type_error():
+    """Class.__new__(Class) has nothing in it; every class of the module refuses to be used so."""
+    classes = [thing for module in (ringfilm, ringfilm.surface, ringfilm.face, ringfilm.lateral_force, ringfilm.laws)
+               for thing in vars(module).values() if inspect.isclass(thing) and "_ringfilm" in thing.__module__]
+    assert len(classes) > 20
+    n = 0
+    for one in classes:
+        for use in (repr, hash, pickle.dumps, copy.copy, *(
+                value.fget for value in vars(one).values() if isinstance(value, property))):
+            if use is hash and one.__hash__ is object.__hash__:
+                continue
+            with pytest.raises(TypeError):
+                use(one.__new__(one))
+            n += 1
+    assert n > 200
+    with pytest.raises(TypeError, match="made by __new__ alone"):
+        ringfilm.Result.__new__(ringfilm.Result).fmep
+    with pytest.raises(TypeError, match="made by __new__ alone"):
+        repr(ringfilm.Case.__new__(ringfilm.Case))
+    with pytest.raises(TypeError, match="made by __new__ alone"):
+        ringfilm.simulate_many([ringfilm.Case.__new__(ringfilm.Case)])

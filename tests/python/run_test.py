@@ -250,4 +250,8 @@ def test_python_m_ringfilm_is_the_program(folder, run_program):
         program = run_program(*words)
         module = subprocess.run([sys.executable, "-m", "ringfilm", *words], cwd=folder, capture_output=True, text=True)
         assert (module.returncode, module.stdout, module.stderr) == (program.returncode, program.stdout, program.stderr)
+    not_unicode = [b"check", b"\xff.toml"]
+    program = subprocess.run([os.environ["RINGFILM_PROGRAM"], *not_unicode], capture_output=True)
+    module = subprocess.run([sys.executable, "-m", "ringfilm", *not_unicode], capture_output=True)
+    assert (module.returncode, module.stdout, module.stderr) == (2, program.stdout, program.stderr)
     assert pathlib.Path("case.toml").exists()
