@@ -118,6 +118,14 @@ Header read_header(const BinaryReader& in) {
                  "the header is damaged: copy the file again");
   }
   const std::size_t points = checked_points(in.file(), points_x, points_y);
+  // Some writers leave the number of all points at 0.
+  const auto total = in.number<std::int32_t>(kPoints, "the number of all points");
+  if (total != 0 && (total < 0 || static_cast<std::size_t>(total) != points)) {
+    in.refuse_at(
+        kPoints,
+        fmt::format("the header states {} points in all, and {} x {} are {}", total, points_x, points_y, points),
+        "the header is damaged: copy or export the file again");
+  }
   header.points_x = static_cast<std::size_t>(points_x);
   header.points_y = static_cast<std::size_t>(points_y);
   const auto comment = in.number<std::int16_t>(kCommentSize, "the size of the comment");
@@ -135,9 +143,18 @@ Header read_header(const BinaryReader& in) {
   header.step_y = in.number<float>(kStepY, "the step y");
   header.step_z = in.number<float>(kStepZ, "the step z");
   header.offset_z = in.number<float>(kOffsetZ, "the offset z");
-  if (!std::isfinite(header.step_z) || header.step_z == 0 || !std::isfinite(header.offset_z)) {
-    in.refuse_at(kStepZ, fmt::format("the step of the heights is {}, their offset {}", header.step_z, header.offset_z),
-                 "the header is damaged, or its byte order is not the one it states");
+  const std::string remedy = "the header is damaged, or its byte order is not the one it states: export the file again";
+  for (const auto& [offset, name, step] :
+       {std::tuple(kStepX, "x", header.step_x), std::tuple(kStepY, "y", header.step_y)}) {
+    if (std::isfinite(step) && step >= 0) continue;  // 0: not stated, and asked for where it is needed
+    in.refuse_at(offset, fmt::format("the step along {} is {}; a number above zero is expected", name, step), remedy);
+  }
+  // A negative step would turn peaks into pits; the mark of inversion is there for that.
+  if (!(std::isfinite(header.step_z) && header.step_z > 0 && std::isfinite(header.offset_z))) {
+    in.refuse_at(kStepZ,
+                 fmt::format("the step of the heights is {}, their offset {}; a step above zero is expected",
+                             header.step_z, header.offset_z),
+                 remedy);
   }
   header.unit_x = in.text(kUnitX, 16, "the unit of x");
   header.unit_y = in.text(kUnitY, 16, "the unit of y");
@@ -237,8 +254,8 @@ InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const 
     const BinaryReader data(file, *bytes, order);
     ChannelValues values;
     values.channel = channel;
-    values.step_x = std::abs(header.step_x);
-    values.step_y = std::abs(header.step_y);
+    values.step_x = header.step_x;
+    values.step_y = header.step_y;
     values.step_unit = header.unit_x;
     if (header.points_y > 1 && header.unit_x != header.unit_y) {
       refuse(file,

@@ -36,8 +36,9 @@ void check_header(const BinaryReader& in, const SdfHeader& header) {
     in.refuse_at(0, fmt::format("DataType = {} is not known; 0 to 7 are", header.type),
                  "the header is damaged, or the file is of a later kind: export it as X3P");
   }
-  if (!std::isfinite(header.scale_z) || header.scale_z == 0) {
-    in.refuse_at(0, fmt::format("Zscale = {} gives no heights", header.scale_z),
+  // A negative scale would turn peaks into pits.
+  if (!(std::isfinite(header.scale_z) && header.scale_z > 0)) {
+    in.refuse_at(0, fmt::format("Zscale = {} gives no heights; a number above zero is expected", header.scale_z),
                  "the header is damaged, or its byte order is not low byte first");
   }
   for (const double step : {header.step_x, header.step_y}) {

@@ -196,7 +196,8 @@ void read_sizes(Description& about, const pugi::xml_node& record3) {
   about.layers = layers;
 }
 
-/// Of a single row or column, the step across it says nothing: instruments write 0 there.
+/// Of a single row or column, the step across it says nothing: instruments write 0 there. A negative increment of the
+/// heights would turn peaks into pits.
 void check_increments(const Description& about) {
   const auto check = [&about](const X3pAxis& axis, std::size_t points, const char* name) {
     if (axis.increment > 0 || (axis.by_step && points == 1)) return;
@@ -205,6 +206,10 @@ void check_increments(const Description& about) {
   };
   check(about.x, about.points_x, "CX");
   check(about.y, about.points_y, "CY");
+  if (!(about.z.increment > 0)) {
+    refuse_element(about, "CZ/Increment", fmt::format("{} is not a step of heights", about.z.increment),
+                   "a number above zero is expected: export the file again");
+  }
 }
 
 void read_links(Description& about, const pugi::xml_node& record3) {

@@ -104,6 +104,32 @@ TEST(DigitalSurf, AHeaderSmallerThanTheDataIsRefused) {
   EXPECT_EQ(refusal("a.sur", sur.bytes()), "");
 }
 
+TEST(DigitalSurf, AStepBelowZeroIsRefused) {
+  Sur sur;
+  sur.step_x = -2.0f;
+  EXPECT_THAT(refusal("a.sur", sur.bytes()),
+              HasSubstr("byte 120: the step along x is -2; a number above zero is expected"));
+  sur.step_x = 2.0f;
+  sur.step_y = -3.0f;
+  EXPECT_THAT(refusal("a.sur", sur.bytes()), HasSubstr("byte 124: the step along y is -3"));
+  sur.step_y = std::nanf("");
+  EXPECT_THAT(refusal("a.sur", sur.bytes()), HasSubstr("byte 124: the step along y is nan"));
+  sur.step_y = 3.0f;
+  sur.step_z = -0.25f;
+  EXPECT_THAT(refusal("a.sur", sur.bytes()), HasSubstr("byte 128: the step of the heights is -0.25"));
+}
+
+TEST(DigitalSurf, ATotalThatContradictsRowsAndColumnsIsRefused) {
+  Sur sur;
+  for (const int total : {5, 7, -6}) {
+    sur.points = total;
+    EXPECT_THAT(refusal("a.sur", sur.bytes()),
+                HasSubstr("byte 116: the header states " + std::to_string(total) + " points in all, and 3 x 2 are 6"));
+  }
+  sur.points = 0;  // not stated
+  EXPECT_EQ(refusal("a.sur", sur.bytes()), "");
+}
+
 TEST(DigitalSurf, WhatIsWrittenIsReadBack) {
   surface::HeightMap map;
   map.points_x = 4;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,6 +92,7 @@ struct Sur {
   int objects = 1;
   int special_points = 0;
   int points_x = 3, points_y = 2;
+  std::optional<int> points = {};  ///< points_x * points_y
   std::int64_t smallest = 0;
   int inverted = 0;
   int comment_size = 0;
@@ -102,7 +104,8 @@ struct Sur {
     Bytes out(high_byte_first);
     out.text("DIGITAL SURF").i16(high_byte_first ? 1 : 0).i16(objects).i16(1).i16(type);
     out.text("a scratch", 30).text("somebody", 30).i16(0).i16(0).i16(0).i16(special_points).i16(1);
-    out.f32(0).i32(0).i16(bits).i32(smallest).i32(60).i32(points_x).i32(points_y).i32(points_x * points_y);
+    out.f32(0).i32(0).i16(bits).i32(smallest).i32(60).i32(points_x).i32(points_y).i32(
+        points.value_or(points_x * points_y));
     out.f32(step_x).f32(step_y).f32(step_z).text("X", 16).text("Y", 16).text("Z", 16);
     out.text(unit_xy, 16).text(unit_xy, 16).text(unit_z, 16).text(unit_xy, 16).text(unit_xy, 16).text(unit_z, 16);
     out.f32(1).f32(1).f32(1).i16(0).i16(inverted).i16(0).zeros(12);

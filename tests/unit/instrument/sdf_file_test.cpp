@@ -83,6 +83,7 @@ TEST(Sdf, WhatIsNotReadIsNamed) {
   EXPECT_THAT(refusal("a.sdf", sdf_header(9, 3, 2).zeros(48)), HasSubstr("DataType = 9"));
   EXPECT_THAT(refusal("a.sdf", sdf_header(7, 3, 2).zeros(47)), HasSubstr("byte 81: the map of 3 x 2 points needs 48"));
   EXPECT_THAT(refusal("a.sdf", sdf_header(7, 3, 2, 0.0).zeros(48)), HasSubstr("Zscale = 0"));
+  EXPECT_THAT(refusal("a.sdf", sdf_header(7, 3, 2, -1e-9).zeros(48)), HasSubstr("Zscale = -1e-09 gives no heights"));
   EXPECT_THAT(refusal("a.sdf", sdf_text("1 2 3 4 5", 3, 2)), HasSubstr("the heights end after 5 of 6"));
   EXPECT_THAT(refusal("a.sdf", sdf_text("1 2 3 4 5x 6", 3, 2)), HasSubstr("height 5 is not a number"));
   EXPECT_THAT(refusal("a.sdf", sdf_text("1 2 3", 3000, 2000)), HasSubstr("have no place in the"));

@@ -159,6 +159,9 @@ TEST(X3p, AStepMustBeAboveZero) {
     x3p = of_type('D', {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6});
     x3p.axis_y = axis;
     EXPECT_THAT(refusal("a.x3p", x3p_archive(x3p)), HasSubstr("main.xml, CY/Increment: ")) << step;
+    X3p heights = of_type('D', {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6});
+    heights.axis_z += "<Increment>" + step + "</Increment>";
+    EXPECT_THAT(refusal("a.x3p", x3p_archive(heights)), HasSubstr("main.xml, CZ/Increment: ")) << step;
     x3p.dimension = "<MatrixDimension><SizeX>6</SizeX><SizeY>1</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
     EXPECT_EQ(refusal("a.x3p", x3p_archive(x3p)), "") << "one row has no step along y";
   }
