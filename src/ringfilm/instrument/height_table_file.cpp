@@ -14,6 +14,7 @@
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/binary_reader.hpp"
 #include "ringfilm/instrument/regular_grid.hpp"
+#include "ringfilm/io/units.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -127,6 +128,13 @@ struct StatedLength {
   std::string unit;
 };
 
+/// The same in metres; nothing where the unit is not a length.
+std::optional<StatedLength> in_metres(const StatedLength& length, const io::Units& units) {
+  if (!units.measures(length.unit, "m")) return std::nullopt;
+  const io::Scale scale = units.scale(length.unit, "m");
+  return StatedLength{scale.to_si(length.value), scale.to_si(length.rounding), "m"};
+}
+
 /// Half a unit of the last digit that a number was written with.
 double rounding_of(std::string_view number) {
   const std::size_t power = std::min(number.find_first_of("eE"), number.size());
@@ -232,6 +240,7 @@ class TableReader {
 
   TableLayout layout_by_content() const {
     if (!header_.empty()) return find({"y"}) && find({"x"}) ? TableLayout::kPoints : TableLayout::kProfile;
+    if (width_ && height_) return TableLayout::kMatrix;  // a header of Gwyddion, whatever the number of columns
     if (n_columns_ <= 2) return TableLayout::kProfile;
     return n_columns_ == 3 ? TableLayout::kPoints : TableLayout::kMatrix;
   }
@@ -289,6 +298,7 @@ class TableReader {
     values.channel.points_x = n_columns_;
     values.channel.unit = stated_unit_;
     take_missing(values);
+    share_unit_of_sides();
     if (width_ && height_ && width_->unit == height_->unit) {
       values.step_x = width_->value / static_cast<double>(values.channel.points_x);
       values.step_y = height_->value / static_cast<double>(values.channel.points_y);
@@ -296,6 +306,16 @@ class TableReader {
       note_uneven_steps(values);
     }
     return values;
+  }
+
+  /// Gwyddion writes each side in a unit that suits its size: "Width: 10 um", "Height: 10 mm".
+  void share_unit_of_sides() {
+    if (!width_ || !height_ || width_->unit == height_->unit) return;
+    const io::Units units;
+    const std::optional<StatedLength> width = in_metres(*width_, units), height = in_metres(*height_, units);
+    if (!width || !height) return;
+    width_ = width;
+    height_ = height;
   }
 
   /// A matrix that was cut behind a row shows only in this: its stated height spreads over fewer rows.
@@ -401,25 +421,31 @@ class TableReader {
 
 }  // namespace
 
-bool looks_like_table(const std::string& bytes) {
+TextHead text_head(const std::string& bytes) {
   const std::string_view head = std::string_view(bytes).substr(0, kSniffed);
   for (const char c : head) {
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F) return false;
+    if ((byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F) return {};
   }
+  TextHead found{TextKind::kOther, 0, ""};
   for (std::size_t start = head.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0; start < head.size();) {
     const std::size_t end = std::min(head.find('\n', start), head.size());
     const std::string_view line = stripped(head.substr(start, end - start));
     start = end + 1;
+    ++found.line;
     if (line.empty() || line.front() == '#') continue;
     std::string_view cell;
     Cells cells(line, separator_of(line));
     if (!cells.next(cell)) continue;
-    if (is_missing_word(cell) || number_of(cell, true)) return true;
     const std::string name = column_of(cell).name;
-    return name == "x" || name == "y" || name == "z" || name == "height" || name == "h";
+    if (is_missing_word(cell) || number_of(cell, true) || name == "x" || name == "y" || name == "z" ||
+        name == "height" || name == "h") {
+      found.kind = TextKind::kTable;
+    }
+    found.words = utf8_from(line.substr(0, 200));
+    return found;
   }
-  return false;
+  return found;
 }
 
 InstrumentFile read_height_table(const std::string& file, const std::string& bytes, TableLayout layout) {

@@ -32,6 +32,23 @@ InstrumentFile through_gwyddion(const std::string& path) {
   return result;
 }
 
+/// Refuses text that is not a table of heights, nor of a format that gwyddion knows.
+[[noreturn]] void refuse_text(const std::string& path, const TextHead& head, const InputError& of_gwyddion) {
+  throw InputError(std::vector<Fault>{
+      {{path, head.line, 1, head.words},
+       "this line starts neither numbers nor columns of heights, and " + of_gwyddion.faults().front().message,
+       "text is read as a matrix of heights, as points x, y, z, or as a profile x, z. Write numbers alone, or name the "
+       "columns in the first line, for example: x [um],y [um],z [nm]; start any other line before them with #"}});
+}
+
+InstrumentFile text_through_gwyddion(const std::string& path, const TextHead& head) {
+  try {
+    return through_gwyddion(path);
+  } catch (const InputError& error) {
+    refuse_text(path, head, error);
+  }
+}
+
 bool starts_with(const std::string& bytes, std::string_view signature) {
   return std::string_view(bytes).substr(0, signature.size()) == signature;
 }
@@ -251,9 +268,12 @@ InstrumentFile open_instrument_file(const std::string& path, TableLayout layout)
   if (starts_with(*bytes, "DIGITAL SURF") || starts_with(*bytes, "DSCOMPRESSED")) return read_digital_surf(path, bytes);
   if (starts_with(*bytes, "Gwyddion Simple Field 1.0")) return read_simple_field(path, bytes);
   if (starts_with(*bytes, "GWYP")) return read_gwy(path, bytes);
-  if (layout != TableLayout::kByContent || looks_like_table(*bytes)) return read_height_table(path, *bytes, layout);
+  const TextHead head = text_head(*bytes);
+  if (layout != TableLayout::kByContent || head.kind == TextKind::kTable) {
+    return read_height_table(path, *bytes, layout);
+  }
   bytes.reset();
-  return through_gwyddion(path);
+  return head.kind == TextKind::kOther ? text_through_gwyddion(path, head) : through_gwyddion(path);
 }
 
 SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& options, const io::Units& units) {

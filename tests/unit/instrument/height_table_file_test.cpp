@@ -76,6 +76,46 @@ TEST(HeightTable, RowsThatDoNotFillTheStatedHeightAreNoted) {
   EXPECT_FALSE(notes("1.1700", 7).empty() && notes("1.1800", 7).empty());
 }
 
+TEST(HeightTable, WidthAndHeightInDifferentUnitsGiveBothSteps) {
+  const std::string heights = "# Value units: m\n1e-9 2e-9 3e-9 4e-9\n5e-9 6e-9 7e-9 8e-9\n";
+  const SurfaceFile file =
+      read_bytes("a.txt", "# Channel: Topography\n# Width: 10 \u00B5m\n# Height: 10 mm\n" + heights);
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 2.5e-6);
+  EXPECT_DOUBLE_EQ(file.map.step_y_m, 5e-3);
+  // Equal steps in two units are not noted as uneven: 1.00 um / 4 and 0.00050 mm / 2.
+  EXPECT_TRUE(read_bytes("a.txt", "# Width: 1.00 um\n# Height: 0.00050 mm\n" + heights).origin.notes.empty());
+  EXPECT_FALSE(read_bytes("a.txt", "# Width: 1.00 um\n# Height: 0.00060 mm\n" + heights).origin.notes.empty());
+  // A scan over time has one length only.
+  EXPECT_THAT(refusal("a.txt", "# Width: 10 um\n# Height: 10 s\n" + heights), HasSubstr("--step-x"));
+}
+
+TEST(HeightTable, AMapOfFewColumnsIsTheMapThatItsHeaderStates) {
+  const std::string header = "# Channel: Z\n# Width: 4.0 um\n# Height: 6.0 um\n# Value units: nm\n";
+  SurfaceFile file = read_bytes("a.txt", header + "1\t2\n3\t4\n5\t6\n");
+  ASSERT_EQ(file.map.points_x, 2u);
+  ASSERT_EQ(file.map.points_y, 3u);
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 2e-6);
+  EXPECT_DOUBLE_EQ(file.map.step_y_m, 2e-6);
+  EXPECT_DOUBLE_EQ(file.map.height_m[5], 6e-9);
+  file = read_bytes("a.txt", header + "1 2 3\n4 5 6\n7 8 9\n");
+  ASSERT_EQ(file.map.points_x, 3u);
+  ASSERT_EQ(file.map.points_y, 3u);
+  EXPECT_DOUBLE_EQ(file.map.height_m[8], 9e-9);
+  // One column is a profile along y.
+  file = read_bytes("a.txt", header + "1\n2\n3\n");
+  EXPECT_TRUE(file.map.is_profile());
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 2e-6);
+}
+
+TEST(HeightTable, TextThatIsNotATableNamesTheLineAndWhatIsRead) {
+  const std::string text = "# export\n\nInstrument: Surf 3000\nDistance;Depth\n0;1\n1;2\n";
+  const std::string words = refusal("a.txt", text);
+  EXPECT_THAT(words, HasSubstr("a.txt:3:1: this line starts neither numbers nor columns of heights, and "));
+  EXPECT_THAT(words, HasSubstr("Instrument: Surf 3000"));
+  EXPECT_THAT(words, HasSubstr("text is read as a matrix of heights, as points x, y, z, or as a profile x, z"));
+  EXPECT_THAT(words, testing::Not(HasSubstr("SUR or text")));
+}
+
 TEST(HeightTable, PointsInAnyOrderWithHoles) {
   const SurfaceFile file =
       read_bytes("a.csv",
