@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "ringfilm/base/trimmed.hpp"
+
 namespace ringfilm::io {
 namespace {
 
@@ -35,6 +37,12 @@ bool is_number(const std::string& text) {
   return error == std::errc{} && rest == text.data() + text.size();
 }
 
+/// Does it begin as a number does? "12 kg" and "3,5" are damaged or foreign numbers, not units.
+bool starts_number(const std::string& text) {
+  const std::size_t first = text.find_first_not_of("+-.");
+  return first != std::string::npos && text[first] >= '0' && text[first] <= '9';
+}
+
 char separator_of(const std::string& header) {
   if (header.find(';') != std::string::npos) return ';';
   if (header.find(',') != std::string::npos) return ',';
@@ -45,6 +53,16 @@ bool is_blank(const std::string& line) { return line.find_first_not_of(" \t") ==
 bool is_comment(const std::string& line) {
   const std::size_t first = line.find_first_not_of(" \t");
   return first != std::string::npos && line[first] == '#';
+}
+
+/// The unit that a cell of the row of units states; nothing where it states none.
+std::optional<std::string> unit_of(std::string cell) {
+  if (cell.size() >= 2 &&
+      ((cell.front() == '[' && cell.back() == ']') || (cell.front() == '(' && cell.back() == ')'))) {
+    cell = trimmed(cell.substr(1, cell.size() - 2));
+  }
+  if (cell.empty()) return std::nullopt;
+  return cell == "-" ? "1" : cell;
 }
 
 CsvColumn column_of(const std::string& header) {
@@ -61,7 +79,7 @@ class CsvReader {
   }
 
   CsvFile read() {
-    const std::size_t first_row = read_header();
+    const std::size_t first_row = read_units(read_header());
     for (std::size_t i = first_row; i < csv_.source.lines.size() && faults_.size() < kMostCsvFaults; ++i) {
       const std::string& line = csv_.source.lines[i];
       if (!is_blank(line) && !is_comment(line)) read_row(line, static_cast<int>(i) + 1);
@@ -96,6 +114,35 @@ class CsvReader {
     for (const CsvCell& cell : cells) {
       if (cell.text.empty()) refuse(csv_.source.mark(csv_.header_line, cell.column), "a column has no name", "");
       csv_.columns.push_back(column_of(cell.text));
+    }
+    return i + 1;
+  }
+
+  /// @param i index of the line after the header  @returns index of the line after the row of units, if there is one
+  std::size_t read_units(std::size_t i) {
+    const std::size_t after_header = i;
+    const auto& lines = csv_.source.lines;
+    while (i < lines.size() && (is_blank(lines[i]) || is_comment(lines[i]))) ++i;
+    if (i == lines.size()) return after_header;
+    std::vector<CsvCell> cells = split(lines[i], csv_.separator);
+    if (cells.size() == csv_.columns.size() + 1 && cells.back().text.empty()) cells.pop_back();
+    const auto holds_digits = [](const CsvCell& cell) { return is_number(cell.text) || starts_number(cell.text); };
+    const auto is_empty = [](const CsvCell& cell) { return cell.text.empty(); };
+    if (cells.size() != csv_.columns.size() || std::any_of(cells.begin(), cells.end(), holds_digits) ||
+        std::all_of(cells.begin(), cells.end(), is_empty)) {
+      return after_header;
+    }
+    csv_.units_line = static_cast<int>(i) + 1;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      std::optional<std::string>& unit = csv_.columns[k].unit;
+      const std::optional<std::string> below = unit_of(cells[k].text);
+      if (unit && below && *unit != *below) {
+        faults_.push_back(
+            {csv_.source.mark(csv_.units_line, cells[k].column),
+             "the unit of " + csv_.columns[k].name + " is " + *below + " here and " + *unit + " in the header",
+             "keep the right one; below the header a row of text is read as units"});
+      }
+      if (below) unit = below;
     }
     return i + 1;
   }
@@ -142,6 +189,10 @@ class CsvReader {
     const std::string& path = csv_.source.path;
     if (csv_.source.has_byte_order_mark)
       csv_.notes.push_back(path + " starts with a byte-order mark, which was skipped");
+    if (csv_.units_line > 0) {
+      csv_.notes.push_back(path + " has a row of units in line " + std::to_string(csv_.units_line) +
+                           ", which was used");
+    }
     if (has_decimal_commas_) csv_.notes.push_back(path + " is written with decimal commas and was read so");
   }
 
@@ -160,6 +211,11 @@ class CsvReader {
 SourceMark CsvFile::header_mark(std::size_t i_column) const {
   const auto cells = split(source.lines[header_line - 1], separator);
   return source.mark(header_line, cells[i_column].column);
+}
+
+SourceMark CsvFile::unit_mark(std::size_t i_column) const {
+  if (units_line == 0) return header_mark(i_column);
+  return source.mark(units_line, split(source.lines[units_line - 1], separator)[i_column].column);
 }
 
 SourceMark CsvFile::cell_mark(std::size_t i_row, std::size_t i_column) const {

@@ -28,7 +28,7 @@ std::vector<double> quantity_column(const CsvFile& csv, const std::string& name,
     std::transform(column.values.begin(), column.values.end(), si.begin(), [&](double v) { return scale.to_si(v); });
     return si;
   } catch (const UnitError& problem) {
-    faults.push_back({csv.header_mark(*i_column), "the column " + name + " " + problem.what(),
+    faults.push_back({csv.unit_mark(*i_column), "the column " + name + " " + problem.what(),
                       problem.remedy.empty() ? "for example " + example : problem.remedy});
     return {};
   }

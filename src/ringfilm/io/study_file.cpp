@@ -253,7 +253,7 @@ class StudyReader {
           for (double& x : values) x = scale.to_si(x);
         }
       } catch (const UnitError& problem) {
-        table.refuse(csv.header_mark(*found), fmt::format("the column {} {}", factor.name, problem.what()),
+        table.refuse(csv.unit_mark(*found), fmt::format("the column {} {}", factor.name, problem.what()),
                      fmt::format("write it as {} [{}]", factor.name, factor.display_unit));
       }
       columns.push_back(std::move(values));

@@ -80,6 +80,20 @@ class TraceReader {
            units_.measures(unit.substr(0, unit.find_first_of("g (")), "Pa");
   }
 
+  std::string why_none_is(const Role& role) const {
+    std::string reasons;
+    for (const CsvColumn& column : csv_.columns) {
+      std::string reason = "has no unit";
+      try {
+        if (column.unit) units_.scale(*column.unit, role.si_unit);
+      } catch (const UnitError& problem) {
+        reason = problem.what();
+      }
+      reasons += (reasons.empty() ? "" : ", ") + column.name + " " + reason;
+    }
+    return reasons;
+  }
+
   std::optional<std::size_t> column_for(const Role& role) {
     const SourceMark header = csv_.source.mark(csv_.header_line, 1);
     if (role.column) {
@@ -96,7 +110,7 @@ class TraceReader {
     }
     if (candidates.size() == 1) return candidates.front();
     if (candidates.empty()) {
-      faults_.push_back({header, "no column of the file is a " + role.words,
+      faults_.push_back({header, "no column of the file is a " + role.words + ": " + why_none_is(role),
                          "a header such as " + role.header_example + " is wanted, or " + role.column_key});
     } else {
       faults_.push_back({header, fmt::format("{} columns of the file may be the {}", candidates.size(), role.words),
@@ -108,7 +122,7 @@ class TraceReader {
   std::vector<double> values(std::size_t i_column, const Role& role) {
     const CsvColumn& column = csv_.columns[i_column];
     const auto refuse = [&](const std::string& message, const std::string& remedy) {
-      faults_.push_back({csv_.header_mark(i_column), message, remedy});
+      faults_.push_back({csv_.unit_mark(i_column), message, remedy});
       return std::vector<double>();
     };
     if (!column.unit && !role.unit) {
@@ -126,7 +140,7 @@ class TraceReader {
       if (column.unit && role.unit) {
         const Scale other = units_.scale(*role.unit, role.si_unit);
         if (other.factor != scale.factor || other.divisor != scale.divisor) {
-          return refuse("the header says " + unit + ", " + role.unit_key + " says " + *role.unit,
+          return refuse("the file states " + unit + ", " + role.unit_key + " says " + *role.unit,
                         "one of them is wrong");
         }
       }

@@ -39,14 +39,17 @@ std::mutex& udunits_mutex() {
 }
 
 /// Names that engineers write and UDUNITS does not know, by what it knows.
-constexpr std::array<std::pair<const char*, const char*>, 8> kOurNames{{{"cP", "0.001 Pa.s"},
-                                                                        {"deg", "degree"},
-                                                                        {"degCA", "degree"},
-                                                                        {"CAD", "degree"},
-                                                                        {"rev", "revolution"},
-                                                                        {"bara", "bar"},
-                                                                        {"psia", "psi"},
-                                                                        {"mPas", "0.001 Pa.s"}}};
+constexpr std::array<std::pair<const char*, const char*>, 11> kOurNames{{{"cP", "0.001 Pa.s"},
+                                                                         {"deg", "degree"},
+                                                                         {"degCA", "degree"},
+                                                                         {"degreeCA", "degree"},
+                                                                         {"degKW", "degree"},
+                                                                         {"degreeKW", "degree"},
+                                                                         {"CAD", "degree"},
+                                                                         {"rev", "revolution"},
+                                                                         {"bara", "bar"},
+                                                                         {"psia", "psi"},
+                                                                         {"mPas", "0.001 Pa.s"}}};
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(), [&word](const char* w) { return word == w; });

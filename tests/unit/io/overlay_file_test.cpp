@@ -55,6 +55,14 @@ TEST_F(OverlayFile, AnglesMayBeInRadians) {
   EXPECT_NEAR(curves[0].crank_angle_deg[1], 180, 1e-12);  // rounding of 180/pi
 }
 
+TEST_F(OverlayFile, TakesItsUnitsFromARowBelowTheNames) {
+  const auto curves =
+      read("crank_angle,min_film_thickness,friction_coefficient\ndeg,um,-\n-20,1.25,0.01\n20,0.5,0.15\n");
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_THAT(curves[0].value, ElementsAre(1.25e-6, 0.5e-6));
+  EXPECT_THAT(curves[1].value, ElementsAre(0.01, 0.15));
+}
+
 TEST_F(OverlayFile, RefusesWhatIsNoCurveOrHasNoUnit) {
   EXPECT_THAT(refusal("crank_angle [degree],frction_on_liner [N]\n0,1\n1,2\n"), HasSubstr("friction_on_liner"));
   EXPECT_THAT(refusal("crank_angle [degree],friction_on_liner\n0,1\n1,2\n"), HasSubstr("unit"));

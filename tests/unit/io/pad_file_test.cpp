@@ -38,6 +38,11 @@ TEST(PadFile, ReadsAGapInTheUnitsOfItsHeader) {
   EXPECT_THAT(gap_of_pad("height [mm];x [m]\n0,02;0\n0,01;0,01\n").height, ElementsAre(0.02e-3, 0.01e-3));
 }
 
+TEST(PadFile, TakesItsUnitsFromARowBelowTheNames) {
+  EXPECT_THAT(gap_of_pad("x;h\n[mm];[um]\n0;20\n7;10,5\n").height, ElementsAre(20e-6, 10.5e-6));
+  EXPECT_THAT(pad_refusal("x;h\nmm;smoot\n0;20\n7;10\n"), HasSubstr("gap.csv:2:4: the column h has an unknown unit"));
+}
+
 TEST(PadFile, RefusesStepsThatAreNone) {
   EXPECT_THAT(pad_refusal("x [mm],h [um]\n0,1\n1,1\n1,2\n1,3\n2,1\n"),
               HasSubstr("gap.csv:5:1: this x comes three times"));

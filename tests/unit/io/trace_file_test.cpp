@@ -89,9 +89,52 @@ TEST_F(Trace, AsksForUnitsOnceAndRefusesContradictions) {
   TraceColumns stated;
   stated.pressure_unit = "bar";
   EXPECT_THAT(told("crank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n", stated),
-              HasSubstr("p.csv:1:22: the header says Pa, gas.pressure_unit says bar"));
+              HasSubstr("p.csv:1:22: the file states Pa, gas.pressure_unit says bar"));
   stated.pressure_unit = "Pa";
   EXPECT_EQ(read("crank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n", stated).samples.value.size(), 2u);
+}
+
+TEST_F(Trace, TakesItsUnitsFromARowBelowTheNames) {
+  for (const char* text :
+       {"Crank Angle;PCYL1\ndeg;bar\n0;1,5\n1;2\n", "crank_angle,p\n[deg],(bar)\n0,1.5\n1,2\n",
+        "crank_angle\tp\n\u00B0CA\tbara\n0\t1.5\n1\t2\n",
+        "crank_angle,p,\n\n# rig 7\n\"degKW\",\"bar\",\n0,1.5,\n1,2,\n", "crank_angle [deg],p\ndeg,bar\n0,1.5\n1,2\n",
+        "crank_angle [deg],p\n,bar\n0,1.5\n1,2\n", "crank_angle,p,n\ndeg,bar,-\n0,1.5,3\n1,2,4\n"}) {
+    const TraceFile file = read(text);
+    EXPECT_THAT(file.samples.crank_angle_deg, ElementsAre(0, 1)) << text;
+    EXPECT_THAT(file.samples.value, ElementsAre(1.5e5, 2e5)) << text;
+  }
+  EXPECT_THAT(read("crank_angle,p\ndeg,bar\n0,1\n1,2\n").notes,
+              ElementsAre("p.csv has a row of units in line 2, which was used"));
+}
+
+TEST_F(Trace, ComparesTheRowOfUnitsWithWhatIsStated) {
+  const std::string rows = "0,1\n1,2\n";
+  TraceColumns stated;
+  stated.pressure_unit = "MPa";
+  EXPECT_THAT(told("crank_angle,p\ndeg,bar\n" + rows, stated),
+              HasSubstr("p.csv:2:5: the file states bar, gas.pressure_unit says MPa"));
+  stated.pressure_unit = "bar";
+  EXPECT_THAT(read("crank_angle,p\ndeg,bar\n" + rows, stated).samples.value, ElementsAre(1e5, 2e5));
+  EXPECT_THAT(told("crank_angle [deg],p [Pa]\ndeg,bar\n" + rows),
+              HasSubstr("p.csv:2:5: the unit of p is bar here and Pa in the header"));
+  stated = {};
+  stated.reference = cycle::PressureReference::kGauge;
+  EXPECT_THAT(told("crank_angle,p\ndeg,bara\n" + rows, stated), HasSubstr("p.csv:2:5: the unit bara is absolute"));
+  EXPECT_THAT(told("crank_angle,p\ndeg,barg\n" + rows), HasSubstr("p.csv:2:5: the column p is a gauge pressure"));
+}
+
+TEST_F(Trace, RefusesAnUnknownUnitInTheRowOfUnits) {
+  EXPECT_THAT(told("crank_angle,p\ndeg,kp/cmm\n0,1\n1,2\n"),
+              HasSubstr("no column of the file is a pressure: crank_angle is not a pressure: \"deg\" measures "
+                        "something else, p has an unknown unit \"kp/cmm\""));
+  TraceColumns stated;
+  stated.pressure_column = "p";
+  EXPECT_THAT(told("crank_angle,p\ndeg,kp/cmm\n0,1\n1,2\n", stated),
+              HasSubstr("p.csv:2:5: the column p has an unknown unit \"kp/cmm\""));
+  // Text between the numbers, or below the units, is not a row of units.
+  EXPECT_THAT(told("crank_angle,p\ndeg,3 bar\n0,1\n1,2\n"), HasSubstr("p.csv:2:1: \"deg\" is not a number"));
+  EXPECT_THAT(told("crank_angle,p\ndeg,bar\ndeg,bar\n1,2\n"), HasSubstr("p.csv:3:1: \"deg\" is not a number"));
 }
 
 TEST_F(Trace, RefusesWhatIsNoTraceWithLineAndColumn) {
