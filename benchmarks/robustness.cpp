@@ -18,10 +18,12 @@
 
 #include "../tests/scenarios/engine_scenario.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/cycle_run.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/cycle/side_by_side.hpp"
 #include "ringfilm/film/film_integrals.hpp"
 #include "ringfilm/film/kernels.hpp"
+#include "ringfilm/models/viscosity_laws.hpp"
 #include "ringfilm/study/batch.hpp"
 #include "ringfilm/study/threads.hpp"
 
@@ -36,19 +38,20 @@ using testing::EngineScenario;
 /// How a scenario ended.
 enum class End {
   kSolved,
-  kOverloaded,       ///< told: neither film nor asperities carry the load
-  kLiftedOff,        ///< told: the gas at the edges lifts the ring off
-  kFalseOverload,    ///< told so although the asperities alone carry it
-  kUnexplained,      ///< told: no balance found
+  kOverloaded,       ///< reported: neither film nor asperities carry the load
+  kLiftedOff,        ///< reported: the gas at the edges lifts the ring off
+  kRunsAway,         ///< reported: thinner films have no pressure, since viscosity rises without limit
+  kFalseOverload,    ///< reported as an overload although the asperities alone carry the load
+  kUnexplained,      ///< reported: no balance found
   kNotFinite,        ///< a film with a NaN or an infinity was accepted
   kOutOfBalance,     ///< a film was accepted that does not carry its load
   kLastStateBroken,  ///< after a stop the march does not stand on a good film
   kException,        ///< anything else was thrown
 };
-constexpr int kEnds = 9;
-constexpr const char* kEndNames[kEnds] = {"solved",         "overloaded",        "lifted-off",
-                                          "false-overload", "unexplained",       "not-finite",
-                                          "out-of-balance", "last-state-broken", "exception"};
+constexpr int kEnds = 10;
+constexpr const char* kEndNames[kEnds] = {
+    "solved",      "overloaded", "lifted-off",     "runs-away",         "false-overload",
+    "unexplained", "not-finite", "out-of-balance", "last-state-broken", "exception"};
 
 /// Accepted films carry their load to sqrt(solver.tolerance), the solver's stop test (docs/theory/film.md).
 constexpr double kLoadError = 1e-4;
@@ -57,6 +60,7 @@ struct Outcome {
   End end = End::kSolved;
   std::string message;
   std::optional<double> crank_angle_deg;
+  bool is_graded = false;  ///< marched on graded cells, since uniform ones found no film
   March::Totals totals;
   long side_steps = 0;
 };
@@ -123,10 +127,12 @@ double load_at(const Setup& setup, double crank_angle_deg) {
 class ScenarioMarch final : public Marching {
  public:
   /// Throws InputError.
-  ScenarioMarch(int index, const EngineScenario& scenario)
+  ScenarioMarch(int index, const EngineScenario& scenario) : ScenarioMarch(index, scenario, prepare(scenario.input)) {}
+
+  ScenarioMarch(int index, const EngineScenario& scenario, Setup setup)
       : index_(index),
         scenario_(scenario),
-        setup_(prepare(scenario.input)),
+        setup_(std::move(setup)),
         march_(setup_),
         watch_(scenario_, outcome_.side_steps),
         n_steps_(steps_per_cycle(setup_.input.solver)) {
@@ -151,7 +157,13 @@ class ScenarioMarch final : public Marching {
   Outcome outcome() const {
     Outcome outcome = outcome_;
     outcome.totals = march_.totals();
+    outcome.is_graded = setup_.cells == CellsOfFace::kGraded;
     return outcome;
+  }
+  /// Where this march stopped and graded cells may help.
+  std::unique_ptr<ScenarioMarch> again() const {
+    std::optional<Setup> setup = stop_ ? second_attempt(setup_, *stop_) : std::nullopt;
+    return setup ? std::make_unique<ScenarioMarch>(index_, scenario_, std::move(*setup)) : nullptr;
   }
 
  private:
@@ -160,8 +172,8 @@ class ScenarioMarch final : public Marching {
     try {
       action();
       return;
-    } catch (const ConvergenceError& error) {
-      told(error);
+    } catch (const NoBalance& error) {
+      stopped(error);
     } catch (const Broken& broken) {
       outcome_.end = broken.end;
       outcome_.crank_angle_deg = broken.crank_angle_deg;
@@ -172,17 +184,27 @@ class ScenarioMarch final : public Marching {
     done_ = true;
   }
 
-  void told(const ConvergenceError& error) {
+  void stopped(const NoBalance& error) {
     outcome_.message = error.what();
     outcome_.crank_angle_deg = error.crank_angle_deg();
-    const bool overloaded = outcome_.message.find("neither the film nor the asperities carry") != std::string::npos;
-    const double load = load_at(setup_, outcome_.crank_angle_deg.value_or(scenario_.start_angle_deg));
-    const bool lifted = outcome_.message.find("the gas lifts the ring off") != std::string::npos;
-    outcome_.end = lifted                                        ? End::kLiftedOff
-                   : !overloaded                                 ? End::kUnexplained
-                   : asperity_capacity(march_.problem()) >= load ? End::kFalseOverload
-                                                                 : End::kOverloaded;
+    stop_ = Stop{error.what(), error.crank_angle_deg(), error.failure};
+    outcome_.end = end_of(error);
     if (started_ && !is_finite(march_.state())) outcome_.end = End::kLastStateBroken;
+  }
+
+  End end_of(const NoBalance& error) const {
+    const double load = load_at(setup_, error.crank_angle_deg().value_or(scenario_.start_angle_deg));
+    switch (error.failure) {
+      case film::Failure::kLiftedOff:
+        return End::kLiftedOff;
+      case film::Failure::kRunsAway:
+        return setup_.input.lubricant.viscosity_pressure == ViscosityPressure::kNone ? End::kUnexplained
+                                                                                     : End::kRunsAway;
+      case film::Failure::kOverloaded:
+        return asperity_capacity(march_.problem()) >= load ? End::kFalseOverload : End::kOverloaded;
+      default:
+        return End::kUnexplained;
+    }
   }
 
   int index_;
@@ -192,6 +214,7 @@ class ScenarioMarch final : public Marching {
   Outcome outcome_;
   Watch watch_;
   int n_steps_;
+  std::optional<Stop> stop_;
   int steps_ = 0;
   bool started_ = false, done_ = false;
 };
@@ -204,6 +227,7 @@ std::string as_json(std::uint64_t seed, int index, const EngineScenario& scenari
       {"end", kEndNames[static_cast<int>(outcome.end)]},
       {"crank_angle_deg", nullptr},
       {"message", outcome.message},
+      {"graded", outcome.is_graded},
       {"speed_rpm", c.operating.speed * 30 / std::numbers::pi},
       {"oil_temperature_degC", c.operating.oil_temperature - 273.15},
       {"peak_pressure_bar", scenario.peak_pressure * 1e-5},
@@ -218,6 +242,8 @@ std::string as_json(std::uint64_t seed, int index, const EngineScenario& scenari
       {"asperity_density_per_um2", c.contact.asperity_density * 1e-12},
       {"film_parameter", c.contact.film_parameter == FilmParameter::kLocal ? "local" : "nominal"},
       {"integrals", c.contact.integrals == ContactIntegrals::kExact ? "exact" : "polynomial-4-digit"},
+      {"viscosity_pressure", models::viscosity_law(c.lubricant.viscosity_pressure).name},
+      {"pressure_viscosity_coefficient", c.lubricant.law_parameters.at("pressure_viscosity_coefficient")},
       {"compressibility", c.lubricant.compressibility == Compressibility::kNone ? "none" : "dowson-higginson"},
       {"tangential_force_N", c.ring.tangential_force.value_or(0)},
       {"cavitation", c.film.cavitation == Cavitation::kMassConserving ? "mass-conserving" : "reynolds-exit"},
@@ -239,11 +265,13 @@ struct Row {
   std::string name;
   std::function<bool(const EngineScenario&)> holds;
   long scenarios = 0, steps = 0, newton = 0, search = 0, cuts = 0, short_steps = 0, side_steps = 0;
+  long graded = 0;  ///< marched again on graded cells
   long ends[kEnds] = {};
 
   void add(const Outcome& outcome) {
     ++scenarios;
     ++ends[static_cast<int>(outcome.end)];
+    graded += outcome.is_graded;
     steps += outcome.totals.crank_steps;
     newton += outcome.totals.newton_iterations;
     search += outcome.totals.fallback_secant;
@@ -252,7 +280,9 @@ struct Row {
     side_steps += outcome.side_steps;
   }
   long ended(End end) const { return ends[static_cast<int>(end)]; }
-  long faults() const { return scenarios - ended(End::kSolved) - ended(End::kOverloaded) - ended(End::kLiftedOff); }
+  long faults() const {
+    return scenarios - ended(End::kSolved) - ended(End::kOverloaded) - ended(End::kLiftedOff) - ended(End::kRunsAway);
+  }
 };
 
 /// Below this rise the film hangs on nanometres of form; such faces are counted apart and promised nothing.
@@ -293,20 +323,21 @@ std::vector<Row> empty_rows() {
 }
 
 void print(const std::vector<Row>& rows) {
-  std::printf("%-24s %9s %10s %9s %9s %8s %9s %10s %10s %7s %11s\n", "", "scenarios", "steps", "direct", "search",
-              "cut", "side", "overloaded", "lifted", "faults", "it per step");
+  std::printf("%-24s %9s %10s %9s %9s %8s %9s %8s %10s %8s %9s %7s %11s\n", "", "scenarios", "steps", "direct",
+              "search", "cut", "side", "graded", "overloaded", "lifted", "runs away", "faults", "it per step");
   for (const Row& row : rows) {
     if (row.scenarios == 0) continue;
     const double steps = static_cast<double>(std::max(row.steps, 1L));
-    std::printf("%-24s %9ld %10ld %8.3f%% %9ld %8ld %9ld %10ld %10ld %7ld %11.2f\n", row.name.c_str(), row.scenarios,
-                row.steps, 100 * (1 - static_cast<double>(row.search) / steps), row.search, row.cuts, row.side_steps,
-                row.ended(End::kOverloaded), row.ended(End::kLiftedOff), row.faults(),
-                static_cast<double>(row.newton) / steps);
+    std::printf("%-24s %9ld %10ld %8.3f%% %9ld %8ld %9ld %8ld %10ld %8ld %9ld %7ld %11.2f\n", row.name.c_str(),
+                row.scenarios, row.steps, 100 * (1 - static_cast<double>(row.search) / steps), row.search, row.cuts,
+                row.side_steps, row.graded, row.ended(End::kOverloaded), row.ended(End::kLiftedOff),
+                row.ended(End::kRunsAway), row.faults(), static_cast<double>(row.newton) / steps);
   }
   std::printf(
       "\ndirect, search: steps solved by the coupled Newton, by the bracketed search; cut: attempts given up for a\n"
-      "shorter step; side: films asked for between steps; overloaded: told that nothing carries the load;\n"
-      "lifted: told that the gas under the ring lifts it off; faults: all else that did not end well");
+      "shorter step; side: films asked for between steps; graded: marched again on graded cells, since uniform ones\n"
+      "found no film; overloaded: nothing carries the load; lifted: the gas under the ring lifts it off; runs away:\n"
+      "thinner films have no pressure; faults: all else that did not end well");
   for (const Row* row : {&rows.front(), &rows.back()}) {
     std::printf("\n%s:", row->name.c_str());
     for (int end = 0; end < kEnds; ++end) std::printf(" %s %ld", kEndNames[end], row->ends[end]);
@@ -320,6 +351,7 @@ struct Options {
   int jobs = 1;
   std::uint64_t seed = 1;
   std::optional<int> only;
+  std::optional<int> cells;  ///< in place of those of the sample
   std::string failures;
 };
 
@@ -336,8 +368,15 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+EngineScenario scenario_of(const Options& options, int index) {
+  EngineScenario scenario = testing::engine_scenario(options.seed, index);
+  scenario.input.solver.cells = options.cells.value_or(scenario.input.solver.cells);
+  return scenario;
+}
+
 /// Scenarios `first` and following, each thread with lanes of its own.
-Survey surveyed(std::uint64_t seed, int first, int count, int n_threads) {
+Survey surveyed(const Options& options, int first, int count) {
+  const int n_threads = options.jobs;
   Survey survey;
   survey.outcomes.resize(count);
   const double start = processor_seconds();
@@ -356,7 +395,7 @@ Survey surveyed(std::uint64_t seed, int first, int count, int n_threads) {
   const auto next = [&]() -> std::unique_ptr<Marching> {
     while (const std::optional<int> index = next_index()) {
       try {
-        return std::make_unique<ScenarioMarch>(*index, testing::engine_scenario(seed, first + *index));
+        return std::make_unique<ScenarioMarch>(*index, scenario_of(options, first + *index));
       } catch (const std::exception& error) {
         Outcome outcome;
         outcome.end = End::kException;
@@ -368,7 +407,9 @@ Survey surveyed(std::uint64_t seed, int first, int count, int n_threads) {
   };
   const auto finished = [&](std::unique_ptr<Marching> marching) {
     const auto& march = static_cast<const ScenarioMarch&>(*marching);
-    end(march.index(), march.outcome());
+    const std::unique_ptr<ScenarioMarch> again = march.again();
+    if (again != nullptr) march_alone(*again);
+    end(march.index(), (again != nullptr ? *again : march).outcome());
   };
   std::vector<LaneEffort> efforts(n_threads);
   study::on_threads(n_threads, [&](int thread) { efforts[thread] = march_side_by_side(next, finished); });
@@ -395,7 +436,7 @@ void print(const Survey& survey) {
 long survey(const Options& options) {
   const int first = options.only.value_or(options.first);
   const int count = options.only ? 1 : options.count;
-  const Survey survey = surveyed(options.seed, first, count, options.jobs);
+  const Survey survey = surveyed(options, first, count);
   const std::vector<Outcome>& outcomes = survey.outcomes;
 
   std::ofstream file;
@@ -406,7 +447,7 @@ long survey(const Options& options) {
   std::ostream& to = options.failures.empty() ? std::cout : file;
   auto rows = empty_rows();
   for (int i = 0; i < count; ++i) {
-    const EngineScenario scenario = testing::engine_scenario(options.seed, first + i);
+    const EngineScenario scenario = scenario_of(options, first + i);
     for (Row& row : rows) {
       if (row.holds(scenario)) row.add(outcomes[i]);
     }
@@ -433,6 +474,7 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "of the sample")->capture_default_str();
   app.add_option("--jobs", options.jobs, "threads")->check(CLI::Range(1, 256))->capture_default_str();
   app.add_option("--only", options.only, "march this one scenario and print it")->check(CLI::NonNegativeNumber);
+  app.add_option("--cells", options.cells, "solver.cells of all scenarios")->check(CLI::Range(8, 100'000));
   app.add_option("--failures", options.failures, "file for one line of JSON per scenario that was not solved");
   CLI11_PARSE(app, argc, argv);
   try {

@@ -26,9 +26,9 @@ class Coordinates {
 
  private:
   double next() {
-    static constexpr std::array kPrimes = {2,  3,   5,   7,   11,  13,  17,  19,  23,  29,  31, 37,
-                                           41, 43,  47,  53,  59,  61,  67,  71,  73,  79,  83, 89,
-                                           97, 101, 103, 107, 109, 113, 127, 131, 137, 139, 149};
+    static constexpr std::array kPrimes = {2,   3,   5,   7,   11,  13,  17,  19,  23,  29,  31,  37,  41,  43,
+                                           47,  53,  59,  61,  67,  71,  73,  79,  83,  89,  97,  101, 103, 107,
+                                           109, 113, 127, 131, 137, 139, 149, 151, 157, 163, 167, 173};
     const double value = shift_.next() + index_ * std::sqrt(static_cast<double>(kPrimes.at(i_prime_++)));
     return value - std::floor(value);
   }
@@ -120,7 +120,7 @@ void draw_face(Coordinates& at, RepeatableNumbers& noise, EngineScenario& scenar
   Case& c = scenario.input;
   RingFace& face = c.ring.face;
   const double crown = at.log_between(1e-6, 200e-6);
-  const double apex = at.between(0.02, 0.98);
+  const double apex = std::clamp(at.between(-0.05, 1.05), 0.0, 1.0);  // one in eleven at an edge
   const double width = at.log_between(0.6e-3, 4e-3);
   const double roughening = at.log_between(1e-9, 0.3e-6);
   const int n = 20 + at.one_of(380);
@@ -198,13 +198,17 @@ EngineScenario engine_scenario(std::uint64_t seed, int index) {
   c.film.cavitation_pressure = at.between(0, 1e5);
   c.film.cavitation = at.one_of(2) == 0 ? Cavitation::kReynoldsExit : Cavitation::kMassConserving;
 
-  c.solver.cells = static_cast<int>(50 * std::pow(1600.0 / 50, std::pow(at.between(0, 1), kFewCells)));
+  c.solver.cells = static_cast<int>(30 * std::pow(1600.0 / 30, std::pow(at.between(0, 1), kFewCells)));
   constexpr std::array kCrankStepsDeg = {0.5, 1.0, 1.0, 1.0, 2.0, 5.0};
   c.solver.crank_step_deg = kCrankStepsDeg.at(static_cast<std::size_t>(at.one_of(kCrankStepsDeg.size())));
   c.solver.crank_step_control = at.one_of(3) == 0 ? StepControl::kAdaptive : StepControl::kFixed;
   constexpr std::array kStartsDeg = {270.0, 270.0, 90.0, 450.0, 630.0, 30.0, 0.0, 180.0};
   scenario.start_angle_deg = kStartsDeg.at(static_cast<std::size_t>(at.one_of(kStartsDeg.size())));
   if (at.one_of(8) == 0) scenario.side_spacing_deg = 7.3;
+
+  constexpr std::array kLaws = {ViscosityPressure::kRoelands, ViscosityPressure::kBarus, ViscosityPressure::kNone};
+  c.lubricant.viscosity_pressure = kLaws.at(static_cast<std::size_t>(at.one_of(kLaws.size())));
+  c.lubricant.law_parameters["pressure_viscosity_coefficient"] = at.log_between(0.5e-8, 3e-8);
   return scenario;
 }
 

@@ -29,7 +29,8 @@ struct EngineScenario {
 ///
 /// The box: 500-9000 rpm (one in sixteen cranked at 50-500), oil at -30 to 180 degC, peaks of 1-300 bar, sigma
 /// 0.03-2 um, faces rising by 1-200 um with the lowest point anywhere, the three polynomials of the paper, worn flats
-/// and points with measured noise, tension 1-100 N, p_c 0-1 bar, both cavitation models, 50-1600 cells, crank steps of
+/// and points with measured noise, tension 1-100 N, p_c 0-1 bar, both cavitation models, Roelands, Barus and constant
+/// viscosity with alpha of 0.5-3e-8 1/Pa, 30-1600 cells, crank steps of
 /// 0.5-5 degree fixed and adaptive, traces with noise, knocks and steps, one start in four from standstill.
 EngineScenario engine_scenario(std::uint64_t seed, int index);
 

@@ -31,20 +31,25 @@ CycleRun::CycleRun(Setup setup)
       recorder_(setup_),
       k_(static_cast<int>(std::lround(kStartAngleDeg / step_deg_)) % n_steps_),
       distance_(std::numeric_limits<double>::infinity()) {
+  attempt([this] { march_.start(k_); });
+}
+
+template <class Part>
+void CycleRun::attempt(const Part& part) {
   try {
-    march_.start(k_);
+    part();
+  } catch (const NoBalance& error) {
+    stopped(error, error.failure);
   } catch (const ConvergenceError& error) {
-    stopped(error);
+    stopped(error, std::nullopt);
   }
 }
 
 void CycleRun::conclude(const film::FilmReport& report) {
-  try {
+  attempt([&] {
     march_.conclude(report, recorder_);
     if (march_.at_base_angle()) arrived();
-  } catch (const ConvergenceError& error) {
-    stopped(error);
-  }
+  });
 }
 
 void CycleRun::arrived() {
@@ -63,9 +68,23 @@ void CycleRun::arrived() {
   }
 }
 
-void CycleRun::stopped(const ConvergenceError& error) {
-  stop_ = Stop{error.what(), error.crank_angle_deg()};
+void CycleRun::stopped(const ConvergenceError& error, std::optional<film::Failure> failure) {
+  stop_ = Stop{error.what(), error.crank_angle_deg(), failure};
   done_ = true;
+}
+
+std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
+  const Case& c = setup.input;
+  const bool can_help = stop.failure && stop.failure != film::Failure::kLiftedOff && !c.is_unrolled() &&
+                        c.solver.method == Method::kCoupledNewton;
+  if (!can_help || setup.cells == CellsOfFace::kGraded) return std::nullopt;
+  Setup graded = setup;
+  graded.cells = CellsOfFace::kGraded;
+  graded.notes.push_back({"cells-graded",
+                          "computed on cells that are graded towards the lowest places of the face, since on " +
+                              std::to_string(c.solver.cells) + " uniform ones (solver.cells) " + stop.message,
+                          1});
+  return graded;
 }
 
 CycleResult CycleRun::result() const {

@@ -16,7 +16,13 @@ namespace ringfilm::cycle {
 struct Stop {
   std::string message;
   std::optional<double> crank_angle_deg;
+  std::optional<film::Failure> failure{};  ///< where a film was not found
 };
+
+/// After a stop where uniform cells found no film: the same scenario on graded cells, which see films too thin and too
+/// short for the others, with a note. Nothing where they cannot help: the film is lifted off, not sought by the coupled
+/// Newton method, unrolled, or the cells are graded already.
+std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop);
 
 /// One scenario on its way from a steady film to a cycle that repeats itself.
 class CycleRun final : public Marching {
@@ -38,7 +44,10 @@ class CycleRun final : public Marching {
 
  private:
   void arrived();
-  void stopped(const ConvergenceError& error);
+  void stopped(const ConvergenceError& error, std::optional<film::Failure> failure);
+  /// Does a part of the march; what it throws stops it.
+  template <class Part>
+  void attempt(const Part& part);
 
   Setup setup_;
   int n_steps_;  ///< of a cycle

@@ -6,7 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "ringfilm/base/error.hpp"
+#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/models/viscosity_laws.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -19,27 +20,55 @@ constexpr double kContentShare = 0.5;
 /// A step twice as long makes four times the error; it is tried only with something to spare.
 constexpr double kCoarsenBelow = 0.15;
 
-ConvergenceError no_balance(const film::FilmInputs& inputs, const film::FilmGrid& grid, const film::FilmReport& report,
-                            double crank_angle_deg) {
-  char text[256];
-  if (report.failure == film::Failure::kOverloaded) {
-    std::snprintf(
-        text, sizeof text,
-        "at %.6g degree neither the film nor the asperities carry the load of %.4g N per mm of circumference, "
-        "at any separation",
-        wrapped(crank_angle_deg), inputs.load / 1e3);
-  } else if (report.failure == film::Failure::kLiftedOff) {
-    std::snprintf(text, sizeof text,
-                  "at %.6g degree the gas lifts the ring off: %.4g and %.4g bar at the edges of its face, against %.4g "
-                  "bar that press it on",
-                  wrapped(crank_angle_deg), inputs.p_left / 1e5, inputs.p_right / 1e5,
-                  inputs.mean_pressure(grid) / 1e5);
-  } else {
-    std::snprintf(text, sizeof text,
-                  "at %.6g degree film, contact and load do not balance, with 1/%d of the crank step either",
-                  wrapped(crank_angle_deg), kTicks);
+/// What has no answer at a crank angle, with the figures that show it.
+std::string reason(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
+                   const film::FilmReport& report) {
+  const film::FilmGrid& grid = problem.grid;
+  const double gas = 0.5 * (inputs.p_left + inputs.p_right), pressing = inputs.mean_pressure(grid);
+  const double load = inputs.load / 1e3;
+  const double smallest_cell = *std::min_element(grid.spacing.begin(), grid.spacing.end());
+  char text[320];
+  switch (report.failure) {
+    case film::Failure::kOverloaded:
+      std::snprintf(text, sizeof text,
+                    "neither the film nor the asperities carry the load of %.4g N per mm of circumference, at any "
+                    "separation, on %d cells down to %.3g um (solver.cells = %d)",
+                    load, grid.n_cells(), smallest_cell * 1e6, setup.input.solver.cells);
+      return text;
+    case film::Failure::kLiftedOff:
+      if (gas > pressing) {
+        std::snprintf(text, sizeof text,
+                      "the gas lifts the ring off: %.4g and %.4g bar at the edges of its face, against %.4g bar that "
+                      "press it on",
+                      inputs.p_left / 1e5, inputs.p_right / 1e5, pressing / 1e5);
+      } else {
+        std::snprintf(text, sizeof text,
+                      "the film carries more than the load of %.4g N per mm of circumference up to a thickness of "
+                      "%.3g mm: face, speed, oil and load are not those of a ring",
+                      load, film::thickest(problem) * 1e3);
+      }
+      return text;
+    case film::Failure::kRunsAway:
+      if (setup.input.lubricant.viscosity_pressure == models::ViscosityPressureLaw::kNone) break;
+      std::snprintf(text, sizeof text,
+                    "no film carries the load of %.4g N per mm of circumference: below %.3g um Reynolds' equation has "
+                    "no solution, since viscosity rises with pressure without limit "
+                    "(lubricant.viscosity_pressure = \"%s\")",
+                    load, report.thinnest_film * 1e6,
+                    models::viscosity_law(setup.input.lubricant.viscosity_pressure).name.c_str());
+      return text;
+    default:
+      break;
   }
-  return {text, wrapped(crank_angle_deg)};
+  std::snprintf(text, sizeof text, "film, contact and load do not balance, with 1/%d of the crank step either", kTicks);
+  return text;
+}
+
+NoBalance no_balance(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
+                     const film::FilmReport& report, double crank_angle_deg) {
+  char place[64];
+  std::snprintf(place, sizeof place, "at %.6g degree ", wrapped(crank_angle_deg));
+  return {place + reason(setup, problem, inputs, report), wrapped(crank_angle_deg), report.failure};
 }
 
 }  // namespace
@@ -102,7 +131,7 @@ void March::start(int k) {
   const Boundary at = boundary(angle_deg_, film::kSteady);
   const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
   count(report);
-  if (!report.converged) throw no_balance(at.inputs, problem().grid, report, angle_deg_);
+  if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
   instant_ = {wrapped(angle_deg_), at.axis, at.inputs, &before_, &state_, effort_};
 }
 
@@ -136,7 +165,7 @@ void March::conclude(const film::FilmReport& report, Waypoints& waypoints) {
   const double error = report.converged && adaptive() ? time_error(candidate_, step_.time_step) : 0;
   const bool too_coarse = adaptive() && error > 1 && level_ < kFinestLevel;
   if (!report.converged || too_coarse) {
-    if (level_ == kFinestLevel) throw no_balance(step_.at.inputs, problem().grid, report, step_.to_deg);
+    if (level_ == kFinestLevel) throw no_balance(setup_, problem(), step_.at.inputs, report, step_.to_deg);
     if (!report.converged) {
       ++totals_.fallback_sub_step;
       ++effort_.fallbacks;
@@ -184,7 +213,7 @@ Instant March::side_step(double crank_angle_deg, film::FilmState& to) {
       if (!report.converged) break;
     }
   }
-  if (!report.converged) throw no_balance(at.inputs, problem().grid, report, crank_angle_deg);
+  if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, crank_angle_deg);
   return {wrapped(crank_angle_deg), at.axis, at.inputs, &side_before_, &to, {1, report.iterations, 0}};
 }
 

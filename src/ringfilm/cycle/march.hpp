@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/cycle/march_film.hpp"
 #include "ringfilm/cycle/setup.hpp"
@@ -28,6 +29,14 @@ struct Instant {
   const film::FilmState* previous = nullptr;
   const film::FilmState* state = nullptr;
   StepEffort effort;
+};
+
+/// Nothing balances the load at a crank angle.
+class NoBalance : public ConvergenceError {
+ public:
+  NoBalance(const std::string& message, double crank_angle_deg, film::Failure why)
+      : ConvergenceError(message, crank_angle_deg), failure(why) {}
+  film::Failure failure;  ///< what physics or the iteration has no answer to
 };
 
 class March;

@@ -1,5 +1,7 @@
 #include "ringfilm/cycle/march_film.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "ringfilm/film/first_guess.hpp"
@@ -7,14 +9,25 @@
 namespace ringfilm::cycle {
 namespace {
 
+/// A film of atoms: cells that are graded can see one of it, and none is thinner [m].
+constexpr double kThinnestSeen = 1e-10;
+/// Cells before grading: fewer than usual may be why no film was found.
+constexpr int kFewestGraded = 200;
+
+film::FilmGrid grid_across(const Setup& setup, const std::function<double(double)>& height) {
+  const auto& input = setup.input;
+  return setup.cells == CellsOfFace::kGraded ? film::graded_grid(std::max(input.solver.cells, kFewestGraded),
+                                                                 input.ring.face_width, height, kThinnestSeen)
+                                             : film::uniform_grid(input.solver.cells, input.ring.face_width, height);
+}
+
 film::FilmProblem film_across(const Setup& setup) {
   const auto& input = setup.input;
   const models::RingFace face =
       input.ring.face.orientation == Orientation::kX0Crankcase ? setup.face.turned() : setup.face;
   const double lowest = face.minimum().height;  // so that h_m is the true minimum film
   film::FilmProblem problem;
-  problem.grid =
-      film::uniform_grid(input.solver.cells, input.ring.face_width, [&](double x) { return face.height(x) - lowest; });
+  problem.grid = grid_across(setup, [&](double x) { return face.height(x) - lowest; });
   problem.oil = setup.oil.get();
   problem.contact = &setup.contact;
   problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving

@@ -14,6 +14,12 @@
 
 namespace ringfilm::cycle {
 
+/// Cells across the face.
+enum class CellsOfFace {
+  kUniform,  ///< `solver.cells`, all alike
+  kGraded    ///< the same, and many more near the lowest places of the face: film::graded_grid
+};
+
 /// A case made ready to march: models built, trace joined, grid laid. Immutable; may be used from several threads.
 struct Setup {
   Case input;                                ///< the case that was prepared, as given
@@ -31,6 +37,7 @@ struct Setup {
   std::vector<Note> notes;                              ///< what was found out on the way (extrapolated density, ...)
 
   const film::FilmKernels* kernels = &film::kernels();  ///< the inner loops that are to find the films
+  CellsOfFace cells = CellsOfFace::kUniform;            ///< graded where uniform ones found no film
 };
 
 /// Builds the models of a checked case. Throws InputError where a value that is fine by itself cannot be used with the

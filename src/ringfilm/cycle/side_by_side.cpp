@@ -118,6 +118,14 @@ class Block {
 
 }  // namespace
 
+void march_alone(Marching& marching, const std::function<void()>& pulse) {
+  while (!marching.done()) {
+    marching.march().propose();
+    marching.conclude(marching.march().solve());
+    if (pulse) pulse();
+  }
+}
+
 LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::function<void(Owned)>& finished,
                               const std::function<void()>& pulse) {
   LaneEffort effort;
@@ -132,11 +140,7 @@ LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::fun
     if (march->done()) return finished(std::move(march));
     const film::FilmProblem& problem = march->march().problem();
     if (!march->march().fits_a_lane()) {
-      while (!march->done()) {
-        march->march().propose();
-        march->conclude(march->march().solve());
-        if (pulse) pulse();
-      }
+      march_alone(*march, pulse);
       return finished(std::move(march));
     }
     const LaneKind kind = kind_of(problem);

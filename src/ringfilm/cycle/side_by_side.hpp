@@ -17,6 +17,9 @@ class Marching {
   virtual bool done() const = 0;
 };
 
+/// One march by itself, to its end; `pulse` as below.
+void march_alone(Marching& marching, const std::function<void()>& pulse = {});
+
 /// What it took.
 struct LaneEffort {
   long sweeps = 0;         ///< Newton iterations of a block of lanes

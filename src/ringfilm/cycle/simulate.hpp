@@ -26,7 +26,7 @@ class StoppedCycle : public ConvergenceError {
 };
 
 /// Marches the engine cycle until its state repeats and returns every quantity at the angles asked for.
-/// Same setup, same bits. Throws StoppedCycle.
+/// Where uniform cells find no film, once more on graded ones, with a note. Same setup, same bits. Throws StoppedCycle.
 CycleResult simulate(const Setup& setup, Observer* observer = nullptr);
 
 }  // namespace ringfilm::cycle

@@ -19,7 +19,11 @@ LaneEffort simulate_batch(const SetupSource& next, const std::function<void(Batc
   const auto end = [&](std::unique_ptr<Marching> marching) {
     const auto& run = static_cast<const CycleRun&>(*marching);
     const auto number = index.extract(&run).mapped();
-    finished({number, run.result(), run.stop()});
+    std::optional<Setup> again = run.stop() ? second_attempt(run.setup(), *run.stop()) : std::nullopt;
+    if (!again) return finished({number, run.result(), run.stop()});
+    CycleRun graded(std::move(*again));
+    march_alone(graded, pulse);
+    finished({number, graded.result(), graded.stop()});
   };
   return march_side_by_side(start, end, pulse);
 }

@@ -39,7 +39,7 @@ class FilmSolve {
   /// The fallback, with the laws themselves.
   bool solve_by_search(const FilmState& guess, FilmReport& report) {
     Sought sought(*this, guess, report);
-    const SearchLimits limits{thickest(problem_.grid), inputs_.load, problem_.tolerance};
+    const SearchLimits limits{thickest(problem_), inputs_.load, problem_.tolerance};
     const bool found = search_separation(sought, guess.h_m, limits, report);
     if (found) complete_state(problem_, LaneLaws::kGiven, state_);
     return found;
@@ -49,17 +49,9 @@ class FilmSolve {
   class Sought : public SoughtFilm {
    public:
     Sought(FilmSolve& solve, const FilmState& guess, FilmReport& report)
-        : solve_(solve), guess_(guess), report_(report) {
-      solve_.state_ = guess_;
-    }
-    bool solve_at(double h_m) override {
-      solve_.state_.h_m = h_m;
-      return solve_.solve(Unknowns::kFilmAlone, LaneLaws::kGiven, report_);
-    }
-    bool solve_afresh_at(double h_m) override {
-      solve_.state_ = guess_;
-      return solve_at(h_m);
-    }
+        : solve_(solve), guess_(guess), solved_(guess), report_(report) {}
+    bool solve_at(double h_m) override { return solve_from(solved_, h_m); }
+    bool solve_afresh_at(double h_m) override { return solve_from(guess_, h_m); }
     double excess() const override {
       const FilmState& state = solve_.state_;
       return hydrodynamic_load(solve_.problem_, state) + asperity_load(solve_.problem_, state.h_m) -
@@ -67,8 +59,17 @@ class FilmSolve {
     }
 
    private:
+    bool solve_from(const FilmState& start, double h_m) {
+      solve_.state_ = start;
+      solve_.state_.h_m = h_m;
+      const bool solved = solve_.solve(Unknowns::kFilmAlone, LaneLaws::kGiven, report_);
+      if (solved) solved_ = solve_.state_;
+      return solved;
+    }
+
     FilmSolve& solve_;
     const FilmState& guess_;
+    FilmState solved_;  ///< the last film that was found
     FilmReport& report_;
   };
 

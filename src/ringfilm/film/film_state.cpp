@@ -9,6 +9,46 @@ FilmGrid uniform_grid(int n_cells, double width, const std::function<double(doub
   return grid_of_pieces(n_cells, {{0, width, height}});
 }
 
+namespace {
+
+/// Share of the film by which it may change within a cell of a graded grid.
+constexpr double kChangePerCell = 0.5;
+constexpr int kMostHalvings = 20;
+
+/// Length of a gap that belongs to each node: half of each cell beside it.
+void add_shares(FilmGrid& grid) {
+  grid.share.assign(grid.x.size(), 0.0);
+  for (int i = 0; i < grid.n_cells(); ++i) {
+    grid.share[i] += 0.5 * grid.spacing[i];
+    grid.share[i + 1] += 0.5 * grid.spacing[i];
+  }
+}
+
+}  // namespace
+
+FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest) {
+  FilmGrid grid;
+  grid.width = width;
+  grid.x = {0};
+  grid.node_height = {height(0)};
+  const std::function<void(double, double, int)> add_cells = [&](double end, double h_end, int halvings) {
+    const double begin = grid.x.back(), h_begin = grid.node_height.back();
+    const double middle = 0.5 * (begin + end), h_middle = height(middle);
+    const auto [low, high] = std::minmax({h_begin, h_middle, h_end});
+    if (halvings < kMostHalvings && high - low > kChangePerCell * (thinnest + low)) {
+      add_cells(middle, h_middle, halvings + 1);
+      return add_cells(end, h_end, halvings + 1);
+    }
+    grid.x.push_back(end);
+    grid.node_height.push_back(h_end);
+    grid.spacing.push_back(end - begin);
+    grid.face_height.push_back(h_middle);
+  };
+  for (int i = 1; i <= n_cells; ++i) add_cells(width * i / n_cells, height(width * i / n_cells), 0);
+  add_shares(grid);
+  return grid;
+}
+
 FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces) {
   constexpr int kFewest = 2;
   FilmGrid grid;
@@ -36,11 +76,7 @@ FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces) {
     }
     left_height = grid.node_height.back();
   }
-  grid.share.assign(grid.x.size(), 0.0);
-  for (int i = 0; i < grid.n_cells(); ++i) {
-    grid.share[i] += 0.5 * grid.spacing[i];
-    grid.share[i + 1] += 0.5 * grid.spacing[i];
-  }
+  add_shares(grid);
   return grid;
 }
 

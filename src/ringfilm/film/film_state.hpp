@@ -49,6 +49,10 @@ struct FilmGrid {
 };
 FilmGrid uniform_grid(int n_cells, double width, const std::function<double(double)>& height);
 
+/// Uniform cells, halved where the gap is so thin and so steep that a film of `thinnest` [m] at its lowest place would
+/// change within one of them by more than about half of itself. @param height above the lowest place of the gap [m]
+FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest);
+
 /// A gap with jumps. The cells are shared among the pieces by their lengths, at least two each: the grid may have a few
 /// more than asked for. @param pieces one after the other, the first from x = 0
 FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces);
@@ -97,6 +101,7 @@ enum class Failure {
   kNone,
   kOverloaded,    ///< film and asperities carry less than the load at any separation
   kLiftedOff,     ///< the film carries more than the load at any larger separation
+  kRunsAway,      ///< films thinner than one that carries less than the load have no pressure: viscosity runs away
   kNotConverged,  ///< the iteration found none
 };
 
@@ -110,6 +115,7 @@ struct FilmReport {
   int outer_iterations = 0;  ///< films solved at one h_m each, by the methods that have a loop on h_m
   long sweeps = 0;           ///< of point relaxation
   double last_step = 0;      ///< last relative change of film or pressure [-]
+  double thinnest_film = 0;  ///< of kRunsAway: the smallest h_m at which the film has a pressure [m]
 };
 
 }  // namespace ringfilm::film

@@ -195,6 +195,10 @@ void LaneNewton::give_laws(int lane) {
     block_.contact_load[lane] = asperity_load(problem, block_.h_m[lane], &block_.contact_slope[lane]);
   }
   if (block_.laws == LaneLaws::kFitted) return;
+  if (lanes_[lane].iterations > 0 && runs_away(*problem.oil, block_.p_cavitation[lane], peak_pressure(lane))) {
+    lanes_[lane].phase = Phase::kFailed;
+    return;
+  }
   p_.resize(problem.grid.x.size());
   for (std::size_t i = 0; i < p_.size(); ++i) {
     p_[i] = block_.p_cavitation[lane] + std::max(nodal(block_.z, static_cast<int>(i), lane), 0.0);
@@ -232,7 +236,7 @@ void LaneNewton::conclude(int lane) {
   if (d_ln_h != 0) {
     block_.h_m[lane] *= std::exp(d_ln_h);
     const double h_m = block_.h_m[lane];
-    if (h_m < kThinnest || h_m > thickest(at.problem->grid)) return;
+    if (h_m < kThinnest || h_m > thickest(*at.problem)) return;
   }
   const bool to_film = block_.to_film[lane] != 0;
   const bool to_cavity = block_.to_cavity[lane] != 0;

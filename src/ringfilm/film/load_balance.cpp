@@ -1,6 +1,13 @@
 #include "ringfilm/film/load_balance.hpp"
 
+#include <algorithm>
+
 namespace ringfilm::film {
+
+double thickest(const FilmProblem& problem) {
+  constexpr double kWidths = 1e2;
+  return std::max(kWidths * problem.grid.width, problem.contact == nullptr ? 0.0 : problem.contact->reach());
+}
 
 double asperity_load(const FilmProblem& problem, double h_m, double* slope) {
   double load = 0;

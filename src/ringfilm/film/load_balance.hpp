@@ -3,9 +3,10 @@
 
 namespace ringfilm::film {
 
-/// Separations that are tried: below the first no continuum describes a film, beyond the second no wedge is left [m].
+/// Separations that are tried: below the first no continuum describes a film, beyond the second neither a wedge nor
+/// contact is left [m].
 inline constexpr double kThinnest = 1e-12;
-inline double thickest(const FilmGrid& grid) { return 1e2 * grid.width; }
+double thickest(const FilmProblem& problem);
 
 /// W_a per length of circumference at the separation h_m, eq-asperity-load [N/m], and its slope there [N/m2].
 double asperity_load(const FilmProblem& problem, double h_m, double* slope = nullptr);

@@ -69,7 +69,7 @@ class NestedSecant {
 
   static double next_ln_h(const Point& here, const std::optional<Point>& other) {
     double move = kFirstDamping * here.excess;
-    if (other) {
+    if (other && other->ln_h != here.ln_h) {
       const double slope = (here.excess - other->excess) / (here.ln_h - other->ln_h);
       // The load falls with h_m; what says otherwise is not believed.
       move = slope < 0 ? -here.excess / slope : std::copysign(kLargestMove, here.excess);

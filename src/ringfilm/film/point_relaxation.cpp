@@ -124,6 +124,8 @@ bool PointRelaxation::solve(FilmReport& report) {
 bool PointRelaxation::relax(double enough, double hidden, FilmReport& report) {
   const int n = problem_.grid.n_cells();
   for (; report.sweeps < kFewSweeps + kSweepsPerCell * n; ++report.sweeps) {
+    const double highest = *std::max_element(state_.p.begin(), state_.p.end());
+    if (runs_away(*problem_.oil, inputs_.p_cavitation, highest)) return false;
     linearise();
     if (report.sweeps % std::max(n / 4, 16) == 0) choose_factor();
     report.last_step = sweep();

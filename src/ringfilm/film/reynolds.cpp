@@ -19,6 +19,12 @@ void NodalOil::update(const models::OilAtTemperature& oil, const std::vector<dou
   }
 }
 
+bool runs_away(const models::OilAtTemperature& oil, double p_low, double p_high) {
+  constexpr double kRatio =
+      1e60;  // of viscosities: 44 decades beyond what the balance of a node sees in double precision
+  return !(oil.viscosity(p_high) < kRatio * oil.viscosity(p_low));
+}
+
 namespace {
 
 struct OilHere {

@@ -14,6 +14,10 @@ struct NodalOil {
   void update(const models::OilAtTemperature& oil, const std::vector<double>& p);
 };
 
+/// Does an iteration go to pressures at which viscosity grows until neither is a number? Such a film is too thin for
+/// its load. @param p_low,p_high the lowest and the highest pressure in the film [Pa]
+bool runs_away(const models::OilAtTemperature& oil, double p_low, double p_high);
+
 /// Mass flux of a solved film through the face between nodes i and i+1, positive in +x [kg/(m s)].
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i);
 

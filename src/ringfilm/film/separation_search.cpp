@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <optional>
 
 #include "ringfilm/film/load_balance.hpp"
 
@@ -12,66 +13,131 @@ namespace {
 constexpr double kRunaway = 1e6;       // multiple of the load beyond which only the sign counts
 const double kStride = std::log(1.5);  // of the search, in ln h_m
 const double kThicker = std::log(2.5);
+/// Strides below this one no longer separate a film that has a solution from one that has none. In ln h_m, as a
+/// multiple of the tolerance.
+constexpr double kLeastStride = 10;
+constexpr int kMostBrackets = 40;
+
+/// A film at hand: ln h_m and W_h + W_a - W [N/m].
+struct Point {
+  double ln_h, excess;
+};
+
+class Search {
+ public:
+  Search(SoughtFilm& film, const SearchLimits& limits, FilmReport& report)
+      : film_(film), limits_(limits), report_(report), least_stride_(kLeastStride * limits.tolerance) {}
+
+  bool run(double h_m) {
+    std::optional<Point> start = film_at(std::log(h_m));
+    // A film that is far too thin for the load may itself be beyond Newton's method; a thicker one never is.
+    const double highest = std::log(limits_.thickest);
+    for (double ln_h = std::log(h_m); !start && ln_h < highest;) start = film_at(ln_h += kThicker);
+    if (!start) return false;
+    std::optional<Point> other = across(*start);
+    if (!other) return false;
+    Point thin = *start, thick = *other;
+    if (thin.ln_h > thick.ln_h) std::swap(thin, thick);
+    return close(thin, thick);
+  }
+
+ private:
+  /// Nothing where no film is found and what is left of the attempt does not say that it is too thin.
+  std::optional<Point> film_at(double ln_h) {
+    is_solved_ = true;
+    if (film_.solve_at(std::exp(ln_h))) return point(ln_h, film_.excess());
+    const double unfinished = film_.excess();
+    if (film_.solve_afresh_at(std::exp(ln_h))) return point(ln_h, film_.excess());
+    is_solved_ = false;
+    // If one of the two films is no number, the other one counts.
+    const double excess = std::fmax(unfinished, film_.excess());
+    return excess > limits_.load ? point(ln_h, excess) : std::nullopt;
+  }
+
+  std::optional<Point> point(double ln_h, double excess) const {
+    if (std::isnan(excess)) return std::nullopt;
+    return Point{ln_h, std::min(excess, kRunaway * limits_.load)};
+  }
+
+  /// From a film to one on the other side of the balance. Where there is no film, the next try is nearer.
+  std::optional<Point> across(Point& from) {
+    const double lowest = std::log(kThinnest), highest = std::log(limits_.thickest);
+    double stride = std::copysign(kStride, from.excess);
+    while (from.ln_h >= lowest && from.ln_h <= highest) {
+      const std::optional<Point> next = film_at(from.ln_h + stride);
+      if (next && next->excess * from.excess <= 0) return next;
+      if (next) {
+        from = *next;
+        stride = std::copysign(std::min(2 * std::abs(stride), kStride), stride);
+      } else if (std::abs(stride *= 0.5) < least_stride_) {
+        if (stride < 0) runs_away(from);
+        return std::nullopt;
+      }
+    }
+    report_.failure = from.ln_h < lowest ? Failure::kOverloaded : Failure::kLiftedOff;
+    return std::nullopt;
+  }
+
+  void runs_away(const Point& thinnest) {
+    report_.failure = Failure::kRunsAway;
+    report_.thinnest_film = std::exp(thinnest.ln_h);
+  }
+
+  /// Between a film that is too thin and one that is too thick.
+  bool close(Point thin, Point thick) {
+    struct NoFilm {
+      double ln_h;
+    };
+    const auto excess_at = [&](double ln_h) {
+      const std::optional<Point> here = film_at(ln_h);
+      if (!here) throw NoFilm{ln_h};
+      return here->excess;
+    };
+    const double close_enough = 0.1 * limits_.tolerance;
+    for (int k = 0; k < kMostBrackets && thick.ln_h - thin.ln_h >= close_enough; ++k) {
+      try {
+        boost::uintmax_t evaluations = 60;
+        const auto [low, high] = boost::math::tools::toms748_solve(
+            excess_at, thin.ln_h, thick.ln_h, thin.excess, thick.excess,
+            [&](double a, double b) { return b - a < close_enough; }, evaluations);
+        report_.last_step = high - low;
+        return high - low < close_enough && balances(0.5 * (low + high), thick);
+      } catch (const NoFilm& gap) {
+        // Nearer and nearer to the thick film, from which one can be found.
+        std::optional<Point> nearer;
+        for (double way = gap.ln_h - thick.ln_h; !nearer && std::abs(way) > least_stride_;) {
+          nearer = film_at(thick.ln_h + (way *= 0.5));
+        }
+        if (!nearer) {
+          runs_away(thick);
+          return false;
+        }
+        (nearer->excess > 0 ? thin : thick) = *nearer;
+      }
+    }
+    return false;
+  }
+
+  bool balances(double ln_h, const Point& thick) {
+    const std::optional<Point> here = film_at(ln_h);
+    if (here && is_solved_ && std::abs(here->excess) < std::sqrt(limits_.tolerance) * limits_.load) return true;
+    if (!is_solved_) runs_away({ln_h, thick.excess});
+    return false;
+  }
+
+  SoughtFilm& film_;
+  const SearchLimits& limits_;
+  FilmReport& report_;
+  double least_stride_;
+  bool is_solved_ = false;  ///< the last film converged
+};
 
 }  // namespace
 
 bool search_separation(SoughtFilm& film, double h_m, const SearchLimits& limits, FilmReport& report) {
   report.route = Route::kSecant;
   report.exact_laws = true;
-  bool solved = true;
-  const auto excess_at = [&](double ln_h) {
-    double excess = 0;
-    if (film.solve_at(std::exp(ln_h))) {
-      excess = film.excess();
-    } else {
-      const double unfinished = film.excess();
-      if (film.solve_afresh_at(std::exp(ln_h))) {
-        excess = film.excess();
-      } else {
-        // Pressures that run away tell enough for a bracket: the film is too thin. If one of the two films is no
-        // number, the other one tells.
-        excess = std::fmax(unfinished, film.excess());
-        solved = solved && excess > limits.load;
-      }
-    }
-    solved = solved && !std::isnan(excess);
-    return solved ? std::min(excess, kRunaway * limits.load) : 0.0;
-  };
-  const double lowest = std::log(kThinnest), highest = std::log(limits.thickest);
-  double a = std::log(h_m);
-  double excess_a = excess_at(a);
-  // A film that is far too thin for the load may itself be beyond Newton's method; a thicker one never is.
-  while (!solved && a < highest) {
-    solved = true;
-    a += kThicker;
-    excess_a = excess_at(a);
-  }
-  const double stride = std::copysign(kStride, excess_a);
-  double b = a;
-  double excess_b = excess_a;
-  while (solved && excess_a * excess_b > 0) {
-    if (b < lowest) report.failure = Failure::kOverloaded;
-    if (b > highest) report.failure = Failure::kLiftedOff;
-    if (b < lowest || b > highest) return false;
-    a = b;
-    excess_a = excess_b;
-    b = a + stride;
-    excess_b = excess_at(b);
-  }
-  if (!solved) return false;
-  if (excess_b == 0) return true;
-  if (a > b) {
-    std::swap(a, b);
-    std::swap(excess_a, excess_b);
-  }
-  boost::uintmax_t evaluations = 60;
-  const auto close_enough = [&](double low, double high) { return high - low < 0.1 * limits.tolerance; };
-  const auto [low, high] =
-      boost::math::tools::toms748_solve(excess_at, a, b, excess_a, excess_b, close_enough, evaluations);
-  if (!solved) return false;
-  const double rest = excess_at(0.5 * (low + high));
-  report.last_step = high - low;
-  return solved && close_enough(low, high) && std::abs(rest) < std::sqrt(limits.tolerance) * limits.load;
+  return Search(film, limits, report).run(h_m);
 }
 
 }  // namespace ringfilm::film

@@ -7,7 +7,7 @@ namespace ringfilm::film {
 class SoughtFilm {
  public:
   virtual ~SoughtFilm() = default;
-  /// Solves at this h_m from what the last solve left; true if it converged.
+  /// Solves at this h_m from the last film that was solved, at first from the first guess; true if it converged.
   virtual bool solve_at(double h_m) = 0;
   /// The same from the first guess.
   virtual bool solve_afresh_at(double h_m) = 0;
@@ -22,7 +22,8 @@ struct SearchLimits {
 };
 
 /// Newton's method failed: the load carried falls with h_m, so that a bracket can be closed on it, in ln h_m. The film
-/// is left solved where its load balances. Writes route, failure and last step of the report.
+/// is left solved where its load balances. Writes route, failure and last step of the report, and where the viscosity
+/// runs away the thinnest film that has a solution.
 bool search_separation(SoughtFilm& film, double h_m, const SearchLimits& limits, FilmReport& report);
 
 }  // namespace ringfilm::film

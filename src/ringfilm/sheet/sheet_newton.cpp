@@ -341,7 +341,7 @@ SheetNewton::Outcome SheetNewton::solve(const SheetProblem& problem, const Sheet
     outcome.last_step = std::max(block_.largest, std::abs(*d_ln_h));
     if (*d_ln_h != 0) {
       h_m *= std::exp(*d_ln_h);
-      if (h_m < film::kThinnest || h_m > film::thickest(problem.strip.grid)) break;
+      if (h_m < film::kThinnest || h_m > film::thickest(problem.strip)) break;
       set_separation(inputs, h_m);
     }
     const bool nothing_crossed = !block_.to_film && !block_.to_cavity;

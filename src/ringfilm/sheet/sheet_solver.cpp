@@ -43,8 +43,8 @@ class SheetSolve : public film::SoughtFilm {
   }
 
   bool solve_by_search() {
-    state_ = guess_;
-    const film::SearchLimits limits{film::thickest(problem_.strip.grid), inputs_.strip.load, problem_.strip.tolerance};
+    solved_ = guess_;
+    const film::SearchLimits limits{film::thickest(problem_.strip), inputs_.strip.load, problem_.strip.tolerance};
     const bool found = film::search_separation(*this, guess_.h_m, limits, report_);
     if (found) finish(film::LaneLaws::kGiven);
     return found;
@@ -56,17 +56,19 @@ class SheetSolve : public film::SoughtFilm {
     return report_;
   }
 
-  bool solve_at(double h_m) override {
-    state_.h_m = h_m;
-    return solve(film::Unknowns::kFilmAlone, film::LaneLaws::kGiven);
-  }
-  bool solve_afresh_at(double h_m) override {
-    state_ = guess_;
-    return solve_at(h_m);
-  }
+  bool solve_at(double h_m) override { return solve_from(solved_, h_m); }
+  bool solve_afresh_at(double h_m) override { return solve_from(guess_, h_m); }
   double excess() const override { return mean_load(problem_, inputs_, state_) - inputs_.strip.load; }
 
  private:
+  bool solve_from(const film::FilmState& start, double h_m) {
+    state_ = start;
+    state_.h_m = h_m;
+    const bool solved = solve(film::Unknowns::kFilmAlone, film::LaneLaws::kGiven);
+    if (solved) solved_ = state_;
+    return solved;
+  }
+
   bool solve(film::Unknowns unknowns, film::LaneLaws laws) {
     const SheetNewton::Outcome outcome = newton_.solve(problem_, inputs_, previous_, unknowns, laws, state_);
     report_.iterations += outcome.iterations;
@@ -85,6 +87,7 @@ class SheetSolve : public film::SoughtFilm {
   const film::FilmState& previous_;
   film::FilmState& state_;
   const film::FilmState guess_;
+  film::FilmState solved_;  ///< of the search: the last film that was found
   SheetNewton& newton_;
   film::FilmReport report_;
   double peak_pressure_ = 0;

@@ -68,5 +68,24 @@ TEST(SeparationSearch, GivesUpWhereNothingCanBeSolved) {
   EXPECT_LT(film.solves, 100);
 }
 
+TEST(SeparationSearch, GoesInShorterStridesWhereThinnerFilmsHaveNoPressure) {
+  const ringfilm::traps::NoTraps no_traps;  // films that are no numbers, on purpose
+  for (const double gap : {0.5, 1e-2, 1e-5}) {
+    Inverse film(kLoad * 4e-12, 2e-6 * (1 - gap));  // balances at 2 um; nothing is found from just below that
+    FilmReport report;
+    ASSERT_TRUE(search_separation(film, 2.00001e-6, kLimits, report)) << gap;
+    EXPECT_NEAR(film.h / 2e-6, 1, 1e-8) << gap;
+  }
+}
+
+TEST(SeparationSearch, ReportsTheThinnestFilmWhereViscosityRunsAway) {
+  const ringfilm::traps::NoTraps no_traps;  // films that are no numbers, on purpose
+  Inverse film(kLoad * 4e-12, 2.5e-6);      // would balance at 2 um, where it has no pressure
+  FilmReport report;
+  EXPECT_FALSE(search_separation(film, 1e-5, kLimits, report));
+  EXPECT_EQ(report.failure, Failure::kRunsAway);
+  EXPECT_NEAR(report.thinnest_film / 2.5e-6, 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace ringfilm::film

@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ringfilm/film/film_state.hpp"
+
+namespace ringfilm::film {
+namespace {
+
+constexpr double kWidth = 1e-3, kThinnest = 1e-10;  // [m]
+
+TEST(GradedGrid, CellsAreShortWhereTheGapIsThinAndSteep) {
+  const auto parabola = [](double x) { return 1e-4 * std::pow(2 * x / kWidth - 0.6, 2); };  // lowest between nodes
+  const FilmGrid grid = graded_grid(50, kWidth, parabola, kThinnest);
+  for (int i = 0; i < grid.n_cells(); ++i) {
+    const auto [low, high] = std::minmax({grid.node_height[i], grid.face_height[i], grid.node_height[i + 1]});
+    EXPECT_LE(high - low, 0.5 * (kThinnest + low)) << i;
+  }
+  // From 1 um on a cell of 20 um suffices beside the edges; 19 decades of height take two nodes for each factor 1.5.
+  EXPECT_GT(grid.n_cells(), 50);
+  EXPECT_LT(grid.n_cells(), 200);
+}
+
+TEST(GradedGrid, IsUniformWhereTheGapHardlyChanges) {
+  const auto level = [](double x) { return 1e-6 * x; };
+  const FilmGrid graded = graded_grid(40, kWidth, level, kThinnest), uniform = uniform_grid(40, kWidth, level);
+  EXPECT_EQ(graded.n_cells(), uniform.n_cells());
+  for (std::size_t i = 0; i < uniform.x.size(); ++i) EXPECT_DOUBLE_EQ(graded.x[i], uniform.x[i]);
+}
+
+TEST(GradedGrid, SharesAddUpToTheWidth) {
+  const FilmGrid grid = graded_grid(
+      20, kWidth, [](double x) { return x > kWidth / 3 ? x - kWidth / 3 : 0; }, kThinnest);
+  double sum = 0, length = 0;
+  for (const double share : grid.share) sum += share;
+  for (const double spacing : grid.spacing) length += spacing;
+  EXPECT_NEAR(sum, kWidth, 1e-15);
+  EXPECT_NEAR(length, kWidth, 1e-15);
+  EXPECT_EQ(grid.x.back(), kWidth);
+}
+
+}  // namespace
+}  // namespace ringfilm::film
