@@ -116,8 +116,8 @@ class AlongFace {
   /// With oil that is given.
   RINGFILM_INLINE static FilmSums sums(const FilmView& film, const NodalOilView& oil, const StepView& step,
                                        const FluxesWanted& fluxes) {
-    Sums<Real> packs(film);
-    Sums<One> rest(film);
+    Sums<Real> packs(film, step);
+    Sums<One> rest(film, step);
     visit_nodes<1>(0, film.n_cells, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
       Sums<Some>& to = sums_of<Some>(packs, rest);
       to.add_node(film, step, i);
@@ -134,8 +134,8 @@ class AlongFace {
   /// With oil from the fits.
   RINGFILM_INLINE static FilmSums sums(const FilmView& film, const FittedOilView& oil, const StepView& step,
                                        const FluxesWanted& fluxes) {
-    Sums<Real> packs(film);
-    Sums<One> rest(film);
+    Sums<Real> packs(film, step);
+    Sums<One> rest(film, step);
     double rho[kStretch], K[kStretch];  // of the nodes from `begin` on
     const int n = film.n_cells;
     int flux = 0;
@@ -210,8 +210,9 @@ class AlongFace {
   template <class Some>
   struct Sums {
     Some load{0}, couette{0}, poiseuille{0}, storage{0}, peak;
+    int upstream;  ///< of the two nodes of a cell: what the first holds of oil fills the cell
 
-    RINGFILM_INLINE explicit Sums(const FilmView& film) : peak(film.p[0]) {}
+    RINGFILM_INLINE Sums(const FilmView& film, const StepView& step) : peak(film.p[0]), upstream(step.U >= 0 ? 0 : 1) {}
 
     RINGFILM_INLINE void add_node(const FilmView& film, const StepView& step, int i) {
       const Some p = Some::load(film.p + i);
@@ -227,7 +228,7 @@ class AlongFace {
       const Some K_right = Some::load(K + 1);
       // Twice the mean viscosity, times K of both: one division serves viscosity and gap.
       const Some eta = Some::load(rho) * K_right + Some::load(rho + 1) * K_left;
-      const Some fill = theta<Some>(film, i) + theta<Some>(film, i + 1);
+      const Some fill = Some(2) * theta<Some>(film, i + upstream);
       couette += Some::load(film.spacing + i) * fill * eta / (h * K_left * K_right);
       poiseuille += h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
     }

@@ -82,12 +82,13 @@ class Strips {
       return -(3 * height(i) * second[i] + third[i]) * (fluidity(now_.p[i]) + fluidity(now_.p[i + 1])) /
              (24 * grid.spacing[i]) * (now_.p[i + 1] - now_.p[i]);
     };
-    const auto fill = [&](int i) { return film::fill(strip_.cavitation, now_.deficit[i]); };
+    const int upstream = inputs_.strip.U >= 0 ? 0 : 1;  // of the two nodes of a face
+    const auto fill = [&](int i) { return film::fill(strip_.cavitation, now_.deficit[i + upstream]); };
     for (int i = 0; i < n; ++i) {
       if (!(second[i] > 0)) continue;
       const double h = height(i), q = third[i] / second[i];
       const double beyond = (h + q) / (h * h + h * q - second[i]) - 1 / h;
-      sums.shear_couette += 0.25 * inputs_.strip.U * grid.spacing[i] * (fill(i) + fill(i + 1)) *
+      sums.shear_couette += 0.5 * inputs_.strip.U * grid.spacing[i] * fill(i) *
                             (viscosity(now_.p[i]) + viscosity(now_.p[i + 1])) * beyond;
     }
     const auto middle = std::upper_bound(grid.x.begin(), grid.x.end() - 1, 0.5 * grid.width) - grid.x.begin();
