@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ringfilm/film/cavitation.hpp"
+
 namespace ringfilm::pad {
 
 std::vector<double> pressures_between_edges(const PadSetup& setup, const film::FilmGrid& grid) {
@@ -85,8 +87,10 @@ void append_node(Profile& along, const ProfilePoint& point) {
 }
 
 void append_step(const PadSetup& setup, Profile& along, double left, double right, double pressure, double fill) {
-  append_node(along, {left, pressure, setup.U > 0 ? std::min(1.0, fill * right / left) : fill});
-  append_node(along, {right, pressure, setup.U < 0 ? std::min(1.0, fill * left / right) : fill});
+  // In a cavity the liner carries the same oil past both heights; a full film fills both.
+  const bool is_cavity = film::is_cavity(1 - fill);
+  append_node(along, {left, pressure, is_cavity && setup.U > 0 ? std::min(1.0, fill * right / left) : fill});
+  append_node(along, {right, pressure, is_cavity && setup.U < 0 ? std::min(1.0, fill * left / right) : fill});
 }
 
 }  // namespace ringfilm::pad

@@ -173,6 +173,7 @@ TEST(PadStep, IsExactOnAnyGrid) {
     const auto i = step - result.x.begin();
     EXPECT_NEAR(result.profiles[0].film_thickness[i] / result.profiles[0].film_thickness[i + 1], ratio, 1e-12);
     EXPECT_EQ(result.profiles[0].pressure[i], result.profiles[0].pressure[i + 1]);
+    for (const double fill : result.profiles[0].fill) EXPECT_EQ(fill, 1);  // on the thick side of the step, too
   }
 }
 
@@ -235,12 +236,18 @@ TEST(PadPocket, AgreesWithTheFilmPutTogetherByHand) {
   const double peak = edge + fall_after * (L - end);
   const double reformation = end - peak / rise_in_pocket;
   ASSERT_GT(reformation, a);
+  // Drag of the films and of the cavity, which holds 2 q/(U H) of oil, and h/2 times the differences of pressure.
+  const double in_cavity = 2 * q / (U * H);
+  const double drag = eta * U * ((a + L - end) / h + (in_cavity * (reformation - a) + end - reformation) / H);
+  const double friction = drag + 0.5 * (h * (0 - edge) + H * peak + h * (edge - peak));
   std::array<double, 3> front_error{};
   int k = 0;
   for (const int n_cells : {100, 200, 400}) {
     const Sample s = solved(pocket(n_cells));
     EXPECT_NEAR(s.flow_left / q, 1, 1e-8);
     EXPECT_LT(s.mass_residual, 1e-8);
+    // Exact but for the iteration: the cell of the front holds what its upstream node does.
+    EXPECT_NEAR(s.friction_moving / friction, 1, 1e-6) << n_cells << " cells";
     EXPECT_NEAR(s.peak_film_pressure / peak, 1, 1e-8);
     EXPECT_NEAR(s.peak_position, end, 1e-12);
     ASSERT_THAT(s.rupture_positions, SizeIs(1));
