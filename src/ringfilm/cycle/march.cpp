@@ -122,6 +122,14 @@ double March::time_error(const film::FilmState& to, double time_step) const {
   return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
 }
 
+/// The face turns over at a reversal; the oil stays where it is.
+void March::turn(film::FilmState& state) const {
+  const auto n_across = static_cast<std::ptrdiff_t>(problem().grid.x.size());
+  for (std::vector<double>* nodal : {&state.p, &state.deficit, &state.content}) {
+    for (auto strip = nodal->begin(); strip < nodal->end(); strip += n_across) std::reverse(strip, strip + n_across);
+  }
+}
+
 void March::start(int k) {
   k_ = k;
   angle_deg_ = k * setup_.input.solver.crank_step_deg;
@@ -132,6 +140,7 @@ void March::start(int k) {
   const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
   count(report);
   if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
+  axis_ = at.axis;
   instant_ = {wrapped(angle_deg_), at.axis, at.inputs, &before_, &state_, effort_};
 }
 
@@ -146,6 +155,12 @@ void March::propose() {
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
   step_.time_step = radians(base_deg * ticks / kTicks) / setup_.input.operating.speed;
   step_.at = boundary(step_.to_deg, step_.time_step);
+  step_.state_was_turned = step_.at.axis != axis_;
+  if (step_.state_was_turned) {
+    turn(state_);
+    turn(before_);
+    axis_ = step_.at.axis;
+  }
   step_.h_m = state_.h_m;
   if (time_step_before_ > 0) {
     const double growth = std::log(state_.h_m / before_.h_m) * step_.time_step / time_step_before_;
@@ -206,9 +221,12 @@ Instant March::side_step(double crank_angle_deg, film::FilmState& to) {
   for (int parts = 1; parts <= kTicks && !report.converged; parts *= 4) {
     const double part_deg = (crank_angle_deg - angle_deg_) / parts;
     to = state_;
+    Axis axis = axis_;
     for (int part = 1; part <= parts; ++part) {
-      side_before_ = to;
       at = boundary(angle_deg_ + part * part_deg, radians(part_deg) / setup_.input.operating.speed);
+      if (at.axis != axis) turn(to);
+      axis = at.axis;
+      side_before_ = to;
       report = film_.solve(at.inputs, side_before_, to);
       if (!report.converged) break;
     }

@@ -70,6 +70,8 @@ class March {
   void propose();
   const film::FilmInputs& proposed() const { return step_.at.inputs; }
   double guessed_h_m() const { return step_.h_m; }
+  /// Was `state()` turned for the proposed step, since its axis points the other way?
+  bool state_was_turned() const { return step_.state_was_turned; }
   /// The film of the proposed step goes here.
   film::FilmState& candidate() { return candidate_; }
   /// Finds the film of the proposed step, in `candidate()`, by the method of the case.
@@ -120,19 +122,22 @@ class March {
   Boundary boundary(double crank_angle_deg, double time_step) const;
   bool adaptive() const { return setup_.input.solver.crank_step_control == StepControl::kAdaptive; }
   double time_error(const film::FilmState& to, double time_step) const;
+  void turn(film::FilmState& state) const;
   void count(const film::FilmReport& report);
 
   const Setup& setup_;
   MarchFilm film_;
   film::FilmState state_, before_, candidate_, side_before_;
-  double time_step_before_ = 0;   ///< 0: no history
-  int k_ = 0;                     ///< base angle where the march stands
-  double angle_deg_ = 0;          ///< the same as an angle, within a base step too
-  int level_ = 0;                 ///< steps are 2^-level of the base step
-  int tick_ = kTicksPerBaseStep;  ///< of the base step, done
+  Axis axis_ = Axis::kFromChamber;  ///< of `state_` and `before_`
+  double time_step_before_ = 0;     ///< 0: no history
+  int k_ = 0;                       ///< base angle where the march stands
+  double angle_deg_ = 0;            ///< the same as an angle, within a base step too
+  int level_ = 0;                   ///< steps are 2^-level of the base step
+  int tick_ = kTicksPerBaseStep;    ///< of the base step, done
   struct {
     double to_deg = 0, time_step = 0, h_m = 0;
     Boundary at;
+    bool state_was_turned = false;
   } step_;  ///< proposed
   Instant instant_;
   StepEffort effort_;

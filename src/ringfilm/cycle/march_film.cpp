@@ -15,10 +15,12 @@ constexpr double kThinnestSeen = 1e-10;
 constexpr int kFewestGraded = 200;
 
 film::FilmGrid grid_across(const Setup& setup, const std::function<double(double)>& height) {
-  const auto& input = setup.input;
-  return setup.cells == CellsOfFace::kGraded ? film::graded_grid(std::max(input.solver.cells, kFewestGraded),
-                                                                 input.ring.face_width, height, kThinnestSeen)
-                                             : film::uniform_grid(input.solver.cells, input.ring.face_width, height);
+  const Solver& solver = setup.input.solver;
+  const Ring& ring = setup.input.ring;
+  if (setup.cells == CellsOfFace::kUniform) return film::uniform_grid(solver.cells, ring.face_width, height);
+  const bool turns = ring.face.orientation == Orientation::kLeadingEdge;
+  return film::graded_grid(std::max(solver.cells, kFewestGraded), ring.face_width, height, kThinnestSeen,
+                           turns ? film::Turning::kPossible : film::Turning::kNever);
 }
 
 film::FilmProblem film_across(const Setup& setup) {

@@ -79,7 +79,8 @@ class Block {
   void propose(int lane, Film where) {
     March& march = marches_[lane]->march();
     march.propose();
-    if (where == Film::kInLane) return newton_.go_on(lane, march.proposed(), march.state(), march.guessed_h_m());
+    const bool is_in_lane = where == Film::kInLane && !march.state_was_turned();
+    if (is_in_lane) return newton_.go_on(lane, march.proposed(), march.state(), march.guessed_h_m());
     newton_.start(lane, march.proposed(), march.state(), march.state(), march.guessed_h_m(),
                   film::Unknowns::kFilmAndSeparation, film::best_laws(march.problem()));
   }

@@ -26,16 +26,21 @@ void add_shares(FilmGrid& grid) {
 
 }  // namespace
 
-FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest) {
+FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest,
+                     Turning turning) {
+  const auto changes_much = [&](double begin, double end) {
+    const auto [low, high] = std::minmax({height(begin), height(0.5 * (begin + end)), height(end)});
+    return high - low > kChangePerCell * (thinnest + low);
+  };
   FilmGrid grid;
   grid.width = width;
   grid.x = {0};
   grid.node_height = {height(0)};
   const std::function<void(double, double, int)> add_cells = [&](double end, double h_end, int halvings) {
-    const double begin = grid.x.back(), h_begin = grid.node_height.back();
-    const double middle = 0.5 * (begin + end), h_middle = height(middle);
-    const auto [low, high] = std::minmax({h_begin, h_middle, h_end});
-    if (halvings < kMostHalvings && high - low > kChangePerCell * (thinnest + low)) {
+    const double begin = grid.x.back(), middle = 0.5 * (begin + end), h_middle = height(middle);
+    const bool too_long =
+        changes_much(begin, end) || (turning == Turning::kPossible && changes_much(width - end, width - begin));
+    if (halvings < kMostHalvings && too_long) {
       add_cells(middle, h_middle, halvings + 1);
       return add_cells(end, h_end, halvings + 1);
     }

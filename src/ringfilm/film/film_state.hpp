@@ -49,9 +49,13 @@ struct FilmGrid {
 };
 FilmGrid uniform_grid(int n_cells, double width, const std::function<double(double)>& height);
 
+/// Do the cells suit the gap alone, or the gap turned over as well?
+enum class Turning { kNever, kPossible };
+
 /// Uniform cells, halved where the gap is so thin and so steep that a film of `thinnest` [m] at its lowest place would
 /// change within one of them by more than about half of itself. @param height above the lowest place of the gap [m]
-FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest);
+FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest,
+                     Turning turning = Turning::kNever);
 
 /// A gap with jumps. The cells are shared among the pieces by their lengths, at least two each: the grid may have a few
 /// more than asked for. @param pieces one after the other, the first from x = 0

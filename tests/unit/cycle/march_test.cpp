@@ -161,6 +161,21 @@ TEST(March, LiteralOrientationTurnsTheRingAtEveryReversal) {
   EXPECT_NEAR(l.samples[435].rupture_position, b.samples[435].rupture_position, 1e-12);
 }
 
+// The face turns over, the oil in its cavities does not: nothing may change where the face is its own mirror image.
+TEST(March, ASymmetricFaceThatTurnsAtEveryReversalIsTheSameAsOneThatDoesNot) {
+  Case fixed = styles_embedded_ring();
+  fixed.ring.face = {};
+  fixed.ring.face.form = FaceForm::kParabola;
+  fixed.ring.face.crown_height = 10e-6;
+  fixed.ring.face.apex = 0.5;
+  fixed.film.cavitation = Cavitation::kMassConserving;
+  fixed.solver.crank_step_control = StepControl::kAdaptive;
+  Case literal = fixed;
+  literal.ring.face.orientation = Orientation::kLeadingEdge;
+  // What the iteration and, in adaptive steps, decisions on rounding leave; a mirrored cavity made 6 %.
+  EXPECT_LT(largest_film_difference(simulated(fixed), simulated(literal)), 1e-5);
+}
+
 TEST(March, ALoadThatNothingCarriesStopsWithTheLastGoodState) {
   const ringfilm::traps::NoTraps no_traps;  // the search lets pressures run away to learn that the film is too thin
   Case c = styles_new_ring();
