@@ -26,7 +26,7 @@ void append_contact_fields(std::vector<Field>& fields) {
           field("contact.roughness_measure",
                 choice<&Case::contact, &Contact::roughness_measure>({"as-given", "ra-to-rq"}), kNoUnit, {},
                 Need::kDefault, {},
-                {"use sigma as given, or take it as Ra and multiply by 1.25 for the rms", "\"as-given\""}),
+                {"use sigma as given, or take it as Ra and multiply by sqrt(pi/2) = 1.2533 for the rms", "\"as-given\""}),
           field(
               "contact.boundary_shear_strength_coefficient",
               NumberKind{member<&Case::contact, &Contact::boundary_shear_strength_coefficient>}, kPlainNumber,
