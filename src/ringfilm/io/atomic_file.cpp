@@ -171,6 +171,8 @@ void AsideFile::fill(std::string_view bytes) {
   if (file.number() < 0 || ::fsync(file.number()) != 0) fail_to_write(target_, errno);
 }
 
+void AsideFile::append(std::string_view bytes) { write_directly(path_, bytes, O_APPEND, target_); }
+
 void AsideFile::reserve(std::uint64_t bytes) {
   const auto refuse = [&](int error_number) {
     const double megabytes = static_cast<double>(bytes) / 1e6;

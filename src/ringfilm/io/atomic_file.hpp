@@ -34,6 +34,9 @@ class AsideFile {
   /// throws OutputError.
   void fill(std::string_view bytes);
 
+  /// Writes these bytes after those that it has; throws OutputError.
+  void append(std::string_view bytes);
+
   /// Sets room aside on the disk for so many bytes, so that writing them cannot meet a full one; what is not needed is
   /// given back when the file is put in place. Where the file system cannot do that, the room that is free must do.
   /// Throws OutputError with the room that is wanted.
