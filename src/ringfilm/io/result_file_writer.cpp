@@ -64,7 +64,7 @@ ResultFileWriter::~ResultFileWriter() {
 
 void ResultFileWriter::check(int status, const std::string& what) const {
   if (status == NC_NOERR) return;
-  throw OutputError(path_ + ": could not be written: " + what + ": " + nc_strerror(status));
+  fail_to_write(path_, what + ": " + nc_strerror(status));
 }
 
 void ResultFileWriter::attribute(const char* name, const std::string& text) {
