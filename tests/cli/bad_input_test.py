@@ -147,6 +147,17 @@ class BadOutput(program.ProgramTest):
     def test_folder_given_as_output(self):
         self.assertIn("folder", self.refuse("--output", "."))
 
+    def test_a_name_that_is_too_long_is_refused_before_anything_is_computed(self):
+        for name in ("x" * 250 + ".nc", "x" * 300, "d/" * 2100 + "x.nc"):
+            with self.subTest(len(name)):
+                self.assertIn("the name of the file is too long", self.refuse("--output", name))
+        self.run_well("run", "case.toml", "--output", "x" * 230 + ".nc")
+
+    def test_a_device_that_takes_nothing_is_refused_before_anything_is_computed(self):
+        if not os.path.exists("/dev/full"):
+            program.skip_loudly(self, "there is no /dev/full")
+        self.assertIn("/dev/full: nothing can be written to this device", self.refuse("--csv", "/dev/full"))
+
     def test_output_that_would_replace_its_own_input(self):
         self.assertIn("trace.csv", self.refuse("--csv", "trace.csv"))
         self.assertIn("case.toml", self.refuse("--output", "./case.toml"))
@@ -187,6 +198,34 @@ class BadCommandLine(program.ProgramTest):
                 done = self.run_program(*words)
                 self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
                 self.assertNotEqual(done.stderr, "")
+
+    def test_a_misspelt_command_or_option_is_named_with_the_nearest(self):
+        for words, fragments in (
+                (("runn", "case.toml"), ("ringfilm runn: this is not a command; did you mean run?", "lateral-force")),
+                (("fly",), ("ringfilm fly: this is not a command",)),
+                (("run", "case.toml", "--jsn"), ("--jsn: ringfilm run has no such option; did you mean --json?",)),
+                (("run", "--outptu=x.nc"), ("--outptu: ringfilm run has no such option; did you mean --output?",)),
+                (("study", "submit", "study.toml", "--resme", "--", "--partiton=long"), ("did you mean --resume?",))):
+            with self.subTest(words):
+                self.assert_refused(self.run_program(*words), *fragments)
+
+    def test_text_of_arguments_and_files_cannot_command_the_terminal(self):
+        done = self.run_program("run", "\x1b[31mx\u009b2J.toml")
+        self.assert_refused(done, "\\x1B[31mx\\x9B2J.toml: there is no such file")
+        self.assertNotIn("\x1b", done.stderr)
+        name = "\x1b]0;title\x07.csv"
+        done = self.run_program("run", "case.toml", "--csv", name)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("wrote \\x1B]0;title\\x07.csv", done.stdout)
+        self.assertNotIn("\x1b", done.stdout)
+        self.assertIn(name, self.names())
+
+    def test_a_number_in_quotes_is_called_so(self):
+        (self.folder / "study.toml").write_text(
+            '[[base]]\ncase = "case.toml"\n[[factor]]\nkey = "contact.boundary_shear_strength_coefficient"\n'
+            'values = ["1"]\n[plan]\nmethod = "grid"\n')
+        done = self.run_program("study", "study.toml", "-o", "out")
+        self.assert_refused(done, 'values = "1" is a number in quotes', "a number without unit is wanted here, for example 1\n")
 
     def test_unknown_publication(self):
         self.assert_refused(self.run_program("reproduce", "smith2020"), "smith2020", "styles2014")

@@ -54,6 +54,11 @@ class Report(program.ProgramTest):
                 self.assert_refused(done, fragment)
                 self.assertFalse((self.folder / "page.html").exists())
 
+    def test_the_page_is_named_by_output_or_by_html(self):
+        self.run_well("report", "a.nc", "--output", "a.html")
+        self.run_well("report", "a.nc", "--html", "b.html")
+        self.assertEqual((self.folder / "a.html").read_bytes(), (self.folder / "b.html").read_bytes())
+
     def test_a_result_with_one_changed_byte_is_refused_before_it_is_parsed(self):
         whole = (self.folder / "a.nc").read_bytes()
         step = len(whole) // 60
