@@ -210,6 +210,8 @@ def test_names_that_no_file_can_have(case, folder):
         ringfilm.Case.read("case\0.toml")
     with pytest.raises(UnicodeEncodeError):
         case["engine.bore"] = "90 \ud800"
+    with pytest.raises(ringfilm.InputError, match=r"title = .* holds the control character U\+0000"):
+        case["title"] = "a\0b"
     with pytest.raises(TypeError, match="3 is no key"):
         ringfilm.Case.read("case.toml", overrides={3: 4})
     assert ringfilm.Case.read(b"case.toml") == ringfilm.Case.read("case.toml", overrides=None)
