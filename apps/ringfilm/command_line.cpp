@@ -7,6 +7,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "command_words.hpp"
 #include "commands.hpp"
@@ -152,10 +153,23 @@ struct CaseWords {
     for (const std::string& word : alone) {
       if (is_setting(word)) overrides.push_back(override_of(word));
     }
+    check_once(overrides);
     return overrides;
   }
 
  private:
+  static void check_once(const std::vector<io::Override>& overrides) {
+    std::vector<Fault> faults;
+    std::set<std::string> keys, twice;
+    for (const io::Override& one : overrides) {
+      if (!keys.insert(one.key).second) twice.insert(one.key);
+    }
+    for (const std::string& key : twice) {
+      faults.push_back({{}, "--set " + key + " is given more than once", "keep one of them"});
+    }
+    if (!faults.empty()) throw InputError(std::move(faults));
+  }
+
   bool is_setting(const std::string& word) const { return !set.empty() && word.find('=') != std::string::npos; }
 };
 
