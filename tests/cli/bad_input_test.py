@@ -1,6 +1,7 @@
 """Whatever is wrong with the input: exit code 2, said where and what, and nothing written."""
 
 import os
+import resource
 import unittest
 
 import program
@@ -125,6 +126,30 @@ class BadCase(program.ProgramTest):
         self.refuse("include cannot be set", "into the case file", words=("--set", "include=x.toml"))
         self.refuse("--set gas.intake_pressure= on the command line", words=("--set", "gas.intake_pressure=1 bar"))
         self.refuse_trace("crank_angle [degree],p [bar]\n0,1\n1\n", "a value for each column")
+
+    def test_thousands_of_unknown_sections_take_a_second(self):
+        (self.folder / "case.toml").write_text("".join(f"[s{i}]\nx = 1\n" for i in range(20000)))
+
+        def ten_seconds():  # of the processor; quadratic in the sections it took 18
+            resource.setrlimit(resource.RLIMIT_CPU, (10, 10))
+
+        done = self.run_program("check", "case.toml", preexec_fn=ten_seconds)
+        self.assert_refused(done, "unknown section [s0]", "unknown section [s99]", " more\n200", " errors; nothing was run")
+        self.assertNotIn("[s100]", done.stderr)
+
+    def test_a_long_list_in_one_line_does_not_fill_the_memory(self):
+        (self.folder / "case.toml").write_text("include = [" + ",".join(["1"] * 20000) + "]\n")
+
+        def one_gigabyte():
+            resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+
+        done = self.run_program("check", "case.toml", preexec_fn=one_gigabyte)
+        self.assert_refused(done, "case.toml:1:12: include = 1 is not a file name", "20000 errors")
+
+    def test_a_setting_is_given_once(self):
+        self.refuse("--set solver.cells is given more than once", "keep one of them",
+                    words=("--set", "solver.cells=60", "--set", "solver.cells=80"))
+        self.refuse("--set solver.cells is given more than once", words=("--set", "solver.cells=60", "solver.cells=60"))
 
     def test_settings_on_the_command_line(self):
         self.refuse("--set", "solver.cels", "solver.cells", words=("--set", "solver.cels=100"))

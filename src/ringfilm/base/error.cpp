@@ -8,6 +8,8 @@
 namespace ringfilm {
 namespace {
 
+/// Nobody mends more at once, and a file that has more is of another kind.
+constexpr std::size_t kMostDescribed = 100;
 /// A line of over this many characters is shown as a window around the mark.
 constexpr int kShownColumns = 100;
 
@@ -28,7 +30,8 @@ std::string with_caret(const SourceMark& mark, const std::string& remedy) {
 
 std::string describe(const std::vector<Fault>& faults) {
   std::string text;
-  for (const auto& [mark, message, remedy] : faults) {
+  for (std::size_t i = 0; i < std::min(faults.size(), kMostDescribed); ++i) {
+    const auto& [mark, message, remedy] = faults[i];
     if (!mark.file.empty()) {
       text.append(printable(mark.file)).append(":");
       if (mark.line > 0) text += std::to_string(mark.line) + ":";
@@ -41,6 +44,9 @@ std::string describe(const std::vector<Fault>& faults) {
     } else if (!remedy.empty()) {
       text.append("    ").append(printable(remedy)).append("\n");
     }
+  }
+  if (faults.size() > kMostDescribed) {
+    text.append("and ").append(std::to_string(faults.size() - kMostDescribed)).append(" more\n");
   }
   return text;
 }

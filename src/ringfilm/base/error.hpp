@@ -63,7 +63,7 @@ class OutputError : public std::runtime_error {
 };
 
 /// The faults as a person reads them: "file:line:column: message", the line, a caret, the remedy; one after the other,
-/// with control characters made visible.
+/// with control characters made visible; the first hundred, and how many there are beyond them.
 std::string describe(const std::vector<Fault>& faults);
 
 }  // namespace ringfilm
