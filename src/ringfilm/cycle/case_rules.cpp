@@ -6,8 +6,8 @@
 #include "ringfilm/cycle/case_rules_pad.hpp"
 #include "ringfilm/cycle/case_rules_unrolled.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
-#include "ringfilm/cycle/trace_span.hpp"
 #include "ringfilm/models/gas.hpp"
+#include "ringfilm/models/trace_span.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -79,7 +79,8 @@ void check_trace(const Gas& gas, Breaches& breaches) {
   if (angles.empty() || models::covers_cycle(angles)) return;
   const std::string span = "the trace covers only " + number_text(angles.front()) + " to " +
                            number_text(angles.back()) + " degree of the cycle" +
-                           (covers_one_revolution(angles) ? std::string(", ") + kOneRevolution : "") + ", and ";
+                           (models::covers_one_revolution(angles) ? std::string(", ") + models::kOneRevolution : "") +
+                           ", and ";
   const std::string remedy = " is wanted to join the rest smoothly, for example ";
   if (!gas.intake_pressure) {
     breaches.push_back({"gas.intake_pressure", span + "gas.intake_pressure is not stated",

@@ -8,7 +8,6 @@
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
-#include "ringfilm/cycle/trace_span.hpp"
 #include "ringfilm/io/csv_quantity.hpp"
 
 namespace ringfilm::io {
@@ -61,7 +60,6 @@ class TraceReader {
       if (faults_.empty()) check_pressures(trace.samples.value, *i_pressure);
       if (faults_.empty()) check_repetition(trace.samples, *i_pressure);
       if (faults_.empty()) check_peak(trace.samples);
-      if (faults_.empty()) check_revolution(trace.samples.crank_angle_deg);
     }
     if (!faults_.empty()) throw InputError(faults_);
     trace.sha256 = csv_.source.sha256;
@@ -194,18 +192,6 @@ class TraceReader {
     notes_.push_back(
         fmt::format("{}: peak pressure lies at {:.6g} degree, near gas-exchange TDC; is gas.angle_zero right?",
                     csv_.source.path, angle));
-  }
-
-  /// A trace of one revolution with firing TDC well inside is the closed part of the cycle, which can be joined. One
-  /// that begins or ends there lacks compression or expansion, as where an engine is taken for a two-stroke one.
-  void check_revolution(const std::vector<double>& angle) {
-    if (stated_.place == TracePlace::kCrankcase || !cycle::covers_one_revolution(angle)) return;
-    constexpr double kQuarterDeg = cycle::kCycleDeg / 8;  // of a revolution: the least part on either side
-    const double to_firing = stated_.angle_zero == cycle::AngleZero::kGasExchangeTdc ? cycle::kCycleDeg / 2 : 0;
-    const double middle = cycle::wrapped((angle.front() + angle.back()) / 2 + to_firing);
-    if (std::min(middle, cycle::kCycleDeg - middle) <= kQuarterDeg) return;
-    notes_.push_back(fmt::format("{}: the trace covers {:.6g} to {:.6g} degree, {}; is all of it here?",
-                                 csv_.source.path, angle.front(), angle.back(), cycle::kOneRevolution));
   }
 
   void check_pressures(const std::vector<double>& p, std::size_t i_column) {

@@ -157,19 +157,6 @@ TEST_F(Trace, PeakNearGasExchangeIsNoted) {
               ElementsAre(HasSubstr("peak pressure lies at 380 degree, near gas-exchange TDC")));
 }
 
-TEST_F(Trace, OneRevolutionFromFiringIsNotedAsHalfAFourStrokeCycle) {
-  const auto of = [&](int first, int last) {
-    std::string text = "crank_angle [degree],p [bar]\n";
-    for (int angle = first; angle <= last; angle += 5) text += std::to_string(angle) + (angle == 5 ? ",60\n" : ",2\n");
-    return read(text, TraceColumns{}).notes;
-  };
-  const auto is_noted = ElementsAre(HasSubstr("one revolution; a four-stroke cycle of 720 degrees is expected"));
-  EXPECT_THAT(of(0, 360), is_noted);
-  EXPECT_THAT(of(0, 355), is_noted);
-  EXPECT_THAT(of(-180, 180), ::testing::IsEmpty());  // the closed part of a cycle
-  EXPECT_THAT(of(0, 720 - 5), ::testing::IsEmpty());
-}
-
 TEST(PartialTrace, OfOneRevolutionIsRefusedWithTheCycleThatIsExpected) {
   const CaseFolder folder;
   std::string text = "crank_angle [degree],p [bar]\n";
