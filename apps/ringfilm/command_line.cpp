@@ -1,17 +1,20 @@
 #include "command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "command_words.hpp"
 #include "commands.hpp"
 #include "exit_codes.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/suggestion.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -150,10 +153,23 @@ struct CaseWords {
     for (const std::string& word : alone) {
       if (is_setting(word)) overrides.push_back(override_of(word));
     }
+    check_once(overrides);
     return overrides;
   }
 
  private:
+  static void check_once(const std::vector<io::Override>& overrides) {
+    std::vector<Fault> faults;
+    std::set<std::string> keys, twice;
+    for (const io::Override& one : overrides) {
+      if (!keys.insert(one.key).second) twice.insert(one.key);
+    }
+    for (const std::string& key : twice) {
+      faults.push_back({{}, "--set " + key + " is given more than once", "keep one of them"});
+    }
+    if (!faults.empty()) throw InputError(std::move(faults));
+  }
+
   bool is_setting(const std::string& word) const { return !set.empty() && word.find('=') != std::string::npos; }
 };
 
@@ -214,7 +230,7 @@ class Commands {
     command.add_option("--overlay", report_.overlays, "measured curves to lay over; may be repeated")
         ->allow_extra_args(false)
         ->type_name("X.csv");
-    command.add_option("-o,--output", report_.output, "the page to write")->type_name("X.html");
+    command.add_option("-o,--output,--html", report_.output, "the page to write")->type_name("X.html");
     command
         .add_option(
             "--vts", report_.vts_folder,
@@ -249,7 +265,7 @@ class Commands {
     command.add_option("NAME", verify_.names, "cases to check; all if none is named")->type_name("...");
     command.add_flag("--list", list_, "print the names of the cases, compute nothing");
     command.add_flag("--json", verify_json_, "print the rows as JSON, SI units, instead of the table");
-    command.add_option("-o,--output", verify_.output, "write the same as a web page")->type_name("X.html");
+    command.add_option("-o,--output,--html", verify_.output, "write the same as a web page")->type_name("X.html");
     command.footer(kVerifyFooter);
   }
 
@@ -299,6 +315,47 @@ class Commands {
   bool list_ = false, verify_json_ = false;
 };
 
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+  const std::string near = io::nearest_word(word, known);
+  return near.empty() ? "" : "; did you mean " + near + "?";
+}
+
+std::string joined_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// The first of the words after a command that begins as an option and is not one of its options.
+std::optional<InputError> unknown_option(const CLI::App& command, const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  for (const std::string& word : words) {
+    if (word == "--") return std::nullopt;  // what follows is for another program
+    const std::string name = word.substr(0, word.find('='));
+    if (name.rfind("--", 0) != 0 || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    return InputError(name + ": ringfilm " + command.get_name() + " has no such option" + did_you_mean(name, names),
+                      "ringfilm " + command.get_name() + " --help lists its options");
+  }
+  return std::nullopt;
+}
+
+/// What is wrong with a line that CLI11 refuses, where a word of it may be misspelt.
+std::optional<InputError> misspelt_word(const CLI::App& program, const std::vector<std::string>& words) {
+  if (words.empty()) return std::nullopt;
+  const std::string& first = words.front();
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    if (command->get_name() == first) return unknown_option(*command, words);
+    names.push_back(command->get_name());
+  }
+  if (first.rfind('-', 0) == 0) return std::nullopt;
+  return InputError("ringfilm " + first + ": this is not a command" + did_you_mean(first, names),
+                    "one of: " + joined_names(names));
+}
+
 }  // namespace
 
 Request read_command_line(int argc, const char* const* argv) {
@@ -321,6 +378,10 @@ Request read_command_line(int argc, const char* const* argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& refusal) {
+    if (refusal.get_exit_code() != 0) {
+      if (const auto error = argc > 1 ? misspelt_word(program, {argv + 1, argv + argc}) : std::nullopt)
+        return {[error] { throw InputError(*error); }, kBadInput};
+    }
     return {{}, program.exit(refusal) == 0 ? kFine : kBadInput};
   }
   const std::function<void()> chosen = commands->chosen();

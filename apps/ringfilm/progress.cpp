@@ -5,6 +5,8 @@
 
 #include <iostream>
 
+#include "terminal_text.hpp"
+
 namespace ringfilm::app {
 namespace {
 
@@ -17,14 +19,17 @@ constexpr const char* kEraseLine = "\r\x1b[K";
 ProgressLine::ProgressLine() : is_terminal_(::isatty(STDERR_FILENO) == 1), next_(Clock::now() + kSilentFirst) {}
 
 ProgressLine::~ProgressLine() {
-  if (is_shown_) std::cerr << kEraseLine << std::flush;
+  if (!is_shown_) return;
+  command_terminal(std::cerr, kEraseLine);
+  std::cerr << std::flush;
 }
 
 void ProgressLine::show(const std::string& text) {
   if (!is_terminal_ || Clock::now() < next_) return;
   next_ = Clock::now() + kBetweenLines;
   is_shown_ = true;
-  std::cerr << kEraseLine << text << std::flush;
+  command_terminal(std::cerr, kEraseLine);
+  std::cerr << text << std::flush;
 }
 
 void MarchProgress::advanced(int cycle, double crank_angle_deg) {

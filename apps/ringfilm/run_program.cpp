@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "exit_codes.hpp"
 #include "ringfilm/base/error.hpp"
+#include "terminal_text.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -39,7 +40,7 @@ int carry_out(const Request& request) {
     std::cerr << failed.what() << " (exit code " << kSomethingFailed << ")\n";
     return kSomethingFailed;
   } catch (const OutputError& error) {
-    std::cerr << error.what() << "\nwhat stood there before is unchanged (exit code " << kCouldNotWrite << ")\n";
+    std::cerr << error.what() << "\nnot all output was written (exit code " << kCouldNotWrite << ")\n";
     return kCouldNotWrite;
   }
 }
@@ -50,6 +51,7 @@ int run_program(int argc, const char* const* argv) {
   // HDF5 refuses to write where the file system has no locks (many cluster folders); we write under names of our own.
   constexpr int kKeepWhatTheUserSet = 0;
   ::setenv("HDF5_USE_FILE_LOCKING", "BEST_EFFORT", kKeepWhatTheUserSet);
+  const PrintableStreams printable_streams;
   try {
     return carry_out(read_command_line(argc, argv));
   } catch (const std::exception& error) {

@@ -1,6 +1,7 @@
 """Whatever is wrong with the input: exit code 2, said where and what, and nothing written."""
 
 import os
+import resource
 import unittest
 
 import program
@@ -126,6 +127,30 @@ class BadCase(program.ProgramTest):
         self.refuse("--set gas.intake_pressure= on the command line", words=("--set", "gas.intake_pressure=1 bar"))
         self.refuse_trace("crank_angle [degree],p [bar]\n0,1\n1\n", "a value for each column")
 
+    def test_thousands_of_unknown_sections_take_a_second(self):
+        (self.folder / "case.toml").write_text("".join(f"[s{i}]\nx = 1\n" for i in range(20000)))
+
+        def ten_seconds():  # of the processor; quadratic in the sections it took 18
+            resource.setrlimit(resource.RLIMIT_CPU, (10, 10))
+
+        done = self.run_program("check", "case.toml", preexec_fn=ten_seconds)
+        self.assert_refused(done, "unknown section [s0]", "unknown section [s99]", " more\n200", " errors; nothing was run")
+        self.assertNotIn("[s100]", done.stderr)
+
+    def test_a_long_list_in_one_line_does_not_fill_the_memory(self):
+        (self.folder / "case.toml").write_text("include = [" + ",".join(["1"] * 20000) + "]\n")
+
+        def one_gigabyte():
+            resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+
+        done = self.run_program("check", "case.toml", preexec_fn=one_gigabyte)
+        self.assert_refused(done, "case.toml:1:12: include = 1 is not a file name", "20000 errors")
+
+    def test_a_setting_is_given_once(self):
+        self.refuse("--set solver.cells is given more than once", "keep one of them",
+                    words=("--set", "solver.cells=60", "--set", "solver.cells=80"))
+        self.refuse("--set solver.cells is given more than once", words=("--set", "solver.cells=60", "solver.cells=60"))
+
     def test_settings_on_the_command_line(self):
         self.refuse("--set", "solver.cels", "solver.cells", words=("--set", "solver.cels=100"))
         self.refuse("operating.speed", words=("--set", "operating.speed=1500"))
@@ -146,6 +171,17 @@ class BadOutput(program.ProgramTest):
 
     def test_folder_given_as_output(self):
         self.assertIn("folder", self.refuse("--output", "."))
+
+    def test_a_name_that_is_too_long_is_refused_before_anything_is_computed(self):
+        for name in ("x" * 250 + ".nc", "x" * 300, "d/" * 2100 + "x.nc"):
+            with self.subTest(len(name)):
+                self.assertIn("the name of the file is too long", self.refuse("--output", name))
+        self.run_well("run", "case.toml", "--output", "x" * 230 + ".nc")
+
+    def test_a_device_that_takes_nothing_is_refused_before_anything_is_computed(self):
+        if not os.path.exists("/dev/full"):
+            program.skip_loudly(self, "there is no /dev/full")
+        self.assertIn("/dev/full: nothing can be written to this device", self.refuse("--csv", "/dev/full"))
 
     def test_output_that_would_replace_its_own_input(self):
         self.assertIn("trace.csv", self.refuse("--csv", "trace.csv"))
@@ -187,6 +223,34 @@ class BadCommandLine(program.ProgramTest):
                 done = self.run_program(*words)
                 self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
                 self.assertNotEqual(done.stderr, "")
+
+    def test_a_misspelt_command_or_option_is_named_with_the_nearest(self):
+        for words, fragments in (
+                (("runn", "case.toml"), ("ringfilm runn: this is not a command; did you mean run?", "lateral-force")),
+                (("fly",), ("ringfilm fly: this is not a command",)),
+                (("run", "case.toml", "--jsn"), ("--jsn: ringfilm run has no such option; did you mean --json?",)),
+                (("run", "--outptu=x.nc"), ("--outptu: ringfilm run has no such option; did you mean --output?",)),
+                (("study", "submit", "study.toml", "--resme", "--", "--partiton=long"), ("did you mean --resume?",))):
+            with self.subTest(words):
+                self.assert_refused(self.run_program(*words), *fragments)
+
+    def test_text_of_arguments_and_files_cannot_command_the_terminal(self):
+        done = self.run_program("run", "\x1b[31mx\u009b2J.toml")
+        self.assert_refused(done, "\\x1B[31mx\\x9B2J.toml: there is no such file")
+        self.assertNotIn("\x1b", done.stderr)
+        name = "\x1b]0;title\x07.csv"
+        done = self.run_program("run", "case.toml", "--csv", name)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("wrote \\x1B]0;title\\x07.csv", done.stdout)
+        self.assertNotIn("\x1b", done.stdout)
+        self.assertIn(name, self.names())
+
+    def test_a_number_in_quotes_is_called_so(self):
+        (self.folder / "study.toml").write_text(
+            '[[base]]\ncase = "case.toml"\n[[factor]]\nkey = "contact.boundary_shear_strength_coefficient"\n'
+            'values = ["1"]\n[plan]\nmethod = "grid"\n')
+        done = self.run_program("study", "study.toml", "-o", "out")
+        self.assert_refused(done, 'values = "1" is a number in quotes', "a number without unit is wanted here, for example 1\n")
 
     def test_unknown_publication(self):
         self.assert_refused(self.run_program("reproduce", "smith2020"), "smith2020", "styles2014")

@@ -188,6 +188,7 @@ class Refusals(FaceTest):
     def test_values(self):
         self.refuse("is no length above zero", words=(*STATED[:3], "-1 mm"))
         self.refuse("a length", words=(*STATED, "--spline-cutoff", "3 N"))
+        self.refuse("the tilt of the face is 2 rad", "-0.1 to 0.1", words=(*STATED, "--tilt", "2 rad"))
         self.refuse("two rules for one tilt", words=(*STATED, "--tilt", "1 mrad", "--levelling", "none"))
         self.refuse("is not between 1 and 12", words=(*STATED, "--degree", "13"))
         self.refuse("is no whole number", words=(*STATED, "--degree", "2.5"))

@@ -254,6 +254,12 @@ class Refusals(LateralForceTest):
         self.refuse("no calibration is named", "--silicon FILE", words=(self.rings[0],))
         self.refuse("more than one calibration", words=(self.rings[0], *ON_SILICON, "--lever", "lever.toml"))
 
+    def test_a_sample_is_not_its_own_calibration(self):
+        same = ("the sample ", "the calibration on silicon ", "have the same loops", "name another file")
+        self.refuse(*same, words=("silicon.csv", *ON_SILICON))
+        (self.folder / "copy.csv").write_bytes((self.folder / "silicon.csv").read_bytes())
+        self.refuse(*same, "copy.csv", words=("copy.csv", *ON_SILICON))
+
     def test_no_reference_is_a_default(self):
         self.refuse("--silicon without --reference", "ahimou2007", "warmack1994",
                     words=(self.rings[0], "--silicon", "silicon.csv"))

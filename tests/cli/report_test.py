@@ -54,6 +54,30 @@ class Report(program.ProgramTest):
                 self.assert_refused(done, fragment)
                 self.assertFalse((self.folder / "page.html").exists())
 
+    def test_the_page_is_named_by_output_or_by_html(self):
+        self.run_well("report", "a.nc", "--output", "a.html")
+        self.run_well("report", "a.nc", "--html", "b.html")
+        self.assertEqual((self.folder / "a.html").read_bytes(), (self.folder / "b.html").read_bytes())
+
+    def test_a_result_with_one_changed_byte_is_refused_before_it_is_parsed(self):
+        whole = (self.folder / "a.nc").read_bytes()
+        step = len(whole) // 60
+        for at in [*range(0, 120, 5), *range(120, len(whole), step), len(whole) - 1]:
+            with self.subTest(at):
+                (self.folder / "b.nc").write_bytes(whole[:at] + bytes([whole[at] ^ 1 << at % 8]) + whole[at + 1:])
+                self.assert_refused(self.run_program("report", "b.nc", "--output", "page.html"), "b.nc: ")
+                self.assertFalse((self.folder / "page.html").exists())
+
+    def test_a_result_that_another_program_changed_is_refused(self):
+        try:
+            import netCDF4  # noqa: F401
+            import xarray
+        except ImportError:
+            program.skip_loudly(self, "python3-xarray and python3-netcdf4 are not installed")
+        data = xarray.load_dataset(self.folder / "a.nc")
+        data.attrs["title"] = "another title"
+        data.to_netcdf(self.folder / "a.nc")
+        self.assert_refused(self.run_program("report", "a.nc", "--output", "page.html"), "SHA-256 digest", "run its case again")
 
     def test_page_never_replaces_what_it_is_drawn_from(self):
         result = (self.folder / "a.nc").read_bytes()

@@ -195,7 +195,7 @@ class Run(program.ProgramTest):
         try:
             main, side = pty.openpty()
         except OSError as none:
-            self.skipTest(f"SKIPPED: no pseudo-terminal here ({none})")
+            program.skip_loudly(self, f"no pseudo-terminal here ({none})")
         child = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=side)
         os.close(side)
         shown = b""

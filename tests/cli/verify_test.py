@@ -33,6 +33,11 @@ class VerifyTest(ProgramTest):
         self.assertRegex(said, r"8 of 8 checks hold in 1 cases?")
         self.assertNotIn("FAILS", said)
 
+    def test_the_page_is_named_by_html_as_of_the_measuring_commands(self):
+        self.run_well("verify", "rayleigh1918_step", "--output", "a.html")
+        self.assertIn("wrote b.html", self.run_well("verify", "rayleigh1918_step", "--html", "b.html"))
+        self.assertEqual((self.folder / "a.html").read_bytes(), (self.folder / "b.html").read_bytes())
+
     def test_a_page_never_replaces_what_the_checks_are_read_from(self):
         shipped = self.copy_of_shipped("rayleigh1918_step")
         reference = shipped / "verification" / "rayleigh1918_step" / "reference.toml"

@@ -104,6 +104,22 @@ class Writing(program.ProgramTest):
             finally:
                 subprocess.run(["umount", str(small)], check=True)
 
+    def test_an_output_that_fails_where_nothing_was_before_says_so(self):
+        self.assertEqual(self.names(), ["case.toml", "trace.csv"])
+
+        def no_file_above_one_kilobyte():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024))
+
+        done = self.run_program("run", "case.toml", "--csv", "out.csv", preexec_fn=no_file_above_one_kilobyte)
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("out.csv: could not be written: File too large (there is no file of that name)\n", done.stderr)
+        self.assertNotIn("unchanged", done.stderr)
+        (self.folder / "out.csv").write_text("old")
+        done = self.run_program("run", "case.toml", "--csv", "out.csv", preexec_fn=no_file_above_one_kilobyte)
+        self.assertIn("(the file of that name keeps what it held before)\n", done.stderr)
+        self.assertEqual((self.folder / "out.csv").read_text(), "old")
+
     def test_full_disk_is_exit_code_5_and_leaves_the_old_file(self):
         small = self.small_disk("600k")
         self.addCleanup(subprocess.run, ["umount", str(small)], check=True)
@@ -176,12 +192,9 @@ class Writing(program.ProgramTest):
             finally:
                 subprocess.run(["umount", str(small)], check=True)
 
-    def test_full_device_and_full_standard_output_are_exit_code_5(self):
+    def test_full_standard_output_is_exit_code_5(self):
         if not pathlib.Path("/dev/full").exists():
             program.skip_loudly(self, "there is no /dev/full")
-        done = self.run_program("run", "case.toml", "--csv", "/dev/full")
-        self.assertEqual(done.returncode, 5, done.stderr)
-        self.assertIn("/dev/full", done.stderr)
         with open("/dev/full", "w") as full:
             done = subprocess.run([program.PROGRAM, "fields"], stdout=full, stderr=subprocess.PIPE, text=True)
         self.assertEqual(done.returncode, 5, done.stderr)

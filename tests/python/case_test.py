@@ -224,6 +224,8 @@ def test_what_is_no_value_is_told_as_such(case, value):
 def test_names_that_no_file_can_have(case, folder):
     with pytest.raises(ringfilm.InputError, match="zero byte"):
         ringfilm.Case.read("case\0.toml")
+    with pytest.raises(ringfilm.InputError, match=r"title = .* holds the control character U\+0000"):
+        case["title"] = "a\0b"
     with pytest.raises(TypeError, match="a key of overrides must be a text"):
         ringfilm.Case.read("case.toml", overrides={3: 4})
     assert ringfilm.Case.read(b"case.toml") == ringfilm.Case.read("case.toml", overrides=None)

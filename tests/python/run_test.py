@@ -129,7 +129,7 @@ def test_a_cycle_that_stops_says_where_and_keeps_what_it_passed(case):
         assert stop.result is not None and not stop.result.complete
         assert numpy.isnan(stop.result.fmep)
     else:
-        pytest.skip("SKIPPED: this case is solved by now; find a harder one")
+        pytest.skip("this case is solved by now; find a harder one")
 
 
 def test_threads_give_the_same_bits(case):

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "ringfilm/base/printable_text.hpp"
+
 namespace ringfilm {
 namespace {
 
+/// Nobody mends more at once, and a file that has more is of another kind.
+constexpr std::size_t kMostDescribed = 100;
 /// A line of over this many characters is shown as a window around the mark.
 constexpr int kShownColumns = 100;
 
@@ -17,27 +21,32 @@ std::string with_caret(const SourceMark& mark, const std::string& remedy) {
       shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
   const int caret = std::max(0, mark.column - 1 - first);
   const std::string margin = "    " + std::string(number.size(), ' ') + " | ";
-  return "    " + number + " | " + shown + "\n" + margin + std::string(caret, ' ') + "^" +
-         (remedy.empty() ? "" : " " + remedy) + "\n";
+  std::string text = "    " + number + " | " + shown + "\n" + margin + std::string(caret, ' ') + "^";
+  if (!remedy.empty()) text.append(" ").append(printable(remedy));
+  return text.append("\n");
 }
 
 }  // namespace
 
 std::string describe(const std::vector<Fault>& faults) {
   std::string text;
-  for (const auto& [mark, message, remedy] : faults) {
+  for (std::size_t i = 0; i < std::min(faults.size(), kMostDescribed); ++i) {
+    const auto& [mark, message, remedy] = faults[i];
     if (!mark.file.empty()) {
-      text += mark.file + ":";
+      text.append(printable(mark.file)).append(":");
       if (mark.line > 0) text += std::to_string(mark.line) + ":";
       if (mark.line > 0 && mark.column > 0) text += std::to_string(mark.column) + ":";
       text += " ";
     }
-    text += message + "\n";
+    text.append(printable(message)).append("\n");
     if (mark.line > 0 && !mark.line_text.empty()) {
       text += with_caret(mark, remedy);
     } else if (!remedy.empty()) {
-      text += "    " + remedy + "\n";
+      text.append("    ").append(printable(remedy)).append("\n");
     }
+  }
+  if (faults.size() > kMostDescribed) {
+    text.append("and ").append(std::to_string(faults.size() - kMostDescribed)).append(" more\n");
   }
   return text;
 }

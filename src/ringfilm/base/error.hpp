@@ -62,7 +62,8 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The faults as a person reads them: "file:line:column: message", the line, a caret, the remedy; one after the other.
+/// The faults as a person reads them: "file:line:column: message", the line, a caret, the remedy; one after the other,
+/// with control characters made visible; the first hundred, and how many there are beyond them.
 std::string describe(const std::vector<Fault>& faults);
 
 }  // namespace ringfilm

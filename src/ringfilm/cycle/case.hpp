@@ -110,7 +110,7 @@ enum class ContactModulus {
 /// `contact.roughness_measure`: what is made of the stated roughness.
 enum class RoughnessMeasure {
   kAsGiven,  ///< it is sigma
-  kRaToRq    ///< it is Ra, and sigma 1.25 times as much
+  kRaToRq    ///< it is Ra, and sigma is sqrt(pi/2) = 1.2533 times as much, as for a Gaussian surface
 };
 
 /// `contact.integrals`: the Gaussian height integrals F_2 and F_5/2.
@@ -333,7 +333,7 @@ struct Contact {
   double asperity_density = 0;  ///< N: asperity peaks per area of the pair [1/m2]
   double asperity_radius = 0;   ///< beta: mean radius of their summits [m]
   double roughness = 0;         ///< sigma: composite roughness of the pair, as stated [m]
-  /// Is it used as stated, or is it Ra, to be multiplied by 1.25 for the rms?
+  /// Is it used as stated, or is it Ra, to be multiplied by sqrt(pi/2) = 1.2533 for the rms?
   RoughnessMeasure roughness_measure = RoughnessMeasure::kAsGiven;
   double boundary_shear_strength_coefficient = 0;  ///< zeta: boundary shear strength over contact pressure [-]
   double eyring_shear_stress = 2e6;                ///< tau_0, of the boundary film [Pa]

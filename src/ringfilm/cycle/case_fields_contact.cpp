@@ -23,10 +23,11 @@ void append_contact_fields(std::vector<Field>& fields) {
                 above(0, 1e-2), Need::kRequired, {}, {"mean radius of the asperity summits, beta", "\"1.56 um\""}),
           field("contact.roughness", NumberKind{member<&Case::contact, &Contact::roughness>}, {"m", "um"},
                 above(0, 1e-4), Need::kRequired, {}, {"composite roughness of the pair, sigma", "\"0.48 um\""}),
-          field("contact.roughness_measure",
-                choice<&Case::contact, &Contact::roughness_measure>({"as-given", "ra-to-rq"}), kNoUnit, {},
-                Need::kDefault, {},
-                {"use sigma as given, or take it as Ra and multiply by 1.25 for the rms", "\"as-given\""}),
+          field(
+              "contact.roughness_measure",
+              choice<&Case::contact, &Contact::roughness_measure>({"as-given", "ra-to-rq"}), kNoUnit, {},
+              Need::kDefault, {},
+              {"use sigma as given, or take it as Ra and multiply by sqrt(pi/2) = 1.2533 for the rms", "\"as-given\""}),
           field(
               "contact.boundary_shear_strength_coefficient",
               NumberKind{member<&Case::contact, &Contact::boundary_shear_strength_coefficient>}, kPlainNumber,

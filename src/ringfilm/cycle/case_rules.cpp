@@ -7,6 +7,7 @@
 #include "ringfilm/cycle/case_rules_unrolled.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/models/gas.hpp"
+#include "ringfilm/models/trace_span.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -77,7 +78,9 @@ void check_trace(const Gas& gas, Breaches& breaches) {
   const auto& angles = gas.cylinder_pressure->crank_angle_deg;
   if (angles.empty() || models::covers_cycle(angles)) return;
   const std::string span = "the trace covers only " + number_text(angles.front()) + " to " +
-                           number_text(angles.back()) + " degree of the cycle, and ";
+                           number_text(angles.back()) + " degree of the cycle" +
+                           (models::covers_one_revolution(angles) ? std::string(", ") + models::kOneRevolution : "") +
+                           ", and ";
   const std::string remedy = " is wanted to join the rest smoothly, for example ";
   if (!gas.intake_pressure) {
     breaches.push_back({"gas.intake_pressure", span + "gas.intake_pressure is not stated",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -283,6 +284,16 @@ std::string fragment_of(const ForceSample& sample, const surface::ShearStrength&
   return io::shear_strength_fragment(strength, file_names(sample), of.calibration.method, of.name, heading);
 }
 
+/// Loops cannot be their own reference, under whatever name their file comes.
+void check_apart(const ForceSample& sample, const ForceSample& reference, const std::string& reference_is) {
+  for (const std::string& digest : sample.digests) {
+    if (std::find(reference.digests.begin(), reference.digests.end(), digest) == reference.digests.end()) continue;
+    throw InputError(fmt::format("the sample {} and the calibration on {} {} have the same loops (SHA-256 {})",
+                                 file_names(sample), reference_is, file_names(reference), digest),
+                     "name another file for one of them");
+  }
+}
+
 }  // namespace
 
 ForceCalibration silicon_calibration(ForceSample silicon, surface::Uncertain reference) {
@@ -320,6 +331,10 @@ ForceCalibration wedge_calibration(std::vector<ForceSample> facets, const std::a
 
 io::Measurement force_measurement(const std::vector<ForceSample>& samples, const ForceCalibration& of,
                                   const ForceRule& rule, const std::optional<std::size_t>& wanted) {
+  for (const ForceSample& sample : samples) {
+    if (of.silicon) check_apart(sample, *of.silicon, "silicon");
+    for (const ForceSample& facet : of.facets) check_apart(sample, facet, "a facet");
+  }
   std::vector<surface::FrictionSample> lines;
   for (const ForceSample& sample : samples) lines.push_back({sample.name, sample.line, sample.load_unit});
   const surface::ShearStrengths strengths = surface::boundary_shear_strengths(lines, of.calibration);

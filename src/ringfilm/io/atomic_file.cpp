@@ -6,9 +6,11 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -57,6 +59,12 @@ bool is_device(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// The device to which nothing can be written, whoever asks: full(4).
+bool is_dev_full(const fs::path& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 7);
 }
 
 bool write_all(int file, std::string_view bytes) {
@@ -115,10 +123,32 @@ void take_over_mode(const std::string& from, int file) {
   if (::stat(from.c_str(), &status) == 0) ::fchmod(file, status.st_mode & kPermissions);
 }
 
+/// The file aside has the name of `target` and something behind it; where that is too long, nothing can be written.
+void check_length(const std::string& path, const fs::path& target) {
+  constexpr std::size_t kLongestEnd = kPartial.size() + 7 + 4;  // a process up to 2^22 and "-999", see AsideFile
+  const long name = ::pathconf(folder_of(target).c_str(), _PC_NAME_MAX);
+  const std::size_t most_of_name = name > 0 ? static_cast<std::size_t>(name) : NAME_MAX;
+  if (target.filename().native().size() + kLongestEnd > most_of_name ||
+      target.native().size() + kLongestEnd >= PATH_MAX) {
+    throw InputError(path + ": the name of the file is too long",
+                     "a name in this folder may have " + std::to_string(most_of_name - kLongestEnd) +
+                         " bytes, with its folders " + std::to_string(PATH_MAX - 1 - kLongestEnd));
+  }
+}
+
 }  // namespace
 
+void fail_to_write(const std::string& path, const std::string& reason) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  const std::string fate = fs::is_regular_file(status) ? " (the file of that name keeps what it held before)"
+                           : fs::exists(status)        ? ""
+                                                       : " (there is no file of that name)";
+  throw OutputError(path + ": could not be written: " + reason + fate);
+}
+
 void fail_to_write(const std::string& path, int error_number) {
-  throw OutputError(path + ": could not be written: " + std::strerror(error_number));
+  fail_to_write(path, std::string(std::strerror(error_number)));
 }
 
 void check_can_write(const std::string& path, Sink sink) {
@@ -129,6 +159,7 @@ void check_can_write(const std::string& path, Sink sink) {
   if (fs::is_directory(target, error)) {
     throw InputError(path + ": this is a folder", "a file name is wanted here");
   }
+  if (error == std::errc::filename_too_long) check_length(path, target);
   if (!fs::exists(folder, error)) {
     throw InputError(path + ": the folder " + folder.string() + " does not exist",
                      "make it first, or name another one");
@@ -138,16 +169,21 @@ void check_can_write(const std::string& path, Sink sink) {
   }
   if (is_device(target)) {
     if (sink == Sink::kFile) throw InputError(path + ": this is a device or a pipe", "a file name is wanted here");
+    if (is_dev_full(target)) throw InputError(path + ": nothing can be written to this device", "name a file");
+    if (::access(target.c_str(), W_OK) != 0) {
+      throw InputError(path + ": the device is not writable: " + std::strerror(errno), "name a file");
+    }
     return;
   }
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
     throw InputError(path + ": the folder " + folder.string() + " is not writable: " + std::strerror(errno),
                      "name a file in a folder in which you may write");
   }
+  check_length(path, target);
 }
 
 AsideFile::AsideFile(const std::string& target) : target_(target_of(target).string()) {
-  if (is_device(target_)) throw OutputError(target + ": could not be written: this is a device or a pipe");
+  if (is_device(target_)) fail_to_write(target, "this is a device or a pipe");
   remove_left_over_partials(target_);
   const std::string name = target_ + std::string(kPartial) + std::to_string(::getpid());
   path_ = name;
@@ -171,12 +207,14 @@ void AsideFile::fill(std::string_view bytes) {
   if (file.number() < 0 || ::fsync(file.number()) != 0) fail_to_write(target_, errno);
 }
 
+void AsideFile::append(std::string_view bytes) { write_directly(path_, bytes, O_APPEND, target_); }
+
 void AsideFile::reserve(std::uint64_t bytes) {
   const auto refuse = [&](int error_number) {
     const double megabytes = static_cast<double>(bytes) / 1e6;
     char room[64] = "";
     std::snprintf(room, sizeof room, "up to %.0f MB are wanted: ", megabytes);
-    throw OutputError(target_ + ": could not be written: " + room + std::strerror(error_number));
+    fail_to_write(target_, std::string(room) + std::strerror(error_number));
   };
   struct rlimit most {};
   if (::getrlimit(RLIMIT_FSIZE, &most) == 0 && most.rlim_cur != RLIM_INFINITY && bytes > most.rlim_cur) refuse(EFBIG);

@@ -12,7 +12,8 @@ enum class Sink {
 };
 
 /// Can it be written there? Throws InputError if the folder does not exist or is not writable, or if `path` is a folder
-/// or otherwise not what `sink` says: the program asks this before it computes. Changes nothing on the disk.
+/// or otherwise not what `sink` says, if its name is too long, or if it is the device /dev/full: the program asks this
+/// before it computes. Changes nothing on the disk.
 void check_can_write(const std::string& path, Sink sink);
 
 /// A file that appears under its name all at once: filled aside in the same folder (`target`.partial-<process>),
@@ -34,6 +35,9 @@ class AsideFile {
   /// throws OutputError.
   void fill(std::string_view bytes);
 
+  /// Writes these bytes after those that it has; throws OutputError.
+  void append(std::string_view bytes);
+
   /// Sets room aside on the disk for so many bytes, so that writing them cannot meet a full one; what is not needed is
   /// given back when the file is put in place. Where the file system cannot do that, the room that is free must do.
   /// Throws OutputError with the room that is wanted.
@@ -51,7 +55,10 @@ class AsideFile {
 /// Puts `bytes` into the file `path` through an AsideFile; a device or a pipe is written directly. Throws OutputError.
 void write_atomically(const std::string& path, std::string_view bytes);
 
-/// The error of a file that could not be written, with the reason of an errno value.
+/// The error of a file that could not be written, with the reason and whether there is a file of that name, which then
+/// is what it was before.
+[[noreturn]] void fail_to_write(const std::string& path, const std::string& reason);
+/// The same with the reason of an errno value.
 [[noreturn]] void fail_to_write(const std::string& path, int error_number);
 
 }  // namespace ringfilm::io

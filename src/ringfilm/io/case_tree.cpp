@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "ringfilm/cycle/case_fields.hpp"
 #include "ringfilm/io/suggestion.hpp"
@@ -17,27 +18,37 @@ const char* const kOilSection = "lubricant.";
 
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
-bool is_section(const std::string& name) {
-  const auto& fields = cycle::case_fields();
-  return std::any_of(fields.begin(), fields.end(),
-                     [&name](const cycle::Field& field) { return field.key.rfind(name + ".", 0) == 0; });
-}
+/// A case has some ten sections; a file of its own for each, and as many again.
+constexpr std::size_t kMostIncludes = 32;
+/// A file with more faults than this is of another kind; to seek the nearest key takes longer than all else.
+constexpr std::size_t kMostSuggestions = 100;
 
-std::vector<std::string> known_keys() {
-  std::vector<std::string> keys{"include"};
-  for (const cycle::Field& field : cycle::case_fields()) keys.push_back(field.key);
-  return keys;
-}
+/// The words of a case file.
+struct CaseWords {
+  std::vector<std::string> keys{"include"}, sections;
+  std::set<std::string> all_sections;  ///< those that hold only sections among them
 
-std::vector<std::string> known_sections() {
-  std::vector<std::string> sections;
-  for (const cycle::Field& field : cycle::case_fields()) {
-    const std::string section = field.key.substr(0, std::min(field.key.rfind('.'), field.key.size()));
-    if (section != field.key && std::find(sections.begin(), sections.end(), section) == sections.end()) {
-      sections.push_back(section);
+  CaseWords() {
+    for (const cycle::Field& field : cycle::case_fields()) {
+      keys.push_back(field.key);
+      const std::size_t last = field.key.rfind('.');
+      if (last == std::string::npos) continue;
+      const std::string section = field.key.substr(0, last);
+      if (std::find(sections.begin(), sections.end(), section) == sections.end()) sections.push_back(section);
+      for (std::size_t dot = section.find('.'); dot != std::string::npos; dot = section.find('.', dot + 1)) {
+        all_sections.insert(section.substr(0, dot));
+      }
+      all_sections.insert(section);
     }
   }
-  return sections;
+};
+
+/// Does a key lie in one of these sections, or in a section of one?
+bool lies_in(const std::string& key, const std::set<std::string>& sections) {
+  for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1)) {
+    if (sections.contains(key.substr(0, dot))) return true;
+  }
+  return false;
 }
 
 std::string place(const SourceMark& mark) {
@@ -101,25 +112,32 @@ class Gatherer {
     }
   }
 
-  /// Tells an unknown section once and leaves its keys out.
+  /// Reports an unknown section once and leaves its keys out.
   void drop_unknown_sections(FlatToml& flat) {
-    for (const TomlEntry& section : flat.sections) {
+    std::set<std::string> unknown;
+    for (const TomlEntry& section : flat.sections) {  // an outer one before those in it
       if (is_section(section.key)) continue;
-      const bool inside_told = std::any_of(flat.sections.begin(), flat.sections.end(), [&](const TomlEntry& outer) {
-        return section.key.rfind(outer.key + ".", 0) == 0 && !is_section(outer.key);
-      });
-      if (!inside_told) {
-        const bool is_key = cycle::find_field(section.key) != nullptr;
-        const std::string near = is_key ? "" : nearest_word(section.key, known_sections());
-        if (is_key) tree_.faulty.insert(section.key);
-        if (!near.empty()) tree_.faulty.insert(near + ".");
-        fault(
-            section.value.key_mark,
-            is_key ? section.key + " is a section here" : "unknown section [" + section.key + "]" + did_you_mean(near),
-            is_key ? "it wants one value, for example " + cycle::find_field(section.key)->example : "");
-      }
-      std::erase_if(flat.entries, [&](const TomlEntry& e) { return e.key.rfind(section.key + ".", 0) == 0; });
+      if (!lies_in(section.key, unknown)) refuse_section(section);
+      unknown.insert(section.key);
     }
+    std::erase_if(flat.entries, [&](const TomlEntry& entry) { return lies_in(entry.key, unknown); });
+  }
+
+  void refuse_section(const TomlEntry& section) {
+    const cycle::Field* const field = cycle::find_field(section.key);
+    const std::string near = field != nullptr ? "" : nearest(section.key, words_.sections);
+    if (field != nullptr) tree_.faulty.insert(section.key);
+    if (!near.empty()) tree_.faulty.insert(near + ".");
+    fault(section.value.key_mark,
+          field != nullptr ? section.key + " is a section here"
+                           : "unknown section [" + section.key + "]" + did_you_mean(near),
+          field != nullptr ? "it wants one value, for example " + field->example : "");
+  }
+
+  bool is_section(const std::string& name) const { return words_.all_sections.contains(name); }
+
+  std::string nearest(const std::string& word, const std::vector<std::string>& known) const {
+    return tree_.faults.size() < kMostSuggestions ? nearest_word(word, known) : "";
   }
 
   static std::string did_you_mean(const std::string& near) {
@@ -135,7 +153,7 @@ class Gatherer {
       tree_.faulty.insert(entry.key + ".");
       return false;
     }
-    const std::string near = nearest_word(entry.key, known_keys());
+    const std::string near = nearest(entry.key, words_.keys);
     if (!near.empty()) tree_.faulty.insert(near);
     fault(entry.value.key_mark, "unknown key " + entry.key + did_you_mean(near),
           near.empty() ? "`ringfilm fields` lists all keys" : "");
@@ -171,9 +189,18 @@ class Gatherer {
       fault(name.mark, file.shown + " includes itself", "take this include out");
       return;
     }
-    if (open_.size() > kDeepestInclude) {
+    const auto [first, is_first] = included_.emplace(id, place(name.mark));
+    if (!is_first) {
+      fault(name.mark, file.shown + " is included twice",
+            "it is included at " + first->second + " too; keep one of them");
+      return;
+    }
+    if (open_.size() > kDeepestInclude || included_.size() > kMostIncludes) {
       tree_.complete = false;
-      fault(name.mark, "files are included more than " + std::to_string(kDeepestInclude) + " deep", "");
+      fault(name.mark,
+            open_.size() > kDeepestInclude ? "files are included more than " + std::to_string(kDeepestInclude) + " deep"
+                                           : "more than " + std::to_string(kMostIncludes) + " files are included",
+            "put their keys into fewer files");
       return;
     }
     read_named(name.mark, "include", file, "include", [&](const TomlValue& root) {
@@ -283,7 +310,9 @@ class Gatherer {
 
   CaseTree tree_;
   std::map<std::string, TomlEntry> entries_;
-  std::vector<std::string> open_;  ///< files being read, for include loops
+  std::vector<std::string> open_;                ///< files being read, for include loops
+  std::map<std::string, std::string> included_;  ///< identity of each, and where it was included first
+  CaseWords words_;
 };
 
 }  // namespace

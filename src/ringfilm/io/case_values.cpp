@@ -85,7 +85,7 @@ class Setter {
   }
   void operator()(const cycle::NumberOrFileKind& kind) {
     if (value_.kind == Kind::kText && !value_.text.empty() && !is_quantity(value_.text)) {
-      kind.file(case_) = located();
+      if (is_text()) kind.file(case_) = located();
     } else if (const auto x = quantity(value_, field_.unit, field_.example)) {
       kind.number(case_) = *x;
     }
@@ -160,6 +160,11 @@ class Setter {
   std::string located() const { return locate(value_.text, entry_.folder).shown; }
 
   bool is_text() {
+    const std::string control = control_character_words(value_.text, LinesAndTabs::kRefused);
+    if (!control.empty()) {
+      refuse(value_, control, kControlCharacterRemedy);
+      return false;
+    }
     if (value_.kind == Kind::kText && !value_.text.empty()) return true;
     refuse(value_, value_.kind == Kind::kText ? "is empty" : "is not text",
            "text in quotes is wanted here, for example " + field_.example);

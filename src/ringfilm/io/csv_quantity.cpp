@@ -1,6 +1,10 @@
 #include "ringfilm/io/csv_quantity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "ringfilm/cycle/kinematics.hpp"
 
 namespace ringfilm::io {
 
@@ -32,6 +36,21 @@ std::vector<double> quantity_column(const CsvFile& csv, const std::string& name,
                       problem.remedy.empty() ? "for example " + example : problem.remedy});
     return {};
   }
+}
+
+std::optional<Fault> crank_angle_fault(const CsvFile& csv, std::size_t i_column, const std::vector<double>& angle) {
+  for (std::size_t k = 1; k < angle.size(); ++k) {
+    if (angle[k] > angle[k - 1]) continue;
+    return Fault{csv.cell_mark(k, i_column),
+                 angle[k] == angle[k - 1]
+                     ? fmt::format("the crank angle {:.8g} degree comes twice", angle[k])
+                     : fmt::format("the crank angle falls from {:.8g} to {:.8g} degree", angle[k - 1], angle[k]),
+                 "crank angles must increase from row to row"};
+  }
+  if (angle.back() - angle.front() <= cycle::kCycleDeg * (1 + 1e-9)) return std::nullopt;
+  return Fault{csv.cell_mark(angle.size() - 1, i_column),
+               fmt::format("the crank angles span {:.8g} degree", angle.back() - angle.front()),
+               "one cycle of 720 degree is expected; cut or average the cycles"};
 }
 
 }  // namespace ringfilm::io

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,5 +13,9 @@ namespace ringfilm::io {
 /// @param example a header that would do, e.g. "height [um]"
 std::vector<double> quantity_column(const CsvFile& csv, const std::string& name, const std::string& si_unit,
                                     const std::string& example, const Units& units, std::vector<Fault>& faults);
+
+/// What is wrong with the crank angles of a column: they do not rise from row to row, or span more than a cycle.
+std::optional<Fault> crank_angle_fault(const CsvFile& csv, std::size_t i_column,
+                                       const std::vector<double>& crank_angle_deg);
 
 }  // namespace ringfilm::io

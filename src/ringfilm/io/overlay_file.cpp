@@ -1,8 +1,12 @@
 #include "ringfilm/io/overlay_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
+#include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/csv_quantity.hpp"
 #include "ringfilm/io/suggestion.hpp"
@@ -28,12 +32,25 @@ Fault unknown_curve(const CsvFile& csv, std::size_t i_column) {
                           : "did you mean " + nearest + "?"};
 }
 
+void check_angles(const CsvFile& csv, const std::vector<double>& angle, std::vector<Fault>& faults) {
+  const std::size_t i_column = *csv.find(kAngle);
+  if (const auto fault = crank_angle_fault(csv, i_column, angle)) faults.push_back(*fault);
+  // One cycle may be counted from -360, from 0 or from -720 degrees; what lies further off is no crank angle.
+  constexpr double kFurthestDeg = cycle::kCycleDeg;
+  const auto far = std::find_if(angle.begin(), angle.end(), [](double a) { return std::abs(a) > kFurthestDeg; });
+  if (far == angle.end()) return;
+  faults.push_back({csv.cell_mark(static_cast<std::size_t>(far - angle.begin()), i_column),
+                    fmt::format("the crank angle {:.8g} degree is not within -720 and 720 degree", *far),
+                    "count from firing TDC; is the unit of the column right?"});
+}
+
 }  // namespace
 
 std::vector<OverlayCurve> read_overlay(const std::string& path, const Units& units) {
   const CsvFile csv = read_csv({path, path});
   std::vector<Fault> faults;
   const std::vector<double> angle = quantity_column(csv, kAngle, "degree", "crank_angle [degree]", units, faults);
+  if (!angle.empty()) check_angles(csv, angle, faults);
   std::vector<OverlayCurve> curves;
   for (std::size_t i = 0; i < csv.columns.size(); ++i) {
     const CsvColumn& column = csv.columns[i];

@@ -42,7 +42,8 @@ double number_of(const TomlValue& table, const std::string& si_unit, const Units
   double number = 0;
   try {
     if (is_plain && si_unit == "1") number = value->number;
-    if (value->kind == TomlValue::Kind::kText) number = units.quantity(value->text, si_unit, "118 W");
+    if (value->kind == TomlValue::Kind::kText)
+      number = units.quantity(value->text, si_unit, si_unit == "1" ? "0.12" : "118 W");
   } catch (const UnitError& problem) {
     faults.push_back({value->mark, "published.value = " + value->as_written() + " " + problem.what(), problem.remedy});
     return 0;

@@ -6,6 +6,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/digest_trailer.hpp"
 #include "ringfilm/io/result_file_document.hpp"
 #include "ringfilm/io/result_file_reader.hpp"
 #include "ringfilm/io/result_file_writer.hpp"
@@ -107,7 +108,7 @@ ResultDocument result_of_bytes(const std::string& path, const std::string& bytes
   if (!bytes.starts_with("\x89HDF\r\n\x1a\n") && !bytes.starts_with("CDF")) {
     throw InputError(path + ": this is not a NetCDF file", "name a result that ringfilm run --output has written");
   }
-  const ResultFileReader file(path, bytes);
+  const ResultFileReader file(path, content_before_trailer(path, bytes));
   refuse_what_is_not_ours(path, file);
   ResultDocument document;
   VariantTable variants;

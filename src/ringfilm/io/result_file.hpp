@@ -51,8 +51,8 @@ struct ResultDocument {
 /// full disk leaves what stood there before. Same document, same bytes. Throws OutputError.
 void write_result(const std::string& path, const ResultDocument& document);
 
-/// Throws InputError if the file cannot be read or is not one of ours (another program's NetCDF, newer schema,
-/// truncated).
+/// Throws InputError if the file cannot be read, does not have the digest at its end (digest_trailer.hpp), or is not
+/// one of ours (another program's NetCDF, newer schema, truncated).
 ResultDocument read_result(const std::string& path);
 
 /// The bytes that write_result writes, for who sends a result elsewhere. Throws OutputError.

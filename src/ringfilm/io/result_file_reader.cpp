@@ -13,7 +13,7 @@ constexpr std::size_t kMostValues = std::size_t{1} << 28;
 
 }  // namespace
 
-ResultFileReader::ResultFileReader(const std::string& path, const std::string& bytes) : path_(path) {
+ResultFileReader::ResultFileReader(const std::string& path, std::string_view bytes) : path_(path) {
   // The library promises not to write into memory that is opened NC_NOWRITE.
   check(nc_open_mem("ringfilm", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file_), "the file");
 }

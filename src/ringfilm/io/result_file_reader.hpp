@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ringfilm/cycle/result.hpp"
@@ -17,8 +18,8 @@ class ResultFileReader {
  public:
   static constexpr bool kReads = true;
 
-  /// @param path only named in error messages; @param bytes must outlive the reader
-  ResultFileReader(const std::string& path, const std::string& bytes);
+  /// @param path only named in error messages; @param bytes without their digest_trailer; must outlive the reader
+  ResultFileReader(const std::string& path, std::string_view bytes);
   ResultFileReader(const ResultFileReader&) = delete;
   ResultFileReader& operator=(const ResultFileReader&) = delete;
   ~ResultFileReader();

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/io/digest.hpp"
+#include "ringfilm/io/digest_trailer.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -44,10 +47,11 @@ ResultFileWriter::ResultFileWriter(const std::string& path) : path_(path) {
   check(nc_set_fill(file_, NC_NOFILL, &previous), "the file");  // every variable is written as a whole
 }
 
-ResultFileWriter::ResultFileWriter(const std::string& path, AsideFile& aside, std::uint64_t most_bytes) : path_(path) {
+ResultFileWriter::ResultFileWriter(const std::string& path, AsideFile& aside, std::uint64_t most_bytes)
+    : path_(path), aside_(&aside) {
   check(nc_create(aside.path().c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "the file");
   try {
-    aside.reserve(most_bytes);  // not before: what begins a file anew gives its room back
+    aside.reserve(most_bytes + kDigestTrailerSize);  // not before: what begins a file anew gives its room back
   } catch (...) {
     nc_abort(std::exchange(file_, -1));
     throw;
@@ -60,7 +64,7 @@ ResultFileWriter::~ResultFileWriter() {
 
 void ResultFileWriter::check(int status, const std::string& what) const {
   if (status == NC_NOERR) return;
-  throw OutputError(path_ + ": could not be written: " + what + ": " + nc_strerror(status));
+  fail_to_write(path_, what + ": " + nc_strerror(status));
 }
 
 void ResultFileWriter::attribute(const char* name, const std::string& text) {
@@ -256,14 +260,25 @@ void ResultFileWriter::put_block(int variable, const std::vector<std::size_t>& f
   check(nc_put_vara_string(file_, variable, first.data(), count.data(), pointers.data()), "a block");
 }
 
-void ResultFileWriter::close() { check(nc_close(std::exchange(file_, -1)), "the file"); }
+void ResultFileWriter::close() {
+  check(nc_close(std::exchange(file_, -1)), "the file");
+  aside_->append(digest_trailer(file_sha256(aside_->path())));
+}
 
 std::string_view ResultFileWriter::bytes() {
   NC_memio content{};
   check(nc_close_memio(std::exchange(file_, -1), &content), "the file");
   content_.reset(content.memory);
-  const auto* bytes = static_cast<const unsigned char*>(content.memory);
-  return {static_cast<const char*>(content.memory), length_in_superblock(bytes, content.size)};
+  const std::size_t size = length_in_superblock(static_cast<const unsigned char*>(content.memory), content.size);
+  if (content.size < size + kDigestTrailerSize) {
+    void* const larger = std::realloc(content_.get(), size + kDigestTrailerSize);
+    if (larger == nullptr) throw std::bad_alloc();
+    static_cast<void>(content_.release());  // of which the larger one took over the bytes
+    content_.reset(larger);
+  }
+  char* const bytes = static_cast<char*>(content_.get());
+  std::memcpy(bytes + size, digest_trailer(sha256({bytes, size})).data(), kDigestTrailerSize);
+  return {bytes, size + kDigestTrailerSize};
 }
 
 }  // namespace ringfilm::io

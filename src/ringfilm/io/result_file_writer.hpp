@@ -97,9 +97,9 @@ class ResultFileWriter {
   void put_block(int variable, const std::vector<std::size_t>& first, const std::vector<std::size_t>& count,
                  const std::vector<std::string>& values);
 
-  /// The whole file, without a copy: it lives as long as the writer. Call once, at the end.
+  /// The whole file with its digest_trailer, without a copy: it lives as long as the writer. Call once, at the end.
   std::string_view bytes();
-  /// The same of a file on the disk: closes it.
+  /// The same of a file on the disk: closes it and appends its digest_trailer.
   void close();
 
  private:
@@ -138,6 +138,7 @@ class ResultFileWriter {
   std::string path_;
   NetcdfInUse in_use_;
   int file_ = -1;
+  AsideFile* aside_ = nullptr;                                           ///< of a file on the disk
   std::unique_ptr<void, void (*)(void*)> content_{nullptr, &std::free};  ///< of the closed file
 };
 

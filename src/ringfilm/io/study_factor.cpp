@@ -162,7 +162,7 @@ class FactorReader {
   }
 
   std::optional<double> quantity(const TomlValue& value, const std::string& key, Meaning meaning) {
-    const std::string example = fmt::format("\"1 {}\"", factor_.display_unit);
+    const std::string example = factor_.unit == "1" ? "1" : fmt::format("\"1 {}\"", factor_.display_unit);
     if (factor_.unit == "1" && (value.kind == Kind::kNumber || value.kind == Kind::kInteger)) return value.number;
     if (value.kind != Kind::kText) {
       refuse(&value, fmt::format("{} = {} has no unit", key, value.as_written()),

@@ -38,8 +38,8 @@ struct TomlEntry {
   std::string folder;  ///< of the file: file names in the value are relative to it
 };
 
-/// Parses one file. Throws InputError with the place of the first syntax error; refuses keys that are not ASCII and
-/// nesting beyond any case file before the parser sees them.
+/// Parses one file. Throws InputError with the place of the first syntax error, or of each key and text that holds a
+/// control character; refuses keys that are not ASCII and nesting beyond any case file before the parser sees them.
 TomlValue parse_toml(const SourceText& source);
 
 /// Parses the right-hand side of one key ("3.5", "\"wiebe\"", "[1, 2]"); throws InputError if it is no TOML value.
@@ -51,6 +51,12 @@ struct FlatToml {
   std::vector<TomlEntry> sections;  ///< every table by its whole name
 };
 FlatToml flatten(const TomlValue& root, const std::string& folder);
+
+/// The end of the sentence on a text that holds a control character, which may be a line end or a tab; empty where it
+/// holds none.
+enum class LinesAndTabs { kAllowed, kRefused };
+std::string control_character_words(const std::string& text, LinesAndTabs lines_and_tabs);
+inline constexpr const char* kControlCharacterRemedy = "take it out: a text is letters, digits and signs";
 
 /// A TOML basic string with quotes and escapes.
 std::string quoted(const std::string& text);

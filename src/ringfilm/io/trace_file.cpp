@@ -8,7 +8,7 @@
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
-#include "ringfilm/io/csv_file.hpp"
+#include "ringfilm/io/csv_quantity.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -156,19 +156,8 @@ class TraceReader {
   }
 
   void check_angles(const std::vector<double>& angle, std::size_t i_column) {
-    for (std::size_t k = 1; k < angle.size(); ++k) {
-      if (angle[k] > angle[k - 1]) continue;
-      faults_.push_back({csv_.cell_mark(k, i_column),
-                         angle[k] == angle[k - 1] ? fmt::format("the crank angle {:.8g} degree comes twice", angle[k])
-                                                  : fmt::format("the crank angle falls from {:.8g} to {:.8g} degree",
-                                                                angle[k - 1], angle[k]),
-                         "crank angles must increase from row to row"});
-      return;
-    }
-    if (angle.back() - angle.front() > cycle::kCycleDeg * (1 + 1e-9)) {
-      faults_.push_back({csv_.cell_mark(angle.size() - 1, i_column),
-                         fmt::format("the trace spans {:.8g} degree", angle.back() - angle.front()),
-                         "one cycle of 720 degree is wanted; cut or average the cycles"});
+    if (const auto fault = crank_angle_fault(csv_, i_column, angle)) {
+      faults_.push_back(*fault);
     } else {
       check_holes(angle, i_column);
     }

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/printable_text.hpp"
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/io/shipped.hpp"
 
@@ -183,6 +184,7 @@ Scale Units::scale(const std::string& written, const std::string& si_unit) const
   if (si_unit == "K") return temperature_scale(unit);
   constexpr std::size_t kLongestUnit = 60;
   if (unit.size() > kLongestUnit) throw UnitError("has a text in place of its unit", "");
+  if (find_control_character(unit) != std::string::npos) throw UnitError("has a control character in its unit", "");
   if (holds_number(unit))
     throw UnitError("has a second number in its unit \"" + unit + "\"", "write one number, one unit");
 
@@ -226,7 +228,7 @@ double Units::quantity(const std::string& text, const std::string& si_unit, cons
   if (!std::isfinite(value)) throw UnitError("is not a finite number", wanted);
   const std::string unit = trimmed({rest, static_cast<std::size_t>(end - rest)});
   if (unit.rfind(',', 0) == 0) throw UnitError("has a decimal comma", "write a decimal point; " + wanted);
-  if (unit.empty()) throw UnitError("has no unit", wanted);
+  if (unit.empty()) throw UnitError(si_unit == "1" ? "is a number in quotes" : "has no unit", wanted);
   try {
     const double value_in_si = scale(unit, si_unit).to_si(value);
     if (!std::isfinite(value_in_si)) throw UnitError("is out of the range of numbers", wanted);

@@ -10,6 +10,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/models/gas_checks.hpp"
+#include "ringfilm/models/trace_span.hpp"
 
 namespace ringfilm::models {
 namespace {
@@ -69,8 +70,9 @@ CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vecto
 
   const double first = crank_angle_deg.front(), last = crank_angle_deg.back();
   const std::string range = "the pressure trace covers " + in_degrees(first) + " to " + in_degrees(last);
+  const std::string half = covers_one_revolution(crank_angle_deg) ? std::string("; it is ") + kOneRevolution : "";
   if (first > 0 || last < 0) {
-    throw InputError(range + ", not firing TDC at 0 degree",
+    throw InputError(range + ", not firing TDC at 0 degree" + half,
                      "check gas.angle_zero, or give the trace around the peak pressure");
   }
   const GasExchange exchange{.exhaust_from = std::max(kBottom, last + kShortest),
@@ -80,7 +82,7 @@ CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vecto
                              .exhaust_pressure = exhaust_pressure,
                              .intake_pressure = intake_pressure};
   if (exchange.exhaust_from > kOverlapBegin || exchange.intake_until < kOverlapEnd) {
-    throw InputError(range + ", which is neither the whole cycle nor leaves room to join it to the gas exchange",
+    throw InputError(range + ", which is neither the whole cycle nor leaves room to join it to the gas exchange" + half,
                      "cut the trace to -300 to 300 degree at the most, or give all 720 degree");
   }
   return closed_cycle(std::move(crank_angle_deg), std::move(pressure), exchange);

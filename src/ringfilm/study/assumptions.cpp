@@ -62,7 +62,7 @@ Assumption roughness_measure(const Case& c) {
   const char* key = "contact.roughness_measure";
   return assumption("roughness-measure",
                     text("the roughness %.3g um is used \"%s\"", c.contact.roughness * 1e6, chosen(key, c).c_str()),
-                    "a root-sum-square of Ra is about 1/1.25 of the rms height that the contact model wants",
+                    "a root-sum-square of Ra is sqrt(2/pi) = 0.80 of the rms height that the contact model expects",
                     other_choices(key, c));
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/surface/face_alignment.hpp"
 #include "ringfilm/surface/face_invention.hpp"
 
@@ -83,6 +84,12 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
   }
   if (!std::isfinite(rule.tilt)) {
     throw InputError("the tilt of the face is not a finite number", "a slope is wanted, for example 0.002");
+  }
+  // Heights are lowered by tilt * x, which is a rotation as long as its cosine is 1: at 0.1 lengths are 0.5 % off.
+  constexpr double kLargestTilt = 0.1;
+  if (std::abs(rule.tilt) > kLargestTilt) {
+    throw InputError("the tilt of the face is " + number_text(rule.tilt) + " rad, more than any holder has",
+                     "a slope of -0.1 to 0.1 is expected, for example 2 mrad");
   }
   if (rule.pore_depth_m && (!std::isfinite(*rule.pore_depth_m) || *rule.pore_depth_m <= 0)) {
     throw InputError("the depth from which on pores are left out is not a length above zero",

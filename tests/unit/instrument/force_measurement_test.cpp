@@ -36,7 +36,9 @@ ForceSample sample(const std::string& name, double slope_V_per_N) {
 }
 
 ForceCalibration on_silicon(const std::string& name = "silicon") {
-  ForceCalibration of = silicon_calibration(sample(name, 2e5), surface::kSiliconWarmack);
+  ForceSample silicon = sample(name, 2e5);
+  silicon.digests = {"fedcba9876543210"};  // another file than those of the samples
+  ForceCalibration of = silicon_calibration(silicon, surface::kSiliconWarmack);
   of.name = "a calibration";
   return of;
 }
@@ -50,6 +52,17 @@ TEST(ForceMeasurement, IsSoundWhateverSamplesAreCalled) {
   }
   EXPECT_NO_THROW(io::check_measurement(force_measurement(samples, on_silicon(), {}, std::nullopt)));
   EXPECT_NO_THROW(io::check_measurement(force_measurement({samples[0]}, on_silicon(), {}, std::nullopt)));
+}
+
+TEST(ForceMeasurement, RefusesASampleThatIsItsOwnCalibration) {
+  const ForceSample one = sample("new", 2e5);
+  const ForceCalibration of = silicon_calibration(one, surface::kSiliconWarmack);
+  try {
+    force_measurement({sample("worn", 3e5), one}, of, {}, std::nullopt);
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("and the calibration on silicon new.csv have the same loops"));
+  }
 }
 
 TEST(ForceMeasurement, HasAFragmentOfOneSampleOrTheOneThatIsNamed) {

@@ -36,9 +36,9 @@ double largest_height(const surface::HeightMap& map) {
 }
 
 #define SKIP_WITHOUT_GWYDDION() \
-  if (!has_gwyddion()) GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed"
+  if (!has_gwyddion()) GTEST_SKIP() << "the program gwyddion is not installed"
 #define SKIP_WITHOUT(path) \
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: no instrument file " << path
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no instrument file " << path
 
 class RealFile : public testing::TestWithParam<const char*> {};
 
@@ -180,7 +180,7 @@ TEST(ExportsOfGwyddion, AreReadWithTheSameHeights) {
                         "'";
   for (const char* name : {"a.gsf", "b.sdf", "c.sur"}) command += " '" + folder / name + "'";
   command += " >/dev/null 2>&1";
-  if (std::system(command.c_str()) != 0) GTEST_SKIP() << "SKIPPED: gwyddion's libraries cannot be driven here";
+  if (std::system(command.c_str()) != 0) GTEST_SKIP() << "gwyddion's libraries cannot be driven here";
   const surface::HeightMap map = uneven_map();
   const double range = 7e-6;
   // Single precision; six digits of text; 2^30 steps over the range with a step and an offset in single precision.

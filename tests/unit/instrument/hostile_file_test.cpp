@@ -208,7 +208,7 @@ TEST(HostileFile, NoFileAFolderAndAnEmptyOne) {
 }
 
 TEST(HostileFile, AnUnknownFileGoesToGwyddionAndComesBackWithAWord) {
-  if (!has_gwyddion()) GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+  if (!has_gwyddion()) GTEST_SKIP() << "the program gwyddion is not installed";
   EXPECT_THAT(refusal("a.bin", std::string("\x01\x02junk\0\xFF", 8)),
               AllOf(HasSubstr("gwyddion cannot read the file"), HasSubstr("export the measurement")));
   EXPECT_THAT(refusal("-rf;$(x) `y`.prf", std::string("\x01\x02junk\0\xFF", 8)),

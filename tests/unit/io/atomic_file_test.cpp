@@ -115,7 +115,7 @@ TEST(AtomicFile, LeavesADeviceADevice) {
 }
 
 TEST(AtomicFile, FullDiskIsAnOutputErrorWithItsReason) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "SKIPPED: this system has no /dev/full";
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   try {
     write_atomically("/dev/full", "something");
     FAIL() << "not noticed";
@@ -139,7 +139,7 @@ TEST(AtomicFile, FoldersAndUnwritablePlacesAreRefusedBeforehand) {
   EXPECT_THAT(refusal_of_writing("/dev/null"), HasSubstr("device"));
   EXPECT_NO_THROW(check_can_write("/dev/null", Sink::kFileOrDevice));
   EXPECT_EQ(refusal_of_writing(folder / "a.txt"), "not refused");
-  if (::geteuid() == 0) GTEST_SKIP() << "SKIPPED: root may write everywhere";
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
   EXPECT_THAT(refusal_of_writing(folder / "a.txt"), HasSubstr("not writable"));
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);

@@ -58,6 +58,72 @@ TEST(CaseSources, AnIncludeOfItselfIsRefused) {
   EXPECT_THAT(folder.faults(), HasSubstr("a.toml:1:12: case.toml includes itself"));
 }
 
+TEST(CaseSources, EachFileIsIncludedOnceUnderWhateverSpelling) {
+  CaseText text;
+  text.top += "include = [\"0.toml\"]\n";
+  const CaseFolder folder(text);
+  std::filesystem::create_directory(folder / "d");
+  std::filesystem::create_symlink("0.toml", folder / "link.toml");
+  const std::vector<std::string> spellings = {"\"./", "\"d/../", "\"d/.././", "\""};
+  constexpr std::size_t kFiles = 8;
+  for (std::size_t i = 0; i < kFiles; ++i) {
+    std::string names = "\"link.toml\"";
+    for (std::size_t j = 0; j < kFiles; ++j) names += ", " + spellings[(i + j) % 4] + std::to_string(j) + ".toml\"";
+    folder.write(std::to_string(i) + ".toml", "include = [" + names + "]\n");
+  }
+  try {
+    folder.read();
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    // Every include but the first of each file, and no more.
+    EXPECT_EQ(error.faults().size(), kFiles * (kFiles + 1) - (kFiles - 1));
+    EXPECT_THAT(error.what(), HasSubstr("0.toml includes itself"));
+  }
+  const std::string told = folder.faults();
+  EXPECT_THAT(told, HasSubstr("link.toml includes itself"));
+  EXPECT_THAT(told, HasSubstr(".toml is included twice\n"));
+}
+
+TEST(CaseSources, MoreFilesThanACaseHasSectionsAreRefused) {
+  CaseText text;
+  std::string names;
+  for (int i = 0; i < 40; ++i) names += (i > 0 ? ", " : "") + ("\"" + std::to_string(i)) + ".toml\"";
+  text.top += "include = [" + names + "]\n";
+  const CaseFolder folder(text);
+  for (int i = 0; i < 40; ++i) folder.write(std::to_string(i) + ".toml", "# nothing\n[engine]\n");
+  EXPECT_THAT(folder.faults(), HasSubstr("more than 32 files are included"));
+}
+
+TEST(CaseSources, ALongListOfFaultsEndsWithHowManyThereAreMore) {
+  CaseText text;
+  for (int i = 0; i < 1000; ++i) text.top += "unknown_" + std::to_string(i) + " = 1\n";
+  const std::string told = faults_of(text);
+  EXPECT_THAT(told, HasSubstr("unknown key unknown_99\n"));
+  EXPECT_THAT(told, Not(HasSubstr("unknown_100")));
+  EXPECT_THAT(told, HasSubstr("\nand 900 more\n"));
+}
+
+TEST(CaseSources, ControlCharactersAreRefusedInEveryTextOfAFile) {
+  CaseText text;
+  text.top = "title = \"a\\u0000b\"\n";
+  EXPECT_THAT(faults_of(text), HasSubstr("case.toml:1:9: \"a\\u0000b\" holds the control character U+0000"));
+  text.top = "title = \"\\u001b[31m\"\ninclude = [\"x\\u009b.toml\"]\n\"k\\u0007\" = 1\n";
+  const std::string told = faults_of(text);
+  EXPECT_THAT(told, HasSubstr("\"\\u001B[31m\" holds the control character U+001B"));
+  EXPECT_THAT(told, HasSubstr("holds the control character U+009B"));
+  EXPECT_THAT(told, HasSubstr("the key \"k\\u0007\" holds the control character U+0007"));
+  text.top = "title = \"two\\nlines\"\n";
+  EXPECT_THAT(faults_of(text), HasSubstr("title = \"two\\u000Alines\" holds the control character U+000A"));
+}
+
+TEST(CaseSources, ControlCharactersAreRefusedInSettingsOnTheCommandLine) {
+  EXPECT_THAT(faults_of({}, {{"title", "\x1b[2J"}}), HasSubstr("holds the control character U+001B"));
+  EXPECT_THAT(faults_of({}, {{"title", "\"a\\u0000b\""}}), HasSubstr("holds the control character U+0000"));
+  EXPECT_THAT(faults_of({}, {{"operating.speed", "\"1500 rpm\\u0000\""}}), HasSubstr("control character"));
+  EXPECT_THAT(faults_of({}, {{"gas.cylinder_pressure", "\"p.csv\\u0000x\""}}), HasSubstr("U+0000"));
+  EXPECT_THAT(faults_of({}, {{"title", "\u00B5m and \u00E4"}}), "");
+}
+
 TEST(CaseSources, DeepIncludesAreRefused) {
   CaseText text;
   text.top += "include = [\"0.toml\"]\n";

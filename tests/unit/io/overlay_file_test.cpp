@@ -71,6 +71,16 @@ TEST_F(OverlayFile, RefusesWhatIsNoCurveOrHasNoUnit) {
   EXPECT_THAT(refusal("crank_angle [degree]\n0\n1\n"), HasSubstr("beside the crank angle"));
 }
 
+TEST_F(OverlayFile, RefusesAnglesThatFallOrLieOutsideOfACycle) {
+  const std::string head = "crank_angle [degree],power_loss [W]\n";
+  EXPECT_THAT(refusal(head + "0,1\n20,2\n10,3\n"), HasSubstr("4:1: the crank angle falls from 20 to 10 degree"));
+  EXPECT_THAT(refusal(head + "0,1\n0,2\n"), HasSubstr("the crank angle 0 degree comes twice"));
+  EXPECT_THAT(refusal(head + "0,1\n1e9,2\n"), HasSubstr("the crank angle 1e+09 degree is not within"));
+  EXPECT_THAT(refusal(head + "-360,1\n370,2\n"), HasSubstr("the crank angles span 730 degree"));
+  EXPECT_EQ(refusal(head + "-360,1\n360,2\n"), "not refused");
+  EXPECT_EQ(refusal(head + "0,1\n720,2\n"), "not refused");
+}
+
 TEST_F(OverlayFile, TellsAllFaultsAtOnce) {
   const std::string said = refusal("crank_angle,frction_on_liner [N],power_loss [m]\n0,1,2\n1,2,3\n");
   EXPECT_THAT(said, HasSubstr("crank_angle"));

@@ -14,6 +14,8 @@
 
 #include "result_example.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/io/digest.hpp"
+#include "ringfilm/io/digest_trailer.hpp"
 #include "scratch_folder.hpp"
 
 namespace ringfilm::io {
@@ -169,6 +171,12 @@ std::string refusal_of_result(const std::string& path) {
   return "not refused";
 }
 
+/// Of a file that the library of NetCDF wrote, to be read as one of ours.
+void append_digest(const std::string& path) {
+  const std::string bytes = bytes_of_result(path);
+  put_bytes(path, bytes + digest_trailer(sha256(bytes)));
+}
+
 TEST(ResultFile, GivesEveryFieldBackToTheBit) {
   const ScratchFolder folder;
   const ResultDocument document = example_document();
@@ -209,6 +217,37 @@ TEST(ResultFile, IsRefusedWhereverItIsCutOff) {
   }
 }
 
+TEST(ResultFile, IsRefusedWhereverOneBitIsFlipped) {
+  const ScratchFolder folder;
+  write_result(folder / "a.nc", example_document());
+  const std::string whole = bytes_of_result(folder / "a.nc");
+  // A prime step comes by every place of a structure; the first block and the digest itself in full.
+  for (std::size_t i = 0; i < whole.size(); i += i < 512 || i + kDigestTrailerSize >= whole.size() ? 1 : 97) {
+    std::string changed = whole;
+    changed[i] = static_cast<char>(changed[i] ^ (1 << i % 8));
+    EXPECT_THROW(result_of_bytes("a.nc", changed), InputError) << "byte " << i;
+  }
+}
+
+TEST(ResultFile, WithoutItsDigestIsRefusedBeforeItIsParsed) {
+  const ScratchFolder folder;
+  write_result(folder / "a.nc", example_document());
+  const std::string whole = bytes_of_result(folder / "a.nc");
+  put_bytes(folder / "b.nc", whole.substr(0, whole.size() - kDigestTrailerSize));
+  EXPECT_THAT(refusal_of_result(folder / "b.nc"), HasSubstr("run its case again"));
+  put_bytes(folder / "b.nc", whole + whole.substr(whole.size() - kDigestTrailerSize));
+  EXPECT_THAT(refusal_of_result(folder / "b.nc"), HasSubstr("do not have the SHA-256 digest at its end"));
+}
+
+TEST(ResultFile, DigestIsThatOfTheBytesBeforeTheLastLine) {
+  const ScratchFolder folder;
+  write_result(folder / "a.nc", example_document());
+  const std::string whole = bytes_of_result(folder / "a.nc");
+  const std::size_t size = whole.rfind("\nringfilm sha256 ");
+  ASSERT_EQ(size, whole.size() - kDigestTrailerSize);
+  EXPECT_EQ(whole.substr(size + 17), sha256(whole.substr(0, size)) + "\n");
+}
+
 TEST(ResultFile, ForeignFilesAreRefusedWithTheirName) {
   const ScratchFolder folder;
   EXPECT_THAT(refusal_of_result(folder / "none.nc"), HasSubstr("no such file"));
@@ -220,6 +259,8 @@ TEST(ResultFile, ForeignFilesAreRefusedWithTheirName) {
   ASSERT_EQ(nc_create((folder / "other.nc").c_str(), NC_NETCDF4, &file), NC_NOERR);
   ASSERT_EQ(nc_def_var(file, "temperature", NC_DOUBLE, 0, nullptr, &variable), NC_NOERR);
   ASSERT_EQ(nc_close(file), NC_NOERR);
+  EXPECT_THAT(refusal_of_result(folder / "other.nc"), HasSubstr("does not end with the SHA-256 digest"));
+  append_digest(folder / "other.nc");
   EXPECT_THAT(refusal_of_result(folder / "other.nc"), HasSubstr("not one of ringfilm"));
 }
 
@@ -298,6 +339,7 @@ void write_with_ledger_of(const std::string& path, const std::vector<cycle::Quan
   ASSERT_EQ(nc_put_var_string(file, units, unit.data()), NC_NOERR);
   ASSERT_EQ(nc_put_var_double(file, table, values.data()), NC_NOERR);
   ASSERT_EQ(nc_close(file), NC_NOERR);
+  append_digest(path);
 }
 
 TEST(ResultFile, LedgerOfAnotherVersionIsReadByNamesOrRefused) {
@@ -328,6 +370,7 @@ TEST(ResultFile, NewerSchemaAndMissingVariablesAreRefused) {
   ASSERT_EQ(nc_inq_varid(file, "power_loss", &variable), NC_NOERR);
   ASSERT_EQ(nc_rename_var(file, variable, "lost"), NC_NOERR);
   ASSERT_EQ(nc_close(file), NC_NOERR);
+  append_digest(folder / "a.nc");
   EXPECT_THAT(refusal_of_result(folder / "a.nc"), HasSubstr("power_loss"));
 
   make_editable(folder / "whole.nc", folder / "a.nc", LedgerTable::kCopied);
@@ -335,6 +378,7 @@ TEST(ResultFile, NewerSchemaAndMissingVariablesAreRefused) {
   ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_WRITE, &file), NC_NOERR);
   ASSERT_EQ(nc_put_att_long(file, NC_GLOBAL, "ringfilm_schema", NC_INT64, 1, &newer), NC_NOERR);
   ASSERT_EQ(nc_close(file), NC_NOERR);
+  append_digest(folder / "a.nc");
   EXPECT_THAT(refusal_of_result(folder / "a.nc"), HasSubstr("newer ringfilm"));
 }
 

@@ -5,10 +5,12 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "case_example.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/digest_trailer.hpp"
 #include "ringfilm/io/study_netcdf.hpp"
 
 namespace ringfilm::io {
@@ -81,6 +83,12 @@ TEST_F(StudyResult, NetCdfHasFactorsAsCoordinatesOfEveryValue) {
   EXPECT_STREQ(reason, "no \"film\", none");
   nc_free_string(1, &reason);
   nc_close(file);
+}
+
+TEST_F(StudyResult, FileOnTheDiskEndsWithItsDigest) {
+  std::ifstream stream(folder_ / "study.nc", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(content_before_trailer("study.nc", bytes).size(), bytes.size() - kDigestTrailerSize);
 }
 
 TEST_F(StudyResult, CsvHasTheWordsOfChoicesAndReasons) {

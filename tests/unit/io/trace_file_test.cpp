@@ -150,7 +150,7 @@ TEST_F(Trace, RefusesWhatIsNoTraceWithLineAndColumn) {
   EXPECT_THAT(told(head + "0,1e5\n1,\n"), HasSubstr("p.csv:3:3: a value is missing"));
   EXPECT_THAT(told(head + "0,1e5\n1\n"), HasSubstr("p.csv:3:1: the row has 1 values, the header names 2 columns"));
   EXPECT_THAT(told(head + "0,0,100000,5\n0,1,100000,6\n"), HasSubstr("separate the columns by semicolons"));
-  EXPECT_THAT(told(head + "0,1e5\n721,2e5\n"), HasSubstr("the trace spans 721 degree"));
+  EXPECT_THAT(told(head + "0,1e5\n721,2e5\n"), HasSubstr("the crank angles span 721 degree"));
   EXPECT_THAT(told("crank_angle [degree],p [N]\n0,1\n1,2\n"), HasSubstr("no column of the file is a pressure"));
   EXPECT_THAT(told("t [s],p [Pa]\n0,1e5\n1,2e5\n"), HasSubstr("no column of the file is a crank angle"));
 }
@@ -198,6 +198,15 @@ TEST_F(Trace, PeakNearGasExchangeIsNoted) {
   stated.angle_zero = cycle::AngleZero::kGasExchangeTdc;
   EXPECT_THAT(read(text, stated).notes,
               ElementsAre(HasSubstr("peak pressure lies at 380 degree, near gas-exchange TDC")));
+}
+
+TEST(PartialTrace, OfOneRevolutionIsRefusedWithTheCycleThatIsExpected) {
+  const CaseFolder folder;
+  std::string text = "crank_angle [degree],p [bar]\n";
+  for (int angle = 0; angle <= 360; ++angle) text += std::to_string(angle) + ",2\n";
+  folder.write("p.csv", text);
+  EXPECT_THAT(folder.faults(), HasSubstr("0 to 360 degree of the cycle, one revolution; a four-stroke cycle of 720 "
+                                         "degrees is expected, and gas.intake_pressure is not stated"));
 }
 
 TEST(PartialTrace, WantsThePressuresThatJoinIt) {

@@ -155,6 +155,21 @@ TEST(PartialTrace, MayBeCountedFromAnotherCycle) {
   for (double a = 0; a < 720; a += 1.7) EXPECT_EQ(one.pressure(a), other.pressure(a));
 }
 
+TEST(PartialTrace, OfOneRevolutionFromFiringIsRefusedAsHalfAFourStrokeCycle) {
+  const auto refusal = [](double first) -> std::string {
+    try {
+      join_partial_trace({first, first + 180, first + 360}, {1e5, 2e5, 1e5}, 1e5, 1e5);
+    } catch (const ringfilm::InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string expected = "one revolution; a four-stroke cycle of 720 degrees is expected";
+  EXPECT_NE(refusal(0).find(expected), std::string::npos);
+  EXPECT_NE(refusal(20).find(expected), std::string::npos);
+  EXPECT_EQ(refusal(-180), "");  // the closed part of a cycle
+}
+
 TEST(PartialTrace, WithoutRoomOrWithoutTdcIsRefused) {
   const auto refused = [](double first, double last) {
     const auto [angle, pressure] = sampled(first, last, 1);
