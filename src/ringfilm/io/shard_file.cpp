@@ -137,6 +137,11 @@ std::string content_of(const study::ScenarioChunk& chunk, const ShardHeader& hea
   return content + notes;
 }
 
+InputError being_written(const std::string& path) {
+  return InputError(fmt::format("{}: another process computes this part now", path),
+                    "wait for it, stop it first, or name another output");
+}
+
 }  // namespace
 
 std::string difference(const ShardHeader& found, const ShardHeader& wanted) {
@@ -383,13 +388,21 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Lon
   }
 }
 
+void check_not_being_written(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return;
+  const bool is_locked = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  if (is_locked) throw being_written(path);
+}
+
 std::uint64_t ShardWriter::open_alone() {
   if (file_ >= 0) ::close(file_);
   constexpr mode_t kReadWriteAsUmaskAllows = 0666;
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kReadWriteAsUmaskAllows);
   if (file_ < 0) fail_to_write(path_, errno);
   if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    throw InputError(fmt::format("{}: another process computes this part", path_), "wait for it, or stop it first");
+    throw being_written(path_);
   }
   struct stat status {};
   if (::fstat(file_, &status) != 0) fail_to_write(path_, errno);

@@ -109,6 +109,9 @@ class ShardReader {
   std::vector<ChunkPlace> chunks_;
 };
 
+/// Throws InputError if a process appends to the file of rows now.
+void check_not_being_written(const std::string& path);
+
 /// May a study that is there become longer?
 enum class Longer { kRefused, kAllowed };
 
