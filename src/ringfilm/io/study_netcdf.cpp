@@ -159,8 +159,7 @@ class BlockWriter {
       messages.push_back(note.message);
     }
     file_.texts(kTopic, {kTopic, "", "", "topic of notes on single results", "", ""}, topics);
-    file_.texts(kTopic, {"note_message", "", "", "the note, with the figures of note_first_scenario", "", ""},
-                messages);
+    file_.texts(kTopic, {"note_message", "", "", "the note, with the figures of the first scenario", "", ""}, messages);
     note_first_ =
         file_.blocks({kTopic}, {"note_first_scenario", "1", "", "first scenario that carries the note", "", ""},
                      Stored::kInteger, {notes_.size()});
