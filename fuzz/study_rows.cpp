@@ -46,6 +46,11 @@ RINGFILM_FUZZ_TARGET(study_rows) {
     for (const auto& one : unsolved) {
       if (one.scenario < rows.header().first || one.scenario >= rows.next()) __builtin_trap();
     }
+    std::vector<io::SharedNote> notes;
+    rows.append_notes({rows.header().first, rows.next()}, notes);
+    for (const auto& one : notes) {
+      if (one.scenarios.empty() || one.scenarios.back() >= rows.next()) __builtin_trap();
+    }
   } catch (const InputError& error) {
     describe(error.faults());
   }

@@ -51,6 +51,7 @@ each other, steady or in time; --ledger and --error-estimate are for rings.
 
 --set KEY= takes a key out of the case, e.g. --set ring.elastic_pressure= --set ring.tangential_force='12.5 N'.
 An output that exists is replaced at once when the new one is complete; a kill or a full disk leaves the old one.
+A study that exists is replaced with --overwrite only.
 )";
 
 constexpr const char* kCheckFooter = R"(Examples:

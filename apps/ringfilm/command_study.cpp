@@ -265,6 +265,31 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
   return shards;
 }
 
+/// Refuses an output with a study that is being computed, and without --resume or --overwrite one that is there: it may
+/// have taken days.
+void check_is_free(const StudyOptions& options, const StudyFiles& files, const Loaded& study) {
+  const std::string growing = files.growing(options.part, options.parts);
+  io::check_not_being_written(growing);
+  if (options.resume || options.overwrite) return;
+  if (fs::exists(growing)) {
+    throw InputError(fmt::format("{}: this study was not finished", growing),
+                     "continue it with --resume, begin anew with --overwrite, or name another output");
+  }
+  const std::string finished = files.finished(options.part, options.parts);
+  if (fs::exists(finished)) {
+    const std::string differs =
+        io::difference(io::ShardReader(finished).header(), study.header(options.part, options.parts));
+    throw InputError(fmt::format("{}: the output has a finished {} {}", finished,
+                                 options.is_part ? "part of" : "study of", differs.empty() ? "this plan" : differs),
+                     differs.empty() ? "--resume keeps its scenarios, --overwrite replaces it; or name another output"
+                                     : "name another output, or replace it with --overwrite");
+  }
+  // The rows may be deleted once the results are written.
+  if (options.is_part || !fs::exists(files.result())) return;
+  throw InputError(fmt::format("{}: there are results already", files.result()),
+                   "replace them with --overwrite, or name another output");
+}
+
 }  // namespace
 
 void run_study(const StudyOptions& options) {
@@ -277,19 +302,7 @@ void run_study(const StudyOptions& options) {
   const std::string finished = files.finished(options.part, options.parts);
   study.header(options.part, options.parts);  // there is such a part
   check_outputs_apart(files, study);
-  if (!options.resume && fs::exists(growing)) {
-    throw InputError(fmt::format("{}: here stands a study that was not finished", growing),
-                     "go on with it by --resume, or delete this file to begin anew");
-  }
-  if (!options.resume && options.is_part && fs::exists(finished)) {
-    // Parts are computed on their own: one of another study would be missed long after it was lost.
-    const std::string differs =
-        io::difference(io::ShardReader(finished).header(), study.header(options.part, options.parts));
-    if (!differs.empty()) {
-      throw InputError(fmt::format("{}: here stands a finished part of {}", finished, differs),
-                       "name another output, or delete this file");
-    }
-  }
+  check_is_free(options, files, study);
   files.make_folder();
   io::check_can_write(files.result(), io::Sink::kFile);
   io::check_can_write(files.table(), io::Sink::kFile);
@@ -302,7 +315,7 @@ void run_study(const StudyOptions& options) {
     const bool may_go_on = study.goes_on_from(there.header(), wanted);
     if (!differs.empty() && !may_go_on) {
       throw InputError(fmt::format("{}: these rows are of {}", finished, differs),
-                       "results of both must not be mixed: name another output, or leave --resume out");
+                       "results of both must not be mixed: name another output, or replace it with --overwrite");
     }
     is_there = !may_go_on && is_whole(study, there);
     // Its rows, as far as they are sound, are the first ones of what is computed now. Where somebody else has begun
@@ -311,6 +324,7 @@ void run_study(const StudyOptions& options) {
       io::fail_to_write(growing, errno);
   }
   if (!is_there) {
+    if (options.overwrite) fs::remove(growing);
     compute(options, study, growing);
     const bool is_renamed = std::rename(growing.c_str(), finished.c_str()) == 0;
     // Another process that went on with the same part may have been faster by a moment.
@@ -366,6 +380,7 @@ std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t us
                         fmt::format("go on with --parts {}, name another output, or delete this file", file.parts)});
       continue;
     }
+    if (!file.is_finished) io::check_not_being_written(file.path);
     const io::ShardHeader wanted = study.header(file.part, file.parts);
     // A header that was cut off says nothing: the part is begun anew.
     if (!file.is_finished && fs::file_size(file.path) < io::size_without_rows(wanted)) continue;

@@ -11,8 +11,9 @@ struct StudyOptions {
   std::uint64_t part = 1, parts = 1;
   bool is_part = false;  ///< was --shard given? Then nothing is joined at the end
   bool resume = false;
-  bool yes = false;  ///< run a full grid however large
-  int threads = 0;   ///< 0: as many as the machine runs at once
+  bool overwrite = false;  ///< replace a study that is there
+  bool yes = false;        ///< run a full grid however large
+  int threads = 0;         ///< 0: as many as the machine runs at once
 };
 
 /// Runs a study or a part of it. Throws FailedChecks where it was stopped, or where nothing could be solved.

@@ -23,7 +23,11 @@ class Summary {
     const study::Study& study = plan_.study();
     text_ = fmt::format("{}\n", study.title);
     for (const std::string& note : rows_.notes()) text_ += fmt::format("note: {}\n", note);
-    for (std::size_t b = 0; b < study.bases.size(); ++b) tell_base(b);
+    scenario_notes_ = rows_.scenario_notes();
+    for (std::size_t b = 0; b < study.bases.size(); ++b) {
+      tell_base(b);
+      tell_notes(b);
+    }
     tell_unsolved();
     return text_;
   }
@@ -48,6 +52,18 @@ class Summary {
         indices_ = screening_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i], base);
     }
     text_ += std::exchange(indices_, "");
+  }
+
+  /// What the results of the base note, each topic with the number of scenarios that carry it.
+  void tell_notes(std::size_t base) {
+    const std::uint64_t n = plan_.n_points(base);
+    bool is_first = true;
+    for (const auto& note : scenario_notes_) {
+      if (note.counts[base] == 0) continue;
+      if (std::exchange(is_first, false)) text_ += "  notes on the results, with the figures of the first scenario\n";
+      text_ += fmt::format("    {} of {}  {}: {} (scenario {})\n", note.counts[base], n, note.topic, note.message,
+                           note.first);
+    }
   }
 
   void tell_value(const cycle::Quantity& quantity, const std::vector<double>& values, bool is_sample) {
@@ -128,6 +144,7 @@ class Summary {
   const study::Plan& plan_;
   io::Units units_;
   std::string text_, indices_;
+  std::vector<io::StudyRows::ScenarioNotes> scenario_notes_;
 };
 
 }  // namespace

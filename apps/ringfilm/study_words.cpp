@@ -22,6 +22,7 @@ constexpr const char* kStudyFooter = R"(Examples:
   ringfilm study submit study.toml -o results --engine slurm --parts 16 -- --partition=long
 
 Ctrl-C stops after the chunk in hand; --resume goes on with what is there, after a kill, too, and computes nothing twice.
+A study that is in the output, finished or not, is replaced with --overwrite only.
 --shard i/n computes the i-th of n parts, on any machine that sees the output; merge joins the parts.
 submit writes a job array of the parts and the job that joins them into the output and hands them to the scheduler; what
 stands behind -- goes to sbatch.
@@ -32,7 +33,7 @@ constexpr int kMostWords = 64;  // those for another program among them
 struct StudyWords {
   std::vector<std::string> alone, further;
   std::optional<std::string> output, shard, threads, engine, parts;
-  bool resume = false, yes = false, is_rehearsal = false;
+  bool resume = false, overwrite = false, yes = false, is_rehearsal = false;
 
   void run() const {
     const bool has_action = alone.size() >= 2;
@@ -50,6 +51,10 @@ struct StudyWords {
     options.study_path = has_action ? alone[1] : alone.front();
     options.output = output.value_or(std::filesystem::path(options.study_path).stem().string());
     options.resume = resume;
+    options.overwrite = overwrite;
+    if (resume && overwrite) {
+      throw InputError("--resume keeps the scenarios that are there, --overwrite replaces them", "keep one of the two");
+    }
     options.yes = yes;
     if (threads) options.threads = static_cast<int>(number("--threads", *threads, kMostThreads));
     if (shard) read_shard(options);
@@ -57,7 +62,7 @@ struct StudyWords {
     if (engine || parts || is_rehearsal) {
       throw InputError("--engine, --parts and --dry-run are options of ringfilm study submit", "leave them out");
     }
-    if (has_action && (shard || resume || yes || threads)) {
+    if (has_action && (shard || resume || overwrite || yes || threads)) {
       throw InputError(fmt::format("ringfilm study {} takes no other option than -o", action), "leave the others out");
     }
     if (action == "merge") return merge_study(options);
@@ -76,8 +81,8 @@ struct StudyWords {
   }
 
   void submit(const StudyOptions& options, const std::vector<std::string>& beyond) const {
-    if (shard || resume) {
-      throw InputError("ringfilm study submit takes neither --shard nor --resume",
+    if (shard || resume || overwrite) {
+      throw InputError("ringfilm study submit takes none of --shard, --resume and --overwrite",
                        "it always computes what is missing, in --parts parts");
     }
     SubmitOptions how;
@@ -120,6 +125,7 @@ void add_study_command(CLI::App& program, Actions& actions) {
       ->type_name("OUT");
   command->add_option("--shard", words->shard, "compute part i of n only")->type_name("i/n");
   command->add_flag("--resume", words->resume, "go on with what is there");
+  command->add_flag("--overwrite", words->overwrite, "replace the study in the output, which is refused without it");
   command->add_flag("--yes", words->yes,
                     "run a grid of more than 10000 points, keep more than 2 GB of curves, submit unseen by squeue");
   command->add_option("--threads", words->threads, "1 to 1024; without it as many as the machine runs at once")

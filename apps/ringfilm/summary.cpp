@@ -188,8 +188,10 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
   const cycle::CycleResult& result = document.result;
   if (!result.complete) {
     text += fmt::format(
-        "STOPPED before the cycle was complete, after {} crank angles; there are no values of the cycle\n\n",
-        result.samples.size());
+        "STOPPED after {:.4g} cycles, before the cycle repeated itself; {} crank angles are in the result, but no "
+        "values "
+        "of the cycle\n\n",
+        result.effort.cycles_marched, result.samples.size());
   }
   if (result.complete && !result.samples.empty()) text += values_table(result.values, document.errors) + "\n";
   if (!result.unrolled.is_absent()) text += unrolled_lines(input, result);

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <memory>
 
 #include "arguments.hpp"
@@ -9,6 +11,7 @@
 #include "result_object.hpp"
 #include "ringfilm/io/study_file.hpp"
 #include "ringfilm/io/study_result.hpp"
+#include "ringfilm/study/idle_factors.hpp"
 #include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
 #include "ringfilm/study/sobol_indices.hpp"
@@ -40,6 +43,11 @@ struct StudyResultObject {
   std::vector<std::vector<double>> values;  ///< of each cycle quantity over the scenarios
   std::vector<std::string> reasons;         ///< of each scenario; empty where it was solved
   std::vector<float> curves;                ///< that the study keeps: [scenario][quantity][angle]
+  struct Note {
+    std::string message;                   ///< that of the first of them
+    std::vector<std::uint32_t> scenarios;  ///< that carry it
+  };
+  std::map<std::string, Note> notes = {};  ///< on single results, by topic
 };
 
 std::vector<double> of_base(const StudyResultObject& self, std::size_t quantity, std::size_t base, bool sample_only) {
@@ -127,6 +135,11 @@ void compute(StudyResultObject& result, int threads, const py::object& progress)
       const std::size_t scenario = chunk.first + i;
       for (std::size_t q = 0; q < result.values.size(); ++q) result.values[q][scenario] = chunk.rows[i].values[q];
       result.reasons[scenario] = chunk.rows[i].reason;
+      for (const cycle::Note& note : chunk.rows[i].notes) {
+        const auto [found, is_first] = result.notes.try_emplace(note.topic);
+        if (is_first) found->second.message = note.message;
+        found->second.scenarios.push_back(static_cast<std::uint32_t>(scenario));
+      }
       // Rows come in their order.
       result.curves.insert(result.curves.end(), chunk.rows[i].curves.begin(), chunk.rows[i].curves.end());
     }
@@ -156,6 +169,24 @@ StudyResultObject run(const StudyObject& self, int threads, const py::object& pr
     compute(result, threads, progress);
   }
   return result;
+}
+
+py::dict notes_by_topic(const StudyResultObject& self) {
+  py::dict notes;
+  for (const auto& [topic, note] : self.notes) notes[py::str(topic)] = py::make_tuple(note.message, note.scenarios);
+  return notes;
+}
+
+std::vector<std::string> plan_notes(const StudyResultObject& self) {
+  std::vector<std::string> notes = self.loaded->plan.notes();
+  study::IdleFactors idle(self.loaded->plan);
+  std::vector<double> row(self.values.size());
+  for (std::size_t i = 0; i < self.reasons.size() && !idle.is_decided(); ++i) {
+    for (std::size_t q = 0; q < row.size(); ++q) row[q] = self.values[q][i];
+    idle.add(i, row);
+  }
+  for (std::string& note : idle.notes()) notes.push_back(std::move(note));
+  return notes;
 }
 
 py::dict statistics(const StudyResultObject& self, const GivenText& value, const GivenMaybeText& base) {
@@ -330,6 +361,12 @@ void bind_results(py::module_& module) {
             return reasons;
           },
           "Why scenarios were not solved, {scenario from 0: reason}.")
+      .def_property_readonly(
+          "notes", &notes_by_topic,
+          "The notes on single results, {topic: (message of the first of them, list of scenarios from 0)}.")
+      .def_property_readonly(
+          "plan_notes", &plan_notes,
+          "What must be known about the plan and how it ended, a list of str: factors that change no value, too.")
       .def(
           "__getitem__",
           [](const py::object& self, const GivenText& name) {

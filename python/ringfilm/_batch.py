@@ -48,6 +48,21 @@ class BatchResult(Sequence):
         """Why cases were not solved, {number of the case from 0: reason}; empty if all were."""
         return {i: result.reason for i, result in enumerate(self._results) if result.reason}
 
+    @property
+    def notes(self) -> dict:
+        """The notes on single results, {topic: (message of the first of them, list of cases from 0)}; of solved cases."""
+        notes = {}
+        for i, result in enumerate(self._results):
+            if result.reason:
+                continue
+            for topic, message, _ in result.notes:
+                if topic == "input":
+                    continue
+                cases = notes.setdefault(topic, (message, []))[1]
+                if not cases or cases[-1] != i:
+                    cases.append(i)
+        return dict(sorted(notes.items()))
+
     def to_pandas(self):
         """Values of the cycle as a pandas.DataFrame: one row a case, one column a value in SI, and `reason`.
 

@@ -199,6 +199,17 @@ def study_result_to_xarray(result):
         coordinates["ring"] = ("ring", [1.0], {"units": "1", "long_name": "ring, counted from the chamber"})
         data.update(_kept_curves(result))
     data["reason"] = ("scenario", reasons, {"long_name": "why it was not solved"})
+    notes = result.notes
+    if notes:
+        coordinates["note_topic"] = ("note_topic", _texts(notes), {"long_name": "topic of notes on single results"})
+        messages = _texts(message for message, _ in notes.values())
+        words = {"long_name": "the note, with the figures of the first scenario"}
+        data["note_message"] = ("note_topic", messages, words)
+        carries = numpy.zeros((len(result), len(notes)), numpy.int8)
+        for topic, (_, scenarios) in enumerate(notes.values()):
+            carries[scenarios, topic] = 1
+        words = {"units": "1", "long_name": "1 where the result carries the note"}
+        data["has_note"] = (("scenario", "note_topic"), carries, words)
     program, commit = version().split(" commit ")
     return xarray.Dataset(data, coordinates, {"title": study.title, "program": program, "commit": commit})
 
@@ -211,5 +222,10 @@ def study_result_to_pandas(result):
     units = {quantity.name: quantity.unit for quantity in quantities()["cycle"]}
     frame = pandas.concat([plan, pandas.DataFrame({name: result[name] for name in units}, index=plan.index)], axis=1)
     frame["reason"] = _reasons(result)
+    topics = [[] for _ in range(len(result))]
+    for topic, (_, scenarios) in result.notes.items():
+        for i in scenarios:
+            topics[i].append(topic)
+    frame["notes"] = ["; ".join(of_row) for of_row in topics]
     frame.attrs.update(title=result.study.title, units={**plan.attrs["units"], **units})
     return frame

@@ -168,7 +168,7 @@ class Run(program.ProgramTest):
         self.assertIn("exit code 3", done.stderr)
         self.assertIn("nothing was written", done.stderr)
         self.assertEqual(done.stderr.count("degree"), 1, "the crank angle is told once")
-        self.assertIn("STOPPED", done.stdout)
+        self.assertIn("STOPPED after 0 cycles, before the cycle repeated itself; 0 crank angles", done.stdout)
         self.assertNotIn("wrote", done.stdout)
         for word in ("nan", "inf)", "cycles until"):
             self.assertNotIn(word, done.stdout)

@@ -98,6 +98,46 @@ class StudyTest(ProgramTest):
         self.run_well("study", "study.toml", "-o", "out", "--shard", "1/2")
         self.assertIn("there already", self.run_well("study", "study.toml", "-o", "out", "--shard", "1/2", "--resume"))
 
+    def test_a_finished_study_is_replaced_with_overwrite_only(self):
+        self.run_well("study", "study.toml", "-o", "out")
+        before = self.contents("out")
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "a finished study of this plan",
+                            "--overwrite", "--resume", "another output")
+        self.write_study(STUDY.replace("SCENARIOS", "16").replace("seed = 5", "seed = 6"))
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "a finished study of another plan",
+                            "--overwrite")
+        (self.folder / "out" / "study.part-1-of-1.rows").unlink()
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "out/study.nc: there are results",
+                            "--overwrite")
+        self.assertEqual(self.contents("out"), before)
+        self.run_well("study", "study.toml", "-o", "out", "--overwrite")
+        self.assertNotEqual(self.contents("out"), before)
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--overwrite", "--resume"),
+                            "keep one of the two")
+        self.run_well("study", "study.toml", "-o", "parts", "--shard", "1/2")
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "parts", "--shard", "1/2"),
+                            "a finished part of this plan", "--overwrite")
+
+    def test_a_study_that_runs_is_not_advised_to_be_deleted(self):
+        self.write_study(STUDY.replace("SCENARIOS", "100000"))
+        run = subprocess.Popen([PROGRAM, "study", "study.toml", "-o", "out"], cwd=self.folder,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            while not (self.folder / "out" / "study.part-1-of-1.growing").exists():
+                self.assertIsNone(run.poll(), "it ended before it was disturbed")
+                time.sleep(0.01)
+            for words in ([], ["--resume"], ["--overwrite"]):
+                done = self.run_program("study", "study.toml", "-o", "out", *words)
+                self.assert_refused(done, "another process computes this part", "name another output")
+                self.assertNotIn("delete", done.stderr)
+        finally:
+            run.terminate()
+            run.wait(timeout=100)
+        done = self.run_program("study", "study.toml", "-o", "out")
+        self.assert_refused(done, "was not finished", "--resume", "--overwrite")
+        self.write_study(STUDY.replace("SCENARIOS", "16"))
+        self.run_well("study", "study.toml", "-o", "out", "--overwrite")
+
     def test_parts_of_another_plan_program_or_input_are_refused(self):
         self.run_well("study", "study.toml", "-o", "out", "--shard", "1/2")
         self.write_study(STUDY.replace("SCENARIOS", "16").replace("seed = 5", "seed = 6"))
@@ -105,7 +145,7 @@ class StudyTest(ProgramTest):
         self.assert_refused(self.run_program("study", "merge", "study.toml", "-o", "out"), "part-1-of-2",
                             "another plan")
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "1/2"),
-                            "a finished part of another plan", "delete this file")
+                            "a finished part of another plan", "--overwrite")
         trace = self.folder / "trace.csv"
         trace.write_text("# another day\n" + trace.read_text())
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "2/2", "--resume"),
@@ -241,7 +281,7 @@ class StudyTest(ProgramTest):
         tables = []
         for keep in ("", '[keep]\ncurves = "all"\n', '[keep]\ncurves = "quantiles"\ncrank_step = "8 degree"\n'):
             self.write_study(STUDY.replace("SCENARIOS", "16") + keep)
-            self.run_well("study", "study.toml", "-o", "out")
+            self.run_well("study", "study.toml", "-o", "out", "--overwrite")
             tables.append(values())
         self.assertEqual(len(set(tables)), 1)
 

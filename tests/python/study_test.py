@@ -206,3 +206,53 @@ def test_a_batch_without_curves_and_one_without_cases(case):
     assert len(frame) == 0 and set(frame.drop(columns="reason").dtypes) == {numpy.dtype(float)}
     assert list(frame.columns) == list(ringfilm.simulate_many([case]).to_pandas().columns)
     assert pandas.api.types.is_object_dtype(frame["reason"])
+
+
+def test_the_notes_of_results_are_kept_with_their_scenarios(study, folder, run_program):
+    result = study.run()
+    assert result.notes and list(result.notes) == sorted(result.notes)
+    rows = [set() for _ in range(len(result))]
+    for topic, (message, scenarios) in result.notes.items():
+        assert message and scenarios == sorted(set(scenarios))
+        for i in scenarios:
+            rows[i].add(topic)
+    alone = ringfilm.Case.read("case.toml")
+    alone["operating.speed"] = f"{study.points[3, 0]!r} rad/s"
+    alone["contact.roughness"] = f"{alone['contact.roughness'] * study.points[3, 1]!r} m"
+    assert rows[3] == {topic for topic, _, _ in alone.run().notes}
+    said = run_program("study", "study.toml", "-o", "out").stdout
+    for topic, (message, scenarios) in result.notes.items():
+        assert f"{len(scenarios)} of 16  {topic}: {message} (scenario {scenarios[0]})" in said
+    with open(folder / "out" / "study.csv", newline="") as file:
+        assert [set(filter(None, row["notes"].split("; "))) for row in csv.DictReader(file)] == rows
+    pytest.importorskip("xarray")
+    data = result.to_xarray()
+    for topic, (_, scenarios) in result.notes.items():
+        assert list(numpy.flatnonzero(data.has_note.sel(note_topic=topic))) == scenarios
+
+
+def test_a_factor_that_changes_no_value_is_noted(folder, run_program):
+    text = STUDY[: STUDY.index("[[factor]]")] + '[plan]\nmethod = "grid"\n[[factor]]\nkey = "operating.speed"\n'
+    text += 'values = ["1000 rpm", "2000 rpm"]\n[[factor]]\nname = "zero"\nkey = "ring.face.height_zero"\n'
+    (folder / "study.toml").write_text(text + 'values = ["minimum", "as-given"]\n')
+    notes = ringfilm.Study.read("study.toml").run().plan_notes
+    assert len(notes) == 1 and notes[0].startswith('factor "zero" changes no value of the cycle')
+    assert "note: " + notes[0] in run_program("study", "study.toml", "-o", "out").stdout
+
+
+def test_a_column_that_is_chosen_gives_the_pressures_of_its_own(folder):
+    lines = (folder / "trace.csv").read_text().splitlines()
+    rows = [line + f",{float(line.split(',')[1]) * 2:.6f}" for line in lines[1:]]
+    (folder / "trace.csv").write_text("\n".join(["crank_angle [degree],low [bar],high [bar]", *rows]) + "\n")
+    case = (folder / "case.toml").read_text()
+    (folder / "case.toml").write_text(case.replace("[gas]", '[gas]\npressure_column = "low"'))
+    factor = '[[factor]]\nkey = "gas.pressure_column"\nvalues = ["low", "high"]\n[plan]\nmethod = "grid"\n'
+    (folder / "study.toml").write_text(STUDY[: STUDY.index("[[factor]]")] + factor)
+    result = ringfilm.Study.read("study.toml").run()
+    cases = [ringfilm.Case.read("case.toml") for _ in range(2)]
+    cases[1]["gas.pressure_column"] = "high"
+    batch = ringfilm.simulate_many(cases)
+    assert list(result["peak_gas_pressure"]) == list(batch["peak_gas_pressure"])
+    assert result["peak_gas_pressure"][1] > 1.9 * result["peak_gas_pressure"][0]
+    assert {topic: cases for topic, (_, cases) in batch.notes.items()} == \
+        {topic: scenarios for topic, (_, scenarios) in result.notes.items()}

@@ -54,7 +54,7 @@ for (const [name, wanted] of Object.entries(kFigures)) {
       for (const caption of await page.locator('figcaption').allTextContents()) assert.ok(caption.length > 30 && !/undefined|NaN|null|object/.test(caption), caption);
       const drawn = await page.$$eval('.drawing svg', (nodes) => nodes.map((node) => node.outerHTML));
       drawn.forEach((svg) => assert.ok(!/NaN|undefined|Infinity/.test(svg), svg.match(/.{60}(NaN|undefined|Infinity).{60}/)?.[0]));
-      for (const id of ['values', 'varied', 'provenance']) assert.equal(await page.locator(`section#${id}`).count(), 1, id);
+      for (const id of ['values', 'varied', 'provenance', 'notes']) assert.equal(await page.locator(`section#${id}`).count(), 1, id);
       assert.deepEqual(faults, []);
       await page.context().close();
     });

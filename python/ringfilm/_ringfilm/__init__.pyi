@@ -873,6 +873,14 @@ class StudyResult:
 
         Over crank_angle; NaN where a scenario was not solved. Raises InputError unless the study keeps it ([keep] in its file)."""
         ...
+    @property
+    def notes(self) -> object:
+        """The notes on single results, {topic: (message of the first of them, list of scenarios from 0)}."""
+        ...
+    @property
+    def plan_notes(self) -> object:
+        """What must be known about the plan and how it ended, a list of str: factors that change no value, too."""
+        ...
     def sobol_indices(self, value: str, base: Optional[str] = None) -> list:
         """Which factor decides: first and total Sobol indices with their 95 % intervals.
 

@@ -84,6 +84,12 @@ bool is_active(const Field& field, const Case& c) {
   return belongs(field, c) && (field.active == nullptr || field.active(c));
 }
 
+bool is_for_record(const Field& field) {
+  static const std::set<std::string> alone = {"title", "lubricant.name", "gas.trace_origin"};
+  return alone.contains(field.key) || field.key.rfind("output.", 0) == 0 ||
+         field.key.find(".measured.") != std::string::npos;
+}
+
 bool is_required(const Field& field, const Case& c) {
   return field.need == Need::kRequired || (field.need == Need::kRequiredInCycle && c.problem == Problem::kCycle);
 }

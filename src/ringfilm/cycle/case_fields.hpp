@@ -119,6 +119,10 @@ bool belongs(const Field& field, const Case& c);
 /// Is the key in use with the choices that `c` makes?
 bool is_active(const Field& field, const Case& c);
 
+/// Does the key only label or record, so that no model computes with it: the title, where a trace comes from, how an
+/// input was measured, what is stored of the result?
+bool is_for_record(const Field& field);
+
 /// Must `c` state the key, if it is in use?
 bool is_required(const Field& field, const Case& c);
 

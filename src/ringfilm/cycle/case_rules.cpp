@@ -1,10 +1,12 @@
 #include <cmath>
+#include <optional>
 
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case_fields.hpp"
 #include "ringfilm/cycle/case_rules_measured.hpp"
 #include "ringfilm/cycle/case_rules_pad.hpp"
 #include "ringfilm/cycle/case_rules_unrolled.hpp"
+#include "ringfilm/cycle/gas_plausibility.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/models/gas.hpp"
 #include "ringfilm/models/trace_span.hpp"
@@ -74,9 +76,22 @@ void check_wiebe(const Gas& gas, Breaches& breaches) {
   }
 }
 
-void check_trace(const Gas& gas, Breaches& breaches) {
+/// A trace must leave this much of the cycle for models::join_partial_trace to close it.
+constexpr double kLeastRoomToJoinDeg = 120;
+
+void check_trace(const Case& c, Breaches& breaches) {
+  const Gas& gas = c.gas;
   const auto& angles = gas.cylinder_pressure->crank_angle_deg;
   if (angles.empty() || models::covers_cycle(angles)) return;
+  const double missing = angles.front() + kCycleDeg - angles.back();
+  if (missing < kLeastRoomToJoinDeg) {
+    breaches.push_back({"gas.cylinder_pressure",
+                        "the trace has no samples between " + number_text(angles.back()) + " and " +
+                            number_text(angles.front() + kCycleDeg) + " degree, where the cycle begins again",
+                        "samples may be 10 degree apart at the most; complete the cycle, or cut the trace to -300 to "
+                        "300 degree about firing TDC and state gas.intake_pressure and gas.exhaust_pressure"});
+    return;
+  }
   const std::string span = "the trace covers only " + number_text(angles.front()) + " to " +
                            number_text(angles.back()) + " degree of the cycle" +
                            (models::covers_one_revolution(angles) ? std::string(", ") + models::kOneRevolution : "") +
@@ -90,6 +105,14 @@ void check_trace(const Gas& gas, Breaches& breaches) {
     breaches.push_back({"gas.exhaust_pressure", span + "gas.exhaust_pressure is not stated",
                         "an absolute pressure" + remedy + "exhaust_pressure = \"1.05 bar\" in [gas]"});
   }
+  const std::optional<TraceStart> start = trace_start(c);
+  if (!start || !contradicts_intake(*start)) return;
+  breaches.push_back({"gas.intake_pressure",
+                      "the trace begins with " + number_text(start->pressure / 1e5) + " bar absolute at " +
+                          number_text(start->crank_angle_deg) +
+                          " degree, where gas.intake_pressure = " + number_text(start->lowest / 1e5) +
+                          " bar can be compressed to " + number_text(start->highest / 1e5) + " bar at most",
+                      "they belong to one engine: check both, the unit of the trace and gas.pressure_reference"});
 }
 
 void check_crankcase(const Gas& gas, Breaches& breaches) {
@@ -220,7 +243,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   if (c.gas.model == GasModel::kWiebe) {
     check_wiebe(c.gas, breaches);
   } else {
-    check_trace(c.gas, breaches);
+    check_trace(c, breaches);
   }
   check_crankcase(c.gas, breaches);
   check_tension(c.ring, breaches);

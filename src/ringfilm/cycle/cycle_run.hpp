@@ -44,6 +44,8 @@ class CycleRun final : public Marching {
 
  private:
   void arrived();
+  /// At the end of a cycle. Throws ConvergenceError where its state approaches that of the one before no longer.
+  void check_approach();
   void stopped(const ConvergenceError& error, std::optional<film::Failure> failure);
   /// Does a part of the march; what it throws stops it.
   template <class Part>
@@ -59,6 +61,7 @@ class CycleRun final : public Marching {
   int k_ = 0;                                     ///< base angle
   int steps_marched_ = 0;
   double distance_;
+  std::vector<double> distances_;  ///< at the end of each cycle
   bool done_ = false;
   std::optional<Stop> stop_;
 };

@@ -47,15 +47,9 @@ std::vector<DataFile> pad_files(const cycle::Pad& pad, const Units& units) {
 /// How the columns of a trace are read, after the keys of the case at that time.
 TraceColumns trace_columns(const cycle::Gas& gas, TracePlace place) {
   if (place == TracePlace::kCylinder) {
-    return {gas.pressure_column,
-            gas.angle_column,
-            gas.pressure_unit,
-            gas.angle_unit,
-            gas.pressure_reference,
-            gas.angle_zero,
-            place};
+    return {gas.pressure_column, gas.angle_column, gas.pressure_unit, gas.angle_unit, gas.pressure_reference, place};
   }
-  return {std::nullopt, std::nullopt, gas.pressure_unit, gas.angle_unit, gas.pressure_reference, gas.angle_zero, place};
+  return {std::nullopt, std::nullopt, gas.pressure_unit, gas.angle_unit, gas.pressure_reference, place};
 }
 
 void append_gas_files(const cycle::Gas& gas, const Units& units, std::vector<DataFile>& files) {

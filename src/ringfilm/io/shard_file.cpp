@@ -11,10 +11,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "ringfilm/io/atomic_file.hpp"
@@ -25,11 +27,12 @@ namespace ringfilm::io {
 namespace {
 
 // Blocks, one after the other: the size of the content, its SHA-256 in hexadecimal digits, the content. The first is
-// the header as text; each other begins with first scenario and number of rows, then values, curves, reasons as lines.
-// Numbers are little-endian: values of 8 bytes, those of curves of 4.
-constexpr std::uint64_t kDigits = 64, kFrame = 8 + kDigits, kChunkHead = 16;
+// the header as text; each other begins with first scenario, number of rows and bytes of the notes, then values,
+// curves, reasons as lines, notes as lines. Numbers are little-endian: values of 8 bytes, those of curves of 4.
+constexpr std::uint64_t kDigits = 64, kFrame = 8 + kDigits, kChunkHead = 24;
 constexpr std::uint64_t kLargestHeader = 1 << 16, kLargestBlock = std::uint64_t{1} << 30;
-constexpr const char* kMagic = "ringfilm study rows 3";
+constexpr std::string_view kHexDigits = "0123456789abcdef";
+constexpr const char* kMagic = "ringfilm study rows 4";
 
 std::string number_bytes(std::uint64_t number) {
   std::string bytes(8, '\0');
@@ -91,8 +94,35 @@ std::uint64_t row_bytes(const ShardHeader& h) {
   return sizeof(double) * h.n_values + sizeof(float) * h.n_curve_numbers();
 }
 
+std::string in_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+/// A line for each topic: the topic, the rows of the chunk that carry it as bits in hexadecimal digits, the message of
+/// the first of them.
+std::string note_lines(const study::ScenarioChunk& chunk) {
+  struct Rows {
+    std::string message;
+    std::vector<unsigned> digits;
+  };
+  std::map<std::string, Rows> by_topic;
+  for (std::size_t k = 0; k < chunk.rows.size(); ++k) {
+    for (const cycle::Note& note : chunk.rows[k].notes) {
+      const auto [found, is_first] = by_topic.try_emplace(note.topic);
+      if (is_first) found->second = {note.message, std::vector<unsigned>((chunk.rows.size() + 3) / 4)};
+      found->second.digits[k / 4] |= 1U << (k % 4);
+    }
+  }
+  std::string lines;
+  for (const auto& [topic, rows] : by_topic)
+    lines += fmt::format("{} {:x} {}\n", topic, fmt::join(rows.digits, ""), in_one_line(rows.message));
+  return lines;
+}
+
 std::string content_of(const study::ScenarioChunk& chunk, const ShardHeader& header) {
-  std::string content = number_bytes(chunk.first) + number_bytes(chunk.rows.size());
+  const std::string notes = note_lines(chunk);
+  std::string content = number_bytes(chunk.first) + number_bytes(chunk.rows.size()) + number_bytes(notes.size());
   content.reserve(content.size() + row_bytes(header) * chunk.rows.size());
   for (std::uint64_t i = 0; i < header.n_values; ++i) {
     for (const study::ScenarioRow& row : chunk.rows) append_number(content, row.values.at(i));
@@ -102,11 +132,14 @@ std::string content_of(const study::ScenarioChunk& chunk, const ShardHeader& hea
   }
   for (std::size_t k = 0; k < chunk.rows.size(); ++k) {
     if (chunk.rows[k].reason.empty()) continue;
-    std::string reason = chunk.rows[k].reason;
-    for (char& c : reason) c = c == '\n' ? ' ' : c;
-    content += fmt::format("{} {}\n", chunk.first + k, reason);
+    content += fmt::format("{} {}\n", chunk.first + k, in_one_line(chunk.rows[k].reason));
   }
-  return content;
+  return content + notes;
+}
+
+InputError being_written(const std::string& path) {
+  return InputError(fmt::format("{}: another process computes this part now", path),
+                    "wait for it, stop it first, or name another output");
 }
 
 }  // namespace
@@ -228,18 +261,22 @@ bool ShardReader::read_chunk() {
   ChunkPlace place;
   place.first = number_at(content, 0);
   place.n_rows = number_at(content, 8);
+  place.notes_size = number_at(content, 16);
   const std::uint64_t most_rows = (n - kChunkHead) / row_bytes(header_);
   if (place.first != next() || place.n_rows == 0 || place.n_rows > most_rows ||
       place.n_rows > header_.end - place.first) {
     return false;
   }
   const std::uint64_t n_bytes = row_bytes(header_) * place.n_rows;
+  if (place.notes_size > n - kChunkHead - n_bytes) return false;
   place.values_at = sound_bytes_ + kFrame + kChunkHead;
   place.curves_at = place.values_at + sizeof(double) * header_.n_values * place.n_rows;
   place.reasons_at = place.values_at + n_bytes;
-  place.reasons_size = n - kChunkHead - n_bytes;
+  place.reasons_size = n - kChunkHead - n_bytes - place.notes_size;
+  place.notes_at = place.reasons_at + place.reasons_size;
   reason_bytes_ += place.reasons_size;
-  for (std::size_t at = kChunkHead + n_bytes; at < n; ++at) n_unsolved_ += content[at] == '\n';
+  const std::string_view reasons = std::string_view(content).substr(kChunkHead + n_bytes, place.reasons_size);
+  n_unsolved_ += static_cast<std::uint64_t>(std::count(reasons.begin(), reasons.end(), '\n'));
   chunks_.push_back(place);
   sound_bytes_ += kFrame + n;
   return true;
@@ -306,6 +343,23 @@ void ShardReader::append_unsolved(const study::ScenarioRange& range, std::vector
 
 void ShardReader::append_unsolved(std::vector<Unsolved>& all) const { append_unsolved({header_.first, next()}, all); }
 
+void ShardReader::append_notes(const study::ScenarioRange& range, std::vector<SharedNote>& all) const {
+  for (const ChunkPlace& chunk : chunks_of(range)) {
+    std::istringstream lines(bytes(chunk.notes_at, chunk.notes_size));
+    SharedNote one;
+    for (std::string digits; lines >> one.topic >> digits && std::getline(lines >> std::ws, one.message);) {
+      one.scenarios.clear();
+      for (std::uint64_t k = 0; k < std::min<std::uint64_t>(chunk.n_rows, 4 * digits.size()); ++k) {
+        const std::size_t digit = kHexDigits.find(digits[k / 4]);
+        const std::uint64_t i = chunk.first + k;
+        const bool is_set = digit != std::string_view::npos && (digit >> (k % 4) & 1) != 0;
+        if (is_set && i >= range.first && i < range.end) one.scenarios.push_back(i);
+      }
+      if (!one.scenarios.empty()) all.push_back(one);
+    }
+  }
+}
+
 ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Longer longer)
     : path_(path), header_(header), next_(header.first) {
   try {
@@ -334,13 +388,21 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Lon
   }
 }
 
+void check_not_being_written(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return;
+  const bool is_locked = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  if (is_locked) throw being_written(path);
+}
+
 std::uint64_t ShardWriter::open_alone() {
   if (file_ >= 0) ::close(file_);
   constexpr mode_t kReadWriteAsUmaskAllows = 0666;
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kReadWriteAsUmaskAllows);
   if (file_ < 0) fail_to_write(path_, errno);
   if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    throw InputError(fmt::format("{}: another process computes this part", path_), "wait for it, or stop it first");
+    throw being_written(path_);
   }
   struct stat status {};
   if (::fstat(file_, &status) != 0) fail_to_write(path_, errno);

@@ -43,6 +43,14 @@ struct ChunkPlace {
   std::uint64_t values_at = 0;  ///< values one after the other, each of all rows
   std::uint64_t curves_at = 0;  ///< then, in single precision, curves, angle by angle, each of all rows
   std::uint64_t reasons_at = 0, reasons_size = 0;
+  std::uint64_t notes_at = 0, notes_size = 0;  ///< after the reasons
+};
+
+/// A note that several scenarios carry.
+struct SharedNote {
+  std::string topic;
+  std::string message;                   ///< that of the first of them
+  std::vector<std::uint64_t> scenarios;  ///< increasing
 };
 
 /// A file of rows that is there. Chunks after the first that is cut off or spoilt are not seen.
@@ -80,6 +88,8 @@ class ShardReader {
   void append_unsolved(std::vector<Unsolved>& all) const;
   void append_unsolved(const study::ScenarioRange& range, std::vector<Unsolved>& all) const;
   std::uint64_t reason_bytes() const { return reason_bytes_; }  ///< of all reasons together
+  /// Appends the notes of some scenarios, chunk by chunk: a topic may come several times.
+  void append_notes(const study::ScenarioRange& range, std::vector<SharedNote>& all) const;
 
   /// Hands over the bytes of all sound chunks, piece by piece.
   void copy_chunks(const std::function<void(const std::string&)>& put) const;
@@ -98,6 +108,9 @@ class ShardReader {
   ShardHeader header_;
   std::vector<ChunkPlace> chunks_;
 };
+
+/// Throws InputError if a process appends to the file of rows now.
+void check_not_being_written(const std::string& path);
 
 /// May a study that is there become longer?
 enum class Longer { kRefused, kAllowed };

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <tuple>
 
 #include "ringfilm/cycle/case_fields.hpp"
@@ -27,46 +26,13 @@ const std::vector<std::string> kFactorKeys = {
 /// A value or a difference of two: "5 degC" warmer is 5 K, not 278.15 K.
 enum class Meaning { kValue, kDifference };
 
-/// The table whose keys a file may bring: "lubricant." for lubricant.table.
-std::string section_of_key(const std::string& key) {
-  for (const std::string section : {"lubricant.", "gas.", "ring.face."}) {
-    if (key.rfind(section, 0) == 0) return section;
-  }
-  return key;
-}
-
-bool is_among(const cycle::InputFile& file, const std::vector<cycle::InputFile>& files) {
-  return std::any_of(files.begin(), files.end(), [&](const cycle::InputFile& one) {
-    return std::tie(one.role, one.path, one.sha256) == std::tie(file.role, file.path, file.sha256);
-  });
-}
-
-/// Moves into a case what comes with the file of a choice, and nothing of other tables: there another file may have
-/// been chosen.
-/// @param base the case without the file  @param from the same with it
-void put_section(const std::string& key, const cycle::Case& base, const cycle::Case& from, cycle::Case& to) {
-  const std::string section = section_of_key(key);
-  if (section == "lubricant.") to.lubricant = from.lubricant;
-  if (section == "gas.") to.gas = from.gas;
-  if (section == "ring.face.") to.ring.face = from.ring.face;
-  const auto belongs = [&](const std::string& one) { return one.rfind(section, 0) == 0; };
-  std::erase_if(to.stated, belongs);
-  std::copy_if(from.stated.begin(), from.stated.end(), std::inserter(to.stated, to.stated.end()), belongs);
-  std::erase_if(to.files, [&](const cycle::InputFile& file) {
-    return is_among(file, base.files) && !is_among(file, from.files);
-  });
-  std::copy_if(from.files.begin(), from.files.end(), std::back_inserter(to.files),
-               [&](const cycle::InputFile& file) { return !is_among(file, base.files); });
-}
-
 class FactorReader {
  public:
-  FactorReader(const TomlValue& table, const FactorSources& sources, ChoiceFiles& files, std::vector<Fault>& faults)
+  FactorReader(const TomlValue& table, const FactorSources& sources, std::vector<Fault>& faults)
       : faults_(faults),
         n_before_(faults.size()),
         table_(table, "[[factor]]", kFactorKeys, faults),
-        sources_(sources),
-        files_(files) {}
+        sources_(sources) {}
 
   std::optional<Factor> read() {
     factor_.mark = table_.mark();
@@ -272,53 +238,24 @@ class FactorReader {
       if (item.kind != Kind::kText || item.text.empty()) {
         refuse(&item, fmt::format("values has {}, which is no text", item.as_written()), "a text stands in quotes");
       } else {
-        choices.values.push_back({item.text, study::is_file(*field_) ? putter(item) : nullptr});
+        choices.values.push_back({item.text, item.mark});
       }
     }
     factor_.variation = std::move(choices);
-  }
-
-  /// Reads every base once more with the file in its place; what it brings is then put into scenarios.
-  std::function<void(cycle::Case&)> putter(const TomlValue& item) {
-    const std::string& key = factor_.targets.front().key;
-    const std::string file = locate(item.text, sources_.folder).shown;
-    auto read = std::make_shared<std::map<std::string, cycle::Case>>();
-    for (std::size_t b = 0; b < sources_.base_paths.size(); ++b) {
-      if (!study::applies(factor_, b)) continue;
-      try {
-        const cycle::Case one = read_case(sources_.base_paths[b], {{key, quoted(file)}}, sources_.units);
-        for (const cycle::InputFile& input : one.files) files_.push_back(input);
-        read->emplace(sources_.base_paths[b], one);
-      } catch (const InputError& error) {
-        for (const Fault& f : error.faults()) {
-          const bool in_file = f.mark.line > 0 && f.mark.file != "--set";
-          faults_.push_back(in_file ? f : Fault{item.mark, f.message, f.remedy});
-        }
-      }
-    }
-    std::map<std::string, cycle::Case> bases;
-    for (std::size_t b = 0; b < sources_.base_paths.size(); ++b)
-      bases.emplace(sources_.base_paths[b], sources_.study.bases[b].input);
-    return [key, read, bases = std::move(bases)](cycle::Case& c) {
-      const std::string path = c.files.front().path;
-      put_section(key, bases.at(path), read->at(path), c);
-    };
   }
 
   std::vector<Fault>& faults_;
   std::size_t n_before_;
   StudyTable table_;
   const FactorSources& sources_;
-  ChoiceFiles& files_;
   const cycle::Field* field_ = nullptr;
   Factor factor_;
 };
 
 }  // namespace
 
-std::optional<Factor> read_factor(const TomlValue& table, const FactorSources& sources, ChoiceFiles& files,
-                                  std::vector<Fault>& faults) {
-  return FactorReader(table, sources, files, faults).read();
+std::optional<Factor> read_factor(const TomlValue& table, const FactorSources& sources, std::vector<Fault>& faults) {
+  return FactorReader(table, sources, faults).read();
 }
 
 std::vector<std::size_t> read_base_names(StudyTable& table, const study::Study& study) {

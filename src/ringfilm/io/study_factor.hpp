@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/io/case_file.hpp"
 #include "ringfilm/io/study_table.hpp"
 #include "ringfilm/io/units.hpp"
 #include "ringfilm/study/study.hpp"
@@ -12,17 +11,12 @@ namespace ringfilm::io {
 
 /// What the factors of a study are read with.
 struct FactorSources {
-  std::string folder;                   ///< of the study's file
-  std::vector<std::string> base_paths;  ///< of the case files of study.bases
-  const study::Study& study;            ///< its bases
+  const study::Study& study;  ///< its bases
   const Units& units;
 };
 
-/// Files that the choices of a factor named, with their digests.
-using ChoiceFiles = std::vector<cycle::InputFile>;
-
 /// One [[factor]]; nothing if it was refused. What is wrong goes to `faults`.
-std::optional<study::Factor> read_factor(const TomlValue& table, const FactorSources& sources, ChoiceFiles& files,
+std::optional<study::Factor> read_factor(const TomlValue& table, const FactorSources& sources,
                                          std::vector<Fault>& faults);
 
 /// The bases that a list of names stands for; all where the key `bases` is absent.

@@ -11,6 +11,7 @@
 #include "ringfilm/io/csv_file.hpp"
 #include "ringfilm/io/source_text.hpp"
 #include "ringfilm/io/study_factor.hpp"
+#include "ringfilm/io/study_reading.hpp"
 #include "ringfilm/io/study_table.hpp"
 #include "ringfilm/io/units.hpp"
 #include "ringfilm/study/measured_factors.hpp"
@@ -66,7 +67,6 @@ class StudyReader {
         table.refuse(table.find("case")->mark, fmt::format("{} is a pad", path), "a study is about rings over a cycle");
       }
       for (const cycle::InputFile& file : input.files) record(file);
-      base_paths_.push_back(path);
       study_.bases.push_back(
           {table.text("name").value_or(std::filesystem::path(path).stem().string()), std::move(input)});
     } catch (const InputError& error) {
@@ -76,14 +76,16 @@ class StudyReader {
   }
 
   void read_factors(StudyTable& root) {
-    const FactorSources sources{folder_, base_paths_, study_, units_};
+    const FactorSources sources{study_, units_};
     std::vector<study::Factor> factors;
-    ChoiceFiles files;
     for (const TomlValue& value : root.items("factor")) {
-      if (auto factor = read_factor(value, sources, files, faults_)) factors.push_back(std::move(*factor));
+      if (auto factor = read_factor(value, sources, faults_)) factors.push_back(std::move(*factor));
     }
-    for (const cycle::InputFile& file : files) record(file);
     study_.factors = std::move(factors);
+    if (!faults_.empty()) return;
+    StudyReadings read = study_readings(study_, folder_, units_, faults_);
+    for (const cycle::InputFile& file : read.files) record(file);
+    study_.readings = std::move(read.readings);
   }
 
   void read_measured(StudyTable& root) {
@@ -308,7 +310,6 @@ class StudyReader {
   std::string path_, folder_;
   Units units_;
   study::Study study_;
-  std::vector<std::string> base_paths_;
   std::vector<cycle::InputFile> files_;
   std::set<std::string> recorded_;
   std::vector<Fault> faults_;

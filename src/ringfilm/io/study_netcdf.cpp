@@ -16,9 +16,10 @@ namespace {
 
 using Stored = ResultFileWriter::Stored;
 
-constexpr long kStudySchema = 2;
+constexpr long kStudySchema = 3;
 constexpr const char* kScenario = "scenario";
 constexpr const char* kUnsolved = "unsolved";
+constexpr const char* kTopic = "note_topic";
 constexpr const char* kCrankAngle = "crank_angle";
 constexpr const char* kRing = "ring";
 constexpr std::size_t kRings = 1;
@@ -30,24 +31,27 @@ constexpr std::uint64_t kRowsAtATime = 4096, kCurvesAtATime = 256;
 std::uint64_t padded(std::uint64_t n, std::uint64_t piece) { return n < piece ? n : (n + piece - 1) / piece * piece; }
 
 /// More than the file can become: its numbers not compressed, texts, and what the library needs to find them.
-std::uint64_t most_bytes(const StudyRows& rows) {
+std::uint64_t most_bytes(const StudyRows& rows, const std::vector<StudyRows::ScenarioNotes>& notes) {
   const study::Keep& keep = rows.plan.study().keep;
   const bool is_full = keep.curves == study::Curves::kAll;
   const std::uint64_t n_curves = study::kept_quantities(keep).size(), n_angles = kept_angles(keep).size();
   const std::uint64_t n = padded(rows.plan.size(), kRowsAtATime),
                       n_of_curves = padded(rows.plan.size(), kCurvesAtATime);
-  const std::uint64_t n_columns = cycle::cycle_quantities().size() + rows.plan.study().factors.size() + 3;
+  const std::uint64_t n_columns =
+      cycle::cycle_quantities().size() + rows.plan.study().factors.size() + 3 + notes.size();
   const std::uint64_t columns = n * n_columns * sizeof(double);
   const std::uint64_t curves = is_full ? n_of_curves * n_curves * n_angles * sizeof(float) : 0;
   const std::uint64_t bands =
       n_curves * n_angles * rows.plan.study().bases.size() * band_shares().size() * sizeof(float);
   std::uint64_t reasons = 0;
   for (const ShardReader& shard : rows.shards) reasons += 2 * shard.reason_bytes() + 100 * shard.n_unsolved();
+  std::uint64_t messages = 0;
+  for (const auto& note : notes) messages += 2 * note.message.size() + 1000;
   // Of each compressed piece its place is kept, in blocks of some kB that are half empty at worst.
   constexpr std::uint64_t kPlace = 256, kVariable = 16'384, kHead = 1 << 20;
   const std::uint64_t places =
       (n / kRowsAtATime * n_columns + (is_full ? n_of_curves / kCurvesAtATime * n_curves : 0)) * kPlace;
-  return columns + curves + bands + reasons + places + (n_columns + n_curves) * kVariable + kHead +
+  return columns + curves + bands + reasons + messages + places + (n_columns + n_curves) * kVariable + kHead +
          2 * rows.plan.digest_text().size() + 1000 * rows.file.files.size();
 }
 
@@ -77,8 +81,12 @@ void write_head(ResultFileWriter& file, const StudyRows& rows) {
 /// Writes all that goes over scenarios, a block at a time.
 class BlockWriter {
  public:
-  BlockWriter(ResultFileWriter& file, const StudyRows& rows)
-      : file_(file), rows_(rows), n_(rows.plan.size()), n_angles_(kept_angles(rows.plan.study().keep).size()) {}
+  BlockWriter(ResultFileWriter& file, const StudyRows& rows, const std::vector<StudyRows::ScenarioNotes>& notes)
+      : file_(file),
+        rows_(rows),
+        notes_(notes),
+        n_(rows.plan.size()),
+        n_angles_(kept_angles(rows.plan.study().keep).size()) {}
 
   void define() {
     const study::Study& study = rows_.plan.study();
@@ -105,6 +113,7 @@ class BlockWriter {
       reasons_ =
           file_.blocks({kUnsolved}, {"unsolved_reason", "", "", "why it was not solved", "", ""}, Stored::kText, piece);
     }
+    define_notes();
     if (study.keep.curves == study::Curves::kAll) define_curves();
   }
 
@@ -112,6 +121,7 @@ class BlockWriter {
     for (std::uint64_t first = 0; first < n_; first += kRowsAtATime)
       write_block({first, std::min(first + kRowsAtATime, n_)});
     put_unsolved(waiting_.size());
+    put_note_counts();
     if (curves_.empty()) return;
     for (std::uint64_t first = 0; first < n_; first += kCurvesAtATime)
       write_curves({first, std::min(first + kCurvesAtATime, n_)});
@@ -139,6 +149,50 @@ class BlockWriter {
                     {choices, "", "", fmt::format("choices of {}, counted from 0", factor.name), "", ""}, texts);
       coordinates_.append(" ").append(variable);
     }
+  }
+
+  void define_notes() {
+    if (notes_.empty()) return;
+    std::vector<std::string> topics, messages;
+    for (const auto& note : notes_) {
+      topics.push_back(note.topic);
+      messages.push_back(note.message);
+    }
+    file_.texts(kTopic, {kTopic, "", "", "topic of notes on single results", "", ""}, topics);
+    file_.texts(kTopic, {"note_message", "", "", "the note, with the figures of the first scenario", "", ""}, messages);
+    note_first_ =
+        file_.blocks({kTopic}, {"note_first_scenario", "1", "", "first scenario that carries the note", "", ""},
+                     Stored::kInteger, {notes_.size()});
+    note_count_ = file_.blocks({"base_case", kTopic},
+                               {"note_count", "1", "", "scenarios of the base that carry the note", "", ""},
+                               Stored::kInteger, {rows_.plan.study().bases.size(), notes_.size()});
+    has_note_ = file_.blocks({kScenario, kTopic}, {"has_note", "1", "", "1 where the result carries the note", "", ""},
+                             Stored::kByte, {static_cast<std::size_t>(std::min(n_, kRowsAtATime)), notes_.size()});
+    file_.describe("has_note", "coordinates", coordinates_);
+  }
+
+  void put_note_counts() {
+    if (notes_.empty()) return;
+    const std::size_t n_bases = rows_.plan.study().bases.size();
+    std::vector<double> first, counts;  // [topic], [base][topic]
+    for (const auto& note : notes_) first.push_back(static_cast<double>(note.first));
+    for (std::size_t b = 0; b < n_bases; ++b) {
+      for (const auto& note : notes_) counts.push_back(static_cast<double>(note.counts[b]));
+    }
+    file_.put_block(*note_first_, {0}, {notes_.size()}, first.data());
+    file_.put_block(*note_count_, {0, 0}, {n_bases, notes_.size()}, counts.data());
+  }
+
+  void put_notes(const study::ScenarioRange& block) {
+    if (!has_note_) return;
+    std::vector<double> carries(block.size() * notes_.size());
+    for (const SharedNote& note : rows_.notes_of(block)) {
+      const auto at =
+          std::find_if(notes_.begin(), notes_.end(), [&](const auto& one) { return one.topic == note.topic; });
+      const auto topic = static_cast<std::size_t>(at - notes_.begin());
+      for (const std::uint64_t i : note.scenarios) carries.at((i - block.first) * notes_.size() + topic) = 1;
+    }
+    file_.put_block(*has_note_, {block.first, 0}, {block.size(), notes_.size()}, carries.data());
   }
 
   void define_curves() {
@@ -170,6 +224,7 @@ class BlockWriter {
       numbers[k] = rows_.plan.is_sample(rows_.plan.point_of(block.first + k)) ? 1.0 : 0.0;
     put(sample_, block, numbers);
     for (std::size_t i = 0; i < values_.size(); ++i) put(values_[i], block, rows_.values(i, block));
+    put_notes(block);
     std::move(unsolved.begin(), unsolved.end(), std::back_inserter(waiting_));
     if (waiting_.size() >= kRowsAtATime) put_unsolved(kRowsAtATime);
   }
@@ -204,10 +259,11 @@ class BlockWriter {
 
   ResultFileWriter& file_;
   const StudyRows& rows_;
+  const std::vector<StudyRows::ScenarioNotes>& notes_;
   const std::uint64_t n_;
   const std::size_t n_angles_;
   std::string coordinates_;
-  std::optional<int> base_, solved_, sample_, unsolved_, reasons_;
+  std::optional<int> base_, solved_, sample_, unsolved_, reasons_, note_first_, note_count_, has_note_;
   std::vector<std::optional<int>> factors_, values_, curves_;
   std::vector<ShardReader::Unsolved> waiting_;
   std::uint64_t n_unsolved_ = 0;  ///< written
@@ -241,10 +297,11 @@ void write_bands(ResultFileWriter& file, const StudyRows& rows) {
 void write_study_result(const std::string& path, const StudyRows& rows) {
   const study::Keep& keep = rows.plan.study().keep;
   AsideFile aside(path);
-  ResultFileWriter file(path, aside, most_bytes(rows));
+  const std::vector<StudyRows::ScenarioNotes> notes = rows.scenario_notes();
+  ResultFileWriter file(path, aside, most_bytes(rows, notes));
   write_head(file, rows);
   if (keep.curves != study::Curves::kNone) write_axes(file, keep);
-  BlockWriter blocks(file, rows);
+  BlockWriter blocks(file, rows, notes);
   blocks.define();
   blocks.write();
   if (keep.curves == study::Curves::kQuantiles) write_bands(file, rows);

@@ -8,11 +8,14 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <memory>
+#include <numeric>
 #include <set>
 
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/study_until.hpp"
+#include "ringfilm/study/idle_factors.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -85,9 +88,53 @@ std::vector<ShardReader::Unsolved> StudyRows::unsolved() const {
   return all;
 }
 
+std::uint64_t StudyRows::ScenarioNotes::count() const {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+std::vector<SharedNote> StudyRows::notes_of(const study::ScenarioRange& range) const {
+  std::vector<SharedNote> all;
+  each_part(range, [&all](const ShardReader& shard, const study::ScenarioRange& part, std::uint64_t) {
+    shard.append_notes(part, all);
+  });
+  return all;
+}
+
+std::vector<StudyRows::ScenarioNotes> StudyRows::scenario_notes() const {
+  std::map<std::string, ScenarioNotes> by_topic;
+  for (std::uint64_t first = 0; first < plan.size(); first += kRowsReadAtATime) {
+    for (const SharedNote& note : notes_of({first, std::min(first + kRowsReadAtATime, plan.size())})) {
+      const auto [found, is_first] = by_topic.try_emplace(note.topic);
+      if (is_first) found->second = {note.topic, note.message, note.scenarios.front(), {}};
+      found->second.counts.resize(plan.study().bases.size());
+      for (const std::uint64_t i : note.scenarios) ++found->second.counts.at(plan.base_of(i));
+    }
+  }
+  std::vector<ScenarioNotes> all;
+  for (auto& [topic, notes] : by_topic) all.push_back(std::move(notes));
+  return all;
+}
+
+std::vector<std::string> StudyRows::idle_notes() const {
+  study::IdleFactors idle(plan);
+  const std::size_t n_values = cycle::cycle_quantities().size();
+  for (std::uint64_t first = 0; first < plan.size() && !idle.is_decided(); first += kRowsReadAtATime) {
+    const study::ScenarioRange block{first, std::min(first + kRowsReadAtATime, plan.size())};
+    std::vector<std::vector<double>> columns;
+    for (std::size_t i = 0; i < n_values; ++i) columns.push_back(values(i, block));
+    std::vector<double> row(n_values);
+    for (std::uint64_t k = 0; k < block.size(); ++k) {
+      for (std::size_t i = 0; i < n_values; ++i) row[i] = columns[i][k];
+      idle.add(first + k, row);
+    }
+  }
+  return idle.notes();
+}
+
 std::vector<std::string> StudyRows::notes() const {
   std::vector<std::string> all = plan.notes();
   for (std::string& note : until_notes(*this)) all.push_back(std::move(note));
+  for (std::string& note : idle_notes()) all.push_back(std::move(note));
   const bool is_mixed = std::any_of(shards.begin(), shards.end(), [this](const ShardReader& shard) {
     return shard.header().kernels != shards.front().header().kernels;
   });
@@ -169,6 +216,7 @@ void write_study_csv(const std::string& path, const StudyRows& rows) {
   for (std::size_t j = 0; j < variables.size(); ++j) cell(csv_header(variables[j], study.factors[j].unit));
   for (const auto& quantity : quantities) cell(csv_header(quantity.name, quantity.unit));
   cell("reason");
+  cell("notes");
   write(line.append("\n"));
   std::vector<std::vector<std::string>> texts;
   for (const study::Factor& factor : study.factors) texts.push_back(choice_texts(factor));
@@ -179,6 +227,13 @@ void write_study_csv(const std::string& path, const StudyRows& rows) {
     for (std::size_t i = 0; i < quantities.size(); ++i) values.push_back(rows.values(i, block));
     const auto unsolved = rows.unsolved(block);
     auto next_unsolved = unsolved.begin();
+    std::vector<std::string> topics(block.size());
+    for (const SharedNote& note : rows.notes_of(block)) {
+      for (const std::uint64_t i : note.scenarios) {
+        std::string& of_row = topics[i - first];
+        of_row.append(of_row.empty() ? "" : "; ").append(note.topic);
+      }
+    }
     for (std::uint64_t k = 0; k < block.size(); ++k) {
       const std::uint64_t i = first + k;
       line = fmt::format("{},{}", i, csv_text(study.bases[rows.plan.base_of(i)].name));
@@ -190,6 +245,7 @@ void write_study_csv(const std::string& path, const StudyRows& rows) {
       for (const auto& column : values) cell(csv_number(column[k]));
       const bool is_unsolved = next_unsolved != unsolved.end() && next_unsolved->scenario == i;
       cell(is_unsolved ? csv_text((next_unsolved++)->reason) : "");
+      cell(topics[k].empty() ? "" : csv_text(topics[k]));
       write(line.append("\n"));
     }
   }

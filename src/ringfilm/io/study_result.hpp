@@ -29,10 +29,24 @@ struct StudyRows {
   std::vector<ShardReader::Unsolved> unsolved(const study::ScenarioRange& range) const;  ///< of a range
   std::uint64_t n_unsolved() const;                                                      ///< how many
 
+  /// The notes on single results, topic by topic in the order of the alphabet. Nothing of a scenario that was not
+  /// solved.
+  struct ScenarioNotes {
+    std::string topic;                  ///< of cycle::Note
+    std::string message;                ///< that of the first scenario that carries it
+    std::uint64_t first = 0;            ///< that scenario
+    std::vector<std::uint64_t> counts;  ///< scenarios that carry it, of each base
+    std::uint64_t count() const;        ///< of all bases
+  };
+  std::vector<ScenarioNotes> scenario_notes() const;
+  std::vector<SharedNote> notes_of(const study::ScenarioRange& range) const;  ///< a topic may come several times
+
   /// What must be known about the plan and how it ended, one sentence each.
   std::vector<std::string> notes() const;
 
  private:
+  std::vector<std::string> idle_notes() const;
+
   /// Calls for each shard that has some of the scenarios: the shard, which of them, and how many come before.
   template <class Read>
   void each_part(const study::ScenarioRange& range, const Read& read) const;

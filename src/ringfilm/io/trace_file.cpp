@@ -59,7 +59,6 @@ class TraceReader {
       if (faults_.empty()) check_angles(trace.samples.crank_angle_deg, *i_angle);
       if (faults_.empty()) check_pressures(trace.samples.value, *i_pressure);
       if (faults_.empty()) check_repetition(trace.samples, *i_pressure);
-      if (faults_.empty()) check_peak(trace.samples);
     }
     if (!faults_.empty()) throw InputError(faults_);
     trace.sha256 = csv_.source.sha256;
@@ -163,19 +162,22 @@ class TraceReader {
     }
   }
 
-  /// A wide step in a trace that is fine elsewhere: rows were lost.
   void check_holes(const std::vector<double>& angle, std::size_t i_column) {
-    std::vector<double> step;
-    for (std::size_t k = 1; k < angle.size(); ++k) step.push_back(angle[k] - angle[k - 1]);
-    const auto median = step.begin() + static_cast<std::ptrdiff_t>(step.size() / 2);
-    std::nth_element(step.begin(), median, step.end());
-    if (*median > kLargestStepDeg) return;
+    std::size_t n_holes = 0, first = 0;
     for (std::size_t k = 1; k < angle.size(); ++k) {
       if (angle[k] - angle[k - 1] <= kLargestStepDeg * (1 + 1e-9)) continue;
-      faults_.push_back({csv_.cell_mark(k, i_column),
-                         fmt::format("no samples between {:.8g} and {:.8g} degree", angle[k - 1], angle[k]),
-                         "samples may be 10 degree apart at the most; fill the hole"});
+      if (n_holes++ == 0) first = k;
     }
+    if (n_holes == 0) return;
+    const std::string others =
+        n_holes == 1 ? "" : fmt::format(", nor in {} more steps over {} degree", n_holes - 1, kLargestStepDeg);
+    faults_.push_back(
+        {csv_.cell_mark(first, i_column),
+         fmt::format("no samples between {:.8g} and {:.8g} degree{}", angle[first - 1], angle[first], others),
+         fmt::format(
+             "samples may be {} degree apart at the most, since the pressure between them is interpolated; give "
+             "more of them",
+             kLargestStepDeg)});
   }
 
   double atmosphere() const { return stated_.reference == cycle::PressureReference::kGauge ? base::kAtmosphere : 0; }
@@ -195,17 +197,6 @@ class TraceReader {
     } else {
       notes_.push_back(csv_.source.path + ": " + message);
     }
-  }
-
-  void check_peak(const cycle::SampledTrace& samples) {
-    if (stated_.place == TracePlace::kCrankcase) return;
-    const auto peak = std::max_element(samples.value.begin(), samples.value.end()) - samples.value.begin();
-    const double to_firing = stated_.angle_zero == cycle::AngleZero::kGasExchangeTdc ? cycle::kCycleDeg / 2 : 0;
-    const double angle = cycle::wrapped(samples.crank_angle_deg[static_cast<std::size_t>(peak)] + to_firing);
-    if (std::abs(angle - cycle::kCycleDeg / 2) >= cycle::kCycleDeg / 4) return;
-    notes_.push_back(
-        fmt::format("{}: peak pressure lies at {:.6g} degree, near gas-exchange TDC; is gas.angle_zero right?",
-                    csv_.source.path, angle));
   }
 
   void check_pressures(const std::vector<double>& p, std::size_t i_column) {

@@ -17,7 +17,6 @@ struct TraceColumns {
   std::optional<std::string> pressure_column, angle_column;
   std::optional<std::string> pressure_unit, angle_unit;  ///< for a header without units
   cycle::PressureReference reference{};
-  cycle::AngleZero angle_zero{};
   TracePlace place = TracePlace::kCylinder;
 };
 

@@ -191,13 +191,14 @@ CyclePressure wiebe_pressure(const WiebeCycle& cycle) {
   const auto combustion = fitted_combustion(cycle, charge, closing);
   auto [angle, pressure] = closed_part(cycle, charge, combustion, closing, opening);
 
-  const auto highest = static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) - pressure.begin());
-  if (pressure[highest] > cycle.peak_pressure * (1 + 1e-6)) {
+  CyclePressure whole = closed_cycle(std::move(angle), std::move(pressure), exchange);
+  if (whole.peak() > cycle.peak_pressure * (1 + 1e-6)) {
     throw unreachable(cycle,
-                      "the pressure is higher, " + in_bar(pressure[highest]) + ", at " + in_degrees(angle[highest]),
-                      "ask for a higher peak, or change gas.compression_ratio or gas.burn_duration");
+                      "the pressure is higher, " + in_bar(whole.peak()) + ", at " + in_degrees(whole.peak_angle_deg()),
+                      "ask for a higher peak, or change gas.compression_ratio, gas.burn_duration or "
+                      "gas.exhaust_pressure");
   }
-  return closed_cycle(std::move(angle), std::move(pressure), exchange);
+  return whole;
 }
 
 }  // namespace ringfilm::models

@@ -140,6 +140,18 @@ ordered_json unsolved_object(const io::StudyRows& rows) {
   return {{"count", reasons.count()}, {"n_reasons", ordered.size()}, {"reasons", std::move(told)}};
 }
 
+ordered_json scenario_notes_object(const io::StudyRows& rows) {
+  ordered_json told = ordered_json::array();
+  for (const auto& note : rows.scenario_notes()) {
+    told.push_back({{"topic", note.topic},
+                    {"message", note.message},
+                    {"first", note.first},
+                    {"count", note.count()},
+                    {"counts", note.counts}});
+  }
+  return told;
+}
+
 }  // namespace
 
 ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const io::Provenance& provenance) {
@@ -173,6 +185,7 @@ ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const
           {"has_indices", study.sampling.indices != study::Indices::kNone},
           {"unsolved", unsolved_object(rows)},
           {"notes", rows.notes()},
+          {"scenario_notes", scenario_notes_object(rows)},
           {"bases", std::move(bases)},
           {"factors", std::move(factors)},
           {"correlations", std::move(correlations)},

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -27,9 +26,8 @@ struct Target {
 
 /// One of the values of a key that is no number.
 struct Choice {
-  std::string text;  ///< as one would write it in TOML, without quotes
-  /// Puts what `text` names into a case; needed where it names a file, which the study itself does not read.
-  std::function<void(cycle::Case&)> put;
+  std::string text;      ///< as one would write it in TOML, without quotes
+  SourceMark mark = {};  ///< where it is written in the study's file
 };
 
 enum class Spacing { kLinear, kLogarithmic };

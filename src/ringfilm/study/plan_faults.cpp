@@ -97,6 +97,11 @@ class FactorCheck {
     } else {
       check_choices(*field);
     }
+    if (cycle::is_for_record(*field)) {
+      refuse("varies " + target.key + ", which does not enter the computation: all its scenarios would be alike",
+             "remove this factor; the names of bases and factors label the scenarios");
+      return;
+    }
     check_in_use(target, *field);
   }
 
@@ -153,16 +158,24 @@ class FactorCheck {
       return;
     }
     const auto* names = std::get_if<cycle::ChoiceKind>(&field.kind);
+    if (decides_reading(field) && !is_read()) {
+      refuse("varies " + field.key + ", which decides what is read from a file, and no file was read for it",
+             "read the study from its own file, or fill Study::readings");
+    }
     for (const Choice& choice : std::get<Choices>(factor_.variation).values) {
-      if (choice.put) continue;
-      if (is_file(field)) {
-        refuse("names the file " + choice.text + ", which was not read", "");
-      } else if (names && std::find(names->names.begin(), names->names.end(), choice.text) == names->names.end()) {
+      if (names && std::find(names->names.begin(), names->names.end(), choice.text) == names->names.end()) {
         std::string all;
         for (const std::string& name : names->names) all.append(all.empty() ? "" : ", ").append(name);
         refuse("has \"" + choice.text + "\", which " + field.key + " does not know", "choose among " + all);
       }
     }
+  }
+
+  bool is_read() const {
+    const auto own = static_cast<std::size_t>(&factor_ - study_.factors.data());
+    return std::any_of(study_.readings.begin(), study_.readings.end(), [own](const FileReading& reading) {
+      return std::find(reading.factors.begin(), reading.factors.end(), own) != reading.factors.end();
+    });
   }
 
   void check_in_use(const Target& target, const cycle::Field& field) {

@@ -109,28 +109,30 @@ class NumberWriter {
 };
 
 void choose(Case& c, const Field& field, const Choice& choice) {
-  if (choice.put) {
-    choice.put(c);
-  } else if (const auto* names = std::get_if<ChoiceKind>(&field.kind)) {
-    const auto found = std::find(names->names.begin(), names->names.end(), choice.text);
-    if (found == names->names.end()) throw std::logic_error("a choice that the key does not have: " + choice.text);
-    names->choose(c, static_cast<int>(found - names->names.begin()));
-  } else if (const auto* text = std::get_if<TextKind>(&field.kind)) {
-    text->ref(c) = choice.text;
-  } else if (const auto* optional_text = std::get_if<OptionalTextKind>(&field.kind)) {
-    optional_text->ref(c) = choice.text;
-  } else {
-    throw std::logic_error("a file that nobody has read: " + choice.text);
+  const auto* names = std::get_if<ChoiceKind>(&field.kind);
+  if (names == nullptr) throw std::logic_error("a text that no model computes with: " + choice.text);
+  const auto found = std::find(names->names.begin(), names->names.end(), choice.text);
+  if (found == names->names.end()) throw std::logic_error("a choice that the key does not have: " + choice.text);
+  names->choose(c, static_cast<int>(found - names->names.begin()));
+}
+
+/// Puts in what was read from files with the choices of the point.
+void put_readings(const Study& study, const Point& point, Case& c) {
+  for (const FileReading& reading : study.readings) {
+    std::vector<std::optional<std::size_t>> choices;
+    for (const std::size_t j : reading.factors) {
+      const std::optional<double> value = applies(study.factors.at(j), point.base) ? point.values.at(j) : std::nullopt;
+      choices.push_back(value ? std::optional(static_cast<std::size_t>(*value)) : std::nullopt);
+    }
+    const bool is_chosen = std::any_of(choices.begin(), choices.end(), [](const auto& one) { return one.has_value(); });
+    if (is_chosen) reading.put(c, point.base, choices);
   }
 }
 
-/// When it is a factor's turn: what a file brings must not undo what is chosen beside it, no choice a number, and no
-/// number that is set one that is added.
+/// When it is the turn of a factor: no choice must undo a number, and no number that is set one that is
+/// added.
 int turn(const Factor& factor) {
-  if (std::holds_alternative<Choices>(factor.variation)) {
-    const Field* field = factor.targets.empty() ? nullptr : find_field(factor.targets.front().key);
-    return field != nullptr && is_file(*field) ? 0 : 1;
-  }
+  if (std::holds_alternative<Choices>(factor.variation)) return 1;
   return factor.how == How::kSet ? 2 : factor.how == How::kScale ? 3 : 4;
 }
 
@@ -183,6 +185,10 @@ bool is_file(const Field& field) {
          field.key == "lubricant.file";
 }
 
+bool decides_reading(const Field& field) {
+  return entry_of(field) == Entry::kText && !std::holds_alternative<ChoiceKind>(field.kind) && !is_for_record(field);
+}
+
 bool is_inside(double value, const Range& range) {
   return (range.low_open ? value > range.low : value >= range.low) &&
          (range.high_open ? value < range.high : value <= range.high);
@@ -202,7 +208,9 @@ std::string range_words(const Field& field) {
 Case scenario_case(const Study& study, const Point& point) {
   Case c = study.bases.at(point.base).input;
   std::vector<Fault> faults;
-  for (int now = 0; now <= 4; ++now) {
+  // What a file brings must not undo what is chosen beside it.
+  put_readings(study, point, c);
+  for (int now = 1; now <= 4; ++now) {
     for (std::size_t j = 0; j < study.factors.size(); ++j) {
       const Factor& factor = study.factors[j];
       if (turn(factor) != now || !point.values.at(j)) continue;
@@ -210,6 +218,7 @@ Case scenario_case(const Study& study, const Point& point) {
         if (target.base && *target.base != point.base) continue;
         const Field* field = find_field(target.key);
         if (field == nullptr) throw std::logic_error("a key that does not exist: " + target.key);
+        if (decides_reading(*field)) continue;
         if (const auto* choices = std::get_if<Choices>(&factor.variation)) {
           choose(c, *field, choices->values.at(static_cast<std::size_t>(*point.values[j])));
         } else {

@@ -12,8 +12,12 @@ namespace ringfilm::study {
 enum class Entry { kNone, kAnyNumber, kWholeNumber, kScaleOnly, kText };
 Entry entry_of(const cycle::Field& field);
 
-/// Does the key name a file, whose content must come with the choice?
+/// Does the key name a file?
 bool is_file(const cycle::Field& field);
+
+/// Does its text decide what is read from a file: the file itself, a column of it, a unit? What was read must then come
+/// with the choice, in Study::readings.
+bool decides_reading(const cycle::Field& field);
 
 /// The base of a point with the numbers of its factors put in, choices first, then numbers set, scaled and added to.
 /// Throws InputError with all that is wrong: a number out of the range of its key, a base without a number to scale or

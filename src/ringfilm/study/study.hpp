@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,15 @@ enum class StudyKind { kMap, kUncertainty, kCompare, kScreening };
 struct Base {
   std::string name;
   cycle::Case input;
+};
+
+/// Factors whose texts decide what is read from files: the file itself, its columns, their units. They act together,
+/// since a column is one of the file's: a scenario takes what was read with the texts of all of them.
+struct FileReading {
+  std::vector<std::size_t> factors;  ///< of Study::factors
+  /// Puts into a scenario of a base what the files gave with a choice of each of `factors`; nothing where the scenario
+  /// leaves the base's own. Throws InputError where they cannot be read so.
+  std::function<void(cycle::Case&, std::size_t base, const std::vector<std::optional<std::size_t>>& choices)> put;
 };
 
 /// Correlation of the normal scores of two factors, that is of normal factors themselves; eq-copula.
@@ -66,6 +76,7 @@ struct Study {
   std::uint64_t seed = 1;
   std::vector<Base> bases;
   std::vector<Factor> factors;
+  std::vector<FileReading> readings;  ///< of all factors that decide what is read from files
   std::vector<Correlation> correlations;
   Sampling sampling;
   Keep keep;

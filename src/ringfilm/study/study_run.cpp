@@ -23,6 +23,10 @@ ScenarioRow row_of(const cycle::CycleResult& result, const Keep& keep) {
   ScenarioRow row;
   for (const auto& quantity : cycle::cycle_quantities()) row.values.push_back(result.values.*quantity.value);
   row.curves = kept_numbers(keep, result.samples);
+  for (const cycle::Note& note : result.notes) {
+    const auto is_known = [&](const cycle::Note& one) { return one.topic == note.topic; };
+    if (std::none_of(row.notes.begin(), row.notes.end(), is_known)) row.notes.push_back(note);
+  }
   return row;
 }
 

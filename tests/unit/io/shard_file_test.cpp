@@ -72,6 +72,36 @@ TEST(ShardFile, GivesBackWhatWasAppended) {
   EXPECT_EQ(unsolved.front().reason, "no film at 20 degree of the cycle");
 }
 
+TEST(ShardFile, GivesBackTheNotesOfItsRows) {
+  const ScratchFolder folder;
+  const std::string path = folder / "rows";
+  {
+    ShardWriter writer(path, header());
+    study::ScenarioChunk five = chunk(10, 5), last = chunk(15, 1);
+    five.rows[0].notes = {{"film-thin", "at 1 degree", 3}, {"shear-rate-high", "1e7 1/s\nof the cycle", 1}};
+    five.rows[4].notes = {{"shear-rate-high", "2e7 1/s", 1}};
+    last.rows[0].notes = {{"shear-rate-high", "3e7 1/s", 1}};
+    writer.append(five);
+    writer.append(last);
+  }
+  const ShardReader shard(path);
+  EXPECT_TRUE(shard.is_complete());
+  EXPECT_EQ(shard.n_unsolved(), 1u) << "notes are not reasons";
+  std::vector<SharedNote> notes;
+  shard.append_notes({10, 16}, notes);
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_EQ(notes[0].topic, "film-thin");
+  EXPECT_EQ(notes[0].scenarios, (std::vector<std::uint64_t>{10}));
+  EXPECT_EQ(notes[1].message, "1e7 1/s of the cycle");
+  EXPECT_EQ(notes[1].scenarios, (std::vector<std::uint64_t>{10, 14}));
+  EXPECT_EQ(notes[2].message, "3e7 1/s");
+  EXPECT_EQ(notes[2].scenarios, (std::vector<std::uint64_t>{15}));
+  notes.clear();
+  shard.append_notes({11, 15}, notes);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].scenarios, (std::vector<std::uint64_t>{14}));
+}
+
 TEST(ShardFile, GoesOnWhereverItWasCutOff) {
   const ScratchFolder folder;
   const std::string all = bytes_of_shard(whole(folder, "rows"));

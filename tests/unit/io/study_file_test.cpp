@@ -130,6 +130,65 @@ TEST(StudyFile, AFileThatIsChosenUndoesNoOtherFactor) {
   }
 }
 
+/// The highest pressure of the trace in each scenario [bar].
+std::vector<double> peaks_of_scenarios(const StudyFolder& folder, const std::string& factors) {
+  const study::Plan plan(folder.read(factors, "[plan]\nmethod = \"grid\"\n").study);
+  std::vector<double> peaks;
+  for (std::uint64_t i = 0; i < plan.size(); ++i) {
+    const cycle::Case c = study::scenario_case(plan.study(), plan.point(i));
+    const auto& p = c.gas.cylinder_pressure->value;
+    peaks.push_back(std::round(*std::max_element(p.begin(), p.end()) / 1e5));
+  }
+  return peaks;
+}
+
+/// A cycle of 720 degree with a column for each peak.
+std::string trace_of_columns(const std::vector<std::pair<std::string, double>>& columns) {
+  std::string text = "crank_angle [degree]";
+  for (const auto& [header, peak] : columns) text += "," + header;
+  for (int angle = 0; angle < 720; angle += 5) {
+    text += "\n" + std::to_string(angle);
+    for (const auto& [header, peak] : columns) text += "," + std::to_string(angle == 15 ? peak : 1.0);
+  }
+  return text + "\n";
+}
+
+TEST(StudyFile, AColumnThatIsChosenIsReadFromTheTrace) {
+  CaseText text;
+  text.gas += "pressure_column = \"low\"\n";
+  const StudyFolder folder(text);
+  folder.folder().write("p.csv", trace_of_columns({{"low [bar]", 20}, {"high [bar]", 80}}));
+  folder.folder().write("q.csv", trace_of_columns({{"high [bar]", 90}, {"low [bar]", 30}, {"only_here [bar]", 40}}));
+  const auto column = [](const std::string& values) {
+    return "[[factor]]\nkey = \"gas.pressure_column\"\nvalues = [" + values + "]\n";
+  };
+  EXPECT_THAT(peaks_of_scenarios(folder, column("\"low\", \"high\"")), ::testing::ElementsAre(20, 80));
+  const std::string file = "[[factor]]\nkey = \"gas.cylinder_pressure\"\nvalues = [\"p.csv\", \"q.csv\"]\n";
+  for (const bool file_first : {false, true}) {
+    const std::string columns = column("\"low\", \"high\"");
+    EXPECT_THAT(peaks_of_scenarios(folder, file_first ? file + columns : columns + file),
+                ::testing::UnorderedElementsAre(20, 80, 30, 90))
+        << "a column is that of the file beside which it is chosen";
+  }
+  EXPECT_THAT(folder.refusal(column("\"low\", \"nonsense\"")),
+              ::testing::AllOf(HasSubstr("the file has no column nonsense (gas.pressure_column)"), HasSubstr("p.csv")));
+  // In one of the two files only: the study runs, and the scenarios of the other have their reason.
+  const study::Plan plan(folder.read(file + column("\"only_here\""), "[plan]\nmethod = \"grid\"\n").study);
+  EXPECT_THROW(study::scenario_case(plan.study(), plan.point(0)), InputError);
+  EXPECT_NO_THROW(study::scenario_case(plan.study(), plan.point(1)));
+}
+
+TEST(StudyFile, AUnitThatIsChosenScalesTheTrace) {
+  CaseText text;
+  text.gas += "pressure_unit = \"bar\"\n";
+  const StudyFolder folder(text);
+  folder.folder().write("p.csv", trace_of_columns({{"pressure", 20}}));
+  EXPECT_THAT(peaks_of_scenarios(folder, "[[factor]]\nkey = \"gas.pressure_unit\"\nvalues = [\"bar\", \"atm\"]\n"),
+              ::testing::ElementsAre(20, std::round(20 * 1.01325)));
+  EXPECT_THAT(folder.refusal("[[factor]]\nkey = \"gas.pressure_unit\"\nvalues = [\"bar\", \"N\"]\n"),
+              HasSubstr("the column pressure"));
+}
+
 TEST(StudyFile, TakesAListWithItsUnitsInAnyOrder) {
   const StudyFolder folder;
   folder.folder().write("plan.csv", "roughness [um],speed [rpm]\n0.5,60\n0.25,120\n");

@@ -36,6 +36,8 @@ class StudyResult : public ::testing::Test {
       const double none = std::numeric_limits<double>::quiet_NaN();
       for (const double value : {0.0, 1.0, none, 3.0})
         chunk.rows.push_back({std::vector<double>(n_values, value), std::isnan(value) ? "no \"film\", none" : ""});
+      chunk.rows[1].notes = {{"shear-rate-high", "up to 1e7 1/s", 5}};
+      chunk.rows[3].notes = {{"film-thin", "of 1 nm", 1}, {"shear-rate-high", "up to 2e7 1/s", 2}};
       writer.append(chunk);
     }
     std::vector<ShardReader> shards;
@@ -89,6 +91,44 @@ TEST_F(StudyResult, FileOnTheDiskEndsWithItsDigest) {
   std::ifstream stream(folder_ / "study.nc", std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   EXPECT_EQ(content_before_trailer("study.nc", bytes).size(), bytes.size() - kDigestTrailerSize);
+}
+
+TEST_F(StudyResult, NetCdfHasTheNotesOfEveryResult) {
+  int file = 0, variable = 0;
+  ASSERT_EQ(nc_open((folder_ / "study.nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
+  const auto texts = [&](const char* name) {
+    EXPECT_EQ(nc_inq_varid(file, name, &variable), NC_NOERR) << name;
+    char* both[2] = {};
+    nc_get_var_string(file, variable, both);
+    std::vector<std::string> found = {both[0], both[1]};
+    nc_free_string(2, both);
+    return found;
+  };
+  EXPECT_EQ(texts("note_topic"), (std::vector<std::string>{"film-thin", "shear-rate-high"}));
+  EXPECT_EQ(texts("note_message"), (std::vector<std::string>{"of 1 nm", "up to 1e7 1/s"}));
+  int numbers[2] = {};
+  ASSERT_EQ(nc_inq_varid(file, "note_first_scenario", &variable), NC_NOERR);
+  nc_get_var_int(file, variable, numbers);
+  EXPECT_EQ(std::vector<int>(numbers, numbers + 2), (std::vector<int>{3, 1}));
+  ASSERT_EQ(nc_inq_varid(file, "note_count", &variable), NC_NOERR);
+  nc_get_var_int(file, variable, numbers);
+  EXPECT_EQ(std::vector<int>(numbers, numbers + 2), (std::vector<int>{1, 2}));
+  ASSERT_EQ(nc_inq_varid(file, "has_note", &variable), NC_NOERR);
+  signed char carries[8] = {};
+  nc_get_var_schar(file, variable, carries);
+  EXPECT_EQ(std::vector<int>(carries, carries + 8), (std::vector<int>{0, 0, 0, 1, 0, 0, 1, 1}));
+  nc_close(file);
+}
+
+TEST_F(StudyResult, CsvHasTheTopicsOfNotes) {
+  std::ifstream csv(folder_ / "study.csv");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(csv, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_TRUE(lines[0].ends_with(",reason,notes"));
+  EXPECT_TRUE(lines[1].ends_with(",,"));
+  EXPECT_TRUE(lines[2].ends_with(",,\"shear-rate-high\""));
+  EXPECT_TRUE(lines[4].ends_with(",,\"film-thin; shear-rate-high\""));
 }
 
 TEST_F(StudyResult, CsvHasTheWordsOfChoicesAndReasons) {

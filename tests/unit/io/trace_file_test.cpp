@@ -33,14 +33,17 @@ class Trace : public ::testing::Test {
 };
 
 TEST_F(Trace, IsReadInAnyUnitOfItsHeader) {
-  const auto samples = read("angle [rad],p [bar]\n0,1\n3.14159265358979312,62\n").samples;
-  EXPECT_DOUBLE_EQ(samples.crank_angle_deg.at(1), 180);
+  const auto samples = read("angle [rad],p [bar]\n0,1\n0.157079632679489656,62\n").samples;
+  EXPECT_DOUBLE_EQ(samples.crank_angle_deg.at(1), 9);
   EXPECT_THAT(samples.value, ElementsAre(1e5, 62e5));
 }
 
 TEST_F(Trace, MayRunOverAnyCycle) {
-  const auto samples = read("crank_angle [degree],p [Pa]\n-180,1e5\n0,5e6\n540,1e5\n").samples;
-  EXPECT_THAT(samples.crank_angle_deg, ElementsAre(-180, 0, 540));
+  std::string text = "crank_angle [degree],p [Pa]\n";
+  for (int angle = -180; angle <= 540; angle += 10) text += std::to_string(angle) + ",1e5\n";
+  const auto samples = read(text).samples;
+  EXPECT_EQ(samples.crank_angle_deg.size(), 73u);
+  EXPECT_EQ(samples.crank_angle_deg.front(), -180);
 }
 
 TEST_F(Trace, IsTheSameInEveryDressOfItsText) {
@@ -177,10 +180,12 @@ TEST_F(Trace, CrankcaseMayBeNearTheAtmosphere) {
 }
 
 TEST_F(Trace, RepeatsAfterACycleOrIsTold) {
-  const std::string head = "crank_angle [degree],p [bar]\n0,20\n360,10\n720,";
+  std::string head = "crank_angle [degree],p [bar]\n0,20\n";
+  for (int angle = 10; angle < 720; angle += 10) head += std::to_string(angle) + ",10\n";
+  head += "720,";
   EXPECT_THAT(read(head + "20.01\n").notes, ::testing::IsEmpty());
   EXPECT_THAT(read(head + "20.5\n").notes, ElementsAre(HasSubstr("20.5 bar one cycle later, at 720 degree")));
-  EXPECT_THAT(told(head + "90\n"), HasSubstr("p.csv:4:5: the pressure is 20 bar at 0 degree and 90 bar one cycle"));
+  EXPECT_THAT(told(head + "90\n"), HasSubstr("p.csv:74:5: the pressure is 20 bar at 0 degree and 90 bar one cycle"));
 }
 
 TEST_F(Trace, HoleInsideIsToldAsTheHole) {
@@ -191,13 +196,22 @@ TEST_F(Trace, HoleInsideIsToldAsTheHole) {
   EXPECT_THAT(told(text), HasSubstr("no samples between 400 and 411 degree"));
 }
 
-TEST_F(Trace, PeakNearGasExchangeIsNoted) {
-  const std::string text = "crank_angle [degree],p [bar]\n0,1\n20,60\n400,1\n";
-  TraceColumns stated;
-  EXPECT_THAT(read(text, stated).notes, ::testing::IsEmpty());
-  stated.angle_zero = cycle::AngleZero::kGasExchangeTdc;
-  EXPECT_THAT(read(text, stated).notes,
-              ElementsAre(HasSubstr("peak pressure lies at 380 degree, near gas-exchange TDC")));
+// However coarse the trace is elsewhere: the manual promises 10 degree to every trace.
+TEST_F(Trace, SamplesAreNowhereMoreThanTenDegreesApart) {
+  const std::string head = "crank_angle [degree],p [bar]\n";
+  EXPECT_THAT(told(head + "0,62\n180,2\n360,1\n540,1\n"),
+              ::testing::AllOf(HasSubstr("p.csv:3:1: no samples between 0 and 180 degree, nor in 2 more steps"),
+                               HasSubstr("10 degree apart at the most")));
+  const auto every = [&](int step) {
+    std::string text = head;
+    for (int angle = 0; angle < 720; angle += step) text += std::to_string(angle) + ",1\n";
+    return text;
+  };
+  EXPECT_EQ(told(every(10)), "");
+  EXPECT_THAT(told(every(12)), HasSubstr("no samples between 0 and 12 degree"));
+  TraceColumns crankcase;
+  crankcase.place = TracePlace::kCrankcase;
+  EXPECT_THAT(told(every(12), crankcase), HasSubstr("no samples between 0 and 12 degree"));
 }
 
 TEST(PartialTrace, OfOneRevolutionIsRefusedWithTheCycleThatIsExpected) {
@@ -223,6 +237,20 @@ TEST(PartialTrace, WantsThePressuresThatJoinIt) {
               HasSubstr("gas.intake_pressure is not used in this case"));
 }
 
+TEST(WholeTrace, EndsTenDegreesBeforeItBeginsAgainAtTheMost) {
+  const CaseFolder folder;
+  const auto write_until = [&](int last) {
+    std::string text = "crank_angle [degree],p [bar]\n";
+    for (int angle = 0; angle <= last; angle += 5) text += std::to_string(angle) + (angle < 90 ? ",9\n" : ",1\n");
+    folder.write("p.csv", text);
+  };
+  write_until(710);
+  EXPECT_EQ(folder.faults(), "");
+  write_until(705);
+  EXPECT_THAT(folder.faults(), HasSubstr("the trace has no samples between 705 and 720 degree"));
+  EXPECT_THAT(folder.faults(), ::testing::Not(HasSubstr("gas.intake_pressure is not stated")));
+}
+
 TEST(CrankcaseTrace, SharesReferenceAndZeroWithTheCylinder) {
   CaseText text;
   text.gas += "crankcase_pressure = \"crankcase.csv\"\n";
@@ -233,7 +261,7 @@ TEST(CrankcaseTrace, SharesReferenceAndZeroWithTheCylinder) {
   for (int angle = 0; angle < 720; angle += 10) trace += std::to_string(angle) + ",1.1\n";
   folder.write("crankcase.csv", trace);
   ASSERT_TRUE(folder.read().gas.crankcase_trace.has_value());
-  folder.write("crankcase.csv", "crank_angle [degree],p [bar]\n0,1\n100,1.1\n");
+  folder.write("crankcase.csv", "crank_angle [degree],p [bar]\n0,1\n10,1.1\n");
   EXPECT_THAT(folder.faults(), HasSubstr("the crankcase trace covers only a part of the cycle"));
 }
 

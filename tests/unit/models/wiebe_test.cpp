@@ -146,6 +146,13 @@ TEST(WiebePressure, RefusesWhatCannotBeAndSaysWhy) {
   EXPECT_TRUE(contains(refusal([](auto& c) { c.peak_angle_deg = 140; }), "gas.exhaust_valve_opening = 130 degree"));
   EXPECT_TRUE(contains(refusal([](auto& c) { c.exhaust_valve_opening_deg = 320; }), "no room"));
   EXPECT_TRUE(contains(refusal([](auto& c) { c.intake_valve_closing_deg = 370; }), "no room"));
+  EXPECT_TRUE(contains(refusal([](auto& c) { c.exhaust_pressure = 65e5; }), "the pressure is higher, 65 bar, at"));
+  EXPECT_TRUE(contains(refusal([](auto& c) {
+                         c.compression_ratio = 1.1;
+                         c.peak_pressure = 1.1e5;
+                         c.exhaust_pressure = 2.34e5;
+                       }),
+                       "the pressure is higher, 2.34 bar, at"));
   EXPECT_TRUE(contains(refusal([](auto& c) { c.compression_ratio = 1; }), "gas.compression_ratio"));
   EXPECT_TRUE(contains(refusal([](auto& c) { c.burn_duration_deg = 0; }), "gas.burn_duration"));
   EXPECT_TRUE(contains(refusal([](auto& c) { c.intake_pressure = -1; }), "gas.intake_pressure"));

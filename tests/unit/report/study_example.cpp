@@ -75,6 +75,7 @@ std::string study_page(const std::string& lines, const MadeUp& made_up,
       row.reason = "no film balances the load";
       row.curves = study::no_kept_numbers(keep);
     } else {
+      if (i % 3 == 0) row.notes = {{"shear-rate-high", "shear rate U/h up to 2e+07 1/s", 5}};
       for (std::size_t q = 0; q < kept.size(); ++q) {
         for (const double angle : angles)
           row.curves.push_back(static_cast<float>(film * (1.5 - std::cos(angle * M_PI / 180)) * (q == 0 ? 1 : 1e8)));

@@ -54,6 +54,11 @@ TEST(PlanFaults, OfKeys) {
   EXPECT_THAT(told(unused), HasSubstr("not in use in base \"new\" | it is with lubricant.compressibility"));
   unused.factors.push_back(factor("lubricant.compressibility", Choices{{{"dowson-higginson", {}}, {"none", {}}}}));
   EXPECT_THAT(told(unused), IsEmpty()) << "a choice may bring it into use";
+  for (const char* key : {"title", "lubricant.name", "contact.measured.filter", "ring.face.measured.trace"})
+    EXPECT_THAT(told(with(Choices{{{"a", {}}, {"b", {}}}}, key)), HasSubstr("does not enter the computation")) << key;
+  EXPECT_THAT(told(with(Choices{{{"measured", {}}}}, "gas.trace_origin")), HasSubstr("does not enter the computation"));
+  EXPECT_THAT(told(with(uniform(1, 2), "ring.face.measured.residual_rms")),
+              HasSubstr("does not enter the computation"));
   EXPECT_THAT(told(with(uniform(1e-3, 2e-3), "pad.length")), HasSubstr("which base \"new\" does not have"));
   Study none = with(uniform(100, 300));
   none.factors[0].targets.clear();
@@ -90,7 +95,7 @@ TEST(PlanFaults, OfValues) {
   EXPECT_THAT(told(with(Choices{{{"mass-conserving", {}}, {"perfect", {}}}}, "film.cavitation")),
               HasSubstr("has \"perfect\", which film.cavitation does not know | choose among reynolds-exit"));
   EXPECT_THAT(told(with(Choices{{{"a", {}}}})), HasSubstr("has texts for operating.speed, which is a number"));
-  EXPECT_THAT(told(with(Choices{{{"oil.toml", {}}}}, "lubricant.file")), HasSubstr("which was not read"));
+  EXPECT_THAT(told(with(Choices{{{"oil.toml", {}}}}, "lubricant.file")), HasSubstr("no file was read for it"));
   EXPECT_THAT(told(with(Choices{{{"none", {}}, {"none", {}}}}, "lubricant.compressibility")),
               HasSubstr("\"none\" twice"));
 }

@@ -77,13 +77,13 @@ TEST(Scenario, ANumberTakesThePlaceOfAListWhereTheKeyAllowsBoth) {
 }
 
 TEST(Scenario, ChoicesComeFirstWhateverTheirPlace) {
-  const Choice thin{"thin.toml", [](cycle::Case& c) {
-                      for (auto& point : c.lubricant.kinematic_viscosity)
-                        point.value = 1e-5 / (point.temperature - 270);
-                    }};
   Study study = study_of({factor("lubricant.kinematic_viscosity", Levels{{1}}, How::kScale),
-                          factor("lubricant.file", Choices{{thin}}),
+                          factor("lubricant.file", Choices{{{"thin.toml", {}}}}),
                           factor("film.cavitation", Choices{{{"mass-conserving", {}}, {"reynolds-exit", {}}}})});
+  study.readings.push_back({{1}, [](cycle::Case& c, std::size_t, const auto&) {
+                              for (auto& point : c.lubricant.kinematic_viscosity)
+                                point.value = 1e-5 / (point.temperature - 270);
+                            }});
   const auto made = outcome(study, {3, 0, 1}).c;
   ASSERT_TRUE(made);
   const auto& first = made->lubricant.kinematic_viscosity.front();

@@ -56,6 +56,18 @@ TEST(ShardRange, PartsFollowEachOtherAndDifferByOneAtMost) {
   EXPECT_THROW(shard_range(10, 5, 4), InputError);
 }
 
+TEST(RunScenarios, ARowHasTheNotesOfItsResult) {
+  const Plan plan = speeds({1.0, 0.0});
+  const Collected all = run(plan, {0, plan.size()}, 2, 0);
+  const auto alone = endings({scenario_case(plan.study(), plan.point(0))});
+  std::set<std::string> wanted, found;
+  for (const cycle::Note& note : alone.front().result.notes) wanted.insert(note.topic);
+  for (const cycle::Note& note : all.rows.at(0).notes) EXPECT_TRUE(found.insert(note.topic).second) << note.topic;
+  EXPECT_FALSE(wanted.empty());
+  EXPECT_EQ(found, wanted);
+  EXPECT_TRUE(all.rows.at(1).notes.empty());
+}
+
 TEST(RunScenarios, RowsComeInOrderAndARefusalIsARowWithItsReason) {
   const Plan plan = speeds({1.0, 1.1, 0.0, 1.2, -1.0, 1.3});
   const Collected all = run(plan, {0, plan.size()}, 2, 0);

@@ -61,7 +61,7 @@ function stopped(model) {
   if (broken.length === 0) return null;
   return element('div', { class: 'warning stopped', role: 'alert' },
     element('p', {}, element('strong', {}, 'INCOMPLETE: '), model.several
-      ? `${broken.length} of ${model.cases.length} cases did not come to the end of the cycle.` : 'the march did not come to the end of the cycle.'),
+      ? `${broken.length} of ${model.cases.length} cases did not come to a cycle that repeats itself.` : 'the march did not come to a cycle that repeats itself.'),
     broken.map((c) => element('p', {}, `${model.several ? `${c.name}: s` : 'S'}topped ${stop(c)}.`)),
     element('p', {}, 'No values of a whole cycle exist: no power, no FMEP, no thinnest film, no shares. The curves show what was solved until then.'));
 }

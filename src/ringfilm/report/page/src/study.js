@@ -10,7 +10,7 @@ import { gridCurvesFigure, GridValues, MapChoice, mapFigure } from './study_map.
 import { StudyModel } from './study_model.js';
 import { convergenceFigure, histogramFigure } from './study_spread.js';
 import { stribeckFigure } from './study_stribeck.js';
-import { differencesTable, firstScreen, indicesTable, provenanceSection, statisticsSection, unsolvedSection, variedSection } from './study_tables.js';
+import { differencesTable, firstScreen, indicesTable, notesSection, provenanceSection, statisticsSection, unsolvedSection, variedSection } from './study_tables.js';
 import { section } from './tables.js';
 
 /** A main value (and base) that the reader picks for the figures of a section. @param figures (model, chosen) to a figure or null */
@@ -128,7 +128,7 @@ function buildPage(model) {
     settle: () => add('settle', 'Convergence', 'How sure the statistics are', settle()),
   };
   (order[model.kind] ?? order.uncertainty).forEach((name) => makers[name]());
-  const rest = [['values', 'Cycle values', any ? statisticsSection(model, context) : null], ['varied', 'What varied', variedSection(model)], ['unsolved', 'Not solved', unsolvedSection(model)], ['provenance', 'Provenance', provenanceSection(model)]]
+  const rest = [['values', 'Cycle values', any ? statisticsSection(model, context) : null], ['notes', 'Notes', notesSection(model)], ['varied', 'What varied', variedSection(model)], ['unsolved', 'Not solved', unsolvedSection(model)], ['provenance', 'Provenance', provenanceSection(model)]]
     .filter(([, , node]) => node).map(([id, label, node]) => ({ id, label, node }));
   const all = [...parts, ...rest];
   document.getElementById('report').replaceChildren(

@@ -56,6 +56,11 @@ const reasonText = (r) => `${sentence(r.reason)}${r.numbers_differ ? ' The numbe
 export function firstScreen(model) {
   const failed = model.unsolved.count;
   const notes = model.notes.map((note) => element('li', {}, sentence(note)));
+  const [frequent] = [...model.scenario_notes].sort((a, b) => b.count - a.count);
+  if (frequent) {
+    const topics = model.scenario_notes.length;
+    notes.unshift(element('li', {}, `${topics} ${topics === 1 ? 'note' : 'notes'} on results of single scenarios, the most frequent on ${count(frequent.count)} of ${count(model.scenarios)}. `, element('a', { href: '#notes' }, 'All notes')));
+  }
   return element('header', { class: 'first-screen' },
     element('p', { class: 'kind' }, kKinds[model.kind] ?? 'A study'),
     element('h1', {}, model.title || 'A study'),
@@ -145,6 +150,17 @@ export function indicesTable(model) {
     const t = model.indices[q.name][b.index]?.total[g];
     return right(t ? number(Math.max(0, t[0]), 2) : '–', t ? { style: `background: rgba(0, 63, 125, ${Math.min(0.35, Math.max(0, 0.35 * t[0])).toFixed(3)})` } : {});
   })]), { classes: 'titled' })));
+}
+
+/** Notes on the results of single scenarios, the most frequent first. */
+export function notesSection(model) {
+  if (model.scenario_notes.length === 0) return null;
+  const notes = [...model.scenario_notes].sort((a, b) => b.count - a.count);
+  const bases = model.several ? model.bases : [];
+  return section('notes', 'Notes on the results',
+    element('p', {}, `What single results note: a model beyond its range, a remedy of the solver. Such scenarios count in all statistics. The figures are those of the first scenario that carries the note; the result file lists all of them.`),
+    table('Notes', [right('scenarios'), ...bases.map((b) => right(b.name)), 'note', 'topic', right('the first')],
+      notes.map((n) => [right(`${count(n.count)} of ${count(model.scenarios)}`), ...bases.map((b) => right(count(n.counts[b.index]))), sentence(n.message), { text: code(n.topic) }, right(String(n.first))]), { folds: true }));
 }
 
 export function unsolvedSection(model) {

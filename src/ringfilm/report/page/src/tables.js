@@ -61,7 +61,7 @@ export function cycleValuesSection(model) {
     ...model.cases.map((c) => { const { value, unit } = model.value(c, q.name); return figure(withError(value, model.error(c, q.name), unit)); }),
   ]);
   if (model.cases.every((c) => !c.complete)) {
-    return section('cycle-values', 'Values of the whole cycle', element('p', {}, 'None: the march stopped before the cycle was complete.'));
+    return section('cycle-values', 'Values of the whole cycle', element('p', {}, 'None: the march stopped before the cycle repeated itself.'));
   }
   return section('cycle-values', 'Values of the whole cycle',
     element('p', {}, 'Loads, friction and flow are those of the whole circumference. Angles count from firing TDC, negative before it.', gridSentence(model)),

@@ -1,0 +1,213 @@
+#include "ringfilm/io/study_reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/io/case_file.hpp"
+#include "ringfilm/io/source_text.hpp"
+#include "ringfilm/io/toml_tree.hpp"
+#include "ringfilm/study/scenario.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using study::Factor;
+
+/// Combinations of one section that are read: each takes some milliseconds and keeps the numbers of its files, 10 kB
+/// of a trace with a sample per degree.
+constexpr double kMostCombinations = 10'000;
+
+/// The sections of a case that files can define.
+const std::vector<std::string> kSections = {"gas.", "ring.face.", "lubricant."};
+
+bool is_of_section(const std::string& key, const std::string& section) { return key.rfind(section, 0) == 0; }
+
+bool is_among(const cycle::InputFile& file, const std::vector<cycle::InputFile>& files) {
+  return std::any_of(files.begin(), files.end(), [&](const cycle::InputFile& one) {
+    return std::tie(one.role, one.path, one.sha256) == std::tie(file.role, file.path, file.sha256);
+  });
+}
+
+/// Copies one section into a case, with the files that define it; other sections may have been read otherwise.
+/// @param base the case as the base has it  @param from the same with the section read anew
+void put_section(const std::string& section, const cycle::Case& base, const cycle::Case& from, cycle::Case& to) {
+  if (section == "lubricant.") to.lubricant = from.lubricant;
+  if (section == "gas.") to.gas = from.gas;
+  if (section == "ring.face.") to.ring.face = from.ring.face;
+  const auto belongs = [&](const std::string& key) { return is_of_section(key, section); };
+  std::erase_if(to.stated, belongs);
+  std::copy_if(from.stated.begin(), from.stated.end(), std::inserter(to.stated, to.stated.end()), belongs);
+  std::erase_if(to.files, [&](const cycle::InputFile& file) {
+    return is_among(file, base.files) && !is_among(file, from.files);
+  });
+  std::copy_if(from.files.begin(), from.files.end(), std::back_inserter(to.files),
+               [&](const cycle::InputFile& file) { return !is_among(file, base.files); });
+}
+
+/// A choice of each factor of a section; nothing where the base's own holds.
+using Combination = std::vector<std::optional<std::size_t>>;
+
+/// What a base is with a combination, or why it cannot be read so.
+struct Reading {
+  std::optional<cycle::Case> read;
+  std::vector<Fault> faults;
+};
+
+using ReadingsOfBases = std::vector<std::map<Combination, Reading>>;
+
+/// All combinations of the texts of some factors in one section.
+class SectionReader {
+ public:
+  SectionReader(const study::Study& study, std::string section, std::vector<std::size_t> factors,
+                const std::string& folder, const Units& units)
+      : study_(study), section_(std::move(section)), factors_(std::move(factors)), folder_(folder), units_(units) {}
+
+  study::FileReading read(std::vector<cycle::InputFile>& files, std::vector<Fault>& faults) {
+    if (n_combinations() > kMostCombinations) {
+      faults.push_back(
+          {study_.factors[factors_.front()].mark,
+           fmt::format("the texts of [{}] have {:.6g} combinations, each of which is read",
+                       section_.substr(0, section_.size() - 1), n_combinations()),
+           fmt::format("at most {} are possible; list fewer values, or write several studies", kMostCombinations)});
+      return {};
+    }
+    for (std::size_t b = 0; b < study_.bases.size(); ++b) {
+      readings_.emplace_back();
+      read_combinations(b, {});
+      for (const auto& [combination, reading] : readings_[b]) {
+        if (reading.read) files.insert(files.end(), reading.read->files.begin(), reading.read->files.end());
+      }
+      for (std::size_t k = 0; k < factors_.size(); ++k) refuse_unreadable(b, k, faults);
+    }
+    return {factors_,
+            [section = section_, bases = study_.bases, readings = std::make_shared<ReadingsOfBases>(readings_)](
+                cycle::Case& c, std::size_t base, const Combination& choices) {
+              const Reading& reading = readings->at(base).at(choices);
+              if (!reading.read) throw InputError(reading.faults);
+              put_section(section, bases.at(base).input, *reading.read, c);
+            }};
+  }
+
+ private:
+  const std::vector<study::Choice>& choices(std::size_t k) const {
+    return std::get<study::Choices>(study_.factors[factors_[k]].variation).values;
+  }
+
+  double n_combinations() const {
+    double n = 1;
+    for (std::size_t k = 0; k < factors_.size(); ++k) n *= 1 + static_cast<double>(choices(k).size());
+    return n * static_cast<double>(study_.bases.size());
+  }
+
+  void read_combinations(std::size_t base, Combination so_far) {
+    const std::size_t k = so_far.size();
+    if (k == factors_.size()) {
+      const bool is_base = std::none_of(so_far.begin(), so_far.end(), [](const auto& one) { return one.has_value(); });
+      if (!is_base) readings_[base].emplace(so_far, read_combination(base, so_far));
+      return;
+    }
+    so_far.emplace_back();
+    read_combinations(base, so_far);
+    if (!study::applies(study_.factors[factors_[k]], base)) return;
+    for (std::size_t i = 0; i < choices(k).size(); ++i) {
+      so_far.back() = i;
+      read_combinations(base, so_far);
+    }
+  }
+
+  Reading read_combination(std::size_t base, const Combination& combination) const {
+    std::vector<Override> overrides;
+    SourceMark mark;
+    for (std::size_t k = 0; k < combination.size(); ++k) {
+      if (!combination[k]) continue;
+      const study::Choice& choice = choices(k)[*combination[k]];
+      mark = choice.mark;
+      for (const study::Target& target : study_.factors[factors_[k]].targets) {
+        if (target.base && *target.base != base) continue;
+        const bool is_file = study::is_file(*cycle::find_field(target.key));
+        overrides.push_back({target.key, quoted(is_file ? locate(choice.text, folder_).shown : choice.text)});
+      }
+    }
+    try {
+      return {read_case(study_.bases[base].input.files.front().path, overrides, units_), {}};
+    } catch (const InputError& error) {
+      Reading unreadable;
+      for (const Fault& f : error.faults()) {
+        const bool in_file = f.mark.line > 0 && f.mark.file != "--set";
+        unreadable.faults.push_back(in_file ? f : Fault{mark, f.message, f.remedy});
+      }
+      return unreadable;
+    }
+  }
+
+  /// Refuses the choices of a factor that no combination can read, for the reasons of the first of these.
+  void refuse_unreadable(std::size_t base, std::size_t k, std::vector<Fault>& faults) const {
+    for (std::size_t i = 0; i < choices(k).size(); ++i) {
+      const std::vector<Fault>* reasons = nullptr;
+      bool is_readable = false;
+      for (const auto& [combination, reading] : readings_[base]) {
+        if (combination[k] != i) continue;
+        is_readable = is_readable || reading.read;
+        if (reasons == nullptr) reasons = &reading.faults;
+      }
+      if (is_readable || reasons == nullptr) continue;
+      for (const Fault& reason : *reasons) {
+        const bool is_known = std::any_of(faults.begin(), faults.end(), [&](const Fault& one) {
+          return std::tie(one.mark.file, one.mark.line, one.message) ==
+                 std::tie(reason.mark.file, reason.mark.line, reason.message);
+        });
+        if (!is_known) faults.push_back(reason);
+      }
+    }
+  }
+
+  const study::Study& study_;
+  std::string section_;
+  std::vector<std::size_t> factors_;
+  const std::string& folder_;
+  const Units& units_;
+  ReadingsOfBases readings_;
+};
+
+/// The sections of the keys of a factor that decide what is read.
+std::set<std::string> sections_of(const Factor& factor) {
+  std::set<std::string> sections;
+  if (!std::holds_alternative<study::Choices>(factor.variation)) return sections;
+  for (const study::Target& target : factor.targets) {
+    const cycle::Field* field = cycle::find_field(target.key);
+    if (field == nullptr || !study::decides_reading(*field)) continue;
+    for (const std::string& section : kSections) {
+      if (is_of_section(target.key, section)) sections.insert(section);
+    }
+  }
+  return sections;
+}
+
+}  // namespace
+
+StudyReadings study_readings(const study::Study& study, const std::string& folder, const Units& units,
+                             std::vector<Fault>& faults) {
+  StudyReadings all;
+  for (const std::string& section : kSections) {
+    std::vector<std::size_t> factors;
+    for (std::size_t j = 0; j < study.factors.size(); ++j) {
+      if (sections_of(study.factors[j]).contains(section)) factors.push_back(j);
+    }
+    if (factors.empty()) continue;
+    study::FileReading reading = SectionReader(study, section, factors, folder, units).read(all.files, faults);
+    all.readings.push_back(std::move(reading));
+  }
+  return all;
+}
+
+}  // namespace ringfilm::io

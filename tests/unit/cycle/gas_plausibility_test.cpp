@@ -1,0 +1,153 @@
+#include "ringfilm/cycle/gas_plausibility.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/setup.hpp"
+#include "styles_case.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// A cycle of a naturally aspirated engine as its trace: compression by 10 from the intake pressure, peak after TDC.
+SampledTrace engine_trace(double intake, double exhaust, int first_deg, int last_deg) {
+  const models::CrankSlider crank(0.03975, 0.1381);
+  const auto volume = [&](double deg) { return crank.stroke() / 9 + crank.position(deg * std::numbers::pi / 180); };
+  SampledTrace trace;
+  for (int deg = first_deg; deg <= last_deg; deg += 2) {
+    double p = intake;
+    if (deg >= -180) p = intake * std::pow(volume(-180) / volume(deg), 1.33);
+    if (deg > 0) p *= deg < 15 ? 1 + deg / 10.0 : 2.5;
+    if (deg > 160) p = exhaust;
+    if (deg > 360) p = intake;
+    trace.crank_angle_deg.push_back(deg);
+    trace.value.push_back(p);
+  }
+  return trace;
+}
+
+Case with(SampledTrace trace) {
+  Case c = testing::styles_new_ring();
+  c.gas.trace_origin = TraceOrigin::kMeasured;
+  c.gas.cylinder_pressure = std::move(trace);
+  return c;
+}
+
+Case whole() { return with(engine_trace(0.95e5, 1.05e5, -360, 358)); }
+
+Case partial(double intake_pressure) {
+  Case c = with(engine_trace(0.95e5, 1.05e5, -143, 123));
+  c.gas.intake_pressure = intake_pressure;
+  c.gas.exhaust_pressure = 1.05e5;
+  return c;
+}
+
+/// The same trace with other numbers.
+Case changed(Case c, double factor, double offset) {
+  SampledTrace trace = *c.gas.cylinder_pressure;
+  for (double& p : trace.value) p = factor * p + offset;
+  c.gas.cylinder_pressure = std::move(trace);
+  return c;
+}
+
+Case turned(Case c, double by_deg) {
+  SampledTrace trace = *c.gas.cylinder_pressure;
+  for (double& angle : trace.crank_angle_deg) angle += by_deg;
+  c.gas.cylinder_pressure = std::move(trace);
+  return c;
+}
+
+/// Of the notes on the gas; those on the oil are others.
+std::vector<Note> gas_notes(const Case& c) {
+  std::vector<Note> notes = prepare(c).notes;
+  std::erase_if(notes, [](const Note& note) { return note.topic.rfind("gas-", 0) != 0; });
+  return notes;
+}
+
+std::vector<std::string> topics(const Case& c) {
+  std::vector<std::string> topics;
+  for (const Note& note : gas_notes(c)) topics.push_back(note.topic);
+  return topics;
+}
+
+std::vector<std::string> broken(const Case& c) {
+  std::vector<std::string> keys;
+  for (const RuleBreach& breach : broken_rules(c)) keys.push_back(breach.key);
+  return keys;
+}
+
+constexpr double kAtmosphere = 101325;
+
+TEST(GasPlausibility, ProbableTracesHaveNoNote) {
+  EXPECT_THAT(topics(whole()), IsEmpty());
+  EXPECT_THAT(topics(partial(0.95e5)), IsEmpty());
+  EXPECT_THAT(topics(partial(1.1e5)), IsEmpty()) << "losses and waves in the intake";
+  Case gauge = changed(whole(), 1, -kAtmosphere);
+  gauge.gas.pressure_reference = PressureReference::kGauge;
+  EXPECT_THAT(topics(gauge), IsEmpty());
+  Case charged = with(engine_trace(3.5e5, 3.2e5, -360, 358));
+  EXPECT_THAT(topics(charged), IsEmpty());
+  EXPECT_THAT(topics(with(engine_trace(0.3e5, 1.05e5, -360, 358))), IsEmpty()) << "a closed throttle";
+  Case rig = changed(whole(), 0, 1e5);
+  EXPECT_THAT(topics(rig), IsEmpty()) << "a rig without a cylinder head has no peak";
+}
+
+TEST(GasPlausibility, APeakFarFromFiringTdcIsNoted) {
+  for (const double by : {75.0, 165.0, 345.0, -60.0})
+    EXPECT_THAT(topics(turned(whole(), by)), ElementsAre("gas-peak-place")) << by;
+  for (const double by : {-30.0, 0.0, 25.0}) EXPECT_THAT(topics(turned(whole(), by)), IsEmpty()) << by;
+  Case exchanged = whole();
+  exchanged.gas.angle_zero = AngleZero::kGasExchangeTdc;
+  EXPECT_THAT(topics(exchanged), ElementsAre("gas-peak-place"));
+  EXPECT_NE(gas_notes(exchanged).front().message.find("near gas-exchange TDC"), std::string::npos);
+}
+
+TEST(GasPlausibility, AnotherReferenceIsNoted) {
+  Case absolute_as_gauge = whole();
+  absolute_as_gauge.gas.pressure_reference = PressureReference::kGauge;
+  EXPECT_THAT(topics(absolute_as_gauge), ElementsAre("gas-pressure-high"));
+  // Above the atmosphere everywhere, or it is refused as below vacuum.
+  const Case gauge_as_absolute = changed(with(engine_trace(1.05e5, 1.1e5, -360, 358)), 1, -kAtmosphere);
+  EXPECT_THAT(topics(gauge_as_absolute), ElementsAre("gas-pressure-low"));
+  const Case charged = changed(with(engine_trace(1.5e5, 1.4e5, -360, 358)), 1, -kAtmosphere);
+  EXPECT_THAT(topics(charged), ElementsAre("gas-pressure-low")) << "the exhaust against the atmosphere";
+}
+
+TEST(GasPlausibility, AnotherUnitIsNoted) {
+  EXPECT_THAT(topics(changed(whole(), 0.1, 0)), ElementsAre("gas-pressure-low")) << "MPa under bar";
+  EXPECT_THAT(topics(changed(whole(), 10, 0)), ElementsAre("gas-pressure-high")) << "bar under MPa";
+}
+
+TEST(GasPlausibility, AJumpBetweenIntakeAndTraceIsNotedOrRefused) {
+  const double start = engine_trace(0.95e5, 1.05e5, -143, 123).value.front();
+  EXPECT_THAT(topics(partial(start / 1.6)), ElementsAre("gas-trace-jump"));
+  EXPECT_THAT(broken(partial(start / 1.6)), IsEmpty());
+  EXPECT_THAT(topics(partial(start * 1.6)), ElementsAre("gas-trace-jump"));
+  EXPECT_THAT(broken(partial(0.95e5)), IsEmpty());
+  // The case of the manual: 3.5 bar at -143 degree, where 0.95 bar can be compressed to 1.1.
+  EXPECT_THAT(broken(changed(partial(0.95e5), 3.5e5 / start, 0)), ElementsAre("gas.intake_pressure"));
+  EXPECT_THAT(broken(changed(partial(0.95e5), 0.1, 0)), ElementsAre("gas.intake_pressure")) << "MPa under bar";
+  Case later = with(engine_trace(0.95e5, 1.05e5, -61, 123));
+  later.gas.intake_pressure = 0.95e5;
+  later.gas.exhaust_pressure = 1.05e5;
+  EXPECT_GT(later.gas.cylinder_pressure->value.front(), 3 * 0.95e5);
+  EXPECT_THAT(topics(later), IsEmpty()) << "compressed so far";
+}
+
+TEST(GasPlausibility, IsAskedOfNoWiebeCycle) {
+  Case wiebe = whole();
+  wiebe.gas.model = GasModel::kWiebe;
+  EXPECT_THAT(topics(turned(wiebe, 90)), IsEmpty());
+}
+
+}  // namespace
+}  // namespace ringfilm::cycle
