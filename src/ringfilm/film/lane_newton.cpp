@@ -240,7 +240,7 @@ void LaneNewton::conclude(int lane) {
   }
   const bool to_film = block_.to_film[lane] != 0;
   const bool to_cavity = block_.to_cavity[lane] != 0;
-  if (!to_film && !to_cavity && at.last_step <= std::sqrt(at.problem->tolerance)) {
+  if (!to_film && !to_cavity && at.last_step <= enough_of_newton(*at.problem)) {
     at.phase = Phase::kSolved;
     return;
   }

@@ -1,12 +1,20 @@
 #include "ringfilm/film/load_balance.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ringfilm::film {
 
 double thickest(const FilmProblem& problem) {
   constexpr double kWidths = 1e2;
   return std::max(kWidths * problem.grid.width, problem.contact == nullptr ? 0.0 : problem.contact->reach());
+}
+
+double enough_of_newton(const FilmProblem& problem) {
+  constexpr double kAtKinks = 1e-2;  // of the usual: film and asperities then balance to better than sqrt(tolerance)
+  const bool kinked =
+      problem.contact != nullptr && problem.contact->parameters().form != models::ContactIntegralForm::kExact;
+  return std::sqrt(problem.tolerance) * (kinked ? kAtKinks : 1);
 }
 
 double asperity_load(const FilmProblem& problem, double h_m, double* slope) {

@@ -3,10 +3,17 @@
 
 namespace ringfilm::film {
 
+/// Thinner than molecules of oil are long, no film is one of a liquid [m].
+inline constexpr double kMolecules = 1e-9;
+
 /// Separations that are tried: below the first no continuum describes a film, beyond the second neither a wedge nor
 /// contact is left [m].
 inline constexpr double kThinnest = 1e-12;
 double thickest(const FilmProblem& problem);
+
+/// Largest relative change of film or pressure in the last Newton step: by its quadratic convergence what is left is of
+/// the order of the tolerance. Polynomials of contact have a kink where they end, at which that order is lost.
+double enough_of_newton(const FilmProblem& problem);
 
 /// W_a per length of circumference at the separation h_m, eq-asperity-load [N/m], and its slope there [N/m2].
 double asperity_load(const FilmProblem& problem, double h_m, double* slope = nullptr);

@@ -322,7 +322,7 @@ SheetNewton::Outcome SheetNewton::solve(const SheetProblem& problem, const Sheet
                                         const film::FilmState& previous, film::Unknowns unknowns, film::LaneLaws laws,
                                         film::FilmState& state) {
   set_step(problem, inputs, previous, laws, state);
-  const double enough = std::sqrt(problem.strip.tolerance);
+  const double enough = film::enough_of_newton(problem.strip);
   const int most_iterations =
       unknowns == film::Unknowns::kFilmAndSeparation ? kMostIterations : kMostIterations + shape_.n_across;
   Outcome outcome;
