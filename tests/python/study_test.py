@@ -156,7 +156,7 @@ def batch(case):
     for rpm, one in zip((1000, 2000, 2500, 3000), cases):
         one["operating.speed"] = f"{rpm} rpm"
     for key, text in (("contact.asperity_density", "1e-6 um-2"), ("contact.roughness", "0.01 um"),
-                      ("ring.elastic_pressure", "60 MPa"), ("ring.face.crown_height", "200 um")):
+                      ("ring.elastic_pressure", "60 MPa"), ("ring.face.crown_height", "200 um"), ("ring.face.apex", 0.0)):
         cases[2][key] = text
     cases[3]["output.crank_angles"] = [0.0, 20.0]
     batch = ringfilm.simulate_many(cases)

@@ -8,6 +8,7 @@
 #include "ringfilm/cycle/case_rules_unrolled.hpp"
 #include "ringfilm/cycle/gas_plausibility.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
+#include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/models/gas.hpp"
 #include "ringfilm/models/trace_span.hpp"
 
@@ -121,7 +122,23 @@ void check_crankcase(const Gas& gas, Breaches& breaches) {
                       "give samples over all 720 degrees, none more than 10 degrees apart, or one pressure"});
 }
 
-void check_tension(const Ring& ring, Breaches& breaches) {
+/// All ways to state the tension end where ring.elastic_pressure does.
+void check_tension_range(const Case& c, Breaches& breaches) {
+  const Ring& ring = c.ring;
+  if (!(ring.face_width > 0) || !(c.engine.bore > 0)) return;  // refused by their own ranges
+  const double highest = find_field("ring.elastic_pressure")->range->high, p_e = elastic_pressure(c);
+  if (p_e <= highest) return;
+  const char* key = ring.tangential_force ? "ring.tangential_force" : "ring.free_gap";
+  breaches.push_back({key,
+                      std::string(key) + " makes an elastic pressure of " + number_text(p_e / 1e6) +
+                          " MPa on a face of " + number_text(ring.face_width * 1e3) + " mm, above the " +
+                          number_text(highest / 1e6) + " MPa at which ring.elastic_pressure ends",
+                      "a ring presses with 0.05 to 0.5 MPa; check the units of the tension, ring.face_width and "
+                      "engine.bore"});
+}
+
+void check_tension(const Case& c, Breaches& breaches) {
+  const Ring& ring = c.ring;
   const bool gap = ring.free_gap || ring.radial_thickness;
   const int stated = (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (gap ? 1 : 0);
   const std::string ways =
@@ -140,6 +157,8 @@ void check_tension(const Ring& ring, Breaches& breaches) {
     breaches.push_back({"ring.free_gap", "ring.radial_thickness is stated without ring.free_gap", ways});
   } else if (gap && !ring.radial_thickness) {
     breaches.push_back({"ring.radial_thickness", "ring.free_gap is stated without ring.radial_thickness", ways});
+  } else {
+    check_tension_range(c, breaches);
   }
 }
 
@@ -246,7 +265,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
     check_trace(c, breaches);
   }
   check_crankcase(c.gas, breaches);
-  check_tension(c.ring, breaches);
+  check_tension(c, breaches);
   if (c.ring.face.form == FaceForm::kPoints) check_face_points(c.ring, breaches);
   check_measured_width(c.ring, breaches);
   append_measured_breaches(c.contact.measured, breaches);

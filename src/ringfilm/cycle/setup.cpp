@@ -56,16 +56,6 @@ models::RingFace ring_face(const Case& c) {
   throw std::logic_error("face form without a model");
 }
 
-double elastic_pressure(const Case& c) {
-  const Ring& r = c.ring;
-  if (r.elastic_pressure) return *r.elastic_pressure;
-  if (r.tangential_force) {
-    return models::elastic_pressure_from_tangential_force(*r.tangential_force, r.face_width, c.engine.bore);
-  }
-  return models::elastic_pressure_from_free_gap(r.free_gap.value(), r.radial_thickness.value(), r.youngs_modulus,
-                                                c.engine.bore);
-}
-
 /// On the face [Pa].
 double largest_mean_pressure(const Case& c, const models::CyclePressure& cylinder) {
   return elastic_pressure(c) + c.gas.pressure_behind_ring * cylinder.peak();
@@ -129,6 +119,16 @@ Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
 }
 
 }  // namespace
+
+double elastic_pressure(const Case& c) {
+  const Ring& r = c.ring;
+  if (r.elastic_pressure) return *r.elastic_pressure;
+  if (r.tangential_force) {
+    return models::elastic_pressure_from_tangential_force(*r.tangential_force, r.face_width, c.engine.bore);
+  }
+  return models::elastic_pressure_from_free_gap(r.free_gap.value(), r.radial_thickness.value(), r.youngs_modulus,
+                                                c.engine.bore);
+}
 
 Setup prepare(const Case& c) {
   PreparedOil oil = oil_at_temperature(c.lubricant, c.operating.oil_temperature);

@@ -40,6 +40,9 @@ struct Setup {
   CellsOfFace cells = CellsOfFace::kUniform;            ///< graded where uniform ones found no film
 };
 
+/// p_e of the one way in which the case states the tension of the ring, eq-elastic-pressure [Pa].
+double elastic_pressure(const Case& c);
+
 /// Builds the models of a checked case. Throws InputError where a value that is fine by itself cannot be used with the
 /// others (partial trace without intake pressure, peak that the Wiebe cycle cannot reach).
 Setup prepare(const Case& c);

@@ -1,8 +1,12 @@
 #include "ringfilm/cycle/validity.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
+
+#include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -85,14 +89,65 @@ void append_gap_leakage_note(const Case& c, std::vector<Note>& notes) {
                    1});
 }
 
-double shear_rate(const Sample& s) {
-  return (s.piston_velocity < 0 ? -s.piston_velocity : s.piston_velocity) / s.min_film_thickness;
+double shear_rate(const Sample& s) { return std::abs(s.piston_velocity) / s.min_film_thickness; }
+
+/// Density was measured to 0.4 GPa (Dowson and Higginson 1966); Roelands' law follows measured viscosities to about
+/// 0.5 GPa, Barus' law to less; and surfaces that are taken as rigid give way by more than the film is thick.
+constexpr double kLawsReach = 400e6;  // [Pa]
+/// Eyring stresses of mineral oils are 2 to 10 MPa (Johnson and Tevaarwerk 1977): beyond them friction grows with the
+/// logarithm of the shear rate only.
+constexpr double kNewtonianStress = 10e6;  // [Pa]
+/// A ring that leaves the liner by h shortens its circumference by 2 pi h, until its ends meet. Closed gaps of ISO 6621
+/// are 0.2 to 0.5 % of the bore; this is twice the largest.
+constexpr double kLargestEndGap = 0.01;  // of the bore
+/// Mean effective pressure that an engine delivers, about [Pa]: no single ring takes as much.
+constexpr double kWholeEngine = 1e6;
+
+/// Results that are numbers, but not those of a ring in an engine.
+void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, double fmep, std::vector<Note>& notes) {
+  const double length = setup.input.ring_length();
+  const double freedom =
+      setup.input.ring.end_gap.value_or(kLargestEndGap * setup.input.engine.bore) / (2 * std::numbers::pi);
+  const auto stress = [&](const Sample& s) {
+    return std::max(std::abs(s.viscous_friction_liner), std::abs(s.viscous_friction_ring)) /
+           (length * setup.input.ring.face_width);
+  };
+  const auto thinness = [](const Sample& s) { return -s.min_film_thickness; };
+  const auto thickness = [](const Sample& s) { return s.min_film_thickness; };
+  const auto pressure = [](const Sample& s) { return s.peak_film_pressure; };
+  /// A note where the value goes beyond a limit, with its extreme in the given unit.
+  const auto note = [&](const char* topic, const auto& value, double limit, double unit, const char* format) {
+    const long steps = count(base, [&](const Sample& s) { return value(s) > limit; });
+    if (steps == 0) return;
+    const auto extreme = std::max_element(base.begin(), base.end(),
+                                          [&](const Sample& a, const Sample& b) { return value(a) < value(b); });
+    notes.push_back({topic, text(format, value(*extreme) / unit, extreme->crank_angle_deg, limit / unit), steps});
+  };
+  note("film-below-molecules", thinness, -film::kMolecules, -1e-9,
+       "film down to %.2g nm (at %.0f degree): below %.0f nm, the length of molecules of oil, there is no liquid film");
+  note("film-too-thick", thickness, freedom, 1e-6,
+       "the ring floats up to %.4g um off the liner (at %.0f degree): at %.3g um its ends meet in the gap, and it is "
+       "not "
+       "free to go further");
+  note("film-pressure-high", pressure, kLawsReach, 1e6,
+       "film pressure up to %.4g MPa (at %.0f degree): beyond %.0f MPa neither the laws of density and viscosity nor "
+       "rigid surfaces hold");
+  note("shear-stress-high", stress, kNewtonianStress, 1e6,
+       "mean shear stress on the face up to %.3g MPa (at %.0f degree): beyond %.0f MPa, the Eyring stress of oils, it "
+       "grows far more slowly than this Newtonian oil says");
+  if (fmep > kWholeEngine) {
+    notes.push_back({"friction-too-high",
+                     text("the ring alone has a friction mean effective pressure of %.3g kPa, more than the %.0f kPa "
+                          "that an engine delivers: units, oil temperature or load are not those of an engine",
+                          fmep / 1e3, kWholeEngine / 1e3),
+                     1});
+  }
 }
 
 }  // namespace
 
-void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, const PolynomialUse& polynomial,
-                           std::vector<Note>& notes) {
+void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, double fmep,
+                           const PolynomialUse& polynomial, std::vector<Note>& notes) {
   if (base.empty()) return;
   const auto lowest = std::min_element(
       base.begin(), base.end(), [](const Sample& a, const Sample& b) { return a.film_parameter < b.film_parameter; });
@@ -123,6 +178,7 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
   if (setup.input.gas.model == GasModel::kTrace && setup.input.gas.trace_origin == TraceOrigin::kSynthetic) {
     notes.push_back({"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
   }
+  append_limit_notes(setup, base, fmep, notes);
   append_face_note(setup, notes);
   append_gap_leakage_note(setup.input, notes);
   append_coating_note(setup, lowest->film_parameter, notes);

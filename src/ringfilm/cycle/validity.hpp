@@ -13,9 +13,10 @@ struct PolynomialUse {
   double largest_share = 0;  ///< of the asperity load [-]
 };
 
-/// Notes on models used outside the range in which they were made.
-void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, const PolynomialUse& polynomial,
-                           std::vector<Note>& notes);
+/// Notes on models used outside the range in which they were made, and on results that no ring can have.
+/// @param fmep of the cycle [Pa]; 0 where it was not finished
+void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, double fmep,
+                           const PolynomialUse& polynomial, std::vector<Note>& notes);
 
 /// Notes on remedies that the solver had to use.
 void append_effort_notes(const Effort& effort, const March::Totals& totals, std::vector<Note>& notes);

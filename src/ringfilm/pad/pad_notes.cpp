@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "ringfilm/film/load_balance.hpp"
+
 namespace ringfilm::pad {
 namespace {
 
@@ -10,8 +12,6 @@ namespace {
 constexpr double kMassLost = 1e-4;
 /// A lowest place of the gap that the grid misses by more than this share of the film changes what the pad carries.
 constexpr double kMissed = 0.01;
-/// Thinner than molecules of oil are long, no film is one of a liquid.
-constexpr double kMolecules = 1e-9;  // [m]
 
 /// Do stated pressures of edge and side meet in a corner with a jump?
 bool has_jumps_in_corners(const cycle::Pad& pad) {
@@ -52,11 +52,11 @@ void append_notes(const PadFilm& film, PadResult& result) {
               -last.separation * um, last.min_film_thickness * um));
   }
   const long too_thin = std::count_if(result.samples.begin(), result.samples.end(),
-                                      [](const Sample& s) { return s.min_film_thickness < kMolecules; });
+                                      [](const Sample& s) { return s.min_film_thickness < film::kMolecules; });
   if (too_thin > 0) {
     note("film-below-molecules",
          text("the smallest film is thinner than %.3g nm, about the length of molecules of oil: it is none of a liquid",
-              kMolecules * 1e9),
+              film::kMolecules * 1e9),
          too_thin);
   }
   if (has_film && has_jumps_in_corners(pad)) {

@@ -32,7 +32,7 @@ std::vector<Note> notes_of(const Case& c, double film_parameter) {
   sample.film_parameter = film_parameter;
   sample.min_film_thickness = 1e-6;
   std::vector<Note> notes;
-  append_validity_notes(prepare(c), {sample}, {}, notes);
+  append_validity_notes(prepare(c), {sample}, 0, {}, notes);
   return notes;
 }
 

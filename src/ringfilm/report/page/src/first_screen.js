@@ -31,7 +31,9 @@ export function reportTitle(model) {
   return model.sharedTitle || `${model.cases.length} engine cycles compared`;
 }
 
-const kLow = 'film-parameter-too-low';
+/** Topics of notes on results that no ring has, or that the models cannot hold for, most serious first. */
+const kSerious = ['friction-too-high', 'film-too-thick', 'film-below-molecules', 'film-pressure-high', 'shear-stress-high',
+  'film-parameter-too-low'];
 
 /** The most serious thing first. */
 function warnings(model) {
@@ -39,10 +41,12 @@ function warnings(model) {
   const whom = (cases) => (cases.length === model.cases.length ? '' : `${cases.map((c) => c.name).join(', ')}: `);
   const synthetic = model.cases.filter((c) => model.isSynthetic(c));
   if (synthetic.length) list.push(`${whom(synthetic)}the cylinder pressure is SYNTHETIC: made by a formula, not measured on an engine. Levels of friction and film follow from it.`);
-  const low = model.cases.filter((c) => c.notes.some((n) => n.topic === kLow));
-  if (low.length) list.push(`${whom(low)}${low[0].notes.find((n) => n.topic === kLow).message}.`);
+  for (const topic of kSerious) {
+    const cases = model.cases.filter((c) => c.notes.some((n) => n.topic === topic));
+    if (cases.length) list.push(`${whom(cases)}${cases[0].notes.find((n) => n.topic === topic).message}.`);
+  }
   for (const c of model.cases) {
-    for (const note of c.notes) if (note.topic !== kLow && note.topic !== 'synthetic-trace') list.push(`${whom([c])}${withShortPaths(c, note.message)}.`);
+    for (const note of c.notes) if (!kSerious.includes(note.topic) && note.topic !== 'synthetic-trace') list.push(`${whom([c])}${withShortPaths(c, note.message)}.`);
   }
   return list;
 }

@@ -100,8 +100,9 @@ export function comparisonSection(model) {
 }
 
 /** Notes whose count is of the crank angles of one cycle, and those that hold for the case as a whole. */
-const kOfCrankAngles = ['film-parameter-too-low', 'film-parameter-low', 'shear-rate-high'];
-const kOfTheCase = ['density-extrapolated', 'viscosity-extrapolated', 'synthetic-trace'];
+const kOfCrankAngles = ['film-parameter-too-low', 'film-parameter-low', 'shear-rate-high', 'shear-stress-high',
+  'film-pressure-high', 'film-below-molecules', 'film-too-thick'];
+const kOfTheCase = ['density-extrapolated', 'viscosity-extrapolated', 'synthetic-trace', 'friction-too-high', 'cells-graded'];
 
 /** How often a note applies, in words; a dash where it is said of the case as a whole. */
 function often(model, c, { topic, count }) {

@@ -1,0 +1,91 @@
+#include "ringfilm/cycle/validity.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case_fields.hpp"
+#include "styles_case.hpp"
+
+namespace ringfilm::cycle::testing {
+namespace {
+
+/// One sample of a ring as engines have it.
+Sample usual_sample() {
+  Sample s{};
+  s.crank_angle_deg = 90;
+  s.piston_velocity = -10;
+  s.min_film_thickness = 2e-6;
+  s.film_parameter = 4;
+  s.peak_film_pressure = 20e6;
+  s.viscous_friction_liner = -20;
+  s.viscous_friction_ring = -20;
+  return s;
+}
+
+std::vector<std::string> topics(const Sample& sample, double fmep = 20e3) {
+  std::vector<Note> notes;
+  append_validity_notes(prepare(styles_new_ring()), {usual_sample(), sample}, fmep, {}, notes);
+  std::vector<std::string> all;
+  for (const Note& note : notes) {
+    all.push_back(note.topic);
+  }
+  return all;
+}
+
+using ::testing::Contains;
+using ::testing::IsSubsetOf;
+
+TEST(Validity, ResultsOfARingHaveNoNoteOnLimits) {
+  EXPECT_THAT(topics(usual_sample()), IsSubsetOf({"shear-rate-high", "synthetic-trace"}));
+}
+
+TEST(Validity, NotesCountTheirCrankSteps) {
+  std::vector<Note> notes;
+  Sample thin = usual_sample();
+  thin.min_film_thickness = 1e-10;
+  append_validity_notes(prepare(styles_new_ring()), {thin, usual_sample(), thin}, 0, {}, notes);
+  const auto found =
+      std::find_if(notes.begin(), notes.end(), [](const Note& note) { return note.topic == "film-below-molecules"; });
+  ASSERT_NE(found, notes.end());
+  EXPECT_EQ(found->count, 2);
+  EXPECT_THAT(found->message, ::testing::HasSubstr("film down to 0.1 nm (at 90 degree)"));
+}
+
+TEST(Validity, ResultsThatNoRingCanHaveAreNoted) {
+  Sample s = usual_sample();
+  s.min_film_thickness = 0.9e-9;
+  EXPECT_THAT(topics(s), Contains("film-below-molecules"));
+  s = usual_sample();
+  s.min_film_thickness = 0.15e-3;  // its ends would meet at 0.01 * 89 mm/(2 pi) = 0.142 mm
+  EXPECT_THAT(topics(s), Contains("film-too-thick"));
+  s = usual_sample();
+  s.peak_film_pressure = 0.41e9;
+  EXPECT_THAT(topics(s), Contains("film-pressure-high"));
+  s = usual_sample();
+  s.viscous_friction_ring = 4e3;  // on pi * 89 mm * 1.2 mm: 11.9 MPa
+  EXPECT_THAT(topics(s), Contains("shear-stress-high"));
+  EXPECT_THAT(topics(usual_sample(), 1.1e6), Contains("friction-too-high"));
+}
+
+// The three ways to state the tension end at the same elastic pressure.
+TEST(Validity, ATensionBeyondTheRangeOfTheElasticPressureIsRefused) {
+  const auto breaches = [](double force, double width) {
+    Case c = styles_new_ring();
+    c.ring.elastic_pressure.reset();
+    c.ring.tangential_force = force;
+    c.ring.face_width = width;
+    return broken_rules(c);
+  };
+  const double at_limit = 1e8 * 1.2e-3 * 0.089 / 2;  // F_t = p_e b B/2
+  EXPECT_TRUE(breaches(0.999 * at_limit, 1.2e-3).empty());
+  ASSERT_EQ(breaches(1.001 * at_limit, 1.2e-3).size(), 1u);
+  EXPECT_EQ(breaches(1.001 * at_limit, 1.2e-3).front().key, "ring.tangential_force");
+  EXPECT_EQ(breaches(10, 1e-9).size(), 1u);
+}
+
+}  // namespace
+}  // namespace ringfilm::cycle::testing
