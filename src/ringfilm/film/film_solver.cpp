@@ -17,6 +17,17 @@ class FilmSolve {
   /// From the state; true if it converged.
   bool solve(Unknowns unknowns, LaneLaws laws, FilmReport& report) {
     newton_.start(0, inputs_, previous_, state_, state_.h_m, unknowns, laws);
+    return finish(report);
+  }
+
+  /// The same for one of the films of a search, with the laws themselves.
+  bool solve_for_search(FilmReport& report) {
+    newton_.start(0, inputs_, previous_, state_, state_.h_m, Unknowns::kFilmAlone, LaneLaws::kGiven);
+    newton_.expect_little(0);
+    return finish(report);
+  }
+
+  bool finish(FilmReport& report) {
     while (newton_.phase(0) == LaneNewton::Phase::kRunning) newton_.iterate();
     newton_.read(0, state_);
     report.iterations += newton_.iterations(0);
@@ -49,9 +60,14 @@ class FilmSolve {
   class Sought : public SoughtFilm {
    public:
     Sought(FilmSolve& solve, const FilmState& guess, FilmReport& report)
-        : solve_(solve), guess_(guess), solved_(guess), report_(report) {}
-    bool solve_at(double h_m) override { return solve_from(solved_, h_m); }
-    bool solve_afresh_at(double h_m) override { return solve_from(guess_, h_m); }
+        : solve_(solve), solved_(guess), report_(report) {}
+    bool solve_at(double h_m) override {
+      solve_.state_ = solved_;
+      solve_.state_.h_m = h_m;
+      const bool solved = solve_.solve_for_search(report_);
+      if (solved) solved_ = solve_.state_;
+      return solved;
+    }
     double excess() const override {
       const FilmState& state = solve_.state_;
       return hydrodynamic_load(solve_.problem_, state) + asperity_load(solve_.problem_, state.h_m) -
@@ -59,16 +75,7 @@ class FilmSolve {
     }
 
    private:
-    bool solve_from(const FilmState& start, double h_m) {
-      solve_.state_ = start;
-      solve_.state_.h_m = h_m;
-      const bool solved = solve_.solve(Unknowns::kFilmAlone, LaneLaws::kGiven, report_);
-      if (solved) solved_ = solve_.state_;
-      return solved;
-    }
-
     FilmSolve& solve_;
-    const FilmState& guess_;
     FilmState solved_;  ///< the last film that was found
     FilmReport& report_;
   };

@@ -131,6 +131,14 @@ void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& prev
   set_edges(lane);
 }
 
+void LaneNewton::expect_little(int lane) {
+  constexpr int kMostOfSearch = 200;
+  constexpr double kFarTooMuch = 3;  // loads
+  Lane& at = lanes_[lane];
+  at.most_iterations = std::min(at.most_iterations, kMostOfSearch);
+  at.far_too_much = kFarTooMuch * at.inputs->load;
+}
+
 void LaneNewton::go_on(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m) {
   const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane];
   const Unknowns unknowns = Unknowns::kFilmAndSeparation;
@@ -160,6 +168,7 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   at.most_iterations = unknowns == Unknowns::kFilmAndSeparation
                            ? kMostIterations
                            : kMostIterations + at.n_cells;  // a front may have to cross the face
+  at.far_too_much = 0;
   at.reach = at.advances = 0;
   at.largest_reach = kLargestReach;
   at.retreats_left = kRetreats;
@@ -244,7 +253,8 @@ void LaneNewton::conclude(int lane) {
     at.phase = Phase::kSolved;
     return;
   }
-  if (at.iterations == at.most_iterations) return;
+  const bool too_thin = at.far_too_much > 0 && at.iterations > kMostIterations && block_.excess[lane] > at.far_too_much;
+  if (too_thin || at.iterations == at.most_iterations) return;
   help_along(lane, to_film && !to_cavity);
   at.phase = Phase::kRunning;
 }

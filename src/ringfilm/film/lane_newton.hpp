@@ -42,6 +42,10 @@ class LaneNewton {
   void start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess, double h_m,
              Unknowns unknowns, LaneLaws laws);
 
+  /// The solve just started is one of many in a search for the separation: it ends after fewer iterations, since the
+  /// search then tries a film nearer to one that was found, and where it carries far more than the load.
+  void expect_little(int lane);
+
   /// A new solve from what the last one in this lane left, which must be the film of `previous`; film and h_m are
   /// sought, with the laws of the last solve.
   void go_on(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m);
@@ -70,6 +74,7 @@ class LaneNewton {
     int n_cells = 0;
     int iterations = 0, most_iterations = 0;
     double last_step = 0;
+    double far_too_much = 0;  ///< excess of the load at which a search has seen enough; 0: none [N/m]
     // Help for an advancing front
     int reach = 0;          ///< cells by which it was helped along in the last iteration
     int largest_reach = 0;  ///< 0: no more help

@@ -11,12 +11,13 @@ namespace ringfilm::film {
 namespace {
 
 constexpr double kRunaway = 1e6;       // multiple of the load beyond which only the sign counts
-const double kStride = std::log(1.5);  // of the search, in ln h_m
+const double kStride = std::log(1.5);  // of the search, in ln h_m, at the most
+constexpr double kShorter = 0.25;  // the next stride, where there is no film: a film that is not found takes longest
 const double kThicker = std::log(2.5);
 /// Strides below this one no longer separate a film that has a solution from one that has none. In ln h_m, as a
 /// multiple of the tolerance.
 constexpr double kLeastStride = 10;
-constexpr int kMostBrackets = 40;
+constexpr int kMostBrackets = 200;
 
 /// A film at hand: ln h_m and W_h + W_a - W [N/m].
 struct Point {
@@ -46,12 +47,9 @@ class Search {
   std::optional<Point> film_at(double ln_h) {
     is_solved_ = true;
     if (film_.solve_at(std::exp(ln_h))) return point(ln_h, film_.excess());
-    const double unfinished = film_.excess();
-    if (film_.solve_afresh_at(std::exp(ln_h))) return point(ln_h, film_.excess());
     is_solved_ = false;
-    // If one of the two films is no number, the other one counts.
-    const double excess = std::fmax(unfinished, film_.excess());
-    return excess > limits_.load ? point(ln_h, excess) : std::nullopt;
+    const double unfinished = film_.excess();
+    return unfinished > limits_.load ? point(ln_h, unfinished) : std::nullopt;
   }
 
   std::optional<Point> point(double ln_h, double excess) const {
@@ -62,14 +60,16 @@ class Search {
   /// From a film to one on the other side of the balance. Where there is no film, the next try is nearer.
   std::optional<Point> across(Point& from) {
     const double lowest = std::log(kThinnest), highest = std::log(limits_.thickest);
-    double stride = std::copysign(kStride, from.excess);
+    // Films carry at least about twice as much at half the thickness, and far more next to one that has no pressure.
+    double stride =
+        std::copysign(std::clamp(std::abs(from.excess) / limits_.load, least_stride_, kStride), from.excess);
     while (from.ln_h >= lowest && from.ln_h <= highest) {
       const std::optional<Point> next = film_at(from.ln_h + stride);
       if (next && next->excess * from.excess <= 0) return next;
       if (next) {
         from = *next;
         stride = std::copysign(std::min(2 * std::abs(stride), kStride), stride);
-      } else if (std::abs(stride *= 0.5) < least_stride_) {
+      } else if (std::abs(stride *= kShorter) < least_stride_) {
         if (stride < 0) runs_away(from);
         return std::nullopt;
       }
@@ -106,7 +106,7 @@ class Search {
         // Nearer and nearer to the thick film, from which one can be found.
         std::optional<Point> nearer;
         for (double way = gap.ln_h - thick.ln_h; !nearer && std::abs(way) > least_stride_;) {
-          nearer = film_at(thick.ln_h + (way *= 0.5));
+          nearer = film_at(thick.ln_h + (way *= kShorter));
         }
         if (!nearer) {
           runs_away(thick);
@@ -115,6 +115,7 @@ class Search {
         (nearer->excess > 0 ? thin : thick) = *nearer;
       }
     }
+    runs_away(thick);
     return false;
   }
 

@@ -9,8 +9,6 @@ class SoughtFilm {
   virtual ~SoughtFilm() = default;
   /// Solves at this h_m from the last film that was solved, at first from the first guess; true if it converged.
   virtual bool solve_at(double h_m) = 0;
-  /// The same from the first guess.
-  virtual bool solve_afresh_at(double h_m) = 0;
   /// W_h + W_a - W of the film as the last solve left it, converged or not [N/m].
   virtual double excess() const = 0;
 };

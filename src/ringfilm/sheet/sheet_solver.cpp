@@ -56,19 +56,16 @@ class SheetSolve : public film::SoughtFilm {
     return report_;
   }
 
-  bool solve_at(double h_m) override { return solve_from(solved_, h_m); }
-  bool solve_afresh_at(double h_m) override { return solve_from(guess_, h_m); }
-  double excess() const override { return mean_load(problem_, inputs_, state_) - inputs_.strip.load; }
-
- private:
-  bool solve_from(const film::FilmState& start, double h_m) {
-    state_ = start;
+  bool solve_at(double h_m) override {
+    state_ = solved_;
     state_.h_m = h_m;
     const bool solved = solve(film::Unknowns::kFilmAlone, film::LaneLaws::kGiven);
     if (solved) solved_ = state_;
     return solved;
   }
+  double excess() const override { return mean_load(problem_, inputs_, state_) - inputs_.strip.load; }
 
+ private:
   bool solve(film::Unknowns unknowns, film::LaneLaws laws) {
     const SheetNewton::Outcome outcome = newton_.solve(problem_, inputs_, previous_, unknowns, laws, state_);
     report_.iterations += outcome.iterations;

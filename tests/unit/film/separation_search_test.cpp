@@ -22,7 +22,6 @@ class Inverse : public SoughtFilm {
     h = h_m;
     return h >= unsolved_;
   }
-  bool solve_afresh_at(double h_m) override { return solve_at(h_m); }
   double excess() const override { return h >= unsolved_ ? a_ / (h * h) - kLoad : std::nan(""); }
   double h = 0;
   int solves = 0;
