@@ -198,8 +198,7 @@ class ScenarioMarch final : public Marching {
       case film::Failure::kLiftedOff:
         return End::kLiftedOff;
       case film::Failure::kRunsAway:
-        return setup_.input.lubricant.viscosity_pressure == ViscosityPressure::kNone ? End::kUnexplained
-                                                                                     : End::kRunsAway;
+        return End::kRunsAway;
       case film::Failure::kOverloaded:
         return asperity_capacity(march_.problem()) >= load ? End::kFalseOverload : End::kOverloaded;
       default:

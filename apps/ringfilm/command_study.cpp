@@ -270,12 +270,13 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
 void check_is_free(const StudyOptions& options, const StudyFiles& files, const Loaded& study) {
   const std::string growing = files.growing(options.part, options.parts);
   io::check_not_being_written(growing);
-  if (options.resume || options.overwrite) return;
+  const std::string finished = files.finished(options.part, options.parts);
+  const bool has_rows = fs::exists(growing) || fs::exists(finished);
+  if (options.overwrite || (options.resume && has_rows)) return;
   if (fs::exists(growing)) {
     throw InputError(fmt::format("{}: this study was not finished", growing),
                      "continue it with --resume, begin anew with --overwrite, or name another output");
   }
-  const std::string finished = files.finished(options.part, options.parts);
   if (fs::exists(finished)) {
     const std::string differs =
         io::difference(io::ShardReader(finished).header(), study.header(options.part, options.parts));

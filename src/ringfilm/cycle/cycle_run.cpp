@@ -75,12 +75,12 @@ void CycleRun::check_approach() {
   const std::size_t n = distances_.size();
   if (n <= kCyclesToHalve || distance_ <= distances_[n - 1 - kCyclesToHalve] / 2) return;
   char text[256];
-  std::snprintf(
-      text, sizeof text,
-      "the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
-      "before, %.2g is allowed, and the difference falls no further; take a larger solver.tolerance or a smaller "
-      "solver.crank_step",
-      n, distance_, kPeriodicityFactor * setup_.input.solver.tolerance);
+  std::snprintf(text, sizeof text,
+                "the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
+                "before, %.2g is allowed, and the difference did not halve in the last 50 cycles; take a larger "
+                "solver.tolerance or a smaller "
+                "solver.crank_step",
+                n, distance_, kPeriodicityFactor * setup_.input.solver.tolerance);
   throw ConvergenceError(text, crank_angle_deg());
 }
 
@@ -96,10 +96,12 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
   if (!can_help || setup.cells == CellsOfFace::kGraded) return std::nullopt;
   Setup graded = setup;
   graded.cells = CellsOfFace::kGraded;
-  graded.notes.push_back({"cells-graded",
-                          "computed on cells that are graded towards the lowest places of the face, since on " +
-                              std::to_string(c.solver.cells) + " uniform ones (solver.cells) " + stop.message,
-                          1});
+  const film::FilmGrid grid = face_grid(graded);
+  char cells[160];
+  std::snprintf(cells, sizeof cells,
+                "computed on %d cells that are graded towards the lowest places of the face, down to %.3g um, since ",
+                grid.n_cells(), *std::min_element(grid.spacing.begin(), grid.spacing.end()) * 1e6);
+  graded.notes.push_back({kCellsGraded, cells + stop.message, 1});
   return graded;
 }
 

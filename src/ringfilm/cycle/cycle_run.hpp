@@ -19,6 +19,9 @@ struct Stop {
   std::optional<film::Failure> failure{};  ///< where a film was not found
 };
 
+/// Topic of the note that such a second attempt carries.
+inline constexpr const char* kCellsGraded = "cells-graded";
+
 /// After a stop where uniform cells found no film: the same scenario on graded cells, which see films too thin and too
 /// short for the others, with a note. Nothing where they cannot help: the film is lifted off, not sought by the coupled
 /// Newton method, unrolled, or the cells are graded already.

@@ -32,15 +32,16 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
     case film::Failure::kOverloaded:
       std::snprintf(text, sizeof text,
                     "neither the film nor the asperities carry the load of %.4g N per mm of circumference, at any "
-                    "separation, on %d cells down to %.3g um (solver.cells = %d)",
+                    "separation (computed on %d cells, the shortest %.3g um long; solver.cells = %d)",
                     load, grid.n_cells(), smallest_cell * 1e6, setup.input.solver.cells);
       return text;
     case film::Failure::kLiftedOff:
       if (gas > pressing) {
-        std::snprintf(text, sizeof text,
-                      "the gas lifts the ring off: %.4g and %.4g bar at the edges of its face, against %.4g bar that "
-                      "press it on",
-                      inputs.p_left / 1e5, inputs.p_right / 1e5, pressing / 1e5);
+        std::snprintf(
+            text, sizeof text,
+            "the gas lifts the ring off: %.4g and %.4g bar at the edges of its face press it away with %.3g bar "
+            "more than the %.4g bar that press it on",
+            inputs.p_left / 1e5, inputs.p_right / 1e5, (gas - pressing) / 1e5, pressing / 1e5);
       } else {
         std::snprintf(text, sizeof text,
                       "the film carries more than the load of %.4g N per mm of circumference up to a thickness of "
@@ -49,10 +50,9 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
       }
       return text;
     case film::Failure::kRunsAway:
-      if (setup.input.lubricant.viscosity_pressure == models::ViscosityPressureLaw::kNone) break;
       std::snprintf(text, sizeof text,
-                    "no film carries the load of %.4g N per mm of circumference: below %.3g um Reynolds' equation has "
-                    "no solution, since viscosity rises with pressure without limit "
+                    "no film carries the load of %.4g N per mm of circumference: at about %.3g um viscosity rises with "
+                    "pressure until the oil is solid, and Reynolds' equation has no solution "
                     "(lubricant.viscosity_pressure = \"%s\")",
                     load, report.thinnest_film * 1e6,
                     models::viscosity_law(setup.input.lubricant.viscosity_pressure).name.c_str());

@@ -1,7 +1,6 @@
 #include "ringfilm/cycle/march_film.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "ringfilm/film/first_guess.hpp"
@@ -14,22 +13,10 @@ constexpr double kThinnestSeen = 1e-10;
 /// Cells before grading: fewer than usual may be why no film was found.
 constexpr int kFewestGraded = 200;
 
-film::FilmGrid grid_across(const Setup& setup, const std::function<double(double)>& height) {
-  const Solver& solver = setup.input.solver;
-  const Ring& ring = setup.input.ring;
-  if (setup.cells == CellsOfFace::kUniform) return film::uniform_grid(solver.cells, ring.face_width, height);
-  const bool turns = ring.face.orientation == Orientation::kLeadingEdge;
-  return film::graded_grid(std::max(solver.cells, kFewestGraded), ring.face_width, height, kThinnestSeen,
-                           turns ? film::Turning::kPossible : film::Turning::kNever);
-}
-
 film::FilmProblem film_across(const Setup& setup) {
   const auto& input = setup.input;
-  const models::RingFace face =
-      input.ring.face.orientation == Orientation::kX0Crankcase ? setup.face.turned() : setup.face;
-  const double lowest = face.minimum().height;  // so that h_m is the true minimum film
   film::FilmProblem problem;
-  problem.grid = grid_across(setup, [&](double x) { return face.height(x) - lowest; });
+  problem.grid = face_grid(setup);
   problem.oil = setup.oil.get();
   problem.contact = &setup.contact;
   problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving
@@ -63,6 +50,18 @@ film::Method film_method(Method method) {
 }
 
 }  // namespace
+
+film::FilmGrid face_grid(const Setup& setup) {
+  const Solver& solver = setup.input.solver;
+  const Ring& ring = setup.input.ring;
+  const models::RingFace face = ring.face.orientation == Orientation::kX0Crankcase ? setup.face.turned() : setup.face;
+  const double lowest = face.minimum().height;  // so that h_m is the true minimum film
+  const auto height = [&](double x) { return face.height(x) - lowest; };
+  if (setup.cells == CellsOfFace::kUniform) return film::uniform_grid(solver.cells, ring.face_width, height);
+  const bool turns = ring.face.orientation == Orientation::kLeadingEdge;
+  return film::graded_grid(std::max(solver.cells, kFewestGraded), ring.face_width, height, kThinnestSeen,
+                           turns ? film::Turning::kPossible : film::Turning::kNever);
+}
 
 sheet::Around strips_of(const Case& c) {
   const double length = c.ring_length();

@@ -8,6 +8,9 @@
 
 namespace ringfilm::cycle {
 
+/// Cells across the face, heights above its lowest point.
+film::FilmGrid face_grid(const Setup& setup);
+
 /// The film of a march: across the face alone, or on the unrolled ring (film.dimension).
 class MarchFilm {
  public:

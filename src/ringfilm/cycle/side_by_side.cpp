@@ -98,7 +98,11 @@ class Block {
     report.iterations = newton_.iterations(lane);
     report.last_step = newton_.last_step(lane);
     if (newton_.phase(lane) == film::LaneNewton::Phase::kSolved) {
-      if (laws == film::LaneLaws::kGiven || newton_.peak_pressure(lane) <= problem.oil->fit()->high) {
+      const double peak = newton_.peak_pressure(lane);
+      const bool holds = laws == film::LaneLaws::kGiven
+                             ? !film::is_glass(*problem.oil, march.proposed().p_cavitation, peak)
+                             : peak <= problem.oil->fit()->high;
+      if (holds) {
         newton_.read(lane, march.candidate());
         film::complete_state(problem, laws, march.candidate());
         report.converged = true;

@@ -103,6 +103,21 @@ constexpr double kLargestEndGap = 0.01;  // of the bore
 /// Mean effective pressure that an engine delivers, about [Pa]: no single ring takes as much.
 constexpr double kWholeEngine = 1e6;
 
+/// Of the film, as a rise of the face within a cell: there the flow through the cell is wrong by a factor of two.
+constexpr double kUnseen = 0.25;
+
+void append_cell_note(const Setup& setup, const Sample& thinnest, std::vector<Note>& notes) {
+  const film::FilmGrid grid = face_grid(setup);
+  const double rise = *std::min_element(grid.face_height.begin(), grid.face_height.end());
+  if (rise <= kUnseen * thinnest.min_film_thickness) return;
+  notes.push_back(
+      {"cells-too-long",
+       text("the face rises by %.3g nm within the cell at its lowest place, where the film is %.3g nm thin "
+            "(at %.0f degree): take more solver.cells than %d",
+            rise * 1e9, thinnest.min_film_thickness * 1e9, thinnest.crank_angle_deg, setup.input.solver.cells),
+       1});
+}
+
 /// Results that are numbers, but not those of a ring in an engine.
 void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, double fmep, std::vector<Note>& notes) {
   const double length = setup.input.ring_length();
@@ -125,16 +140,18 @@ void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, dou
   };
   note("film-below-molecules", thinness, -film::kMolecules, -1e-9,
        "film down to %.2g nm (at %.0f degree): below %.0f nm, the length of molecules of oil, there is no liquid film");
-  note("film-too-thick", thickness, freedom, 1e-6,
-       "the ring floats up to %.4g um off the liner (at %.0f degree): at %.3g um its ends meet in the gap, and it is "
-       "not "
-       "free to go further");
+  note(
+      "film-too-thick", thickness, freedom, 1e-6,
+      setup.input.ring.end_gap
+          ? "the ring floats up to %.4g um off the liner (at %.0f degree): at %.3g um its ends meet (ring.end_gap)"
+          : "the ring floats up to %.4g um off the liner (at %.0f degree): at %.3g um the ends of a ring with a gap of "
+            "1 %% of the bore, twice the largest usual one, meet");
   note("film-pressure-high", pressure, kLawsReach, 1e6,
        "film pressure up to %.4g MPa (at %.0f degree): beyond %.0f MPa neither the laws of density and viscosity nor "
        "rigid surfaces hold");
   note("shear-stress-high", stress, kNewtonianStress, 1e6,
-       "mean shear stress on the face up to %.3g MPa (at %.0f degree): beyond %.0f MPa, the Eyring stress of oils, it "
-       "grows far more slowly than this Newtonian oil says");
+       "mean shear stress on the face up to %.3g MPa (at %.0f degree): real oils shear at little more than %.0f MPa, "
+       "their Eyring stress, and the friction is too high");
   if (fmep > kWholeEngine) {
     notes.push_back({"friction-too-high",
                      text("the ring alone has a friction mean effective pressure of %.3g kPa, more than the %.0f kPa "
@@ -179,6 +196,7 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
     notes.push_back({"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
   }
   append_limit_notes(setup, base, fmep, notes);
+  append_cell_note(setup, *lowest, notes);
   append_face_note(setup, notes);
   append_gap_leakage_note(setup.input, notes);
   append_coating_note(setup, lowest->film_parameter, notes);

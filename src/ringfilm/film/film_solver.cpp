@@ -1,5 +1,7 @@
 #include "ringfilm/film/film_solver.hpp"
 
+#include <algorithm>
+
 #include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/reynolds.hpp"
 #include "ringfilm/film/separation_search.hpp"
@@ -52,6 +54,7 @@ class FilmSolve {
     Sought sought(*this, guess, report);
     const SearchLimits limits{thickest(problem_), inputs_.load, problem_.tolerance};
     const bool found = search_separation(sought, guess.h_m, limits, report);
+    if (!found) explain_failure(*problem_.oil, inputs_.p_cavitation, sought.solved(), report);
     if (found) complete_state(problem_, LaneLaws::kGiven, state_);
     return found;
   }
@@ -68,6 +71,7 @@ class FilmSolve {
       if (solved) solved_ = solve_.state_;
       return solved;
     }
+    const FilmState& solved() const { return solved_; }
     double excess() const override {
       const FilmState& state = solve_.state_;
       return hydrodynamic_load(solve_.problem_, state) + asperity_load(solve_.problem_, state.h_m) -
@@ -93,6 +97,11 @@ FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, cons
   const FilmState guess = state;
   FilmSolve film(problem, inputs, previous, state, workspace);
   report.converged = film.solve(Unknowns::kFilmAndSeparation, report) || film.solve_by_search(guess, report);
+  if (report.converged && state.laws == LaneLaws::kGiven) {
+    const double peak = *std::max_element(state.p.begin(), state.p.end());
+    report.converged = !is_glass(*problem.oil, inputs.p_cavitation, peak);
+    if (!report.converged) explain_failure(*problem.oil, inputs.p_cavitation, state, report);
+  }
   if (report.converged) report.failure = Failure::kNone;
   return report;
 }

@@ -14,6 +14,8 @@ namespace {
 /// Share of the film by which it may change within a cell of a graded grid.
 constexpr double kChangePerCell = 0.5;
 constexpr int kMostHalvings = 20;
+/// Places at which the gap is looked at: measured points may lie closer than the first cells are long.
+constexpr int kSamplesPerCell = 8;
 
 /// Length of a gap that belongs to each node: half of each cell beside it.
 void add_shares(FilmGrid& grid) {
@@ -29,7 +31,12 @@ void add_shares(FilmGrid& grid) {
 FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest,
                      Turning turning) {
   const auto changes_much = [&](double begin, double end) {
-    const auto [low, high] = std::minmax({height(begin), height(0.5 * (begin + end)), height(end)});
+    double low = height(begin), high = low;
+    for (int k = 1; k <= kSamplesPerCell; ++k) {
+      const double here = height(begin + (end - begin) * k / kSamplesPerCell);
+      low = std::min(low, here);
+      high = std::max(high, here);
+    }
     return high - low > kChangePerCell * (thinnest + low);
   };
   FilmGrid grid;

@@ -53,7 +53,8 @@ FilmGrid uniform_grid(int n_cells, double width, const std::function<double(doub
 enum class Turning { kNever, kPossible };
 
 /// Uniform cells, halved where the gap is so thin and so steep that a film of `thinnest` [m] at its lowest place would
-/// change within one of them by more than about half of itself. @param height above the lowest place of the gap [m]
+/// change within one of them by more than about half of itself, eq-graded-cell. @param height above the lowest place of
+/// the gap [m]
 FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest,
                      Turning turning = Turning::kNever);
 

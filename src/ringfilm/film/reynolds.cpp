@@ -1,5 +1,7 @@
 #include "ringfilm/film/reynolds.hpp"
 
+#include <algorithm>
+
 #include "ringfilm/film/cavitation.hpp"
 
 namespace ringfilm::film {
@@ -23,6 +25,21 @@ bool runs_away(const models::OilAtTemperature& oil, double p_low, double p_high)
   constexpr double kRatio =
       1e60;  // of viscosities: 44 decades beyond what the balance of a node sees in double precision
   return !(oil.viscosity(p_high) < kRatio * oil.viscosity(p_low));
+}
+
+bool is_glass(const models::OilAtTemperature& oil, double p_low, double p_high) {
+  // Oils are a glass at 1e12 Pa s, some 1e14 times their usual viscosity. Films at the limit of Barus' law show 1e28
+  // and more, others below 1e3.
+  constexpr double kRatio = 1e10;
+  return oil.viscosity(p_high) > kRatio * oil.viscosity(p_low);
+}
+
+void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& found,
+                     FilmReport& report) {
+  if (report.failure == Failure::kOverloaded || report.failure == Failure::kLiftedOff) return;
+  const double peak = *std::max_element(found.p.begin(), found.p.end());
+  report.failure = is_glass(oil, p_cavitation, peak) ? Failure::kRunsAway : Failure::kNotConverged;
+  report.thinnest_film = found.h_m;
 }
 
 namespace {

@@ -18,6 +18,14 @@ struct NodalOil {
 /// its load. @param p_low,p_high the lowest and the highest pressure in the film [Pa]
 bool runs_away(const models::OilAtTemperature& oil, double p_low, double p_high);
 
+/// Has viscosity run away in a film that was found? Where oil is a glass, neither the laws nor Reynolds' equation hold.
+bool is_glass(const models::OilAtTemperature& oil, double p_low, double p_high);
+
+/// A search for the separation has failed: kRunsAway if viscosity has begun to run away in the last film that was
+/// found, else kNotConverged; overloads and lift-offs remain. @param p_cavitation [Pa]
+void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& found,
+                     FilmReport& report);
+
 /// Mass flux of a solved film through the face between nodes i and i+1, positive in +x [kg/(m s)].
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i);
 

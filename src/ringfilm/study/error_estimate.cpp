@@ -223,6 +223,15 @@ ErrorEstimate no_estimate(std::size_t n_samples) {
   return errors;
 }
 
+namespace {
+
+bool is_graded(const CycleResult& result) {
+  return std::any_of(result.notes.begin(), result.notes.end(),
+                     [](const cycle::Note& note) { return note.topic == cycle::kCellsGraded; });
+}
+
+}  // namespace
+
 std::vector<Case> other_grids(const Case& c) {
   const int cells = c.solver.cells;
   const double step_deg = c.solver.crank_step_deg;
@@ -239,10 +248,14 @@ ErrorEstimate error_estimate(const Case& c, const CycleResult& result, std::span
   errors.runs.push_back({c.solver.cells, c.solver.crank_step_deg, c.solver.step_error, true, "", cells_y(c.solver)});
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const cycle::Solver& solver = grids[i].solver;
-    errors.runs.push_back({solver.cells, solver.crank_step_deg, solver.step_error, others[i].is_solved(),
-                           others[i].reason(), cells_y(solver)});
+    const bool is_comparable = !is_graded(result) && !is_graded(others[i].result);
+    const bool is_usable = others[i].is_solved() && is_comparable;
+    const std::string reason =
+        is_comparable ? others[i].reason() : "cells were graded, so that their number does not measure the error";
+    errors.runs.push_back(
+        {solver.cells, solver.crank_step_deg, solver.step_error, is_usable, is_usable ? "" : reason, cells_y(solver)});
   }
-  const auto solved = [&](std::size_t i) { return others[i].is_solved() ? &others[i].result : nullptr; };
+  const auto solved = [&](std::size_t i) { return errors.runs[i + 1].solved ? &others[i].result : nullptr; };
   const Sides in_cells{solved(0), solved(1)}, in_step{solved(2), solved(3)};
   add_value_errors(c, result, in_cells, in_step, errors);
   add_curve_errors(c, result, in_cells, in_step, errors);
@@ -269,7 +282,7 @@ std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate) {
     notes.push_back(
         {other_side_too ? "error-estimate-missing" : "error-estimate-one-sided",
          std::string(other_side_too ? "there is no error estimate" : "the error estimate has one side only") +
-             ": the march with " + grid + " was not solved: " + run.reason,
+             ": the result with " + grid + " cannot be used: " + run.reason,
          1});
   }
   return notes;

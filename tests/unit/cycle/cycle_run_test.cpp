@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {

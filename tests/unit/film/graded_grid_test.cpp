@@ -17,7 +17,7 @@ TEST(GradedGrid, CellsAreShortWhereTheGapIsThinAndSteep) {
     const auto [low, high] = std::minmax({grid.node_height[i], grid.face_height[i], grid.node_height[i + 1]});
     EXPECT_LE(high - low, 0.5 * (kThinnest + low)) << i;
   }
-  // From 1 um on a cell of 20 um suffices beside the edges; 19 decades of height take two nodes for each factor 1.5.
+  // 14 powers of e between 0.1 nm and 100 um, on two sides, and cells that are halved rather than fitted.
   EXPECT_GT(grid.n_cells(), 50);
   EXPECT_LT(grid.n_cells(), 200);
 }
@@ -27,6 +27,20 @@ TEST(GradedGrid, IsUniformWhereTheGapHardlyChanges) {
   const FilmGrid graded = graded_grid(40, kWidth, level, kThinnest), uniform = uniform_grid(40, kWidth, level);
   EXPECT_EQ(graded.n_cells(), uniform.n_cells());
   for (std::size_t i = 0; i < uniform.x.size(); ++i) EXPECT_DOUBLE_EQ(graded.x[i], uniform.x[i]);
+}
+
+TEST(GradedGrid, ThatMayTurnHasNodesInMirroredPlaces) {
+  const auto slope = [](double x) { return 0.01 * x; };
+  const FilmGrid grid = graded_grid(20, kWidth, slope, kThinnest, Turning::kPossible);
+  EXPECT_GT(grid.n_cells(), graded_grid(20, kWidth, slope, kThinnest).n_cells());
+  const std::size_t last = grid.x.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) EXPECT_NEAR(grid.x[i] + grid.x[last - i], kWidth, 1e-17) << i;
+}
+
+TEST(GradedGrid, ValleysBetweenTheFirstNodesAreSeen) {
+  const auto valley = [](double x) { return std::min(1e-6, 0.1 * std::abs(x - 0.3337 * kWidth)); };  // 20 um wide
+  const FilmGrid grid = graded_grid(20, kWidth, valley, kThinnest);
+  EXPECT_LT(*std::min_element(grid.face_height.begin(), grid.face_height.end()), kThinnest);
 }
 
 TEST(GradedGrid, SharesAddUpToTheWidth) {

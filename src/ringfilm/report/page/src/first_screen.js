@@ -2,7 +2,7 @@
 import { element, svgElement } from './dom.js';
 import { shownInput, stoppedAt, withShortPaths } from './model.js';
 import { swatchSvg } from './svg.js';
-import { mergedNotes } from './tables.js';
+import { kSerious, mergedNotes } from './tables.js';
 import { angleInWords, number, typeset, withError } from './units.js';
 
 const kOperating = [
@@ -31,9 +31,6 @@ export function reportTitle(model) {
   return model.sharedTitle || `${model.cases.length} engine cycles compared`;
 }
 
-/** Topics of notes on results that no ring has, or that the models cannot hold for, most serious first. */
-const kSerious = ['friction-too-high', 'film-too-thick', 'film-below-molecules', 'film-pressure-high', 'shear-stress-high',
-  'film-parameter-too-low'];
 
 /** The most serious thing first. */
 function warnings(model) {
@@ -42,8 +39,9 @@ function warnings(model) {
   const synthetic = model.cases.filter((c) => model.isSynthetic(c));
   if (synthetic.length) list.push(`${whom(synthetic)}the cylinder pressure is SYNTHETIC: made by a formula, not measured on an engine. Levels of friction and film follow from it.`);
   for (const topic of kSerious) {
-    const cases = model.cases.filter((c) => c.notes.some((n) => n.topic === topic));
-    if (cases.length) list.push(`${whom(cases)}${cases[0].notes.find((n) => n.topic === topic).message}.`);
+    for (const c of model.cases) {
+      for (const note of c.notes) if (note.topic === topic) list.push(`${whom([c])}${note.message}.`);
+    }
   }
   for (const c of model.cases) {
     for (const note of c.notes) if (!kSerious.includes(note.topic) && note.topic !== 'synthetic-trace') list.push(`${whom([c])}${withShortPaths(c, note.message)}.`);

@@ -6,7 +6,7 @@ import { axisTitle } from './scales.js';
 import { differenceOf } from './study_compare.js';
 import { count } from './study_model.js';
 import { shareText } from './study_spread.js';
-import { section, table } from './tables.js';
+import { kSerious, section, table } from './tables.js';
 import { number, percent, sentence, shortPath, typeset, withUnit } from './units.js';
 
 const right = (text, attributes = {}) => ({ text, attributes: { class: 'number', ...attributes } });
@@ -53,13 +53,19 @@ function card(model, name) {
 /** Reasons that differ in their numbers alone are told with those of the first. */
 const reasonText = (r) => `${sentence(r.reason)}${r.numbers_differ ? ' The numbers are those of the first.' : ''}`;
 
+function byWeight(scenarioNotes) {
+  const weight = ({ topic }) => (kSerious.includes(topic) ? kSerious.indexOf(topic) : kSerious.length);
+  return [...scenarioNotes].sort((a, b) => weight(a) - weight(b) || b.count - a.count);
+}
+
 export function firstScreen(model) {
   const failed = model.unsolved.count;
   const notes = model.notes.map((note) => element('li', {}, sentence(note)));
-  const [frequent] = [...model.scenario_notes].sort((a, b) => b.count - a.count);
-  if (frequent) {
-    const topics = model.scenario_notes.length;
-    notes.unshift(element('li', {}, `${topics} ${topics === 1 ? 'note' : 'notes'} on results of single scenarios, the most frequent on ${count(frequent.count)} of ${count(model.scenarios)}. `, element('a', { href: '#notes' }, 'All notes')));
+  const [first] = byWeight(model.scenario_notes);
+  if (first) {
+    const others = model.scenario_notes.length - 1;
+    notes.unshift(element('li', {}, `${count(first.count)} of ${count(model.scenarios)} scenarios: ${sentence(first.message)} `,
+      element('a', { href: '#notes' }, others > 0 ? `${others} more ${others === 1 ? 'note' : 'notes'} on results` : 'Which ones')));
   }
   return element('header', { class: 'first-screen' },
     element('p', { class: 'kind' }, kKinds[model.kind] ?? 'A study'),
@@ -152,10 +158,10 @@ export function indicesTable(model) {
   })]), { classes: 'titled' })));
 }
 
-/** Notes on the results of single scenarios, the most frequent first. */
+/** Notes on the results of single scenarios, those on results that mean little first, then the most frequent. */
 export function notesSection(model) {
   if (model.scenario_notes.length === 0) return null;
-  const notes = [...model.scenario_notes].sort((a, b) => b.count - a.count);
+  const notes = byWeight(model.scenario_notes);
   const bases = model.several ? model.bases : [];
   return section('notes', 'Notes on the results',
     element('p', {}, `What single results note: a model beyond its range, a remedy of the solver. Such scenarios count in all statistics. The figures are those of the first scenario that carries the note; the result file lists all of them.`),

@@ -99,10 +99,15 @@ export function comparisonSection(model) {
     shown.map((c) => table(model.several ? c.name : 'Computed and published values', heads, c.comparison.map((row) => comparisonRow(model, c, row)), { folds: true, classes: 'comparison' })));
 }
 
+/** Topics of notes on results that no ring has, or that the models cannot hold for, most serious first. */
+export const kSerious = ['friction-too-high', 'film-too-thick', 'film-below-molecules', 'film-pressure-high', 'shear-stress-high',
+  'film-parameter-too-low'];
+
 /** Notes whose count is of the crank angles of one cycle, and those that hold for the case as a whole. */
 const kOfCrankAngles = ['film-parameter-too-low', 'film-parameter-low', 'shear-rate-high', 'shear-stress-high',
   'film-pressure-high', 'film-below-molecules', 'film-too-thick'];
-const kOfTheCase = ['density-extrapolated', 'viscosity-extrapolated', 'synthetic-trace', 'friction-too-high', 'cells-graded'];
+const kOfTheCase = ['density-extrapolated', 'viscosity-extrapolated', 'synthetic-trace', 'friction-too-high', 'cells-graded',
+  'cells-too-long', 'gas-peak-place', 'gas-pressure-low', 'gas-pressure-high', 'gas-trace-jump'];
 
 /** How often a note applies, in words; a dash where it is said of the case as a whole. */
 function often(model, c, { topic, count }) {
