@@ -7,6 +7,10 @@
 #include "ringfilm/film/separation_search.hpp"
 
 namespace ringfilm::film {
+
+/// How many iterations a film of a search may take.
+enum class Patience { kLittle, kMuch };
+
 /// The solve of one step over the workspace.
 class FilmSolve {
  public:
@@ -23,9 +27,9 @@ class FilmSolve {
   }
 
   /// The same for one of the films of a search, with the laws themselves.
-  bool solve_for_search(FilmReport& report) {
+  bool solve_for_search(Patience patience, FilmReport& report) {
     newton_.start(0, inputs_, previous_, state_, state_.h_m, Unknowns::kFilmAlone, LaneLaws::kGiven);
-    newton_.expect_little(0);
+    if (patience == Patience::kLittle) newton_.expect_little(0);
     return finish(report);
   }
 
@@ -51,10 +55,16 @@ class FilmSolve {
 
   /// The fallback, with the laws themselves.
   bool solve_by_search(const FilmState& guess, FilmReport& report) {
-    Sought sought(*this, guess, report);
     const SearchLimits limits{thickest(problem_), inputs_.load, problem_.tolerance};
-    const bool found = search_separation(sought, guess.h_m, limits, report);
-    if (!found) explain_failure(*problem_.oil, inputs_.p_cavitation, sought.solved(), report);
+    bool found = false;
+    // Most films that are not found soon do not exist; only where that explains nothing is every one sought to the end.
+    for (const Patience patience : {Patience::kLittle, Patience::kMuch}) {
+      Sought sought(*this, guess, patience, report);
+      report.failure = Failure::kNotConverged;
+      found = search_separation(sought, guess.h_m, limits, report);
+      if (!found) explain_failure(*problem_.oil, inputs_.p_cavitation, sought.solved(), report);
+      if (found || report.failure != Failure::kNotConverged) break;
+    }
     if (found) complete_state(problem_, LaneLaws::kGiven, state_);
     return found;
   }
@@ -62,12 +72,12 @@ class FilmSolve {
  private:
   class Sought : public SoughtFilm {
    public:
-    Sought(FilmSolve& solve, const FilmState& guess, FilmReport& report)
-        : solve_(solve), solved_(guess), report_(report) {}
+    Sought(FilmSolve& solve, const FilmState& guess, Patience patience, FilmReport& report)
+        : solve_(solve), solved_(guess), patience_(patience), report_(report) {}
     bool solve_at(double h_m) override {
       solve_.state_ = solved_;
       solve_.state_.h_m = h_m;
-      const bool solved = solve_.solve_for_search(report_);
+      const bool solved = solve_.solve_for_search(patience_, report_);
       if (solved) solved_ = solve_.state_;
       return solved;
     }
@@ -81,6 +91,7 @@ class FilmSolve {
    private:
     FilmSolve& solve_;
     FilmState solved_;  ///< the last film that was found
+    Patience patience_;
     FilmReport& report_;
   };
 

@@ -38,6 +38,11 @@ void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, c
                      FilmReport& report) {
   if (report.failure == Failure::kOverloaded || report.failure == Failure::kLiftedOff) return;
   const double peak = *std::max_element(found.p.begin(), found.p.end());
+  constexpr double kAtom = 1e-10;  // [m]
+  if (found.h_m < kAtom) {
+    report.failure = Failure::kOverloaded;
+    return;
+  }
   report.failure = is_glass(oil, p_cavitation, peak) ? Failure::kRunsAway : Failure::kNotConverged;
   report.thinnest_film = found.h_m;
 }
