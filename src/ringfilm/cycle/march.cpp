@@ -122,12 +122,20 @@ double March::time_error(const film::FilmState& to, double time_step) const {
   return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
 }
 
-/// The face turns over at a reversal; the oil stays where it is.
+/// The face turns over at a reversal. The share of the gap that is full of oil stays where it is, and so does the
+/// pressure. Where the face is not symmetric, the gap changes and its oil with it: as much oil in a smaller gap would
+/// have to leave at once, at a pressure that rises without limit as the step is cut.
 void March::turn(film::FilmState& state) const {
-  const auto n_across = static_cast<std::ptrdiff_t>(problem().grid.x.size());
+  const std::vector<double>& rise = film_.sheet() ? film_.sheet()->gap.node : problem().grid.node_height;
+  const auto gap = [&](std::size_t i) { return state.h_m + rise[i]; };
+  const std::size_t n_across = problem().grid.x.size();
+  for (std::size_t i = 0; i < state.content.size(); ++i) state.content[i] /= gap(i);
   for (std::vector<double>* nodal : {&state.p, &state.deficit, &state.content}) {
-    for (auto strip = nodal->begin(); strip < nodal->end(); strip += n_across) std::reverse(strip, strip + n_across);
+    for (auto strip = nodal->begin(); strip < nodal->end(); strip += static_cast<std::ptrdiff_t>(n_across)) {
+      std::reverse(strip, strip + static_cast<std::ptrdiff_t>(n_across));
+    }
   }
+  for (std::size_t i = 0; i < state.content.size(); ++i) state.content[i] *= gap(i);
 }
 
 void March::start(int k) {

@@ -1,7 +1,5 @@
 #include "ringfilm/film/film_solver.hpp"
 
-#include <algorithm>
-
 #include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/reynolds.hpp"
 #include "ringfilm/film/separation_search.hpp"
@@ -107,13 +105,8 @@ FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, cons
   FilmReport report;
   const FilmState guess = state;
   FilmSolve film(problem, inputs, previous, state, workspace);
-  report.converged = film.solve(Unknowns::kFilmAndSeparation, report) || film.solve_by_search(guess, report);
-  if (report.converged && state.laws == LaneLaws::kGiven) {
-    const double peak = *std::max_element(state.p.begin(), state.p.end());
-    report.converged = !is_glass(*problem.oil, inputs.p_cavitation, peak);
-    if (!report.converged) explain_failure(*problem.oil, inputs.p_cavitation, state, report);
-  }
-  if (report.converged) report.failure = Failure::kNone;
+  const bool found = film.solve(Unknowns::kFilmAndSeparation, report) || film.solve_by_search(guess, report);
+  if (found) accept(*problem.oil, inputs.p_cavitation, state, report);
   return report;
 }
 

@@ -34,6 +34,14 @@ bool is_glass(const models::OilAtTemperature& oil, double p_low, double p_high) 
   return oil.viscosity(p_high) > kRatio * oil.viscosity(p_low);
 }
 
+bool accept(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& solved, FilmReport& report) {
+  const double peak = *std::max_element(solved.p.begin(), solved.p.end());
+  report.converged = solved.laws == LaneLaws::kFitted || !is_glass(oil, p_cavitation, peak);
+  report.failure = report.converged ? Failure::kNone : Failure::kRunsAway;
+  if (!report.converged) report.thinnest_film = solved.h_m;
+  return report.converged;
+}
+
 void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& found,
                      FilmReport& report) {
   if (report.failure == Failure::kOverloaded || report.failure == Failure::kLiftedOff) return;
@@ -43,7 +51,10 @@ void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, c
     report.failure = Failure::kOverloaded;
     return;
   }
-  report.failure = is_glass(oil, p_cavitation, peak) ? Failure::kRunsAway : Failure::kNotConverged;
+  // With Barus' law (1 - e^(-alpha p))/alpha is then within 1 in 1000 of the most that it can be.
+  constexpr double kRatio = 1e3;
+  const bool near_limit = oil.viscosity(peak) > kRatio * oil.viscosity(p_cavitation);
+  report.failure = near_limit ? Failure::kRunsAway : Failure::kNotConverged;
   report.thinnest_film = found.h_m;
 }
 

@@ -21,6 +21,9 @@ bool runs_away(const models::OilAtTemperature& oil, double p_low, double p_high)
 /// Has viscosity run away in a film that was found? Where oil is a glass, neither the laws nor Reynolds' equation hold.
 bool is_glass(const models::OilAtTemperature& oil, double p_low, double p_high);
 
+/// Is a film that was found one of a liquid? Else its report says that viscosity runs away.
+bool accept(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& solved, FilmReport& report);
+
 /// A search for the separation has failed: kOverloaded below the size of an atom, kRunsAway if viscosity has begun to
 /// run away in the last film that was found, else kNotConverged; overloads and lift-offs remain. @param p_cavitation
 /// [Pa]

@@ -70,17 +70,11 @@ class Search {
         from = *next;
         stride = std::copysign(std::min(2 * std::abs(stride), kStride), stride);
       } else if (std::abs(stride *= kShorter) < least_stride_) {
-        if (stride < 0) runs_away(from);
         return std::nullopt;
       }
     }
     report_.failure = from.ln_h < lowest ? Failure::kOverloaded : Failure::kLiftedOff;
     return std::nullopt;
-  }
-
-  void runs_away(const Point& thinnest) {
-    report_.failure = Failure::kRunsAway;
-    report_.thinnest_film = std::exp(thinnest.ln_h);
   }
 
   /// Between a film that is too thin and one that is too thick.
@@ -101,29 +95,23 @@ class Search {
             excess_at, thin.ln_h, thick.ln_h, thin.excess, thick.excess,
             [&](double a, double b) { return b - a < close_enough; }, evaluations);
         report_.last_step = high - low;
-        return high - low < close_enough && balances(0.5 * (low + high), thick);
+        return high - low < close_enough && balances(0.5 * (low + high));
       } catch (const NoFilm& gap) {
         // Nearer and nearer to the thick film, from which one can be found.
         std::optional<Point> nearer;
         for (double way = gap.ln_h - thick.ln_h; !nearer && std::abs(way) > least_stride_;) {
           nearer = film_at(thick.ln_h + (way *= kShorter));
         }
-        if (!nearer) {
-          runs_away(thick);
-          return false;
-        }
+        if (!nearer) return false;
         (nearer->excess > 0 ? thin : thick) = *nearer;
       }
     }
-    runs_away(thick);
     return false;
   }
 
-  bool balances(double ln_h, const Point& thick) {
+  bool balances(double ln_h) {
     const std::optional<Point> here = film_at(ln_h);
-    if (here && is_solved_ && std::abs(here->excess) < std::sqrt(limits_.tolerance) * limits_.load) return true;
-    if (!is_solved_) runs_away({ln_h, thick.excess});
-    return false;
+    return here && is_solved_ && std::abs(here->excess) < std::sqrt(limits_.tolerance) * limits_.load;
   }
 
   SoughtFilm& film_;

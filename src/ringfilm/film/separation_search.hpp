@@ -20,8 +20,8 @@ struct SearchLimits {
 };
 
 /// Newton's method failed: the load carried falls with h_m, so that a bracket can be closed on it, in ln h_m. The film
-/// is left solved where its load balances. Writes route, failure and last step of the report, and where the viscosity
-/// runs away the thinnest film that has a solution.
+/// is left solved where its load balances. Writes route and last step of the report, and the failure where film and
+/// load end at the thinnest or the thickest film.
 bool search_separation(SoughtFilm& film, double h_m, const SearchLimits& limits, FilmReport& report);
 
 }  // namespace ringfilm::film

@@ -52,9 +52,15 @@ class SheetSolve : public film::SoughtFilm {
     return found;
   }
 
-  film::FilmReport report(bool converged) {
-    report_.converged = converged;
-    if (converged) report_.failure = film::Failure::kNone;
+  film::FilmReport at_separation() {
+    report_.converged = solve(film::Unknowns::kFilmAlone);
+    if (report_.converged) report_.failure = film::Failure::kNone;
+    return report_;
+  }
+  film::FilmReport balanced() {
+    if (solve(film::Unknowns::kFilmAndSeparation) || solve_by_search()) {
+      film::accept(*problem_.strip.oil, inputs_.strip.p_cavitation, state_, report_);
+    }
     return report_;
   }
 
@@ -95,15 +101,14 @@ class SheetSolve : public film::SoughtFilm {
 film::FilmReport solve_sheet(const SheetProblem& problem, const SheetInputs& inputs, const film::FilmState& previous,
                              film::FilmState& state, SheetWorkspace& workspace) {
   SheetSolve sheet(problem, inputs, previous, state, workspace);
-  const bool converged = sheet.solve(film::Unknowns::kFilmAndSeparation) || sheet.solve_by_search();
-  return sheet.report(converged);
+  return sheet.balanced();
 }
 
 film::FilmReport solve_sheet_at_separation(const SheetProblem& problem, const SheetInputs& inputs,
                                            const film::FilmState& previous, film::FilmState& state,
                                            SheetWorkspace& workspace) {
   SheetSolve sheet(problem, inputs, previous, state, workspace);
-  return sheet.report(sheet.solve(film::Unknowns::kFilmAlone));
+  return sheet.at_separation();
 }
 
 film::FilmState of_strips(const SheetProblem& problem, const film::FilmState& strip) {

@@ -112,6 +112,23 @@ TEST(Robustness, FilmsNextToTheRunawayOfBarusLawAreFound) {
   }
 }
 
+// The face turns over at each reversal and is not symmetric: the content of a wide gap was once laid into a narrow one,
+// which no film of 1/64 of the step could hold.
+TEST(Robustness, AFaceThatIsNotSymmetricMayTurnOver) {
+  EXPECT_TRUE(simulated(engine_scenario(7, 1013).input).complete);
+}
+
+// At the limit of Barus' law on few cells: films 0.0001 % thinner have no pressure, viscosity is 2e6 times what it is
+// at the edge.
+TEST(Robustness, AStopAtTheLimitOfBarusLawSaysSo) {
+  try {
+    simulated(engine_scenario(7, 11589).input);
+    FAIL() << "viscosity runs away";
+  } catch (const StoppedCycle& stopped) {
+    EXPECT_NE(std::string(stopped.what()).find("viscosity rises with pressure"), std::string::npos) << stopped.what();
+  }
+}
+
 /// Message of the stop when the march of a member starts, at its own angle; empty if a film is found there.
 std::string stop_at_start(int index) {
   const EngineScenario scenario = engine_scenario(kSeed, index);
