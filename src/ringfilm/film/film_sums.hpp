@@ -72,12 +72,12 @@ struct ContactSums {
   double area;               ///< [m]
 };
 
-/// Mass flux in +x through the face between nodes i and i+1 (eq-discrete-balance). @param rho,K of these two nodes
+/// Mass flux in +x through the face between nodes i and i+1. @param rho,K of these two nodes
 RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double* rho, const double* K, int i) {
   const double h = film.h_m + film.face_height[i];
   const double fill = 1 - film.fill_share * film.deficit[U >= 0 ? i : i + 1];
-  return 0.25 * U * h * fill * (rho[0] + rho[1]) -
-         h * h * h / (24 * film.spacing[i]) * (K[0] + K[1]) * (film.p[i + 1] - film.p[i]);
+  return face_flux(entrainment(0.25 * U, fill, h), rho[0] + rho[1], conductance(h * h * h, film.spacing[i]),
+                   K[0] + K[1], film.p[i + 1] - film.p[i]);
 }
 
 /// Sums along the face with packs of Real, and what is left over one by one.
@@ -224,12 +224,8 @@ class AlongFace {
     /// @param rho,K of node i and the one after it
     RINGFILM_INLINE void add_face(const FilmView& film, const double* rho, const double* K, int i) {
       const Some h = Some(film.h_m) + Some::load(film.face_height + i);
-      const Some K_left = Some::load(K);
-      const Some K_right = Some::load(K + 1);
-      // Twice the mean viscosity, times K of both: one division serves viscosity and gap.
-      const Some eta = Some::load(rho) * K_right + Some::load(rho + 1) * K_left;
-      const Some fill = Some(2) * theta<Some>(film, i + upstream);
-      couette += Some::load(film.spacing + i) * fill * eta / (h * K_left * K_right);
+      couette += cell_shear(Some::load(film.spacing + i), theta<Some>(film, i + upstream), h, Some::load(rho),
+                            Some::load(K), Some::load(rho + 1), Some::load(K + 1));
       poiseuille += h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
     }
   };

@@ -1,5 +1,5 @@
 #pragma once
-#include "ringfilm/base/pack.hpp"
+#include "ringfilm/film/balance.hpp"
 #include "ringfilm/models/contact_fit.hpp"
 #include "ringfilm/models/oil_fit.hpp"
 
@@ -86,12 +86,5 @@ struct LaneBlock {
   alignas(64) Lanes to_film;    ///< not 0: a node went from cavity to film
   alignas(64) Lanes to_cavity;  ///< not 0: one went the other way
 };
-
-/// How far beyond the kink a node is put, and below which a change of sides does not count; relative to the scale of
-/// its side: of pressure in the film, of the fill in the cavity.
-inline constexpr double kBeyondKink = 1e-10;
-
-/// A node with no larger deficit was left just beyond the kink: it is full, at p_c.
-inline constexpr double kHardlyCavity = 10 * kBeyondKink;
 
 }  // namespace ringfilm::film

@@ -9,7 +9,6 @@ namespace ringfilm::film {
 inline constexpr double kLargestFall = -0.916290731874155;  // ln 0.4: trust region in ln h_m
 inline constexpr double kLargestRise = 0.916290731874155;   // ln 2.5
 inline constexpr double kBlindStep = 0.2;                   // in ln h_m, where the load seems to rise with the film
-inline constexpr double kLargestPressureRise = 20;          // scales in one step: the viscosity is exponential in it
 
 template <bool kFirst, class A, class B>
 struct Choice {
@@ -39,13 +38,8 @@ class NewtonSweep {
   RINGFILM_INLINE explicit NewtonSweep(LaneBlock& block)
       : b_(block),
         h_m_(Real::load(block.h_m)),
-        quarter_U_(Real::load(block.quarter_U)),
-        p_c_(Real::load(block.p_cavitation)),
-        inverse_fill_scale_(Real::load(block.inverse_fill_scale)) {
-    const Real to_right = select(quarter_U_ >= Real(0), Real(1), Real(0));
-    fill_from_left_ = to_right * quarter_U_ * inverse_fill_scale_;
-    fill_from_right_ = (Real(1) - to_right) * quarter_U_ * inverse_fill_scale_;
-  }
+        inverse_fill_scale_(Real::load(block.inverse_fill_scale)),
+        motion_(Real::load(block.quarter_U), inverse_fill_scale_) {}
 
   RINGFILM_INLINE void run() {
     const Real d_ln_h = forward();
@@ -75,13 +69,8 @@ class NewtonSweep {
       dK.next();
     }
   };
-  struct Node {
-    Real p, theta, rho, drho, K, dK;
-  };
-  /// Flux through a face and its slopes in z of the two nodes and in h_m.
-  struct Flux {
-    Real value, by_left, by_right, by_h;
-  };
+  using Node = film::Node<Real>;
+  using Flux = film::Flux<Real>;
 
   RINGFILM_INLINE Real at(const double* nodal, int i) const { return Real::load(nodal + i * kWidth); }
 
@@ -173,37 +162,18 @@ class NewtonSweep {
     }
   }
 
-  RINGFILM_INLINE Node node(const Film& film, int k) const {
-    return {film.p.at(k), kFill ? film.theta.at(k) : Real(1), film.rho.at(k), film.drho.at(k), film.K.at(k),
-            film.dK.at(k)};
+  /// Node `i`, in slot `k` of its stretch.
+  RINGFILM_INLINE Node node(const Film& film, int i, int k) const {
+    return {film.p.at(k),         kFill ? film.theta.at(k) : Real(1),
+            film.rho.at(k),       film.drho.at(k),
+            film.K.at(k),         film.dK.at(k),
+            at(b_.z, i) > Real(0)};
   }
 
-  RINGFILM_INLINE Flux flux(int face, const Node& left, Mask left_is_film, const Node& right,
-                            Mask right_is_film) const {
+  RINGFILM_INLINE Flux flux(int face, const Node& left, const Node& right) const {
     const Real h = h_m_ + at(b_.face_height, face);
-    const Real square = h * h * at(b_.conductance, face);
-    const Real conductance = square * h;
-    const Real K = left.K + right.K;
-    const Real rho = left.rho + right.rho;
-    const Real dp = right.p - left.p;
-    const Real upwind = kFill ? quarter_U_ * select(quarter_U_ >= Real(0), left.theta, right.theta) : quarter_U_;
-    const Real couette = upwind * h;
-    const Real gradient = K * dp;
-
-    Flux flux;
-    flux.value = couette * rho - conductance * gradient;
-    const Real film_left = couette * left.drho + conductance * (K - left.dK * dp);
-    const Real film_right = couette * right.drho - conductance * (K + right.dK * dp);
-    if constexpr (kFill) {
-      const Real stream = h * rho;
-      flux.by_left = select(left_is_film, film_left, fill_from_left_ * stream);
-      flux.by_right = select(right_is_film, film_right, fill_from_right_ * stream);
-    } else {
-      flux.by_left = select(left_is_film, film_left, Real(0));
-      flux.by_right = select(right_is_film, film_right, Real(0));
-    }
-    flux.by_h = upwind * rho - Real(3) * square * gradient;
-    return flux;
+    const Real third = h * h * at(b_.conductance, face);
+    return film::flux(motion_, h, third * h, third, left, right);
   }
 
   /// Balance of mass and load, eliminated down to one equation for ln h_m; returns its solution.
@@ -221,22 +191,20 @@ class NewtonSweep {
     for (int begin = 0; begin <= n; begin += kStretch) {
       for (int a = 0; a < kStretch && begin + a <= n; a += kNodesAbreast) visit(begin + a, 1 + a, film);
       if (begin == 0) {
-        in = flux(0, node(film, 1), at(b_.z, 0) > Real(0), node(film, 2), at(b_.z, 1) > Real(0));
+        in = flux(0, node(film, 0, 1), node(film, 1, 2));
         in.by_left = Real(0);  // the edge is given
       }
       const int last = begin + kStretch - 2 < n - 1 ? begin + kStretch - 2 : n - 1;  // whose right neighbour is known
       for (int i = begin == 0 ? 1 : begin - 1; i <= last; ++i) {
         const int slot = i - begin + 1;
-        const Node here = node(film, slot);
-        const Real z = at(b_.z, i);
-        const Mask here_is_film = z > Real(0);
-        const Flux out = flux(i, here, here_is_film, node(film, slot + 1), at(b_.z, i + 1) > Real(0));
+        const Node here = node(film, i, slot);
+        const Flux out = flux(i, here, node(film, i + 1, slot + 1));
         const Real height = at(b_.node_height, i);
         const Real share = at(b_.share, i);
         const Real h = h_m_ + height;
         const Real volume = share * rate;
         const Real stored = volume * h;  // times rho theta
-        const Real filled = kFill ? here.rho * here.theta : here.rho;
+        const Real filled = filled_density<kFill>(here);
         Real inflow = at(b_.inflow, i);
         if (some_go_on) {
           inflow = select(goes_on, volume * (filled * (left_h + height)), inflow);
@@ -245,20 +213,20 @@ class NewtonSweep {
         Real residual = stored * filled - inflow + (out.value - in.value);
         Real diagonal = out.by_left - in.by_right;
         if constexpr (kFill) {
-          diagonal += stored * select(here_is_film, here.drho, here.rho * inverse_fill_scale_);
+          diagonal += stored * filled_density_slope(here, inverse_fill_scale_);
         } else {
           const Real gap = Real::load(b_.start_h) + height;
-          const Real weight = Real(2) * (at(b_.conductance, i - 1) + at(b_.conductance, i)) * (gap * gap * gap) *
-                              Real::load(b_.cavity_K);
-          diagonal = select(here_is_film, diagonal + stored * here.drho, weight);
-          residual += weight * min(Real(0), z);
+          const Real weight =
+              multiplier_weight(at(b_.conductance, i - 1) + at(b_.conductance, i), gap, Real::load(b_.cavity_K));
+          diagonal = select(here.is_film, diagonal + stored * here.drho, weight);
+          residual += weight * min(Real(0), at(b_.z, i));
         }
         const Real by_h = (volume * filled + (out.by_h - in.by_h)) * h_m_;
 
         const Real pivot = diagonal + in.by_left * upper;
         const Mask inside = at(b_.conductance, i) > Real(0);  // beyond its last cell a shorter film has no equation
         const Real inverse = select(inside, Real(1) / select(inside, pivot, Real(1)), Real(0));
-        row = select(here_is_film, share, Real(0)) - row * upper;
+        row = select(here.is_film, share, Real(0)) - row * upper;
         upper = out.by_right * inverse;
         column = (by_h + in.by_left * column) * inverse;
         rhs = (in.by_left * rhs - residual) * inverse;
@@ -292,50 +260,27 @@ class NewtonSweep {
     return select(Real::load(b_.movable) > Real(0), limited, Real(0));
   }
 
-  /// z moves by the Newton step, but a node that would change sides stops just beyond the kink: there the linearisation
-  /// is that of the other side.
   RINGFILM_INLINE void backward(Real d_ln_h) {
-    const Real scale = Real::load(b_.scale);
-    const Real inverse_scale = Real::load(b_.inverse_scale);
-    const Real beyond = Real(kBeyondKink) * scale;
-    const Real hardly_empty = Real(kBeyondKink) * Real::load(b_.fill_scale);
-    const Real most = Real(kLargestPressureRise) * scale;
-    Real largest(0), peak(0), to_film(0), to_cavity(0);
-    Real step(0);
+    KinkStep<Real> kink{Real::load(b_.scale), Real::load(b_.inverse_scale), Real::load(b_.fill_scale),
+                        inverse_fill_scale_};
+    Real peak(0), step(0);
     for (int i = b_.n_cells - 1; i > 0; --i) {
       step = at(b_.rhs, i) - at(b_.column, i) * d_ln_h - at(b_.upper, i) * step;
-      const Real before = at(b_.z, i);
-      const Mask was_film = before > Real(0);
-      Real after = before + select(was_film, min(step, most), step);
-      const Mask is_film = after > Real(0);
-      if (Real::any(Real::differ(is_film, was_film))) {
-        const Mask entered = Real::only(is_film, was_film);
-        const Mask left = Real::only(was_film, is_film);
-        to_film = select(Real::both(entered, after > beyond), Real(1), to_film);
-        to_cavity = select(Real::both(left, after < -hardly_empty), Real(1), to_cavity);
-        after = select(entered, beyond, select(left, -hardly_empty, after));
-      }
-      Real change =
-          abs(after - before) * (kFill ? select(was_film, inverse_scale, inverse_fill_scale_) : inverse_scale);
-      if constexpr (!kFill) {
-        const Mask above = -after > scale;
-        if (Real::any(above)) change = select(above, abs(after - before) / max(-after, scale), change);
-      }
-      largest = max(largest, change);  // a NaN here is one in check_ as well
-      check_ += after;
+      const Real after = kink.template take<kFill>(at(b_.z, i), step);
+      check_ += after;  // a NaN of `largest` is one here as well
       peak = max(peak, after);
       after.store(b_.z + i * kWidth);
     }
-    largest.store(b_.largest);
+    kink.largest.store(b_.largest);
     check_.store(b_.check);
     peak.store(b_.peak);
-    to_film.store(b_.to_film);
-    to_cavity.store(b_.to_cavity);
+    kink.to_film.store(b_.to_film);
+    kink.to_cavity.store(b_.to_cavity);
   }
 
   LaneBlock& b_;
-  Real h_m_, quarter_U_, p_c_, inverse_fill_scale_;
-  Real fill_from_left_, fill_from_right_;
+  Real h_m_, inverse_fill_scale_;
+  Motion<Real, kFill> motion_;
   Visitor load_, slope_;  ///< W_h + W_a, and the slope of W_a in h_m, as far as visited
   Real check_;
 };

@@ -179,8 +179,8 @@ void PointRelaxation::linearise() {
   const auto& p = state_.p;
   for (int i = 0; i < n; ++i) {
     const double h = state_.h_m + grid.face_height[i];
-    work_.conductance_[i] = h * h * h / (24 * grid.spacing[i]) * (oil.K[i] + oil.K[i + 1]);
-    work_.couette_[i] = 0.25 * inputs_.U * h * (oil.rho[i] + oil.rho[i + 1]);
+    work_.conductance_[i] = conductance(h * h * h, grid.spacing[i]) * (oil.K[i] + oil.K[i + 1]);
+    work_.couette_[i] = entrainment(0.25 * inputs_.U, 1.0, h) * (oil.rho[i] + oil.rho[i + 1]);
   }
   for (int i = 1; i < n; ++i) {
     const double h = state_.h_m + grid.node_height[i];

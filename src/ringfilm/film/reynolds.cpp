@@ -87,7 +87,7 @@ void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const
   multiplier.resize(state.p.size());
   for (std::size_t i = 0; i < state.p.size(); ++i) {
     const double h = state.h_m + problem.grid.node_height[i];
-    multiplier[i] = h * h * h / (6 * problem.grid.share[i]) * oil.rho[i] / oil.eta[i];
+    multiplier[i] = h * h * h / (6 * problem.grid.share[i]) * oil.K[i];
   }
 }
 

@@ -23,13 +23,9 @@ class SheetBalance {
   RINGFILM_INLINE explicit SheetBalance(SheetBlock& block)
       : b_(block),
         shape_(block.system.shape),
-        quarter_U_(block.quarter_U),
         inverse_fill_scale_(1 / block.fill_scale),
-        ln_h_scale_(block.ln_h_scale) {
-    const double to_right = block.quarter_U >= 0 ? 1 : 0;
-    fill_from_left_ = Real(to_right * block.quarter_U / block.fill_scale);
-    fill_from_right_ = Real((1 - to_right) * block.quarter_U / block.fill_scale);
-  }
+        motion_(Real(block.quarter_U), inverse_fill_scale_),
+        ln_h_scale_(block.ln_h_scale) {}
 
   RINGFILM_INLINE void run() {
     for (int colour = 0; colour < 2; ++colour) {
@@ -39,17 +35,8 @@ class SheetBalance {
   }
 
  private:
-  struct Node {
-    Real p, theta, rho, drho, K, dK;
-    Mask is_film;
-  };
-  struct Flux {
-    Real value, by_left, by_right, by_h;
-  };
-  /// Through a face in y: no motion, no fill.
-  struct CrossFlux {
-    Real value, by_low, by_high, by_h;
-  };
+  using Node = film::Node<Real>;
+  using Flux = film::Flux<Real>;
 
   RINGFILM_INLINE Node node(std::size_t place) const {
     const Real z = Real::load(b_.z + place);
@@ -76,40 +63,15 @@ class SheetBalance {
     }
   }
 
-  RINGFILM_INLINE Flux flux(Real h, Cube cubed, Real conductance, const Node& left, const Node& right) const {
-    const Real K = left.K + right.K;
-    const Real rho = left.rho + right.rho;
-    const Real dp = right.p - left.p;
-    const Real poiseuille = conductance * cubed.value;
-    const Real upwind = kFill ? quarter_U_ * select(quarter_U_ >= Real(0), left.theta, right.theta) : quarter_U_;
-    const Real couette = upwind * h;
-    const Real gradient = K * dp;
-    Flux flux;
-    flux.value = couette * rho - poiseuille * gradient;
-    const Real film_left = couette * left.drho + poiseuille * (K - left.dK * dp);
-    const Real film_right = couette * right.drho - poiseuille * (K + right.dK * dp);
-    const Real stream = h * rho;
-    flux.by_left = select(left.is_film, film_left, kFill ? fill_from_left_ * stream : Real(0));
-    flux.by_right = select(right.is_film, film_right, kFill ? fill_from_right_ * stream : Real(0));
-    flux.by_h = upwind * rho - Real(3) * conductance * cubed.square * gradient;
-    return flux;
-  }
-
-  RINGFILM_INLINE CrossFlux cross_flux(Cube cubed, Real conductance, const Node& low, const Node& high) const {
-    const Real K = low.K + high.K;
-    const Real dp = high.p - low.p;
-    const Real poiseuille = conductance * cubed.value;
-    CrossFlux flux;
-    flux.value = -poiseuille * K * dp;
-    flux.by_low = select(low.is_film, poiseuille * (K - low.dK * dp), Real(0));
-    flux.by_high = select(high.is_film, -poiseuille * (K + high.dK * dp), Real(0));
-    flux.by_h = Real(-3) * conductance * cubed.square * K * dp;
-    return flux;
+  RINGFILM_INLINE static Flux cross_flux(Cube cubed, Real conductance, const Node& low, const Node& high) {
+    return film::cross_flux(conductance * cubed.value, conductance * cubed.square, low, high);
   }
 
   RINGFILM_INLINE Flux flux_after(int i, std::size_t place, Real h_m, const Node& left, const Node& right) const {
     const Real h = h_m + Real::load(b_.face_x + place);
-    return flux(h, cube(h, b_.face_x_second, b_.face_x_third, place), Real(b_.conductance[i]), left, right);
+    const Cube cubed = cube(h, b_.face_x_second, b_.face_x_third, place);
+    const Real conductance(b_.conductance[i]);
+    return film::flux(motion_, h, conductance * cubed.value, conductance * cubed.square, left, right);
   }
 
   /// Flux on from node i, and the balance of node i if it is not an edge.
@@ -152,20 +114,21 @@ class SheetBalance {
         cube(Real::load(b_.low_h_m + strip) + Real::load(b_.low_face + place), b_.low_second, b_.low_third, place);
     const Cube high_cube =
         cube(Real::load(b_.high_h_m + strip) + Real::load(b_.high_face + place), b_.high_second, b_.high_third, place);
-    const CrossFlux from = cross_flux(low_cube, share * Real::load(b_.low_conductance + strip), low, here);
-    const CrossFlux on = cross_flux(high_cube, share * Real::load(b_.high_conductance + strip), here, high);
+    const Flux from = cross_flux(low_cube, share * Real::load(b_.low_conductance + strip), low, here);
+    const Flux on = cross_flux(high_cube, share * Real::load(b_.high_conductance + strip), here, high);
 
     const Real height = Real::load(b_.node_height + place);
     const Real volume = share * Real(b_.rate);
     const Real stored = volume * (h_m + height);  // times rho theta
-    const Real filled = kFill ? here.rho * here.theta : here.rho;
+    const Real filled = film::filled_density<kFill>(here);
     Real residual = stored * filled - Real::load(b_.inflow + place) + (out.value - in.value) + (on.value - from.value);
-    Real diagonal = (out.by_left - in.by_right) + (on.by_low - from.by_high);
+    Real diagonal = (out.by_left - in.by_right) + (on.by_left - from.by_right);
     if constexpr (kFill) {
-      diagonal += stored * select(here.is_film, here.drho, here.rho * inverse_fill_scale_);
+      diagonal += stored * film::filled_density_slope(here, inverse_fill_scale_);
     } else {
       const Real gap = Real(b_.start_h) + height;
-      const Real multiplier = Real(2 * (b_.conductance[i - 1] + b_.conductance[i]) * b_.cavity_K) * (gap * gap * gap);
+      const Real multiplier =
+          film::multiplier_weight(Real(b_.conductance[i - 1] + b_.conductance[i]), gap, Real(b_.cavity_K));
       diagonal = select(here.is_film, diagonal + stored * here.drho, multiplier);
       residual += multiplier * min(Real(0), Real::load(b_.z + place));
     }
@@ -174,8 +137,8 @@ class SheetBalance {
     const Real per_diagonal = select(inside, Real(1) / select(inside, diagonal, Real(1)), Real(0));
     (-(in.by_left * per_diagonal)).store(to.west + place);
     (out.by_right * per_diagonal).store(to.east + place);
-    (-(from.by_low * per_diagonal)).store(to.low + place);
-    (on.by_high * per_diagonal).store(to.high + place);
+    (-(from.by_left * per_diagonal)).store(to.low + place);
+    (on.by_right * per_diagonal).store(to.high + place);
     (by_h * per_diagonal).store(b_.column + place);
     (-(residual * per_diagonal)).store(b_.rhs + place);
     select(here.is_film, share * Real::load(b_.weight + strip), Real(0)).store(b_.load_row + place);
@@ -201,8 +164,9 @@ class SheetBalance {
 
   SheetBlock& b_;
   const ZebraShape shape_;
-  Real quarter_U_, inverse_fill_scale_, ln_h_scale_;
-  Real fill_from_left_, fill_from_right_;
+  Real inverse_fill_scale_;
+  film::Motion<Real, kFill> motion_;
+  Real ln_h_scale_;
 };
 
 template <class Real>
@@ -246,36 +210,18 @@ void balance(SheetBlock& b) {
   }
 }
 
-template <class Real>
-void update(SheetBlock& b, const double* step) {
-  using Mask = typename Real::Mask;
+template <class Real, bool kFill>
+void update_nodes(SheetBlock& b, const double* step) {
   const ZebraShape& shape = b.system.shape;
-  const bool fill = b.cavity == film::LaneCavity::kFill;
-  const Real scale(b.scale), inverse_scale(1 / b.scale);
-  const Real cavity_inverse(fill ? 1 / b.fill_scale : 1 / b.scale);
-  const Real beyond(film::kBeyondKink * b.scale), hardly_empty(film::kBeyondKink * b.fill_scale);
-  const Real most(film::kLargestPressureRise * b.scale);
-  Real largest(0), peak(0), check(0), to_film(0), to_cavity(0);
+  film::KinkStep<Real> kink{Real(b.scale), Real(1 / b.scale), Real(b.fill_scale), Real(1 / b.fill_scale)};
+  Real peak(0), check(0);
   for_packs<Real>(shape, [&](int colour, int k) RINGFILM_INLINE_BODY {
-    const Mask inside =
+    const auto inside =
         Real::load(b.is_strip + static_cast<std::size_t>(colour) * shape.stride + kPackRoom + k) > Real(0);
     for (int i = 1; i < shape.n_across - 1; ++i) {
       const std::size_t place = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackRoom + k;
-      const Real before = Real::load(b.z + place);
       const Real move = select(inside, Real::load(step + place), Real(0));
-      const Mask was_film = before > Real(0);
-      Real after = before + select(was_film, min(move, most), move);
-      const Mask is_film = after > Real(0);
-      if (Real::any(Real::differ(is_film, was_film))) {
-        const Mask entered = Real::only(is_film, was_film);
-        const Mask left = Real::only(was_film, is_film);
-        to_film = select(Real::both(entered, after > beyond), Real(1), to_film);
-        to_cavity = select(Real::both(left, after < -hardly_empty), Real(1), to_cavity);
-        after = select(entered, beyond, select(left, -hardly_empty, after));
-      }
-      Real change = abs(after - before) * select(was_film, inverse_scale, cavity_inverse);
-      if (!fill) change = select(-after > scale, abs(after - before) / max(-after, scale), change);
-      largest = max(largest, change);
+      const Real after = kink.template take<kFill>(Real::load(b.z + place), move);
       check += select(inside, after, Real(0));
       peak = max(peak, select(inside, after, Real(0)));
       after.store(b.z + place);
@@ -288,11 +234,20 @@ void update(SheetBlock& b, const double* step) {
     for (const double lane : lanes) most_of_all = lane > most_of_all ? lane : most_of_all;
     return most_of_all;
   };
-  b.largest = highest(largest);
+  b.largest = highest(kink.largest);
   b.peak = highest(peak);
   b.check = check.sum();
-  b.to_film = highest(to_film) > 0;
-  b.to_cavity = highest(to_cavity) > 0;
+  b.to_film = highest(kink.to_film) > 0;
+  b.to_cavity = highest(kink.to_cavity) > 0;
+}
+
+template <class Real>
+void update(SheetBlock& b, const double* step) {
+  if (b.cavity == film::LaneCavity::kFill) {
+    update_nodes<Real, true>(b, step);
+  } else {
+    update_nodes<Real, false>(b, step);
+  }
 }
 
 /// Calls body(place) for the packs of a row that hold strips: node i across, strips of one colour. Rows are worked on

@@ -1,0 +1,174 @@
+#pragma once
+#include "ringfilm/base/pack.hpp"
+
+/// The discrete balance of mass of a film (eq-discrete-balance): flux through a face, what a node stores, the step
+/// across the kink between film and cavity, shear of a cell. Written once, over the type of number: a double, or a pack
+/// of films, nodes or strips. Plain values, so that what is compiled for one machine holds no code that another shares.
+namespace ringfilm::film {
+
+/// How far beyond the kink a node is put, and below which a change of sides does not count; relative to the scale of
+/// its side: of pressure in the film, of the fill in the cavity.
+inline constexpr double kBeyondKink = 1e-10;
+
+/// A node with no larger deficit was left just beyond the kink: it is full, at p_c.
+inline constexpr double kHardlyCavity = 10 * kBeyondKink;
+
+inline constexpr double kLargestPressureRise = 20;  // scales in one step: the viscosity is exponential in it
+
+/// Mass flow of the moving wall through a face, per sum of the densities of its two nodes [m2/s].
+template <class Real>
+RINGFILM_INLINE Real entrainment(Real quarter_U, Real fill_upstream, Real h) {
+  return quarter_U * fill_upstream * h;
+}
+
+/// Mass flow through a face per sum of K of its two nodes and their difference of pressure, h^3/(24 dx) [m2].
+/// @param cube mean of h^3 over the face [m3]  @param spacing distance of the nodes [m]
+RINGFILM_INLINE double conductance(double cube, double spacing) { return cube / (24 * spacing); }
+
+/// Mass flux in the direction of rising node numbers [kg/(m s)]. @param rho,K sums over the two nodes of the face
+/// @param dp pressure of the later node less that of the earlier one
+template <class Real>
+RINGFILM_INLINE Real face_flux(Real entrainment, Real rho, Real conductance, Real K, Real dp) {
+  return entrainment * rho - conductance * (K * dp);
+}
+
+/// A node, and its oil at its pressure.
+template <class Real>
+struct Node {
+  Real p, theta, rho, drho, K, dK;  ///< pressure from any zero [Pa]; K = rho/eta
+  typename Real::Mask is_film;
+};
+
+/// Flux through a face, and its slopes in z of its two nodes and in h.
+template <class Real>
+struct Flux {
+  Real value, by_left, by_right, by_h;
+};
+
+/// The walls as the faces see them. @tparam kFill the cavity carries theta of its upstream node
+template <class Real, bool kFill>
+struct Motion {
+  Real quarter_U, fill_from_left, fill_from_right;  ///< U/4; slopes in z of what a cavity on this side carries
+
+  RINGFILM_INLINE Motion(Real quarter_U_, Real inverse_fill_scale) : quarter_U(quarter_U_) {
+    const Real to_right = select(quarter_U >= Real(0), Real(1), Real(0));
+    fill_from_left = to_right * quarter_U * inverse_fill_scale;
+    fill_from_right = (Real(1) - to_right) * quarter_U * inverse_fill_scale;
+  }
+  RINGFILM_INLINE Real upwind(const Node<Real>& left, const Node<Real>& right) const {
+    if constexpr (kFill) {
+      return quarter_U * select(quarter_U >= Real(0), left.theta, right.theta);
+    } else {
+      return quarter_U;
+    }
+  }
+};
+
+/// @param h mean height of the face  @param conductance of the mean of h^3
+/// @param third a third of the slope of `conductance` in h
+template <class Real, bool kFill>
+RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFill>& motion, Real h, Real conductance, Real third,
+                                const Node<Real>& left, const Node<Real>& right) {
+  const Real K = left.K + right.K;
+  const Real rho = left.rho + right.rho;
+  const Real dp = right.p - left.p;
+  const Real upwind = motion.upwind(left, right);
+  const Real couette = upwind * h;
+  Flux<Real> flux;
+  flux.value = face_flux(couette, rho, conductance, K, dp);
+  const Real film_left = couette * left.drho + conductance * (K - left.dK * dp);
+  const Real film_right = couette * right.drho - conductance * (K + right.dK * dp);
+  if constexpr (kFill) {
+    const Real stream = h * rho;
+    flux.by_left = select(left.is_film, film_left, motion.fill_from_left * stream);
+    flux.by_right = select(right.is_film, film_right, motion.fill_from_right * stream);
+  } else {
+    flux.by_left = select(left.is_film, film_left, Real(0));
+    flux.by_right = select(right.is_film, film_right, Real(0));
+  }
+  flux.by_h = upwind * rho - Real(3) * third * (K * dp);
+  return flux;
+}
+
+/// Where no wall moves along: the direction around the ring.
+template <class Real>
+RINGFILM_INLINE Flux<Real> cross_flux(Real conductance, Real third, const Node<Real>& low, const Node<Real>& high) {
+  const Real K = low.K + high.K;
+  const Real dp = high.p - low.p;
+  Flux<Real> flux;
+  flux.value = -conductance * (K * dp);
+  flux.by_left = select(low.is_film, conductance * (K - low.dK * dp), Real(0));
+  flux.by_right = select(high.is_film, -conductance * (K + high.dK * dp), Real(0));
+  flux.by_h = Real(-3) * third * (K * dp);
+  return flux;
+}
+
+/// rho theta of a node.
+template <bool kFill, class Real>
+RINGFILM_INLINE Real filled_density(const Node<Real>& node) {
+  if constexpr (kFill) {
+    return node.rho * node.theta;
+  } else {
+    return node.rho;
+  }
+}
+
+/// d(rho theta)/dz of a node whose cavity is filled in part.
+template <class Real>
+RINGFILM_INLINE Real filled_density_slope(const Node<Real>& node, Real inverse_fill_scale) {
+  return select(node.is_film, node.drho, node.rho * inverse_fill_scale);
+}
+
+/// The weight of z in the cavity of Reynolds exit: the Poiseuille conductance of the node, so that z is a pressure.
+/// @param conductances of both faces per cube of the gap  @param K at the cavitation pressure
+template <class Real>
+RINGFILM_INLINE Real multiplier_weight(Real conductances, Real gap, Real K) {
+  return Real(2) * conductances * (gap * gap * gap) * K;
+}
+
+/// z of nodes moves by a step of Newton's method, but a node that would change sides stops just beyond the kink: there
+/// the linearisation is that of the other side.
+template <class Real>
+struct KinkStep {
+  Real scale, inverse_scale;            ///< of pressures
+  Real fill_scale, inverse_fill_scale;  ///< of z in a cavity
+  Real to_film{0}, to_cavity{0};        ///< not 0 once a node has changed sides
+  Real largest{0};                      ///< relative change so far; a NaN is not seen
+
+  /// @returns z after the step
+  template <bool kFill>
+  RINGFILM_INLINE Real take(Real before, Real step) {
+    using Mask = typename Real::Mask;
+    const Mask was_film = before > Real(0);
+    Real after = before + select(was_film, min(step, Real(kLargestPressureRise) * scale), step);
+    const Mask is_film = after > Real(0);
+    if (Real::any(Real::differ(is_film, was_film))) {
+      const Real beyond = Real(kBeyondKink) * scale;
+      const Real hardly_empty = Real(kBeyondKink) * fill_scale;
+      const Mask entered = Real::only(is_film, was_film);
+      const Mask left = Real::only(was_film, is_film);
+      to_film = select(Real::both(entered, after > beyond), Real(1), to_film);
+      to_cavity = select(Real::both(left, after < -hardly_empty), Real(1), to_cavity);
+      after = select(entered, beyond, select(left, -hardly_empty, after));
+    }
+    Real change = abs(after - before) * (kFill ? select(was_film, inverse_scale, inverse_fill_scale) : inverse_scale);
+    if constexpr (!kFill) {
+      const Mask above = -after > scale;
+      if (Real::any(above)) change = select(above, abs(after - before) / max(-after, scale), change);
+    }
+    largest = max(largest, change);
+    return after;
+  }
+};
+
+/// Shear force of one cell by the motion of the walls, times 4/U [N s/m2]. @param h height of its face
+/// @param rho_left,... of its nodes: viscosity is their mean  @param fill upstream [-]
+template <class Real>
+RINGFILM_INLINE Real cell_shear(Real spacing, Real fill, Real h, Real rho_left, Real K_left, Real rho_right,
+                                Real K_right) {
+  // Twice the mean viscosity, times K of both: one division serves viscosity and gap.
+  const Real eta = rho_left * K_right + rho_right * K_left;
+  return spacing * (Real(2) * fill) * eta / (h * K_left * K_right);
+}
+
+}  // namespace ringfilm::film
