@@ -364,9 +364,8 @@ void bind_results(py::module_& module) {
       .def_property_readonly(
           "notes", &notes_by_topic,
           "The notes on single results, {topic: (message of the first of them, list of scenarios from 0)}.")
-      .def_property_readonly(
-          "plan_notes", &plan_notes,
-          "What must be known about the plan and how it ended, a list of str: factors that change no value, too.")
+      .def_property_readonly("plan_notes", &plan_notes,
+                             "Notes on the plan, among them the factors that change no value, a list of str.")
       .def(
           "__getitem__",
           [](const py::object& self, const GivenText& name) {

@@ -879,7 +879,7 @@ class StudyResult:
         ...
     @property
     def plan_notes(self) -> object:
-        """What must be known about the plan and how it ended, a list of str: factors that change no value, too."""
+        """Notes on the plan, among them the factors that change no value, a list of str."""
         ...
     def sobol_indices(self, value: str, base: Optional[str] = None) -> list:
         """Which factor decides: first and total Sobol indices with their 95 % intervals.
