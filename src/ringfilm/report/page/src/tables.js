@@ -107,7 +107,7 @@ export const kSerious = ['friction-too-high', 'film-too-thick', 'film-below-mole
 const kOfCrankAngles = ['film-parameter-too-low', 'film-parameter-low', 'shear-rate-high', 'shear-stress-high',
   'film-pressure-high', 'film-below-molecules', 'film-too-thick'];
 const kOfTheCase = ['density-extrapolated', 'viscosity-extrapolated', 'synthetic-trace', 'friction-too-high', 'cells-graded',
-  'cells-too-long', 'gas-peak-place', 'gas-pressure-low', 'gas-pressure-high', 'gas-trace-jump'];
+  'cells-too-long', 'gas-peak-place', 'gas-compression-low', 'gas-pressure-low', 'gas-pressure-high', 'gas-trace-jump', 'ring-tension-high'];
 
 /** How often a note applies, in words; a dash where it is said of the case as a whole. */
 function often(model, c, { topic, count }) {
