@@ -134,8 +134,7 @@ void check_tension_range(const Case& c, Breaches& breaches) {
                       std::string(key) + " makes an elastic pressure of " + number_text(p_e / 1e6) +
                           " MPa on a face of " + number_text(ring.face_width * 1e3) + " mm, above the " +
                           number_text(highest / 1e6) + " MPa at which ring.elastic_pressure ends",
-                      "a ring presses with 0.05 to 0.5 MPa; check the units of the tension, ring.face_width and "
-                      "engine.bore"});
+                      kUsualTension});
 }
 
 void check_tension(const Case& c, Breaches& breaches) {

@@ -73,6 +73,19 @@ TEST(Validity, ResultsThatNoRingCanHaveAreNoted) {
   EXPECT_THAT(topics(usual_sample(), 1.1e6), Contains("friction-too-high"));
 }
 
+TEST(Validity, ATensionThatNoRingHasIsNoted) {
+  const auto noted = [](double force) {
+    Case c = styles_new_ring();
+    c.ring.elastic_pressure.reset();
+    c.ring.tangential_force = force;
+    const std::vector<Note> notes = prepare(c).notes;
+    return std::any_of(notes.begin(), notes.end(), [](const Note& n) { return n.topic == "ring-tension-high"; });
+  };
+  EXPECT_FALSE(noted(10));
+  EXPECT_FALSE(noted(106)) << "2 MPa, as the lands of an oil ring";
+  EXPECT_TRUE(noted(1000));
+}
+
 // The three ways to state the tension end at the same elastic pressure.
 TEST(Validity, ATensionBeyondTheRangeOfTheElasticPressureIsRefused) {
   const auto breaches = [](double force, double width) {
