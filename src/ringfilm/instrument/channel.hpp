@@ -14,7 +14,7 @@ inline constexpr std::size_t kMostPoints = std::size_t{1} << 27;
 /// No file may be larger [byte].
 inline constexpr std::size_t kLargestInstrumentFile = std::size_t{1} << 30;
 
-/// What a file tells of one of its maps before the values are read.
+/// What a file states about one of its maps before the values are read.
 struct Channel {
   std::string name;  ///< as the file writes it; may be empty
   std::string unit;  ///< of the values, e.g. "um"; empty where the file does not say

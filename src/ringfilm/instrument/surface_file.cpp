@@ -287,7 +287,7 @@ SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& opt
   if (!values.x.empty() && !options.step_x) {
     values.step_x = even_step(values.x);
     if (values.step_x == 0) {
-      refuse(path, "the places of the profile are not even, and a map wants even steps",
+      refuse(path, "the places of the profile are not even, and a map requires even steps",
              "resample it in the program that wrote it");
     }
   }

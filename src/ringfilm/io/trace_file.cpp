@@ -14,8 +14,8 @@
 namespace ringfilm::io {
 namespace {
 
-/// The last sample may be the first one cycle later; beyond these relative differences it is told, or refused.
-constexpr double kToldMismatch = 1e-3, kLargestMismatch = 0.05;
+/// The last sample may be the first one cycle later; beyond these relative differences it is reported, or refused.
+constexpr double kNotedMismatch = 1e-3, kLargestMismatch = 0.05;
 /// The peak of any engine's trace lies between these; outside, the unit is wrong [Pa].
 constexpr double kLeastPeak = 5e4, kHighestPeak = 1e8;
 
@@ -188,7 +188,7 @@ class TraceReader {
     if (angle.back() - angle.front() < cycle::kCycleDeg * (1 - 1e-9)) return;
     const double first = samples.value.front() + atmosphere(), last = samples.value.back() + atmosphere();
     const double mismatch = std::abs(last - first) / std::max(first, last);
-    if (mismatch <= kToldMismatch) return;
+    if (mismatch <= kNotedMismatch) return;
     const std::string message =
         fmt::format("the pressure is {:.6g} bar at {:.8g} degree and {:.6g} bar one cycle later, at {:.8g} degree",
                     samples.value.front() / 1e5, angle.front(), samples.value.back() / 1e5, angle.back());
