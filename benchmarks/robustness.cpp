@@ -407,7 +407,7 @@ Survey surveyed(const Options& options, int first, int count) {
   const auto finished = [&](std::unique_ptr<Marching> marching) {
     const auto& march = static_cast<const ScenarioMarch&>(*marching);
     const std::unique_ptr<ScenarioMarch> again = march.again();
-    if (again != nullptr) march_alone(*again);
+    if (again != nullptr) integrate_alone(*again);
     end(march.index(), (again != nullptr ? *again : march).outcome());
   };
   std::vector<LaneEffort> efforts(n_threads);

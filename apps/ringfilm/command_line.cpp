@@ -205,7 +205,7 @@ class Commands {
 
   void add_check() {
     auto& command =
-        add("check", "Read a case of a ring or a pad, tell everything that is wrong with it, run nothing", [this] {
+        add("check", "Read a case of a ring or a pad, report everything that is wrong with it, run nothing", [this] {
           check({check_words_.case_path(), check_words_.overrides()});
         });
     check_words_.add_to(command);
@@ -259,7 +259,7 @@ class Commands {
   }
 
   void add_verify() {
-    auto& command = add("verify", "Compute cases with known answers and tell how far off they are", [this] {
+    auto& command = add("verify", "Compute cases with known answers and report how far off they are", [this] {
       verify_.wanted = list_ ? VerifyWanted::kNames : verify_json_ ? VerifyWanted::kJson : VerifyWanted::kTable;
       verify(verify_);
     });

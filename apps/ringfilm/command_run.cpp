@@ -14,7 +14,7 @@
 namespace ringfilm::app {
 namespace {
 
-/// Runs a check and keeps its faults, so that all are told at once.
+/// Runs a check and keeps its faults, so that all are reported at once.
 void collect(std::vector<Fault>& faults, const std::function<void()>& check) {
   try {
     check();
@@ -56,7 +56,7 @@ cycle::Case checked_case(const RunOptions& options) {
 }
 
 /// Why the march stopped, and what there is of it now.
-ConvergenceError stop_told(const RunOptions& options, const Computation& done) {
+ConvergenceError named_stop(const RunOptions& options, const Computation& done) {
   const auto& samples = done.document.result.samples;
   std::string text = done.stopped->what();
   if (samples.empty()) {
@@ -88,7 +88,7 @@ void run(const RunOptions& options) {
     if (options.output && is_worth_writing) std::cout << "wrote " << *options.output << "\n";
     if (options.csv && is_worth_writing) std::cout << "wrote " << *options.csv << "\n";
   }
-  if (done.stopped) throw stop_told(options, done);
+  if (done.stopped) throw named_stop(options, done);
 }
 
 }  // namespace ringfilm::app

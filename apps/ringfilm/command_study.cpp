@@ -48,7 +48,7 @@ struct Loaded {
 
   const std::optional<study::Until>& until() const { return file.study.sampling.until; }
 
-  /// Of a study with `until` only the rows tell how many points it has.
+  /// Of a study with `until` only the rows show how many points it has.
   void take_points_of(const io::ShardReader& rows) {
     if (until()) take_points(rows.next() / rows_of_a_point());
   }
@@ -92,7 +92,8 @@ struct Loaded {
 };
 
 std::string resume_words(const StudyOptions& options) {
-  std::string words = fmt::format("ringfilm study {} -o {}", told_word(options.study_path), told_word(options.output));
+  std::string words =
+      fmt::format("ringfilm study {} -o {}", word_to_copy(options.study_path), word_to_copy(options.output));
   if (options.is_part) words += fmt::format(" --shard {}/{}", options.part, options.parts);
   if (options.threads > 0) words += fmt::format(" --threads {}", options.threads);
   return words + (options.yes ? " --yes" : "") + " --resume";
@@ -128,15 +129,15 @@ void check_curves(const StudyOptions& options, const study::Plan& plan) {
 
 void check_parts(const StudyOptions& options, const Loaded& study) {
   if (!study.until() || !options.is_part) return;
-  throw InputError("a study with plan.until cannot be run in parts: only all rows tell when it may stop",
+  throw InputError("a study with plan.until cannot be run in parts: only all rows show when it may stop",
                    "leave --shard out, or take until out of the plan");
 }
 
 void check_can_be_submitted(const StudyOptions& options, const Loaded& study) {
   if (!study.until()) return;
-  throw InputError("a study with plan.until cannot be submitted: only all rows tell when it may stop",
+  throw InputError("a study with plan.until cannot be submitted: only all rows show when it may stop",
                    fmt::format("run it as one job, ringfilm study {} -o {} --resume, or take until out of the plan",
-                               told_word(options.study_path), told_word(options.output)));
+                               word_to_copy(options.study_path), word_to_copy(options.output)));
 }
 
 void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
@@ -370,7 +371,7 @@ std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t us
   if (options.parts == 0) options.parts = there.empty() ? std::min(usual, study.plan.size()) : there.front().parts;
   if (options.parts > study.plan.size()) {
     throw InputError(fmt::format("--parts {}: the study has {} scenarios", options.parts, study.plan.size()),
-                     "each part wants one at least");
+                     "each part requires one at least");
   }
   std::vector<Fault> faults;
   std::set<std::uint64_t> finished;
@@ -437,10 +438,10 @@ void tell_study_status(const StudyOptions& options) {
         words += fmt::format("{}{}", last_change_words(file.path), on_the_way.of(file.part, file.parts));
       std::vector<io::ShardReader::Unsolved> unsolved;
       shard.append_unsolved(unsolved);
-      constexpr std::size_t kTold = 3;
-      for (std::size_t i = 0; i < std::min(unsolved.size(), kTold); ++i)
+      constexpr std::size_t kReported = 3;
+      for (std::size_t i = 0; i < std::min(unsolved.size(), kReported); ++i)
         words += fmt::format("\n  scenario {}: {}", unsolved[i].scenario, unsolved[i].reason);
-      if (unsolved.size() > kTold) words += fmt::format("\n  and {} more", unsolved.size() - kTold);
+      if (unsolved.size() > kReported) words += fmt::format("\n  and {} more", unsolved.size() - kReported);
     } catch (const InputError& error) {
       words = error.faults().front().message;
     }

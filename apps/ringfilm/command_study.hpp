@@ -27,7 +27,7 @@ void merge_study(const StudyOptions& options);
 /// @returns the parts that are not finished. Throws InputError
 std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t usual);
 
-/// Tells which parts of a study are done, how far the others are and what was not solved.
+/// Prints which parts of a study are done, how far the others are and what was not solved.
 void tell_study_status(const StudyOptions& options);
 
 }  // namespace ringfilm::app

@@ -53,7 +53,7 @@ void add_errors(const Wanted& wanted, std::span<const study::Ending> ended, io::
   document.result.notes.insert(document.result.notes.end(), notes.begin(), notes.end());
 }
 
-/// Tells the progress on a line.
+/// Prints the progress on a line.
 class LineWatch : public ComputationWatch {
  public:
   void begins(const Wanted& one) override { march_.emplace(line_, one.name); }
@@ -91,9 +91,9 @@ std::vector<Computation> computations(const std::vector<Wanted>& wanted, const s
       append(inquiries[i].ledger.cases, further);
     }
   }
-  const auto told = [&](int n_done, int n_total) { watch.others_ended(n_done, n_total); };
+  const auto reported = [&](int n_done, int n_total) { watch.others_ended(n_done, n_total); };
   const std::string others = fmt::format("; other grids and choices {} lanes", film::kernels().width);
-  const std::vector<study::Ending> ended = study::endings(further, told, options);
+  const std::vector<study::Ending> ended = study::endings(further, reported, options);
 
   std::span<const study::Ending> rest = ended;
   const auto taken = [&rest](std::size_t n) { return std::exchange(rest, rest.subspan(n)).first(n); };

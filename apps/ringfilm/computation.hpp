@@ -26,7 +26,7 @@ struct Computation {
   std::optional<ConvergenceError> stopped;
 };
 
-/// Told how far computations are: of the march of a case as cycle::Observer, and of all others.
+/// Receives how far computations are: of the march of a case as cycle::Observer, and of all others.
 class ComputationWatch : public cycle::Observer {
  public:
   virtual void begins(const Wanted& one) = 0;              ///< the march of this case

@@ -17,8 +17,8 @@ class EngineeringText {
   std::string operator()(const std::string& cycle_quantity, double value_si) const;
 
   /// With its error, e.g. "19.09 +- 0.02 kPa": the error rounded up to one digit (two where the first is 1), the value
-  /// to the same place. The angle of a peak that is another peak on another grid tells so. Without an error (NaN, or 0
-  /// as of an input) the value alone.
+  /// to the same place. The angle of a peak that is another peak on another grid is marked so. Without an error (NaN,
+  /// or 0 as of an input) the value alone.
   std::string operator()(const std::string& cycle_quantity, double value_si, double error_si) const;
 
  private:

@@ -100,7 +100,7 @@ struct LateralForceWords {
                     "for example --channels 3 4");
     }
     if (!scans && !channels.empty()) {
-      values.refuse("--channels are of scans, and a scan is made at one load that the file does not tell",
+      values.refuse("--channels are of scans, and a scan is made at one load that the file does not contain",
                     "state the load of each file: --load \"10 nN\" --load \"20 nN\"");
     }
     if (of.name && of.files.loads.empty()) {
@@ -133,7 +133,7 @@ struct LateralForceWords {
   void read_wedge(LateralForceCommand& of, OptionValues& values) const {
     if (command.wedge.empty() && wedge_angles.empty()) return;
     if (command.wedge.size() != 2 || wedge_angles.size() != 2) {
-      values.refuse("the wedge method wants two facets, each with its angle",
+      values.refuse("the wedge method requires two facets, each with its angle",
                     "--wedge up.csv --wedge flat.csv --wedge-angle \"54.7 deg\" --wedge-angle \"0 deg\"");
       return;
     }

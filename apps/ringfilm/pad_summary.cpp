@@ -56,7 +56,7 @@ std::string pad_summary(const cycle::Case& input, const io::PadDocument& documen
   std::string text =
       fmt::format("{}\npad of {}, {:.6g} m/s towards {}; {}\n\n", document.title, size, pad.speed,
                   pad.direction == cycle::Direction::kPlusX ? "+x" : "-x",
-                  pad.width ? "what is told per metre of width is the mean over it" : "all per metre of width");
+                  pad.width ? "what is reported per metre of width is the mean over it" : "all per metre of width");
   if (result.effort.time_steps > 0)
     text += fmt::format("at {:.6g} s, the last of {} instants\n", last.time, result.samples.size());
   text += values_table(last, pad) + "\n" + solver_line(result.effort) + assumed_pad_lines(document.inputs);

@@ -24,7 +24,7 @@ class ProgressLine {
   Clock::time_point next_;
 };
 
-/// Tells the progress of a march on a line.
+/// Prints the progress of a march on a line.
 class MarchProgress : public cycle::Observer {
  public:
   MarchProgress(ProgressLine& line, std::string what) : line_(line), what_(std::move(what)) {}

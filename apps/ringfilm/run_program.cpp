@@ -14,7 +14,7 @@
 namespace ringfilm::app {
 namespace {
 
-int tell(const InputError& error) {
+int print_error(const InputError& error) {
   const std::size_t n = error.faults().size();
   std::cerr << error.what() << n << (n == 1 ? " error" : " errors") << "; nothing was run or written (exit code "
             << kBadInput << ")\n";
@@ -31,7 +31,7 @@ int carry_out(const Request& request) {
               << kCouldNotWrite << ")\n";
     return kCouldNotWrite;
   } catch (const InputError& error) {
-    return tell(error);
+    return print_error(error);
   } catch (const ConvergenceError& error) {
     std::cerr << error.what() << "\nthe computation was not finished (exit code " << kNoConvergence << ")\n";
     return kNoConvergence;

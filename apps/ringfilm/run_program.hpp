@@ -2,7 +2,7 @@
 
 namespace ringfilm::app {
 
-/// The whole program but for its process: reads the words, does what they ask for, tells what went wrong on standard
+/// The whole program but for its process: reads the words, does what they ask for, prints what went wrong on standard
 /// error. @returns the exit code
 int run_program(int argc, const char* const* argv);
 

@@ -33,7 +33,7 @@ std::string shell_word(const std::string& word) {
   return quoted.append(1, '\'');
 }
 
-std::string told_word(const std::string& word) {
+std::string word_to_copy(const std::string& word) {
   constexpr const char* kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_=.,:/%+@";
   return !word.empty() && word.find_first_not_of(kPlain) == std::string::npos ? word : shell_word(word);
 }

@@ -20,7 +20,7 @@ Said said_by(const std::string& command_line);
 std::string shell_word(const std::string& word);
 
 /// The same for people to copy: in quotes only where the shell would take it for something else.
-std::string told_word(const std::string& word);
+std::string word_to_copy(const std::string& word);
 
 /// Is there such a command?
 bool is_command(const std::string& name);

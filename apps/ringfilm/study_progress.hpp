@@ -7,7 +7,7 @@
 
 namespace ringfilm::app {
 
-/// Tells how far a study is: on a terminal a line with a bar that is written over, elsewhere a line now and then.
+/// Prints how far a study is: on a terminal a line with a bar that is written over, elsewhere a line now and then.
 class StudyProgress {
  public:
   /// @param done scenarios that were there at the start

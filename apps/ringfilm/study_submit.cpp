@@ -161,12 +161,13 @@ void check_not_in_queue(const StudyFiles& files, const StudyOptions& options) {
   const auto states = queue_states(*jobs);
   if (states ? states->empty() : options.yes) return;
   const bool has_merge = !jobs->merge.empty();  // not where sbatch did not take it
-  const std::string told = has_merge ? fmt::format("jobs {} and {}", jobs->array, jobs->merge) : "job " + jobs->array;
+  const std::string reported =
+      has_merge ? fmt::format("jobs {} and {}", jobs->array, jobs->merge) : "job " + jobs->array;
   if (!states) {
-    throw InputError(fmt::format("squeue does not answer: {} of this study may be in the queue still", told),
+    throw InputError(fmt::format("squeue does not answer: {} of this study may be in the queue still", reported),
                      "try again when it does, or add --yes if they are surely gone");
   }
-  throw InputError(fmt::format("this study is in the queue already, as {}", told),
+  throw InputError(fmt::format("this study is in the queue already, as {}", reported),
                    fmt::format("wait for {}, or: scancel {}{}{}", has_merge ? "them" : "it", jobs->array,
                                has_merge ? " " : "", jobs->merge));
 }
@@ -195,7 +196,8 @@ void submit_study(const SubmitOptions& given) {
   const std::vector<std::uint64_t> missing = missing_parts(options.study, kUsualParts);
   if (missing.empty()) {
     std::cout << fmt::format("all {} parts are there; to join them: ringfilm study merge {} -o {}\n",
-                             options.study.parts, told_word(options.study.study_path), told_word(options.study.output));
+                             options.study.parts, word_to_copy(options.study.study_path),
+                             word_to_copy(options.study.output));
     return;
   }
   if (!options.is_rehearsal) {
@@ -225,8 +227,8 @@ void submit_study(const SubmitOptions& given) {
       "job {}: joins them when all are done; where one fails, it is not run\n"
       "how far it is: ringfilm study status {} -o {}\n"
       "after a failure the same command again computes what is missing\n",
-      jobs.array, missing.size(), options.study.parts, array, jobs.merge, told_word(options.study.study_path),
-      told_word(options.study.output));
+      jobs.array, missing.size(), options.study.parts, array, jobs.merge, word_to_copy(options.study.study_path),
+      word_to_copy(options.study.output));
 }
 
 }  // namespace ringfilm::app

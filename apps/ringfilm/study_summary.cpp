@@ -26,7 +26,7 @@ class Summary {
     scenario_notes_ = rows_.scenario_notes();
     for (std::size_t b = 0; b < study.bases.size(); ++b) {
       tell_base(b);
-      tell_notes(b);
+      print_notes(b);
     }
     tell_unsolved();
     return text_;
@@ -55,7 +55,7 @@ class Summary {
   }
 
   /// What the results of the base note, each topic with the number of scenarios that carry it.
-  void tell_notes(std::size_t base) {
+  void print_notes(std::size_t base) {
     const std::uint64_t n = plan_.n_points(base);
     bool is_first = true;
     for (const auto& note : scenario_notes_) {
@@ -131,11 +131,11 @@ class Summary {
     const std::uint64_t n_unsolved = rows_.n_unsolved();
     if (n_unsolved == 0) return;
     text_ += fmt::format("\n{} of {} scenarios were not solved; the first:\n", n_unsolved, plan_.size());
-    constexpr std::uint64_t kTold = 3, kBlock = 4096;  // a block at a time: there may be a million
-    std::uint64_t n_told = 0;
-    for (std::uint64_t first = 0; first < plan_.size() && n_told < std::min(n_unsolved, kTold); first += kBlock) {
+    constexpr std::uint64_t kReported = 3, kBlock = 4096;  // a block at a time: there may be a million
+    std::uint64_t n_listed = 0;
+    for (std::uint64_t first = 0; first < plan_.size() && n_listed < std::min(n_unsolved, kReported); first += kBlock) {
       for (const auto& one : rows_.unsolved({first, std::min(first + kBlock, plan_.size())})) {
-        if (n_told++ < kTold) text_ += fmt::format("  scenario {}: {}\n", one.scenario, one.reason);
+        if (n_listed++ < kReported) text_ += fmt::format("  scenario {}: {}\n", one.scenario, one.reason);
       }
     }
   }

@@ -78,7 +78,7 @@ struct SurfaceWords {
     command.add_option("--scheme", scheme, "of slopes and curvatures: neighbours or seven-point")
         ->capture_default_str()
         ->type_name("WORD");
-    command.add_option("--angle", angle, "tell slopes and curvatures of a map at this angle to x, too")
+    command.add_option("--angle", angle, "report slopes and curvatures of a map at this angle to x, too")
         ->type_name("ANGLE");
     command.add_option("--cavity-depth", cavity_depth, "what lies deeper below the median is a cavity")
         ->type_name("LENGTH");

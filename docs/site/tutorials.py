@@ -37,7 +37,7 @@ def page(made, name, folder):
     for file, content in resources["outputs"].items():
         (folder / file).parent.mkdir(parents=True, exist_ok=True)
         (folder / file).write_bytes(content)
-    # The figure itself is told by the caption in it and by the words around it.
+    # The figure itself is described by the caption in it and by the words around it.
     text = re.sub(r"!\[png\]\(", "![figure](", text)
     text = re.sub(r"<style scoped>.*?</style>", "", text, flags=re.S)
     text += f"\n\n*This page is a notebook that was run when the site was made: [{name}.ipynb]({name}.ipynb). Its source is `docs/tutorials/{name}.py`.*\n"

@@ -78,4 +78,4 @@ for i in order[::-1]:
 print(f"{'as it stands':32s} {at_tdc[0]:.4f}")
 
 # %% [markdown]
-# One at a time tells nothing of inputs that act together. For that there are Sobol indices: a [study](../manual/study.md) with `indices = "first-and-total"`, as `cases/studies/new_ring_uncertainty.toml`.
+# One at a time says nothing about inputs that act together. For that there are Sobol indices: a [study](../manual/study.md) with `indices = "first-and-total"`, as `cases/studies/new_ring_uncertainty.toml`.

@@ -10,7 +10,7 @@ namespace {
 using Mask = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 
 /// What somebody gave, short enough for a sentence.
-std::string told(const py::handle& value) {
+std::string shown_value(const py::handle& value) {
   if (value.is_none()) return "None";
   if (!PyUnicode_Check(value.ptr())) return "of type " + py::cast<std::string>(py::type::of(value).attr("__name__"));
   constexpr std::size_t kLongest = 40;
@@ -19,7 +19,7 @@ std::string told(const py::handle& value) {
 }
 
 [[noreturn]] void refuse(const char* name, const std::string& wanted, const py::handle& value) {
-  throw py::type_error(std::string(name) + " must be " + wanted + ", not " + told(value));
+  throw py::type_error(std::string(name) + " must be " + wanted + ", not " + shown_value(value));
 }
 
 std::string with_unit(const char* what, const char* unit) {
@@ -120,8 +120,9 @@ std::string text_of(const char* name, const py::handle& value, const char* examp
   const char* text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
   if (text == nullptr) {
     PyErr_Clear();
-    throw InputError(std::string(name) + " = " + told(value) + " contains a lone surrogate, which is not Unicode text",
-                     "replace the characters from \\ud800 to \\udfff");
+    throw InputError(
+        std::string(name) + " = " + shown_value(value) + " contains a lone surrogate, which is not Unicode text",
+        "replace the characters from \\ud800 to \\udfff");
   }
   return {text, static_cast<std::size_t>(size)};
 }
@@ -139,7 +140,7 @@ std::string path_of(const char* name, const py::handle& value) {
   if (PyBytes_Check(path.ptr())) path = py::module_::import("os").attr("fsdecode")(path);
   const std::string text = text_of(name, path, "ring.x3p");
   if (text.find('\0') != std::string::npos) {
-    throw InputError(std::string(name) + " = " + told(path) + " holds a zero byte, as no name of a file does");
+    throw InputError(std::string(name) + " = " + shown_value(path) + " holds a zero byte, as no name of a file does");
   }
   return text;
 }
@@ -154,7 +155,7 @@ MaybeMasked maybe_masked_of(const char* name, const py::handle& value) {
   const auto wrong = [&](const std::string& what) {
     throw py::type_error(std::string(name) + " must be an array of real numbers, not " + what);
   };
-  if (value.is_none() || PyUnicode_Check(value.ptr())) wrong(told(value));
+  if (value.is_none() || PyUnicode_Check(value.ptr())) wrong(shown_value(value));
   py::object array;
   try {
     array = as_numpy(value);

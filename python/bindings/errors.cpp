@@ -5,7 +5,7 @@ namespace {
 
 py::object error_type(const char* name) { return py::module_::import("ringfilm.errors").attr(name); }
 
-/// Without the end of line that the program wants.
+/// Without the end of line that the program requires.
 std::string words(const std::exception& error) {
   std::string text = error.what();
   while (!text.empty() && text.back() == '\n') text.pop_back();

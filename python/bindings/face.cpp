@@ -47,7 +47,7 @@ py::tuple ends(const double (&values)[2]) { return py::make_tuple(values[0], val
 
 /// Both ends of a fit, which are no plain members.
 void keep_ends(Record<FaceFit>& fit, const char* name, double (FaceFit::*member)[2], const char* doc) {
-  fit.told(
+  fit.derived(
       name, [member](const FaceFit& self) { return ends(self.*member); }, doc);
   fit.keep([member](const FaceFit& self) -> py::object { return ends(self.*member); },
            [member](FaceFit& self, const py::handle& state) {

@@ -11,14 +11,14 @@ namespace ringfilm::python {
 /// From work that goes on without the interpreter lock back to Python, now and then.
 class Interpreter {
  public:
-  /// Takes the lock at most every 20 ms: throws what a signal raised (Ctrl-C, on the main thread), then calls `tell`.
-  template <class Tell>
-  void visit(const Tell& tell) {
+  /// Takes the lock at most every 20 ms: throws what a signal raised (Ctrl-C, on the main thread), then calls `report`.
+  template <class Report>
+  void visit(const Report& report) {
     if (is_visited_ && Clock::now() < next_) return;
     is_visited_ = true;
     const py::gil_scoped_acquire lock;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    tell();
+    report();
     next_ = Clock::now() + std::chrono::milliseconds(20);
   }
 

@@ -118,7 +118,7 @@ N [1/m2], beta [m], sigma [m], E_prime [Pa] of 2/E_prime = sum (1 - nu^2)/E. Sou
       "gaussian_integral",
       [](const GivenNumber& order, const GivenNumbers& lambda) {
         const double n = number_of("n", order.value, "");
-        if (!(std::isfinite(n) && n >= 1)) throw InputError("n must be 1 or more", "contact wants 3/2, 2 and 5/2");
+        if (!(std::isfinite(n) && n >= 1)) throw InputError("n must be 1 or more", "contact requires 3/2, 2 and 5/2");
         return mapped("film_parameter", lambda, [n](double at) {
           if (!(at >= 0 && at <= 30)) throw InputError("lambda must lie between 0 and 30");
           return gaussian_integral(n, at);

@@ -30,7 +30,7 @@ py::array film(const PadObject& self, Film member) {
 py::dict values(const PadObject& self) {
   py::dict values;
   if (self.result().samples.empty()) return values;
-  for (const auto& quantity : pad::told_quantities(self.result()))
+  for (const auto& quantity : pad::reported_quantities(self.result()))
     values[py::str(quantity.name)] = self.result().samples.back().*quantity.value;
   return values;
 }

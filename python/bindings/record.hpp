@@ -83,7 +83,7 @@ class Record {
 
   /// What follows from the members, `Value value(const Struct&)`, listed with them.
   template <class Function>
-  Record& told(const char* name, const Function& value, const char* doc) {
+  Record& derived(const char* name, const Function& value, const char* doc) {
     type_.def_property_readonly(name, value, doc);
     type_.attr("_members").attr("append")(name);
     return *this;
@@ -92,7 +92,7 @@ class Record {
   /// A choice as its word, which `Text word(Choice)` gives.
   template <class Choice, class Function>
   Record& with_word(const char* name, Choice Struct::*member, const Function& word, const char* doc) {
-    told(
+    derived(
         name, [member, word](const Struct& self) { return word(self.*member); }, doc);
     return keep(member);
   }

@@ -62,11 +62,11 @@ py::list ledger(const ResultObject& self) {
       one["reason"] = variant.reason;
       variants.append(one);
     }
-    py::dict told;
-    told["topic"] = entry.topic;
-    told["statement"] = entry.statement;
-    told["variants"] = variants;
-    lifted.append(told);
+    py::dict reported;
+    reported["topic"] = entry.topic;
+    reported["statement"] = entry.statement;
+    reported["variants"] = variants;
+    lifted.append(reported);
   }
   return lifted;
 }
@@ -125,7 +125,7 @@ must know about them.
 Curves are attributes and items, numpy arrays of shape (crank_angle,) in SI without a copy, read-only:
 result.min_film_thickness, result["min_film_thickness"]. Values of the cycle are attributes (result.fmep), unless a
 curve has the same name, and all stand in result.values. Every variable of a result file is an item by its name there.
-Loads, friction and flow are those of the whole ring; signs are told in docs/manual/result-file.md. Crank angles are in
+Loads, friction and flow are those of the whole ring; signs: see docs/manual/result-file.md. Crank angles are in
 degrees, 0 = firing TDC, from 0 to 720. Results can be pickled.)";
 
 void bind_curves(py::class_<ResultObject>& type) {

@@ -11,7 +11,7 @@ struct RunWishes {
   int threads = 0;              ///< for these; 0: as many as the machine runs at once
 };
 
-/// Runs a case without the interpreter lock; looks for Ctrl-C and tells `progress` now and then.
+/// Runs a case without the interpreter lock; looks for Ctrl-C and calls `progress` now and then.
 py::object run_case(CaseObject& self, const py::object& progress, const RunWishes& wishes);
 
 }  // namespace ringfilm::python

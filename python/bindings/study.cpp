@@ -194,26 +194,26 @@ py::dict statistics(const StudyResultObject& self, const GivenText& value, const
   const bool is_sample = self.loaded->plan.is_sample(0);
   const std::vector<double> values = of_base(self, quantity_index(value), b, is_sample);
   const std::vector<double> sorted = study::sorted_values(values);
-  py::dict told;
-  told["count"] = sorted.size();
-  told["left_out"] = values.size() - sorted.size();
+  py::dict reported;
+  reported["count"] = sorted.size();
+  reported["left_out"] = values.size() - sorted.size();
   if (const auto mean = study::mean_of(values)) {
-    told["mean"] = mean->value;
-    told["standard_error"] = mean->standard_error;
-    told["deviation"] = mean->deviation;
+    reported["mean"] = mean->value;
+    reported["standard_error"] = mean->standard_error;
+    reported["deviation"] = mean->deviation;
   }
-  if (sorted.empty()) return told;
-  told["lowest"] = sorted.front();
-  told["highest"] = sorted.back();
+  if (sorted.empty()) return reported;
+  reported["lowest"] = sorted.front();
+  reported["highest"] = sorted.back();
   py::dict quantiles, intervals;
   for (const double share : {0.05, 0.25, 0.5, 0.75, 0.95}) {
     const study::Quantile quantile = study::quantile_of(sorted, share);
     quantiles[py::float_(share)] = quantile.value;
     intervals[py::float_(share)] = py::make_tuple(quantile.low, quantile.high);
   }
-  told["quantiles"] = quantiles;
-  told["quantile_intervals"] = intervals;
-  return told;
+  reported["quantiles"] = quantiles;
+  reported["quantile_intervals"] = intervals;
+  return reported;
 }
 
 py::list sobol(const StudyResultObject& self, const GivenText& value, const GivenMaybeText& base) {
@@ -334,7 +334,7 @@ Source: docs/theory/study.md.)")
 threads: None, or 1 to 1024; the numbers do not depend on it. progress: called as progress(done, total) now and then.
 Returns a StudyResult. Ctrl-C ends the run with KeyboardInterrupt. A scenario that cannot be solved is a row of NaN with
 its reason. A plan with `until` goes on until it is sure enough: the result has more scenarios than this study then,
-its own `study` tells the plan as it ended, and `total` grows. Raises InputError.)")
+its own `study` is the plan as it ended, and `total` grows. Raises InputError.)")
       .def(
           "__repr__",
           [](const StudyObject& self) {
@@ -364,9 +364,8 @@ void bind_results(py::module_& module) {
       .def_property_readonly(
           "notes", &notes_by_topic,
           "The notes on single results, {topic: (message of the first of them, list of scenarios from 0)}.")
-      .def_property_readonly(
-          "plan_notes", &plan_notes,
-          "What must be known about the plan and how it ended, a list of str: factors that change no value, too.")
+      .def_property_readonly("plan_notes", &plan_notes,
+                             "Notes on the plan, among them the factors that change no value, a list of str.")
       .def(
           "__getitem__",
           [](const py::object& self, const GivenText& name) {

@@ -324,7 +324,8 @@ void bind_files(py::module_& module) {
             if (!py::isinstance<MeasuredMap>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
             return py::bool_(is_same(self, py::cast<const MeasuredMap&>(other)));
           },
-          py::arg("other"), "Are the heights and all that is told of them the same? Points that were not measured are.")
+          py::arg("other"),
+          "Are the heights and all that is reported of them the same? Points that were not measured are.")
       .def(py::pickle([](const MeasuredMap& self) { return self.state(); }, &map_of))
       .def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc)
       .def(

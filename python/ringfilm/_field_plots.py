@@ -46,8 +46,8 @@ def _draw_profiles(axes, x, angles, values, words, style, strokes):
     axes.set_ylabel(label_of(long_name, unit, _HIGH), fontsize=8)
     if strokes != "inside":
         axes.legend(fontsize=7, title="crank angle", title_fontsize=7)
-    told = ", ".join(f"{angle:g}" for angle in angles)
-    return f"{long_name[0].upper()}{long_name[1:]}, at a crank angle of {told} degree."
+    reported = ", ".join(f"{angle:g}" for angle in angles)
+    return f"{long_name[0].upper()}{long_name[1:]}, at a crank angle of {reported} degree."
 
 
 def _edges(middles):
@@ -98,6 +98,6 @@ def _draw_map(axes, result, field, words, style, strokes):
     axes.set_ylabel(_BY_PLACE, fontsize=8)
     # Words inside could not be read on the colours, above they would run into a title of the owner.
     crank_axis(axes, result.peak_gas_pressure_angle, "above" if strokes == "above" else "none")
-    told = f"{long_name[0].upper()}{long_name[1:]} at {len(angles)} crank angles"
+    reported = f"{long_name[0].upper()}{long_name[1:]} at {len(angles)} crank angles"
     blank = ", white where none was computed" if numpy.isnan(columns).any() or edges[-1] - edges[0] < 720 else ""
-    return f"{told}{blank}.{dotted_line(result)}"
+    return f"{reported}{blank}.{dotted_line(result)}"

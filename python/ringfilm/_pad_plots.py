@@ -27,18 +27,18 @@ def plot_pad(result, what="film", axes=None, label=None, **style):
     if what == "film":
         figure = new_figure(2)
         gap, pressure = figure.subplots(2, 1, sharex=True)
-        told = _draw_along(gap, result, "film_thickness", TOTAL)
+        reported = _draw_along(gap, result, "film_thickness", TOTAL)
         _draw_along(pressure, result, "pressure", TOTAL)
         gap.set_xlabel("")
-        told = told.replace("Film thickness", "Film thickness and pressure")
+        reported = reported.replace("Film thickness", "Film thickness and pressure")
     else:
         figure = new_figure(1)
         own = {} if label is None else {"label": plain(label)}
-        told = draw(figure.subplots(), result, what, {**TOTAL, **own, **style})
+        reported = draw(figure.subplots(), result, what, {**TOTAL, **own, **style})
         if label is not None:
             figure.axes[0].legend(fontsize=7)
     program = version().split(" commit ")[0]
-    caption(figure, f"{told} Case: {result.title or 'without a title'}; {program}.")
+    caption(figure, f"{reported} Case: {result.title or 'without a title'}; {program}.")
     return figure
 
 

@@ -143,10 +143,10 @@ def plot_result(result, what="overview", axes=None, label=None, **style):
         return axes.figure
     figure = new_figure(1 if what in curves else 2)
     own = {} if label is None else {"label": plain(label)}
-    told = draw(figure.subplots(), result, what, {**own, **style}, "above")
+    reported = draw(figure.subplots(), result, what, {**own, **style}, "above")
     if label is not None:
         figure.axes[0].legend(fontsize=7)
-    _caption(figure, told, result)
+    _caption(figure, reported, result)
     return figure
 
 
@@ -170,8 +170,8 @@ def _plot_panels(result, names):
     for panel, name in zip(panels, names):
         _draw_panel(panel, result, name, "above" if panel is panels[0] else "none")
     panels[-1].set_xlabel(BY_ANGLE, fontsize=8)
-    told = "; ".join("friction" if name == "friction" else _curves()[name].long_name for name in names)
-    _caption(figure, f"{_when(result)}: {told}.{dotted_line(result)}", result)
+    reported = "; ".join("friction" if name == "friction" else _curves()[name].long_name for name in names)
+    _caption(figure, f"{_when(result)}: {reported}.{dotted_line(result)}", result)
     return figure
 
 

@@ -1,4 +1,4 @@
-"""From a trace over a ring face to the shape that a case wants (docs/theory/face.md).
+"""From a trace over a ring face to the shape that a case requires (docs/theory/face.md).
 
 A trace has no gaps: leave points that were not measured out. NaN and masked points are refused.
 """

@@ -263,7 +263,7 @@ test('a model without a fill has cavities where the pressure is theirs', () => {
   ring.x = [-1, ...ring.x.slice(0, 1), 1];
   ring.value = (name, k, j, i) => (j === 1 && i === 1 ? 0 : 2);
   assert.deepEqual([ring.isCavity(0, 0, 1), ring.isCavity(0, 1, 1), ring.hasCavity(0)], [false, true, true]);
-  assert.match(fieldCaption(ring, ''), /Hatched: cavities, where the pressure is that of a cavity; .* Reynolds' exit, does not tell how much oil.*at 1 of the 1 angles/);
+  assert.match(fieldCaption(ring, ''), /Hatched: cavities, where the pressure is that of a cavity; .* Reynolds' exit, does not define how much oil.*at 1 of the 1 angles/);
   assert.match(fieldCaption(smallRing(0.01, { rupture_pressure: -1e5 }), ''), /No angle has a cavity/);
   assert.doesNotMatch(fieldCaption(smallRing(0.01), ''), /Reynolds/);
 });

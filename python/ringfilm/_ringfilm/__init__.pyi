@@ -354,7 +354,7 @@ class Result:
     Curves are attributes and items, numpy arrays of shape (crank_angle,) in SI without a copy, read-only:
     result.min_film_thickness, result["min_film_thickness"]. Values of the cycle are attributes (result.fmep), unless a
     curve has the same name, and all stand in result.values. Every variable of a result file is an item by its name there.
-    Loads, friction and flow are those of the whole ring; signs are told in docs/manual/result-file.md. Crank angles are in
+    Loads, friction and flow are those of the whole ring; signs: see docs/manual/result-file.md. Crank angles are in
     degrees, 0 = firing TDC, from 0 to 720. Results can be pickled."""
     def __contains__(self, name: object) -> bool:
         """Does [] give something for this name?"""
@@ -843,7 +843,7 @@ class Study:
         threads: None, or 1 to 1024; the numbers do not depend on it. progress: called as progress(done, total) now and then.
         Returns a StudyResult. Ctrl-C ends the run with KeyboardInterrupt. A scenario that cannot be solved is a row of NaN with
         its reason. A plan with `until` goes on until it is sure enough: the result has more scenarios than this study then,
-        its own `study` tells the plan as it ended, and `total` grows. Raises InputError."""
+        its own `study` is the plan as it ended, and `total` grows. Raises InputError."""
         ...
     @property
     def title(self) -> object:
@@ -879,7 +879,7 @@ class StudyResult:
         ...
     @property
     def plan_notes(self) -> object:
-        """What must be known about the plan and how it ended, a list of str: factors that change no value, too."""
+        """Notes on the plan, among them the factors that change no value, a list of str."""
         ...
     def sobol_indices(self, value: str, base: Optional[str] = None) -> list:
         """Which factor decides: first and total Sobol indices with their 95 % intervals.

@@ -160,7 +160,7 @@ class HeightStatistics:
 class MeasuredMap:
     """A map of heights as an instrument's file gave it."""
     def __eq__(self, other: object) -> object:
-        """Are the heights and all that is told of them the same? Points that were not measured are."""
+        """Are the heights and all that is reported of them the same? Points that were not measured are."""
         ...
     def __repr__(self) -> str:
         """The plausibility line."""

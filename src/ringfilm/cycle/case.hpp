@@ -228,7 +228,7 @@ struct Gas {
   // wiebe, and a trace that covers only a part of the cycle (there without default)
   std::optional<double> intake_pressure;                   ///< in the cylinder during intake, absolute [Pa]
   std::optional<double> exhaust_pressure;                  ///< in the cylinder during exhaust, absolute [Pa]
-  static constexpr double kWiebeIntakePressure = 0.95e5;   ///< where the wiebe model is not told otherwise [Pa]
+  static constexpr double kWiebeIntakePressure = 0.95e5;   ///< unless the case states it [Pa]
   static constexpr double kWiebeExhaustPressure = 1.05e5;  ///< likewise [Pa]
   // always
   double crankcase_pressure = 101325;  ///< under the ring, absolute [Pa]; not used where a trace is given

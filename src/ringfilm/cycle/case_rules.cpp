@@ -77,20 +77,20 @@ void check_wiebe(const Gas& gas, Breaches& breaches) {
   }
 }
 
-/// A trace must leave this much of the cycle for models::join_partial_trace to close it.
-constexpr double kLeastRoomToJoinDeg = 120;
-
 void check_trace(const Case& c, Breaches& breaches) {
   const Gas& gas = c.gas;
   const auto& angles = gas.cylinder_pressure->crank_angle_deg;
   if (angles.empty() || models::covers_cycle(angles)) return;
   const double missing = angles.front() + kCycleDeg - angles.back();
-  if (missing < kLeastRoomToJoinDeg) {
+  if (missing < kCycleDeg - 2 * models::kLongestPartialTraceDeg) {
     breaches.push_back({"gas.cylinder_pressure",
                         "the trace has no samples between " + number_text(angles.back()) + " and " +
                             number_text(angles.front() + kCycleDeg) + " degree, where the cycle begins again",
-                        "samples may be 10 degree apart at the most; complete the cycle, or cut the trace to -300 to "
-                        "300 degree about firing TDC and state gas.intake_pressure and gas.exhaust_pressure"});
+                        "samples may be " + number_text(models::kLargestSampleDistanceDeg) +
+                            " degree apart at the most; complete the cycle, or cut the trace to " +
+                            number_text(-models::kLongestPartialTraceDeg) + " to " +
+                            number_text(models::kLongestPartialTraceDeg) +
+                            " degree about firing TDC and state gas.intake_pressure and gas.exhaust_pressure"});
     return;
   }
   const std::string span = "the trace covers only " + number_text(angles.front()) + " to " +
@@ -119,7 +119,8 @@ void check_trace(const Case& c, Breaches& breaches) {
 void check_crankcase(const Gas& gas, Breaches& breaches) {
   if (!gas.crankcase_trace || models::covers_cycle((*gas.crankcase_trace)->crank_angle_deg)) return;
   breaches.push_back({"gas.crankcase_pressure", "the crankcase trace covers only a part of the cycle",
-                      "give samples over all 720 degrees, none more than 10 degrees apart, or one pressure"});
+                      "give samples over the whole cycle, none more than " +
+                          number_text(models::kLargestSampleDistanceDeg) + " degrees apart, or one pressure"});
 }
 
 /// All ways to state the tension end where ring.elastic_pressure does.
@@ -133,8 +134,7 @@ void check_tension_range(const Case& c, Breaches& breaches) {
                       std::string(key) + " makes an elastic pressure of " + number_text(p_e / 1e6) +
                           " MPa on a face of " + number_text(ring.face_width * 1e3) + " mm, above the " +
                           number_text(highest / 1e6) + " MPa at which ring.elastic_pressure ends",
-                      "a ring presses with 0.05 to 0.5 MPa; check the units of the tension, ring.face_width and "
-                      "engine.bore"});
+                      kUsualTension});
 }
 
 void check_tension(const Case& c, Breaches& breaches) {

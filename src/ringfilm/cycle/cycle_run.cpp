@@ -74,13 +74,12 @@ void CycleRun::check_approach() {
   distances_.push_back(distance_);
   const std::size_t n = distances_.size();
   if (n <= kCyclesToHalve || distance_ <= distances_[n - 1 - kCyclesToHalve] / 2) return;
-  char text[256];
+  char text[512];
   std::snprintf(text, sizeof text,
                 "the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
-                "before, %.2g is allowed, and the difference did not halve in the last 50 cycles; take a larger "
-                "solver.tolerance or a smaller "
-                "solver.crank_step",
-                n, distance_, kPeriodicityFactor * setup_.input.solver.tolerance);
+                "before, %.2g is allowed, and the difference did not halve in the last %zu cycles; take a larger "
+                "solver.tolerance or a smaller solver.crank_step",
+                n, distance_, kPeriodicityFactor * setup_.input.solver.tolerance, kCyclesToHalve);
   throw ConvergenceError(text, crank_angle_deg());
 }
 

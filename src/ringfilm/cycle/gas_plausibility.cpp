@@ -21,8 +21,17 @@ constexpr double kBar = 1e5;
 /// Knock and early combustion peak 10 to 20 degree before TDC.
 constexpr double kEarliestPeakDeg = -30, kLatestPeakDeg = 60;
 /// Compression by 4, less than that of any engine, raises the pressure six times. A trace below this ratio of its
-/// highest to its lowest pressure has no compression, as on a rig without a cylinder head, and no peak to look at.
+/// highest to its lowest pressure shows no compression, as on a rig without a cylinder head, and no peak to look at.
 constexpr double kLeastCompression = 2;
+/// Without compression the cylinder is open to the atmosphere, whose pressure stays below 1.09 bar.
+constexpr double kHighestOpen = 1.2 * kBar;
+/// Between these angles the valves of any engine are closed, and combustion has not begun, or raises the pressure;
+/// eq-weak-compression.
+constexpr double kCompressionFromDeg = -75, kCompressionToDeg = -45;
+/// Real compression has an exponent of about 1.3. Isothermal compression at this ratio is weaker
+/// than that of historic engines (ratio 4, exponent 1.3), and weaker than one at a ratio of 10 that leaks as much as to
+/// an exponent of 0.85.
+constexpr double kLowestRatio = 6;
 /// No manifold of a running engine falls below 0.2 bar absolute: a closed throttle on the overrun leaves 0.2 to 0.3.
 constexpr double kDeepestVacuum = 0.2 * kBar;
 /// The exhaust flows out against the atmosphere, which has 0.6 bar at a height of 4000 m.
@@ -60,6 +69,12 @@ double from_firing(const Gas& gas, double trace_angle_deg) {
   return angle < kCycleDeg / 2 ? angle : angle - kCycleDeg;
 }
 
+/// Volume above the piston, in strokes.
+double volume_above(const Case& c, double crank_angle_deg, double compression_ratio) {
+  const models::CrankSlider crank(c.engine.stroke / 2, c.engine.connecting_rod_length);
+  return 1 / (compression_ratio - 1) + crank.position(crank_angle_deg * std::numbers::pi / 180) / crank.stroke();
+}
+
 class GasNotes {
  public:
   GasNotes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes)
@@ -72,6 +87,7 @@ class GasNotes {
 
   void append() {
     append_place_of_peak();
+    append_weak_compression();
     append_low_pressures();
     append_high_pressures();
     append_jump();
@@ -82,13 +98,37 @@ class GasNotes {
 
   void note(const char* topic, std::string message) { notes_.push_back({topic, std::move(message), 1}); }
 
+  bool is_compressed() const { return highest_ >= kLeastCompression * lowest_; }
+  bool is_peak_in_place() const { return peak_deg_ >= kEarliestPeakDeg && peak_deg_ <= kLatestPeakDeg; }
+
   void append_place_of_peak() {
-    if (highest_ < kLeastCompression * lowest_) return;
-    if (peak_deg_ >= kEarliestPeakDeg && peak_deg_ <= kLatestPeakDeg) return;
+    if (!is_compressed() || is_peak_in_place()) return;
     const bool near_gas_exchange = std::abs(peak_deg_) > kCycleDeg / 4;
     note("gas-peak-place", "the cylinder pressure has its peak at " + number_text(wrapped(peak_deg_)) + " degree, " +
                                (near_gas_exchange ? "near gas-exchange TDC" : "away from firing TDC at 0 degree") +
                                ": is gas.angle_zero right, and the unit of the crank angle?");
+  }
+
+  void append_weak_compression() {
+    if (!is_compressed()) {
+      if (lowest_ <= kHighestOpen || lowest_ > kHighestCharge) return;
+      note("gas-compression-low",
+           "the cylinder pressure stays between " + in_bar(lowest_) + " and " + in_bar(highest_) +
+               " absolute: it shows no compression, and a rig without a cylinder head has the pressure of the "
+               "atmosphere: are the unit of the trace and gas.pressure_reference right?");
+      return;
+    }
+    const bool has_compression = is_whole() || from_firing(gas_, trace_.crank_angle_deg.front()) <= kCompressionFromDeg;
+    if (!is_peak_in_place() || !has_compression || lowest_ < kDeepestVacuum) return;
+    const double from = cylinder_.pressure(kCompressionFromDeg), to = cylinder_.pressure(kCompressionToDeg);
+    const double least =
+        volume_above(case_, kCompressionFromDeg, kLowestRatio) / volume_above(case_, kCompressionToDeg, kLowestRatio);
+    if (to >= least * from) return;
+    note("gas-compression-low", "the cylinder pressure rises from " + in_bar(from) + " absolute at " +
+                                    number_text(-kCompressionFromDeg) + " degree before firing TDC to " + in_bar(to) +
+                                    " at " + number_text(-kCompressionToDeg) + " degree, less than by compression (" +
+                                    number_text(least) +
+                                    " times or more): are the unit of the trace and gas.pressure_reference right?");
   }
 
   void append_low_pressures() {
@@ -115,7 +155,7 @@ class GasNotes {
       return;
     }
     const bool is_gauge = gas_.pressure_reference == PressureReference::kGauge;
-    if (!is_gauge || !is_whole() || lowest_ - base::kAtmosphere < kLargestUsualBoost) return;
+    if (!is_gauge || !is_whole() || !is_compressed() || lowest_ - base::kAtmosphere < kLargestUsualBoost) return;
     note("gas-pressure-high", "the cylinder pressure never falls below " + in_bar(lowest_ - base::kAtmosphere) +
                                   " above the atmosphere, " + in_bar(lowest_) +
                                   " absolute: unless the engine is charged so high, the trace is absolute and "
@@ -153,12 +193,9 @@ std::optional<TraceStart> trace_start(const Case& c) {
   if (!is_joined) return std::nullopt;
   const double angle = from_firing(gas, trace.crank_angle_deg.front());
   if (angle > 0) return std::nullopt;
-  const models::CrankSlider crank(c.engine.stroke / 2, c.engine.connecting_rod_length);
-  // Compression begins at bottom dead centre.
-  const double compressed_deg = std::max(angle, -kCycleDeg / 4);
-  const double swept = crank.position(compressed_deg * std::numbers::pi / 180) / crank.stroke();
-  const double clearance = 1 / (kHighestRatio - 1);
-  const double rise = std::pow((clearance + 1) / (clearance + swept), kAdiabatic);
+  const double bottom = -kCycleDeg / 4;  // compression begins there
+  const double rise = std::pow(
+      volume_above(c, bottom, kHighestRatio) / volume_above(c, std::max(angle, bottom), kHighestRatio), kAdiabatic);
   return TraceStart{angle, trace.value.front() + rise_of_reference(gas), *gas.intake_pressure,
                     *gas.intake_pressure * rise};
 }

@@ -22,8 +22,8 @@ std::optional<TraceStart> trace_start(const Case& c);
 /// Does the start contradict gas.intake_pressure whatever the engine?
 bool contradicts_intake(const TraceStart& start);
 
-/// Notes on an improbable trace: a peak far from firing TDC, pressures of another reference or unit, a jump where it is
-/// joined with the intake pressure.
+/// Notes on an improbable trace: a peak far from firing TDC, weak or no compression, pressures of another
+/// reference or unit, a jump where it is joined with the intake pressure.
 /// @param cylinder the pressure of the whole cycle
 void append_gas_notes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes);
 

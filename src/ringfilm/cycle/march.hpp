@@ -41,7 +41,7 @@ class NoBalance : public ConvergenceError {
 
 class March;
 
-/// Told of every accepted step.
+/// Called after every accepted step.
 class Waypoints {
  public:
   virtual ~Waypoints() = default;

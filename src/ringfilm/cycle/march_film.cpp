@@ -4,12 +4,11 @@
 #include <utility>
 
 #include "ringfilm/film/first_guess.hpp"
+#include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::cycle {
 namespace {
 
-/// A film of atoms: cells that are graded can see one of it, and none is thinner [m].
-constexpr double kThinnestSeen = 1e-10;
 /// Cells before grading: fewer than usual may be why no film was found.
 constexpr int kFewestGraded = 200;
 
@@ -59,7 +58,7 @@ film::FilmGrid face_grid(const Setup& setup) {
   const auto height = [&](double x) { return face.height(x) - lowest; };
   if (setup.cells == CellsOfFace::kUniform) return film::uniform_grid(solver.cells, ring.face_width, height);
   const bool turns = ring.face.orientation == Orientation::kLeadingEdge;
-  return film::graded_grid(std::max(solver.cells, kFewestGraded), ring.face_width, height, kThinnestSeen,
+  return film::graded_grid(std::max(solver.cells, kFewestGraded), ring.face_width, height, film::kAtom,
                            turns ? film::Turning::kPossible : film::Turning::kNever);
 }
 

@@ -47,7 +47,7 @@ sheet::SheetInputs sheet_inputs(const film::FilmInputs& inputs);
 /// How finely the unrolled ring of a case is cut.
 sheet::Around strips_of(const Case& c);
 
-/// Longer than asked for by as much, the cells at the ends of the ring are told.
+/// Longer than asked for by as much, the cells at the ends of the ring are reported.
 inline constexpr double kEndCellMissed = 1.1;
 
 }  // namespace ringfilm::cycle

@@ -125,7 +125,7 @@ void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
   oil.notes.push_back(
       {"properties-exact",
        "no polynomials follow the oil's laws within a relative " + std::string(wanted) +
-           ", as solver.properties = \"fitted\" wants: the laws themselves are used, which takes longer",
+           ", as solver.properties = \"fitted\" requires: the laws themselves are used, which takes longer",
        1});
 }
 

@@ -153,7 +153,7 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
                    largest_flow_ > 0 ? largest_mass_defect_ / largest_flow_ : 0.0,
                    totals.relaxation_sweeps};
   result.notes = setup_.notes;
-  append_validity_notes(setup_, base, result.complete ? result.values.fmep : 0.0,
+  append_validity_notes(setup_, march.problem().grid, base, result.complete ? result.values.fmep : 0.0,
                         {polynomial_steps_, polynomial_share_}, result.notes);
   append_effort_notes(result.effort, totals, result.notes);
   return result;

@@ -11,7 +11,7 @@
 namespace ringfilm::cycle {
 
 /// Everything at one crank angle. SI; loads, friction and flow for the whole ring: the circumference pi x bore, of an
-/// unrolled film without the gap. Where the cavity begins and ends is told of its strip halfway, opposite the gap.
+/// unrolled film without the gap. Where the cavity begins and ends is reported of its strip halfway, opposite the gap.
 /// Signs: velocity and friction on the liner positive towards TDC; `viscous_friction_ring` is the shear at the ring in
 /// the same sense of motion, so that the force on the ring itself is its opposite; oil flow positive from chamber to
 /// crankcase.

@@ -8,6 +8,7 @@
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/gas_plausibility.hpp"
 #include "ringfilm/cycle/march_film.hpp"
 #include "ringfilm/cycle/oil.hpp"
@@ -96,10 +97,23 @@ void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
   notes.push_back({"end-cells-long", text, 1});
 }
 
+/// Bending breaks a ring that is more tense than 1 MPa; on the narrow lands of oil rings, with a spring behind them, it
+/// is up to 2 MPa (docs/manual/robustness.md) [Pa].
+constexpr double kHighestTension = 3e6;
+
+void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
+  if (elastic_pressure <= kHighestTension) return;
+  notes.push_back({"ring-tension-high",
+                   "the tension of the ring makes an elastic pressure of " + number_text(elastic_pressure / 1e6) +
+                       " MPa: " + kUsualTension,
+                   1});
+}
+
 Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
   append_end_cell_note(c, oil.notes);
   append_gas_notes(c, cylinder, oil.notes);
   const double p_e = elastic_pressure(c);
+  append_tension_note(p_e, oil.notes);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, cylinder));
   models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
                                                           : models::CyclePressure(c.gas.crankcase_pressure);

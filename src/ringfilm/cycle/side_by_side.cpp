@@ -123,7 +123,7 @@ class Block {
 
 }  // namespace
 
-void march_alone(Marching& marching, const std::function<void()>& pulse) {
+void integrate_alone(Marching& marching, const std::function<void()>& pulse) {
   while (!marching.done()) {
     marching.march().propose();
     marching.conclude(marching.march().solve());
@@ -145,7 +145,7 @@ LaneEffort march_side_by_side(const std::function<Owned()>& next, const std::fun
     if (march->done()) return finished(std::move(march));
     const film::FilmProblem& problem = march->march().problem();
     if (!march->march().fits_a_lane()) {
-      march_alone(*march, pulse);
+      integrate_alone(*march, pulse);
       return finished(std::move(march));
     }
     const LaneKind kind = kind_of(problem);

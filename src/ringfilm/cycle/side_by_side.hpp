@@ -18,7 +18,7 @@ class Marching {
 };
 
 /// One march by itself, to its end; `pulse` as below.
-void march_alone(Marching& marching, const std::function<void()>& pulse = {});
+void integrate_alone(Marching& marching, const std::function<void()>& pulse = {});
 
 /// What it took.
 struct LaneEffort {

@@ -8,7 +8,7 @@ CycleResult simulate(const Setup& setup, Observer* observer) {
   CycleRun run(setup);
   const int n_steps = steps_per_cycle(setup.input.solver);
   int before = 0;
-  march_alone(run, [&] {
+  integrate_alone(run, [&] {
     const int marched = run.steps_marched();
     if (observer != nullptr && marched > before) observer->advanced(1 + before / n_steps, run.crank_angle_deg());
     before = marched;

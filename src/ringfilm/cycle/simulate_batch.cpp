@@ -22,7 +22,7 @@ LaneEffort simulate_batch(const SetupSource& next, const std::function<void(Batc
     std::optional<Setup> again = run.stop() ? second_attempt(run.setup(), *run.stop()) : std::nullopt;
     if (!again) return finished({number, run.result(), run.stop()});
     CycleRun graded(std::move(*again));
-    march_alone(graded, pulse);
+    integrate_alone(graded, pulse);
     finished({number, graded.result(), graded.stop()});
   };
   return march_side_by_side(start, end, pulse);

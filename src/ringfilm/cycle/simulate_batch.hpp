@@ -18,10 +18,10 @@ struct BatchOutcome {
 using SetupSource = std::function<std::optional<Setup>()>;
 
 /// Simulates the cycle of every scenario that `next` gives, films side by side in the lanes of a vector register, and
-/// tells each as it finishes, not in order. Memory does not grow with their number: a scenario is asked for when a lane
-/// is free, and at most 64 of other kinds are read ahead. Same setup, same bits, whatever else is in the batch; not the
-/// bits of `simulate`, from which every value differs by what the iteration may leave (solver.tolerance). `pulse` is
-/// called now and then, every few crank steps at the latest; what it throws ends the batch. One thread.
+/// reports each as it finishes, not in order. Memory does not grow with their number: a scenario is asked for when a
+/// lane is free, and at most 64 of other kinds are read ahead. Same setup, same bits, whatever else is in the batch;
+/// not the bits of `simulate`, from which every value differs by what the iteration may leave (solver.tolerance).
+/// `pulse` is called now and then, every few crank steps at the latest; what it throws ends the batch. One thread.
 LaneEffort simulate_batch(const SetupSource& next, const std::function<void(BatchOutcome)>& finished,
                           const std::function<void()>& pulse = {});
 

@@ -106,16 +106,14 @@ constexpr double kWholeEngine = 1e6;
 /// Of the film, as a rise of the face within a cell: there the flow through the cell is wrong by a factor of two.
 constexpr double kUnseen = 0.25;
 
-void append_cell_note(const Setup& setup, const Sample& thinnest, std::vector<Note>& notes) {
-  const film::FilmGrid grid = face_grid(setup);
+void append_cell_note(const film::FilmGrid& grid, const Sample& thinnest, int cells, std::vector<Note>& notes) {
   const double rise = *std::min_element(grid.face_height.begin(), grid.face_height.end());
   if (rise <= kUnseen * thinnest.min_film_thickness) return;
-  notes.push_back(
-      {"cells-too-long",
-       text("the face rises by %.3g nm within the cell at its lowest place, where the film is %.3g nm thin "
-            "(at %.0f degree): take more solver.cells than %d",
-            rise * 1e9, thinnest.min_film_thickness * 1e9, thinnest.crank_angle_deg, setup.input.solver.cells),
-       1});
+  notes.push_back({"cells-too-long",
+                   text("the face rises by %.3g nm within the cell at its lowest place, where the film is %.3g nm thin "
+                        "(at %.0f degree): take more solver.cells than %d",
+                        rise * 1e9, thinnest.min_film_thickness * 1e9, thinnest.crank_angle_deg, cells),
+                   1});
 }
 
 /// Results that are numbers, but not those of a ring in an engine.
@@ -163,7 +161,7 @@ void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, dou
 
 }  // namespace
 
-void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, double fmep,
+void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const std::vector<Sample>& base, double fmep,
                            const PolynomialUse& polynomial, std::vector<Note>& notes) {
   if (base.empty()) return;
   const auto lowest = std::min_element(
@@ -196,7 +194,7 @@ void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, 
     notes.push_back({"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
   }
   append_limit_notes(setup, base, fmep, notes);
-  append_cell_note(setup, *lowest, notes);
+  append_cell_note(grid, *lowest, setup.input.solver.cells, notes);
   append_face_note(setup, notes);
   append_gap_leakage_note(setup.input, notes);
   append_coating_note(setup, lowest->film_parameter, notes);

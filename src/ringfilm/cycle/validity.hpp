@@ -14,8 +14,8 @@ struct PolynomialUse {
 };
 
 /// Notes on models used outside the range in which they were made, and on results that no ring can have.
-/// @param fmep of the cycle [Pa]; 0 where it was not finished
-void append_validity_notes(const Setup& setup, const std::vector<Sample>& base, double fmep,
+/// @param grid the cells of the film  @param fmep of the cycle [Pa]; 0 where it was not finished
+void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const std::vector<Sample>& base, double fmep,
                            const PolynomialUse& polynomial, std::vector<Note>& notes);
 
 /// Notes on remedies that the solver had to use.

@@ -40,8 +40,8 @@ void add_fitted_contact(const FilmProblem& problem, const FilmView& film, FilmIn
   sums.asperity_area = contact_sums.area;
 }
 
-/// Where the flow is told: through the first and the last face, and through the middle of the gap, which lies between
-/// two faces or in one.
+/// Where the flow is reported: through the first and the last face, and through the middle of the gap, which lies
+/// between two faces or in one.
 class FlowFaces {
  public:
   explicit FlowFaces(const FilmGrid& grid) {

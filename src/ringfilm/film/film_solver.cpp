@@ -27,7 +27,7 @@ class FilmSolve {
   /// The same for one of the films of a search, with the laws themselves.
   bool solve_for_search(Patience patience, FilmReport& report) {
     newton_.start(0, inputs_, previous_, state_, state_.h_m, Unknowns::kFilmAlone, LaneLaws::kGiven);
-    if (patience == Patience::kLittle) newton_.expect_little(0);
+    if (patience == Patience::kLittle) newton_.limit_search_effort(0);
     return finish(report);
   }
 

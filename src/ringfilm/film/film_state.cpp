@@ -17,7 +17,8 @@ constexpr int kMostHalvings = 20;
 /// Places at which the gap is looked at: measured points may lie closer than the first cells are long.
 constexpr int kSamplesPerCell = 8;
 
-/// Length of a gap that belongs to each node: half of each cell beside it.
+}  // namespace
+
 void add_shares(FilmGrid& grid) {
   grid.share.assign(grid.x.size(), 0.0);
   for (int i = 0; i < grid.n_cells(); ++i) {
@@ -25,8 +26,6 @@ void add_shares(FilmGrid& grid) {
     grid.share[i + 1] += 0.5 * grid.spacing[i];
   }
 }
-
-}  // namespace
 
 FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest,
                      Turning turning) {

@@ -47,6 +47,9 @@ struct FilmGrid {
 
   int n_cells() const { return static_cast<int>(face_height.size()); }
 };
+/// Computes `share` from `spacing`.
+void add_shares(FilmGrid& grid);
+
 FilmGrid uniform_grid(int n_cells, double width, const std::function<double(double)>& height);
 
 /// Do the cells suit the gap alone, or the gap turned over as well?

@@ -5,7 +5,7 @@
 /// for one machine holds no code that another one shares.
 namespace ringfilm::film {
 
-/// A film as arrays over n+1 nodes and n cells; what they are is told by FilmGrid and FilmState.
+/// A film as arrays over n+1 nodes and n cells; FilmGrid and FilmState define them.
 struct FilmView {
   int n_cells;
   const double *node_height, *face_height, *share, *spacing;

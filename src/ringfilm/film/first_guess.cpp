@@ -40,14 +40,12 @@ FilmProblem coarsened(const FilmProblem& problem) {
   for (int i = 0; i <= n; ++i) {
     grid.x.push_back(fine.x[2 * i]);
     grid.node_height.push_back(fine.node_height[2 * i]);
-    grid.share.push_back(0);
   }
   for (int i = 0; i < n; ++i) {
     grid.spacing.push_back(grid.x[i + 1] - grid.x[i]);
     grid.face_height.push_back(fine.node_height[2 * i + 1]);
-    grid.share[i] += 0.5 * grid.spacing[i];
-    grid.share[i + 1] += 0.5 * grid.spacing[i];
   }
+  add_shares(grid);
   return coarse;
 }
 

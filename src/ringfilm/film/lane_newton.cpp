@@ -131,7 +131,7 @@ void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& prev
   set_edges(lane);
 }
 
-void LaneNewton::expect_little(int lane) {
+void LaneNewton::limit_search_effort(int lane) {
   constexpr int kMostOfSearch = 200;
   constexpr double kFarTooMuch = 3;  // loads
   Lane& at = lanes_[lane];

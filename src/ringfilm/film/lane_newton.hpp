@@ -44,7 +44,7 @@ class LaneNewton {
 
   /// The solve just started is one of many in a search for the separation: it ends after fewer iterations, since the
   /// search then tries a film nearer to one that was found, and where it carries far more than the load.
-  void expect_little(int lane);
+  void limit_search_effort(int lane);
 
   /// A new solve from what the last one in this lane left, which must be the film of `previous`; film and h_m are
   /// sought, with the laws of the last solve.

@@ -5,6 +5,8 @@ namespace ringfilm::film {
 
 /// Thinner than molecules of oil are long, no film is one of a liquid [m].
 inline constexpr double kMolecules = 1e-9;
+/// About the diameter of an atom: a thinner separation is not a film [m].
+inline constexpr double kAtom = 1e-10;
 
 /// Separations that are tried: below the first no continuum describes a film, beyond the second neither a wedge nor
 /// contact is left [m].

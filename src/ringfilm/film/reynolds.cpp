@@ -46,7 +46,6 @@ void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, c
                      FilmReport& report) {
   if (report.failure == Failure::kOverloaded || report.failure == Failure::kLiftedOff) return;
   const double peak = *std::max_element(found.p.begin(), found.p.end());
-  constexpr double kAtom = 1e-10;  // [m]
   if (found.h_m < kAtom) {
     report.failure = Failure::kOverloaded;
     return;

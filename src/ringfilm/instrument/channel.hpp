@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/base/error.hpp"
+
 namespace ringfilm::instrument {
 
 /// No map may have more points than this: 1 GiB of heights.
@@ -12,7 +14,7 @@ inline constexpr std::size_t kMostPoints = std::size_t{1} << 27;
 /// No file may be larger [byte].
 inline constexpr std::size_t kLargestInstrumentFile = std::size_t{1} << 30;
 
-/// What a file tells of one of its maps before the values are read.
+/// What a file states about one of its maps before the values are read.
 struct Channel {
   std::string name;  ///< as the file writes it; may be empty
   std::string unit;  ///< of the values, e.g. "um"; empty where the file does not say
@@ -26,6 +28,7 @@ struct ChannelValues {
   double step_x = 0.0;                ///< [step_unit]; 0 where the file does not say
   double step_y = 0.0;                ///< [step_unit]; 0 where the file does not say, and of a profile
   std::string step_unit;              ///< e.g. "m"; empty where the file does not say
+  std::vector<Fault> step_faults;     ///< what is wrong with the size that the file states
   std::vector<double> x;              ///< [step_unit] places of a profile that need not be even; else empty
   std::vector<double> value;          ///< points_x * points_y [channel.unit]; 0 where missing
   std::vector<std::uint8_t> missing;  ///< 1 where nothing was measured; empty if every point was

@@ -330,7 +330,7 @@ std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, co
   }
   notes.push_back(
       fmt::format("the case needs ring.face_width = \"{}\", and says with ring.face.orientation which edge "
-                  "x = 0 is: the trace does not tell",
+                  "x = 0 is: the trace does not show it",
                   millimetres(rule.width_m)));
   return notes;
 }

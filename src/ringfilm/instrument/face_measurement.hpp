@@ -8,7 +8,7 @@
 
 namespace ringfilm::instrument {
 
-/// What is told of a measured ring face: trace, polynomial and spline, where the polynomial invents shape.
+/// What is reported of a measured ring face: trace, polynomial and spline, where the polynomial invents shape.
 /// @param points_file file of the points that the fragment names, relative to it; absent: the fragment has the
 /// polynomial
 io::Measurement face_measurement(const TraceFile& file, const surface::FaceRule& rule, const surface::FaceFit& fit,

@@ -307,7 +307,7 @@ ForceCalibration silicon_calibration(ForceSample silicon, surface::Uncertain ref
 ForceCalibration wedge_calibration(std::vector<ForceSample> facets, const std::array<surface::Uncertain, 2>& angles_rad,
                                    const ForceRule& rule) {
   if (facets.size() != 2) {
-    throw InputError(fmt::format("the wedge method wants the loops of two facets; {} came", facets.size()),
+    throw InputError(fmt::format("the wedge method requires the loops of two facets; {} came", facets.size()),
                      "one file for each, with unlike names: a line \"# sample: NAME\" tells them apart");
   }
   if (facets[0].load_unit != facets[1].load_unit) {

@@ -31,7 +31,7 @@ ForceCalibration silicon_calibration(ForceSample silicon, surface::Uncertain ref
 ForceCalibration wedge_calibration(std::vector<ForceSample> facets, const std::array<surface::Uncertain, 2>& angles_rad,
                                    const ForceRule& rule);
 
-/// Everything that is told of friction loops: lines, calibration, coefficients with their shares of uncertainty.
+/// Everything that is reported of friction loops: lines, calibration, coefficients with their shares of uncertainty.
 /// @param wanted the sample whose fragment is made; absent: of a single sample, else none
 io::Measurement force_measurement(const std::vector<ForceSample>& samples, const ForceCalibration& calibration,
                                   const ForceRule& rule, const std::optional<std::size_t>& wanted);

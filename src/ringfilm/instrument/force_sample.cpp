@@ -200,7 +200,7 @@ ForceSample read_force_scans(const std::string& name, const std::vector<std::str
     const ChannelValues& trace = all[channel_of(all, paths[k], channels.trace)];
     const ChannelValues& retrace = all[channel_of(all, paths[k], channels.retrace)];
     if (&trace == &retrace) {
-      refuse(paths[k], "trace and retrace are one channel", "--channels wants two, for example --channels 3,4");
+      refuse(paths[k], "trace and retrace are one channel", "--channels requires two, for example --channels 3,4");
     }
     if (trace.channel.points_x != retrace.channel.points_x || trace.channel.points_y != retrace.channel.points_y) {
       refuse(paths[k], "trace and retrace are not of one size", "choose the two lateral channels of one scan");

@@ -14,6 +14,7 @@
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/binary_reader.hpp"
 #include "ringfilm/instrument/regular_grid.hpp"
+#include "ringfilm/io/csv_file.hpp"
 #include "ringfilm/io/units.hpp"
 
 namespace ringfilm::instrument {
@@ -159,9 +160,20 @@ class TableReader {
       n_columns_ = count_cells();
     } else {
       n_columns_ = header_.size();
-      if (!next_line()) refuse(file_, "the file has no row of numbers", "is it the right file?");
+      const auto next_row = [this] {
+        if (!next_line()) refuse(file_, "the file has no row of numbers", "is it the right file?");
+      };
+      next_row();
+      if (read_units()) next_row();
     }
     if (layout == TableLayout::kByContent) layout = layout_by_content();
+    ChannelValues values = read_heights(layout, format);
+    values.notes.insert(values.notes.begin(), notes_.begin(), notes_.end());
+    return values;
+  }
+
+ private:
+  ChannelValues read_heights(TableLayout layout, std::string& format) {
     if (layout == TableLayout::kMatrix) {
       format = "text, matrix of heights";
       return read_matrix();
@@ -174,7 +186,6 @@ class TableReader {
     return read_profile();
   }
 
- private:
   /// Goes to the next line with content; comments are looked into.
   bool next_line() {
     while (place_ < text_.size()) {
@@ -200,14 +211,28 @@ class TableReader {
     if (key == "value units") {
       stated_unit_ = value;
     } else if (key == "width" || key == "height") {
-      const std::size_t blank = value.find(' ');
-      const std::string_view number = std::string_view(value).substr(0, blank);
-      const std::optional<double> length = number_of(number, false);
-      if (length && *length > 0 && blank != std::string::npos) {
-        (key == "width" ? width_ : height_) =
-            StatedLength{*length, rounding_of(number), trimmed(std::string_view(value).substr(blank))};
-      }
+      read_side(key == "width" ? width_ : height_, trimmed(utf8_from(content.substr(1, colon - 1))), value);
     }
+  }
+
+  /// A side of the map, "10.0 um". What is wrong with it is reported where the step of the map is needed.
+  void read_side(std::optional<StatedLength>& side, const std::string& name, const std::string& value) {
+    const std::size_t blank = value.find(' ');
+    const std::string_view number = std::string_view(value).substr(0, blank);
+    const std::optional<double> length = number_of(number, false);
+    if (!length || blank == std::string::npos) return;
+    side = StatedLength{*length, rounding_of(number), trimmed(std::string_view(value).substr(blank))};
+    std::string wrong;
+    if (!(*length > 0)) {
+      wrong = fmt::format("{} is {}, but the side of a map is longer than 0", name, value);
+    } else if (const io::Units units; units.measures(side->unit, "s")) {
+      wrong = fmt::format("{} is {}, a time and not a length", name, value);
+    } else if (!units.measures(side->unit, "m")) {
+      wrong = fmt::format("{} is {}, and \"{}\" is not a unit of length", name, value, side->unit);
+    }
+    if (wrong.empty()) return;
+    step_faults_.push_back(
+        {{file_, number_, 1, utf8_from(line_.substr(0, 2000))}, wrong, "correct the header of the file"});
   }
 
   void read_header() {
@@ -226,6 +251,33 @@ class TableReader {
       }
     }
     if (!numbers) header_ = std::move(header);
+  }
+
+  /// Does the line below the header state units? They are taken over.
+  bool read_units() {
+    std::vector<std::string> texts;
+    std::vector<int> places;
+    Cells cells(line_, separator_);
+    for (std::string_view cell; cells.next(cell);) {
+      if (!cell.empty() && is_missing_word(cell)) return false;
+      texts.push_back(utf8_from(cell));
+      places.push_back(cells.column());
+    }
+    const std::optional<io::StatedUnits> units = io::row_of_units(texts, header_.size());
+    if (!units) return false;
+    for (std::size_t k = 0; k < units->size(); ++k) {
+      const std::optional<std::string>& below = (*units)[k];
+      std::string& unit = header_[k].unit;
+      if (below && !unit.empty() && unit != *below) {
+        refuse_here(
+            places[k],
+            fmt::format("the unit of {} is {} here and {} in the header", utf8_from(header_[k].name), *below, unit),
+            "keep the right one; below the header a row of text is read as units");
+      }
+      if (below) unit = *below;
+    }
+    notes_.push_back(fmt::format("the row of units in line {} was used", number_));
+    return true;
   }
 
   std::size_t count_cells() const {
@@ -299,7 +351,9 @@ class TableReader {
     values.channel.unit = stated_unit_;
     take_missing(values);
     share_unit_of_sides();
-    if (width_ && height_ && width_->unit == height_->unit) {
+    values.step_faults = step_faults_;
+    const bool is_positive = width_ && height_ && width_->value > 0 && height_->value > 0;
+    if (is_positive && width_->unit == height_->unit) {
       values.step_x = width_->value / static_cast<double>(values.channel.points_x);
       values.step_y = height_->value / static_cast<double>(values.channel.points_y);
       values.step_unit = width_->unit;
@@ -417,6 +471,8 @@ class TableReader {
   std::size_t n_columns_ = 0;
   std::string stated_unit_;
   std::optional<StatedLength> width_, height_;
+  std::vector<Fault> step_faults_;  ///< of width and height
+  std::vector<std::string> notes_;
 };
 
 }  // namespace

@@ -211,7 +211,7 @@ void read_text(const BinaryReader& in, const SdfHeader& header, ChannelValues& v
     place = rest;
   }
   if (place == end) {
-    in.refuse_at(all.size(), "the file ends within its last height: nothing tells whether a digit is missing",
+    in.refuse_at(all.size(), "the file ends within its last height: nothing shows whether a digit is missing",
                  "the file was cut short: copy it again; after the last height a line \"*\" is wanted");
   }
   skip_blanks();

@@ -177,6 +177,11 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
   }
   const bool wants_x = steps.x_m == 0, wants_y = steps.y_m == 0 && !is_profile;
   if (wants_x || wants_y) {
+    if (!values.step_faults.empty() && !options.lateral_unit) {
+      std::vector<Fault> faults = values.step_faults;
+      for (Fault& fault : faults) fault.remedy += ", or state the step, for example " + options.words.step_x;
+      throw InputError(faults);
+    }
     if ((wants_x && values.step_x == 0) || (wants_y && values.step_y == 0)) {
       refuse(path, "the file does not say the step between its points", "say it, for example " + options.words.step_x);
     }
@@ -282,7 +287,7 @@ SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& opt
   if (!values.x.empty() && !options.step_x) {
     values.step_x = even_step(values.x);
     if (values.step_x == 0) {
-      refuse(path, "the places of the profile are not even, and a map wants even steps",
+      refuse(path, "the places of the profile are not even, and a map requires even steps",
              "resample it in the program that wrote it");
     }
   }

@@ -30,7 +30,7 @@ struct SurfaceAnalysis {
   /// How they are made of neighbouring heights.
   surface::DifferenceScheme scheme = surface::DifferenceScheme::neighbours;
   surface::SigmaRule sigma_rule = surface::SigmaRule::ra;  ///< does Ra (Sa) or Rq (Sq) stand for sigma?
-  std::optional<double> angle_rad;       ///< slopes and curvatures of a map at this angle to x are told, too
+  std::optional<double> angle_rad;       ///< slopes and curvatures of a map at this angle to x are reported, too
   std::optional<double> cavity_depth_m;  ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
 };
 
@@ -58,13 +58,13 @@ std::vector<surface::SurfaceMeasures> measures_of_regions(const PreparedSurface&
 surface::SpectralMoments noise_moments(const SurfaceFile& flat, const PreparedSurface& surface,
                                        const SurfaceAnalysis& analysis);
 
-/// Lines that tell where a map came from: file, format, channel, plausibility, digest, what the user said.
+/// Lines that state where a map came from: file, format, channel, plausibility, digest, what the user said.
 std::vector<std::string> source_lines(const PreparedSurface& surface);
 
 /// Which filter and pixel the numbers hold for, e.g. "S-filter 2.5 um; pixel 0.5 um".
 std::string measured_with(const PreparedSurface& surface);
 
-/// Everything that is told of one surface. Throws InputError where the analysis refuses it.
+/// Everything that is reported of one surface. Throws InputError where the analysis refuses it.
 /// @param flat the instrument's noise; nullptr: not taken off
 io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalysis& analysis, const SurfaceFile* flat);
 

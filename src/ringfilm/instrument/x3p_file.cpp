@@ -91,7 +91,7 @@ pugi::xml_node child_of(const Description& about, const pugi::xml_node& parent, 
   const pugi::xml_node node = find(parent, name);
   if (!node) {
     refuse_element(about, local_name(parent), "there is no element " + name,
-                   "the standard wants it: export the file again");
+                   "the standard requires it: export the file again");
   }
   return node;
 }
@@ -220,7 +220,7 @@ void read_links(Description& about, const pugi::xml_node& record3) {
     about.valid_checksum = text_of(link, "MD5ChecksumValidPoints");
     if (about.point_entry.empty()) refuse_element(about, "DataLink", "PointDataLink is empty", "a name is wanted");
   } else if (!find(record3, "DataList")) {
-    refuse_element(about, "Record3", "there is neither DataLink nor DataList", "the standard wants one of them");
+    refuse_element(about, "Record3", "there is neither DataLink nor DataList", "the standard requires one of them");
   }
 }
 

@@ -48,7 +48,7 @@ class Checks {
            std::holds_alternative<cycle::NumberOrFileKind>(other.kind) || other.need == cycle::Need::kOptional;
   }
 
-  /// Can it be told whether the key is in use? Not where a key that decides on it is wrong or missing.
+  /// Is it known whether the key is in use? Not where a key that decides on it is wrong or missing.
   bool use_is_known(const Field& field) const {
     const bool all_is_well = stated_.faulty.empty() && missing_.empty();  // nearly always; quick, for batches
     if (field.active == nullptr || all_is_well) return true;
@@ -99,7 +99,7 @@ class Checks {
     return section == "lubricant" || section == "film" || section == "solver";
   }
 
-  /// A case with keys of both problems: told once a section that the case must not have at all, else for each key.
+  /// A case with keys of both problems: reported once a section that the case must not have at all, else for each key.
   void check_mixed() {
     using Given = std::pair<const std::string, KeyPlace>;
     std::map<std::string, const Given*> first;

@@ -131,7 +131,7 @@ class Gatherer {
     fault(section.value.key_mark,
           field != nullptr ? section.key + " is a section here"
                            : "unknown section [" + section.key + "]" + did_you_mean(near),
-          field != nullptr ? "it wants one value, for example " + field->example : "");
+          field != nullptr ? "it requires one value, for example " + field->example : "");
   }
 
   bool is_section(const std::string& name) const { return words_.all_sections.contains(name); }

@@ -22,7 +22,7 @@ struct CaseTree {
   bool complete = true;                 ///< false: a file is missing, so that keys may be
 };
 
-/// Throws InputError if the case file itself cannot be read; all other faults are told in the tree.
+/// Throws InputError if the case file itself cannot be read; all other faults are reported in the tree.
 CaseTree read_case_tree(const std::string& path, const std::vector<Override>& overrides);
 
 }  // namespace ringfilm::io

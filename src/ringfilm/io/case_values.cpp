@@ -252,7 +252,7 @@ class Setter {
       }
     }
     if (temperature == nullptr || value == nullptr) {
-      refuse(item, "wants a temperature and a value", remedy);
+      refuse(item, "requires a temperature and a value", remedy);
       return {};
     }
     const auto T = plain_quantity(*temperature, "K", "\"40 degC\"");

@@ -129,7 +129,7 @@ class Parser {
       const std::uint64_t length = lengths_[dimension];
       variable.dimensions.push_back(static_cast<int>(dimension));
       variable.lengths.push_back(length);
-      // More than the file is long are told when they are wanted.
+      // More than the file is long are reported when they are wanted.
       values = length > bytes_.size() || values > bytes_.size() ? std::numeric_limits<std::uint32_t>::max()
                                                                 : values * length;
     }
@@ -137,7 +137,7 @@ class Parser {
     const std::uint32_t type = word();
     const std::size_t size = size_of(type);
     variable.add_default_fill(static_cast<int>(type));
-    count();  // size in the file, which the lengths tell as well
+    count();  // size in the file, which the lengths state as well
     const std::uint64_t begin = whole_number(take(version_ == 1 ? 4 : 8));
     variable.values = [bytes = bytes_, type, size, begin, values] {
       if (type == kChar) throw ClassicNetcdfError("text where numbers are wanted");

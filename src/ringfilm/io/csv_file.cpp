@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include "ringfilm/base/trimmed.hpp"
 
@@ -124,18 +125,15 @@ class CsvReader {
     const auto& lines = csv_.source.lines;
     while (i < lines.size() && (is_blank(lines[i]) || is_comment(lines[i]))) ++i;
     if (i == lines.size()) return after_header;
-    std::vector<CsvCell> cells = split(lines[i], csv_.separator);
-    if (cells.size() == csv_.columns.size() + 1 && cells.back().text.empty()) cells.pop_back();
-    const auto holds_digits = [](const CsvCell& cell) { return is_number(cell.text) || starts_number(cell.text); };
-    const auto is_empty = [](const CsvCell& cell) { return cell.text.empty(); };
-    if (cells.size() != csv_.columns.size() || std::any_of(cells.begin(), cells.end(), holds_digits) ||
-        std::all_of(cells.begin(), cells.end(), is_empty)) {
-      return after_header;
-    }
+    const std::vector<CsvCell> cells = split(lines[i], csv_.separator);
+    std::vector<std::string> texts;
+    for (const CsvCell& cell : cells) texts.push_back(cell.text);
+    const std::optional<StatedUnits> units = row_of_units(texts, csv_.columns.size());
+    if (!units) return after_header;
     csv_.units_line = static_cast<int>(i) + 1;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
+    for (std::size_t k = 0; k < units->size(); ++k) {
       std::optional<std::string>& unit = csv_.columns[k].unit;
-      const std::optional<std::string> below = unit_of(cells[k].text);
+      const std::optional<std::string>& below = (*units)[k];
       if (unit && below && *unit != *below) {
         faults_.push_back(
             {csv_.source.mark(csv_.units_line, cells[k].column),
@@ -207,6 +205,20 @@ class CsvReader {
 };
 
 }  // namespace
+
+std::optional<StatedUnits> row_of_units(const std::vector<std::string>& cells, std::size_t n_columns) {
+  const bool ends_with_separator = cells.size() == n_columns + 1 && cells.back().empty();
+  const auto end = cells.end() - (ends_with_separator ? 1 : 0);
+  const auto holds_digits = [](const std::string& cell) { return is_number(cell) || starts_number(cell); };
+  const auto is_empty = [](const std::string& cell) { return cell.empty(); };
+  if (static_cast<std::size_t>(end - cells.begin()) != n_columns || std::any_of(cells.begin(), end, holds_digits) ||
+      std::all_of(cells.begin(), end, is_empty)) {
+    return std::nullopt;
+  }
+  StatedUnits units;
+  std::transform(cells.begin(), end, std::back_inserter(units), unit_of);
+  return units;
+}
 
 SourceMark CsvFile::header_mark(std::size_t i_column) const {
   const auto cells = split(source.lines[header_line - 1], separator);

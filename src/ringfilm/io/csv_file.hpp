@@ -38,9 +38,17 @@ struct CsvFile {
   std::string names() const;
 };
 
+/// The unit that each cell states; nothing where it states none.
+using StatedUnits = std::vector<std::optional<std::string>>;
+
+/// The units of a row below the names of `n_columns` columns: `deg;bar`, `[deg]`, `(bar)`; `-` is that of a
+/// dimensionless column, 1. Nothing if the row is not one of units: if a cell begins as a number does, or all are
+/// empty.
+std::optional<StatedUnits> row_of_units(const std::vector<std::string>& cells, std::size_t n_columns);
+
 /// Reads values separated by comma, semicolon or tabulator; decimal commas where they cannot be separators. Lines that
-/// start with '#' and blank lines are skipped. A first row without any number is the row of units: `deg;bar`, `[deg]`,
-/// `(bar)`; an empty cell states none, `-` that the column is dimensionless. Throws InputError with the faults of the
+/// start with '#' and blank lines are skipped. A first row without any number is the row of units
+/// (row_of_units). Throws InputError with the faults of the
 /// file (at most ten): no header, no or one row, cells missing, text, NaN or infinity in a cell, a unit in the header
 /// and another in the row of units.
 CsvFile read_csv(const NamedFile& file, NaN nan = NaN::kRefused);

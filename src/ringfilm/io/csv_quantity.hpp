@@ -8,7 +8,7 @@
 
 namespace ringfilm::io {
 
-/// The values of the column `name` in `si_unit`; empty, with a fault told, if the column or its unit is missing or
+/// The values of the column `name` in `si_unit`; empty, with a fault reported, if the column or its unit is missing or
 /// wrong.
 /// @param example a header that would do, e.g. "height [um]"
 std::vector<double> quantity_column(const CsvFile& csv, const std::string& name, const std::string& si_unit,

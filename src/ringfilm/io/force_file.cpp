@@ -98,8 +98,8 @@ class ForceReader {
       }
       if (first == i) force_.loops.push_back({load_[i], {}, {}, {}});
       if (i > first && position[i] <= position[i - 1]) {
-        tell(i, "position", "the position does not rise from the row before to this one of one loop",
-             "turn the retrace round, so that both ways stand at the same rising positions");
+        add_fault(i, "position", "the position does not rise from the row before to this one of one loop",
+                  "turn the retrace round, so that both ways stand at the same rising positions");
       }
       surface::FrictionLoop& loop = force_.loops.back();
       loop.position_m.push_back(position[i]);
@@ -116,8 +116,9 @@ class ForceReader {
 
   void close_loop(std::size_t first, std::size_t end) {
     if (end - first >= kShortestLoop) return;
-    tell(first, "load", "the friction loop that begins here has only " + std::to_string(end - first) + " positions",
-         std::to_string(kShortestLoop) + " or more are wanted, and the rows of one loop in one block");
+    add_fault(first, "load",
+              "the friction loop that begins here has only " + std::to_string(end - first) + " positions",
+              std::to_string(kShortestLoop) + " or more are wanted, and the rows of one loop in one block");
   }
 
   void read_summary() {
@@ -133,16 +134,17 @@ class ForceReader {
       if (!load_deviation.empty()) f.load_deviation = load_deviation[i];
       if (!tmr_deviation.empty()) f.tmr_deviation_V = tmr_deviation[i];
       f.loops = loops.empty() ? 1 : static_cast<int>(loops[i]);
-      if (f.load_deviation < 0) tell(i, "load_deviation", "a standard deviation is below zero", "0 takes it as exact");
+      if (f.load_deviation < 0)
+        add_fault(i, "load_deviation", "a standard deviation is below zero", "0 takes it as exact");
       if (!tmr_deviation.empty() && f.tmr_deviation_V <= 0) {
-        tell(i, "tmr_deviation", "the standard deviation of tmr is not above zero",
-             "leave the column out where it is not known");
+        add_fault(i, "tmr_deviation", "the standard deviation of tmr is not above zero",
+                  "leave the column out where it is not known");
       }
       force_.loads.push_back(f);
     }
   }
 
-  void tell(std::size_t row, const std::string& column, const std::string& message, const std::string& remedy) {
+  void add_fault(std::size_t row, const std::string& column, const std::string& message, const std::string& remedy) {
     if (faults_.size() < kMostForceFaults)
       faults_.push_back({csv_.cell_mark(row, *csv_.find(column)), message, remedy});
   }

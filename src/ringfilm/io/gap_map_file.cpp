@@ -60,7 +60,7 @@ class Lines {
   std::size_t n_across() const { return along_.values.size() / n_; }
 
  private:
-  /// The others are measured by the first line: what is wrong with that would be told of them.
+  /// The others are measured by the first line: what is wrong with that would be reported of them.
   void check_first_line() const {
     const std::vector<double>& a = along_.values;
     const std::vector<double>& b = across_.values;

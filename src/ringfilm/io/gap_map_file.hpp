@@ -34,7 +34,7 @@ struct WrongPlace {
 };
 std::optional<WrongPlace> wrong_place(const std::vector<double>& places);
 
-/// Tells what is wrong with places that stand in a column.
+/// Reports what is wrong with places that stand in a column.
 /// @param mark_of where the place of that number stands in the file
 void check_gap_column(const std::string& name, const std::vector<double>& places,
                       const std::function<SourceMark(std::size_t)>& mark_of, std::vector<Fault>& faults);
@@ -42,12 +42,12 @@ void check_gap_column(const std::string& name, const std::vector<double>& places
 /// The first height that is beyond `kLargestGap`, whichever its sign.
 std::optional<std::size_t> implausible_height(const std::vector<double>& heights);
 
-/// What is told of one, and what to do.
+/// What is reported of one, and what to do.
 std::string implausible_height_text(double height);
 inline constexpr const char* kImplausibleHeightRemedy =
     "a gap beyond 1 m is refused: look at the unit, and for a number that marks a hole";
 
-/// Tells a height that is beyond `kLargestGap` where it stands in the column.
+/// Reports a height that is beyond `kLargestGap` where it stands in the column.
 void check_height_column(const CsvFile& csv, const std::string& name, const std::vector<double>& heights,
                          std::vector<Fault>& faults);
 

@@ -43,10 +43,11 @@ class Layout {
     for (const MeasuredSeries& series : curve.series) {
       const std::string name = curve.name + "_" + series.name;
       const std::string& quantity = curve.y_axis.long_name;
-      const bool told = series.label.empty() || series.label == quantity;
-      file_.numbers({along.c_str()},
-                    taken({name, curve.y_axis.unit, "", told ? quantity : quantity + ", " + series.label, "", ""}),
-                    series.y);
+      const bool is_obvious = series.label.empty() || series.label == quantity;
+      file_.numbers(
+          {along.c_str()},
+          taken({name, curve.y_axis.unit, "", is_obvious ? quantity : quantity + ", " + series.label, "", ""}),
+          series.y);
       file_.describe(name, "title", curve.title);
     }
     std::vector<double> places;
@@ -80,7 +81,7 @@ class Layout {
     return {name, value.unit, value.display_unit, value.long_name, value.symbol, ""};
   }
 
-  /// Two of one name would be told by the library only, as a file that cannot be written.
+  /// Two of one name would be reported by the library only, as a file that cannot be written.
   const cycle::Quantity& taken(const cycle::Quantity& quantity) {
     if (!names_.insert(quantity.name).second) {
       throw std::logic_error("a measurement: two variables are called " + quantity.name);

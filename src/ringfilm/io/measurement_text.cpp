@@ -129,17 +129,17 @@ std::string group_lines(const MeasuredGroup& group, const Units& units) {
   return "\n" + group.title + "\n" + set_out(rows, widths);
 }
 
-/// What the heads of a table stand for; a remark that holds for all columns is told once.
+/// What the heads of a table stand for; a remark that holds for all columns is reported once.
 std::string meanings(const std::vector<MeasuredValue>& columns) {
   const bool one_remark = std::all_of(columns.begin(), columns.end(),
                                       [&](const auto& column) { return column.remark == columns.front().remark; });
   std::string text;
   for (const MeasuredValue& column : columns) {
-    const bool told = column.long_name.empty() || column.long_name == short_name(column);
+    const bool is_obvious = column.long_name.empty() || column.long_name == short_name(column);
     const std::string remark = one_remark || column.remark.empty() ? "" : fmt::format(" ({})", column.remark);
-    if (told && remark.empty()) continue;
-    text += fmt::format("{}{}:{}{}{}", text.empty() ? "" : "; ", short_name(column), told ? "" : " ",
-                        told ? "" : column.long_name, remark);
+    if (is_obvious && remark.empty()) continue;
+    text += fmt::format("{}{}:{}{}{}", text.empty() ? "" : "; ", short_name(column), is_obvious ? "" : " ",
+                        is_obvious ? "" : column.long_name, remark);
   }
   if (one_remark && !columns.front().remark.empty()) text += (text.empty() ? "" : "; ") + columns.front().remark;
   return text.empty() ? "" : "  " + paragraph("", text);

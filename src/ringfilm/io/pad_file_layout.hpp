@@ -7,7 +7,7 @@
 #include "ringfilm/io/pad_output.hpp"
 #include "ringfilm/io/provenance_attributes.hpp"
 
-/// What a result file of a pad holds, told once to whoever takes the calls of ResultFileWriter.
+/// What a result file of a pad holds, reported once to whoever takes the calls of ResultFileWriter.
 namespace ringfilm::io {
 
 inline constexpr long kPadSchema = 1;
@@ -59,7 +59,7 @@ void put_pad(File& file, const PadDocument& document) {
   exchange_provenance(file, document.provenance);
   file.attribute("kernels", document.provenance.kernels);
   file.attribute("complete", document.result.complete);
-  for (const pad::PadQuantity& quantity : pad::told_quantities(document.result)) {
+  for (const pad::PadQuantity& quantity : pad::reported_quantities(document.result)) {
     std::vector<double> values;
     for (const pad::Sample& sample : document.result.samples) values.push_back(sample.*quantity.value);
     file.numbers({"time"}, quantity, std::move(values));

@@ -15,7 +15,7 @@ double unsigned_zero(double value) { return value + 0.0; }
 
 ordered_json history_object(const pad::PadResult& result) {
   ordered_json history = ordered_json::object();
-  for (const auto& quantity : pad::told_quantities(result)) {
+  for (const auto& quantity : pad::reported_quantities(result)) {
     ordered_json& values = history[quantity.name] = ordered_json::array();
     for (const pad::Sample& sample : result.samples) values.push_back(unsigned_zero(sample.*quantity.value));
   }
@@ -51,7 +51,7 @@ std::string pad_json(const PadDocument& document) {
   const pad::Sample& last = result.samples.back();
   ordered_json units = ordered_json::object();
   ordered_json object = {{"title", document.title}};
-  for (const auto& quantity : pad::told_quantities(result)) {
+  for (const auto& quantity : pad::reported_quantities(result)) {
     object[quantity.name] = unsigned_zero(last.*quantity.value);
     units[quantity.name] = quantity.unit;
   }

@@ -20,7 +20,7 @@ struct CurveBand {
   std::vector<std::vector<double>> values;  ///< [share][angle of kept_angles()] [SI]; NaN where nothing was solved
 };
 
-/// Shares of the quantiles that are told of curves.
+/// Shares of the quantiles that are reported of curves.
 const std::vector<double>& band_shares();
 
 /// Quantiles over the scenarios of each base, base after base, of each quantity that is kept; of a sample (see

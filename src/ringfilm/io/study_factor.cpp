@@ -182,7 +182,7 @@ class FactorReader {
   double needed(const std::string& key, Meaning meaning) {
     const TomlValue* value = table_.find(key);
     if (value != nullptr) return quantity(*value, key, meaning).value_or(0);
-    refuse(table_.find("distribution"), fmt::format("this distribution wants {}", key), "state it");
+    refuse(table_.find("distribution"), fmt::format("this distribution requires {}", key), "state it");
     return 0;
   }
   double needed(const std::string& key) { return needed(key, meaning()); }

@@ -131,7 +131,7 @@ class StudyReader {
       const auto number = table.number("value");
       if (!faults_.empty()) continue;
       if (both.size() != 2 || !number) {
-        table.refuse(table.mark(), "a correlation wants two factors and a value",
+        table.refuse(table.mark(), "a correlation requires two factors and a value",
                      "write factors = [\"a\", \"b\"] and value = 0.5");
       } else {
         study_.correlations.push_back({both[0], both[1], *number, table.mark()});

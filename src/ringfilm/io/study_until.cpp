@@ -26,7 +26,7 @@ std::vector<std::string> until_notes(const StudyRows& rows) {
                   study.sampling.scenarios, study::statistic_words(until));
   for (std::size_t i = 0; i < bases.size(); ++i) {
     if (i > 0) note += ", ";
-    note += bases[i].width ? shown(*bases[i].width) + " wide" : "not to be told, with too few solved scenarios,";
+    note += bases[i].width ? shown(*bases[i].width) + " wide" : "unknown, with too few solved scenarios,";
     if (bases.size() > 1) note += fmt::format(" for {}", study.bases[bases[i].base].name);
   }
   return {fmt::format("{}; wanted: {}", note, shown(until.width))};

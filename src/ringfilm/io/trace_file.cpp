@@ -9,13 +9,13 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/cycle/kinematics.hpp"
 #include "ringfilm/io/csv_quantity.hpp"
+#include "ringfilm/models/trace_span.hpp"
 
 namespace ringfilm::io {
 namespace {
 
-constexpr double kLargestStepDeg = 10;  ///< as models::covers_cycle asks for
-/// The last sample may be the first one cycle later; beyond these relative differences it is told, or refused.
-constexpr double kToldMismatch = 1e-3, kLargestMismatch = 0.05;
+/// The last sample may be the first one cycle later; beyond these relative differences it is reported, or refused.
+constexpr double kNotedMismatch = 1e-3, kLargestMismatch = 0.05;
 /// The peak of any engine's trace lies between these; outside, the unit is wrong [Pa].
 constexpr double kLeastPeak = 5e4, kHighestPeak = 1e8;
 
@@ -165,19 +165,20 @@ class TraceReader {
   void check_holes(const std::vector<double>& angle, std::size_t i_column) {
     std::size_t n_holes = 0, first = 0;
     for (std::size_t k = 1; k < angle.size(); ++k) {
-      if (angle[k] - angle[k - 1] <= kLargestStepDeg * (1 + 1e-9)) continue;
+      if (angle[k] - angle[k - 1] <= models::kLargestSampleDistanceDeg * (1 + 1e-9)) continue;
       if (n_holes++ == 0) first = k;
     }
     if (n_holes == 0) return;
-    const std::string others =
-        n_holes == 1 ? "" : fmt::format(", nor in {} more steps over {} degree", n_holes - 1, kLargestStepDeg);
+    const std::string others = n_holes == 1 ? ""
+                                            : fmt::format(", nor in {} more steps over {} degree", n_holes - 1,
+                                                          models::kLargestSampleDistanceDeg);
     faults_.push_back(
         {csv_.cell_mark(first, i_column),
          fmt::format("no samples between {:.8g} and {:.8g} degree{}", angle[first - 1], angle[first], others),
          fmt::format(
              "samples may be {} degree apart at the most, since the pressure between them is interpolated; give "
              "more of them",
-             kLargestStepDeg)});
+             models::kLargestSampleDistanceDeg)});
   }
 
   double atmosphere() const { return stated_.reference == cycle::PressureReference::kGauge ? base::kAtmosphere : 0; }
@@ -187,7 +188,7 @@ class TraceReader {
     if (angle.back() - angle.front() < cycle::kCycleDeg * (1 - 1e-9)) return;
     const double first = samples.value.front() + atmosphere(), last = samples.value.back() + atmosphere();
     const double mismatch = std::abs(last - first) / std::max(first, last);
-    if (mismatch <= kToldMismatch) return;
+    if (mismatch <= kNotedMismatch) return;
     const std::string message =
         fmt::format("the pressure is {:.6g} bar at {:.8g} degree and {:.6g} bar one cycle later, at {:.8g} degree",
                     samples.value.front() / 1e5, angle.front(), samples.value.back() / 1e5, angle.back());

@@ -12,7 +12,7 @@ namespace ringfilm::io {
 /// Where a trace was measured: the peak of a crankcase may be low, and anywhere.
 enum class TracePlace { kCylinder, kCrankcase };
 
-/// What the case says about the columns of a trace; nothing where the file alone must tell.
+/// What the case says about the columns of a trace; nothing where only the file states it.
 struct TraceColumns {
   std::optional<std::string> pressure_column, angle_column;
   std::optional<std::string> pressure_unit, angle_unit;  ///< for a header without units

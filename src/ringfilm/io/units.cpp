@@ -185,6 +185,7 @@ Scale Units::scale(const std::string& written, const std::string& si_unit) const
   constexpr std::size_t kLongestUnit = 60;
   if (unit.size() > kLongestUnit) throw UnitError("has a text in place of its unit", "");
   if (find_control_character(unit) != std::string::npos) throw UnitError("has a control character in its unit", "");
+  if (unit == "1") throw UnitError("is dimensionless, not " + dimension_words(si_unit), "write its unit");
   if (holds_number(unit))
     throw UnitError("has a second number in its unit \"" + unit + "\"", "write one number, one unit");
 

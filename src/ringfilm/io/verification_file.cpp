@@ -161,7 +161,7 @@ class Table {
     faults_.push_back({value.mark, kind_ + "." + key + " = " + value.as_written() + " " + predicate, remedy});
   }
 
-  /// The same for the value of a key; where that is missing, this has been told.
+  /// The same for the value of a key; where that is missing, this has been reported.
   void refuse(const std::string& key, const std::string& predicate, const std::string& remedy = "") {
     if (const TomlValue* value = find(key)) refuse(key, *value, predicate, remedy);
   }

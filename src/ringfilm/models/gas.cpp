@@ -11,6 +11,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/models/gas_checks.hpp"
+#include "ringfilm/models/trace_span.hpp"
 
 namespace ringfilm::models {
 namespace {
@@ -140,11 +141,11 @@ double CyclePressure::peak_angle_deg() const {
   return wrapped(angle_[static_cast<std::size_t>(peak - pressure_.begin())]);
 }
 
-bool covers_cycle(const std::vector<double>& crank_angle_deg, double largest_gap_deg) {
+bool covers_cycle(const std::vector<double>& crank_angle_deg) {
   if (crank_angle_deg.empty()) return false;
   const double wrap = crank_angle_deg.front() + base::kCycleDeg - crank_angle_deg.back();
   const double gap = crank_angle_deg.size() < 2 ? wrap : std::max(wrap, steps(crank_angle_deg).largest);
-  return gap <= largest_gap_deg * (1 + 1e-9);
+  return gap <= kLargestSampleDistanceDeg * (1 + 1e-9);
 }
 
 }  // namespace ringfilm::models

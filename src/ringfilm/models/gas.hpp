@@ -25,9 +25,9 @@ class CyclePressure {
   std::vector<double> angle_, pressure_;
 };
 
-/// Does the trace cover the whole cycle? True if no gap between neighbouring samples, wrap included, exceeds
-/// `largest_gap_deg`.
-bool covers_cycle(const std::vector<double>& crank_angle_deg, double largest_gap_deg = 10.0);
+/// Does the trace cover the whole cycle? True if neighbouring samples, wrap included, are kLargestSampleDistanceDeg
+/// apart at most (trace_span.hpp).
+bool covers_cycle(const std::vector<double>& crank_angle_deg);
 
 /// Joins a trace over part of the cycle (around firing TDC) with constant exhaust and intake pressures by smooth
 /// (C1, monotone) blends: trace end -> exhaust pressure at bottom dead centre or 40 degree later if the trace reaches

@@ -56,7 +56,7 @@ CyclePressure closed_cycle(std::vector<double> crank_angle_deg, std::vector<doub
 
 CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vector<double> pressure,
                                  double intake_pressure, double exhaust_pressure) {
-  constexpr double kBottom = 180, kOverlapBegin = 340, kOverlapEnd = 380, kShortest = 40;  // [degree]
+  constexpr double kBottom = 180;  // [degree]
   check_trace(crank_angle_deg, pressure);
   check_gas_pressure("gas.intake_pressure", intake_pressure);
   check_gas_pressure("gas.exhaust_pressure", exhaust_pressure);
@@ -75,15 +75,17 @@ CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vecto
     throw InputError(range + ", not firing TDC at 0 degree" + half,
                      "check gas.angle_zero, or give the trace around the peak pressure");
   }
-  const GasExchange exchange{.exhaust_from = std::max(kBottom, last + kShortest),
-                             .overlap_begin = kOverlapBegin,
-                             .overlap_end = kOverlapEnd,
-                             .intake_until = std::min(base::kCycleDeg - kBottom, first + base::kCycleDeg - kShortest),
-                             .exhaust_pressure = exhaust_pressure,
-                             .intake_pressure = intake_pressure};
-  if (exchange.exhaust_from > kOverlapBegin || exchange.intake_until < kOverlapEnd) {
+  const GasExchange exchange{
+      .exhaust_from = std::max(kBottom, last + kShortestBlendDeg),
+      .overlap_begin = kJoinedOverlapBeginDeg,
+      .overlap_end = kJoinedOverlapEndDeg,
+      .intake_until = std::min(base::kCycleDeg - kBottom, first + base::kCycleDeg - kShortestBlendDeg),
+      .exhaust_pressure = exhaust_pressure,
+      .intake_pressure = intake_pressure};
+  if (first < -kLongestPartialTraceDeg || last > kLongestPartialTraceDeg) {
     throw InputError(range + ", which is neither the whole cycle nor leaves room to join it to the gas exchange" + half,
-                     "cut the trace to -300 to 300 degree at the most, or give all 720 degree");
+                     "cut the trace to " + in_degrees(-kLongestPartialTraceDeg) + " to " +
+                         in_degrees(kLongestPartialTraceDeg) + " at the most, or give the whole cycle");
   }
   return closed_cycle(std::move(crank_angle_deg), std::move(pressure), exchange);
 }

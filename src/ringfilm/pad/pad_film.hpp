@@ -10,9 +10,9 @@
 
 namespace ringfilm::pad {
 
-/// The film of a pad on one grid, of one dimension or two: what solves it, what it carries, what is told of it. A state
-/// of it holds strip after strip. Its inputs are PadSetup::steady_inputs() with a speed, a time step and a load; what
-/// acts at the sides it knows. Not for several threads at once.
+/// The film of a pad on one grid, of one dimension or two: what solves it, what it carries, what is reported of it. A
+/// state of it holds strip after strip. Its inputs are PadSetup::steady_inputs() with a speed, a time step and a load;
+/// what acts at the sides it knows. Not for several threads at once.
 class PadFilm {
  public:
   explicit PadFilm(const PadSetup& setup) : setup_(setup) {}

@@ -88,14 +88,14 @@ const cycle::Quantity& place_across() {
   return quantity;
 }
 
-std::vector<PadQuantity> told_quantities(const PadResult& result) {
-  std::vector<PadQuantity> told = pad_quantities();
-  if (result.y.empty()) return told;
+std::vector<PadQuantity> reported_quantities(const PadResult& result) {
+  std::vector<PadQuantity> reported = pad_quantities();
+  if (result.y.empty()) return reported;
   for (const PadQuantity& quantity : width_quantities()) {
     const auto has_value = [&](const Sample& sample) { return !std::isnan(sample.*quantity.value); };
-    if (std::any_of(result.samples.begin(), result.samples.end(), has_value)) told.push_back(quantity);
+    if (std::any_of(result.samples.begin(), result.samples.end(), has_value)) reported.push_back(quantity);
   }
-  return told;
+  return reported;
 }
 
 }  // namespace ringfilm::pad

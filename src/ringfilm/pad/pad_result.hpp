@@ -5,7 +5,7 @@
 #include "ringfilm/cycle/result.hpp"
 
 /// What a pad gives: the film between a fixed pad of stated shape and a flat surface that moves past it. Everything is
-/// per metre of width, the mean over it where it is finite, unless told otherwise; SI. docs/theory/pad.md.
+/// per metre of width, the mean over it where it is finite, unless stated otherwise; SI. docs/theory/pad.md.
 namespace ringfilm::pad {
 
 /// Everything at one instant. x runs along the pad; flow is positive in +x, whichever way the flat surface moves.
@@ -77,8 +77,8 @@ struct PadResult {
   bool complete = true;     ///< false: the film could not be solved further; `samples` are those before
 };
 
-/// The single numbers that a result tells: without a width none of those of a width, with joined sides no flow through
+/// The single numbers of a result: without a width none of those of a width, with joined sides no flow through
 /// them.
-std::vector<PadQuantity> told_quantities(const PadResult& result);
+std::vector<PadQuantity> reported_quantities(const PadResult& result);
 
 }  // namespace ringfilm::pad

@@ -6,7 +6,7 @@
 #include "ringfilm/pad/pad_result.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 
-/// What is told of a film, alike in one dimension and two.
+/// What is reported of a film, alike in one dimension and two.
 namespace ringfilm::pad {
 
 /// Edge pressures joined by a line, at the nodes along x [Pa].

@@ -31,7 +31,7 @@ class SheetFilm : public PadFilm {
   std::optional<Profile> field(const film::FilmState& state, double time) const override;
 
  private:
-  /// A strip as it is told: seen from the cells on one side of it.
+  /// A strip as it is reported: seen from the cells on one side of it.
   struct Row {
     int strip, cell;
     double y;  ///< [m]

@@ -61,7 +61,7 @@ bool solve_at_separation(PadFilm& film, film::FilmInputs inputs, double closing,
     const film::FilmReport report = film.solve_at_separation(inputs, previous, state);
     count(report, effort);
     if (!report.converged && k == 0) return false;
-    if (!report.converged) {  // no finer than by the estimate before; the balance of mass tells what that is worth
+    if (!report.converged) {  // no finer than by the estimate before; the balance of mass shows what that is worth
       state = before;
       break;
     }

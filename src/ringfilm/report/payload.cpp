@@ -147,7 +147,7 @@ ordered_json comparison(const std::vector<study::ComparisonRow>& rows) {
   return list;
 }
 
-/// At which a film ruptures whose model knows no fill [Pa]; nothing for other models, or if it is not told.
+/// At which a film ruptures whose model knows no fill [Pa]; nothing for other models, or if it is not reported.
 std::optional<double> rupture_pressure(const std::vector<io::CaseEntry>& inputs) {
   const auto shown = [&inputs](const char* key) {
     const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& entry) { return entry.key == key; });

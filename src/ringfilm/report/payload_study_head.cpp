@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Listed values that are told in words, reasons that are told.
+/// Listed values that are reported in words, reasons that are reported.
 constexpr std::size_t kToldValues = 12, kToldReasons = 12;
 /// Scenarios whose reasons are held in memory at once.
 constexpr std::uint64_t kBlock = 4096;
@@ -129,27 +129,27 @@ ordered_json unsolved_object(const io::StudyRows& rows) {
     for (const auto& one : rows.unsolved({first, std::min(first + kBlock, rows.plan.size())}))
       reasons.add(one.scenario, one.reason);
   }
-  ordered_json told = ordered_json::array();
+  ordered_json reported = ordered_json::array();
   const std::vector<UnsolvedReasons::Reason> ordered = reasons.most_frequent_first();
   for (std::size_t i = 0; i < std::min(ordered.size(), kToldReasons); ++i) {
-    told.push_back({{"reason", ordered[i].text},
-                    {"count", ordered[i].count},
-                    {"first", ordered[i].first},
-                    {"numbers_differ", ordered[i].numbers_differ}});
+    reported.push_back({{"reason", ordered[i].text},
+                        {"count", ordered[i].count},
+                        {"first", ordered[i].first},
+                        {"numbers_differ", ordered[i].numbers_differ}});
   }
-  return {{"count", reasons.count()}, {"n_reasons", ordered.size()}, {"reasons", std::move(told)}};
+  return {{"count", reasons.count()}, {"n_reasons", ordered.size()}, {"reasons", std::move(reported)}};
 }
 
 ordered_json scenario_notes_object(const io::StudyRows& rows) {
-  ordered_json told = ordered_json::array();
+  ordered_json reported = ordered_json::array();
   for (const auto& note : rows.scenario_notes()) {
-    told.push_back({{"topic", note.topic},
-                    {"message", note.message},
-                    {"first", note.first},
-                    {"count", note.count()},
-                    {"counts", note.counts}});
+    reported.push_back({{"topic", note.topic},
+                        {"message", note.message},
+                        {"first", note.first},
+                        {"count", note.count()},
+                        {"counts", note.counts}});
   }
-  return told;
+  return reported;
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ class MainValues {
   }
 
  private:
-  /// The first points of a list tell nothing of the others: its order is as it was written.
+  /// The first points of a list say nothing about the others: its order is as it was written.
   bool settles() const { return study::has_sample(plan_) && plan_.study().sampling.method != study::Method::kList; }
 
   bool has_swings() const {
@@ -136,11 +136,11 @@ class MainValues {
     ordered_json first = ordered_json::array(), total = ordered_json::array();
     for (std::size_t g = 0; g < plan_.groups().size(); ++g) {
       const bool moves = study::applies(plan_.groups()[g], plan_.study(), base);
-      const auto told = [moves](const study::Interval& one) {
+      const auto reported = [moves](const study::Interval& one) {
         return moves ? with_ends(one.value, one.low, one.high) : ordered_json(nullptr);
       };
-      first.push_back(told(found->first[g]));
-      total.push_back(told(found->total[g]));
+      first.push_back(reported(found->first[g]));
+      total.push_back(reported(found->total[g]));
     }
     return {{"rows", found->rows}, {"left_out", found->left_out}, {"first", first}, {"total", total}};
   }
@@ -170,7 +170,7 @@ class MainValues {
 
   bool is_swung(std::uint64_t p) const { return !study::has_sample(plan_) || plan_.is_sample(p); }
 
-  /// For each factor the value where it is low and where it is high; null where that cannot be told.
+  /// For each factor the value where it is low and where it is high; null where that is unknown.
   ordered_json swings_object(const std::vector<double>& all, std::size_t base) const {
     const Swung& swung = swung_[base];
     std::vector<double> values;
@@ -248,7 +248,7 @@ class MainValues {
   ordered_json& payload_;
   std::vector<ComparisonGroup> groups_;
 
-  /// Scenarios of a base from which swings are told, with the numbers of their factors.
+  /// Scenarios of a base from which swings are reported, with the numbers of their factors.
   struct Swung {
     std::vector<std::uint64_t> scenarios;
     std::vector<std::vector<double>> factors;

@@ -9,7 +9,7 @@ namespace ringfilm::report {
 
 /// A study as one self-contained web page: what varied and how, statistics of the cycle values, and the pictures of its
 /// kind. Statistics are those of all scenarios; pictures of single points show an even subset of large studies, which
-/// their captions tell. Takes memory for a few columns of the study's table.
+/// their captions state. Takes memory for a few columns of the study's table.
 std::string study_page(const io::StudyRows& rows, const io::Units& units, const io::Provenance& provenance);
 
 }  // namespace ringfilm::report

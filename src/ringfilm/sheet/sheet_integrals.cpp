@@ -70,7 +70,7 @@ class Strips {
   }
 
   /// What strips on a step of the gap let through and shear beyond those of one mean height. A face there has two
-  /// heights, which its moments tell: with q = mu_3/mu_2 the mean of 1/h is (h + q)/(h^2 + h q - mu_2)
+  /// heights, which follow from its moments: with q = mu_3/mu_2 the mean of 1/h is (h + q)/(h^2 + h q - mu_2)
   /// (eq-pad-step-shear).
   void add_steps(int j, film::FilmIntegrals& sums) const {
     const film::FilmGrid& grid = problem_.strip.grid;

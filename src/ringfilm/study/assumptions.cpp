@@ -42,7 +42,7 @@ Assumption cavitation(const Case& c) {
 Assumption orientation(const Case& c) {
   const char* key = "ring.face.orientation";
   return assumption("face-orientation", "the face is installed as \"" + chosen(key, c) + "\"",
-                    "a face trace does not tell which of its ends looks at the chamber", other_choices(key, c));
+                    "a face trace does not show which of its ends looks at the chamber", other_choices(key, c));
 }
 
 Assumption contact_integrals(const Case& c) {
@@ -213,7 +213,7 @@ Assumption ring_gap(const Case& c) {
       text("the ring has a gap of %.4g mm, at whose ends the film has the mean of the pressures at its edges; gas that "
            "blows through it is not computed",
            *c.ring.end_gap * 1e3),
-      "oil that leaves the film for the gap, or comes from there, is told; that the gap holds oil is an assumption "
+      "oil that leaves the film for the gap, or comes from there, is reported; that the gap holds oil is an assumption "
       "like "
       "that of flooded edges",
       others);

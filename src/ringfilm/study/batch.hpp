@@ -48,8 +48,8 @@ struct BatchEffort {
 /// Adds what another thread took.
 void add(const cycle::LaneEffort& part, cycle::LaneEffort& all);
 
-/// Simulates the cycle of every case that `next` gives and tells each as it ends, not in order. `next` and `ended` are
-/// called from several threads but never two at a time. Same case, same bits, whatever the number of threads and
+/// Simulates the cycle of every case that `next` gives and reports each as it ends, not in order. `next` and `ended`
+/// are called from several threads but never two at a time. Same case, same bits, whatever the number of threads and
 /// whatever else is in the batch. Memory does not grow with the number of cases: 64 for each thread are read ahead, and
 /// on each thread, beside those in its lanes, at most 64 more that are ready wait for a lane of their kind. Fewer than
 /// are read ahead are shared out so that all threads end at about the same time. An exception, be it of `next` or
@@ -57,7 +57,7 @@ void add(const cycle::LaneEffort& part, cycle::LaneEffort& all);
 BatchEffort simulate_cases(const CaseSource& next, const std::function<void(Ending)>& ended,
                            const BatchOptions& options = {});
 
-/// Told as each case ends: done, total; never twice at a time.
+/// Called as each case ends: done, total; never twice at a time.
 using Progress = std::function<void(int, int)>;
 
 /// How all of a few cases end, in their order.

@@ -10,7 +10,7 @@
 namespace ringfilm::study {
 
 /// Factors that are correlated with each other, directly or through others, and with no other factor. One alone that is
-/// correlated with nothing is a group, too. Indices are told of groups: those of correlated factors apart from each
+/// correlated with nothing is a group, too. Indices are reported of groups: those of correlated factors apart from each
 /// other have no clear meaning @cite jacques2006.
 struct FactorGroup {
   std::string name;                  ///< those of its factors, joined by " and "

@@ -22,7 +22,7 @@ struct LedgerVariant {
 struct LedgerEntry {
   std::string topic;           ///< stable word, e.g. "flooded-inlet"
   std::string statement;       ///< what is assumed in this very case, a sentence with its figures
-  std::string consequence;     ///< what it is known or expected to do; empty if the variants tell
+  std::string consequence;     ///< what it is known or expected to do; empty if the variants show it
   std::string source;          ///< where the decision is argued, e.g. "docs/theory/assumptions.md#flooded-inlet"
   bool can_be_lifted = false;  ///< does this program offer another choice?
   std::vector<LedgerVariant> variants;  ///< empty if it cannot be lifted, or only by a case of its own, or not computed
@@ -38,7 +38,7 @@ struct LedgerPlan {
 };
 LedgerPlan ledger_plan(const cycle::Case& c);  ///< which choices can be lifted
 
-/// The ledger of a plan whose cases ended like this, in their order. @param own values of the case as it is told; a
+/// The ledger of a plan whose cases ended like this, in their order. @param own values of the case as it is reported; a
 /// value that a setting does not move, bit by bit among the cases of the plan, is that one. Throws std::logic_error if
 /// there are not as many endings as cases
 std::vector<LedgerEntry> ledger(LedgerPlan plan, std::span<const Ending> ended, const cycle::CycleValues& own);

@@ -6,7 +6,7 @@
 
 #include "ringfilm/study/plan.hpp"
 
-/// Which values of a cycle are told of every study, and those of one base among all.
+/// Which values of a cycle are reported of every study, and those of one base among all.
 namespace ringfilm::study {
 
 /// Names of cycle values, those that matter most first; the others stand in the files of a study.

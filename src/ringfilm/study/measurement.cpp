@@ -10,7 +10,7 @@
 namespace ringfilm::study {
 namespace {
 
-/// What is told of a whole history of a pad, and of a ring's balance of mass.
+/// What is reported of a whole history of a pad, and of a ring's balance of mass.
 const std::vector<cycle::Quantity> kOfWholeRun = {
     {"first_cavity_time", "s", "s", "first instant with a cavity", "t_r", "eq-complementarity"},
     {"full_again_time", "s", "s", "first full instant after the last with a cavity", "t_f", "eq-complementarity"},
@@ -58,10 +58,10 @@ void add_events(const pad::PadResult& result, Measurement& measurement) {
 
 Measurement of_pad(const pad::PadResult& result) {
   Measurement measurement;
-  const std::vector<pad::PadQuantity> told = pad::told_quantities(result);
+  const std::vector<pad::PadQuantity> reported = pad::reported_quantities(result);
   for (const pad::Sample& sample : result.samples) {
     measurement.instants.push_back(sample.time);
-    for (const auto& quantity : told) {
+    for (const auto& quantity : reported) {
       measurement.values[quantity.name].push_back(sample.*quantity.value);
     }
   }

@@ -268,7 +268,7 @@ std::vector<std::string> Plan::notes() const {
   }
   if (sampling.indices != Indices::kNone && sampling.scenarios < kFewRows) {
     notes.push_back("indices from " + std::to_string(sampling.scenarios) + " rows, fewer than " +
-                    std::to_string(kFewRows) + ", can be further off than their intervals tell");
+                    std::to_string(kFewRows) + ", can be further off than their intervals state");
   }
   if (sampling.method == Method::kOneAtATime && !study_.correlations.empty()) {
     notes.push_back("one factor at a time: the others stay at their medians, and correlations play no part");

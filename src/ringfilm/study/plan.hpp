@@ -21,7 +21,7 @@ struct Point {
   std::vector<std::optional<double>> values;
 };
 
-/// Everything that is wrong with a study, as far as can be told before a case is run: empty names, keys that do not
+/// Everything that is wrong with a study, as far as it can be found before a case is run: empty names, keys that do not
 /// exist, are not numbers or not in use, distributions without support, values out of the range of their key, a
 /// correlation matrix that is not positive definite, a plan that its method cannot make.
 std::vector<Fault> faults_of(const Study& study);
@@ -58,7 +58,7 @@ class Plan {
   /// Points that come together (2 + groups with indices, those of a trajectory, otherwise 1): a study goes on by these.
   std::uint64_t points_per_row() const;
 
-  /// The groups of factors for which indices are told; each factor alone where none is correlated.
+  /// The groups of factors for which indices are reported; each factor alone where none is correlated.
   const std::vector<FactorGroup>& groups() const { return groups_; }
   /// Throws std::logic_error unless the plan is of this method.
   const MorrisTrajectories& trajectories() const;
@@ -94,7 +94,7 @@ class Plan {
 /// With fewer rows the bootstrap does not see how uneven they are; docs/theory/study.md.
 inline constexpr std::uint64_t kFewRows = 64;
 
-/// Where the numbers of a distribution lie in a plan that wants levels: shares of its probability [-].
+/// Where the numbers of a distribution lie in a plan that requires levels: shares of its probability [-].
 inline constexpr double kLowShare = 0.05, kHighShare = 0.95;          ///< one at a time, about the median
 inline constexpr double kLowestShare = 0.005, kHighestShare = 0.995;  ///< ends of a trajectory of Morris
 

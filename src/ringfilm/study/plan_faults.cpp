@@ -227,7 +227,7 @@ void check_one_file_a_table(const Study& study, Faults& faults) {
         if (target.base && *target.base != b) continue;
         const std::string table = target.key.substr(0, target.key.rfind('.'));
         const auto [found, is_first] = by.try_emplace({b, table}, &factor, target.key);
-        if (is_first || found->second.second == target.key) continue;  // of one key check_set_once tells
+        if (is_first || found->second.second == target.key) continue;  // of one key check_set_once reports
         faults.push_back({factor.mark,
                           called(factor) + " chooses files for " + target.key + ", as " + called(*found->second.first) +
                               " does for " + found->second.second,
@@ -244,12 +244,12 @@ void check_set_once(const Study& study, Faults& faults) {
   for (const Factor& factor : study.factors) {
     if (factor.how != How::kSet) continue;
     for (const Target& target : factor.targets) {
-      bool told = false;
+      bool reported = false;
       for (std::size_t b = 0; b < study.bases.size(); ++b) {
         if (target.base && *target.base != b) continue;
         const auto [found, is_first] = by.try_emplace({b, target.key}, factor.name);
-        if (is_first || told) continue;
-        told = true;
+        if (is_first || reported) continue;
+        reported = true;
         faults.push_back({factor.mark,
                           called(factor) + " sets " + target.key + ", as factor \"" + found->second + "\" does",
                           "leave one out, or let it scale or add"});

@@ -26,7 +26,7 @@ SwingEnds swing_ends(const Variation& variation) {
 std::optional<Swing> swing_of(std::span<const double> factor, std::span<const double> values, SwingEnds ends) {
   if (factor.size() != values.size()) throw std::invalid_argument("a factor and values of different scenarios");
   std::vector<std::pair<double, double>> pairs;
-  // A value of which no scenario was solved is an end nevertheless: another would be told in its place.
+  // A value of which no scenario was solved is an end nevertheless: another would be reported in its place.
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(factor[i])) continue;

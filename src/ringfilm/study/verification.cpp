@@ -204,7 +204,7 @@ class Runner {
     return run.curves.at(quantity)[static_cast<std::size_t>(found - angles.begin())];
   }
 
-  /// nullptr where there is no solution, of which the outcome tells once.
+  /// nullptr where there is no solution, which the outcome reports once.
   const Measurement* measured(const std::string& key, const cycle::Case& c) {
     auto found = measurements_.find(key);
     if (found == measurements_.end()) {

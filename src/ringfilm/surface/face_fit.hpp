@@ -7,7 +7,7 @@
 #include "ringfilm/surface/face_spline.hpp"
 #include "ringfilm/surface/topography.hpp"
 
-/// A measured trace over a ring face to the shape that a case wants (docs/theory/face.md).
+/// A measured trace over a ring face to the shape that a case requires (docs/theory/face.md).
 namespace ringfilm::surface {
 
 /// Which way the heights of a trace count.
@@ -35,7 +35,7 @@ enum class FaceZero {
   kAsMeasured    ///< where the trace has it
 };
 
-/// What a trace does not tell, and what may be stated about its fit.
+/// What a trace does not show, and what may be stated about its fit.
 struct FaceRule {
   HeightSense sense{};            ///< which way the heights of the trace count
   double width_m = 0;             ///< of the face, b [m]

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kHighestFormDegree = 12;
 
-/// Takes a form, which gives its heights row by row, off the measured points, and tells where and how large it was.
+/// Takes a form, which gives its heights row by row, off the measured points, and reports where and how large it was.
 template <class Form>
 FormRemoved subtract(HeightMap& map, const Form& form) {
   const FormAtCentre centre = form.at_centre();

@@ -19,7 +19,7 @@ constexpr double kSlopeSettled = 1e-13;
 
 void check_points(const std::vector<LinePoint>& points) {
   if (points.size() < 3) {
-    throw InputError("a line with its error wants three loads or more, not " + std::to_string(points.size()),
+    throw InputError("a line with its error requires three loads or more, not " + std::to_string(points.size()),
                      "measure at more loads");
   }
   for (const LinePoint& p : points) {

@@ -131,14 +131,13 @@ LoopFriction loop_friction(const FrictionLoop& loop, double end_share) {
   }
   if (half_difference.size() < kFewestLoopPoints) {
     throw InputError("a friction loop has " + std::to_string(half_difference.size()) +
-                         " points between its ends; no scatter can be told from less than " +
-                         std::to_string(kFewestLoopPoints),
+                         " points between its ends; a scatter requires at least " + std::to_string(kFewestLoopPoints),
                      "give longer lines or cut a smaller share");
   }
   const LoopMean tmr = mean_along(half_difference), offset = mean_along(half_sum);
   for (const double value : {tmr.value, tmr.deviation, offset.value, offset.deviation}) {
     if (std::isfinite(value)) continue;
-    throw InputError("the signals of a friction loop are so large that their scatter cannot be told in numbers",
+    throw InputError("the signals of a friction loop are so large that their scatter cannot be expressed as numbers",
                      "trace and retrace are in volts");
   }
   return {tmr.value, tmr.deviation, offset.value, offset.deviation, static_cast<int>(half_difference.size())};

@@ -29,7 +29,7 @@ void visit_rows(const HeightMap& map, const Visit& visit) {
 }
 
 [[noreturn]] void refuse_huge(const char* what) {
-  throw InputError("the heights of the map are so large that " + std::string(what) + " cannot be told in numbers",
+  throw InputError("the heights of the map are so large that " + std::string(what) + " cannot be expressed as numbers",
                    "heights are in metres");
 }
 

@@ -186,7 +186,7 @@ MomentTable moment_table(const HeightMap& map, DifferenceScheme scheme) {
   }
   for (const double moment : {table.m0_m2, table.m2_x, table.m2_y, table.m4_x_per_m2, table.m4_y_per_m2}) {
     if (std::isfinite(moment)) continue;
-    throw InputError("the heights of the map are so large that its spectral moments cannot be told in numbers",
+    throw InputError("the heights of the map are so large that its spectral moments cannot be expressed as numbers",
                      "heights and steps are in metres");
   }
   if (table.m4_x_per_m2 == 0 && table.m4_y_per_m2 == 0) {

@@ -31,8 +31,9 @@ std::vector<Note> notes_of(const Case& c, double film_parameter) {
   Sample sample;
   sample.film_parameter = film_parameter;
   sample.min_film_thickness = 1e-6;
+  const Setup setup = prepare(c);
   std::vector<Note> notes;
-  append_validity_notes(prepare(c), {sample}, 0, {}, notes);
+  append_validity_notes(setup, face_grid(setup), {sample}, 0, {}, notes);
   return notes;
 }
 

@@ -59,6 +59,11 @@ Case changed(Case c, double factor, double offset) {
   return c;
 }
 
+Case gauge(Case c) {
+  c.gas.pressure_reference = PressureReference::kGauge;
+  return c;
+}
+
 Case turned(Case c, double by_deg) {
   SampledTrace trace = *c.gas.cylinder_pressure;
   for (double& angle : trace.crank_angle_deg) angle += by_deg;
@@ -91,9 +96,7 @@ TEST(GasPlausibility, ProbableTracesHaveNoNote) {
   EXPECT_THAT(topics(whole()), IsEmpty());
   EXPECT_THAT(topics(partial(0.95e5)), IsEmpty());
   EXPECT_THAT(topics(partial(1.1e5)), IsEmpty()) << "losses and waves in the intake";
-  Case gauge = changed(whole(), 1, -kAtmosphere);
-  gauge.gas.pressure_reference = PressureReference::kGauge;
-  EXPECT_THAT(topics(gauge), IsEmpty());
+  EXPECT_THAT(topics(gauge(changed(whole(), 1, -kAtmosphere))), IsEmpty());
   Case charged = with(engine_trace(3.5e5, 3.2e5, -360, 358));
   EXPECT_THAT(topics(charged), IsEmpty());
   EXPECT_THAT(topics(with(engine_trace(0.3e5, 1.05e5, -360, 358))), IsEmpty()) << "a closed throttle";
@@ -112,9 +115,7 @@ TEST(GasPlausibility, APeakFarFromFiringTdcIsNoted) {
 }
 
 TEST(GasPlausibility, AnotherReferenceIsNoted) {
-  Case absolute_as_gauge = whole();
-  absolute_as_gauge.gas.pressure_reference = PressureReference::kGauge;
-  EXPECT_THAT(topics(absolute_as_gauge), ElementsAre("gas-pressure-high"));
+  EXPECT_THAT(topics(gauge(whole())), ElementsAre("gas-pressure-high"));
   // Above the atmosphere everywhere, or it is refused as below vacuum.
   const Case gauge_as_absolute = changed(with(engine_trace(1.05e5, 1.1e5, -360, 358)), 1, -kAtmosphere);
   EXPECT_THAT(topics(gauge_as_absolute), ElementsAre("gas-pressure-low"));
@@ -125,6 +126,46 @@ TEST(GasPlausibility, AnotherReferenceIsNoted) {
 TEST(GasPlausibility, AnotherUnitIsNoted) {
   EXPECT_THAT(topics(changed(whole(), 0.1, 0)), ElementsAre("gas-pressure-low")) << "MPa under bar";
   EXPECT_THAT(topics(changed(whole(), 10, 0)), ElementsAre("gas-pressure-high")) << "bar under MPa";
+}
+
+TEST(GasPlausibility, MegapascalsReadAsBarAboveTheAtmosphereAreNoted) {
+  for (const double intake : {0.95e5, 1.5e5, 2e5}) {
+    const Case as_bar = gauge(changed(with(engine_trace(intake, 1.05e5, -360, 358)), 0.1, -0.1 * kAtmosphere));
+    EXPECT_THAT(topics(as_bar), ElementsAre("gas-compression-low")) << intake;
+  }
+}
+
+TEST(GasPlausibility, ATraceWithoutCompressionHasThePressureOfTheAtmosphere) {
+  EXPECT_THAT(topics(changed(whole(), 0, 5e5)), ElementsAre("gas-compression-low"));
+  EXPECT_THAT(topics(gauge(changed(whole(), 0, 4e5))), ElementsAre("gas-compression-low"));
+  EXPECT_THAT(topics(gauge(changed(whole(), 0, 5e5))), ElementsAre("gas-pressure-high"));
+  EXPECT_THAT(topics(changed(whole(), 0, 1.08e5)), IsEmpty());
+  EXPECT_THAT(topics(gauge(changed(whole(), 0, 0))), IsEmpty());
+}
+
+/// Compression alone: the pressure from 180 degree before to 180 degree after firing TDC, the valves closed from
+/// `closing_deg` on.
+Case motored(double intake, double ratio, double exponent, double closing_deg = -180) {
+  const models::CrankSlider crank(0.03975, 0.1381);
+  const auto volume = [&](double deg) {
+    return crank.stroke() / (ratio - 1) + crank.position(deg * std::numbers::pi / 180);
+  };
+  SampledTrace trace;
+  for (int deg = -360; deg < 360; ++deg) {
+    const bool closed = deg >= closing_deg && deg <= 180;
+    trace.crank_angle_deg.push_back(deg);
+    trace.value.push_back(intake * (closed ? std::pow(volume(closing_deg) / volume(deg), exponent) : 1));
+  }
+  return with(std::move(trace));
+}
+
+TEST(GasPlausibility, CompressionOfAnyEngineHasNoNote) {
+  EXPECT_THAT(topics(motored(0.95e5, 10, 1.33)), IsEmpty());
+  EXPECT_THAT(topics(motored(0.95e5, 20, 1.2)), IsEmpty());
+  EXPECT_THAT(topics(motored(0.95e5, 4, 1.3)), IsEmpty()) << "a historic engine";
+  EXPECT_THAT(topics(motored(0.95e5, 10, 0.9)), IsEmpty()) << "leakage at cranking speed";
+  EXPECT_THAT(topics(motored(0.95e5, 13, 1.33, -72)), IsEmpty()) << "the intake valve closes late";
+  EXPECT_THAT(topics(motored(4.5e5, 14, 1.36)), IsEmpty()) << "charged, hydrogen: little heat to the walls";
 }
 
 TEST(GasPlausibility, AJumpBetweenIntakeAndTraceIsNotedOrRefused) {

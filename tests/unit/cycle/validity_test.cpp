@@ -26,13 +26,16 @@ Sample usual_sample() {
   return s;
 }
 
-std::vector<std::string> topics(const Sample& sample, double fmep = 20e3) {
+std::vector<Note> notes_of(const std::vector<Sample>& samples, double fmep) {
+  const Setup setup = prepare(styles_new_ring());
   std::vector<Note> notes;
-  append_validity_notes(prepare(styles_new_ring()), {usual_sample(), sample}, fmep, {}, notes);
+  append_validity_notes(setup, face_grid(setup), samples, fmep, {}, notes);
+  return notes;
+}
+
+std::vector<std::string> topics(const Sample& sample, double fmep = 20e3) {
   std::vector<std::string> all;
-  for (const Note& note : notes) {
-    all.push_back(note.topic);
-  }
+  for (const Note& note : notes_of({usual_sample(), sample}, fmep)) all.push_back(note.topic);
   return all;
 }
 
@@ -44,10 +47,9 @@ TEST(Validity, ResultsOfARingHaveNoNoteOnLimits) {
 }
 
 TEST(Validity, NotesCountTheirCrankSteps) {
-  std::vector<Note> notes;
   Sample thin = usual_sample();
   thin.min_film_thickness = 1e-10;
-  append_validity_notes(prepare(styles_new_ring()), {thin, usual_sample(), thin}, 0, {}, notes);
+  const std::vector<Note> notes = notes_of({thin, usual_sample(), thin}, 0);
   const auto found =
       std::find_if(notes.begin(), notes.end(), [](const Note& note) { return note.topic == "film-below-molecules"; });
   ASSERT_NE(found, notes.end());
@@ -69,6 +71,19 @@ TEST(Validity, ResultsThatNoRingCanHaveAreNoted) {
   s.viscous_friction_ring = 4e3;  // on pi * 89 mm * 1.2 mm: 11.9 MPa
   EXPECT_THAT(topics(s), Contains("shear-stress-high"));
   EXPECT_THAT(topics(usual_sample(), 1.1e6), Contains("friction-too-high"));
+}
+
+TEST(Validity, ATensionThatNoRingHasIsNoted) {
+  const auto noted = [](double force) {
+    Case c = styles_new_ring();
+    c.ring.elastic_pressure.reset();
+    c.ring.tangential_force = force;
+    const std::vector<Note> notes = prepare(c).notes;
+    return std::any_of(notes.begin(), notes.end(), [](const Note& n) { return n.topic == "ring-tension-high"; });
+  };
+  EXPECT_FALSE(noted(10));
+  EXPECT_FALSE(noted(106)) << "2 MPa, as the lands of an oil ring";
+  EXPECT_TRUE(noted(1000));
 }
 
 // The three ways to state the tension end at the same elastic pressure.

@@ -89,6 +89,36 @@ TEST(HeightTable, WidthAndHeightInDifferentUnitsGiveBothSteps) {
   EXPECT_THAT(refusal("a.txt", "# Width: 10 um\n# Height: 10 s\n" + heights), HasSubstr("--step-x"));
 }
 
+TEST(HeightTable, AStatedSideThatIsNotALengthIsNamedWithItsLine) {
+  const auto refused = [](const std::string& width, const SurfaceOptions& options = {}) {
+    const std::string heights = "# Value units: m\n1e-9 2e-9 3e-9\n5e-9 6e-9 7e-9\n";
+    return refusal("a.txt", "# Channel: Z\n# Width: " + width + "\n# Height: 4 um\n" + heights, options);
+  };
+  EXPECT_THAT(refused("0 um"), HasSubstr("a.txt:2:1: Width is 0 um, but the side of a map is longer than 0"));
+  EXPECT_THAT(refused("-3 um"), HasSubstr("a.txt:2:1: Width is -3 um"));
+  EXPECT_THAT(refused("10 s"), HasSubstr("a.txt:2:1: Width is 10 s, a time and not a length"));
+  EXPECT_THAT(refused("10 px"), HasSubstr("a.txt:2:1: Width is 10 px, and \"px\" is not a unit of length"));
+  EXPECT_THAT(refused("0 um"), HasSubstr("correct the header of the file, or state the step"));
+  const SurfaceFile file =
+      read_bytes("a.txt", "# Width: 0 um\n# Height: 4 um\n# Value units: m\n1e-9 2e-9 3e-9\n5e-9 6e-9 7e-9\n",
+                 with(nullptr, nullptr, "2 um"));
+  EXPECT_EQ(file.map.points_x, 3u);
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 2e-6);
+}
+
+TEST(HeightTable, ARowBelowTheNamesMayStateTheUnits) {
+  for (const char* text : {"x;z\nmm;um\n0;1\n0,1;2\n0,2;3\n", "x\tz\n[mm]\t[um]\n0\t1\n0.1\t2\n0.2\t3\n",
+                           "x [mm],z\n,(um)\n0,1\n0.1,2\n0.2,3\n"}) {
+    const SurfaceFile file = read_bytes("a.csv", text);
+    ASSERT_EQ(file.map.points_x, 3u) << text;
+    EXPECT_NEAR(file.map.step_x_m, 1e-4, 1e-12) << text;
+    EXPECT_DOUBLE_EQ(file.map.height_m[2], 3e-6) << text;
+    EXPECT_THAT(file.origin.notes, testing::Contains("the row of units in line 2 was used")) << text;
+  }
+  EXPECT_THAT(refusal("a.csv", "x [um];z [um]\nmm;um\n0;1\n1;2\n"),
+              HasSubstr("a.csv:2:1: the unit of x is mm here and um in the header"));
+}
+
 TEST(HeightTable, AMapOfFewColumnsIsTheMapThatItsHeaderStates) {
   const std::string header = "# Channel: Z\n# Width: 4.0 um\n# Height: 6.0 um\n# Value units: nm\n";
   SurfaceFile file = read_bytes("a.txt", header + "1\t2\n3\t4\n5\t6\n");

@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"case.toml:2:1: engine is a section, not a key"}},
         Mistake{"KeyAsSection",
                 [] { return with(&CaseText::top, "title.text = \"a\"\n"); },
-                {"title is a section here", "it wants one value"}},
+                {"title is a section here", "it requires one value"}},
         Mistake{"MissingKey",
                 [] { return with(&CaseText::operating, "[operating]\nspeed = \"1500 rpm\"\n"); },
                 {"case.toml: the key operating.oil_temperature is missing",
@@ -186,12 +186,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Date",
                 [] { return with_more(&CaseText::more, "[film]\ncavitation_pressure = 2024-01-01\n"); },
                 {"film.cavitation_pressure = (neither text nor number) is not a quantity"}},
-        Mistake{
-            "OilWithoutValue",
-            [] {
-              return with(&CaseText::lubricant, "[lubricant]\nkinematic_viscosity = [{temperature = \"40 degC\"}]\n");
-            },
-            {"lubricant.kinematic_viscosity = {...} wants a temperature and a value", "lubricant.density is missing"}}),
+        Mistake{"OilWithoutValue",
+                [] {
+                  return with(&CaseText::lubricant,
+                              "[lubricant]\nkinematic_viscosity = [{temperature = \"40 degC\"}]\n");
+                },
+                {"lubricant.kinematic_viscosity = {...} requires a temperature and a value",
+                 "lubricant.density is missing"}}),
     [](const auto& mistake) { return mistake.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(

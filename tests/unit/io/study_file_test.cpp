@@ -210,7 +210,8 @@ TEST(StudyFile, TellsWhereAFaultLiesAndWhatMayBeMeant) {
   EXPECT_THAT(folder.refusal(kSpeed + "values = [\"60 rpm\"]\nrange = [\"1 rpm\", \"2 rpm\"]\n"),
               HasSubstr("both values and range"));
   EXPECT_THAT(folder.refusal(kSpeed + "values = [\"60 rpm\"]\nmean = \"60 rpm\"\n"), HasSubstr("means nothing"));
-  EXPECT_THAT(folder.refusal(kSpeed + "distribution = \"normal\"\nmean = \"60 rpm\"\n"), HasSubstr("wants deviation"));
+  EXPECT_THAT(folder.refusal(kSpeed + "distribution = \"normal\"\nmean = \"60 rpm\"\n"),
+              HasSubstr("requires deviation"));
   EXPECT_THAT(folder.refusal(kSpeed + "distribution = \"normal\"\nmean = \"60 rpm\"\ndeviation = \"-1 rpm\"\n"),
               HasSubstr("standard deviation"));
   EXPECT_THAT(folder.refusal(kSpeed + "values = [\"60 rpm\"]\nbases = [\"nw\"]\n"), HasSubstr("did you mean new?"));

@@ -135,6 +135,8 @@ TEST_F(Trace, RefusesAnUnknownUnitInTheRowOfUnits) {
   stated.pressure_column = "p";
   EXPECT_THAT(told("crank_angle,p\ndeg,kp/cmm\n0,1\n1,2\n", stated),
               HasSubstr("p.csv:2:5: the column p has an unknown unit \"kp/cmm\""));
+  EXPECT_THAT(told("crank_angle;p\n-;bar\n0;1\n1;2\n"),
+              HasSubstr("no column of the file is a crank angle: crank_angle is dimensionless, not an angle, "));
   // Text between the numbers, or below the units, is not a row of units.
   EXPECT_THAT(told("crank_angle,p\ndeg,3 bar\n0,1\n1,2\n"), HasSubstr("p.csv:2:1: \"deg\" is not a number"));
   EXPECT_THAT(told("crank_angle,p\ndeg,bar\ndeg,bar\n1,2\n"), HasSubstr("p.csv:3:1: \"deg\" is not a number"));

@@ -101,7 +101,6 @@ TEST(CoversCycle, LooksAtTheSeamToo) {
   EXPECT_FALSE(covers_cycle(sampled(0, 700, 1).angle));
   EXPECT_FALSE(covers_cycle(sampled(-143, 123, 1).angle));
   EXPECT_FALSE(covers_cycle({}));
-  EXPECT_FALSE(covers_cycle(sampled(0, 719, 1).angle, 0.5));
 }
 
 TEST(PartialTrace, KeepsItsSamplesAndTakesTheGivenPressures) {

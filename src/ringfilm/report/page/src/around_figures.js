@@ -65,7 +65,7 @@ export function stripMaps(data, { ends, face }) {
   return new FieldMaps({ title: 'Around the ring over the cycle', columns: crankAxis(data.stripAngles), rows, maps, height: () => kHeight.overCrank, above: kStrokesAbove });
 }
 
-/** What the reader is told about how the drawing came from the file. */
+/** What the reader learns about how the drawing came from the file. */
 function thinning(data) {
   const { angles, y, x } = data.stored;
   const of = (drawn, stored, things) => (drawn < stored ? [`${drawn} of ${stored} ${things}`] : []);
@@ -78,7 +78,7 @@ export function fieldCaption(data, name) {
   const { value, x, y } = data.highestPressure[best];
   const reach = data.endReach(best);
   const cavities = data.angles.filter((_, k) => data.hasCavity(k)).length;
-  const inCavities = data.hasNoFill ? 'where the pressure is that of a cavity; the model, Reynolds\' exit, does not tell how much oil is there' : 'where oil fills less than the whole space';
+  const inCavities = data.hasNoFill ? 'where the pressure is that of a cavity; the model, Reynolds\' exit, does not define how much oil is there' : 'where oil fills less than the whole space';
   const alike = reach !== null && Math.min(y, data.length - y) > reach;
   const felt = reach === null ? ''
     : ` At that angle the gap changes the pressure by more than 1 % of the highest up to ${withUnit(reach, 'mm', 2)} from its ends (${number(reach / data.face, 2)} face widths); further on the strips are alike.`;
@@ -107,7 +107,7 @@ export function stripRows(data) {
   return { header, rows };
 }
 
-/** Less flow than this share of the largest tells nothing by shares of it. */
+/** Less flow than this share of the largest has no meaningful shares. */
 const kFlowWorthAShare = 0.1;
 
 /** The case with the share in the flow only where there is a flow to speak of. */
@@ -124,10 +124,10 @@ export function gapFigure(model) {
   if (unrolled.length === 0) return null;
   const shown = model.withCases(unrolled.map(withoutTurning));
   const panels = names.map((name) => cyclePanel(shown, name, { zeroLine: true }));
-  const told = (name) => ofEachCycle(shown, (c) => valueWithUnit(shown, c, name, 2));
+  const valueText = (name) => ofEachCycle(shown, (c) => valueWithUnit(shown, c, name, 2));
   return {
     id: 'gap-of-the-ring', title: 'What the ends of the gap do', group: 'cycle', layout: 'row', panels,
     caption: `Oil that leaves the film through both ends of the ring, and by which share its ends change load, friction and oil flow of the ring against one whose strips were all like the one opposite the gap; negative where the ends do less. The share in the flow is left out where less than a tenth of the largest flow passes.
-      Mean flow between film and gap: ${told('mean_absolute_gap_leakage')}; its share of the flow under the ring: ${told('gap_leakage_share')}. Shares of the ends in the mean load: ${told('ends_share_mean_load')}; in the friction power: ${told('ends_share_friction_power')}; in the mean flow without sign: ${told('ends_share_absolute_flow')}.${bandSentence(panels)}`,
+      Mean flow between film and gap: ${valueText('mean_absolute_gap_leakage')}; its share of the flow under the ring: ${valueText('gap_leakage_share')}. Shares of the ends in the mean load: ${valueText('ends_share_mean_load')}; in the friction power: ${valueText('ends_share_friction_power')}; in the mean flow without sign: ${valueText('ends_share_absolute_flow')}.${bandSentence(panels)}`,
   };
 }

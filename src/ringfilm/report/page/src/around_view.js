@@ -30,8 +30,8 @@ export class AroundView {
     this.slider = element('input', {
       type: 'range', min: 0, step: 1, id: 'around-angle', 'aria-label': 'crank angle of the maps around the ring', oninput: () => this.show(Number(this.slider.value)),
     });
-    this.told = element('output', { for: 'around-angle' });
-    this.sliderRow = element('div', { class: 'slider' }, element('label', { for: 'around-angle' }, 'Crank angle'), this.slider, this.told);
+    this.angleText = element('output', { for: 'around-angle' });
+    this.sliderRow = element('div', { class: 'slider' }, element('label', { for: 'around-angle' }, 'Crank angle'), this.slider, this.angleText);
     this.ownChoice = choice('Colours', [['Colours of all angles', false], ['Of this angle', true]], false, (own) => { this.own = own; this.draw(); });
     this.viewChoice = choice('Part of the ring', [['Whole ring', false], ['Ends of the gap', true]], false, (ends) => { this.ends = ends; this.draw(); });
     const caseChoice = cases.length > 1 ? choice('Case', cases.map(({ name }, n) => [name, n]), 0, (n) => this.showCase(n)) : null;
@@ -74,14 +74,14 @@ export class AroundView {
     if (this.data.hasFields) {
       this.k = this.order[at];
       const words = angleInWords(this.data.angles[this.k]);
-      this.told.textContent = words.replace(/^at /, '');
+      this.angleText.textContent = words.replace(/^at /, '');
       this.slider.setAttribute('aria-valuetext', words);
     }
     this.readOut.replaceChildren();
     this.draw();
   }
 
-  /** The title that stays while the slider moves has no angle: the slider tells it. */
+  /** The title that stays while the slider moves has no angle: the slider shows it. */
   draw() {
     const { data, ends, own } = this;
     if (!data) return;
@@ -113,19 +113,19 @@ export class AroundView {
     if (j < 0) return ['in the gap of the ring'];
     const y = data.y[j];
     const place = `y ${withUnit(y, 'mm', 4)} (${angle(data.around(y))}° around the bore)`;
-    const told = (name, value) => [`${name} `, element('b', {}, value)];
+    const nameAndValue = (name, value) => [`${name} `, element('b', {}, value)];
     if (!data.hasFields) {
       if (column < 0) return [];
       return [`at ${angle(wrapped(data.stripAngles[column]))}°, ${place}: `, ...Object.entries(data.strips).slice(0, 4)
-        .flatMap(([name, { unit, longName }], n) => [n ? ', ' : '', ...told(longName.split(',')[0], withUnit(data.stripValue(name, column, j), unit, 3))])];
+        .flatMap(([name, { unit, longName }], n) => [n ? ', ' : '', ...nameAndValue(longName.split(',')[0], withUnit(data.stripValue(name, column, j), unit, 3))])];
     }
     if (row < 0 || atRing === null) return [];
     const { fields } = data;
     const value = (name) => data.value(name, this.k, j, row);
     return [`x ${withUnit(data.x[row], 'mm', 3)}, ${place}: `,
-      ...told('p', withUnit(value('film_pressure'), fields.film_pressure.unit, 4)),
-      ...(fields.fill ? [', ', ...told('θ', number(value('fill'), 3))] : []),
-      ...(fields.film_thickness ? [', ', ...told('h', withUnit(value('film_thickness'), fields.film_thickness.unit, 3))] : [])];
+      ...nameAndValue('p', withUnit(value('film_pressure'), fields.film_pressure.unit, 4)),
+      ...(fields.fill ? [', ', ...nameAndValue('θ', number(value('fill'), 3))] : []),
+      ...(fields.film_thickness ? [', ', ...nameAndValue('h', withUnit(value('film_thickness'), fields.film_thickness.unit, 3))] : [])];
   }
 
   downloads() {

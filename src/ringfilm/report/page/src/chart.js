@@ -24,7 +24,7 @@ export class CycleGroup {
   }
   zoom(low, high) {
     this.charts.forEach((chart) => chart.zoom(low, high));
-    this.listeners.forEach((tell) => tell(low, high));
+    this.listeners.forEach((listener) => listener(low, high));
   }
 }
 
@@ -64,7 +64,7 @@ function rimmed(ctx, label, x, y) {
 
 export class Chart {
   /**
-   * @param visible tells whether a series is shown; @param readOut is told the x value under the cursor, null when it leaves
+   * @param visible returns whether a series is shown; @param readOut receives the x value under the cursor, null when it leaves
    */
   constructor(host, panel, { visible, readOut, group, height }) {
     Object.assign(this, { host, panel, visible, readOut, group, height });

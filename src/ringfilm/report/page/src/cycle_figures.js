@@ -85,13 +85,13 @@ export function cyclePanel(model, name, options = {}) {
 
 /** "62.0 bar in all cases", or "new ring: 62.0 bar; run-in ring: ..." */
 export function forEachCase(model, sentence) {
-  const told = model.cases.map(sentence);
-  if (!model.several) return told[0];
-  if (new Set(told).size === 1) return `${told[0]} in ${model.allCases}`;
-  return model.cases.map((c, i) => `${c.name} ${told[i]}`).join('; ');
+  const sentences = model.cases.map(sentence);
+  if (!model.several) return sentences[0];
+  if (new Set(sentences).size === 1) return `${sentences[0]} in ${model.allCases}`;
+  return model.cases.map((c, i) => `${c.name} ${sentences[i]}`).join('; ');
 }
 
-/** The same for what a whole cycle tells. */
+/** The same for the values of a whole cycle. */
 export function ofEachCycle(model, sentence) {
   return forEachCase(model, (c) => (c.complete ? sentence(c) : 'none, the march stopped early'));
 }

@@ -17,7 +17,7 @@ export function svgElement(text) {
   return document.importNode(new DOMParser().parseFromString(text, 'image/svg+xml').documentElement, true);
 }
 
-/** Acts when a node has got another width, in the next frame: within the observer it would change the sizes being told. */
+/** Acts when a node has got another width, in the next frame: within the observer it would change the sizes being reported. */
 export function onNewWidth(node, act) {
   let width = node.clientWidth;
   new ResizeObserver(() => requestAnimationFrame(() => {

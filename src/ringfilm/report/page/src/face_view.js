@@ -16,16 +16,16 @@ export class FaceView {
       type: 'range', min: 0, max: this.angles.length - 1, step: 1, value: this.index, id: 'face-angle', 'aria-label': 'crank angle of the fields along the face',
       oninput: () => this.show(Number(this.slider.value)),
     });
-    this.told = element('output', { for: 'face-angle' });
-    const row = element('div', { class: 'slider' }, element('label', { for: 'face-angle' }, 'Crank angle'), this.slider, this.told);
+    this.angleText = element('output', { for: 'face-angle' });
+    const row = element('div', { class: 'slider' }, element('label', { for: 'face-angle' }, 'Crank angle'), this.slider, this.angleText);
     this.view.heading.after(row);
     this.node = this.view.node;
-    this.tell();
+    this.showAngle();
   }
 
-  tell() {
+  showAngle() {
     const words = angleInWords(this.angles[this.index]);
-    this.told.textContent = words.replace(/^at /, '');
+    this.angleText.textContent = words.replace(/^at /, '');
     this.slider.setAttribute('aria-valuetext', words);
   }
 
@@ -36,7 +36,7 @@ export class FaceView {
       next.panels.every((panel, i) => panel.series.map((s) => s.label).join() === this.view.figure.panels[i].series.map((s) => s.label).join());
     this.view.figure = next;
     this.view.title.textContent = next.title;
-    this.tell();
+    this.showAngle();
     if (!same) {
       // Another set of cases has fields at this angle: the charts are laid anew.
       this.view.charts = [];

@@ -27,10 +27,10 @@ export class Visibility {
   }
   toggle(caseIndex) {
     if (!this.hidden.delete(caseIndex)) this.hidden.add(caseIndex);
-    this.listeners.forEach((tell) => tell());
+    this.listeners.forEach((listener) => listener());
   }
   forget(view) {
-    this.listeners = this.listeners.filter((tell) => tell !== view.follow);
+    this.listeners = this.listeners.filter((listener) => listener !== view.follow);
   }
 }
 
@@ -44,8 +44,8 @@ function nearest(series, at) {
   return best;
 }
 
-/** Where the values that are told belong: the sample nearest to the cursor, not the cursor itself. */
-function toldPlace(panel, at) {
+/** Where the values that are reported belong: the sample nearest to the cursor, not the cursor itself. */
+function sampledPlace(panel, at) {
   const series = panel.series.find((s) => s.part !== 'measured') ?? panel.series[0];
   const k = nearest(series, at);
   const place = k < 0 ? at : (series.angle ?? series.x)[k];
@@ -91,7 +91,7 @@ export class FigureView {
       element('div', { class: 'legend' }, at, entries));
     const readOut = (x) => {
       const shown = this.figure.panels[index];
-      at.textContent = x === null ? '' : toldPlace(shown, x);
+      at.textContent = x === null ? '' : sampledPlace(shown, x);
       shown.series.forEach((s, i) => { values[i].textContent = x === null ? '' : number(s.y[nearest(s, x)], 4); });
     };
     // uPlot measures its host, which must stand in the page first.

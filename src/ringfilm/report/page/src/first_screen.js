@@ -54,7 +54,7 @@ function stop(c) {
   const at = c.effort.cycles_marched >= 1 ? null : stoppedAt(c.curves.crank_angle);
   const after = c.effort.cycles_marched > 0 ? ` after ${number(c.effort.cycles_marched, 3)} cycles` : '';
   if (c.curves.crank_angle.length === 0) return 'before the first crank angle was solved';
-  return at === null ? after.trim() || 'at an angle that the stored samples do not tell' : `in its first cycle, last solved ${angleInWords(at).replace(/^(?=\d)/, 'at ')}${after && `,${after}`}`;
+  return at === null ? after.trim() || 'at an angle that the stored samples do not contain' : `in its first cycle, last solved ${angleInWords(at).replace(/^(?=\d)/, 'at ')}${after && `,${after}`}`;
 }
 
 /** Says plainly which cases did not come to an end, before any number. */

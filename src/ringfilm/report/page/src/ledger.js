@@ -4,8 +4,8 @@ import { axisTitle } from './scales.js';
 import { section } from './tables.js';
 import { number, percent, sentence } from './units.js';
 
-/** The values whose change is told, in this order, with heads short enough for a phone. */
-const kTold = [
+/** The values whose change is reported, in this order, with heads short enough for a phone. */
+const kReported = [
   ['fmep', 'FMEP'],
   ['mean_power_loss', 'mean power'],
   ['min_film_thickness', 'min film'],
@@ -30,33 +30,33 @@ function variantTable(model, topic, entries) {
   if (settings.length === 0) return null;
   const name = (c) => (model.several ? element('th', { scope: 'row' }, c.name) : null);
   const group = (heading, rows) => element('tbody', {},
-    element('tr', { class: 'setting' }, element('th', { scope: 'rowgroup', colspan: kTold.length + (model.several ? 1 : 0) }, heading)), rows);
-  const base = group('as run', entries.map(({ c }) => element('tr', {}, name(c), kTold.map(([value]) => valueCell(model, c, value)))));
+    element('tr', { class: 'setting' }, element('th', { scope: 'rowgroup', colspan: kReported.length + (model.several ? 1 : 0) }, heading)), rows);
+  const base = group('as run', entries.map(({ c }) => element('tr', {}, name(c), kReported.map(([value]) => valueCell(model, c, value)))));
   const changed = settings.map((setting) => group(code(setting), entries.flatMap(({ c, entry }) => {
     const variant = entry.variants.find((v) => v.setting === setting);
     if (!variant) return [];
     const cells = variant.solved
-      ? kTold.map(([value]) => valueCell(model, variant, value, c))
-      : element('td', { colspan: kTold.length }, `No solution: ${sentence(variant.reason)}`);
+      ? kReported.map(([value]) => valueCell(model, variant, value, c))
+      : element('td', { colspan: kReported.length }, `No solution: ${sentence(variant.reason)}`);
     return [element('tr', {}, name(c), cells)];
   })));
-  const heads = kTold.map(([value, label]) => element('th', { scope: 'col', class: 'number' }, axisTitle(label, model.value(model.cases[0], value).unit)));
+  const heads = kReported.map(([value, label]) => element('th', { scope: 'col', class: 'number' }, axisTitle(label, model.value(model.cases[0], value).unit)));
   const caption = `What another choice changes: ${topic.replace(/-/g, ' ')}`;
   return element('div', { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': caption },
     element('table', { class: 'variants' }, element('caption', {}, caption),
       element('thead', {}, element('tr', {}, model.several ? element('th', { scope: 'col' }, 'case') : null, heads)), base, changed));
 }
 
-/** Statements of all cases, told once where they agree. */
+/** Statements of all cases, reported once where they agree. */
 function statements(model, entries) {
-  const told = [];
+  const reported = [];
   for (const { c, entry } of entries) {
-    const known = told.find((t) => t.statement === entry.statement);
+    const known = reported.find((t) => t.statement === entry.statement);
     if (known) known.cases.push(c.name);
-    else told.push({ statement: entry.statement, cases: [c.name] });
+    else reported.push({ statement: entry.statement, cases: [c.name] });
   }
-  if (told.length === 1) return element('p', { class: 'statement' }, sentence(told[0].statement));
-  return element('ul', { class: 'statement' }, told.map((t) => element('li', {}, element('b', {}, `${t.cases.join(', ')}: `), sentence(t.statement))));
+  if (reported.length === 1) return element('p', { class: 'statement' }, sentence(reported[0].statement));
+  return element('ul', { class: 'statement' }, reported.map((t) => element('li', {}, element('b', {}, `${t.cases.join(', ')}: `), sentence(t.statement))));
 }
 
 /** How many settings the figure of influences ranks. */

@@ -2,7 +2,7 @@
 import { kOnlyCase } from './model.js';
 import { typeset, typesetUnit } from './units.js';
 
-/** A profile of so many points wants the whole width. */
+/** A profile of so many points needs the whole width. */
 const kLong = 400;
 const kLengths = ['m', 'mm', 'um', 'nm'];
 

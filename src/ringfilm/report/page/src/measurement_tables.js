@@ -21,8 +21,8 @@ function shownValue(value) {
 /** "mean radius, β [µm]"; a symbol that only repeats a word of the name says nothing. */
 function columnHead(column) {
   const name = column.long_name || column.name;
-  const tells = column.symbol && !name.toLowerCase().split(/\W+/).includes(column.symbol.toLowerCase());
-  return axisTitle(tells ? `${name}, ${typesetSymbol(column.symbol)}` : name, typesetUnit(column.unit));
+  const addsSymbol = column.symbol && !name.toLowerCase().split(/\W+/).includes(column.symbol.toLowerCase());
+  return axisTitle(addsSymbol ? `${name}, ${typesetSymbol(column.symbol)}` : name, typesetUnit(column.unit));
 }
 
 function csvButton(title, context, id, columns) {
@@ -53,11 +53,11 @@ export function groupTable(group, index, context) {
 }
 
 function remarks(columns) {
-  const told = columns.filter((column) => column.remark);
-  if (told.length === 0) return null;
-  const [first] = told;
+  const remarked = columns.filter((column) => column.remark);
+  if (remarked.length === 0) return null;
+  const [first] = remarked;
   if (columns.every((column) => column.remark === first.remark)) return element('p', { class: 'how' }, `${typeset(first.remark)}.`);
-  return element('p', { class: 'how' }, told.map((column) => `${column.long_name || column.name}: ${typeset(column.remark)}`).join('; '), '.');
+  return element('p', { class: 'how' }, remarked.map((column) => `${column.long_name || column.name}: ${typeset(column.remark)}`).join('; '), '.');
 }
 
 export function numbersTable(given, context) {

@@ -23,8 +23,8 @@ export function namesByInputs(cases) {
   const names = cases.map((c) => differing
     .map((key) => `${key.split('.').pop().replace(/_/g, ' ')} ${shown(c, key) === undefined ? 'not used' : shownInput({ shown: shown(c, key).replace(/"/g, '') })}`)
     .join(', '));
-  const told = names.every((name) => name !== '') && new Set(names).size === names.length;
-  return told ? names : names.map((name, i) => (name ? `${i + 1}: ${name}` : `case ${i + 1}`));
+  const areDistinct = names.every((name) => name !== '') && new Set(names).size === names.length;
+  return areDistinct ? names : names.map((name, i) => (name ? `${i + 1}: ${name}` : `case ${i + 1}`));
 }
 
 function named(cases) {

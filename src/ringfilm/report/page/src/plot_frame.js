@@ -86,13 +86,13 @@ export function line(points, stroke, { width = 1.8, dash = '' } = {}) {
   return `<path d="${path}" fill="none" stroke="${stroke}" stroke-width="${width}" stroke-linejoin="round"${dash ? ` stroke-dasharray="${dash}"` : ''}/>`;
 }
 
-export function area(points, fill, opacity, told = '') {
+export function area(points, fill, opacity, tooltip = '') {
   if (points.length < 3) return '';
-  return `<path d="M${points.map(([a, b]) => `${px(a)} ${px(b)}`).join('L')}Z" fill="${fill}" fill-opacity="${opacity}">${told && `<title>${told}</title>`}</path>`;
+  return `<path d="M${points.map(([a, b]) => `${px(a)} ${px(b)}`).join('L')}Z" fill="${fill}" fill-opacity="${opacity}">${tooltip && `<title>${tooltip}</title>`}</path>`;
 }
 
-export function mark(caseIndex, x, y, r = 4, { fill = '#fff', stroke = caseColour(caseIndex), told = '' } = {}) {
-  return `<path d="${markPath(caseMark(caseIndex), x, y, r)}" fill="${fill}" stroke="${stroke}" stroke-width="1.5">${told && `<title>${told}</title>`}</path>`;
+export function mark(caseIndex, x, y, r = 4, { fill = '#fff', stroke = caseColour(caseIndex), tooltip = '' } = {}) {
+  return `<path d="${markPath(caseMark(caseIndex), x, y, r)}" fill="${fill}" stroke="${stroke}" stroke-width="1.5">${tooltip && `<title>${tooltip}</title>`}</path>`;
 }
 
 /** Names beside samples, in rows. @param entries { label, swatch(x, y) }, each sample 28 pixels wide */

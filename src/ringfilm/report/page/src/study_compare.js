@@ -38,10 +38,10 @@ export function comparisonFigure(model) {
         return;
       }
       const colour = caseColour(colourOf(g));
-      const told = safe(`${groups[g].name}: ${model.told(q, model.has_sample ? model.comparison[q.name][g].quantiles[2][0] : model.comparison[q.name][g].median)} (${s.n} scenarios)`);
+      const tooltip = safe(`${groups[g].name}: ${model.valueText(q, model.has_sample ? model.comparison[q.name][g].quantiles[2][0] : model.comparison[q.name][g].median)} (${s.n} scenarios)`);
       out.push(rule(x(s.outer[0]), at, x(s.outer[1]), at, colour, 1.6));
       if (s.inner) out.push(rule(x(s.inner[0]), at, x(s.inner[1]), at, colour, 7));
-      out.push(mark(colourOf(g), x(s.middle), at, 4.6, { told, stroke: colour }));
+      out.push(mark(colourOf(g), x(s.middle), at, 4.6, { tooltip, stroke: colour }));
     });
     return [...out, ...edges];
   };
@@ -56,8 +56,8 @@ export function comparisonFigure(model) {
     caption() {
       const [q] = shown;
       const ranked = model.comparison[q.name].map((s, g) => ({ s: spread(model, q, s), name: groups[g].name })).filter(({ s }) => s).sort((a, b) => a.s.middle - b.s.middle);
-      const told = ({ s, name }) => `${name.replace(/-/g, '\u2011')} (${withUnit(s.middle, q.shown, 3)})`;
-      const ends = ranked.length > 1 ? ` Lowest ${q.short_name}: ${told(ranked[0])}; highest: ${told(ranked[ranked.length - 1])}.` : '';
+      const nameAndValue = ({ s, name }) => `${name.replace(/-/g, '\u2011')} (${withUnit(s.middle, q.shown, 3)})`;
+      const ends = ranked.length > 1 ? ` Lowest ${q.short_name}: ${nameAndValue(ranked[0])}; highest: ${nameAndValue(ranked[ranked.length - 1])}.` : '';
       return (model.has_sample ? 'Mark: median; thick: 25 % to 75 % of the scenarios; thin: 5 % to 95 %.' : most > 1 ? 'Mark: median; thin line: from the lowest to the highest of the scenarios.' : 'Each mark is one scenario.') + ends;
     },
     columns: () => [{ title: 'group', values: groups.map((g) => g.name) }, ...shown.flatMap((q) => {

@@ -101,8 +101,8 @@ export function swingFigure(model, chosen) {
       return { shapes: [...named.shapes, ...drawn.shapes], height: drawn.bottom };
     },
     caption: () => (model.has_sample
-      ? `Median of ${q().short_name} over the scenarios with the lowest third of each factor (light) and with its highest third (solid)${model.factors.some((f) => f.listed) ? ', of listed values and choices with the lowest (first) and the highest (last) of them,' : ','} against the median of all (${all().map((s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.told(q(), s.middle)}`).join(', ')}); all other factors vary as they do. Of correlated factors it holds what comes with them.`
-      : `${q().short_name} with each factor alone at its lowest value (light) and at its highest (solid), against the scenario that moves none (${all().map((s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.told(q(), s.middle)}`).join(', ')}); a distribution at its quantiles of 5 % and 95 %.`),
+      ? `Median of ${q().short_name} over the scenarios with the lowest third of each factor (light) and with its highest third (solid)${model.factors.some((f) => f.listed) ? ', of listed values and choices with the lowest (first) and the highest (last) of them,' : ','} against the median of all (${all().map((s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.valueText(q(), s.middle)}`).join(', ')}); all other factors vary as they do. Of correlated factors it holds what comes with them.`
+      : `${q().short_name} with each factor alone at its lowest value (light) and at its highest (solid), against the scenario that moves none (${all().map((s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.valueText(q(), s.middle)}`).join(', ')}); a distribution at its quantiles of 5 % and 95 %.`),
     columns: () => [{ title: 'factor', values: model.factors.map((f) => f.name) }, ...all().flatMap((s, b) => ['low', 'high'].map((end, i) => ({ title: axisTitle(`${model.bases[b].name}: ${q().short_name}, factor ${end}`, q().shown), values: model.factors.map((f) => (s.factors[f.index] ? q().convert(s.factors[f.index][i]) : null)) })))],
   };
 }
@@ -135,7 +135,7 @@ export function effectsFigure(model, chosen) {
       for (const e of effects) {
         const at = y(e.deviation);
         out.push(rule(x(Math.max(0, e.mean_absolute - e.half_width)), at, x(e.mean_absolute + e.half_width), at, caseColour(chosen.base), 1.2),
-          mark(chosen.base, x(e.mean_absolute), at, 4.2, { fill: caseColour(chosen.base), told: safe(`${e.factor.name}: µ* ${withUnit(e.mean_absolute, q().shown)} ± ${number(e.half_width, 2)}, σ ${number(e.deviation)}`) }));
+          mark(chosen.base, x(e.mean_absolute), at, 4.2, { fill: caseColour(chosen.base), tooltip: safe(`${e.factor.name}: µ* ${withUnit(e.mean_absolute, q().shown)} ± ${number(e.half_width, 2)}, σ ${number(e.deviation)}`) }));
       }
       for (const e of effects) {
         const at = [x(e.mean_absolute), y(e.deviation)];

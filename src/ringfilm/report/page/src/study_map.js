@@ -180,7 +180,7 @@ export function gridCurvesFigure(model, q) {
       const { x, y, shapes, edges } = frame({ x: 0, y: named.height, width, height }, { ...axis, ...airy(axis.levels, { log: axis.log }) }, { ...airy(shown.flatMap((c) => c.values), { fromZero: true }), label: q.short_name, unit: q.shown });
       const lines = shown.flatMap((c) => {
         const points = c.values.map((v, k) => (v === null ? null : [x(c.axis.levels[k]), y(v)]));
-        return [line(points, caseColour(c.look), { dash: c.dash }), ...points.map((p, k) => (p ? mark(c.look, p[0], p[1], 3.2, { told: safe(`${c.label}, ${withUnit(c.axis.levels[k], axis.unit)}: ${withUnit(c.values[k], q.shown)}`) }) : ''))];
+        return [line(points, caseColour(c.look), { dash: c.dash }), ...points.map((p, k) => (p ? mark(c.look, p[0], p[1], 3.2, { tooltip: safe(`${c.label}, ${withUnit(c.axis.levels[k], axis.unit)}: ${withUnit(c.values[k], q.shown)}`) }) : ''))];
       });
       return { shapes: [...named.shapes, ...shapes, ...lines, ...edges], height: named.height + height };
     },

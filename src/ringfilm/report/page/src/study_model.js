@@ -13,7 +13,7 @@ export class StudyModel {
   }
 
   /** A value of a quantity as text, with its unit. */
-  told(quantity, value, digits = 4) {
+  valueText(quantity, value, digits = 4) {
     return withUnit(quantity.convert(value ?? null), quantity.shown, digits);
   }
 
@@ -51,7 +51,7 @@ export function shortWithUnit(v, unit) {
 
 function shownAs(described) {
   const { unit, convert } = display(described);
-  // What stands in brackets is told once, where the word is explained.
+  // What stands in brackets is reported once, where the word is explained.
   return { short_name: (described.long_name ?? described.name).replace(/ \(.*\)$/, ''), shown: described.unit ? unit : '', convert };
 }
 

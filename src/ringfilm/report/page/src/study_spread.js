@@ -41,7 +41,7 @@ export function histogramFigure(model) {
       if (!s) return;
       const [low, , middle, , high] = s.quantiles.map(([v]) => Math.min(plot.right, Math.max(plot.left, x(q.convert(v)))));
       const at = plot.top - 4 - boxRow * (model.bases.length - b - 0.5);
-      out.push(`<g><title>${safe(`${model.bases[b].name}: 5 % ${model.told(q, s.quantiles[0][0])}, median ${model.told(q, s.quantiles[2][0])}, 95 % ${model.told(q, s.quantiles[4][0])}`)}</title>`,
+      out.push(`<g><title>${safe(`${model.bases[b].name}: 5 % ${model.valueText(q, s.quantiles[0][0])}, median ${model.valueText(q, s.quantiles[2][0])}, 95 % ${model.valueText(q, s.quantiles[4][0])}`)}</title>`,
         rule(low, at, high, at, caseColour(b), 3), `<circle cx="${px(middle)}" cy="${px(at)}" r="4" fill="#fff" stroke="${caseColour(b)}" stroke-width="2"/></g>`);
     });
     return [...out, ...lines];
@@ -78,8 +78,8 @@ export function convergenceFigure(model, chosen) {
     const q = of();
     const curves = found().flatMap((c, b) => (c ? part.list(c).map((one, i, all) => ({ ...one, b, n: c.n, dash: all.length > 1 ? dashes[i] : '', triples: one.triples.map((t) => (t ? model.interval(q, t) : null)) })) : []));
     // The widest intervals, of the fewest points, may leave the picture: the last ones are what one wants to see.
-    const told = curves.flatMap((c) => c.triples.flatMap((t, k) => (t ? (c.n[k] >= 32 || c.n.length < 3 ? t : [t[0]]) : [])));
-    const range = airy(told);
+    const framed = curves.flatMap((c) => c.triples.flatMap((t, k) => (t ? (c.n[k] >= 32 || c.n.length < 3 ? t : [t[0]]) : [])));
+    const range = airy(framed);
     const counts = extent(curves.flatMap((c) => c.n)) ?? [1, 10];
     const { plot, x, y, shapes, edges } = frame(box, { low: counts[0] / 1.15, high: counts[1] * 1.15, log: true, label: 'points', unit: '' }, { ...range, label: `${q.short_name}: ${part.title}`, unit: q.shown });
     const clipped = (v) => Math.min(plot.bottom, Math.max(plot.top, v));

@@ -50,7 +50,7 @@ function card(model, name) {
   return element('section', { class: 'card' }, element('h2', {}, q.short_name), rows);
 }
 
-/** Reasons that differ in their numbers alone are told with those of the first. */
+/** Reasons that differ in their numbers alone are reported with those of the first. */
 const reasonText = (r) => `${sentence(r.reason)}${r.numbers_differ ? ' The numbers are those of the first.' : ''}`;
 
 function byWeight(scenarioNotes) {

@@ -28,8 +28,8 @@ export function barPanel(panel, box, visible) {
         const size = Math.max(0, part.value ?? 0);
         const colour = caseColour(group.caseIndex);
         const look = part.part === 'viscous' ? `fill="${colour}" fill-opacity="0.35" stroke="${colour}"` : `fill="${colour}" stroke="${colour}"`;
-        const told = safe(`${group.label}, ${category}: ${number(part.value, 4)} ${panel.yUnit}`);
-        out.push(`<rect x="${px(x + 1)}" y="${px(y(base + size))}" width="${px(width - 2)}" height="${px(Math.max(0, y(base) - y(base + size)))}" ${look}><title>${told}</title></rect>`);
+        const tooltip = safe(`${group.label}, ${category}: ${number(part.value, 4)} ${panel.yUnit}`);
+        out.push(`<rect x="${px(x + 1)}" y="${px(y(base + size))}" width="${px(width - 2)}" height="${px(Math.max(0, y(base) - y(base + size)))}" ${look}><title>${tooltip}</title></rect>`);
         base += size;
       }
       out.push(text(x + width / 2, y(base) - 4, number(base, narrow ? 2 : 3), { anchor: 'middle', size: narrow ? 9 : 11 }));

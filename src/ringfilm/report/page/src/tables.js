@@ -74,8 +74,8 @@ const kAgrees = 0.01;
 function comparisonRow(model, c, row) {
   const quantity = model.cycleQuantity.get(row.quantity);
   const { unit, convert } = quantity ? display(quantity) : { unit: '', convert: (v) => v };
-  const told = row.strongest_setting && !(Math.abs(row.deviation) < kAgrees);
-  const strongest = told
+  const isSensitive = row.strongest_setting && !(Math.abs(row.deviation) < kAgrees);
+  const strongest = isSensitive
     ? [code(row.strongest_setting), row.with_strongest_setting === null ? '' : ` gives ${withUnit(convert(row.with_strongest_setting), unit, 3)}`]
     : c.ledger_computed ? '–' : 'not computed';
   return [
@@ -107,7 +107,7 @@ export const kSerious = ['friction-too-high', 'film-too-thick', 'film-below-mole
 const kOfCrankAngles = ['film-parameter-too-low', 'film-parameter-low', 'shear-rate-high', 'shear-stress-high',
   'film-pressure-high', 'film-below-molecules', 'film-too-thick'];
 const kOfTheCase = ['density-extrapolated', 'viscosity-extrapolated', 'synthetic-trace', 'friction-too-high', 'cells-graded',
-  'cells-too-long', 'gas-peak-place', 'gas-pressure-low', 'gas-pressure-high', 'gas-trace-jump'];
+  'cells-too-long', 'gas-peak-place', 'gas-compression-low', 'gas-pressure-low', 'gas-pressure-high', 'gas-trace-jump', 'ring-tension-high'];
 
 /** How often a note applies, in words; a dash where it is said of the case as a whole. */
 function often(model, c, { topic, count }) {
@@ -116,7 +116,7 @@ function often(model, c, { topic, count }) {
   return kOfTheCase.includes(topic) ? '–' : howOften(count, null);
 }
 
-/** Notes of all cases, told once where they agree. */
+/** Notes of all cases, reported once where they agree. */
 export function mergedNotes(model) {
   const merged = [];
   const add = (topic, message, count, oneCase) => {

@@ -67,11 +67,11 @@ export class Unrolled {
     this.lowestFill = payload.lowest_fill.map(inMm);
     // Reynolds' exit knows no fill: what is stored of it is 1 everywhere, and cavities are where the pressure is theirs.
     const pressure = payload.fields.film_pressure;
-    const told = payload.rupture_pressure !== undefined && payload.rupture_pressure !== null;
-    this.hasNoFill = told;
+    const isStated = payload.rupture_pressure !== undefined && payload.rupture_pressure !== null;
+    this.hasNoFill = isStated;
     // Half a step of what was rounded.
-    this.ruptureBelow = told && pressure ? (payload.rupture_pressure + ((0.5 + 1e-6) * (pressure.high - pressure.low)) / (kMissing - 1)) / 1e5 : null;
-    if (told) delete this.fields.fill;
+    this.ruptureBelow = isStated && pressure ? (payload.rupture_pressure + ((0.5 + 1e-6) * (pressure.high - pressure.low)) / (kMissing - 1)) / 1e5 : null;
+    if (isStated) delete this.fields.fill;
     // A closed ring: what is nearer to the joint than to the last strip belongs to the first again.
     this.yEdges = cellEdges(this.closed ? [...this.y, this.circumference] : this.y, 0, this.length);
     this.xEdges = cellEdges(this.x, 0, this.face);
