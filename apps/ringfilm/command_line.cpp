@@ -343,6 +343,52 @@ std::optional<InputError> unknown_option(const CLI::App& command, const std::vec
   return std::nullopt;
 }
 
+/// An option that takes one value and is given more often.
+std::optional<InputError> repeated_option(const CLI::App& command, const std::vector<std::string>& words) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() != 1) continue;
+    std::vector<std::string> names;
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    const auto n = std::count_if(words.begin(), words.end(), [&names](const std::string& word) {
+      return std::find(names.begin(), names.end(), word.substr(0, word.find('='))) != names.end();
+    });
+    if (n < 2) continue;
+    const std::string times = n == 2 ? "twice" : std::to_string(n) + " times";
+    return InputError(option->get_name() + " is given " + times, "give it once");
+  }
+  return std::nullopt;
+}
+
+/// An option at the end or before another one, without the value that it takes.
+std::optional<InputError> option_without_value(const std::string& refusal) {
+  const std::string needs = ": 1 required ", missing = " missing";
+  const std::size_t at = refusal.find(needs), end = refusal.rfind(missing);
+  if (at == std::string::npos || end == std::string::npos || end < at + needs.size()) return std::nullopt;
+  const std::string option = refusal.substr(0, at);
+  const std::string value = refusal.substr(at + needs.size(), end - at - needs.size());
+  return InputError(option + " has no value", "write " + option + " " + value);
+}
+
+/// The command that the first words name: a command of the program, or one of its own ("synthetic gaussian").
+const CLI::App& named_command(const CLI::App& program, const std::vector<std::string>& words) {
+  const CLI::App* command = &program;
+  for (const std::string& word : words) {
+    const auto inner = command->get_subcommands([&word](const CLI::App* one) { return one->get_name() == word; });
+    if (inner.empty()) break;
+    command = inner.front();
+  }
+  return *command;
+}
+
+/// What CLI11 says of numbers of values, in the words of a user.
+std::optional<InputError> wrong_number_of_values(const CLI::App& program, const std::vector<std::string>& words,
+                                                 const CLI::ParseError& refusal) {
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&refusal) == nullptr) return std::nullopt;
+  if (const auto repeated = repeated_option(named_command(program, words), words)) return repeated;
+  return option_without_value(refusal.what());
+}
+
 /// What is wrong with a line that CLI11 refuses, where a word of it may be misspelt.
 std::optional<InputError> misspelt_word(const CLI::App& program, const std::vector<std::string>& words) {
   if (words.empty()) return std::nullopt;
@@ -380,8 +426,10 @@ Request read_command_line(int argc, const char* const* argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& refusal) {
     if (refusal.get_exit_code() != 0) {
-      if (const auto error = argc > 1 ? misspelt_word(program, {argv + 1, argv + argc}) : std::nullopt)
-        return {[error] { throw InputError(*error); }, kBadInput};
+      const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+      auto error = misspelt_word(program, words);
+      if (!error) error = wrong_number_of_values(program, words, refusal);
+      if (error) return {[error] { throw InputError(*error); }, kBadInput};
     }
     return {{}, program.exit(refusal) == 0 ? kFine : kBadInput};
   }

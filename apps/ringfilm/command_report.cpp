@@ -59,6 +59,7 @@ void report(const ReportOptions& options) {
   if (options.output) {
     io::check_can_write(*options.output, io::Sink::kFileOrDevice);
     check_output_apart(options);
+    check_suffix("--output", *options.output, OutputKind::kPage);
   }
   if (options.vts_folder) io::check_can_write_series(*options.vts_folder);
   std::vector<io::ResultDocument> documents;

@@ -45,10 +45,14 @@ cycle::Case checked_case(const RunOptions& options) {
   cycle::Case input;
   collect(faults, [&] { input = io::read_case(options.case_path, options.overrides); });
   collect(faults, [&] {
-    if (options.output) io::check_can_write(*options.output, io::Sink::kFile);
+    if (!options.output) return;
+    check_suffix("--output", *options.output, OutputKind::kNetcdf);
+    io::check_can_write(*options.output, io::Sink::kFile);
   });
   collect(faults, [&] {
-    if (options.csv) io::check_can_write(*options.csv, io::Sink::kFileOrDevice);
+    if (!options.csv) return;
+    check_suffix("--csv", *options.csv, OutputKind::kCsv);
+    io::check_can_write(*options.csv, io::Sink::kFileOrDevice);
   });
   if (!faults.empty()) throw InputError(std::move(faults));
   check_outputs_apart(options, input);

@@ -193,9 +193,8 @@ bool is_whole(Loaded study, const io::ShardReader& rows) {
 }
 
 /// Computes what is missing of a part, and of a study with `until` as much as it takes.
-void compute(const StudyOptions& options, Loaded& study, const std::string& path) {
+void compute_rows(const StudyOptions& options, Loaded& study, io::ShardWriter& writer, const std::string& path) {
   const io::ShardHeader header = study.header(options.part, options.parts);
-  io::ShardWriter writer(path, header, study.longer());
   const StopRequest stop;
   if (!study.until()) return compute(options, study, writer, header.range(), stop);
   for (std::optional<std::uint64_t> points = study.file.study.sampling.scenarios; points;
@@ -206,6 +205,15 @@ void compute(const StudyOptions& options, Loaded& study, const std::string& path
     compute(options, study, writer, {0, study.plan.size()}, stop);
     if (is_sure(study, io::ShardReader(path))) return;
   }
+}
+
+/// Computes a part and gives its rows their final name before another process can open them.
+void compute_part(const StudyOptions& options, Loaded& study, const StudyFiles& files) {
+  const std::string growing = files.growing(options.part, options.parts);
+  io::ShardWriter writer(growing, study.header(options.part, options.parts), study.longer(),
+                         options.overwrite ? io::Rows::kReplaced : io::Rows::kContinued);
+  compute_rows(options, study, writer, growing);
+  writer.rename(files.finished(options.part, options.parts));
 }
 
 /// Writes results and summary of a study of which all rows are there.
@@ -287,9 +295,15 @@ void check_is_free(const StudyOptions& options, const StudyFiles& files, const L
                                      : "name another output, or replace it with --overwrite");
   }
   // The rows may be deleted once the results are written.
-  if (options.is_part || !fs::exists(files.result())) return;
-  throw InputError(fmt::format("{}: there are results already", files.result()),
-                   "replace them with --overwrite, or name another output");
+  std::vector<Fault> faults;
+  for (const std::string& path : {files.result(), files.table(), files.page()}) {
+    if (!options.is_part && fs::exists(path)) {
+      faults.push_back({{},
+                        fmt::format("{}: there are results already", path),
+                        "replace them with --overwrite, or name another output"});
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
 }
 
 }  // namespace
@@ -325,13 +339,7 @@ void run_study(const StudyOptions& options) {
     if (!is_there && !fs::exists(growing) && std::rename(finished.c_str(), growing.c_str()) != 0 && errno != ENOENT)
       io::fail_to_write(growing, errno);
   }
-  if (!is_there) {
-    if (options.overwrite) fs::remove(growing);
-    compute(options, study, growing);
-    const bool is_renamed = std::rename(growing.c_str(), finished.c_str()) == 0;
-    // Another process that went on with the same part may have been faster by a moment.
-    if (!is_renamed && !(errno == ENOENT && fs::exists(finished))) io::fail_to_write(finished, errno);
-  }
+  if (!is_there) compute_part(options, study, files);
   if (options.is_part) {
     std::cout << fmt::format("part {} of {} is {}: {}\n", options.part, options.parts,
                              is_there ? "there already" : "done", finished);

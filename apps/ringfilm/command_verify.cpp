@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "commands.hpp"
+#include "output_names.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/case_file.hpp"
@@ -118,6 +119,7 @@ void verify(const VerifyOptions& options) {
   if (options.output) {
     io::check_can_write(*options.output, io::Sink::kFileOrDevice);
     check_apart(*options.output, folders);
+    check_suffix("--output", *options.output, OutputKind::kPage);
   }
   std::vector<study::Verification> verifications;
   for (const std::string& folder : folders) verifications.push_back(io::read_verification(folder, units));

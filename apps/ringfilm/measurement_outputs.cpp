@@ -1,6 +1,7 @@
 #include "measurement_outputs.hpp"
 
 #include <iostream>
+#include <optional>
 #include <utility>
 
 #include "output_names.hpp"
@@ -15,7 +16,8 @@ namespace ringfilm::app {
 
 void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::string>& inputs) {
   std::vector<std::pair<std::string, std::string>> named;
-  const auto add = [&](const char* option, const std::optional<std::string>& path, io::Sink sink) {
+  const auto add = [&](const char* option, const std::optional<std::string>& path, io::Sink sink,
+                       const std::optional<OutputKind>& kind) {
     if (!path) return;
     io::check_can_write(*path, sink);
     for (const std::string& input : inputs) {
@@ -28,12 +30,13 @@ void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::str
         throw InputError(std::string(option) + " and " + other + " name the same file " + *path, "name two files");
       }
     }
+    if (kind) check_suffix(option, *path, *kind);
     named.emplace_back(option, *path);
   };
-  add("--output", outputs.netcdf, io::Sink::kFile);
-  add("--html", outputs.page, io::Sink::kFileOrDevice);
-  add("--fragment", outputs.fragment, io::Sink::kFileOrDevice);
-  add("--heights", outputs.heights, io::Sink::kFile);
+  add("--output", outputs.netcdf, io::Sink::kFile, OutputKind::kNetcdf);
+  add("--html", outputs.page, io::Sink::kFileOrDevice, OutputKind::kPage);
+  add("--fragment", outputs.fragment, io::Sink::kFileOrDevice, OutputKind::kToml);
+  add("--heights", outputs.heights, io::Sink::kFile, std::nullopt);
 }
 
 io::NamedNumbers numbers_of(const io::Measurement& measurement) {

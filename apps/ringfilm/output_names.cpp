@@ -1,8 +1,38 @@
 #include "output_names.hpp"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
+#include "ringfilm/base/error.hpp"
+
 namespace ringfilm::app {
+namespace {
+
+struct Suffix {
+  const char* suffix;
+  OutputKind kind;
+  const char* words;
+};
+constexpr std::array<Suffix, 5> kSuffixes{{{".nc", OutputKind::kNetcdf, "a NetCDF file"},
+                                           {".html", OutputKind::kPage, "a web page"},
+                                           {".htm", OutputKind::kPage, "a web page"},
+                                           {".csv", OutputKind::kCsv, "a CSV file"},
+                                           {".toml", OutputKind::kToml, "a TOML file"}}};
+
+}  // namespace
+
+void check_suffix(const std::string& option, const std::string& path, OutputKind kind) {
+  const auto of_kind =
+      std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const Suffix& s) { return s.kind == kind; });
+  const std::string suffix = std::filesystem::path(path).extension().string();
+  for (const Suffix& one : kSuffixes) {
+    if (one.suffix != suffix || one.kind == kind) continue;
+    throw InputError(option + " " + path + ": " + of_kind->words + " is written here, and " + suffix +
+                         " is the ending of " + one.words,
+                     std::string("give the name the ending ") + of_kind->suffix);
+  }
+}
 
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code error;

@@ -3,6 +3,14 @@
 
 namespace ringfilm::app {
 
+/// What a command writes to a file.
+enum class OutputKind { kNetcdf, kPage, kCsv, kToml };
+
+/// Throws InputError for a name that ends like a file of another kind, as the program names them: .nc, .html, .csv and
+/// .toml. Other endings are allowed, and none.
+/// @param option with which the name is given, "--output"
+void check_suffix(const std::string& option, const std::string& path, OutputKind kind);
+
 /// Do the two names lead to one file, existing or not?
 bool is_same_file(const std::string& a, const std::string& b);
 

@@ -21,7 +21,8 @@ constexpr const char* kStudyFooter = R"(Examples:
   ringfilm study merge study.toml -o results
   ringfilm study submit study.toml -o results --engine slurm --parts 16 -- --partition=long
 
-Ctrl-C stops after the chunk in hand; --resume goes on with what is there, after a kill, too, and computes nothing twice.
+Ctrl-C stops after the chunk in hand; --resume goes on with what is there, after a kill, too, and computes nothing
+twice.
 A study that is in the output, finished or not, is replaced with --overwrite only.
 --shard i/n computes the i-th of n parts, on any machine that sees the output; merge joins the parts.
 submit writes a job array of the parts and the job that joins them into the output and hands them to the scheduler; what

@@ -221,7 +221,7 @@ py::array array_of(const std::vector<double>& values) {
 
 int threads_of(const py::object& threads) {
   if (threads.is_none()) return 0;
-  const int n = py::cast<int>(threads);
+  const int n = integer_of("threads", threads);
   if (n >= 1 && n <= 1024) return n;
   throw InputError("threads = " + std::to_string(n) + " is out of range",
                    "1 to 1024, or None for as many as the machine runs at once");

@@ -25,18 +25,32 @@ constexpr const char* kKeyExample = "engine.bore";
 
 std::string key_of(const GivenText& given) { return text_of("key", given.value, kKeyExample); }
 
+/// @param name of a key in messages
+std::vector<io::Change> changes_of(const char* name, const py::dict& values) {
+  std::vector<io::Change> changes;
+  std::vector<Fault> faults;
+  for (const auto& [given, value] : values) {
+    const std::string key = text_of(name, given, kKeyExample);
+    const Field& field = known_field(key);
+    try {
+      changes.push_back({key, toml_value(value, field)});
+    } catch (const InputError& refusal) {
+      faults.insert(faults.end(), refusal.faults().begin(), refusal.faults().end());
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return changes;
+}
+
 CaseObject read_case(const py::object& path, const std::optional<py::dict>& overrides) {
   const auto name = path_of("path", path);
   auto units = std::make_shared<const io::Units>();
   if (!overrides || overrides->empty()) return {io::read_case(name, {}, *units), units};
   // As --set has them, so that what is missing in the file may be among them.
-  std::vector<io::Override> changes;
-  for (const auto& [given, value] : *overrides) {
-    const std::string key = text_of("a key of overrides", given, kKeyExample);
-    const std::optional<io::TomlValue> stated = toml_value(value, known_field(key));
-    changes.push_back({key, stated ? written(*stated) : ""});
-  }
-  return {io::read_case(name, changes, *units), units};
+  std::vector<io::Override> stated;
+  for (const auto& [key, value] : changes_of("a key of overrides", *overrides))
+    stated.push_back({key, value ? written(*value) : ""});
+  return {io::read_case(name, stated, *units), units};
 }
 
 std::vector<std::string> keys_in_use(const CaseObject& self) {
@@ -151,8 +165,8 @@ constexpr const char* kCaseDoc =
 
 Read one with Case.read, then read and change it key by key: case["operating.speed"] is a number in SI, and
 case["operating.speed"] = "2000 rpm" or = ringfilm.SI(209.4) states another one; 209.4 alone has no unit and is refused.
-None, or del, takes a key out. A value out of its range is refused at once with InputError; what joins several keys is
-looked at by check() and run().
+None, or del, takes a key out; update() changes keys that only fit together. A value out of its range is refused at once
+with InputError; what joins several keys is looked at by check() and run().
 Cases can be copied, compared and pickled; a pickle holds the numbers of all files that were read.)";
 
 }  // namespace
@@ -168,6 +182,12 @@ void CaseObject::remove(const std::string& key) {
   known_field(key);
   is_checked_ = false;
   io::retract(value_, key, units());
+}
+
+void CaseObject::update(const py::dict& values) {
+  const std::vector<io::Change> changes = changes_of("a key of update", values);
+  is_checked_ = false;
+  io::update(value_, changes, units());
 }
 
 void CaseObject::check() {
@@ -202,6 +222,12 @@ TypeError for an object that is not a value.)");
   type.def(
       "__delitem__", [](CaseObject& self, const GivenText& key) { self.remove(key_of(key)); }, py::arg("key"),
       "Takes a key out, so that its default holds again. Raises UnknownKeyError for a key that does not exist.");
+  type.def("update", &CaseObject::update, py::arg("values"),
+           R"(States several keys at once, for keys that only fit together: a trace file and the name of its column.
+
+values: {key: value}, values as for case[key] = value; None takes a key out. Files are read after all changes. Keys next
+to lubricant.file are stated on top of the oil file. Where anything is refused the case stays as it was.
+Raises as case[key] = value; InputError with the faults of all values.)");
   type.def(
       "__contains__",
       [](const CaseObject& self, const GivenText& key) { return self.value().stated.contains(key_of(key)); },
@@ -283,7 +309,7 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
       py::arg("other"), "Have both cases the same values, from files with the same bytes?");
   type.attr("__hash__") = py::none();
   type.def("__repr__", &case_words, "Title, file and number of stated keys.");
-  type.def(py::pickle(&case_state, &from_state)).def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
+  type.def(py::pickle(&case_state, &from_state));
   module.def("starting_case", &io::starting_case,
              "A commented, complete case file to start from, a str, as `ringfilm new` writes it.");
 }

@@ -24,6 +24,8 @@ class CaseObject {
 
   void set(const std::string& key, const py::handle& value);
   void remove(const std::string& key);
+  /// Several keys at once, {key: value}; None takes a key out.
+  void update(const py::dict& values);
   /// Throws InputError with everything that is wrong with the case as a whole.
   void check();
 

@@ -1,7 +1,5 @@
 #include "ringfilm/surface/lateral_force.hpp"
 
-#include <algorithm>
-
 #include "height_maps.hpp"
 #include "record.hpp"
 #include "ringfilm/instrument/force_sample.hpp"
@@ -75,12 +73,6 @@ std::vector<FrictionLoop> from_state(const py::handle& state) {
   return loops;
 }
 
-bool is_same(const std::vector<FrictionLoop>& a, const std::vector<FrictionLoop>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const FrictionLoop& x, const FrictionLoop& y) {
-    return x.load == y.load && x.position_m == y.position_m && x.trace_V == y.trace_V && x.retrace_V == y.retrace_V;
-  });
-}
-
 /// A number and its standard deviation. Throws TypeError.
 Uncertain uncertain_of(const char* name, const py::handle& given) {
   if ((!py::isinstance<py::tuple>(given) && !py::isinstance<py::list>(given)) || py::len(given) != 2) {
@@ -138,7 +130,8 @@ void bind_force_records(py::module_& part) {
           "Unit of the loads, \"V\" or \"N\".")
       .with_word(
           "method", &Calibration::method, [](CalibrationMethod method) { return name_of(method); },
-          "\"silicon\", \"geometry\" or \"wedge\".");
+          "\"silicon\", \"geometry\" or \"wedge\".")
+      .keep(&Calibration::lines);
   Record<instrument::ForceSample>(part, "ForceSample", "Loops of one sample and the line through them.")
       .with("name", &instrument::ForceSample::name, "As the file has it.")
       .with("loads", &instrument::ForceSample::loads, "A list of LoadFriction, rising.")
@@ -147,11 +140,11 @@ void bind_force_records(py::module_& part) {
           "load_unit", &instrument::ForceSample::load_unit, [](LoadUnit unit) { return word_of(unit, kLoadUnits); },
           "Unit of the loads, \"V\" or \"N\".")
       .keep(&instrument::ForceSample::sources)
+      .keep(&instrument::ForceSample::paths)
       .keep(&instrument::ForceSample::digests)
-      .keep(
-          [](const instrument::ForceSample& self) { return to_state(self.loops); },
-          [](instrument::ForceSample& self, const py::handle& state) { self.loops = from_state(state); },
-          [](const instrument::ForceSample& a, const instrument::ForceSample& b) { return is_same(a.loops, b.loops); });
+      .keep([](const instrument::ForceSample& self) { return to_state(self.loops); },
+            [](instrument::ForceSample& self, const py::handle& state) { self.loops = from_state(state); },
+            [](const instrument::ForceSample& a, const instrument::ForceSample& b) { return a.loops == b.loops; });
   Record<ShearStrength> strength(part, "ShearStrength", "zeta of one sample. Source: eq-zeta, eq-zeta-shares.");
   strength.with("sample", &ShearStrength::sample, "Its name.")
       .with("zeta", &ShearStrength::zeta, "Coefficient of boundary shear strength [-].")
@@ -223,7 +216,8 @@ None: 0.19, 0.1 after Ahimou et al. (2007). Returns a Calibration. Raises InputE
       py::arg("samples"), py::arg("calibration"),
       R"(Coefficients of boundary shear strength of samples that share a calibration.
 
-Returns (list of ShearStrength, covariance of zeta of shape (samples, samples)). Raises InputError.
+Returns (list of ShearStrength, covariance of zeta of shape (samples, samples)). Raises InputError, for a sample with
+the line that the calibration follows from, too.
 Source: eq-zeta, eq-zeta-covariance.)");
   part.def("read", &read, py::arg("end_share") = instrument::ForceRule{}.end_share,
            py::arg("deviations") = "from-residuals", py::arg("load_deviation") = py::none(),

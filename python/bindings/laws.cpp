@@ -104,7 +104,6 @@ N [1/m2], beta [m], sigma [m], E_prime [Pa] of 2/E_prime = sum (1 - nu^2)/E. Sou
                         if (state.size() != 5) throw py::value_error("this is no pickle of a GreenwoodTripp");
                         return contact_of({state[0]}, {state[1]}, {state[2]}, {state[3]}, {state[4]});
                       }))
-      .def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc)
       .def(
           "__repr__",
           [](const GreenwoodTripp& self) {

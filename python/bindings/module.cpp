@@ -15,5 +15,5 @@ PYBIND11_MODULE(_ringfilm, module) {
   bind_lateral_force(module);
   bind_laws(module);
   bind_command_line(module);
-  refuse_unconstructed(module);
+  complete_classes(module);
 }

@@ -127,7 +127,8 @@ Source: docs/theory/pad.md.)");
       py::arg("what") = "film", py::arg("axes") = py::none(), py::arg("label") = py::none(),
       R"(Draws the pad with matplotlib, in units that go by the size of the numbers.
 
-what: "film" (gap and pressure of the last instant), "film_thickness", "pressure", "fill", or a number over time ("load").
+what: "film" (gap and pressure of the last instant), "film_thickness", "pressure", "fill", or a number over time
+    ("load").
 axes, label, style: as in Result.plot; not for "film", which is two panels.
 Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn.)");
   type.def(
@@ -137,7 +138,7 @@ Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn
                "\": " + std::to_string(self.result().samples.size()) + " instants>";
       },
       "Title and number of instants.");
-  type.def(py::pickle(&pad_state, &pad_of_state)).def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
+  type.def(py::pickle(&pad_state, &pad_of_state));
 }
 
 }  // namespace ringfilm::python

@@ -50,22 +50,20 @@ class Record {
           return py::bool_(true);
         },
         py::arg("other"), "Are all members the same? A NaN is not.");
-    type_
-        .def(py::pickle(
-            [parts = parts_](const Struct& self) {
-              py::tuple state(parts->size());
-              for (std::size_t i = 0; i < parts->size(); ++i) state[i] = (*parts)[i].get(self);
-              return state;
-            },
-            [parts = parts_](const py::tuple& state) {
-              if (state.size() != parts->size()) {
-                throw py::value_error("this pickle was written by another version of ringfilm");
-              }
-              Struct made{};
-              for (std::size_t i = 0; i < parts->size(); ++i) (*parts)[i].set(made, state[i]);
-              return made;
-            }))
-        .def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
+    type_.def(py::pickle(
+        [parts = parts_](const Struct& self) {
+          py::tuple state(parts->size());
+          for (std::size_t i = 0; i < parts->size(); ++i) state[i] = (*parts)[i].get(self);
+          return state;
+        },
+        [parts = parts_](const py::tuple& state) {
+          if (state.size() != parts->size()) {
+            throw py::value_error("this pickle was written by another version of ringfilm");
+          }
+          Struct made{};
+          for (std::size_t i = 0; i < parts->size(); ++i) (*parts)[i].set(made, state[i]);
+          return made;
+        }));
   }
 
   /// A member under its name; an array is a read-only view.

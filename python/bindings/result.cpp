@@ -313,14 +313,13 @@ Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn
   type.def("__contains__", &has, py::arg("name"), "Does [] give something for this name?");
   type.def("__repr__", &repr, "Title and number of crank angles.");
   type.def(py::pickle(
-               [](const ResultObject& self) {
-                 return py::make_tuple(py::bytes(io::result_bytes(self.document())), self.reason());
-               },
-               [](const py::tuple& state) {
-                 io::ResultDocument document = io::result_of_bytes("a pickle", py::cast<std::string>(state[0]));
-                 return ResultObject(std::move(document), py::cast<std::string>(state[1]));
-               }))
-      .def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc);
+      [](const ResultObject& self) {
+        return py::make_tuple(py::bytes(io::result_bytes(self.document())), self.reason());
+      },
+      [](const py::tuple& state) {
+        io::ResultDocument document = io::result_of_bytes("a pickle", py::cast<std::string>(state[0]));
+        return ResultObject(std::move(document), py::cast<std::string>(state[1]));
+      }));
 }
 
 }  // namespace

@@ -375,7 +375,8 @@ void bind_results(py::module_& module) {
       .def("curves", &curves, py::arg("quantity"),
            R"(A curve of all scenarios, shape (scenario, crank_angle), SI, single precision, without a copy.
 
-Over crank_angle; NaN where a scenario was not solved. Raises InputError unless the study keeps it ([keep] in its file).)")
+Over crank_angle; NaN where a scenario was not solved. Raises InputError unless the study keeps it ([keep] in its
+file).)")
       .def_property_readonly(
           "crank_angle",
           [](const StudyResultObject& self) {

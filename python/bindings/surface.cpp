@@ -327,7 +327,6 @@ void bind_files(py::module_& module) {
           py::arg("other"),
           "Are the heights and all that is reported of them the same? Points that were not measured are.")
       .def(py::pickle([](const MeasuredMap& self) { return self.state(); }, &map_of))
-      .def("__reduce_ex__", &reduce_ex, py::arg("protocol"), kReduceDoc)
       .def(
           "__repr__",
           [](const MeasuredMap& self) { return "<ringfilm.surface.MeasuredMap " + self.plausibility + ">"; },

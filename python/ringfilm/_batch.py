@@ -14,8 +14,15 @@ class BatchResult(Sequence):
     numbers it takes what numpy takes, and the names of values: batch[batch["fmep"] > 2e4], batch[[0, 2]].
     """
 
-    def __init__(self, results: list):
+    # By __new__, so that there is no BatchResult without its results.
+    def __new__(cls, results: list):
+        self = super().__new__(cls)
         self._results = list(results)
+        return self
+
+    def __reduce__(self):
+        """For pickle and copy."""
+        return type(self), (self._results,)
 
     def __len__(self) -> int:
         """How many cases there were."""
@@ -50,7 +57,10 @@ class BatchResult(Sequence):
 
     @property
     def notes(self) -> dict:
-        """The notes on single results, {topic: (message of the first of them, list of cases from 0)}; of solved cases."""
+        """The notes on single results, {topic: (message of the first of them, list of cases from 0)}.
+
+        Those of cases that were not solved are not among them.
+        """
         notes = {}
         for i, result in enumerate(self._results):
             if result.reason:

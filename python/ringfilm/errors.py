@@ -30,6 +30,9 @@ Fault.remedy.__doc__ = "What to write instead; may be empty."
 class InputError(ValueError):
     """The input cannot be used (exit code 2 of the program). `faults` holds every fault that was found."""
 
+    def __new__(cls, text: str, faults: list = ()):
+        return super().__new__(cls, text, list(faults))
+
     def __init__(self, text: str, faults: list = ()):
         super().__init__(text, list(faults))
 
@@ -49,6 +52,9 @@ class UnknownKeyError(InputError, KeyError):
 
 class ConvergenceError(ArithmeticError):
     """No film was found that balances what acts on it, all remedies spent (exit code 3 of the program)."""
+
+    def __new__(cls, text: str, crank_angle: Optional[float] = None, result: object = None):
+        return super().__new__(cls, text, crank_angle, result)
 
     def __init__(self, text: str, crank_angle: Optional[float] = None, result: object = None):
         super().__init__(text, crank_angle, result)

@@ -224,6 +224,17 @@ class BadCommandLine(program.ProgramTest):
                 self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
                 self.assertNotEqual(done.stderr, "")
 
+    def test_an_option_that_is_given_twice_or_without_its_value_is_told_in_plain_words(self):
+        for words, said in (
+                (("run", "case.toml", "--output", "a.nc", "--output=b.nc"), "--output is given twice"),
+                (("run", "case.toml", "-o", "a.nc", "-o", "b.nc", "--output", "c.nc"), "--output is given 3 times"),
+                (("study", "study.toml", "--threads", "2", "--threads", "3"), "--threads is given twice"),
+                (("run", "case.toml", "--output"), "--output has no value")):
+            with self.subTest(words):
+                done = self.run_program(*words)
+                self.assert_refused(done, said)
+                self.assertNotIn("required", done.stderr)
+
     def test_a_misspelt_command_or_option_is_named_with_the_nearest(self):
         for words, fragments in (
                 (("runn", "case.toml"), ("ringfilm runn: this is not a command; did you mean run?", "lateral-force")),

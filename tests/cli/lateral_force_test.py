@@ -259,6 +259,10 @@ class Refusals(LateralForceTest):
         self.refuse(*same, words=("silicon.csv", *ON_SILICON))
         (self.folder / "copy.csv").write_bytes((self.folder / "silicon.csv").read_bytes())
         self.refuse(*same, "copy.csv", words=("copy.csv", *ON_SILICON))
+        # The numbers are compared, not the bytes of the files.
+        (self.folder / "sub").mkdir()
+        (self.folder / "sub" / "copy.csv").write_text((self.folder / "silicon.csv").read_text() + "\n")
+        self.refuse(*same, "(sub/copy.csv)", "(silicon.csv)", words=("sub/copy.csv", *ON_SILICON))
 
     def test_no_reference_is_a_default(self):
         self.refuse("--silicon without --reference", "ahimou2007", "warmack1994",

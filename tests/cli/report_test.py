@@ -59,6 +59,16 @@ class Report(program.ProgramTest):
         self.run_well("report", "a.nc", "--html", "b.html")
         self.assertEqual((self.folder / "a.html").read_bytes(), (self.folder / "b.html").read_bytes())
 
+    def test_a_name_that_ends_like_another_kind_of_file_is_refused(self):
+        before = self.names()
+        self.assert_refused(self.run_program("report", "a.nc", "--output", "page.nc"),
+                            "--output page.nc: a web page is written here, and .nc is the ending of a NetCDF file",
+                            "the ending .html")
+        self.assert_refused(self.run_program("run", "case.toml", "--output", "a.html", "--csv", "a.nc"),
+                            "--output a.html: a NetCDF file is written here", "the ending .nc",
+                            "--csv a.nc: a CSV file is written here", "the ending .csv")
+        self.assertEqual(self.names(), before)
+
     def test_a_result_with_one_changed_byte_is_refused_before_it_is_parsed(self):
         whole = (self.folder / "a.nc").read_bytes()
         step = len(whole) // 60

@@ -110,6 +110,11 @@ class StudyTest(ProgramTest):
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "out/study.nc: there are results",
                             "--overwrite")
         self.assertEqual(self.contents("out"), before)
+        nc = self.folder / "out" / "study.nc"
+        nc.rename(self.folder / "kept.nc")
+        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "out/study.csv: there are results",
+                            "out/study.html: there are results", "--overwrite")
+        (self.folder / "kept.nc").rename(nc)
         self.run_well("study", "study.toml", "-o", "out", "--overwrite")
         self.assertNotEqual(self.contents("out"), before)
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--overwrite", "--resume"),
@@ -117,6 +122,21 @@ class StudyTest(ProgramTest):
         self.run_well("study", "study.toml", "-o", "parts", "--shard", "1/2")
         self.assert_refused(self.run_program("study", "study.toml", "-o", "parts", "--shard", "1/2"),
                             "a finished part of this plan", "--overwrite")
+
+    def test_processes_that_replace_one_study_leave_a_whole_one(self):
+        self.write_study(STUDY.replace("SCENARIOS", "64"))
+        self.run_well("study", "study.toml", "-o", "out")
+        before = self.contents("out")
+        for _ in range(4):
+            runs = [subprocess.Popen([PROGRAM, "study", "study.toml", "-o", "out", "--overwrite"], cwd=self.folder,
+                                     stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) for _ in range(3)]
+            said = [run.communicate(timeout=100)[1] for run in runs]
+            self.assertIn(0, [run.returncode for run in runs], said)
+            for run, words in zip(runs, said):
+                self.assertIn(run.returncode, (0, 2), words)
+                if run.returncode == 2:
+                    self.assertRegex(words, "another process (computes|has just finished) this part")
+            self.assertEqual(self.contents("out"), before)
 
     def test_a_study_that_runs_is_not_advised_to_be_deleted(self):
         self.write_study(STUDY.replace("SCENARIOS", "100000"))
@@ -361,6 +381,7 @@ class StudyTest(ProgramTest):
 
         done = self.run_program("study", "study.toml", "-o", "out", preexec_fn=small_disk)
         self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("File too large (the rows written before are kept)\n", done.stderr)
         self.assertIn("make room, then: ringfilm study study.toml -o out --resume", done.stderr)
         self.run_well("study", "study.toml", "-o", "out", "--resume")
         self.assertEqual(self.contents("whole"), self.contents("out"))

@@ -35,11 +35,15 @@ def fit():
 
 
 def sample():
+    return lateral_force.read(MEASURED / "loops_new.csv")[0]
+
+
+def silicon():
     return lateral_force.read(MEASURED / "loops_silicon.csv")[0]
 
 
 def calibration():
-    return lateral_force.calibrate_on_silicon(sample().line, sample().load_unit)
+    return lateral_force.calibrate_on_silicon(silicon().line, silicon().load_unit)
 
 
 def contact():

@@ -1,5 +1,7 @@
 """Surfaces, faces, friction loops and laws on numpy arrays, against answers that are known otherwise."""
 
+import pickle
+
 import numpy
 import pytest
 
@@ -142,6 +144,16 @@ def test_shear_strength_from_loops():
     assert covariance.shape == (2, 2)
     assert strengths[0].zeta == pytest.approx(calibration.psi * samples[0].line.slope, rel=1e-12)
     assert strengths[0].deviation() == pytest.approx(numpy.sqrt(covariance[0, 0]), rel=1e-12)
+
+
+def test_a_sample_is_not_its_own_calibration(tmp_path):
+    loops = (MEASURED / "loops_silicon.csv").read_text()
+    (tmp_path / "copy.csv").write_text(loops + "\n")
+    silicon, copied = (ringfilm.lateral_force.read(path)[0] for path in (MEASURED / "loops_silicon.csv", tmp_path / "copy.csv"))
+    calibration = ringfilm.lateral_force.calibrate_on_silicon(silicon.line, silicon.load_unit)
+    for same in (calibration, pickle.loads(pickle.dumps(calibration))):
+        with pytest.raises(ringfilm.InputError, match="it is calibrated on itself"):
+            ringfilm.lateral_force.boundary_shear_strengths([copied], same)
 
 
 def test_the_gaussian_integral_is_that_of_quadrature():

@@ -11,8 +11,8 @@ class Case:
 
     Read one with Case.read, then read and change it key by key: case["operating.speed"] is a number in SI, and
     case["operating.speed"] = "2000 rpm" or = ringfilm.SI(209.4) states another one; 209.4 alone has no unit and is refused.
-    None, or del, takes a key out. A value out of its range is refused at once with InputError; what joins several keys is
-    looked at by check() and run().
+    None, or del, takes a key out; update() changes keys that only fit together. A value out of its range is refused at once
+    with InputError; what joins several keys is looked at by check() and run().
     Cases can be copied, compared and pickled; a pickle holds the numbers of all files that were read."""
     def __contains__(self, key: str) -> bool:
         """Does the case state this key?"""
@@ -108,6 +108,13 @@ class Case:
     @property
     def title(self) -> object:
         """Title of the case, a str."""
+        ...
+    def update(self, values: dict) -> None:
+        """States several keys at once, for keys that only fit together: a trace file and the name of its column.
+
+        values: {key: value}, values as for case[key] = value; None takes a key out. Files are read after all changes. Keys next
+        to lubricant.file are stated on top of the oil file. Where anything is refused the case stays as it was.
+        Raises as case[key] = value; InputError with the faults of all values."""
         ...
 
 class Field:
@@ -260,7 +267,8 @@ class PadResult:
     def plot(self, what: str = 'film', axes: object = None, label: object = None, **kwargs) -> object:
         """Draws the pad with matplotlib, in units that go by the size of the numbers.
 
-        what: "film" (gap and pressure of the last instant), "film_thickness", "pressure", "fill", or a number over time ("load").
+        what: "film" (gap and pressure of the last instant), "film_thickness", "pressure", "fill", or a number over time
+            ("load").
         axes, label, style: as in Result.plot; not for "film", which is two panels.
         Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn."""
         ...
@@ -871,7 +879,8 @@ class StudyResult:
     def curves(self, quantity: str) -> numpy.ndarray:
         """A curve of all scenarios, shape (scenario, crank_angle), SI, single precision, without a copy.
 
-        Over crank_angle; NaN where a scenario was not solved. Raises InputError unless the study keeps it ([keep] in its file)."""
+        Over crank_angle; NaN where a scenario was not solved. Raises InputError unless the study keeps it ([keep] in its
+        file)."""
         ...
     @property
     def notes(self) -> object:

@@ -244,7 +244,8 @@ class ShearStrength:
 def boundary_shear_strengths(samples: List[ForceSample], calibration: Calibration) -> tuple:
     """Coefficients of boundary shear strength of samples that share a calibration.
 
-    Returns (list of ShearStrength, covariance of zeta of shape (samples, samples)). Raises InputError.
+    Returns (list of ShearStrength, covariance of zeta of shape (samples, samples)). Raises InputError, for a sample with
+    the line that the calibration follows from, too.
     Source: eq-zeta, eq-zeta-covariance."""
     ...
 

@@ -284,14 +284,29 @@ std::string fragment_of(const ForceSample& sample, const surface::ShearStrength&
   return io::shear_strength_fragment(strength, file_names(sample), of.calibration.method, of.name, heading);
 }
 
+std::string paths_of(const ForceSample& sample) {
+  std::string paths;
+  for (const std::string& path : sample.paths) paths += (paths.empty() ? "" : ", ") + path;
+  return paths;
+}
+
+/// Do both hold a loop with the same numbers, or without loops the same table of loads?
+bool have_common_numbers(const ForceSample& a, const ForceSample& b) {
+  const auto is_loop_of_b = [&b](const surface::FrictionLoop& loop) {
+    return std::find(b.loops.begin(), b.loops.end(), loop) != b.loops.end();
+  };
+  if (!a.loops.empty() || !b.loops.empty()) return std::any_of(a.loops.begin(), a.loops.end(), is_loop_of_b);
+  return std::equal(a.loads.begin(), a.loads.end(), b.loads.begin(), b.loads.end(),
+                    [](const auto& x, const auto& y) { return x.load == y.load && x.tmr_V == y.tmr_V; });
+}
+
 /// Loops cannot be their own reference, under whatever name their file comes.
 void check_apart(const ForceSample& sample, const ForceSample& reference, const std::string& reference_is) {
-  for (const std::string& digest : sample.digests) {
-    if (std::find(reference.digests.begin(), reference.digests.end(), digest) == reference.digests.end()) continue;
-    throw InputError(fmt::format("the sample {} and the calibration on {} {} have the same loops (SHA-256 {})",
-                                 file_names(sample), reference_is, file_names(reference), digest),
-                     "name another file for one of them");
-  }
+  if (!have_common_numbers(sample, reference)) return;
+  throw InputError(
+      fmt::format("the sample {} ({}) and the calibration on {} ({}) have the same {}", sample.name, paths_of(sample),
+                  reference_is, paths_of(reference), sample.loops.empty() ? "loads and friction signals" : "loops"),
+      "name another file for one of them");
 }
 
 }  // namespace

@@ -63,10 +63,11 @@ void fit(ForceSample& sample, const ForceRule& rule, const io::Units& units) {
 }
 
 /// A file that is given twice would count its scatter as known twice as well.
-void add_digest(ForceSample& sample, const std::string& digest, const std::string& path) {
+void add_file(ForceSample& sample, const std::string& digest, const std::string& path) {
   if (std::find(sample.digests.begin(), sample.digests.end(), digest) != sample.digests.end()) {
     refuse(path, "this file is given twice for sample " + sample.name, "name each file once");
   }
+  sample.paths.push_back(path);
   sample.digests.push_back(digest);
 }
 
@@ -173,7 +174,7 @@ std::vector<ForceSample> read_force_samples(const std::vector<std::string>& path
       for (const std::string& note : file.notes) {
         if (note.find("# sample:") == std::string::npos) known->sources.push_back(note);
       }
-      add_digest(*known, digest, path);
+      add_file(*known, digest, path);
     } catch (const InputError& refusal) {
       faults.insert(faults.end(), refusal.faults().begin(), refusal.faults().end());
     }
@@ -208,7 +209,7 @@ ForceSample read_force_scans(const std::string& name, const std::vector<std::str
     std::vector<surface::FrictionLoop> loops =
         surface::loops_of_scan(load, trace.channel.points_x, step_of(trace, paths[k], channels, units),
                                volts(trace, paths[k], channels, units), volts(retrace, paths[k], channels, units));
-    add_digest(sample, io::file_sha256(paths[k]), paths[k]);
+    add_file(sample, io::file_sha256(paths[k]), paths[k]);
     sample.sources.push_back(fmt::format("{}: {} of {} lines at {}, channels {} and {}; SHA-256 {}", paths[k],
                                          loops.size(), trace.channel.points_y, loads[k], trace.channel.name,
                                          retrace.channel.name, sample.digests.back()));

@@ -28,6 +28,7 @@ struct ScanChannels {
 struct ForceSample {
   std::string name;
   std::vector<std::string> sources;  ///< a line for each file
+  std::vector<std::string> paths;    ///< each file as the user named it
   std::vector<std::string> digests;  ///< SHA-256 of each file
   surface::LoadUnit load_unit{};
   std::vector<surface::FrictionLoop> loops;  ///< empty where a file has the summary alone

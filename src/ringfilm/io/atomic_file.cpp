@@ -171,7 +171,7 @@ void check_can_write(const std::string& path, Sink sink) {
     if (sink == Sink::kFile) throw InputError(path + ": this is a device or a pipe", "a file name is wanted here");
     if (is_dev_full(target)) throw InputError(path + ": nothing can be written to this device", "name a file");
     if (::access(target.c_str(), W_OK) != 0) {
-      throw InputError(path + ": the device is not writable: " + std::strerror(errno), "name a file");
+      throw InputError(path + ": the device or pipe is not writable: " + std::strerror(errno), "name a file");
     }
     return;
   }

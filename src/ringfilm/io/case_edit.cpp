@@ -107,6 +107,60 @@ void read_oil(Case& c, const std::string& name, const Units& units) {
   }
 }
 
+bool has_two_forms(const Field& field) {
+  return std::holds_alternative<cycle::NumberOrFileKind>(field.kind) ||
+         std::holds_alternative<cycle::AnglesKind>(field.kind) ||
+         std::holds_alternative<cycle::FieldAnglesKind>(field.kind);
+}
+
+enum class Files { kUnmoved, kMoved };
+
+/// @returns must files be read again?
+Files apply(const Change& change, Case& c, const Units& units) {
+  const Field& field = known_field(change.key);
+  const bool is_oil_file = change.key == kOil + "file" && change.value;
+  if (!change.value || has_two_forms(field)) take_out(c, field);
+  if (change.value) put(c, field, {change.key, *change.value, ""}, units);
+  if (is_oil_file) read_oil(c, change.value->text, units);
+  return is_oil_file || moves_files(field, c) ? Files::kMoved : Files::kUnmoved;
+}
+
+Files apply(std::vector<Change> changes, Case& c, const Units& units) {
+  std::stable_partition(changes.begin(), changes.end(),
+                        [](const Change& change) { return change.key == kOil + "file"; });
+  Files files = Files::kUnmoved;
+  std::vector<Fault> faults;
+  for (const Change& change : changes) {
+    try {
+      if (apply(change, c, units) == Files::kMoved) files = Files::kMoved;
+    } catch (const UnknownKeyError&) {
+      throw;
+    } catch (const InputError& refusal) {
+      faults.insert(faults.end(), refusal.faults().begin(), refusal.faults().end());
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return files;
+}
+
+/// One key, where files may have to be read again; refusals of these name the way to change several keys.
+void change_alone(Case& c, const Change& change, const Units& units) {
+  Case changed = c;
+  if (apply(change, changed, units) == Files::kUnmoved) {
+    c = std::move(changed);
+    return;
+  }
+  try {
+    read_files_again(changed, units);
+  } catch (const InputError& refusal) {
+    std::vector<Fault> faults = refusal.faults();
+    std::string& remedy = faults.back().remedy;
+    remedy += (remedy.empty() ? "" : "; ") + std::string("keys that only fit together are changed by one update()");
+    throw InputError(std::move(faults));
+  }
+  c = std::move(changed);
+}
+
 }  // namespace
 
 const Field& known_field(const std::string& key) {
@@ -120,25 +174,16 @@ const Field& known_field(const std::string& key) {
 
 void state(Case& c, const std::string& key, const TomlValue& value, const Units& units) {
   const Field& field = known_field(key);
-  const TomlEntry entry{key, value, ""};
-  const bool is_oil_file = key == kOil + "file";
-  const bool has_two_forms = std::holds_alternative<cycle::NumberOrFileKind>(field.kind) ||
-                             std::holds_alternative<cycle::AnglesKind>(field.kind) ||
-                             std::holds_alternative<cycle::FieldAnglesKind>(field.kind);
-  if (!is_oil_file && !has_two_forms && !moves_files(field, c)) return put(c, field, entry, units);
-  Case changed = c;
-  if (has_two_forms) take_out(changed, field);
-  put(changed, field, entry, units);
-  if (is_oil_file) read_oil(changed, value.text, units);
-  if (is_oil_file || moves_files(field, changed)) read_files_again(changed, units);
-  c = std::move(changed);
+  const bool is_alone = key != kOil + "file" && !has_two_forms(field) && !moves_files(field, c);
+  if (is_alone) return put(c, field, {key, value, ""}, units);
+  change_alone(c, {key, value}, units);
 }
 
-void retract(Case& c, const std::string& key, const Units& units) {
-  const Field& field = known_field(key);
+void retract(Case& c, const std::string& key, const Units& units) { change_alone(c, {key, std::nullopt}, units); }
+
+void update(Case& c, const std::vector<Change>& changes, const Units& units) {
   Case changed = c;
-  take_out(changed, field);
-  if (moves_files(field, changed)) read_files_again(changed, units);
+  if (apply(changes, changed, units) == Files::kMoved) read_files_again(changed, units);
   c = std::move(changed);
 }
 

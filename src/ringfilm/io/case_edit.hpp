@@ -1,5 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "ringfilm/cycle/case.hpp"
 #include "ringfilm/cycle/case_fields.hpp"
@@ -21,6 +23,17 @@ void state(cycle::Case& c, const std::string& key, const TomlValue& value, const
 /// Takes a key out: what it was by default it is again. Throws InputError for a key that does not exist
 /// and for a file that cannot be read without it.
 void retract(cycle::Case& c, const std::string& key, const Units& units);
+
+/// A key with its new value; absent: the key is taken out.
+struct Change {
+  std::string key;
+  std::optional<TomlValue> value;
+};
+
+/// States and takes out several keys at once, for keys that only fit together: files are read after all changes. Keys
+/// next to lubricant.file are stated on top of the oil file. Throws InputError with the faults of all keys, the case is
+/// then as before.
+void update(cycle::Case& c, const std::vector<Change>& changes, const Units& units);
 
 /// Throws InputError with everything that is wrong with the case as a whole.
 void check_case(const cycle::Case& c);

@@ -20,7 +20,9 @@ std::string bytes_of(const std::string& path) {
     throw InputError(path + ": there is no such file", "name a result that ringfilm run --output has written");
   }
   if (std::filesystem::is_directory(path, error)) throw InputError(path + ": this is a folder, not a result file");
-  if (!std::filesystem::is_regular_file(path, error)) throw InputError(path + ": this is a device, not a result file");
+  if (!std::filesystem::is_regular_file(path, error)) {
+    throw InputError(path + ": this is a device or a pipe, not a result file", "write its content into a file first");
+  }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(path + ": cannot be opened", "is it yours to read?");
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

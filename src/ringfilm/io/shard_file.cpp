@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <map>
@@ -17,6 +18,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "ringfilm/io/atomic_file.hpp"
@@ -140,6 +142,17 @@ std::string content_of(const study::ScenarioChunk& chunk, const ShardHeader& hea
 InputError being_written(const std::string& path) {
   return InputError(fmt::format("{}: another process computes this part now", path),
                     "wait for it, stop it first, or name another output");
+}
+
+/// Takes the lock of a writer. Whoever only asks for it, check_not_being_written(), holds it for a moment.
+bool is_locked_soon(int file) {
+  constexpr int kTries = 20;
+  constexpr std::chrono::milliseconds kPause(10);
+  for (int n = 0; n < kTries; ++n) {
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;  // not every file system has locks
+    std::this_thread::sleep_for(kPause);
+  }
+  return false;
 }
 
 }  // namespace
@@ -360,10 +373,11 @@ void ShardReader::append_notes(const study::ScenarioRange& range, std::vector<Sh
   }
 }
 
-ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Longer longer)
+ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Longer longer, Rows there_before)
     : path_(path), header_(header), next_(header.first) {
   try {
-    const std::uint64_t size = open_alone();
+    const std::uint64_t found = open_alone();
+    const std::uint64_t size = there_before == Rows::kReplaced ? 0 : found;
     // A header that was cut off says nothing; the rest of one that is there decides.
     if (size < size_without_rows(header)) {
       if (::ftruncate(file_, 0) != 0) fail_to_write(path, errno);
@@ -401,9 +415,7 @@ std::uint64_t ShardWriter::open_alone() {
   constexpr mode_t kReadWriteAsUmaskAllows = 0666;
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kReadWriteAsUmaskAllows);
   if (file_ < 0) fail_to_write(path_, errno);
-  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    throw being_written(path_);
-  }
+  if (!is_locked_soon(file_)) throw being_written(path_);
   struct stat status {};
   if (::fstat(file_, &status) != 0) fail_to_write(path_, errno);
   struct stat named {};
@@ -419,7 +431,7 @@ void ShardWriter::check(const ShardHeader& found, Longer longer) const {
   const std::string differs = difference(found, header_);
   if (!differs.empty() && !(longer == Longer::kAllowed && is_beginning_of(found, header_))) {
     throw InputError(fmt::format("{}: these rows are of {}", path_, differs),
-                     "results of both must not be mixed: name another output, or delete this file");
+                     "results of both must not be mixed: name another output, or replace it with --overwrite");
   }
   if (found.kernels != header_.kernels) {
     throw InputError(
@@ -452,6 +464,10 @@ void ShardWriter::append(const study::ScenarioChunk& chunk) {
   for (const study::ScenarioRow& row : chunk.rows) n_unsolved_ += row.reason.empty() ? 0 : 1;
 }
 
+void ShardWriter::rename(const std::string& to) const {
+  if (std::rename(path_.c_str(), to.c_str()) != 0) fail_to_write(to, errno);
+}
+
 void ShardWriter::write(const std::string& bytes) {
   std::size_t done = 0;
   int error = 0;
@@ -464,7 +480,8 @@ void ShardWriter::write(const std::string& bytes) {
   if (error != 0) {
     // What was not written in full would be left out by readers anyhow.
     [[maybe_unused]] const int ignored = ::ftruncate(file_, static_cast<off_t>(length_));
-    fail_to_write(path_, error);
+    throw OutputError(path_ + ": could not be written: " + std::strerror(error) +
+                      (length_ > 0 ? " (the rows written before are kept)" : " (it holds no rows)"));
   }
   length_ += bytes.size();
 }

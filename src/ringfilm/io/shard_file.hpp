@@ -115,13 +115,18 @@ void check_not_being_written(const std::string& path);
 /// May a study that is there become longer?
 enum class Longer { kRefused, kAllowed };
 
+/// What becomes of rows that are there.
+enum class Rows { kContinued, kReplaced };
+
 /// Appends chunks to a file that nobody else appends to. What was appended is on the disk, also if the machine stops.
 class ShardWriter {
  public:
   /// Begins the file, or goes on after the last sound chunk of the one that is there. Where it may become longer and
   /// is_beginning_of the one wanted, it is written anew aside, with its rows. Throws InputError if that one belongs to
-  /// another study, program, input or other kernels, or if another process appends to it; OutputError.
-  ShardWriter(const std::string& path, const ShardHeader& header, Longer longer = Longer::kRefused);
+  /// another study, program, input or other kernels, or if another process appends to it; OutputError. Rows that are to
+  /// be replaced are removed once the file is locked, whatever they belong to.
+  ShardWriter(const std::string& path, const ShardHeader& header, Longer longer = Longer::kRefused,
+              Rows there = Rows::kContinued);
   ShardWriter(const ShardWriter&) = delete;
   ShardWriter& operator=(const ShardWriter&) = delete;
   ~ShardWriter();
@@ -130,6 +135,8 @@ class ShardWriter {
   std::uint64_t n_unsolved() const { return n_unsolved_; }  ///< of those that are there
   /// Throws OutputError; the file then ends with the chunk before.
   void append(const study::ScenarioChunk& chunk);
+  /// Gives the file its final name while nobody else can open it; throws OutputError.
+  void rename(const std::string& to) const;
 
  private:
   /// Opens the file for this process alone. @returns its size

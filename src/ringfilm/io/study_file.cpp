@@ -47,6 +47,7 @@ class StudyReader {
     if (faults_.empty()) read_correlations(table);
     read_plan(table);
     read_keep(table);
+    if (faults_.empty()) read_files_of_factors();
     if (!faults_.empty()) throw InputError(faults_);
     return {std::move(study_), std::move(files_)};
   }
@@ -82,7 +83,10 @@ class StudyReader {
       if (auto factor = read_factor(value, sources, faults_)) factors.push_back(std::move(*factor));
     }
     study_.factors = std::move(factors);
-    if (!faults_.empty()) return;
+  }
+
+  /// What the factors read from files. After the plan, which decides which of their texts meet.
+  void read_files_of_factors() {
     StudyReadings read = study_readings(study_, folder_, units_, faults_);
     for (const cycle::InputFile& file : read.files) record(file);
     study_.readings = std::move(read.readings);

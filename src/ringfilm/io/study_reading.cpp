@@ -65,7 +65,7 @@ struct Reading {
 
 using ReadingsOfBases = std::vector<std::map<Combination, Reading>>;
 
-/// All combinations of the texts of some factors in one section.
+/// The combinations of the texts of some factors in one section that the plan uses.
 class SectionReader {
  public:
   SectionReader(const study::Study& study, std::string section, std::vector<std::size_t> factors,
@@ -76,14 +76,14 @@ class SectionReader {
     if (n_combinations() > kMostCombinations) {
       faults.push_back(
           {study_.factors[factors_.front()].mark,
-           fmt::format("the texts of [{}] have {:.6g} combinations, each of which is read",
+           fmt::format("the plan uses {1:.6g} combinations of the texts of [{0}], each of which is read",
                        section_.substr(0, section_.size() - 1), n_combinations()),
            fmt::format("at most {} are possible; list fewer values, or write several studies", kMostCombinations)});
       return {};
     }
     for (std::size_t b = 0; b < study_.bases.size(); ++b) {
       readings_.emplace_back();
-      read_combinations(b, {});
+      for (const Combination& one : combinations(b)) readings_[b].emplace(one, read_combination(b, one));
       for (const auto& [combination, reading] : readings_[b]) {
         if (reading.read) files.insert(files.end(), reading.read->files.begin(), reading.read->files.end());
       }
@@ -103,25 +103,74 @@ class SectionReader {
     return std::get<study::Choices>(study_.factors[factors_[k]].variation).values;
   }
 
+  /// How many combinations of all bases the plan uses at most, without making a list of them.
   double n_combinations() const {
-    double n = 1;
-    for (std::size_t k = 0; k < factors_.size(); ++k) n *= 1 + static_cast<double>(choices(k).size());
-    return n * static_cast<double>(study_.bases.size());
+    double n = 0;
+    for (std::size_t base = 0; base < study_.bases.size(); ++base) {
+      double all = 1, single = 0;
+      for (std::size_t k = 0; k < factors_.size(); ++k) {
+        if (!applies(k, base)) continue;
+        all *= static_cast<double>(choices(k).size());
+        single += static_cast<double>(choices(k).size());
+      }
+      const bool is_list = study_.sampling.method == study::Method::kList;
+      const double most = is_list ? static_cast<double>(study_.sampling.list.size()) : all;
+      n += study_.sampling.method == study::Method::kOneAtATime ? single : std::min(all, most);
+    }
+    return n;
   }
 
-  void read_combinations(std::size_t base, Combination so_far) {
+  bool applies(std::size_t k, std::size_t base) const { return study::applies(study_.factors[factors_[k]], base); }
+
+  /// The combinations that the plan uses for a base.
+  std::set<Combination> combinations(std::size_t base) const {
+    std::set<Combination> used;
+    if (study_.sampling.method == study::Method::kOneAtATime) {
+      add_single(base, used);
+    } else if (study_.sampling.method == study::Method::kList) {
+      add_listed(base, used);
+    } else {
+      add_all(base, {}, used);
+    }
+    used.erase(Combination(factors_.size()));  // the base's own texts are read already
+    return used;
+  }
+
+  void add_single(std::size_t base, std::set<Combination>& used) const {
+    for (std::size_t k = 0; k < factors_.size(); ++k) {
+      Combination one(factors_.size());
+      for (std::size_t i = 0; applies(k, base) && i < choices(k).size(); ++i) {
+        one[k] = i;
+        used.insert(one);
+      }
+    }
+  }
+
+  void add_listed(std::size_t base, std::set<Combination>& used) const {
+    for (const std::vector<double>& row : study_.sampling.list) {
+      Combination one(factors_.size());
+      bool is_valid = true;  // the plan refuses a row with a number that is not the place of a text
+      for (std::size_t k = 0; k < factors_.size(); ++k) {
+        if (!applies(k, base)) continue;
+        const double place = row.at(factors_[k]);
+        is_valid = is_valid && place >= 0 && place < static_cast<double>(choices(k).size());
+        if (is_valid) one[k] = static_cast<std::size_t>(place);
+      }
+      if (is_valid) used.insert(one);
+    }
+  }
+
+  void add_all(std::size_t base, Combination so_far, std::set<Combination>& used) const {
     const std::size_t k = so_far.size();
     if (k == factors_.size()) {
-      const bool is_base = std::none_of(so_far.begin(), so_far.end(), [](const auto& one) { return one.has_value(); });
-      if (!is_base) readings_[base].emplace(so_far, read_combination(base, so_far));
+      used.insert(so_far);
       return;
     }
     so_far.emplace_back();
-    read_combinations(base, so_far);
-    if (!study::applies(study_.factors[factors_[k]], base)) return;
+    if (!applies(k, base)) return add_all(base, so_far, used);
     for (std::size_t i = 0; i < choices(k).size(); ++i) {
       so_far.back() = i;
-      read_combinations(base, so_far);
+      add_all(base, so_far, used);
     }
   }
 
@@ -150,7 +199,14 @@ class SectionReader {
     }
   }
 
-  /// Refuses the choices of a factor that no combination can read, for the reasons of the first of these.
+  bool is_readable_alone(std::size_t base, std::size_t k, std::size_t i) const {
+    Combination alone(factors_.size());
+    alone[k] = i;
+    return read_combination(base, alone).read.has_value();
+  }
+
+  /// Refuses the choices of a factor that can be read in no combination and not alone, for the reasons of the first of
+  /// these.
   void refuse_unreadable(std::size_t base, std::size_t k, std::vector<Fault>& faults) const {
     for (std::size_t i = 0; i < choices(k).size(); ++i) {
       const std::vector<Fault>* reasons = nullptr;
@@ -160,7 +216,7 @@ class SectionReader {
         is_readable = is_readable || reading.read;
         if (reasons == nullptr) reasons = &reading.faults;
       }
-      if (is_readable || reasons == nullptr) continue;
+      if (is_readable || reasons == nullptr || is_readable_alone(base, k, i)) continue;
       for (const Fault& reason : *reasons) {
         const bool is_known = std::any_of(faults.begin(), faults.end(), [&](const Fault& one) {
           return std::tie(one.mark.file, one.mark.line, one.message) ==

@@ -204,7 +204,8 @@ class TraceReader {
     const bool gauge = stated_.reference == cycle::PressureReference::kGauge;
     for (std::size_t k = 0; k < p.size(); ++k) {
       if (p[k] + atmosphere() > 0) continue;
-      faults_.push_back({csv_.cell_mark(k, i_column), fmt::format("the pressure is {:.6g} Pa and below vacuum", p[k]),
+      const std::string rule = gauge ? "a gauge pressure is above -1.01325 bar" : "an absolute pressure is above 0";
+      faults_.push_back({csv_.cell_mark(k, i_column), fmt::format("the pressure is {:.6g} Pa; {}", p[k], rule),
                          gauge ? "" : "is the trace a gauge pressure? Then gas.pressure_reference = \"gauge\""});
       return;
     }

@@ -76,6 +76,45 @@ std::string in_ascii(std::string text) {
   return text;
 }
 
+/// Spaces that a word processor puts between number and unit, as plain ones.
+std::string with_plain_spaces(std::string text) {
+  for (const std::string_view space : {"\u00A0", "\u202F", "\u2009"}) {
+    for (std::size_t at = text.find(space); at != std::string::npos; at = text.find(space))
+      text.replace(at, space.size(), " ");
+  }
+  return text;
+}
+
+/// A unit as people write it that is not read, and the unit for which it most likely stands.
+struct Mistaken {
+  const char* written;  ///< in small letters
+  const char* unit;
+  const char* si_unit;
+};
+constexpr std::array<Mistaken, 14> kMistaken{{{"rpm", "rpm", "rad/s"},
+                                              {"u/min", "rpm", "rad/s"},
+                                              {"umdr/min", "rpm", "rad/s"},
+                                              {"r/min", "rpm", "rad/s"},
+                                              {"tr/min", "rpm", "rad/s"},
+                                              {"1/min", "rpm", "rad/s"},
+                                              {"min-1", "rpm", "rad/s"},
+                                              {"bar", "bar", "Pa"},
+                                              {"kpa", "kPa", "Pa"},
+                                              {"mpa", "MPa", "Pa"},
+                                              {"gpa", "GPa", "Pa"},
+                                              {"psi", "psi", "Pa"},
+                                              {"mm", "mm", "m"},
+                                              {"micron", "um", "m"}}};
+
+/// What to write instead of a unit that is not read as `si_unit`; empty where it is not known.
+std::string unit_remedy(std::string unit, const std::string& si_unit) {
+  for (char& c : unit) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const Mistaken& one : kMistaken) {
+    if (unit == one.written && si_unit == one.si_unit) return std::string("write ") + one.unit;
+  }
+  return "";
+}
+
 bool is_gauge(const std::string& unit) {
   return is_one_of(unit, {"barg", "bar g", "bar(g)", "bar (g)", "barG", "psig", "psi g", "psi(g)", "kPag", "kPa(g)",
                           "kPa g", "mbarg", "MPag", "MPa(g)"});
@@ -107,7 +146,8 @@ double snapped(double scale) {
 }
 
 UnitError wrong_dimension(const std::string& unit, const std::string& si_unit) {
-  return {"is not " + dimension_words(si_unit) + ": \"" + unit + "\" measures something else", ""};
+  return {"is not " + dimension_words(si_unit) + ": \"" + unit + "\" measures something else",
+          unit_remedy(unit, si_unit)};
 }
 
 Scale temperature_scale(const std::string& unit) {
@@ -175,7 +215,7 @@ Units::Units(Units&&) noexcept = default;
 Units& Units::operator=(Units&&) noexcept = default;
 
 Scale Units::scale(const std::string& written, const std::string& si_unit) const {
-  const std::string unit = in_ascii(trimmed(written));
+  const std::string unit = in_ascii(trimmed(with_plain_spaces(written)));
   if (unit == si_unit) return {};
   if (is_gauge(unit)) {
     throw UnitError("is a gauge pressure",
@@ -191,7 +231,7 @@ Scale Units::scale(const std::string& written, const std::string& si_unit) const
 
   const std::lock_guard lock(udunits_mutex());
   const Unit given = system_->parse(unit);
-  if (given == nullptr) throw UnitError("has an unknown unit \"" + unit + "\"", "");
+  if (given == nullptr) throw UnitError("has an unknown unit \"" + unit + "\"", unit_remedy(unit, si_unit));
   const Unit si = system_->parse(si_unit);
   if (si == nullptr) throw std::logic_error("unit " + si_unit);
   if (!system_->same_dimension(given.get(), si.get())) throw wrong_dimension(unit, si_unit);
@@ -219,7 +259,7 @@ bool Units::measures(const std::string& unit, const std::string& si_unit) const 
 
 double Units::quantity(const std::string& text, const std::string& si_unit, const std::string& example) const {
   const std::string wanted = dimension_words(si_unit) + " is wanted here, for example " + example;
-  const std::string written = trimmed(text);
+  const std::string written = trimmed(with_plain_spaces(text));
   const char* begin = written.c_str() + (written.rfind('+', 0) == 0 ? 1 : 0);
   const char* end = written.c_str() + written.size();
   double value = 0;

@@ -3,7 +3,8 @@
 #include <stdexcept>
 #include <string>
 
-/// "82.5 mm" to SI and back, by UDUNITS-2 and a few names of engineers: cP, deg, degCA, rev, bara, psia.
+/// "82.5 mm" to SI and back, by UDUNITS-2 and a few names of engineers: cP, deg, degCA, rev, bara, psia. A no-break
+/// space is a space.
 namespace ringfilm::io {
 
 /// What is wrong with a quantity, as the end of a sentence ("has no unit"), and what to write instead.

@@ -87,7 +87,9 @@ std::vector<std::string> IdleFactors::notes() const {
                     (factors_[j].n_pairs == 1 ? " scenario differs" : " scenarios differ") +
                     " from others in it alone, and in no result");
   }
-  for (std::size_t b = 0; b < bases_.size() && !has_pairs_; ++b) {
+  // Scenarios of a list may differ in several factors throughout.
+  const bool is_about_bases = !has_pairs_ || (study.sampling.method == Method::kList && notes.empty());
+  for (std::size_t b = 0; b < bases_.size() && is_about_bases; ++b) {
     if (bases_[b].differ || bases_[b].n < 2) continue;
     notes.push_back("no factor changes a value of base \"" + study.bases[b].name + "\": its " +
                     std::to_string(bases_[b].n) + " solved scenarios have the same values of the cycle");

@@ -4,6 +4,7 @@
 #include <boost/math/special_functions/pow.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "ringfilm/base/error.hpp"
 
@@ -12,6 +13,10 @@ namespace {
 
 constexpr double kConfidence = 0.95;
 
+/// What a calibration with lines is made on.
+const std::map<CalibrationMethod, std::string> kReference{{CalibrationMethod::kSilicon, "silicon"},
+                                                          {CalibrationMethod::kWedge, "a facet"}};
+
 /// Degrees of freedom of a sum of variances after Welch and Satterthwaite; a share without scatter of its own has
 /// infinitely many.
 double joint_freedom(const ShearStrength& s, double of_slope, double of_calibration) {
@@ -19,6 +24,17 @@ double joint_freedom(const ShearStrength& s, double of_slope, double of_calibrat
   const double shares =
       boost::math::pow<4>(s.slope_deviation) / of_slope + boost::math::pow<4>(s.calibration_deviation) / of_calibration;
   return shares > 0 ? boost::math::pow<2>(total) / shares : std::numeric_limits<double>::infinity();
+}
+
+/// A measurement cannot be its own reference. Two measurements with noise never give the same line to the last digit.
+void check_apart(const FrictionSample& sample, const Calibration& calibration) {
+  for (const LineFit& line : calibration.lines) {
+    if (line.points != sample.line.points || line.slope != sample.line.slope || line.offset != sample.line.offset)
+      continue;
+    throw InputError("the sample " + sample.name + " and the calibration on " + kReference.at(calibration.method) +
+                         " have the same friction-load line: it is calibrated on itself",
+                     "use loops of another surface for one of them");
+  }
 }
 
 ShearStrength shear_strength(const FrictionSample& sample, const Calibration& calibration) {
@@ -30,6 +46,7 @@ ShearStrength shear_strength(const FrictionSample& sample, const Calibration& ca
     throw InputError("the friction on " + sample.name + " does not rise with load",
                      "are trace and retrace exchanged, or the loads of the wrong sign?");
   }
+  check_apart(sample, calibration);
   ShearStrength s;
   s.sample = sample.name;
   s.zeta = calibration.psi * sample.line.slope;

@@ -36,7 +36,8 @@ struct ShearStrengths {
   double correlation(std::size_t i, std::size_t j) const;  ///< of the errors of two samples [-]
 };
 
-/// Throws InputError where loads of samples and calibration differ in kind, or a slope is not positive.
+/// Throws InputError where loads of samples and calibration differ in kind, a slope is not positive, or the line of a
+/// sample is one that the calibration follows from.
 ShearStrengths boundary_shear_strengths(const std::vector<FrictionSample>& samples, const Calibration& calibration);
 
 }  // namespace ringfilm::surface

@@ -69,7 +69,8 @@ Calibration calibrate_on_silicon(const LineFit& silicon, LoadUnit load_unit, Unc
           psi,
           psi * silicon.slope_deviation / silicon.slope,
           psi * relative(reference),
-          silicon.degrees_of_freedom()};
+          silicon.degrees_of_freedom(),
+          {silicon}};
 }
 
 double normal_stiffness(const Lever& lever) {

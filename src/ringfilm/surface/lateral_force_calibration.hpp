@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "ringfilm/surface/lateral_force_line.hpp"
 
@@ -33,6 +34,7 @@ struct Calibration {
   double measurement_deviation = 0;  ///< of psi, from the calibration's own lines and lever data [as psi]
   double reference_deviation = 0;    ///< of psi, from what was taken over: coefficient of silicon, angles [as psi]
   double degrees_of_freedom = 0;     ///< of the measurement; infinite where it is stated
+  std::vector<LineFit> lines{};      ///< friction signal against load that psi follows from; none of a lever
 
   double deviation() const;
 };

@@ -12,6 +12,8 @@ struct FrictionLoop {
   std::vector<double> position_m;  ///< along the line, rising; the same for both ways [m]
   std::vector<double> trace_V;     ///< lateral signal on the way there [V]
   std::vector<double> retrace_V;   ///< on the way back, at the same positions [V]
+
+  bool operator==(const FrictionLoop&) const = default;
 };
 
 /// One loop a line of a scan at one load, from the two lateral channels of an instrument: row after row, both ways at

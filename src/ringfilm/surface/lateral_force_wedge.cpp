@@ -100,7 +100,13 @@ WedgeCalibration calibrate_on_wedge(const WedgeFacet& first, const WedgeFacet& s
   const double freedom = std::min(
       {first.half_width.degrees_of_freedom(), first.offset.degrees_of_freedom(), second.offset.degrees_of_freedom()});
   const double width_ratio = width_slope(steep, solved->mu) / width_slope(other, solved->mu);
-  return {{CalibrationMethod::kWedge, load_unit, solved->alpha, std::sqrt(measured), std::sqrt(taken_over), freedom},
+  return {{CalibrationMethod::kWedge,
+           load_unit,
+           solved->alpha,
+           std::sqrt(measured),
+           std::sqrt(taken_over),
+           freedom,
+           {first.half_width, second.half_width}},
           {solved->mu, std::sqrt(friction)},
           first.half_width.slope / second.half_width.slope / width_ratio - 1};
 }

@@ -12,20 +12,21 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Loops without noise: TMR = 1 mV + slope load, two loops a load.
-ForceSample sample(const std::string& name, double slope_V_per_N) {
+/// Loops without noise: TMR = offset + slope load, two loops a load.
+ForceSample sample(const std::string& name, double slope_V_per_N, double offset_V = 1e-3) {
   ForceSample of;
   of.name = name;
   of.load_unit = surface::LoadUnit::kNewton;
   of.sources = {name + ".csv: loops"};
+  of.paths = {"measured/" + name + ".csv"};
   of.digests = {"0123456789abcdef"};
   for (const double load : {10e-9, 20e-9, 30e-9, 40e-9, 50e-9}) {
     for (int number = 0; number < 2; ++number) {
       surface::FrictionLoop loop{load, {}, {}, {}};
       for (int i = 0; i < 20; ++i) {
         loop.position_m.push_back(1e-7 * i);
-        loop.trace_V.push_back(1e-3 + slope_V_per_N * load);
-        loop.retrace_V.push_back(-1e-3 - slope_V_per_N * load);
+        loop.trace_V.push_back(offset_V + slope_V_per_N * load);
+        loop.retrace_V.push_back(-offset_V - slope_V_per_N * load);
       }
       of.loops.push_back(loop);
     }
@@ -36,8 +37,7 @@ ForceSample sample(const std::string& name, double slope_V_per_N) {
 }
 
 ForceCalibration on_silicon(const std::string& name = "silicon") {
-  ForceSample silicon = sample(name, 2e5);
-  silicon.digests = {"fedcba9876543210"};  // another file than those of the samples
+  ForceSample silicon = sample(name, 2e5, 1.7e-3);
   ForceCalibration of = silicon_calibration(silicon, surface::kSiliconWarmack);
   of.name = "a calibration";
   return of;
@@ -55,14 +55,21 @@ TEST(ForceMeasurement, IsSoundWhateverSamplesAreCalled) {
 }
 
 TEST(ForceMeasurement, RefusesASampleThatIsItsOwnCalibration) {
-  const ForceSample one = sample("new", 2e5);
+  ForceSample one = sample("new", 2e5);
+  one.paths = {"a/new.csv"};
+  one.digests = {"fedcba9876543210"};  // the numbers decide, not the bytes of the file
   const ForceCalibration of = silicon_calibration(one, surface::kSiliconWarmack);
   try {
-    force_measurement({sample("worn", 3e5), one}, of, {}, std::nullopt);
+    force_measurement({sample("worn", 3e5), sample("new", 2e5)}, of, {}, std::nullopt);
     FAIL() << "not refused";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("and the calibration on silicon new.csv have the same loops"));
+    EXPECT_THAT(error.what(), HasSubstr("the sample new (measured/new.csv) and the calibration on silicon (a/new.csv) "
+                                        "have the same loops"));
   }
+  ForceSample summary = one;
+  summary.loops.clear();
+  EXPECT_THROW(force_measurement({summary}, silicon_calibration(summary, surface::kSiliconWarmack), {}, std::nullopt),
+               InputError);
 }
 
 TEST(ForceMeasurement, HasAFragmentOfOneSampleOrTheOneThatIsNamed) {

@@ -12,6 +12,7 @@
 namespace ringfilm::io {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -48,6 +49,32 @@ TEST(CaseEdit, LeavesTheCaseAloneWhereAValueIsRefused) {
   EXPECT_THAT(refusal_of_edit([&] { state(c, "gas.cylinder_pressure", text("nothing.csv"), units); }),
               HasSubstr("nothing.csv"));
   EXPECT_EQ(study::digest_text(c), before);
+}
+
+TEST(CaseEdit, ChangesKeysThatOnlyFitTogetherAtOnce) {
+  const CaseFolder folder;
+  cycle::Case c = folder.read();
+  const std::string before = study::digest_text(c);
+  const Units units;
+  std::string rows = "crank_angle [degree],p1 [bar],p2 [bar]\n";
+  for (int a = 0; a < 720; a += 5) rows += std::to_string(a) + "," + std::to_string(20 + a / 10) + ",30\n";
+  folder.write("two.csv", rows);
+  const std::string file = folder / "two.csv";
+  const char* remedy = "keys that only fit together are changed by one update()";
+  EXPECT_THAT(refusal_of_edit([&] { state(c, "gas.cylinder_pressure", text(file), units); }), HasSubstr(remedy));
+  EXPECT_THAT(refusal_of_edit([&] { state(c, "gas.pressure_column", text("p2"), units); }), HasSubstr(remedy));
+  const std::vector<Change> wrong{{"gas.cylinder_pressure", text(file)},
+                                  {"gas.pressure_column", text("p2")},
+                                  {"operating.speed", text("2000")},
+                                  {"engine.bore", text("-1 mm")}};
+  EXPECT_THAT(refusal_of_edit([&] { update(c, wrong, units); }),
+              AllOf(HasSubstr("operating.speed"), HasSubstr("engine.bore"), Not(HasSubstr(remedy))));
+  EXPECT_EQ(study::digest_text(c), before);
+  update(c, {{"gas.pressure_column", text("p2")}, {"gas.cylinder_pressure", text(file)}}, units);
+  EXPECT_EQ(c.gas.cylinder_pressure->value.front(), 30e5);
+  // And back again: a key is taken out together with its file.
+  update(c, {{"gas.pressure_column", std::nullopt}, {"gas.cylinder_pressure", text(folder / "p.csv")}}, units);
+  EXPECT_FALSE(c.gas.pressure_column);
 }
 
 TEST(CaseEdit, GivesBackTheDefaultOfAKeyThatIsTakenOut) {

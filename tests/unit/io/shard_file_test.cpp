@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 
 #include "ringfilm/base/error.hpp"
 #include "scratch_folder.hpp"
@@ -246,6 +248,40 @@ TEST(ShardFile, LetsOneAlonePutRowsIn) {
   const ScratchFolder folder;
   const ShardWriter writer(folder / "rows", header());
   EXPECT_THROW(ShardWriter(folder / "rows", header()), InputError);
+}
+
+TEST(ShardFile, IsReplacedOnceNobodyElseWritesToIt) {
+  const ScratchFolder folder;
+  const std::string path = whole(folder, "rows");
+  ShardHeader other = header();
+  other.plan = std::string(64, 'f');
+  {
+    const ShardWriter first(path, header());
+    EXPECT_THROW(ShardWriter(path, other, Longer::kRefused, Rows::kReplaced), InputError);
+    EXPECT_TRUE(ShardReader(path).is_complete()) << "rows that somebody writes to are not removed";
+  }
+  const ShardWriter second(path, other, Longer::kRefused, Rows::kReplaced);
+  EXPECT_EQ(second.next(), other.first);
+  second.rename(folder / "finished");
+  EXPECT_EQ(ShardReader(folder / "finished").header().plan, other.plan);
+  EXPECT_THROW(ShardReader{path}, InputError);
+}
+
+TEST(ShardFile, IsOpenedWhileAnotherOnlyAsksWhetherItIsWritten) {
+  const ScratchFolder folder;
+  const std::string path = whole(folder, "rows");
+  std::atomic<bool> ends = false;
+  std::thread asking([&] {
+    while (!ends) {
+      try {
+        check_not_being_written(path);
+      } catch (const InputError&) {
+      }
+    }
+  });
+  for (int n = 0; n < 200; ++n) EXPECT_NO_THROW(ShardWriter(path, header())) << n;
+  ends = true;
+  asking.join();
 }
 
 TEST(ShardFile, RefusesWhatIsNone) {

@@ -178,6 +178,40 @@ TEST(StudyFile, AColumnThatIsChosenIsReadFromTheTrace) {
   EXPECT_NO_THROW(study::scenario_case(plan.study(), plan.point(1)));
 }
 
+/// A factor with the texts PREFIX0, PREFIX1, ...
+std::string many_texts(const std::string& key, const std::string& prefix, const std::string& ending, int n) {
+  std::string text = "[[factor]]\nname = \"" + prefix + "\"\nkey = \"" + key + "\"\nvalues = [";
+  for (int i = 0; i < n; ++i) text += (i == 0 ? "\"" : ", \"") + prefix + std::to_string(i) + ending + "\"";
+  return text + "]\n";
+}
+
+TEST(StudyFile, ReadsTheCombinationsOfTextsThatThePlanUses) {
+  CaseText text;
+  text.gas += "pressure_column = \"c0\"\n";
+  const StudyFolder folder(text);
+  folder.folder().write("p.csv", trace_of_columns({{"c0 [bar]", 20}, {"c1 [bar]", 80}}));
+  folder.folder().write("f7.csv", trace_of_columns({{"c0 [bar]", 27}, {"c1 [bar]", 87}}));
+  // There is no file but f7.csv, and no column but c0 and c1: a file that is read although the plan leaves it out is
+  // refused.
+  const std::string both =
+      many_texts("gas.cylinder_pressure", "f", ".csv", 150) + many_texts("gas.pressure_column", "c", "", 100);
+  const std::string refusal = folder.refusal(both, "[plan]\nmethod = \"grid\"\n");
+  EXPECT_THAT(refusal, HasSubstr("the plan uses 15000 combinations of the texts of [gas]"));
+  EXPECT_THAT(refusal, ::testing::Not(HasSubstr("no such file")));
+  folder.folder().write("plan.csv", "c,f\n0,7\n1,7\n");
+  const StudyFile listed = folder.read(both, "[plan]\nmethod = \"list\"\nlist = \"plan.csv\"\n");
+  const study::Plan plan(listed.study);
+  EXPECT_EQ(study::scenario_case(plan.study(), plan.point(0)).gas.cylinder_pressure->value[3], 27e5);
+  EXPECT_EQ(study::scenario_case(plan.study(), plan.point(1)).gas.cylinder_pressure->value[3], 87e5);
+  const std::string few = "[[factor]]\nkey = \"gas.cylinder_pressure\"\nvalues = [\"p.csv\", \"f7.csv\"]\n" +
+                          many_texts("gas.pressure_column", "c", "", 2);
+  const study::Plan single(folder.read(few, "[plan]\nmethod = \"one-at-a-time\"\n").study);
+  std::set<double> peaks;
+  for (std::uint64_t i = 0; i < single.size(); ++i)
+    peaks.insert(study::scenario_case(single.study(), single.point(i)).gas.cylinder_pressure->value[3] / 1e5);
+  EXPECT_THAT(peaks, ::testing::ElementsAre(20, 27, 80)) << "the column c1 of f7.csv is not used";
+}
+
 TEST(StudyFile, AUnitThatIsChosenScalesTheTrace) {
   CaseText text;
   text.gas += "pressure_unit = \"bar\"\n";

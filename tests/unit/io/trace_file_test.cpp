@@ -162,7 +162,9 @@ TEST_F(Trace, RefusesWhatIsNoTraceWithLineAndColumn) {
 
 TEST_F(Trace, RefusesPressuresThatCannotBe) {
   const std::string head = "crank_angle [degree],p [Pa]\n";
-  EXPECT_THAT(told(head + "0,-500\n1,6e6\n"), HasSubstr("p.csv:2:3: the pressure is -500 Pa and below vacuum"));
+  EXPECT_THAT(told(head + "0,-500\n1,6e6\n"),
+              HasSubstr("p.csv:2:3: the pressure is -500 Pa; an absolute pressure is above 0"));
+  EXPECT_THAT(told(head + "0,0\n1,6e6\n"), HasSubstr("the pressure is 0 Pa; an absolute pressure is above 0"));
   EXPECT_THAT(told(head + "0,-500\n1,6e6\n"), HasSubstr("gas.pressure_reference = \"gauge\""));
   TraceColumns gauge;
   gauge.reference = cycle::PressureReference::kGauge;
@@ -178,7 +180,8 @@ TEST_F(Trace, CrankcaseMayBeNearTheAtmosphere) {
   crankcase.reference = cycle::PressureReference::kGauge;
   crankcase.place = TracePlace::kCrankcase;
   EXPECT_THAT(read("crank_angle [degree],p [mbar]\n0,30\n5,-20\n", crankcase).samples.value, ElementsAre(3000, -2000));
-  EXPECT_THAT(told("crank_angle [degree],p [mbar]\n0,30\n5,-1020\n", crankcase), HasSubstr("below vacuum"));
+  EXPECT_THAT(told("crank_angle [degree],p [mbar]\n0,30\n5,-1020\n", crankcase),
+              HasSubstr("gauge pressure is above -1.01325 bar"));
 }
 
 TEST_F(Trace, RepeatsAfterACycleOrIsTold) {

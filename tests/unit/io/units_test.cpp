@@ -35,6 +35,8 @@ INSTANTIATE_TEST_SUITE_P(
         Reading{"1.01325 bar", "Pa", 101325}, Reading{"1.01325 bara", "Pa", 101325}, Reading{"1 atm", "Pa", 101325},
         Reading{"100 psi", "Pa", 689475.7293168361}, Reading{"2 N/mm2", "Pa", 2e6}, Reading{"2 MPa", "Pa", 2e6},
         Reading{"1500 rpm", "rad/s", 157.07963267948966}, Reading{"1500 rev/min", "rad/s", 157.07963267948966},
+        Reading{"1500\u00A0rpm", "rad/s", 157.07963267948966},
+        Reading{"\u00A01500\u202Frpm ", "rad/s", 157.07963267948966}, Reading{"5 mPa\u00A0s", "Pa s", 5e-3},
         Reading{"157 rad/s", "rad/s", 157}, Reading{"25 rps", "rad/s", 157.07963267948966},
         Reading{"120 degC", "K", 393.15}, Reading{"120 \u00B0C", "K", 393.15}, Reading{"248 degF", "K", 393.15},
         Reading{"393.15 K", "K", 393.15}, Reading{"0.097 um-2", "m-2", 0.097e12},
@@ -70,27 +72,29 @@ TEST_P(UnitsRefuse, SayWhatIsWrongAndWhatToWrite) {
 
 INSTANTIATE_TEST_SUITE_P(
     Texts, UnitsRefuse,
-    ::testing::Values(Refusal{"12.5", "N", "has no unit", "a force is wanted here, for example \"1 something\""},
-                      Refusal{"12.5 mm", "N", "is not a force", "a force is wanted"},
-                      Refusal{"12,5 N", "N", "decimal comma", "decimal point"},
-                      Refusal{"1 500 rpm", "rad/s", "second number", "one number"},
-                      Refusal{"nan N", "N", "not a finite number", "a force"},
-                      Refusal{"inf bar", "Pa", "not a finite number", "a pressure"},
-                      Refusal{"1e400 N", "N", "out of the range of numbers", "a force"},
-                      Refusal{"-inf bar", "Pa", "not a finite number", "a pressure"},
-                      Refusal{"much", "N", "does not start with a number", "a force"},
-                      Refusal{"", "N", "does not start with a number", "a force"},
-                      Refusal{"5 furlongs", "N", "", "a force"},
-                      Refusal{"5 xyz", "m", "unknown unit \"xyz\"", "a length"},
-                      Refusal{"2 barg", "Pa", "gauge pressure", "add the atmosphere"},
-                      Refusal{"30 psig", "Pa", "gauge pressure", "add the atmosphere"},
-                      Refusal{"157 1/s", "rad/s", "turns or radians", "rpm or rad/s"},
-                      Refusal{"25 Hz", "rad/s", "turns or radians", "rpm or rad/s"},
-                      Refusal{"20 percent", "degree", "turns or radians", "degree or rad"},
-                      Refusal{"120 C", "K", "is not a temperature", "degC"},
-                      Refusal{"10 bar", "K", "is not a temperature", "degC"},
-                      // UDUNITS by itself turns um2 over into um-2.
-                      Refusal{"0.097 um2", "m-2", "is not a number per area", "a number per area"}));
+    ::testing::Values(
+        Refusal{"12.5", "N", "has no unit", "a force is wanted here, for example \"1 something\""},
+        Refusal{"12.5 mm", "N", "is not a force", "a force is wanted"},
+        Refusal{"12,5 N", "N", "decimal comma", "decimal point"},
+        Refusal{"1 500 rpm", "rad/s", "second number", "one number"},
+        Refusal{"nan N", "N", "not a finite number", "a force"},
+        Refusal{"inf bar", "Pa", "not a finite number", "a pressure"},
+        Refusal{"1e400 N", "N", "out of the range of numbers", "a force"},
+        Refusal{"-inf bar", "Pa", "not a finite number", "a pressure"},
+        Refusal{"much", "N", "does not start with a number", "a force"},
+        Refusal{"", "N", "does not start with a number", "a force"}, Refusal{"5 furlongs", "N", "", "a force"},
+        Refusal{"5 xyz", "m", "unknown unit \"xyz\"", "a length"},
+        Refusal{"2 barg", "Pa", "gauge pressure", "add the atmosphere"},
+        Refusal{"30 psig", "Pa", "gauge pressure", "add the atmosphere"},
+        Refusal{"1500 RPM", "rad/s", "unknown unit \"RPM\"", "write rpm"},
+        Refusal{"1500 U/min", "rad/s", "\"U/min\"", "write rpm"},
+        Refusal{"1\u00A0500 rpm", "rad/s", "second number", "one number"},
+        Refusal{"2 PSI", "Pa", "\"PSI\"", "write psi"}, Refusal{"157 1/s", "rad/s", "turns or radians", "rpm or rad/s"},
+        Refusal{"25 Hz", "rad/s", "turns or radians", "rpm or rad/s"},
+        Refusal{"20 percent", "degree", "turns or radians", "degree or rad"},
+        Refusal{"120 C", "K", "is not a temperature", "degC"}, Refusal{"10 bar", "K", "is not a temperature", "degC"},
+        // UDUNITS by itself turns um2 over into um-2.
+        Refusal{"0.097 um2", "m-2", "is not a number per area", "a number per area"}));
 
 TEST(Units, RefuseAPageInPlaceOfAUnit) {
   EXPECT_THROW(Units().quantity("1 " + std::string(1 << 20, '('), "m", ""), UnitError);

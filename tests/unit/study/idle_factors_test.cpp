@@ -71,6 +71,17 @@ TEST(IdleFactors, AreAllOfASampleWhoseValuesAreTheSame) {
   }
 }
 
+TEST(IdleFactors, OfAListAreFoundByPairsOrAllTogether) {
+  Study study = three_factors(Method::kList);
+  study.sampling.list = {{100, 1e-7, 1e-3}, {100, 2e-7, 1e-3}, {200, 2e-7, 2e-3}};
+  EXPECT_THAT(idle_notes_of(study, of_all), IsEmpty());
+  EXPECT_THAT(idle_notes_of(study, without_second), ElementsAre(HasSubstr("\"contact.roughness\"")));
+  study.sampling.list = {{100, 1e-7, 1e-3}, {150, 2e-7, 2e-3}};  // no two differ in one factor alone
+  EXPECT_THAT(idle_notes_of(study, of_all), IsEmpty());
+  EXPECT_THAT(idle_notes_of(study, of_none),
+              ElementsAre(HasSubstr("no factor changes a value of base \"new\": its 2")));
+}
+
 TEST(IdleFactors, ScenariosThatWereNotSolvedDoNotCount) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto solved_at_one_speed = [&](const Point& p) { return *p.values[0] == 100 ? of_all(p) : none; };

@@ -223,6 +223,7 @@ TEST(ShearStrength, RefusesUnitsAndSlopesThatDoNotFit) {
   const Calibration calibration = calibrate_on_silicon(exact_line(0.05), LoadUnit::kVolt, kSiliconAhimou);
   EXPECT_THROW(boundary_shear_strengths({{"a", exact_line(0.1), LoadUnit::kNewton}}, calibration), InputError);
   EXPECT_THROW(boundary_shear_strengths({{"a", exact_line(-0.1), LoadUnit::kVolt}}, calibration), InputError);
+  EXPECT_THROW(boundary_shear_strengths({{"a", exact_line(0.05), LoadUnit::kVolt}}, calibration), InputError);
   EXPECT_THROW(calibrate_on_silicon(exact_line(-0.05), LoadUnit::kVolt, kSiliconAhimou), InputError);
   EXPECT_THROW(calibrate_on_silicon(exact_line(0.05), LoadUnit::kVolt, {0, 0.1}), InputError);
   EXPECT_EQ(calibration.degrees_of_freedom, kUnknownFreedom);
