@@ -10,6 +10,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/gas_plausibility.hpp"
 #include "ringfilm/cycle/march_film.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/oil.hpp"
 
 namespace ringfilm::cycle {
@@ -99,6 +100,7 @@ void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
 Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
   append_end_cell_note(c, oil.notes);
   append_gas_notes(c, cylinder, oil.notes);
+  sort_notes(oil.notes);
   const double p_e = elastic_pressure(c);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, cylinder));
   models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)

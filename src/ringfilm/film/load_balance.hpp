@@ -3,7 +3,7 @@
 
 namespace ringfilm::film {
 
-/// Thinner than molecules of oil are long, no film is one of a liquid [m].
+/// Length of the molecules of an oil: a thinner film is not a liquid [m].
 inline constexpr double kMolecules = 1e-9;
 
 /// Separations that are tried: below the first no continuum describes a film, beyond the second neither a wedge nor
