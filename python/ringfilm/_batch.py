@@ -4,7 +4,7 @@ import operator
 from collections.abc import Sequence
 from typing import Callable, Iterable, Optional
 
-from ._ringfilm import Case, Result, _simulate_many, quantities
+from ._ringfilm import Case, Result, _simulate_many, note_topics, quantities
 
 
 class BatchResult(Sequence):
@@ -50,7 +50,10 @@ class BatchResult(Sequence):
 
     @property
     def notes(self) -> dict:
-        """The notes on single results, {topic: (message of the first of them, list of cases from 0)}; of solved cases."""
+        """The notes on single results, {topic: (message of the first of them, list of cases from 0)}; of solved cases.
+
+        The most serious first, in the order of `ringfilm.note_topics()`.
+        """
         notes = {}
         for i, result in enumerate(self._results):
             if result.reason:
@@ -61,7 +64,8 @@ class BatchResult(Sequence):
                 cases = notes.setdefault(topic, (message, []))[1]
                 if not cases or cases[-1] != i:
                     cases.append(i)
-        return dict(sorted(notes.items()))
+        rank = {topic: i for i, topic in enumerate(note_topics())}
+        return dict(sorted(notes.items(), key=lambda item: (rank.get(item[0], len(rank)), item[0])))
 
     def to_pandas(self):
         """Values of the cycle as a pandas.DataFrame: one row a case, one column a value in SI, and `reason`.
