@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "progress.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/film/kernels.hpp"
@@ -51,6 +52,7 @@ void add_errors(const Wanted& wanted, std::span<const study::Ending> ended, io::
   document.errors = study::error_estimate(wanted.input, document.result, ended);
   const auto notes = study::notes_on(*document.errors);
   document.result.notes.insert(document.result.notes.end(), notes.begin(), notes.end());
+  cycle::sort_notes(document.result.notes);
 }
 
 /// Prints the progress on a line.

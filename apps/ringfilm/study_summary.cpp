@@ -23,7 +23,6 @@ class Summary {
     const study::Study& study = plan_.study();
     text_ = fmt::format("{}\n", study.title);
     for (const std::string& note : rows_.notes()) text_ += fmt::format("note: {}\n", note);
-    scenario_notes_ = rows_.scenario_notes();
     for (std::size_t b = 0; b < study.bases.size(); ++b) {
       tell_base(b);
       print_notes(b);
@@ -58,11 +57,12 @@ class Summary {
   void print_notes(std::size_t base) {
     const std::uint64_t n = plan_.n_points(base);
     bool is_first = true;
-    for (const auto& note : scenario_notes_) {
-      if (note.counts[base] == 0) continue;
-      if (std::exchange(is_first, false)) text_ += "  notes on the results, with the figures of the first scenario\n";
-      text_ += fmt::format("    {} of {}  {}: {} (scenario {})\n", note.counts[base], n, note.topic, note.message,
-                           note.first);
+    for (const auto& notes : rows_.scenario_notes()) {
+      const auto& [count, shown] = notes.bases[base];
+      if (!shown) continue;
+      if (std::exchange(is_first, false)) text_ += "  notes on the results, with the figures of one scenario\n";
+      text_ += fmt::format("    {} of {}  {}: {} ({} scenario {})\n", count, n, notes.topic, shown->message,
+                           shown->badness ? "worst:" : "first:", shown->scenario);
     }
   }
 
@@ -144,7 +144,6 @@ class Summary {
   const study::Plan& plan_;
   io::Units units_;
   std::string text_, indices_;
-  std::vector<io::StudyRows::ScenarioNotes> scenario_notes_;
 };
 
 }  // namespace

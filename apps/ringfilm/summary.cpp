@@ -195,7 +195,8 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
   }
   if (result.complete && !result.samples.empty()) text += values_table(result.values, document.errors) + "\n";
   if (!result.unrolled.is_absent()) text += unrolled_lines(input, result);
-  if (document.errors) text += error_lines(*document.errors, input.solver.crank_step_control);
+  if (document.errors && study::has_values(*document.errors))
+    text += error_lines(*document.errors, input.solver.crank_step_control);
   text += result.complete ? solver_lines(result.effort) : stopped_solver_lines(result.effort);
   text += assumed_lines(document.inputs) + simplification_lines(document) + note_lines(document);
   return text;

@@ -9,11 +9,13 @@
 #include "interpreter.hpp"
 #include "record.hpp"
 #include "result_object.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/io/study_file.hpp"
 #include "ringfilm/io/study_result.hpp"
 #include "ringfilm/study/idle_factors.hpp"
 #include "ringfilm/study/kept_curves.hpp"
 #include "ringfilm/study/scenario.hpp"
+#include "ringfilm/study/scenario_note.hpp"
 #include "ringfilm/study/sobol_indices.hpp"
 #include "ringfilm/study/statistics.hpp"
 #include "ringfilm/study/study_run.hpp"
@@ -44,10 +46,10 @@ struct StudyResultObject {
   std::vector<std::string> reasons;         ///< of each scenario; empty where it was solved
   std::vector<float> curves;                ///< that the study keeps: [scenario][quantity][angle]
   struct Note {
-    std::string message;                   ///< that of the first of them
+    study::ScenarioNote shown;             ///< that comes before all others
     std::vector<std::uint32_t> scenarios;  ///< that carry it
   };
-  std::map<std::string, Note> notes = {};  ///< on single results, by topic
+  std::map<std::pair<std::size_t, std::string>, Note> notes = {};  ///< on single results, by rank and topic
 };
 
 std::vector<double> of_base(const StudyResultObject& self, std::size_t quantity, std::size_t base, bool sample_only) {
@@ -136,8 +138,9 @@ void compute(StudyResultObject& result, int threads, const py::object& progress)
       for (std::size_t q = 0; q < result.values.size(); ++q) result.values[q][scenario] = chunk.rows[i].values[q];
       result.reasons[scenario] = chunk.rows[i].reason;
       for (const cycle::Note& note : chunk.rows[i].notes) {
-        const auto [found, is_first] = result.notes.try_emplace(note.topic);
-        if (is_first) found->second.message = note.message;
+        const study::ScenarioNote one{scenario, note.message, cycle::note_badness(note.topic, chunk.rows[i].values)};
+        const auto [found, is_first] = result.notes.try_emplace({cycle::note_rank(note.topic), note.topic});
+        if (is_first || one.comes_before(found->second.shown)) found->second.shown = one;
         found->second.scenarios.push_back(static_cast<std::uint32_t>(scenario));
       }
       // Rows come in their order.
@@ -173,7 +176,8 @@ StudyResultObject run(const StudyObject& self, int threads, const py::object& pr
 
 py::dict notes_by_topic(const StudyResultObject& self) {
   py::dict notes;
-  for (const auto& [topic, note] : self.notes) notes[py::str(topic)] = py::make_tuple(note.message, note.scenarios);
+  for (const auto& [key, note] : self.notes)
+    notes[py::str(key.second)] = py::make_tuple(note.shown.message, note.scenarios);
   return notes;
 }
 
@@ -361,9 +365,9 @@ void bind_results(py::module_& module) {
             return reasons;
           },
           "Why scenarios were not solved, {scenario from 0: reason}.")
-      .def_property_readonly(
-          "notes", &notes_by_topic,
-          "The notes on single results, {topic: (message of the first of them, list of scenarios from 0)}.")
+      .def_property_readonly("notes", &notes_by_topic,
+                             "The notes on single results, the most serious first, {topic: (message of the scenario "
+                             "where it is worst, else of the first, list of scenarios from 0)}.")
       .def_property_readonly("plan_notes", &plan_notes,
                              "Notes on the plan, among them the factors that change no value, a list of str.")
       .def(

@@ -1,6 +1,7 @@
 #include "bindings.hpp"
 #include "case_values.hpp"
 #include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/result_file.hpp"
 #include "ringfilm/io/units.hpp"
@@ -90,6 +91,14 @@ void bind_tables(py::module_& module) {
           },
           "Name, unit and meaning.");
   module.def("fields", &fields, "All keys of a case, a list of Field in the order of a case file.");
+  module.def(
+      "note_topics",
+      [] {
+        std::vector<std::string> topics;
+        for (const cycle::NoteTopic& topic : cycle::note_topics()) topics.push_back(topic.name);
+        return topics;
+      },
+      "Topics of the notes on results, the most serious first.");
   module.def("quantities", &quantities,
              R"(All quantities of results, {table: list of Quantity}: "curve" over crank angle, "cycle" for the cycle as
 a whole, "derived" constants of a case, "unrolled_curve", "unrolled_cycle", "pad", "pad_width", "pad_film".)");

@@ -4,7 +4,7 @@ import operator
 from collections.abc import Sequence
 from typing import Callable, Iterable, Optional
 
-from ._ringfilm import Case, Result, _simulate_many, quantities
+from ._ringfilm import Case, Result, _simulate_many, note_topics, quantities
 
 
 class BatchResult(Sequence):
@@ -59,7 +59,8 @@ class BatchResult(Sequence):
     def notes(self) -> dict:
         """The notes on single results, {topic: (message of the first of them, list of cases from 0)}.
 
-        Those of cases that were not solved are not among them.
+        Those of cases that were not solved are not among them. The most serious first, in the order of
+        `ringfilm.note_topics()`.
         """
         notes = {}
         for i, result in enumerate(self._results):
@@ -71,7 +72,8 @@ class BatchResult(Sequence):
                 cases = notes.setdefault(topic, (message, []))[1]
                 if not cases or cases[-1] != i:
                     cases.append(i)
-        return dict(sorted(notes.items()))
+        rank = {topic: i for i, topic in enumerate(note_topics())}
+        return dict(sorted(notes.items(), key=lambda item: (rank.get(item[0], len(rank)), item[0])))
 
     def to_pandas(self):
         """Values of the cycle as a pandas.DataFrame: one row a case, one column a value in SI, and `reason`.

@@ -203,7 +203,7 @@ def study_result_to_xarray(result):
     if notes:
         coordinates["note_topic"] = ("note_topic", _texts(notes), {"long_name": "topic of notes on single results"})
         messages = _texts(message for message, _ in notes.values())
-        words = {"long_name": "the note, with the figures of the first scenario"}
+        words = {"long_name": "the note, with the figures of the scenario where it is worst, else of the first"}
         data["note_message"] = ("note_topic", messages, words)
         carries = numpy.zeros((len(result), len(notes)), numpy.int8)
         for topic, (_, scenarios) in enumerate(notes.values()):

@@ -884,7 +884,7 @@ class StudyResult:
         ...
     @property
     def notes(self) -> object:
-        """The notes on single results, {topic: (message of the first of them, list of scenarios from 0)}."""
+        """The notes on single results, the most serious first, {topic: (message of the scenario where it is worst, else of the first, list of scenarios from 0)}."""
         ...
     @property
     def plan_notes(self) -> object:
@@ -931,6 +931,10 @@ def _unit_scale(display_unit: str, unit: str) -> tuple:
 
 def fields() -> List[Field]:
     """All keys of a case, a list of Field in the order of a case file."""
+    ...
+
+def note_topics() -> List[str]:
+    """Topics of the notes on results, the most serious first."""
     ...
 
 def quantities() -> dict:

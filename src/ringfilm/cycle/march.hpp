@@ -109,7 +109,7 @@ class March {
     long relaxation_sweeps = 0;  ///< of point relaxation
     long fallback_secant = 0, fallback_sub_step = 0;
     long exact_law_solves = 0;    ///< solves by the laws themselves because their fits did not reach
-    long uncontrolled_steps = 0;  ///< accepted at the finest level although their error in time is over the limit
+    long uncontrolled_steps = 0;  ///< accepted at the finest level with an error in time that counts
     double max_newton_step = 0;
   };
   const Totals& totals() const { return totals_; }

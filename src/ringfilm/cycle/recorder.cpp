@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "ringfilm/cycle/cycle_values.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/sampling.hpp"
 #include "ringfilm/cycle/validity.hpp"
 
@@ -156,6 +157,7 @@ CycleResult Recorder::result(const March& march, double periodicity_error, int s
   append_validity_notes(setup_, march.problem().grid, base, result.complete ? result.values.fmep : 0.0,
                         {polynomial_steps_, polynomial_share_}, result.notes);
   append_effort_notes(result.effort, totals, result.notes);
+  sort_notes(result.notes);
   return result;
 }
 

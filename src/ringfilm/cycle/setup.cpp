@@ -11,6 +11,7 @@
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/gas_plausibility.hpp"
 #include "ringfilm/cycle/march_film.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/oil.hpp"
 
 namespace ringfilm::cycle {
@@ -112,6 +113,7 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
 Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
   append_end_cell_note(c, oil.notes);
   append_gas_notes(c, cylinder, oil.notes);
+  sort_notes(oil.notes);
   const double p_e = elastic_pressure(c);
   append_tension_note(p_e, oil.notes);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, cylinder));

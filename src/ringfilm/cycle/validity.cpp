@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/cycle/limits.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -91,12 +91,6 @@ void append_gap_leakage_note(const Case& c, std::vector<Note>& notes) {
 
 double shear_rate(const Sample& s) { return std::abs(s.piston_velocity) / s.min_film_thickness; }
 
-/// Density was measured to 0.4 GPa (Dowson and Higginson 1966); Roelands' law follows measured viscosities to about
-/// 0.5 GPa, Barus' law to less; and surfaces that are taken as rigid give way by more than the film is thick.
-constexpr double kLawsReach = 400e6;  // [Pa]
-/// Eyring stresses of mineral oils are 2 to 10 MPa (Johnson and Tevaarwerk 1977): beyond them friction grows with the
-/// logarithm of the shear rate only.
-constexpr double kNewtonianStress = 10e6;  // [Pa]
 /// A ring that leaves the liner by h shortens its circumference by 2 pi h, until its ends meet. Closed gaps of ISO 6621
 /// are 0.2 to 0.5 % of the bore; this is twice the largest.
 constexpr double kLargestEndGap = 0.01;  // of the bore
@@ -125,31 +119,19 @@ void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, dou
     return std::max(std::abs(s.viscous_friction_liner), std::abs(s.viscous_friction_ring)) /
            (length * setup.input.ring.face_width);
   };
-  const auto thinness = [](const Sample& s) { return -s.min_film_thickness; };
-  const auto thickness = [](const Sample& s) { return s.min_film_thickness; };
+  const auto where = [](const Sample& s) { return text(" (at %.0f degree)", s.crank_angle_deg); };
+  const auto film = [](const Sample& s) { return s.min_film_thickness; };
   const auto pressure = [](const Sample& s) { return s.peak_film_pressure; };
-  /// A note where the value goes beyond a limit, with its extreme in the given unit.
-  const auto note = [&](const char* topic, const auto& value, double limit, double unit, const char* format) {
-    const long steps = count(base, [&](const Sample& s) { return value(s) > limit; });
-    if (steps == 0) return;
-    const auto extreme = std::max_element(base.begin(), base.end(),
-                                          [&](const Sample& a, const Sample& b) { return value(a) < value(b); });
-    notes.push_back({topic, text(format, value(*extreme) / unit, extreme->crank_angle_deg, limit / unit), steps});
-  };
-  note("film-below-molecules", thinness, -film::kMolecules, -1e-9,
-       "film down to %.2g nm (at %.0f degree): below %.0f nm, the length of molecules of oil, there is no liquid film");
-  note(
-      "film-too-thick", thickness, freedom, 1e-6,
+  const Limit too_thick = {
+      Limit::Allowed::kBelow, "film-too-thick", freedom, 1e-6,
       setup.input.ring.end_gap
-          ? "the ring floats up to %.4g um off the liner (at %.0f degree): at %.3g um its ends meet (ring.end_gap)"
-          : "the ring floats up to %.4g um off the liner (at %.0f degree): at %.3g um the ends of a ring with a gap of "
-            "1 %% of the bore, twice the largest usual one, meet");
-  note("film-pressure-high", pressure, kLawsReach, 1e6,
-       "film pressure up to %.4g MPa (at %.0f degree): beyond %.0f MPa neither the laws of density and viscosity nor "
-       "rigid surfaces hold");
-  note("shear-stress-high", stress, kNewtonianStress, 1e6,
-       "mean shear stress on the face up to %.3g MPa (at %.0f degree): real oils shear at little more than %.0f MPa, "
-       "their Eyring stress, and the friction is too high");
+          ? "the ring floats up to %.4g um off the liner%s: at %.3g um its ends meet (ring.end_gap)"
+          : "the ring floats up to %.4g um off the liner%s: at %.3g um the ends of a ring with a gap of 1 %% of the "
+            "bore, twice the largest usual one, meet"};
+  append_limit_note(kFilmBelowMolecules, base, film, where, notes);
+  append_limit_note(too_thick, base, film, where, notes);
+  append_limit_note(kFilmPressureHigh, base, pressure, where, notes);
+  append_limit_note(kShearStressHigh, base, stress, where, notes);
   if (fmep > kWholeEngine) {
     notes.push_back({"friction-too-high",
                      text("the ring alone has a friction mean effective pressure of %.3g kPa, more than the %.0f kPa "
@@ -212,8 +194,8 @@ void append_effort_notes(const Effort& effort, const March::Totals& totals, std:
   const long uncontrolled_steps = totals.uncontrolled_steps;
   if (uncontrolled_steps > 0) {
     notes.push_back({"step-control-at-its-limit",
-                     "steps of 1/64 of the crank step whose error in time is still over the limit: a shorter "
-                     "solver.crank_step controls them",
+                     "steps of 1/64 of the crank step with an error in time of more than 5 % of the film, beyond what "
+                     "solver.step_error allows: take a shorter solver.crank_step",
                      uncontrolled_steps});
   }
   if (effort.fallback_secant > 0) {

@@ -3,7 +3,7 @@
 
 namespace ringfilm::film {
 
-/// Thinner than molecules of oil are long, no film is one of a liquid [m].
+/// Length of the molecules of an oil: a thinner film is not a liquid [m].
 inline constexpr double kMolecules = 1e-9;
 /// About the diameter of an atom: a thinner separation is not a film [m].
 inline constexpr double kAtom = 1e-10;

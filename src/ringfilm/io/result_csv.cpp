@@ -20,6 +20,7 @@ std::string exact_number(double value) {
 std::string result_csv(const std::vector<cycle::Sample>& samples, const std::optional<study::ErrorEstimate>& errors,
                        const std::vector<cycle::UnrolledSample>& unrolled) {
   const auto& quantities = cycle::curve_quantities();
+  const bool has_errors = errors && study::has_values(*errors);
   std::string csv;
   const char* separator = "";
   const auto add = [&](const std::string& cell) {
@@ -31,7 +32,7 @@ std::string result_csv(const std::vector<cycle::Sample>& samples, const std::opt
     if (!unrolled.empty()) add(header(quantity.name, quantity.unit));
   }
   for (const auto& quantity : quantities) {
-    if (errors && study::has_error(quantity)) add(header(quantity.name + "_error", quantity.unit));
+    if (has_errors && study::has_error(quantity)) add(header(quantity.name + "_error", quantity.unit));
   }
   csv += '\n';
   for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -41,7 +42,7 @@ std::string result_csv(const std::vector<cycle::Sample>& samples, const std::opt
       if (!unrolled.empty()) add(exact_number(unrolled[k].*quantity.value));
     }
     for (const auto& quantity : quantities) {
-      if (errors && study::has_error(quantity)) add(exact_number(errors->samples[k].*quantity.value));
+      if (has_errors && study::has_error(quantity)) add(exact_number(errors->samples[k].*quantity.value));
     }
     csv += '\n';
   }

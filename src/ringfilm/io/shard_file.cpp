@@ -15,15 +15,19 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
+#include <tuple>
 #include <utility>
 
+#include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/digest.hpp"
 #include "ringfilm/study/kept_curves.hpp"
+#include "ringfilm/study/scenario_note.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -101,24 +105,37 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-/// A line for each topic: the topic, the rows of the chunk that carry it as bits in hexadecimal digits, the message of
-/// the first of them.
+/// Lines of a topic, the rows of the chunk that carry it as bits in hexadecimal digits, and the message of the first of
+/// them. Of each base and topic one line for the row to show, one for all others; the most serious topics first.
 std::string note_lines(const study::ScenarioChunk& chunk) {
-  struct Rows {
-    std::string message;
-    std::vector<unsigned> digits;
-  };
-  std::map<std::string, Rows> by_topic;
+  using Key = std::tuple<std::size_t, std::string, std::size_t>;  // rank of the topic, topic, base
+  std::map<Key, std::vector<study::ScenarioNote>> carriers;
   for (std::size_t k = 0; k < chunk.rows.size(); ++k) {
-    for (const cycle::Note& note : chunk.rows[k].notes) {
-      const auto [found, is_first] = by_topic.try_emplace(note.topic);
-      if (is_first) found->second = {note.message, std::vector<unsigned>((chunk.rows.size() + 3) / 4)};
-      found->second.digits[k / 4] |= 1U << (k % 4);
+    const study::ScenarioRow& row = chunk.rows[k];
+    for (const cycle::Note& note : row.notes) {
+      carriers[{cycle::note_rank(note.topic), note.topic, row.base}].push_back(
+          {k, note.message, cycle::note_badness(note.topic, row.values)});
     }
   }
   std::string lines;
-  for (const auto& [topic, rows] : by_topic)
-    lines += fmt::format("{} {:x} {}\n", topic, fmt::join(rows.digits, ""), in_one_line(rows.message));
+  const auto append_line = [&](const std::string& topic, std::span<const study::ScenarioNote> notes) {
+    if (notes.empty()) return;
+    std::vector<unsigned> digits((chunk.rows.size() + 3) / 4);
+    for (const study::ScenarioNote& note : notes) digits[note.scenario / 4] |= 1U << (note.scenario % 4);
+    lines += fmt::format("{} {:x} {}\n", topic, fmt::join(digits, ""), in_one_line(notes.front().message));
+  };
+  for (auto& [key, notes] : carriers) {
+    const auto shown =
+        std::min_element(notes.begin(), notes.end(), [](const auto& a, const auto& b) { return a.comes_before(b); });
+    if (shown == notes.begin()) {
+      append_line(std::get<1>(key), notes);
+      continue;
+    }
+    const study::ScenarioNote one = *shown;
+    notes.erase(shown);
+    append_line(std::get<1>(key), {&one, 1});
+    append_line(std::get<1>(key), notes);
+  }
   return lines;
 }
 
@@ -362,12 +379,15 @@ void ShardReader::append_notes(const study::ScenarioRange& range, std::vector<Sh
     SharedNote one;
     for (std::string digits; lines >> one.topic >> digits && std::getline(lines >> std::ws, one.message);) {
       one.scenarios.clear();
+      std::optional<std::uint64_t> first;
       for (std::uint64_t k = 0; k < std::min<std::uint64_t>(chunk.n_rows, 4 * digits.size()); ++k) {
         const std::size_t digit = kHexDigits.find(digits[k / 4]);
         const std::uint64_t i = chunk.first + k;
         const bool is_set = digit != std::string_view::npos && (digit >> (k % 4) & 1) != 0;
+        if (is_set && !first) first = i;
         if (is_set && i >= range.first && i < range.end) one.scenarios.push_back(i);
       }
+      one.first = first.value_or(chunk.first);
       if (!one.scenarios.empty()) all.push_back(one);
     }
   }

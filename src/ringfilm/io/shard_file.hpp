@@ -49,8 +49,9 @@ struct ChunkPlace {
 /// A note that several scenarios carry.
 struct SharedNote {
   std::string topic;
-  std::string message;                   ///< that of the first of them
-  std::vector<std::uint64_t> scenarios;  ///< increasing
+  std::string message;                   ///< that of scenario `first`
+  std::vector<std::uint64_t> scenarios;  ///< of the range that was asked for, increasing
+  std::uint64_t first = 0;               ///< of all scenarios that share it; may lie before the range
 };
 
 /// A file of rows that is there. Chunks after the first that is cut off or spoilt are not seen.
@@ -88,7 +89,8 @@ class ShardReader {
   void append_unsolved(std::vector<Unsolved>& all) const;
   void append_unsolved(const study::ScenarioRange& range, std::vector<Unsolved>& all) const;
   std::uint64_t reason_bytes() const { return reason_bytes_; }  ///< of all reasons together
-  /// Appends the notes of some scenarios, chunk by chunk: a topic may come several times.
+  /// Appends the notes of some scenarios, chunk by chunk and base by base: a topic may come several times. Of a base
+  /// and chunk the message of the scenario that study::ScenarioNote::comes_before all others is among them.
   void append_notes(const study::ScenarioRange& range, std::vector<SharedNote>& all) const;
 
   /// Hands over the bytes of all sound chunks, piece by piece.

@@ -16,7 +16,7 @@ namespace {
 
 using Stored = ResultFileWriter::Stored;
 
-constexpr long kStudySchema = 3;
+constexpr long kStudySchema = 4;
 constexpr const char* kScenario = "scenario";
 constexpr const char* kUnsolved = "unsolved";
 constexpr const char* kTopic = "note_topic";
@@ -46,7 +46,7 @@ std::uint64_t most_bytes(const StudyRows& rows, const std::vector<StudyRows::Sce
   std::uint64_t reasons = 0;
   for (const ShardReader& shard : rows.shards) reasons += 2 * shard.reason_bytes() + 100 * shard.n_unsolved();
   std::uint64_t messages = 0;
-  for (const auto& note : notes) messages += 2 * note.message.size() + 1000;
+  for (const auto& note : notes) messages += 2 * note.shown().message.size() + 1000;
   // Of each compressed piece its place is kept, in blocks of some kB that are half empty at worst.
   constexpr std::uint64_t kPlace = 256, kVariable = 16'384, kHead = 1 << 20;
   const std::uint64_t places =
@@ -74,7 +74,7 @@ void write_head(ResultFileWriter& file, const StudyRows& rows) {
   file.texts("input_file", {"input_file_path", "", "", "file as named", "", ""}, paths);
   file.texts("input_file", {"input_file_sha256", "", "", "SHA-256 of its bytes", "", ""}, digests);
   file.scalar({"plan", "", "", "all on which the numbers of the scenarios depend", "", ""}, rows.plan.digest_text());
-  const std::vector<std::string> notes = rows.notes();
+  const std::vector<std::string>& notes = rows.notes();
   if (!notes.empty()) file.texts("note", {"plan_note", "", "", "what must be known about the plan", "", ""}, notes);
 }
 
@@ -156,13 +156,16 @@ class BlockWriter {
     std::vector<std::string> topics, messages;
     for (const auto& note : notes_) {
       topics.push_back(note.topic);
-      messages.push_back(note.message);
+      messages.push_back(note.shown().message);
     }
     file_.texts(kTopic, {kTopic, "", "", "topic of notes on single results", "", ""}, topics);
-    file_.texts(kTopic, {"note_message", "", "", "the note, with the figures of the first scenario", "", ""}, messages);
-    note_first_ =
-        file_.blocks({kTopic}, {"note_first_scenario", "1", "", "first scenario that carries the note", "", ""},
-                     Stored::kInteger, {notes_.size()});
+    file_.texts(kTopic,
+                {"note_message", "", "",
+                 "the note, with the figures of the scenario where it is worst, else of the first", "", ""},
+                messages);
+    note_scenario_ = file_.blocks(
+        {kTopic}, {"note_scenario", "1", "", "scenario with the note where it is worst, else the first one", "", ""},
+        Stored::kInteger, {notes_.size()});
     note_count_ = file_.blocks({"base_case", kTopic},
                                {"note_count", "1", "", "scenarios of the base that carry the note", "", ""},
                                Stored::kInteger, {rows_.plan.study().bases.size(), notes_.size()});
@@ -174,12 +177,12 @@ class BlockWriter {
   void put_note_counts() {
     if (notes_.empty()) return;
     const std::size_t n_bases = rows_.plan.study().bases.size();
-    std::vector<double> first, counts;  // [topic], [base][topic]
-    for (const auto& note : notes_) first.push_back(static_cast<double>(note.first));
+    std::vector<double> shown, counts;  // [topic], [base][topic]
+    for (const auto& note : notes_) shown.push_back(static_cast<double>(note.shown().scenario));
     for (std::size_t b = 0; b < n_bases; ++b) {
-      for (const auto& note : notes_) counts.push_back(static_cast<double>(note.counts[b]));
+      for (const auto& note : notes_) counts.push_back(static_cast<double>(note.bases[b].count));
     }
-    file_.put_block(*note_first_, {0}, {notes_.size()}, first.data());
+    file_.put_block(*note_scenario_, {0}, {notes_.size()}, shown.data());
     file_.put_block(*note_count_, {0, 0}, {n_bases, notes_.size()}, counts.data());
   }
 
@@ -263,7 +266,7 @@ class BlockWriter {
   const std::uint64_t n_;
   const std::size_t n_angles_;
   std::string coordinates_;
-  std::optional<int> base_, solved_, sample_, unsolved_, reasons_, note_first_, note_count_, has_note_;
+  std::optional<int> base_, solved_, sample_, unsolved_, reasons_, note_scenario_, note_count_, has_note_;
   std::vector<std::optional<int>> factors_, values_, curves_;
   std::vector<ShardReader::Unsolved> waiting_;
   std::uint64_t n_unsolved_ = 0;  ///< written
@@ -297,7 +300,7 @@ void write_bands(ResultFileWriter& file, const StudyRows& rows) {
 void write_study_result(const std::string& path, const StudyRows& rows) {
   const study::Keep& keep = rows.plan.study().keep;
   AsideFile aside(path);
-  const std::vector<StudyRows::ScenarioNotes> notes = rows.scenario_notes();
+  const std::vector<StudyRows::ScenarioNotes>& notes = rows.scenario_notes();
   ResultFileWriter file(path, aside, most_bytes(rows, notes));
   write_head(file, rows);
   if (keep.curves != study::Curves::kNone) write_axes(file, keep);

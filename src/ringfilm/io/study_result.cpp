@@ -13,6 +13,7 @@
 #include <numeric>
 #include <set>
 
+#include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/io/atomic_file.hpp"
 #include "ringfilm/io/study_until.hpp"
 #include "ringfilm/study/idle_factors.hpp"
@@ -89,7 +90,16 @@ std::vector<ShardReader::Unsolved> StudyRows::unsolved() const {
 }
 
 std::uint64_t StudyRows::ScenarioNotes::count() const {
-  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  return std::accumulate(bases.begin(), bases.end(), std::uint64_t{0},
+                         [](std::uint64_t n, const OfBase& base) { return n + base.count; });
+}
+
+const study::ScenarioNote& StudyRows::ScenarioNotes::shown() const {
+  const study::ScenarioNote* best = nullptr;
+  for (const OfBase& base : bases) {
+    if (base.shown && (best == nullptr || base.shown->comes_before(*best))) best = &*base.shown;
+  }
+  return *best;
 }
 
 std::vector<SharedNote> StudyRows::notes_of(const study::ScenarioRange& range) const {
@@ -100,26 +110,58 @@ std::vector<SharedNote> StudyRows::notes_of(const study::ScenarioRange& range) c
   return all;
 }
 
-std::vector<StudyRows::ScenarioNotes> StudyRows::scenario_notes() const {
-  std::map<std::string, ScenarioNotes> by_topic;
-  for (std::uint64_t first = 0; first < plan.size(); first += kRowsReadAtATime) {
-    for (const SharedNote& note : notes_of({first, std::min(first + kRowsReadAtATime, plan.size())})) {
-      const auto [found, is_first] = by_topic.try_emplace(note.topic);
-      if (is_first) found->second = {note.topic, note.message, note.scenarios.front(), {}};
-      found->second.counts.resize(plan.study().bases.size());
-      for (const std::uint64_t i : note.scenarios) ++found->second.counts.at(plan.base_of(i));
+namespace {
+
+/// Collects the notes on scenarios, topic by topic.
+class NotesByTopic {
+ public:
+  explicit NotesByTopic(const study::Plan& plan) : plan_(plan) {}
+
+  /// @param message the note of scenario `note.first`
+  void add(const SharedNote& note, const study::ScenarioNote& message) {
+    auto& bases = by_topic_[{cycle::note_rank(note.topic), note.topic}];
+    bases.resize(plan_.study().bases.size());
+    for (const std::uint64_t i : note.scenarios) {
+      StudyRows::ScenarioNotes::OfBase& base = bases[plan_.base_of(i)];
+      ++base.count;
+      if (!base.shown || message.comes_before(*base.shown)) base.shown = message;
     }
   }
-  std::vector<ScenarioNotes> all;
-  for (auto& [topic, notes] : by_topic) all.push_back(std::move(notes));
-  return all;
+
+  std::vector<StudyRows::ScenarioNotes> all() && {
+    std::vector<StudyRows::ScenarioNotes> all;
+    for (auto& [key, bases] : by_topic_) all.push_back({key.second, std::move(bases)});
+    return all;
+  }
+
+ private:
+  const study::Plan& plan_;
+  std::map<std::pair<std::size_t, std::string>, std::vector<StudyRows::ScenarioNotes::OfBase>> by_topic_;
+};
+
+}  // namespace
+
+std::optional<double> StudyRows::badness(const std::string& topic, std::uint64_t scenario) const {
+  const cycle::NoteTopic* entry = cycle::note_topic(topic);
+  if (entry == nullptr || entry->measure == nullptr) return std::nullopt;
+  return entry->badness(values(*cycle::cycle_quantity_index(entry->measure), {scenario, scenario + 1}).front());
 }
 
-std::vector<std::string> StudyRows::idle_notes() const {
-  study::IdleFactors idle(plan);
+StudyRows::Notes StudyRows::read_notes() const {
+  const std::optional<study::Until>& until = plan.study().sampling.until;
   const std::size_t n_values = cycle::cycle_quantities().size();
-  for (std::uint64_t first = 0; first < plan.size() && !idle.is_decided(); first += kRowsReadAtATime) {
+  study::IdleFactors idle(plan);
+  NotesByTopic by_topic(plan);
+  std::vector<double> of_until;
+  for (std::uint64_t first = 0; first < plan.size(); first += kRowsReadAtATime) {
     const study::ScenarioRange block{first, std::min(first + kRowsReadAtATime, plan.size())};
+    for (const SharedNote& note : notes_of(block))
+      by_topic.add(note, {note.first, note.message, badness(note.topic, note.first)});
+    if (until) {
+      const std::vector<double> part = values(*cycle::cycle_quantity_index(until->value), block);
+      of_until.insert(of_until.end(), part.begin(), part.end());
+    }
+    if (idle.is_decided()) continue;
     std::vector<std::vector<double>> columns;
     for (std::size_t i = 0; i < n_values; ++i) columns.push_back(values(i, block));
     std::vector<double> row(n_values);
@@ -128,23 +170,24 @@ std::vector<std::string> StudyRows::idle_notes() const {
       idle.add(first + k, row);
     }
   }
-  return idle.notes();
-}
-
-std::vector<std::string> StudyRows::notes() const {
-  std::vector<std::string> all = plan.notes();
-  for (std::string& note : until_notes(*this)) all.push_back(std::move(note));
-  for (std::string& note : idle_notes()) all.push_back(std::move(note));
+  Notes notes{std::move(by_topic).all(), plan.notes()};
+  for (std::string& note : until_notes(plan, of_until)) notes.of_plan.push_back(std::move(note));
+  for (std::string& note : idle.notes()) notes.of_plan.push_back(std::move(note));
   const bool is_mixed = std::any_of(shards.begin(), shards.end(), [this](const ShardReader& shard) {
     return shard.header().kernels != shards.front().header().kernels;
   });
   if (is_mixed) {
-    all.push_back(
+    notes.of_plan.push_back(
         fmt::format("the parts were computed with different kernels ({}), which round differently: the last digits are "
                     "not those of one run",
                     kernels()));
   }
-  return all;
+  return notes;
+}
+
+const StudyRows::Notes& StudyRows::all_notes() const {
+  if (!notes_) notes_ = read_notes();
+  return *notes_;
 }
 
 std::vector<ShardReader::Unsolved> StudyRows::unsolved(const study::ScenarioRange& range) const {

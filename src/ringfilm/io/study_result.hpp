@@ -1,16 +1,25 @@
 #pragma once
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ringfilm/io/result_file.hpp"
 #include "ringfilm/io/shard_file.hpp"
 #include "ringfilm/io/study_file.hpp"
 #include "ringfilm/study/plan.hpp"
+#include "ringfilm/study/scenario_note.hpp"
 
 namespace ringfilm::io {
 
-/// A study with all its rows, in files.
-struct StudyRows {
+/// A study with all its rows, in files. Not for several threads at once.
+class StudyRows {
+ public:
+  /// Refers to file and plan.
+  StudyRows(const StudyFile& from, const study::Plan& of, std::vector<ShardReader> with)
+      : file(from), plan(of), shards(std::move(with)) {}
+
   const StudyFile& file;            ///< what was asked for
   const study::Plan& plan;          ///< which scenario has which numbers
   std::vector<ShardReader> shards;  ///< in the order of their scenarios, without a gap
@@ -29,27 +38,38 @@ struct StudyRows {
   std::vector<ShardReader::Unsolved> unsolved(const study::ScenarioRange& range) const;  ///< of a range
   std::uint64_t n_unsolved() const;                                                      ///< how many
 
-  /// The notes on single results, topic by topic in the order of the alphabet. Nothing of a scenario that was not
-  /// solved.
+  /// The notes of one topic on single results. Nothing of a scenario that was not solved.
   struct ScenarioNotes {
-    std::string topic;                  ///< of cycle::Note
-    std::string message;                ///< that of the first scenario that carries it
-    std::uint64_t first = 0;            ///< that scenario
-    std::vector<std::uint64_t> counts;  ///< scenarios that carry it, of each base
-    std::uint64_t count() const;        ///< of all bases
+    /// Those of one base.
+    struct OfBase {
+      std::uint64_t count = 0;                   ///< scenarios that carry it
+      std::optional<study::ScenarioNote> shown;  ///< the one that comes before all others; empty where the count is 0
+    };
+    std::string topic;                         ///< of cycle::Note
+    std::vector<OfBase> bases;                 ///< in the order of the plan
+    std::uint64_t count() const;               ///< of all bases
+    const study::ScenarioNote& shown() const;  ///< of all bases
   };
-  std::vector<ScenarioNotes> scenario_notes() const;
+  /// Topic by topic, the most serious first. The first call of this or notes() reads all rows, once.
+  const std::vector<ScenarioNotes>& scenario_notes() const { return all_notes().of_scenarios; }
+  /// What must be known about the plan and how it ended, one sentence each.
+  const std::vector<std::string>& notes() const { return all_notes().of_plan; }
   std::vector<SharedNote> notes_of(const study::ScenarioRange& range) const;  ///< a topic may come several times
 
-  /// What must be known about the plan and how it ended, one sentence each.
-  std::vector<std::string> notes() const;
-
  private:
-  std::vector<std::string> idle_notes() const;
+  struct Notes {
+    std::vector<ScenarioNotes> of_scenarios;
+    std::vector<std::string> of_plan;
+  };
+  const Notes& all_notes() const;
+  Notes read_notes() const;
+  std::optional<double> badness(const std::string& topic, std::uint64_t scenario) const;
 
   /// Calls for each shard that has some of the scenarios: the shard, which of them, and how many come before.
   template <class Read>
   void each_part(const study::ScenarioRange& range, const Read& read) const;
+
+  mutable std::optional<Notes> notes_;
 };
 
 /// Numbers of the factors over all scenarios, factor by factor; NaN where one leaves its base as it is.

@@ -2,18 +2,18 @@
 
 #include <fmt/format.h>
 
+#include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/units.hpp"
 #include "ringfilm/study/until.hpp"
 
 namespace ringfilm::io {
 
-std::vector<std::string> until_notes(const StudyRows& rows) {
-  const study::Study& study = rows.plan.study();
+std::vector<std::string> until_notes(const study::Plan& plan, const std::vector<double>& values) {
+  const study::Study& study = plan.study();
   if (!study.sampling.until) return {};
   const study::Until& until = *study.sampling.until;
-  const std::size_t place = *cycle::cycle_quantity_index(until.value);
-  const cycle::CycleQuantity& quantity = cycle::cycle_quantities()[place];
-  const auto bases = study::sureness(rows.plan, rows.values(place));
+  const cycle::CycleQuantity& quantity = cycle::cycle_quantities()[*cycle::cycle_quantity_index(until.value)];
+  const auto bases = study::sureness(plan, values);
   const Units units;
   const auto shown = [&](double width) {
     const double number = units.scale(quantity.display_unit, quantity.unit).from_si(width);

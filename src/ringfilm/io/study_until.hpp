@@ -2,12 +2,13 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/io/study_result.hpp"
+#include "ringfilm/study/plan.hpp"
 
 namespace ringfilm::io {
 
 /// How a study with `until` ended: how many points it took and how wide the interval then was for each base. Empty
 /// without `until`.
-std::vector<std::string> until_notes(const StudyRows& rows);
+/// @param values of all scenarios, of the value of the cycle that `until` names
+std::vector<std::string> until_notes(const study::Plan& plan, const std::vector<double>& values);
 
 }  // namespace ringfilm::io

@@ -1,9 +1,11 @@
 #include "ringfilm/pad/pad_notes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
-#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/cycle/limits.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
 
 namespace ringfilm::pad {
 namespace {
@@ -18,6 +20,29 @@ bool has_jumps_in_corners(const cycle::Pad& pad) {
   if (!pad.width || !pad.has_sides_at_pressures()) return false;
   const auto differs = [&](double side) { return side != pad.left_pressure || side != pad.right_pressure; };
   return differs(pad.front_pressure) || differs(pad.back_pressure);
+}
+
+/// Reynolds' equation drops terms of the order of (h/L)^2 against 1: 1 % from here on.
+constexpr double kThickestFilm = 0.1;  // of the length of the pad
+
+/// Films that were solved and that no oil forms, with the limits of the cycle.
+void append_limit_notes(const PadFilm& film, PadResult& result) {
+  const double length = film.setup().input.pad.length;
+  const auto where = [&](const Sample& s) { return result.is_history ? text(" (at %.4g s)", s.time) : std::string(); };
+  const auto thickness = [](const Sample& s) { return s.min_film_thickness; };
+  const auto stress = [&](const Sample& s) {
+    return std::max(std::abs(s.friction_moving), std::abs(s.friction_fixed)) / length;
+  };
+  const cycle::Limit too_thick = {
+      cycle::Limit::Allowed::kBelow, "film-too-thick", kThickestFilm * length, 1e-6,
+      "the smallest film is up to %.4g um thick%s: Reynolds' equation needs films that are thin against the pad's "
+      "length, at most %.4g um"};
+  cycle::append_limit_note(cycle::kFilmBelowMolecules, result.samples, thickness, where, result.notes);
+  cycle::append_limit_note(too_thick, result.samples, thickness, where, result.notes);
+  cycle::append_limit_note(
+      cycle::kFilmPressureHigh, result.samples, [](const Sample& s) { return s.peak_film_pressure; }, where,
+      result.notes);
+  cycle::append_limit_note(cycle::kShearStressHigh, result.samples, stress, where, result.notes);
 }
 
 }  // namespace
@@ -51,14 +76,7 @@ void append_notes(const PadFilm& film, PadResult& result) {
          text("the load presses the pad %.6g um closer than the gap is given, to a smallest film of %.6g um",
               -last.separation * um, last.min_film_thickness * um));
   }
-  const long too_thin = std::count_if(result.samples.begin(), result.samples.end(),
-                                      [](const Sample& s) { return s.min_film_thickness < film::kMolecules; });
-  if (too_thin > 0) {
-    note("film-below-molecules",
-         text("the smallest film is thinner than %.3g nm, about the length of molecules of oil: it is none of a liquid",
-              film::kMolecules * 1e9),
-         too_thin);
-  }
+  append_limit_notes(film, result);
   if (has_film && has_jumps_in_corners(pad)) {
     note("edge-flow-grows",
          "the flows through edges and sides grow with the logarithm of finer cells: in the corners of the pad their "
@@ -94,6 +112,7 @@ void append_notes(const PadFilm& film, PadResult& result) {
     note("eased-start", "steady films that were found only from slower motion or another first guess",
          result.effort.eased_starts);
   }
+  cycle::sort_notes(result.notes);
 }
 
 }  // namespace ringfilm::pad

@@ -98,11 +98,21 @@ bool any_separation_carries(PadFilms& films, const film::FilmState& state, Effor
   return thicker && std::abs(film.load(*thicker) - load) <= kTheSame * load;
 }
 
+/// Viscosity of the oil at no pressure [Pa s], and its slope over pressure [s].
+struct Viscosity {
+  double eta = 0, deta_dp = 0;
+};
+Viscosity viscosity(const PadSetup& setup) {
+  const double p = 0;
+  double rho = 0, drho_dp = 0;
+  Viscosity oil;
+  setup.oil->properties({&p, 1}, {{&rho, 1}, {&drho_dp, 1}, {&oil.eta, 1}, {&oil.deta_dp, 1}});
+  return oil;
+}
+
 std::string no_film_at(const PadSetup& setup) {
   std::string message = "no steady film was found, from slower motion and coarser grids either";
-  const double p = 0;
-  double rho = 0, drho_dp = 0, eta = 0, deta_dp = 0;
-  setup.oil->properties({&p, 1}, {{&rho, 1}, {&drho_dp, 1}, {&eta, 1}, {&deta_dp, 1}});
+  const auto [eta, deta_dp] = viscosity(setup);
   if (deta_dp > 0) {
     message += text(
         "; where viscosity grows with pressure there is none above a pressure of about 1/alpha = %.3g bar as a "
@@ -137,14 +147,26 @@ void append_load_notes(const LoadSearch& search, std::vector<cycle::Note>& notes
   }
 }
 
+/// The largest pressure that edges, sides and motion can make, but for a factor of order 1 [Pa].
+double acting_pressure(const PadSetup& setup, double h_m) {
+  const cycle::Pad& pad = setup.input.pad;
+  const double edges = std::max(std::abs(pad.left_pressure), std::abs(pad.right_pressure));
+  const double sides =
+      pad.has_sides_at_pressures() ? std::max(std::abs(pad.front_pressure), std::abs(pad.back_pressure)) : 0.0;
+  return std::max({edges, sides, viscosity(setup).eta * std::abs(setup.U) * pad.length / (h_m * h_m)});
+}
+
 /// A steady film with half the cells, to tell whether the grid is fine enough.
 void append_grid_note(const PadSetup& setup, const film::FilmState& state, const Sample& fine, PadResult& result) {
+  if (acting_pressure(setup, state.h_m) == 0) return;  // nothing makes a film that carries
   constexpr double kWorthTelling = 0.01;
   const cycle::Solver& solver = setup.input.solver;
   const auto film = pad_film(setup, {(solver.cells + 1) / 2, (solver.cells_y + 1) / 2});
   film::FilmState coarse = film->full(state.h_m);
   const film::FilmState before = coarse;
   if (!solve_at_separation(*film, setup.steady_inputs(), 0, before, coarse, result.effort)) return;
+  constexpr double kRounding = 1e-9;  // of the pressures that act: such a load is zero, and no share of it is known
+  if (std::abs(fine.load) <= kRounding * acting_pressure(setup, state.h_m) * setup.input.pad.length) return;
   const double change = film->load(coarse) / fine.load - 1;
   if (!(std::abs(change) > kWorthTelling)) return;
   result.notes.push_back({"coarse-grid", text("with half the cells the same film carries %.2g %% %s: take more %s",

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/io/units.hpp"
 #include "ringfilm/report/payload_numbers.hpp"
 #include "ringfilm/report/payload_unrolled.hpp"
@@ -64,7 +65,10 @@ ordered_json errors(const std::optional<study::ErrorEstimate>& estimate) {
     for (const cycle::Sample& error : estimate->samples) list.push_back(rounded(error.*q.value, kErrorDigits));
     curve_errors[q.name] = std::move(list);
   }
-  return {{"runs", std::move(runs)}, {"values", cycle_values(estimate->values)}, {"curves", std::move(curve_errors)}};
+  return {{"runs", std::move(runs)},
+          {"has_values", study::has_values(*estimate)},
+          {"values", cycle_values(estimate->values)},
+          {"curves", std::move(curve_errors)}};
 }
 
 /// One list of node values for each crank angle that the page carries.
@@ -161,6 +165,28 @@ std::optional<double> rupture_pressure(const std::vector<io::CaseEntry>& inputs)
   }
 }
 
+const char* word_of(cycle::NoteCount count) {
+  switch (count) {
+    case cycle::NoteCount::kCrankAngles:
+      return "crank angles";
+    case cycle::NoteCount::kCase:
+      return "case";
+    case cycle::NoteCount::kOccurrences:
+      break;
+  }
+  return "occurrences";
+}
+
+/// A note with its place in the order of all notes and what it counts.
+ordered_json note_object(const cycle::Note& note) {
+  const cycle::NoteTopic* entry = cycle::note_topic(note.topic);
+  return {{"topic", note.topic},
+          {"message", note.message},
+          {"count", note.count},
+          {"counts", word_of(entry == nullptr ? cycle::NoteCount::kOccurrences : entry->count)},
+          {"rank", cycle::note_rank(note.topic)}};
+}
+
 ordered_json document(const io::ResultDocument& d) {
   ordered_json inputs = ordered_json::array();
   for (const io::CaseEntry& e : d.inputs) {
@@ -170,9 +196,7 @@ ordered_json document(const io::ResultDocument& d) {
   ordered_json files = ordered_json::array();
   for (const cycle::InputFile& f : d.files) files.push_back({{"role", f.role}, {"path", f.path}, {"sha256", f.sha256}});
   ordered_json notes = ordered_json::array();
-  for (const cycle::Note& n : d.result.notes) {
-    notes.push_back({{"topic", n.topic}, {"message", n.message}, {"count", n.count}});
-  }
+  for (const cycle::Note& n : d.result.notes) notes.push_back(note_object(n));
   ordered_json derived = ordered_json::object();
   for (const auto& [name, value] : d.result.derived) derived[name] = exact(value);
   return {{"title", d.title},

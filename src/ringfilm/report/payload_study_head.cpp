@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/report/payload_numbers.hpp"
 #include "ringfilm/report/payload_study.hpp"
@@ -143,11 +144,16 @@ ordered_json unsolved_object(const io::StudyRows& rows) {
 ordered_json scenario_notes_object(const io::StudyRows& rows) {
   ordered_json reported = ordered_json::array();
   for (const auto& note : rows.scenario_notes()) {
+    ordered_json counts = ordered_json::array();
+    for (const auto& base : note.bases) counts.push_back(base.count);
+    const cycle::NoteTopic* entry = cycle::note_topic(note.topic);
     reported.push_back({{"topic", note.topic},
-                        {"message", note.message},
-                        {"first", note.first},
+                        {"serious", entry != nullptr && entry->trust == cycle::Trust::kNone},
+                        {"message", note.shown().message},
+                        {"scenario", note.shown().scenario},
+                        {"is_worst", note.shown().badness.has_value()},
                         {"count", note.count()},
-                        {"counts", note.counts}});
+                        {"counts", std::move(counts)}});
   }
   return reported;
 }

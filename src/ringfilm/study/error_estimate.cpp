@@ -267,23 +267,53 @@ ErrorEstimate error_estimate(const Case& c, const CycleResult& result, const Pro
   return error_estimate(c, result, endings(other_grids(c), progress, options));
 }
 
+namespace {
+
+/// The other march of the pair, of cells or of steps, that run `i` belongs to.
+std::size_t partner(std::size_t i) { return i % 2 == 1 ? i + 1 : i - 1; }
+
+bool is_missing(const ErrorEstimate& estimate, std::size_t i) {
+  return i < estimate.runs.size() && !estimate.runs[i].solved;
+}
+
+std::string grid_words(const GridRun& run) {
+  char around[32] = "";
+  if (run.cells_y > 0) std::snprintf(around, sizeof around, " x %ld", run.cells_y);
+  char grid[128];
+  std::snprintf(grid, sizeof grid, "%ld%s cells and a crank step of %.4g degree", run.cells, around,
+                run.crank_step_deg);
+  return grid;
+}
+
+}  // namespace
+
+bool has_values(const ErrorEstimate& estimate) {
+  for (std::size_t i = 1; i < estimate.runs.size(); i += 2) {
+    if (is_missing(estimate, i) && is_missing(estimate, partner(i))) return false;
+  }
+  return true;
+}
+
 std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate) {
-  std::vector<cycle::Note> notes;
-  const auto missing = [&](std::size_t i) { return i < estimate.runs.size() && !estimate.runs[i].solved; };
+  const bool is_there = has_values(estimate);
+  std::vector<std::pair<std::string, std::string>> grids;  // by reason
   for (std::size_t i = 1; i < estimate.runs.size(); ++i) {
-    if (!missing(i)) continue;
+    if (!is_missing(estimate, i)) continue;
     const GridRun& run = estimate.runs[i];
-    const bool other_side_too = missing(i % 2 == 1 ? i + 1 : i - 1);
-    char around[32] = "";
-    if (run.cells_y > 0) std::snprintf(around, sizeof around, " x %ld", run.cells_y);
-    char grid[128];
-    std::snprintf(grid, sizeof grid, "%ld%s cells and a crank step of %.4g degree", run.cells, around,
-                  run.crank_step_deg);
-    notes.push_back(
-        {other_side_too ? "error-estimate-missing" : "error-estimate-one-sided",
-         std::string(other_side_too ? "there is no error estimate" : "the error estimate has one side only") +
-             ": the result with " + grid + " cannot be used: " + run.reason,
-         1});
+    const auto known =
+        std::find_if(grids.begin(), grids.end(), [&](const auto& one) { return one.first == run.reason; });
+    if (known == grids.end()) {
+      grids.emplace_back(run.reason, grid_words(run));
+    } else {
+      known->second += ", " + grid_words(run);
+    }
+  }
+  std::vector<cycle::Note> notes;
+  for (const auto& [reason, words] : grids) {
+    notes.push_back({is_there ? "error-estimate-one-sided" : "error-estimate-missing",
+                     std::string(is_there ? "the error estimate has one side only" : "there is no error estimate") +
+                         ": the result with " + words + " cannot be used: " + reason,
+                     1});
   }
   return notes;
 }

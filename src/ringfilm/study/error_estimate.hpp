@@ -30,6 +30,9 @@ struct ErrorEstimate {
   cycle::CycleValues order_in_step;  ///< the same in the crank step [-]
 };
 
+/// Is there an error of any value? Not where both marches of one pair of grids, in cells or in steps, cannot be used.
+bool has_values(const ErrorEstimate& estimate);
+
 /// Can a curve have a discretisation error? Not the crank angle itself and not the effort that was spent.
 bool has_error(const cycle::CurveQuantity& quantity);
 

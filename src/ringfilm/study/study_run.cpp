@@ -109,6 +109,10 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
   std::map<std::size_t, std::uint64_t> scenario_of;  // of the cases on their way, by their place in the batch
   std::size_t n_given = 0;
   std::uint64_t next = range.first;
+  const auto put = [&](std::uint64_t i, ScenarioRow row) {
+    row.base = plan.base_of(i);
+    collector.put(i, std::move(row));
+  };
   const auto source = [&]() -> std::optional<cycle::Case> {
     while (next < range.end) {
       const std::uint64_t i = next++;
@@ -118,14 +122,14 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
         scenario_of[n_given++] = i;
         return one;
       } catch (const InputError& refusal) {
-        collector.put(i, unsolved_row(reason_of(refusal), keep));
+        put(i, unsolved_row(reason_of(refusal), keep));
       }
     }
     return std::nullopt;
   };
   const auto ended = [&](Ending ending) {
     const std::uint64_t i = scenario_of.extract(ending.index).mapped();
-    collector.put(i, ending.is_solved() ? row_of(ending.result, keep) : unsolved_row(ending.reason(), keep));
+    put(i, ending.is_solved() ? row_of(ending.result, keep) : unsolved_row(ending.reason(), keep));
   };
   try {
     simulate_cases(source, ended, options.batch);

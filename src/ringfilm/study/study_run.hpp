@@ -20,6 +20,7 @@ struct ScenarioRow {
   std::string reason;                   ///< why it was not solved; empty if it was
   std::vector<float> curves = {};       ///< kept_numbers(): quantity by quantity over the angles; all NaN if not solved
   std::vector<cycle::Note> notes = {};  ///< of its result, each topic once; none if not solved
+  std::size_t base = 0;                 ///< base case of the scenario
 };
 
 /// Scenarios `first` to `first + rows.size()`.

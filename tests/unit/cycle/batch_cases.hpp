@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,22 @@ inline Case small_engine(int index) {
   Case c = engine_scenario(1, index).input;
   c.solver.cells = std::min(c.solver.cells, 40 + index % 5 * 5);
   c.solver.crank_step_deg = std::max(c.solver.crank_step_deg, 2.0);
+  return c;
+}
+
+/// A narrow crown, turning slowly: at the dead centres the film is a few nanometres thin and less than a uniform cell
+/// long.
+inline Case narrow_crown(int cells) {
+  Case c = styles_new_ring();
+  c.operating.speed = 500 * std::numbers::pi / 30;
+  c.ring.elastic_pressure.reset();
+  c.ring.tangential_force = 10;
+  c.ring.face.form = FaceForm::kParabola;
+  c.ring.face.crown_height = 100e-6;
+  c.contact.roughness = 0.1e-6;
+  c.film.cavitation = Cavitation::kMassConserving;
+  c.solver.crank_step_control = StepControl::kAdaptive;
+  c.solver.cells = cells;
   return c;
 }
 

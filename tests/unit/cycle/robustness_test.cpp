@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../../scenarios/engine_scenario.hpp"
+#include "batch_cases.hpp"
 #include "ringfilm/cycle/march.hpp"
 #include "styles_case.hpp"
 
@@ -51,22 +52,6 @@ TEST(Robustness, EveryStepOfSeededScenariosIsSolvedOrToldToHaveNoAnswer) {
     }
   }
   EXPECT_LT(stops, 8);  // of 150; a solver that gives up too early tells more
-}
-
-/// A narrow crown, turning slowly: at the dead centres the film is a few nanometres thin and less than a uniform cell
-/// long.
-Case narrow_crown(int cells) {
-  Case c = styles_new_ring();
-  c.operating.speed = 500 * std::numbers::pi / 30;
-  c.ring.elastic_pressure.reset();
-  c.ring.tangential_force = 10;
-  c.ring.face.form = FaceForm::kParabola;
-  c.ring.face.crown_height = 100e-6;
-  c.contact.roughness = 0.1e-6;
-  c.film.cavitation = Cavitation::kMassConserving;
-  c.solver.crank_step_control = StepControl::kAdaptive;
-  c.solver.cells = cells;
-  return c;
 }
 
 double thinnest_film(const CycleResult& result) {

@@ -71,6 +71,18 @@ TEST_P(SimulateBatchWith, GivesTheSameBitsWhateverTheNeighboursTheOrderAndTheLan
   for (int i = 0; i < kEngines; i += i < 4 ? 1 : 7) expect_same_bits(batch_of(cases, {i}, GetParam()), all);
 }
 
+TEST_P(SimulateBatchWith, GradedCellsGiveTheSameBitsAmongNeighboursAsAlone) {
+  const std::vector<Case> cases = {small_engine(0), narrow_crown(100), small_engine(1), narrow_crown(60)};
+  const Batch all = batch_of(cases, {3, 0, 1, 2}, GetParam());
+  for (const int i : {1, 3}) {
+    const CycleResult& result = all.outcomes.at(i).result;
+    EXPECT_TRUE(result.complete);
+    EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(),
+                            [](const Note& note) { return note.topic == kCellsGraded; }));
+    expect_same_bits(batch_of(cases, {i}, GetParam()), all);
+  }
+}
+
 TEST(SimulateBatch, TheEnginesAreAMixOfHardAndEasy) {
   const std::vector<Case> cases = mixed_engines();
   const Batch all = batch_of(cases, forwards(cases), film::kernels().name);

@@ -92,16 +92,17 @@ TEST(ShardFile, GivesBackTheNotesOfItsRows) {
   std::vector<SharedNote> notes;
   shard.append_notes({10, 16}, notes);
   ASSERT_EQ(notes.size(), 3u);
-  EXPECT_EQ(notes[0].topic, "film-thin");
-  EXPECT_EQ(notes[0].scenarios, (std::vector<std::uint64_t>{10}));
-  EXPECT_EQ(notes[1].message, "1e7 1/s of the cycle");
-  EXPECT_EQ(notes[1].scenarios, (std::vector<std::uint64_t>{10, 14}));
+  EXPECT_EQ(notes[0].message, "1e7 1/s of the cycle");
+  EXPECT_EQ(notes[0].scenarios, (std::vector<std::uint64_t>{10, 14}));
+  EXPECT_EQ(notes[1].topic, "film-thin") << "a topic that is not in the table comes last";
+  EXPECT_EQ(notes[1].scenarios, (std::vector<std::uint64_t>{10}));
   EXPECT_EQ(notes[2].message, "3e7 1/s");
   EXPECT_EQ(notes[2].scenarios, (std::vector<std::uint64_t>{15}));
   notes.clear();
   shard.append_notes({11, 15}, notes);
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_EQ(notes[0].scenarios, (std::vector<std::uint64_t>{14}));
+  EXPECT_EQ(notes[0].first, 10u) << "the scenario of the message, before the range";
 }
 
 TEST(ShardFile, GoesOnWhereverItWasCutOff) {

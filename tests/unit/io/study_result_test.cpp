@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -104,20 +105,73 @@ TEST_F(StudyResult, NetCdfHasTheNotesOfEveryResult) {
     nc_free_string(2, both);
     return found;
   };
-  EXPECT_EQ(texts("note_topic"), (std::vector<std::string>{"film-thin", "shear-rate-high"}));
-  EXPECT_EQ(texts("note_message"), (std::vector<std::string>{"of 1 nm", "up to 1e7 1/s"}));
+  EXPECT_EQ(texts("note_topic"), (std::vector<std::string>{"shear-rate-high", "film-thin"}));
+  EXPECT_EQ(texts("note_message"), (std::vector<std::string>{"up to 1e7 1/s", "of 1 nm"}));
   int numbers[2] = {};
-  ASSERT_EQ(nc_inq_varid(file, "note_first_scenario", &variable), NC_NOERR);
+  ASSERT_EQ(nc_inq_varid(file, "note_scenario", &variable), NC_NOERR);
   nc_get_var_int(file, variable, numbers);
-  EXPECT_EQ(std::vector<int>(numbers, numbers + 2), (std::vector<int>{3, 1}));
+  EXPECT_EQ(std::vector<int>(numbers, numbers + 2), (std::vector<int>{1, 3}));
   ASSERT_EQ(nc_inq_varid(file, "note_count", &variable), NC_NOERR);
   nc_get_var_int(file, variable, numbers);
-  EXPECT_EQ(std::vector<int>(numbers, numbers + 2), (std::vector<int>{1, 2}));
+  EXPECT_EQ(std::vector<int>(numbers, numbers + 2), (std::vector<int>{2, 1}));
   ASSERT_EQ(nc_inq_varid(file, "has_note", &variable), NC_NOERR);
   signed char carries[8] = {};
   nc_get_var_schar(file, variable, carries);
-  EXPECT_EQ(std::vector<int>(carries, carries + 8), (std::vector<int>{0, 0, 0, 1, 0, 0, 1, 1}));
+  EXPECT_EQ(std::vector<int>(carries, carries + 8), (std::vector<int>{0, 0, 1, 0, 0, 0, 1, 1}));
   nc_close(file);
+}
+
+/// Scenarios of bases a, b, a, b, ... of which all but the first carry a note on a film of so many nanometres.
+StudyRows rows_of_two_bases(const ScratchFolder& folder, const StudyFile& file, const study::Plan& plan,
+                            const std::vector<double>& films) {
+  const auto& quantities = cycle::cycle_quantities();
+  study::ScenarioChunk chunk{0, {}};
+  for (std::uint64_t i = 0; i < plan.size(); ++i) {
+    study::ScenarioRow row{std::vector<double>(quantities.size(), 1), ""};
+    row.values[*cycle::cycle_quantity_index("min_film_thickness")] = films[i];
+    row.base = plan.base_of(i);
+    const std::string words = std::to_string(static_cast<int>(films[i]));
+    row.notes = {{"film-below-molecules", words, 1}, {"shear-rate-high", words, 1}};
+    if (i == 0) row.notes.clear();
+    chunk.rows.push_back(row);
+  }
+  ShardWriter(folder / "two", {"plan", "inputs", "program", 1, 1, 0, plan.size(), quantities.size()}).append(chunk);
+  std::vector<ShardReader> shards;
+  shards.emplace_back(folder / "two");
+  return {file, plan, std::move(shards)};
+}
+
+TEST_F(StudyResult, NotesOfABaseHaveTheFiguresOfItsWorstElseOfItsFirstScenario) {
+  const StudyFile file = read_study(
+      folder_.write("two.toml",
+                    "[[base]]\nname = \"a\"\ncase = \"case.toml\"\n[[base]]\nname = \"b\"\ncase = \"case.toml\"\n"
+                    "[[factor]]\nkey = \"operating.speed\"\nvalues = [\"1000 rpm\", \"2000 rpm\", \"3000 rpm\"]\n"
+                    "[plan]\nmethod = \"grid\"\n"));
+  const study::Plan plan(file.study);
+  ASSERT_EQ(plan.size(), 6u);
+  const std::vector<double> films = {1, 8, 7, 6, 3, 5};
+  const StudyRows rows = rows_of_two_bases(folder_, file, plan, films);
+  ASSERT_EQ(rows.scenario_notes().size(), 2u);
+  EXPECT_EQ(rows.scenario_notes()[0].topic, "film-below-molecules") << "the most serious first";
+  for (std::size_t b = 0; b < 2; ++b) {
+    std::vector<std::uint64_t> carriers;
+    for (std::uint64_t i = 1; i < plan.size(); ++i) {
+      if (plan.base_of(i) == b) carriers.push_back(i);
+    }
+    const auto worst = *std::min_element(carriers.begin(), carriers.end(),
+                                         [&](std::uint64_t i, std::uint64_t k) { return films[i] < films[k]; });
+    const auto& thin = rows.scenario_notes()[0].bases[b];
+    const auto& shear = rows.scenario_notes()[1].bases[b];
+    EXPECT_EQ(thin.count, carriers.size());
+    EXPECT_EQ(thin.shown->scenario, worst);
+    EXPECT_EQ(thin.shown->message, std::to_string(static_cast<int>(films[worst])));
+    EXPECT_EQ(shear.count, carriers.size());
+    EXPECT_EQ(shear.shown->scenario, carriers.front());
+    EXPECT_EQ(shear.shown->message, std::to_string(static_cast<int>(films[carriers.front()])));
+    EXPECT_FALSE(shear.shown->badness);
+  }
+  EXPECT_EQ(rows.scenario_notes()[0].shown().scenario, 4u);
+  EXPECT_EQ(rows.scenario_notes()[0].count(), 5u);
 }
 
 TEST_F(StudyResult, CsvHasTheTopicsOfNotes) {
@@ -128,7 +182,7 @@ TEST_F(StudyResult, CsvHasTheTopicsOfNotes) {
   EXPECT_TRUE(lines[0].ends_with(",reason,notes"));
   EXPECT_TRUE(lines[1].ends_with(",,"));
   EXPECT_TRUE(lines[2].ends_with(",,\"shear-rate-high\""));
-  EXPECT_TRUE(lines[4].ends_with(",,\"film-thin; shear-rate-high\""));
+  EXPECT_TRUE(lines[4].ends_with(",,\"shear-rate-high; film-thin\""));
 }
 
 TEST_F(StudyResult, CsvHasTheWordsOfChoicesAndReasons) {

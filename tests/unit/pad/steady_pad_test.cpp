@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 #include "pad_cases.hpp"
 
@@ -321,6 +323,41 @@ TEST(Pad, AtRestBetweenEqualPressuresHasTheirPressureEverywhere) {
   EXPECT_NEAR(s.load, 2e5 * kLength, 1e-9);
   EXPECT_NEAR(s.flow_left, 0, 1e-15);
   EXPECT_NEAR(s.friction_moving, 0, 1e-9);
+}
+
+std::vector<std::string> topics(const cycle::Case& c) {
+  std::vector<std::string> all;
+  for (const cycle::Note& note : solve_pad(c).notes) all.push_back(note.topic);
+  return all;
+}
+
+TEST(Pad, AtRestWithoutPressureItsGridIsNotCalledCoarse) {
+  cycle::Case c = slider();
+  c.pad.speed = 0;
+  c.pad.left_pressure = c.pad.right_pressure = c.film.cavitation_pressure = 0;
+  c.solver.cells = 400;
+  EXPECT_THAT(topics(c), IsEmpty());
+}
+
+TEST(Pad, FilmsThatNoOilFormsAreNotedMostSeriousFirst) {
+  EXPECT_THAT(topics(slider()), IsEmpty());
+  cycle::Case thin = slider();
+  thin.pad.gap_height = {2e-10, 1e-10};
+  EXPECT_THAT(topics(thin), ::testing::ElementsAre("film-below-molecules", "film-pressure-high", "shear-stress-high"));
+  cycle::Case thick = slider();
+  thick.pad.gap_height = {2.1e-3, 1.1e-3};  // on 10 mm
+  EXPECT_THAT(topics(thick), ::testing::ElementsAre("film-too-thick"));
+}
+
+TEST(Pad, NotesOnLimitsHaveTheirFigures) {
+  cycle::Case c = slider();
+  c.lubricant.viscosity = 1e3;
+  const auto notes = solve_pad(c).notes;
+  ASSERT_THAT(notes, SizeIs(2));
+  EXPECT_EQ(notes[0].message,
+            "film pressure up to 1.25e+05 MPa: beyond 400 MPa neither the laws of density and viscosity nor rigid "
+            "surfaces hold");
+  EXPECT_THAT(notes[1].message, ::testing::StartsWith("mean shear stress in the film up to 386 MPa: real oils"));
 }
 
 }  // namespace

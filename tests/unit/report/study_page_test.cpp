@@ -96,7 +96,9 @@ TEST(StudyPage, PutsAGridInItsPlaces) {
   EXPECT_EQ(data.at("unsolved").at("reasons").at(0).at("reason"), "no film balances the load");
   const json& note = data.at("scenario_notes").at(0);
   EXPECT_EQ(note.at("topic"), "shear-rate-high");
-  EXPECT_EQ(note.at("first"), 0);
+  EXPECT_EQ(note.at("scenario"), 0);
+  EXPECT_FALSE(note.at("is_worst").get<bool>());
+  EXPECT_FALSE(note.at("serious").get<bool>());
   EXPECT_GT(note.at("count"), 10);
   EXPECT_EQ(note.at("counts").at(0).get<int>() + note.at("counts").at(1).get<int>(), note.at("count"));
   EXPECT_FALSE(data.at("has_sample").get<bool>());

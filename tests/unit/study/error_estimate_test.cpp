@@ -7,6 +7,7 @@
 
 #include "error_coverage.hpp"
 #include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/cycle_run.hpp"
 #include "study_case.hpp"
 
 namespace {
@@ -121,6 +122,22 @@ TEST(ErrorEstimate, AGridWithTooManyNodesIsRefusedAndTold) {
   EXPECT_NE(notes[0].message.find("make 2.4032e+06 nodes, more than 2e+06"), std::string::npos) << notes[0].message;
   // Three times the change to the coarser grid, 1 W, and what no order is seen in on the pair of steps, 3 x 3 W.
   EXPECT_NEAR(errors.values.mean_power_loss, 3 * 1 + 3 * 3, 0.1);
+}
+
+TEST(ErrorEstimate, OfGradedCellsIsOneNoteWithoutValues) {
+  const cycle::Case c = coarse_case();
+  cycle::CycleResult result;
+  result.samples.resize(3);
+  result.notes.push_back({cycle::kCellsGraded, "", 1});
+  std::vector<study::Ending> ended(4);
+  for (study::Ending& ending : ended) ending.result = result;
+  const ErrorEstimate errors = study::error_estimate(c, result, ended);
+  EXPECT_FALSE(study::has_values(errors));
+  EXPECT_TRUE(std::isnan(errors.values.fmep));
+  const auto notes = study::notes_on(errors);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].topic, "error-estimate-missing");
+  EXPECT_NE(notes[0].message.find("cells were graded"), std::string::npos) << notes[0].message;
 }
 
 TEST(ErrorEstimate, NeedsAnEndingOnEachOtherGrid) {

@@ -2,7 +2,7 @@
 import { element, svgElement } from './dom.js';
 import { shownInput, stoppedAt, withShortPaths } from './model.js';
 import { swatchSvg } from './svg.js';
-import { kSerious, mergedNotes } from './tables.js';
+import { mergedNotes } from './tables.js';
 import { angleInWords, number, typeset, withError } from './units.js';
 
 const kOperating = [
@@ -38,13 +38,9 @@ function warnings(model) {
   const whom = (cases) => (cases.length === model.cases.length ? '' : `${cases.map((c) => c.name).join(', ')}: `);
   const synthetic = model.cases.filter((c) => model.isSynthetic(c));
   if (synthetic.length) list.push(`${whom(synthetic)}the cylinder pressure is SYNTHETIC: made by a formula, not measured on an engine. Levels of friction and film follow from it.`);
-  for (const topic of kSerious) {
-    for (const c of model.cases) {
-      for (const note of c.notes) if (note.topic === topic) list.push(`${whom([c])}${note.message}.`);
-    }
-  }
-  for (const c of model.cases) {
-    for (const note of c.notes) if (!kSerious.includes(note.topic) && note.topic !== 'synthetic-trace') list.push(`${whom([c])}${withShortPaths(c, note.message)}.`);
+  const notes = model.cases.flatMap((c) => c.notes.map((note) => ({ c, note })));
+  for (const { c, note } of notes.sort((a, b) => a.note.rank - b.note.rank)) {
+    if (note.topic !== 'synthetic-trace') list.push(`${whom([c])}${withShortPaths(c, note.message)}.`);
   }
   return list;
 }

@@ -6,7 +6,7 @@ import { axisTitle } from './scales.js';
 import { differenceOf } from './study_compare.js';
 import { count } from './study_model.js';
 import { shareText } from './study_spread.js';
-import { kSerious, section, table } from './tables.js';
+import { section, table } from './tables.js';
 import { number, percent, sentence, shortPath, typeset, withUnit } from './units.js';
 
 const right = (text, attributes = {}) => ({ text, attributes: { class: 'number', ...attributes } });
@@ -53,9 +53,10 @@ function card(model, name) {
 /** Reasons that differ in their numbers alone are reported with those of the first. */
 const reasonText = (r) => `${sentence(r.reason)}${r.numbers_differ ? ' The numbers are those of the first.' : ''}`;
 
+/** Notes on results that mean little in their order of severity, then the most frequent. */
 function byWeight(scenarioNotes) {
-  const weight = ({ topic }) => (kSerious.includes(topic) ? kSerious.indexOf(topic) : kSerious.length);
-  return [...scenarioNotes].sort((a, b) => weight(a) - weight(b) || b.count - a.count);
+  const serious = scenarioNotes.filter((note) => note.serious);
+  return [...serious, ...scenarioNotes.filter((note) => !note.serious).sort((a, b) => b.count - a.count)];
 }
 
 export function firstScreen(model) {
@@ -164,9 +165,9 @@ export function notesSection(model) {
   const notes = byWeight(model.scenario_notes);
   const bases = model.several ? model.bases : [];
   return section('notes', 'Notes on the results',
-    element('p', {}, `What single results note: a model beyond its range, a remedy of the solver. Such scenarios count in all statistics. The figures are those of the first scenario that carries the note; the result file lists all of them.`),
-    table('Notes', [right('scenarios'), ...bases.map((b) => right(b.name)), 'note', 'topic', right('the first')],
-      notes.map((n) => [right(`${count(n.count)} of ${count(model.scenarios)}`), ...bases.map((b) => right(count(n.counts[b.index]))), sentence(n.message), { text: code(n.topic) }, right(String(n.first))]), { folds: true }));
+    element('p', {}, `What single results note: a model beyond its range, a remedy of the solver. Such scenarios count in all statistics. The figures are those of the scenario in the last column: where the note is worst, or, if no value of the cycle measures that, the first one with it. The result file lists all scenarios.`),
+    table('Notes', [right('scenarios'), ...bases.map((b) => right(b.name)), 'note', 'topic', right('figures of')],
+      notes.map((n) => [right(`${count(n.count)} of ${count(model.scenarios)}`), ...bases.map((b) => right(count(n.counts[b.index]))), sentence(n.message), { text: code(n.topic) }, right(`${n.is_worst ? 'worst: ' : 'first: '}${n.scenario}`)]), { folds: true }));
 }
 
 export function unsolvedSection(model) {

@@ -48,8 +48,8 @@ export function section(id, heading, ...content) {
 
 /** Where the errors beside the values come from. */
 function gridSentence(model) {
-  const estimated = model.cases.filter((c) => c.errors);
-  if (estimated.length === 0) return '';
+  const estimated = model.cases.filter((c) => c.errors?.has_values);
+  if (estimated.length === 0) return model.cases.some((c) => c.errors) ? ' The values have no error estimate; a note gives the reason.' : '';
   const grids = estimated[0].errors.runs.map((run) => `${run.cells} cells at ${number(run.crank_step, 3)}°`);
   return ` After ±: how far cells and crank steps may have moved the value, from marches on other grids (${grids.join(', ')}); it says nothing of models and inputs.`;
 }
@@ -99,36 +99,26 @@ export function comparisonSection(model) {
     shown.map((c) => table(model.several ? c.name : 'Computed and published values', heads, c.comparison.map((row) => comparisonRow(model, c, row)), { folds: true, classes: 'comparison' })));
 }
 
-/** Topics of notes on results that no ring has, or that the models cannot hold for, most serious first. */
-export const kSerious = ['friction-too-high', 'film-too-thick', 'film-below-molecules', 'film-pressure-high', 'shear-stress-high',
-  'film-parameter-too-low'];
-
-/** Notes whose count is of the crank angles of one cycle, and those that hold for the case as a whole. */
-const kOfCrankAngles = ['film-parameter-too-low', 'film-parameter-low', 'shear-rate-high', 'shear-stress-high',
-  'film-pressure-high', 'film-below-molecules', 'film-too-thick'];
-const kOfTheCase = ['density-extrapolated', 'viscosity-extrapolated', 'synthetic-trace', 'friction-too-high', 'cells-graded',
-  'cells-too-long', 'gas-peak-place', 'gas-compression-low', 'gas-pressure-low', 'gas-pressure-high', 'gas-trace-jump', 'ring-tension-high'];
-
-/** How often a note applies, in words; a dash where it is said of the case as a whole. */
-function often(model, c, { topic, count }) {
+/** How often a note applies, in words; a dash where it is on the case as a whole. */
+function often(model, c, { counts, count }) {
+  if (counts === 'case') return '–';
   const step = parseFloat(model.input(c, 'solver.crank_step')?.value.replace(/"/g, '') ?? '');
-  if (kOfCrankAngles.includes(topic)) return howOften(count, c.complete && step > 0 ? Math.round(720 / step) : null);
-  return kOfTheCase.includes(topic) ? '–' : howOften(count, null);
+  return howOften(count, counts === 'crank angles' && c.complete && step > 0 ? Math.round(720 / step) : null);
 }
 
-/** Notes of all cases, reported once where they agree. */
+/** Notes of all cases, the most serious first; one entry where they agree. */
 export function mergedNotes(model) {
   const merged = [];
-  const add = (topic, message, count, oneCase) => {
+  const add = (rank, topic, message, count, oneCase) => {
     const known = merged.find((n) => n.topic === topic && n.message === message && n.count === count);
     if (known) known.cases.push(oneCase);
-    else merged.push({ topic, message, count, cases: [oneCase] });
+    else merged.push({ rank, topic, message, count, cases: [oneCase] });
   };
   for (const c of model.cases) {
-    for (const n of c.notes) add(n.topic, withShortPaths(c, n.message), often(model, c, n), c);
-    for (const n of c.input_notes) add('input', withShortPaths(c, n), '–', c);
+    for (const n of c.notes) add(n.rank, n.topic, withShortPaths(c, n.message), often(model, c, n), c);
+    for (const n of c.input_notes) add(Infinity, 'input', withShortPaths(c, n), '–', c);
   }
-  return merged;
+  return merged.sort((a, b) => (a.rank === b.rank ? 0 : a.rank - b.rank));
 }
 
 export function notesSection(model) {

@@ -1,0 +1,82 @@
+#include "ringfilm/cycle/note_topics.hpp"
+
+#include <algorithm>
+
+namespace ringfilm::cycle {
+
+const std::vector<NoteTopic>& note_topics() {
+  using enum Trust;
+  using enum NoteCount;
+  using enum BadEnd;
+  static const std::vector<NoteTopic> table = {
+      {"friction-too-high", kNone, kCase, "fmep", kHighest},
+      {"film-too-thick", kNone, kCrankAngles, "max_film_thickness", kHighest},
+      {"film-below-molecules", kNone, kCrankAngles, "min_film_thickness", kLowest},
+      {"film-pressure-high", kNone, kCrankAngles, "peak_film_pressure", kHighest},
+      {"shear-stress-high", kNone, kCrankAngles},
+      {"mass-residual", kNone, kOccurrences},
+      {"face-too-steep", kNone, kCase},
+      {"film-parameter-too-low", kNone, kCrankAngles, "min_film_parameter", kLowest},
+      {"synthetic-trace", kLimited, kCase},
+      {"gas-peak-place", kLimited, kCase},
+      {"gas-compression-low", kLimited, kCase},
+      {"ring-tension-high", kLimited, kCase},
+      {"gas-trace-jump", kLimited, kCase},
+      {"gas-pressure-low", kLimited, kCase},
+      {"gas-pressure-high", kLimited, kCase},
+      {"cells-too-long", kLimited, kCase},
+      {"gap-finer-than-cells", kLimited, kCase},
+      {"coarse-grid", kLimited, kCase},
+      {"end-cells-long", kLimited, kCase},
+      {"step-control-at-its-limit", kLimited, kOccurrences},
+      {"mass-not-kept", kLimited, kOccurrences},
+      {"load-rises-with-separation", kLimited, kCase},
+      {"load-at-several-separations", kLimited, kOccurrences},
+      {"pressed-closer-than-gap", kLimited, kCase},
+      {"polynomial-beyond-range", kLimited, kOccurrences},
+      {"oil-table-left", kLimited, kOccurrences, "peak_film_pressure", kHighest},
+      {"film-parameter-low", kLimited, kCrankAngles, "min_film_parameter", kLowest},
+      {"shear-rate-high", kLimited, kCrankAngles},
+      {"coating-thin", kLimited, kCase},
+      {"gap-leakage-grows", kLimited, kCase},
+      {"edge-flow-grows", kLimited, kCase},
+      {"viscosity-extrapolated", kLimited, kCase},
+      {"density-extrapolated", kLimited, kCase},
+      {"error-estimate-missing", kFull, kCase},
+      {"error-estimate-one-sided", kFull, kCase},
+      {"cavitation-pressure-lowered", kFull, kCase},
+      {"separation-adds-to-gap", kFull, kCase},
+      {"own-oil", kFull, kCase},
+      {"cells-graded", kFull, kCase},
+      {"properties-exact", kFull, kCase},
+      {"beyond-property-fit", kFull, kOccurrences},
+      {"bracketed-search", kFull, kOccurrences},
+      {"shorter-steps", kFull, kOccurrences},
+      {"eased-start", kFull, kOccurrences},
+  };
+  return table;
+}
+
+const NoteTopic* note_topic(const std::string& topic) {
+  const std::size_t rank = note_rank(topic);
+  return rank < note_topics().size() ? &note_topics()[rank] : nullptr;
+}
+
+std::size_t note_rank(const std::string& topic) {
+  const std::vector<NoteTopic>& all = note_topics();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const NoteTopic& one) { return topic == one.name; });
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+void sort_notes(std::vector<Note>& notes) {
+  std::stable_sort(notes.begin(), notes.end(),
+                   [](const Note& a, const Note& b) { return note_rank(a.topic) < note_rank(b.topic); });
+}
+
+std::optional<double> note_badness(const std::string& topic, std::span<const double> values) {
+  const NoteTopic* entry = note_topic(topic);
+  if (entry == nullptr || entry->measure == nullptr) return std::nullopt;
+  return entry->badness(values[*cycle_quantity_index(entry->measure)]);
+}
+
+}  // namespace ringfilm::cycle
