@@ -172,8 +172,8 @@ class Outputs(FaceTest):
     def test_outputs_are_apart(self):
         self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--html", "trace_of_face.csv"),
                             "would replace what is read")
-        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--fragment", "a.toml", "--html",
-                                             "a.csv", "--as", "points"), "which is the file of --html")
+        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--fragment", "a", "--html", "a"),
+                            "--fragment and --html name the same file a")
 
 
 class Refusals(FaceTest):

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <bit>
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <map>
@@ -19,7 +18,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
-#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -164,10 +162,10 @@ InputError being_written(const std::string& path) {
 /// Takes the lock of a writer. Whoever only asks for it, check_not_being_written(), holds it for a moment.
 bool is_locked_soon(int file) {
   constexpr int kTries = 20;
-  constexpr std::chrono::milliseconds kPause(10);
+  constexpr useconds_t kPause = 10'000;  // [us]
   for (int n = 0; n < kTries; ++n) {
     if (::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;  // not every file system has locks
-    std::this_thread::sleep_for(kPause);
+    ::usleep(kPause);
   }
   return false;
 }

@@ -81,7 +81,8 @@ TEST(FaceMeasurement, TellsARoundLandWhoseTiltNobodyCanFind) {
 TEST(FaceMeasurement, HasCoefficientsInSi) {
   const TraceFile file = trace(LandOf::kFlat);
   const surface::FaceFit fit = surface::fit_face(file.trace, rule());
-  const io::MeasuredGroup& coefficients = measured(file).groups.back();
+  const io::Measurement measurement = measured(file);
+  const io::MeasuredGroup& coefficients = measurement.groups.back();
   ASSERT_EQ(coefficients.values.size(), 7U);
   const double x = 0.3e-3;
   double height = 0;
