@@ -6,9 +6,6 @@
 
 namespace ringfilm::film {
 
-/// How many iterations a film of a search may take.
-enum class Patience { kLittle, kMuch };
-
 /// The solve of one step over the workspace.
 class FilmSolve {
  public:
@@ -60,7 +57,7 @@ class FilmSolve {
       Sought sought(*this, guess, patience, report);
       report.failure = Failure::kNotConverged;
       found = search_separation(sought, guess.h_m, limits, report);
-      if (!found) explain_failure(*problem_.oil, inputs_.p_cavitation, sought.solved(), report);
+      if (!found) explain_failure(*problem_.oil, inputs_.p_cavitation, sought.solved(), patience, report);
       if (found || report.failure != Failure::kNotConverged) break;
     }
     if (found) complete_state(problem_, LaneLaws::kGiven, state_);

@@ -104,6 +104,9 @@ struct FilmState {
 
 enum class Route { kNewton, kSecant };
 
+/// How many iterations a film of a search may take.
+enum class Patience { kLittle, kMuch };
+
 /// Why a step has no solution.
 enum class Failure {
   kNone,

@@ -27,11 +27,23 @@ bool runs_away(const models::OilAtTemperature& oil, double p_low, double p_high)
   return !(oil.viscosity(p_high) < kRatio * oil.viscosity(p_low));
 }
 
+namespace {
+
+double viscosity_ratio(const models::OilAtTemperature& oil, double p_low, double p_high) {
+  return oil.viscosity(p_high) / oil.viscosity(p_low);
+}
+
+/// Oils are a glass at 1e12 Pa s, some 1e14 times their usual viscosity. Films at the limit of Barus' law show 1e28 and
+/// more, others below 1e3.
+constexpr double kGlass = 1e10;
+
+/// With Barus' law (1 - e^(-alpha p))/alpha is then within 1 in 1000 of the most that it can be.
+constexpr double kNearLimit = 1e3;
+
+}  // namespace
+
 bool is_glass(const models::OilAtTemperature& oil, double p_low, double p_high) {
-  // Oils are a glass at 1e12 Pa s, some 1e14 times their usual viscosity. Films at the limit of Barus' law show 1e28
-  // and more, others below 1e3.
-  constexpr double kRatio = 1e10;
-  return oil.viscosity(p_high) > kRatio * oil.viscosity(p_low);
+  return viscosity_ratio(oil, p_low, p_high) > kGlass;
 }
 
 bool accept(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& solved, FilmReport& report) {
@@ -43,17 +55,15 @@ bool accept(const models::OilAtTemperature& oil, double p_cavitation, const Film
 }
 
 void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& found,
-                     FilmReport& report) {
+                     Patience patience, FilmReport& report) {
   if (report.failure == Failure::kOverloaded || report.failure == Failure::kLiftedOff) return;
-  const double peak = *std::max_element(found.p.begin(), found.p.end());
   if (found.h_m < kAtom) {
     report.failure = Failure::kOverloaded;
     return;
   }
-  // With Barus' law (1 - e^(-alpha p))/alpha is then within 1 in 1000 of the most that it can be.
-  constexpr double kRatio = 1e3;
-  const bool near_limit = oil.viscosity(peak) > kRatio * oil.viscosity(p_cavitation);
-  report.failure = near_limit ? Failure::kRunsAway : Failure::kNotConverged;
+  const double ratio = viscosity_ratio(oil, p_cavitation, *std::max_element(found.p.begin(), found.p.end()));
+  const bool runs_away = ratio > (patience == Patience::kLittle ? kGlass : kNearLimit);
+  report.failure = runs_away ? Failure::kRunsAway : Failure::kNotConverged;
   report.thinnest_film = found.h_m;
 }
 

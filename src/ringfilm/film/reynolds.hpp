@@ -25,10 +25,11 @@ bool is_glass(const models::OilAtTemperature& oil, double p_low, double p_high);
 bool accept(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& solved, FilmReport& report);
 
 /// A search for the separation has failed: kOverloaded below the size of an atom, kRunsAway if viscosity has begun to
-/// run away in the last film that was found, else kNotConverged; overloads and lift-offs remain. @param p_cavitation
-/// [Pa]
+/// run away in the last film that was found, else kNotConverged; overloads and lift-offs remain. With little patience a
+/// film that was not found may exist next to one in which viscosity rises but is not yet that of a solid.
+/// @param p_cavitation [Pa]
 void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& found,
-                     FilmReport& report);
+                     Patience patience, FilmReport& report);
 
 /// Mass flux of a solved film through the face between nodes i and i+1, positive in +x [kg/(m s)].
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i);

@@ -47,7 +47,8 @@ class SheetSolve : public film::SoughtFilm {
     solved_ = guess_;
     const film::SearchLimits limits{film::thickest(problem_.strip), inputs_.strip.load, problem_.strip.tolerance};
     const bool found = film::search_separation(*this, guess_.h_m, limits, report_);
-    if (!found) film::explain_failure(*problem_.strip.oil, inputs_.strip.p_cavitation, solved_, report_);
+    if (!found)
+      film::explain_failure(*problem_.strip.oil, inputs_.strip.p_cavitation, solved_, film::Patience::kMuch, report_);
     if (found) finish(film::LaneLaws::kGiven);
     return found;
   }
