@@ -29,7 +29,7 @@ constexpr double kUncontrolled = 0.05;
 std::string reason(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
                    const film::FilmReport& report) {
   const film::FilmGrid& grid = problem.grid;
-  const double gas = 0.5 * (inputs.p_left + inputs.p_right), pressing = inputs.mean_pressure(grid);
+  const double gas = 0.5 * (inputs.left.pressure + inputs.right.pressure), pressing = inputs.mean_pressure(grid);
   const double load = inputs.load / 1e3;
   const double smallest_cell = *std::min_element(grid.spacing.begin(), grid.spacing.end());
   char text[320];
@@ -46,7 +46,7 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
             text, sizeof text,
             "the gas lifts the ring off: %.4g and %.4g bar at the edges of its face press it away with %.3g bar "
             "more than the %.4g bar that press it on",
-            inputs.p_left / 1e5, inputs.p_right / 1e5, (gas - pressing) / 1e5, pressing / 1e5);
+            inputs.left.pressure / 1e5, inputs.right.pressure / 1e5, (gas - pressing) / 1e5, pressing / 1e5);
       } else {
         std::snprintf(text, sizeof text,
                       "the film carries more than the load of %.4g N per mm of circumference up to a thickness of "
@@ -91,8 +91,8 @@ March::Boundary March::boundary(double crank_angle_deg, double time_step) const 
   Boundary b;
   b.axis = turned ? Axis::kFromCrankcase : Axis::kFromChamber;
   b.inputs.U = turned ? -U : U;
-  b.inputs.p_left = turned ? p_cc : p_ic;
-  b.inputs.p_right = turned ? p_ic : p_cc;
+  b.inputs.left.pressure = turned ? p_cc : p_ic;
+  b.inputs.right.pressure = turned ? p_ic : p_cc;
   b.inputs.p_cavitation = std::min({setup_.input.film.cavitation_pressure, p_ic, p_cc});
   b.inputs.load = (setup_.elastic_pressure + setup_.input.gas.pressure_behind_ring * p_ic) * problem().grid.width;
   b.inputs.time_step = time_step;

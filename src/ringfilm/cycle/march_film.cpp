@@ -69,7 +69,7 @@ sheet::Around strips_of(const Case& c) {
 }
 
 sheet::SheetInputs sheet_inputs(const film::FilmInputs& inputs) {
-  const double p_end = 0.5 * (inputs.p_left + inputs.p_right);
+  const double p_end = 0.5 * (inputs.left.pressure + inputs.right.pressure);
   return {inputs, p_end, p_end, {}};
 }
 

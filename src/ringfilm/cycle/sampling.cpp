@@ -49,8 +49,8 @@ Sample sample(const Setup& setup, const March& march, const Instant& instant, co
   const bool from_chamber_edge = instant.axis == Axis::kFromChamber;
   s.piston_velocity = from_chamber_edge ? in.U : -in.U;
   s.sliding_distance = sliding_distance(setup.crank, angle, s.piston_position);
-  s.gas_pressure = from_chamber_edge ? in.p_left : in.p_right;
-  s.crankcase_pressure = from_chamber_edge ? in.p_right : in.p_left;
+  s.gas_pressure = from_chamber_edge ? in.left.pressure : in.right.pressure;
+  s.crankcase_pressure = from_chamber_edge ? in.right.pressure : in.left.pressure;
   s.applied_load = in.load * length;
   s.hydrodynamic_load = integrals.hydrodynamic_load * length;
   s.asperity_load = integrals.asperity_load * length;

@@ -24,13 +24,15 @@ struct LaneKind {
   const film::FilmKernels* kernels;
   film::LaneLaws laws;
   film::LaneCavity cavity;
+  film::Bounds bounds;
   friend auto operator<=>(const LaneKind&, const LaneKind&) = default;
 };
 
 LaneKind kind_of(const film::FilmProblem& problem) {
-  return {std::bit_ceil(static_cast<unsigned>(problem.grid.n_cells())), problem.kernels, film::best_laws(problem),
-          problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFill
-                                                                  : film::LaneCavity::kMultiplier};
+  return {
+      std::bit_ceil(static_cast<unsigned>(problem.grid.n_cells())), problem.kernels, film::best_laws(problem),
+      problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFill : film::LaneCavity::kMultiplier,
+      problem.bounds};
 }
 
 /// The lanes of one kind.

@@ -45,12 +45,20 @@ struct Flux {
   Real value, by_left, by_right, by_h;
 };
 
+/// Lowest pressures of the nodes of a film.
+enum class Bounds {
+  kOne,  ///< p_c at all nodes: pressure drives oil out of full nodes alone
+  kOwn,  ///< each node has its own (eq-pressure-bound): pressure drives out of a node the oil that it has
+};
+
 /// The walls as the faces see them. @tparam kFill the cavity carries theta of its upstream node
-template <class Real, bool kFill>
+template <class Real, bool kFill, Bounds kBounds>
 struct Motion {
   Real quarter_U, fill_from_left, fill_from_right;  ///< U/4; slopes in z of what a cavity on this side carries
+  Real inverse_fill_scale;
 
-  RINGFILM_INLINE Motion(Real quarter_U_, Real inverse_fill_scale) : quarter_U(quarter_U_) {
+  RINGFILM_INLINE Motion(Real quarter_U_, Real inverse_fill_scale_)
+      : quarter_U(quarter_U_), inverse_fill_scale(inverse_fill_scale_) {
     const Real to_right = select(quarter_U >= Real(0), Real(1), Real(0));
     fill_from_left = to_right * quarter_U * inverse_fill_scale;
     fill_from_right = (Real(1) - to_right) * quarter_U * inverse_fill_scale;
@@ -66,22 +74,37 @@ struct Motion {
 
 /// @param h mean height of the face  @param conductance of the mean of h^3
 /// @param third a third of the slope of `conductance` in h
-template <class Real, bool kFill>
-RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFill>& motion, Real h, Real conductance, Real third,
+template <class Real, bool kFill, Bounds kBounds>
+RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFill, kBounds>& motion, Real h, Real conductance, Real third,
                                 const Node<Real>& left, const Node<Real>& right) {
   const Real K = left.K + right.K;
   const Real rho = left.rho + right.rho;
   const Real dp = right.p - left.p;
   const Real upwind = motion.upwind(left, right);
   const Real couette = upwind * h;
+  [[maybe_unused]] Real drained_left(0), drained_right(0);
+  if constexpr (kFill && kBounds == Bounds::kOwn) {
+    const auto to_left = dp > Real(0);
+    const Real theta = select(to_left, right.theta, left.theta);
+    const Real drained = -conductance * (K * dp) * motion.inverse_fill_scale;
+    drained_left = select(to_left, Real(0), drained);
+    drained_right = select(to_left, drained, Real(0));
+    conductance = theta * conductance;
+    third = theta * third;
+  }
   Flux<Real> flux;
   flux.value = face_flux(couette, rho, conductance, K, dp);
   const Real film_left = couette * left.drho + conductance * (K - left.dK * dp);
   const Real film_right = couette * right.drho - conductance * (K + right.dK * dp);
   if constexpr (kFill) {
     const Real stream = h * rho;
-    flux.by_left = select(left.is_film, film_left, motion.fill_from_left * stream);
-    flux.by_right = select(right.is_film, film_right, motion.fill_from_right * stream);
+    if constexpr (kBounds == Bounds::kOwn) {
+      flux.by_left = select(left.is_film, film_left, motion.fill_from_left * stream + drained_left);
+      flux.by_right = select(right.is_film, film_right, motion.fill_from_right * stream + drained_right);
+    } else {
+      flux.by_left = select(left.is_film, film_left, motion.fill_from_left * stream);
+      flux.by_right = select(right.is_film, film_right, motion.fill_from_right * stream);
+    }
   } else {
     flux.by_left = select(left.is_film, film_left, Real(0));
     flux.by_right = select(right.is_film, film_right, Real(0));

@@ -118,9 +118,9 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   const auto next = [&](int i, bool cavity) { return problem.kernels->next_node(deficit, i, n, cavity); };
   for (int i = next(1, true); i < n; i = next(i, true)) {
     Cavity cavity;
-    cavity.begin = front_position(grid, state.p, inputs.p_cavitation, i - 1, i);
+    cavity.begin = front_position(grid, state.p, inputs.pressure_bound(grid, i), i - 1, i);
     i = next(i, false);
-    cavity.end = std::max(front_position(grid, state.p, inputs.p_cavitation, i, i - 1), cavity.begin);
+    cavity.end = std::max(front_position(grid, state.p, inputs.pressure_bound(grid, i - 1), i, i - 1), cavity.begin);
     sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
     sums.cavities.push_back(cavity);
   }

@@ -19,12 +19,14 @@ constexpr int kSamplesPerCell = 8;
 
 }  // namespace
 
-void add_shares(FilmGrid& grid) {
+void complete_grid(FilmGrid& grid) {
   grid.share.assign(grid.x.size(), 0.0);
   for (int i = 0; i < grid.n_cells(); ++i) {
     grid.share[i] += 0.5 * grid.spacing[i];
     grid.share[i + 1] += 0.5 * grid.spacing[i];
   }
+  grid.throat =
+      static_cast<int>(std::min_element(grid.node_height.begin(), grid.node_height.end()) - grid.node_height.begin());
 }
 
 FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest,
@@ -56,7 +58,7 @@ FilmGrid graded_grid(int n_cells, double width, const std::function<double(doubl
     grid.face_height.push_back(h_middle);
   };
   for (int i = 1; i <= n_cells; ++i) add_cells(width * i / n_cells, height(width * i / n_cells), 0);
-  add_shares(grid);
+  complete_grid(grid);
   return grid;
 }
 
@@ -87,7 +89,7 @@ FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces) {
     }
     left_height = grid.node_height.back();
   }
-  add_shares(grid);
+  complete_grid(grid);
   return grid;
 }
 

@@ -44,11 +44,12 @@ struct FilmGrid {
   std::vector<double> node_height;  ///< h_s at the nodes; at a jump the mean over the node's share [m]
   std::vector<double> face_height;  ///< h_s midway between nodes i and i+1 [m]
   std::vector<GapJump> jumps;       ///< in the order of their nodes; mostly empty
+  int throat = 0;                   ///< the lowest node
 
   int n_cells() const { return static_cast<int>(face_height.size()); }
 };
-/// Computes `share` from `spacing`.
-void add_shares(FilmGrid& grid);
+/// Computes `share` from `spacing`, and the throat from the heights of the nodes.
+void complete_grid(FilmGrid& grid);
 
 FilmGrid uniform_grid(int n_cells, double width, const std::function<double(double)>& height);
 
@@ -72,17 +73,28 @@ struct FilmProblem {
   const models::GreenwoodTripp* contact = nullptr;  ///< nullptr: surfaces so smooth that they never touch
   Cavitation cavitation = Cavitation::kMassConserving;
   ContactSpread contact_spread = ContactSpread::kLocal;
-  double tolerance = 0;  ///< relative error that the iteration may leave in film and pressure [-]
+  Bounds bounds = Bounds::kOne;  ///< kOwn: gas may stand at the edges
+  double tolerance = 0;          ///< relative error that the iteration may leave in film and pressure [-]
   const FilmKernels* kernels = &film::kernels();  ///< the inner loops that this machine runs
 };
 
 inline constexpr double kSteady = std::numeric_limits<double>::infinity();
 
+/// What stands at an edge of the gap.
+enum class EdgeFluid {
+  kOil,  ///< as much oil as the film takes; cavities on this side of the lowest place of the gap are at p_c
+  kGas,  ///< gas: cavities on this side are filled with it, at the pressure of the edge
+};
+struct EdgeState {
+  double pressure = 0;  ///< absolute [Pa]
+  EdgeFluid fluid = EdgeFluid::kOil;
+  double film_content = 1;  ///< theta at the edge, of gas: 2 f/h at the first face where a film f enters [-]
+};
+
 /// What acts on the film during one step.
 struct FilmInputs {
   double U = 0;                ///< velocity of the liner against the ring, positive in +x [m/s]
-  double p_left = 0;           ///< pressure at x = 0, absolute [Pa]
-  double p_right = 0;          ///< pressure at x = b, absolute [Pa]
+  EdgeState left, right;       ///< at x = 0 and x = b
   double p_cavitation = 0;     ///< not above either edge pressure [Pa]
   double load = 0;             ///< W per length [N/m]
   double time_step = kSteady;  ///< [s]
@@ -91,6 +103,13 @@ struct FilmInputs {
 
   /// Mean pressure that the film and the asperities must carry: the scale of all pressures [Pa].
   double mean_pressure(const FilmGrid& grid) const { return load / grid.width; }
+
+  /// The lowest pressure that the film can have at node `i` (eq-pressure-bound) [Pa].
+  double pressure_bound(const FilmGrid& grid, int i) const {
+    const EdgeState& edge = i < grid.throat ? left : right;
+    return edge.fluid == EdgeFluid::kGas && i != grid.throat ? edge.pressure : p_cavitation;
+  }
+  bool has_gas() const { return left.fluid == EdgeFluid::kGas || right.fluid == EdgeFluid::kGas; }
 };
 
 /// The film at one instant; the start of the next step.

@@ -75,9 +75,10 @@ struct ContactSums {
 /// Mass flux in +x through the face between nodes i and i+1. @param rho,K of these two nodes
 RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double* rho, const double* K, int i) {
   const double h = film.h_m + film.face_height[i];
-  const double fill = 1 - film.fill_share * film.deficit[U >= 0 ? i : i + 1];
-  return face_flux(entrainment(0.25 * U, fill, h), rho[0] + rho[1], conductance(h * h * h, film.spacing[i]),
-                   K[0] + K[1], film.p[i + 1] - film.p[i]);
+  const double dp = film.p[i + 1] - film.p[i];
+  const auto fill = [&](bool from_left) { return 1 - film.fill_share * film.deficit[from_left ? i : i + 1]; };
+  return face_flux(entrainment(0.25 * U, fill(U >= 0), h), rho[0] + rho[1],
+                   fill(dp <= 0) * conductance(h * h * h, film.spacing[i]), K[0] + K[1], dp);
 }
 
 /// Sums along the face with packs of Real, and what is left over one by one.

@@ -16,13 +16,14 @@ constexpr double kCoarseTolerance = 1e-4;  // of films that are only started fro
 FilmState coarse_guess(const FilmProblem& problem, const FilmInputs& inputs) {
   const int n = problem.grid.n_cells();
   const double p_mean = inputs.mean_pressure(problem.grid);
-  const double eta = problem.oil->viscosity(std::max(inputs.p_left, inputs.p_right));
+  const double eta = problem.oil->viscosity(std::max(inputs.left.pressure, inputs.right.pressure));
   FilmState state;
   const double rough = problem.contact == nullptr ? 0.0 : 2 * problem.contact->parameters().sigma;
   state.h_m = std::max(rough, std::sqrt(kSliderLoad * eta * std::abs(inputs.U) * problem.grid.width / p_mean));
   for (const double x : problem.grid.x) {
     const double share = x / problem.grid.width;
-    state.p.push_back(std::max(inputs.p_left + (inputs.p_right - inputs.p_left) * share, inputs.p_cavitation));
+    state.p.push_back(
+        std::max(inputs.left.pressure + (inputs.right.pressure - inputs.left.pressure) * share, inputs.p_cavitation));
   }
   state.deficit.assign(n + 1, 0.0);
   state.content.assign(n + 1, 0.0);
@@ -45,7 +46,7 @@ FilmProblem coarsened(const FilmProblem& problem) {
     grid.spacing.push_back(grid.x[i + 1] - grid.x[i]);
     grid.face_height.push_back(fine.node_height[2 * i + 1]);
   }
-  add_shares(grid);
+  complete_grid(grid);
   return coarse;
 }
 

@@ -5,20 +5,29 @@
 /// For the sources that compile the kernels, each for one kind of machine: kernels_*.cpp.
 namespace ringfilm::film {
 
+template <class Real, class Wide, LaneLaws kLaws, LaneCavity kCavity>
+void sweep_with_bounds(LaneBlock& block) {
+  if (block.bounds == Bounds::kOne) {
+    NewtonSweep<Real, Wide, kLaws, kCavity, Bounds::kOne>(block).run();
+  } else {
+    NewtonSweep<Real, Wide, kLaws, kCavity, Bounds::kOwn>(block).run();
+  }
+}
+
 template <class Real, class Wide>
 void sweep(LaneBlock& block) {
   const bool fill = block.cavity == LaneCavity::kFill;
   if (block.laws == LaneLaws::kFitted) {
     if (fill) {
-      NewtonSweep<Real, Wide, LaneLaws::kFitted, LaneCavity::kFill>(block).run();
+      sweep_with_bounds<Real, Wide, LaneLaws::kFitted, LaneCavity::kFill>(block);
     } else {
-      NewtonSweep<Real, Wide, LaneLaws::kFitted, LaneCavity::kMultiplier>(block).run();
+      sweep_with_bounds<Real, Wide, LaneLaws::kFitted, LaneCavity::kMultiplier>(block);
     }
   } else {
     if (fill) {
-      NewtonSweep<Real, Wide, LaneLaws::kGiven, LaneCavity::kFill>(block).run();
+      sweep_with_bounds<Real, Wide, LaneLaws::kGiven, LaneCavity::kFill>(block);
     } else {
-      NewtonSweep<Real, Wide, LaneLaws::kGiven, LaneCavity::kMultiplier>(block).run();
+      sweep_with_bounds<Real, Wide, LaneLaws::kGiven, LaneCavity::kMultiplier>(block);
     }
   }
 }

@@ -36,9 +36,11 @@ struct LaneBlock {
   int n_cells;
   LaneLaws laws;
   LaneCavity cavity;
+  Bounds bounds;
 
   // Over nodes 0..n
   double* z;                          ///< eq-fill, "one number per node" [Pa]
+  double* bound;                      ///< lowest pressure over p_c; only with Bounds::kOwn [Pa]
   double* inflow;                     ///< what the step before left and what sources add [kg/(m s)]
   double* node_height;                ///< h_s [m]
   double* share;                      ///< [m]

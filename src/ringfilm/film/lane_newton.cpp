@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "ringfilm/base/aligned.hpp"
 #include "ringfilm/film/load_balance.hpp"
@@ -17,7 +18,7 @@ constexpr int kGrowthAfter = 3;
 constexpr int kLargestReach = 1 << 20;
 constexpr int kRetreats = 6;
 
-constexpr int kNodalArrays = 13;
+constexpr int kNodalArrays = 14;
 
 /// Nothing moves and nothing changes: no equation holds the fill, and a node that the iteration put below p_c is held
 /// there by the multiplier, as in Reynolds' exit, until its pressure comes back.
@@ -35,9 +36,9 @@ LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
   const std::size_t stride =
       (nodes * width + base::kNumbersPerLine - 1) / base::kNumbersPerLine * base::kNumbersPerLine;
   double* array = base::aligned_zeros(memory_, kNodalArrays * stride);
-  for (double** nodal :
-       {&block_.z, &block_.inflow, &block_.node_height, &block_.share, &block_.face_height, &block_.conductance,
-        &block_.upper, &block_.column, &block_.rhs, &block_.rho, &block_.drho_dp, &block_.K, &block_.dK_dp}) {
+  for (double** nodal : {&block_.z, &block_.bound, &block_.inflow, &block_.node_height, &block_.share,
+                         &block_.face_height, &block_.conductance, &block_.upper, &block_.column, &block_.rhs,
+                         &block_.rho, &block_.drho_dp, &block_.K, &block_.dK_dp}) {
     *nodal = array;
     array += stride;
   }
@@ -61,8 +62,8 @@ void LaneNewton::clear(int lane) {
 
 void LaneNewton::clear_from(int lane, int node) {
   for (int i = node; i < most_cells_ + 1 + kPadding; ++i) {
-    for (double* array : {block_.inflow, block_.node_height, block_.share, block_.face_height, block_.conductance,
-                          block_.drho_dp, block_.dK_dp}) {
+    for (double* array : {block_.bound, block_.inflow, block_.node_height, block_.share, block_.face_height,
+                          block_.conductance, block_.drho_dp, block_.dK_dp}) {
       nodal(array, i, lane) = 0;
     }
     for (double* array : {block_.z, block_.rho, block_.K}) nodal(array, i, lane) = 1;
@@ -83,6 +84,7 @@ void LaneNewton::bind(int lane, const FilmProblem& problem) {
   fit_block();
   clear_from(lane, n);
   for (int i = 0; i <= n; ++i) {
+    nodal(block_.bound, i, lane) = 0;
     nodal(block_.node_height, i, lane) = grid.node_height[i];
     nodal(block_.share, i, lane) = grid.share[i];
   }
@@ -124,7 +126,7 @@ void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& prev
   const double beyond = kBeyondKink * block_.scale[lane];
   double* z = block_.z + lane;
   for (int i = 0; i <= at.n_cells; ++i) {
-    const double over = p[i] - p_c;
+    const double over = p[i] - p_c - nodal(block_.bound, i, lane);
     const double film = over < beyond ? beyond : over;  // a NaN stays
     z[i * width_] = deficit[i] > 0 ? -deficit[i] * fill_scale : film;
   }
@@ -140,7 +142,7 @@ void LaneNewton::limit_search_effort(int lane) {
 }
 
 void LaneNewton::go_on(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m) {
-  const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane];
+  const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane] && block_.bounds == Bounds::kOne;
   const Unknowns unknowns = Unknowns::kFilmAndSeparation;
   if (!same_zero) return start(lane, inputs, previous, previous, h_m, unknowns, block_.laws);
   set_step(lane, inputs, previous, h_m, unknowns, block_.laws, Inflow::kOfTheLane);
@@ -149,8 +151,12 @@ void LaneNewton::go_on(int lane, const FilmInputs& inputs, const FilmState& prev
 
 void LaneNewton::set_edges(int lane) {
   const Lane& at = lanes_[lane];
-  nodal(block_.z, 0, lane) = at.inputs->p_left - at.inputs->p_cavitation;
-  nodal(block_.z, at.n_cells, lane) = at.inputs->p_right - at.inputs->p_cavitation;
+  const auto z_of = [&](const EdgeState& edge) {
+    if (edge.fluid == EdgeFluid::kGas) return (edge.film_content - 1) * block_.fill_scale[lane];
+    return edge.pressure - at.inputs->p_cavitation;
+  };
+  nodal(block_.z, 0, lane) = z_of(at.inputs->left);
+  nodal(block_.z, at.n_cells, lane) = z_of(at.inputs->right);
 }
 
 void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
@@ -187,6 +193,7 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   if (block_.cavity == LaneCavity::kMultiplier) {
     block_.cavity_K[lane] = problem.oil->density(inputs.p_cavitation) / problem.oil->viscosity(inputs.p_cavitation);
   }
+  set_bounds(lane, inputs);
   block_.goes_on[lane] = inflow_is == Inflow::kOfTheLane && inputs.source.empty() ? 1 : 0;
   block_.left_h[lane] = previous.h_m;
   if (block_.goes_on[lane] > 0) return;
@@ -195,6 +202,18 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   for (int i = 0; i <= at.n_cells; ++i) inflow[i * width_] = share[i] * rate * content[i];
   for (std::size_t i = 0; i < inputs.source.size(); ++i) {
     nodal(block_.inflow, static_cast<int>(i), lane) += grid.share[i] * inputs.source[i];
+  }
+}
+
+void LaneNewton::set_bounds(int lane, const FilmInputs& inputs) {
+  const Lane& at = lanes_[lane];
+  block_.bounds = at.problem->bounds;
+  if (block_.bounds == Bounds::kOne) {
+    if (inputs.has_gas()) throw std::invalid_argument("a film between edges of oil has gas at an edge");
+    return;
+  }
+  for (int i = 0; i <= at.n_cells; ++i) {
+    nodal(block_.bound, i, lane) = inputs.pressure_bound(at.problem->grid, i) - inputs.p_cavitation;
   }
 }
 
@@ -210,7 +229,8 @@ void LaneNewton::give_laws(int lane) {
   }
   p_.resize(problem.grid.x.size());
   for (std::size_t i = 0; i < p_.size(); ++i) {
-    p_[i] = block_.p_cavitation[lane] + std::max(nodal(block_.z, static_cast<int>(i), lane), 0.0);
+    const int node = static_cast<int>(i);
+    p_[i] = block_.p_cavitation[lane] + nodal(block_.bound, node, lane) + std::max(nodal(block_.z, node, lane), 0.0);
   }
   oil_.update(*problem.oil, p_);
   for (int i = 0; i <= lanes_[lane].n_cells; ++i) {
@@ -288,7 +308,7 @@ void LaneNewton::help_along(int lane, bool only_advanced) {
 
 double LaneNewton::peak_pressure(int lane) const {
   const FilmInputs& inputs = *lanes_[lane].inputs;
-  return std::max({inputs.p_cavitation + block_.peak[lane], inputs.p_left, inputs.p_right});
+  return std::max({inputs.p_cavitation + block_.peak[lane], inputs.left.pressure, inputs.right.pressure});
 }
 
 void LaneNewton::read(int lane, FilmState& state) const {
@@ -299,9 +319,16 @@ void LaneNewton::read(int lane, FilmState& state) const {
   state.deficit.resize(n_nodes);
   kernels_->read({block_.z + lane, width_, inputs.p_cavitation, block_.inverse_fill_scale[lane]},
                  static_cast<int>(n_nodes), {state.p.data(), state.deficit.data()});
-  state.p.front() = inputs.p_left;
-  state.p.back() = inputs.p_right;
-  state.deficit.front() = state.deficit.back() = 0;
+  if (block_.bounds == Bounds::kOwn) {
+    for (std::size_t i = 0; i < n_nodes; ++i) state.p[i] += nodal(block_.bound, static_cast<int>(i), lane);
+  }
+  state.p.front() = inputs.left.pressure;
+  state.p.back() = inputs.right.pressure;
+  const auto deficit_of = [](const EdgeState& edge) {
+    return edge.fluid == EdgeFluid::kGas ? 1 - edge.film_content : 0;
+  };
+  state.deficit.front() = deficit_of(inputs.left);
+  state.deficit.back() = deficit_of(inputs.right);
 }
 
 }  // namespace ringfilm::film

@@ -87,6 +87,7 @@ class LaneNewton {
   void set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
                 LaneLaws laws, Inflow inflow_is);
   void set_edges(int lane);
+  void set_bounds(int lane, const FilmInputs& inputs);
   void fit_block();
   void give_laws(int lane);
   void conclude(int lane);

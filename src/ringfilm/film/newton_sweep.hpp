@@ -21,7 +21,7 @@ struct Choice<false, A, B> {
 
 /// @tparam Real a pack with a film in each lane
 /// @tparam Wide the widest pack of the machine: what has no neighbours is worked out along the face where Real is one
-template <class Real, class Wide, LaneLaws kLaws, LaneCavity kCavity>
+template <class Real, class Wide, LaneLaws kLaws, LaneCavity kCavity, Bounds kBounds>
 class NewtonSweep {
   static constexpr int kWidth = Real::kWidth;
   static constexpr bool kAlongFace = kWidth == 1;
@@ -110,7 +110,8 @@ class NewtonSweep {
     Visitor t[kAbreast];
     for (int a = 0; a < kAbreast; ++a) {
       const Visitor z = seen(b_.z, i, a);
-      const Visitor p = p_c + max(Visitor(0), z);
+      Visitor p = p_c + max(Visitor(0), z);
+      if constexpr (kBounds == Bounds::kOwn) p += seen(b_.bound, i, a);
       put(p, film.p, slot, a);
       if constexpr (kFill) put(Visitor(1) + min(Visitor(0), z) * inverse_fill_scale, film.theta, slot, a);
       load_ += seen(b_.share, i, a) * p;
@@ -268,7 +269,11 @@ class NewtonSweep {
       step = at(b_.rhs, i) - at(b_.column, i) * d_ln_h - at(b_.upper, i) * step;
       const Real after = kink.template take<kFill>(at(b_.z, i), step);
       check_ += after;  // a NaN of `largest` is one here as well
-      peak = max(peak, after);
+      if constexpr (kBounds == Bounds::kOwn) {
+        peak = max(peak, max(Real(0), after) + at(b_.bound, i));
+      } else {
+        peak = max(peak, after);
+      }
       after.store(b_.z + i * kWidth);
     }
     kink.largest.store(b_.largest);
@@ -280,7 +285,7 @@ class NewtonSweep {
 
   LaneBlock& b_;
   Real h_m_, inverse_fill_scale_;
-  Motion<Real, kFill> motion_;
+  Motion<Real, kFill, kBounds> motion_;
   Visitor load_, slope_;  ///< W_h + W_a, and the slope of W_a in h_m, as far as visited
   Real check_;
 };

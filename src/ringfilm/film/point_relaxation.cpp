@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/load_balance.hpp"
@@ -44,8 +45,8 @@ class PointRelaxation {
         work_(workspace),
         scale_(inputs.mean_pressure(problem.grid)),
         conserving_(problem.cavitation == Cavitation::kMassConserving) {
-    state_.p.front() = inputs.p_left;
-    state_.p.back() = inputs.p_right;
+    state_.p.front() = inputs.left.pressure;
+    state_.p.back() = inputs.right.pressure;
     const std::size_t n_nodes = state_.p.size();
     work_.theta_.assign(n_nodes, 1.0);
     for (std::size_t i = 1; i + 1 < n_nodes; ++i) {
@@ -283,6 +284,9 @@ void PointRelaxation::finish() {
 FilmReport solve_by_point_relaxation(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                                      FilmState& state, RelaxationWorkspace& workspace) {
   FilmReport report;
+  if (inputs.left.fluid == EdgeFluid::kGas || inputs.right.fluid == EdgeFluid::kGas) {
+    throw std::invalid_argument("point relaxation solves films between edges of oil");
+  }
   PointRelaxation relaxation(problem, inputs, previous, state, workspace);
   report.converged = relaxation.solve(report);
   if (report.converged) report.failure = Failure::kNone;

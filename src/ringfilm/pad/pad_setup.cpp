@@ -59,8 +59,8 @@ film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
 film::FilmInputs PadSetup::steady_inputs() const {
   film::FilmInputs inputs;
   inputs.U = U;
-  inputs.p_left = input.pad.left_pressure;
-  inputs.p_right = input.pad.right_pressure;
+  inputs.left.pressure = input.pad.left_pressure;
+  inputs.right.pressure = input.pad.right_pressure;
   inputs.p_cavitation = p_cavitation;
   return inputs;
 }

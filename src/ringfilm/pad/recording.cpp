@@ -11,7 +11,8 @@ namespace ringfilm::pad {
 std::vector<double> pressures_between_edges(const PadSetup& setup, const film::FilmGrid& grid) {
   const film::FilmInputs inputs = setup.steady_inputs();
   std::vector<double> p;
-  for (const double x : grid.x) p.push_back(inputs.p_left + (inputs.p_right - inputs.p_left) * x / grid.width);
+  for (const double x : grid.x)
+    p.push_back(inputs.left.pressure + (inputs.right.pressure - inputs.left.pressure) * x / grid.width);
   return p;
 }
 
@@ -60,8 +61,8 @@ void add_fronts(const PadSetup& setup, const film::FilmInputs& inputs, const std
   const double L = setup.input.pad.length;
   const bool leftwards = inputs.U < 0;
   const std::size_t n = deficit.size();
-  const bool open_left = leftwards && deficit[1] > 0 && inputs.p_left <= inputs.p_cavitation;
-  const bool open_right = !leftwards && deficit[n - 2] > 0 && inputs.p_right <= inputs.p_cavitation;
+  const bool open_left = leftwards && deficit[1] > 0 && inputs.left.pressure <= inputs.p_cavitation;
+  const bool open_right = !leftwards && deficit[n - 2] > 0 && inputs.right.pressure <= inputs.p_cavitation;
   for (const film::Cavity& cavity : sums.cavities) {
     const double begin = std::clamp(cavity.begin, 0.0, L), end = std::clamp(cavity.end, 0.0, L);
     sample.rupture_positions.push_back(leftwards ? end : begin);

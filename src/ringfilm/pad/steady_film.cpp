@@ -21,7 +21,7 @@ double estimated_pressure(const PadSetup& setup, const film::FilmInputs& inputs,
   const double speed = std::max(std::abs(closing), kStandstill * h_m / inputs.time_step);
   const double squeeze = eta * speed * L * L / (h_m * h_m * h_m);
   const cycle::Pad& pad = setup.input.pad;
-  double highest = std::max(inputs.p_left, inputs.p_right);
+  double highest = std::max(inputs.left.pressure, inputs.right.pressure);
   if (pad.has_sides_at_pressures()) highest = std::max({highest, pad.front_pressure, pad.back_pressure});
   const double edges = highest - inputs.p_cavitation;
   const double largest = std::max({wedge, squeeze, edges});

@@ -19,10 +19,12 @@ struct SheetBlock {
   StripSystem system;  ///< slopes of the balance of mass, in z
   film::LaneLaws laws;
   film::LaneCavity cavity;
+  film::Bounds bounds;
   bool has_steps;  ///< the gap jumps within faces
 
   // Of nodes
   double* z;                              ///< eq-fill, "one number per node" [Pa]
+  double* bound;                          ///< lowest pressure over p_c; 0 with Bounds::kOne [Pa]
   double* inflow;                         ///< what the step before left and what sources add [kg/(m s)]
   double* node_height;                    ///< [m]
   double *face_x, *low_face, *high_face;  ///< heights of the faces to the next node across and to the strips beside [m]

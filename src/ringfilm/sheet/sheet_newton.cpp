@@ -51,11 +51,11 @@ SheetNewton::SheetNewton(const SheetProblem& problem)
   StripSystem& system = block_.system;
   system.shape = shape_;
   block_.has_steps = !problem.gap.face_x_second.empty();
-  std::vector<double**> nodal = {&system.west,      &system.diagonal,    &system.east,    &system.low,
-                                 &system.high,      &system.inverse,     &system.upper,   &block_.z,
-                                 &block_.inflow,    &block_.node_height, &block_.face_x,  &block_.low_face,
-                                 &block_.high_face, &block_.rho,         &block_.drho_dp, &block_.K,
-                                 &block_.dK_dp,     &block_.column,      &block_.rhs,     &block_.load_row};
+  std::vector<double**> nodal = {
+      &system.west,      &system.diagonal, &system.east,    &system.low,         &system.high,   &system.inverse,
+      &system.upper,     &block_.z,        &block_.inflow,  &block_.node_height, &block_.face_x, &block_.low_face,
+      &block_.high_face, &block_.rho,      &block_.drho_dp, &block_.K,           &block_.dK_dp,  &block_.column,
+      &block_.rhs,       &block_.load_row, &block_.bound};
   if (block_.has_steps) {
     for (double** moment : {&block_.face_x_second, &block_.face_x_third, &block_.low_second, &block_.low_third,
                             &block_.high_second, &block_.high_third}) {
@@ -146,13 +146,17 @@ void SheetNewton::set_given(const SheetInputs& inputs) {
   const auto put = [&](int s, double p) {
     for (int i = 0; i <= last; ++i) block_.z[shape_.at(i, s)] = p - inputs.strip.p_cavitation;
   };
+  const auto z_of = [&](const film::EdgeState& edge) {
+    if (edge.fluid == film::EdgeFluid::kGas) return (edge.film_content - 1) * block_.fill_scale;
+    return edge.pressure - inputs.strip.p_cavitation;
+  };
   if (ends_ == Ends::kOpen) {
     put(-1, inputs.p_low);
     put(shape_.n_strips, inputs.p_high);
   }
   for (int s = 0; s < shape_.n_strips; ++s) {
-    block_.z[shape_.at(0, s)] = inputs.strip.p_left - inputs.strip.p_cavitation;
-    block_.z[shape_.at(last, s)] = inputs.strip.p_right - inputs.strip.p_cavitation;
+    block_.z[shape_.at(0, s)] = z_of(inputs.strip.left);
+    block_.z[shape_.at(last, s)] = z_of(inputs.strip.right);
   }
 }
 
@@ -167,6 +171,7 @@ void SheetNewton::set_step(const SheetProblem& problem, const SheetInputs& input
   block_.quarter_U = 0.25 * strip.U;
   block_.rate = 1 / strip.time_step;
   block_.p_cavitation = strip.p_cavitation;
+  block_.bounds = problem.strip.bounds;
   block_.scale = block_.fill_scale = strip.mean_pressure(problem.strip.grid);
   block_.start_h = guess.h_m;
   block_.cavity_K = problem.strip.oil->density(strip.p_cavitation) / problem.strip.oil->viscosity(strip.p_cavitation);
@@ -188,13 +193,15 @@ void SheetNewton::set_step(const SheetProblem& problem, const SheetInputs& input
     const auto from = static_cast<std::size_t>(s + first_) * shape_.n_across;
     for (int i = 0; i < shape_.n_across; ++i) {
       const std::size_t place = shape_.at(i, s);
-      const double over = guess.p[from + i] - strip.p_cavitation;
+      block_.bound[place] = strip.pressure_bound(problem.strip.grid, i) - strip.p_cavitation;
+      const double over = guess.p[from + i] - strip.p_cavitation - block_.bound[place];
       const double film = over < beyond ? beyond : over;  // a NaN stays
       block_.z[place] = guess.deficit[from + i] > 0 ? -guess.deficit[from + i] * block_.fill_scale : film;
       const double source = strip.source.empty() ? 0.0 : strip.source[from + i];
       block_.inflow[place] = block_.share[i] * (block_.rate * previous.content[from + i] + source);
     }
   }
+  if (ends_ == Ends::kJoined) StripMultigrid::join_ends(shape_, ends_, block_.bound);
   set_given(inputs);
   set_separation(inputs, guess.h_m);
 }
@@ -205,7 +212,7 @@ void SheetNewton::give_oil(const SheetProblem& problem) {
   p_.resize(shape_.n_across);
   for (int s = -1; s <= shape_.n_strips; ++s) {
     for (int i = 0; i < shape_.n_across; ++i) {
-      p_[i] = block_.p_cavitation + std::max(block_.z[shape_.at(i, s)], 0.0);
+      p_[i] = block_.p_cavitation + block_.bound[shape_.at(i, s)] + std::max(block_.z[shape_.at(i, s)], 0.0);
     }
     oil_.update(*problem.strip.oil, p_);
     for (int i = 0; i < shape_.n_across; ++i) {
@@ -354,7 +361,7 @@ SheetNewton::Outcome SheetNewton::solve(const SheetProblem& problem, const Sheet
   state.h_m = h_m;
   read(problem, inputs, state);
   outcome.peak_pressure =
-      std::max({inputs.strip.p_cavitation + block_.peak, inputs.strip.p_left, inputs.strip.p_right});
+      std::max({inputs.strip.p_cavitation + block_.peak, inputs.strip.left.pressure, inputs.strip.right.pressure});
   if (ends_ == Ends::kOpen) outcome.peak_pressure = std::max({outcome.peak_pressure, inputs.p_low, inputs.p_high});
   return outcome;
 }
@@ -368,7 +375,7 @@ void SheetNewton::read(const SheetProblem& problem, const SheetInputs& inputs, f
     for (int i = 0; i <= last; ++i) {
       const auto node = static_cast<std::size_t>(j) * shape_.n_across + i;
       const double z = block_.z[shape_.at(i, strip_of(j))];
-      state.p[node] = strip.p_cavitation + std::max(0.0, z);
+      state.p[node] = strip.p_cavitation + block_.bound[shape_.at(i, strip_of(j))] + std::max(0.0, z);
       state.deficit[node] = std::max(0.0, -z / block_.fill_scale);
     }
     const auto first = static_cast<std::size_t>(j) * shape_.n_across;
@@ -377,10 +384,14 @@ void SheetNewton::read(const SheetProblem& problem, const SheetInputs& inputs, f
       std::fill_n(state.p.begin() + static_cast<std::ptrdiff_t>(first), shape_.n_across,
                   j == 0 ? inputs.p_low : inputs.p_high);
     } else {
-      state.p[first] = strip.p_left;
-      state.p[first + last] = strip.p_right;
+      state.p[first] = strip.left.pressure;
+      state.p[first + last] = strip.right.pressure;
     }
-    state.deficit[first] = state.deficit[first + last] = 0;
+    const auto deficit_of = [](const film::EdgeState& edge) {
+      return edge.fluid == film::EdgeFluid::kGas ? 1 - edge.film_content : 0;
+    };
+    state.deficit[first] = deficit_of(strip.left);
+    state.deficit[first + last] = deficit_of(strip.right);
   }
 }
 

@@ -14,7 +14,7 @@ RINGFILM_INLINE void for_packs(const ZebraShape& shape, const Body& body) {
   }
 }
 
-template <class Real, film::LaneCavity kCavity, bool kSteps>
+template <class Real, film::LaneCavity kCavity, bool kSteps, film::Bounds kBounds>
 class SheetBalance {
   using Mask = typename Real::Mask;
   static constexpr bool kFill = kCavity == film::LaneCavity::kFill;
@@ -40,7 +40,9 @@ class SheetBalance {
 
   RINGFILM_INLINE Node node(std::size_t place) const {
     const Real z = Real::load(b_.z + place);
-    return {max(Real(0), z),  // over p_c: gradients alone count
+    Real p = max(Real(0), z);  // over p_c: gradients alone count
+    if constexpr (kBounds == film::Bounds::kOwn) p += Real::load(b_.bound + place);
+    return {p,
             kFill ? Real(1) + min(Real(0), z) * inverse_fill_scale_ : Real(1),
             Real::load(b_.rho + place),
             Real::load(b_.drho_dp + place),
@@ -154,7 +156,9 @@ class SheetBalance {
         Real along(0);
         for (int k = 0; k + Real::kWidth <= shape_.stride; k += Real::kWidth) {
           const Real weight = Real::load(b_.weight + static_cast<std::size_t>(colour) * shape_.stride + k);
-          along += weight * (Real(b_.p_cavitation) + max(Real(0), Real::load(b_.z + row + k)));
+          Real over = max(Real(0), Real::load(b_.z + row + k));
+          if constexpr (kBounds == film::Bounds::kOwn) over += Real::load(b_.bound + row + k);
+          along += weight * (Real(b_.p_cavitation) + over);
         }
         load += Real(b_.share[i]) * along;
       }
@@ -165,7 +169,7 @@ class SheetBalance {
   SheetBlock& b_;
   const ZebraShape shape_;
   Real inverse_fill_scale_;
-  film::Motion<Real, kFill> motion_;
+  film::Motion<Real, kFill, kBounds> motion_;
   Real ln_h_scale_;
 };
 
@@ -180,7 +184,8 @@ void oil(SheetBlock& b) {
       for (int a = 0; a < kAbreast; ++a) value[a].store(to + place + a * Real::kWidth);
     };
     for (int a = 0; a < kAbreast; ++a) {
-      const Real p = Real(b.p_cavitation) + max(Real(0), Real::load(b.z + place + a * Real::kWidth));
+      Real p = Real(b.p_cavitation) + max(Real(0), Real::load(b.z + place + a * Real::kWidth));
+      if (b.bounds == film::Bounds::kOwn) p += Real::load(b.bound + place + a * Real::kWidth);
       t[a] = min(Real(1), (p - Real(b.fit_centre)) * Real(b.fit_inverse_half_width));
     }
     base::sum_of_powers<film::kFluidityTerms, kAbreast>(b.fit_K, t, value);
@@ -194,23 +199,27 @@ void oil(SheetBlock& b) {
   }
 }
 
-template <class Real>
-void balance(SheetBlock& b) {
-  const bool fill = b.cavity == film::LaneCavity::kFill;
+template <class Real, film::LaneCavity kCavity, film::Bounds kBounds>
+void balance_of(SheetBlock& b) {
   if (b.has_steps) {
-    if (fill) {
-      SheetBalance<Real, film::LaneCavity::kFill, true>(b).run();
-    } else {
-      SheetBalance<Real, film::LaneCavity::kMultiplier, true>(b).run();
-    }
-  } else if (fill) {
-    SheetBalance<Real, film::LaneCavity::kFill, false>(b).run();
+    SheetBalance<Real, kCavity, true, kBounds>(b).run();
   } else {
-    SheetBalance<Real, film::LaneCavity::kMultiplier, false>(b).run();
+    SheetBalance<Real, kCavity, false, kBounds>(b).run();
   }
 }
 
-template <class Real, bool kFill>
+template <class Real>
+void balance(SheetBlock& b) {
+  using enum film::LaneCavity;
+  using enum film::Bounds;
+  if (b.cavity == kFill) {
+    b.bounds == kOne ? balance_of<Real, kFill, kOne>(b) : balance_of<Real, kFill, kOwn>(b);
+  } else {
+    b.bounds == kOne ? balance_of<Real, kMultiplier, kOne>(b) : balance_of<Real, kMultiplier, kOwn>(b);
+  }
+}
+
+template <class Real, bool kFill, film::Bounds kBounds>
 void update_nodes(SheetBlock& b, const double* step) {
   const ZebraShape& shape = b.system.shape;
   film::KinkStep<Real> kink{Real(b.scale), Real(1 / b.scale), Real(b.fill_scale), Real(1 / b.fill_scale)};
@@ -223,7 +232,9 @@ void update_nodes(SheetBlock& b, const double* step) {
       const Real move = select(inside, Real::load(step + place), Real(0));
       const Real after = kink.template take<kFill>(Real::load(b.z + place), move);
       check += select(inside, after, Real(0));
-      peak = max(peak, select(inside, after, Real(0)));
+      Real over = after;
+      if constexpr (kBounds == film::Bounds::kOwn) over = max(Real(0), after) + Real::load(b.bound + place);
+      peak = max(peak, select(inside, over, Real(0)));
       after.store(b.z + place);
     }
   });
@@ -243,10 +254,11 @@ void update_nodes(SheetBlock& b, const double* step) {
 
 template <class Real>
 void update(SheetBlock& b, const double* step) {
+  using enum film::Bounds;
   if (b.cavity == film::LaneCavity::kFill) {
-    update_nodes<Real, true>(b, step);
+    b.bounds == kOne ? update_nodes<Real, true, kOne>(b, step) : update_nodes<Real, true, kOwn>(b, step);
   } else {
-    update_nodes<Real, false>(b, step);
+    b.bounds == kOne ? update_nodes<Real, false, kOne>(b, step) : update_nodes<Real, false, kOwn>(b, step);
   }
 }
 

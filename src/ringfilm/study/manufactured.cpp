@@ -80,7 +80,7 @@ class Film {
   film::FilmState solved(double t, double time_step, const film::FilmState& previous) const {
     film::FilmInputs inputs;
     inputs.U = kSpeed;
-    inputs.p_left = inputs.p_right = kEdge;
+    inputs.left.pressure = inputs.right.pressure = kEdge;
     inputs.load = kPeak / 2 * kWidth;
     inputs.time_step = time_step;
     for (const double x : problem_.grid.x) inputs.source.push_back(source(x, t, swing_));

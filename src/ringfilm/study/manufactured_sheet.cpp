@@ -130,7 +130,7 @@ class Sheet {
   film::FilmState solved(double t, double time_step, const film::FilmState& previous) const {
     sheet::SheetInputs inputs;
     inputs.strip.U = kSpeed;
-    inputs.strip.p_left = inputs.strip.p_right = inputs.p_low = inputs.p_high = kEdge;
+    inputs.strip.left.pressure = inputs.strip.right.pressure = inputs.p_low = inputs.p_high = kEdge;
     inputs.strip.load = kPeak / 2 * kWidth;
     inputs.strip.time_step = time_step;
     for (const double y : problem_.around.y) {

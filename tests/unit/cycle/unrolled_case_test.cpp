@@ -135,8 +135,8 @@ TEST(UnrolledCase, EndsItsRingAtTheGapAndRefinesTheCellsThere) {
 
 TEST(UnrolledCase, ItsEndsHaveTheMeanOfThePressuresAtTheEdges) {
   film::FilmInputs inputs;
-  inputs.p_left = 40e5;
-  inputs.p_right = 1e5;
+  inputs.left.pressure = 40e5;
+  inputs.right.pressure = 1e5;
   const sheet::SheetInputs sheet = sheet_inputs(inputs);
   EXPECT_EQ(sheet.p_low, 20.5e5);
   EXPECT_EQ(sheet.p_high, 20.5e5);

@@ -216,8 +216,8 @@ TEST(MassConserving, FilmAtRestIsFullHoweverThinItIs) {
   for (const double h_m : {1e-9, 1e-7, 1e-5}) {
     SmoothFilm film(400, b, height, 0.005, Cavitation::kMassConserving);
     FilmInputs in;
-    in.p_left = p_left;
-    in.p_right = p_right;
+    in.left.pressure = p_left;
+    in.right.pressure = p_right;
     in.p_cavitation = 1e4;
     in.load = 115e5 * b;
     const Solved solved = steady_at(film.problem, in, h_m);
@@ -236,8 +236,8 @@ TEST(MassConserving, FilmAtRestClosesTheCavityOfItsGuess) {
   SmoothFilm film(
       50, kLength, [](double) { return 0.0; }, kEta, Cavitation::kMassConserving);
   FilmInputs in;
-  in.p_left = 2e5;
-  in.p_right = 1e5;
+  in.left.pressure = 2e5;
+  in.right.pressure = 1e5;
   in.p_cavitation = 2e4;
   in.load = 1.5e5 * kLength;
   FilmState guess = first_guess(film.problem, in);
@@ -261,7 +261,7 @@ TEST(FilmSolver, SaysThatTheGasLiftsOffWhatIsPressedOnTooLittle) {
       64, kLength, [](double x) { return kOutlet * (1 - x / kLength); }, kEta, Cavitation::kMassConserving);
   FilmInputs in;
   in.U = 0.1;
-  in.p_left = in.p_right = in.p_cavitation = 1e5;
+  in.left.pressure = in.right.pressure = in.p_cavitation = 1e5;
   in.load = 0.5e5 * kLength;
   FilmWorkspace workspace(film.problem);
   FilmState state = first_guess(film.problem, in);
@@ -278,7 +278,7 @@ TEST(ReynoldsExit, CavityHoldsTheCavitationPressureAndNoNodeLiesBelow) {
   FilmInputs in;
   in.U = 4.57;
   in.load = 1e5;
-  in.p_left = in.p_right = in.p_cavitation = 1e5;
+  in.left.pressure = in.right.pressure = in.p_cavitation = 1e5;
   const Solved solved = steady_at(film.problem, in, 25.4e-6);
   ASSERT_TRUE(solved.report.converged);
   for (std::size_t i = 0; i < solved.state.p.size(); ++i) {
@@ -298,12 +298,12 @@ TEST(Reynolds, TurningTheFaceAndTheMotionMirrorsTheFilm) {
         100, b, [&](double x) { return height(b - x); }, 0.005, cavitation);
     FilmInputs in;
     in.U = 6;
-    in.p_left = 8e5;
-    in.p_right = in.p_cavitation = 1e5;
+    in.left.pressure = 8e5;
+    in.right.pressure = in.p_cavitation = 1e5;
     in.load = 9e5 * b;
     FilmInputs back = in;
     back.U = -in.U;
-    std::swap(back.p_left, back.p_right);
+    std::swap(back.left.pressure, back.right.pressure);
     const Solved a = steady_under_load(film.problem, in, 1e-6);
     const Solved m = steady_under_load(mirrored.problem, back, 1e-6);
     ASSERT_TRUE(a.report.converged && m.report.converged);

@@ -64,8 +64,8 @@ inline LaneFilm lane_film(const BlockKind& kind, const LaneFilmForm& form) {
 
   FilmInputs inputs;
   inputs.U = form.U;
-  inputs.p_left = 0.3 * form.mean_pressure + 1e5;
-  inputs.p_right = 1.1e5;
+  inputs.left.pressure = 0.3 * form.mean_pressure + 1e5;
+  inputs.right.pressure = 1.1e5;
   inputs.p_cavitation = 0.9e5;
   inputs.load = form.mean_pressure * kWidth;
   film.first = first_guess(film.problem, inputs);

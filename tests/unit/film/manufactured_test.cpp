@@ -81,8 +81,8 @@ struct Manufactured {
   FilmInputs inputs(const Pressure& p, const Fill& theta, double t, double transient) const {
     FilmInputs in;
     in.U = kVelocity;
-    in.p_left = p(0, t);
-    in.p_right = p(kWidth, t);
+    in.left.pressure = p(0, t);
+    in.right.pressure = p(kWidth, t);
     in.p_cavitation = 1e5;
     in.load = 4e7 * kWidth;
     for (const double x : problem.grid.x) {

@@ -17,7 +17,7 @@ TEST(FilmSolver, NotANumberIsNeverASolution) {
       50, b, [](double x) { return 8e-6 * std::pow(x / b - 0.4, 2); }, 0.005, Cavitation::kMassConserving);
   FilmInputs sound;
   sound.U = 6;
-  sound.p_left = sound.p_right = sound.p_cavitation = 1e5;
+  sound.left.pressure = sound.right.pressure = sound.p_cavitation = 1e5;
   sound.load = 9e5 * b;
   sound.time_step = 1e-4;
   FilmWorkspace workspace(film.problem);
@@ -39,11 +39,14 @@ TEST(FilmSolver, NotANumberIsNeverASolution) {
   broken = start;
   broken.h_m = nan;
   EXPECT_FALSE(converges(sound, start, broken));
-  for (const auto member : {&FilmInputs::U, &FilmInputs::p_left, &FilmInputs::p_cavitation}) {
+  const auto refuses = [&](const auto& spoil) {
     FilmInputs inputs = sound;
-    inputs.*member = nan;
+    spoil(inputs);
     EXPECT_FALSE(converges(inputs, start, start));
-  }
+  };
+  refuses([nan](FilmInputs& inputs) { inputs.U = nan; });
+  refuses([nan](FilmInputs& inputs) { inputs.left.pressure = nan; });
+  refuses([nan](FilmInputs& inputs) { inputs.p_cavitation = nan; });
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ Oscillation oscillating_squeeze(int n_cells, int n_steps) {
   SmoothFilm film(
       n_cells, 1.0, [](double) { return 0.0; }, 1.0 / 6.0, Cavitation::kMassConserving);
   FilmInputs in;
-  in.p_left = in.p_right = 0.025;
+  in.left.pressure = in.right.pressure = 0.025;
   in.load = 0.025;
   in.time_step = 1.0 / n_steps;
   FilmWorkspace workspace(film.problem);

@@ -31,8 +31,8 @@ SheetIntegrals at_rest(int n_across, const std::function<double(double)>& height
   problem.around = refined_around(200, kLength, kWidth / n_across);
   problem.gap = gap_of_strips(problem.strip.grid, problem.around);
   SheetInputs inputs;
-  inputs.strip.p_left = pressures.left;
-  inputs.strip.p_right = pressures.right;
+  inputs.strip.left.pressure = pressures.left;
+  inputs.strip.right.pressure = pressures.right;
   inputs.p_low = inputs.p_high = pressures.ends;
   inputs.strip.load = 1e6 * kWidth;
   film::FilmState state;

@@ -143,7 +143,7 @@ class ManufacturedSheet {
   film::FilmState solved(double t, double time_step, const film::FilmState& previous, film::FilmState guess) const {
     SheetInputs inputs;
     inputs.strip.U = kVelocity;
-    inputs.strip.p_left = inputs.strip.p_right = inputs.p_low = inputs.p_high = kEdge;
+    inputs.strip.left.pressure = inputs.strip.right.pressure = inputs.p_low = inputs.p_high = kEdge;
     inputs.strip.load = kTop / 2 * kWidth;
     inputs.strip.time_step = time_step;
     const double transient_weight = time_step == film::kSteady ? 0 : 1;

@@ -24,7 +24,7 @@ inline SheetProblem sheet_of(const film::FilmProblem& strip, Around around) {
 inline SheetInputs inputs_of(const film::FilmInputs& strip) {
   SheetInputs inputs;
   inputs.strip = strip;
-  inputs.p_low = inputs.p_high = 0.5 * (strip.p_left + strip.p_right);
+  inputs.p_low = inputs.p_high = 0.5 * (strip.left.pressure + strip.right.pressure);
   return inputs;
 }
 
