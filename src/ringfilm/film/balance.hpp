@@ -25,8 +25,14 @@ RINGFILM_INLINE Real entrainment(Real quarter_U, Real fill_upstream, Real h) {
 /// @param cube mean of h^3 over the face [m3]  @param spacing distance of the nodes [m]
 RINGFILM_INLINE double conductance(double cube, double spacing) { return cube / (24 * spacing); }
 
-/// Mass flux in the direction of rising node numbers [kg/(m s)]. @param rho,K sums over the two nodes of the face
-/// @param dp pressure of the later node less that of the earlier one
+/// Mass flux through a face by pressure, in the direction of rising node numbers [kg/(m s)]. @param K sum over its two
+/// nodes  @param dp pressure of the later node less that of the earlier one
+template <class Real>
+RINGFILM_INLINE Real pressure_flux(Real conductance, Real K, Real dp) {
+  return -conductance * (K * dp);
+}
+
+/// The same by motion and pressure. @param rho sum over the two nodes
 template <class Real>
 RINGFILM_INLINE Real face_flux(Real entrainment, Real rho, Real conductance, Real K, Real dp) {
   return entrainment * rho - conductance * (K * dp);
@@ -86,7 +92,7 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFill, kBounds>& motion, Real
   if constexpr (kFill && kBounds == Bounds::kOwn) {
     const auto to_left = dp > Real(0);
     const Real theta = select(to_left, right.theta, left.theta);
-    const Real drained = -conductance * (K * dp) * motion.inverse_fill_scale;
+    const Real drained = pressure_flux(conductance, K, dp) * motion.inverse_fill_scale;
     drained_left = select(to_left, Real(0), drained);
     drained_right = select(to_left, drained, Real(0));
     conductance = theta * conductance;
@@ -119,7 +125,7 @@ RINGFILM_INLINE Flux<Real> cross_flux(Real conductance, Real third, const Node<R
   const Real K = low.K + high.K;
   const Real dp = high.p - low.p;
   Flux<Real> flux;
-  flux.value = -conductance * (K * dp);
+  flux.value = pressure_flux(conductance, K, dp);
   flux.by_left = select(low.is_film, conductance * (K - low.dK * dp), Real(0));
   flux.by_right = select(high.is_film, -conductance * (K + high.dK * dp), Real(0));
   flux.by_h = Real(-3) * third * (K * dp);

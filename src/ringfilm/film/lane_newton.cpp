@@ -90,7 +90,7 @@ void LaneNewton::bind(int lane, const FilmProblem& problem) {
   }
   for (int i = 0; i < n; ++i) {
     nodal(block_.face_height, i, lane) = grid.face_height[i];
-    nodal(block_.conductance, i, lane) = 1 / (24 * grid.spacing[i]);
+    nodal(block_.conductance, i, lane) = conductance(1, grid.spacing[i]);
   }
   block_.contact_reach[lane] = kNowhere;
   block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;

@@ -62,8 +62,8 @@ void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, c
     return;
   }
   const double ratio = viscosity_ratio(oil, p_cavitation, *std::max_element(found.p.begin(), found.p.end()));
-  const bool runs_away = ratio > (patience == Patience::kLittle ? kGlass : kNearLimit);
-  report.failure = runs_away ? Failure::kRunsAway : Failure::kNotConverged;
+  const bool is_cause = ratio > (patience == Patience::kLittle ? kGlass : kNearLimit);
+  report.failure = is_cause ? Failure::kRunsAway : Failure::kNotConverged;
   report.thinnest_film = found.h_m;
 }
 
@@ -93,10 +93,11 @@ double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const Fil
 
 void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const NodalOil& oil,
                        std::vector<double>& multiplier) {
-  multiplier.resize(state.p.size());
-  for (std::size_t i = 0; i < state.p.size(); ++i) {
-    const double h = state.h_m + problem.grid.node_height[i];
-    multiplier[i] = h * h * h / (6 * problem.grid.share[i]) * oil.K[i];
+  const FilmGrid& grid = problem.grid;
+  multiplier.assign(state.p.size(), 0.0);
+  for (int i = 1; i < grid.n_cells(); ++i) {
+    const double conductances = conductance(1, grid.spacing[i - 1]) + conductance(1, grid.spacing[i]);
+    multiplier[i] = multiplier_weight(conductances, state.h_m + grid.node_height[i], oil.K[i]);
   }
 }
 

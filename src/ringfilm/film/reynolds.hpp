@@ -34,7 +34,7 @@ void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, c
 /// Mass flux of a solved film through the face between nodes i and i+1, positive in +x [kg/(m s)].
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i);
 
-/// The weight of z in the cavity of Reynolds exit: the Poiseuille conductance of the node, so that z is a pressure.
+/// The weights of z in the cavity of Reynolds exit (multiplier_weight()) of the inner nodes.
 void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const NodalOil& oil,
                        std::vector<double>& multiplier);
 

@@ -53,8 +53,8 @@ class Strips {
         cube += 3 * h * problem_.gap.face_y_second[low_row + i] + problem_.gap.face_y_third[low_row + i];
       }
       const double K = fluidity(state_.p[low_row + i]) + fluidity(state_.p[high_row + i]);
-      flow += problem_.strip.grid.share[i] * film::face_flux(0.0, 0.0, film::conductance(cube, around.spacing[cell]), K,
-                                                             state_.p[high_row + i] - state_.p[low_row + i]);
+      flow += problem_.strip.grid.share[i] * film::pressure_flux(film::conductance(cube, around.spacing[cell]), K,
+                                                                 state_.p[high_row + i] - state_.p[low_row + i]);
     }
     return flow;
   }
@@ -79,8 +79,8 @@ class Strips {
     const double* third = problem_.gap.face_x_third.data() + static_cast<std::size_t>(j) * n;
     const auto height = [&](int i) { return now_.h_m + strip_.grid.face_height[i]; };
     const auto flow = [&](int i) {
-      return film::face_flux(0.0, 0.0, film::conductance(3 * height(i) * second[i] + third[i], grid.spacing[i]),
-                             fluidity(now_.p[i]) + fluidity(now_.p[i + 1]), now_.p[i + 1] - now_.p[i]);
+      return film::pressure_flux(film::conductance(3 * height(i) * second[i] + third[i], grid.spacing[i]),
+                                 fluidity(now_.p[i]) + fluidity(now_.p[i + 1]), now_.p[i + 1] - now_.p[i]);
     };
     const int upstream = inputs_.strip.U >= 0 ? 0 : 1;  // of the two nodes of a face
     const auto fill = [&](int i) { return film::fill(strip_.cavitation, now_.deficit[i + upstream]); };

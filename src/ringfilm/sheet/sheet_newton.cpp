@@ -81,7 +81,7 @@ SheetNewton::SheetNewton(const SheetProblem& problem)
   double* share = array;
   double* conductance = array + shape_.n_across;
   for (int i = 0; i < shape_.n_across; ++i) share[i] = grid.share[i];
-  for (int i = 0; i < grid.n_cells(); ++i) conductance[i] = 1 / (24 * grid.spacing[i]);
+  for (int i = 0; i < grid.n_cells(); ++i) conductance[i] = film::conductance(1, grid.spacing[i]);
   block_.share = share;
   block_.conductance = conductance;
   for (double* ones : {block_.z, block_.rho, block_.K, system.diagonal}) std::fill_n(ones, shape_.size(), 1.0);
@@ -101,7 +101,7 @@ void SheetNewton::set_gap(const SheetProblem& problem) {
     block_.is_strip[strip] = 1;
     const int low_cell = j > 0 ? j - 1 : (ends_ == Ends::kJoined ? n_cells - 1 : -1);
     const int high_cell = j < n_cells ? j : -1;
-    const auto per_share = [&](int cell) { return 1 / (24 * around.spacing[cell] * around.share[j]); };
+    const auto per_share = [&](int cell) { return film::conductance(1, around.spacing[cell]) / around.share[j]; };
     if (low_cell >= 0) block_.low_conductance[strip] = per_share(low_cell);
     if (high_cell >= 0) block_.high_conductance[strip] = per_share(high_cell);
     for (int i = 0; i < n_across; ++i) {
