@@ -5,8 +5,8 @@
 #include <string>
 
 #include "ringfilm/cycle/simulate.hpp"
-#include "ringfilm/io/case_file.hpp"
-#include "ringfilm/study/batch.hpp"
+#include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/study/ensemble/batch.hpp"
 
 // The yardstick of benchmarks/python_speed.py: prints the seconds of a run, or of a batch, of the same cases.
 // usage: case_speed run CASE RUNS | case_speed batch CASE CASES THREADS

@@ -19,13 +19,13 @@
 #include "../tests/scenarios/engine_scenario.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/cycle_run.hpp"
-#include "ringfilm/cycle/kinematics.hpp"
-#include "ringfilm/cycle/side_by_side.hpp"
+#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/march/side_by_side.hpp"
 #include "ringfilm/film/film_integrals.hpp"
-#include "ringfilm/film/kernels.hpp"
-#include "ringfilm/models/viscosity_laws.hpp"
-#include "ringfilm/study/batch.hpp"
-#include "ringfilm/study/threads.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
+#include "ringfilm/models/oil/viscosity_laws.hpp"
+#include "ringfilm/study/ensemble/batch.hpp"
+#include "ringfilm/study/ensemble/threads.hpp"
 
 /// Marches one cycle of each of many seeded scenarios (tests/scenarios), side by side in the lanes of a register, and
 /// counts how every step was solved. A film is believed only if all its numbers are finite and its load balances by a

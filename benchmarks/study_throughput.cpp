@@ -18,16 +18,16 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/io/atomic_file.hpp"
-#include "ringfilm/io/shard_file.hpp"
-#include "ringfilm/io/study_file.hpp"
-#include "ringfilm/io/study_netcdf.hpp"
-#include "ringfilm/io/study_result.hpp"
-#include "ringfilm/io/units.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/io/storage/shard_file.hpp"
+#include "ringfilm/io/study/study_file.hpp"
+#include "ringfilm/io/study/study_netcdf.hpp"
+#include "ringfilm/io/study/study_result.hpp"
+#include "ringfilm/io/text/units.hpp"
 #include "ringfilm/report/study_page.hpp"
-#include "ringfilm/study/hash.hpp"
-#include "ringfilm/study/kept_curves.hpp"
-#include "ringfilm/study/scenario.hpp"
+#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/design/scenario.hpp"
+#include "ringfilm/study/statistics/kept_curves.hpp"
 #include "ringfilm/study/study_run.hpp"
 
 /// What a study costs beside the engine: its scenarios through plan, cases, rows and their file on the disk, against

@@ -6,7 +6,7 @@ function(ringfilm_report_page target)
   set(page "${CMAKE_SOURCE_DIR}/src/ringfilm/report/page")
   set(work "${CMAKE_BINARY_DIR}/report_page")
   set(generated "${work}/page_template.cpp")
-  file(GLOB page_sources CONFIGURE_DEPENDS "${page}/src/*.js" "${page}/src/*.css")
+  file(GLOB_RECURSE page_sources CONFIGURE_DEPENDS "${page}/src/*.js" "${page}/src/*.css")
 
   add_custom_command(
     OUTPUT "${work}/packages.stamp"

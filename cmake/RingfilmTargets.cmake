@@ -1,7 +1,7 @@
 # ringfilm_library(<folder> [libraries...]): the static library ringfilm_<folder> of all sources in src/ringfilm/<folder>.
 # A name of another folder stands for its library.
 function(ringfilm_library folder)
-  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/ringfilm/${folder}/*.cpp")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/ringfilm/${folder}/*.cpp")
   set(target ringfilm_${folder})
   if(sources)
     add_library(${target} STATIC ${sources})
@@ -44,7 +44,7 @@ endfunction()
 
 # ringfilm_unit_tests(<folder> [libraries...]): the program unit_<folder> of tests/unit/<folder>/*.cpp, of which there must be one.
 function(ringfilm_unit_tests folder)
-  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/unit/${folder}/*.cpp")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/unit/${folder}/*.cpp")
   if(NOT sources)
     message(FATAL_ERROR "tests/unit/${folder} holds no *.cpp: write a test, or take ${folder} off tests/CMakeLists.txt")
   endif()
@@ -62,7 +62,7 @@ endfunction()
 
 # ringfilm_film_kernels(): the inner loops of the film, across and around.
 function(ringfilm_film_kernels)
-  ringfilm_instruction_sets("${CMAKE_SOURCE_DIR}/src/ringfilm/film/kernels")
+  ringfilm_instruction_sets("${CMAKE_SOURCE_DIR}/src/ringfilm/film/kernels/kernels")
   ringfilm_instruction_sets("${CMAKE_SOURCE_DIR}/src/ringfilm/sheet/kernels")
 endfunction()
 

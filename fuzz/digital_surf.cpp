@@ -5,7 +5,7 @@
 
 #include "fuzz_target.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/digital_surf_file.hpp"
+#include "ringfilm/instrument/formats/digital_surf_file.hpp"
 
 /// A surface of Digital Surf. Every channel that passes is read.
 RINGFILM_FUZZ_TARGET(digital_surf) {

@@ -1,7 +1,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/force_file.hpp"
+#include "ringfilm/io/measurement/force_file.hpp"
 
 /// Friction loops or their summary as CSV; what passes becomes a friction-load line.
 RINGFILM_FUZZ_TARGET(force) {

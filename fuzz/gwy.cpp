@@ -5,7 +5,7 @@
 
 #include "fuzz_target.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/gwy_file.hpp"
+#include "ringfilm/instrument/formats/gwy_file.hpp"
 
 /// A file of Gwyddion, as its program hands it over. Every channel that passes is read.
 RINGFILM_FUZZ_TARGET(gwy) {

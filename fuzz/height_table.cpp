@@ -5,7 +5,7 @@
 
 #include "fuzz_target.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/height_table_file.hpp"
+#include "ringfilm/instrument/formats/height_table_file.hpp"
 
 /// Heights as text, in the layout that the content speaks for. Every channel that passes is read.
 RINGFILM_FUZZ_TARGET(height_table) {

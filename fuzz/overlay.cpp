@@ -1,7 +1,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/overlay_file.hpp"
+#include "ringfilm/io/verification/overlay_file.hpp"
 
 /// Measured curves as CSV, to be laid over computed ones.
 RINGFILM_FUZZ_TARGET(overlay) {

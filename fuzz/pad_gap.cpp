@@ -1,7 +1,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/pad_file.hpp"
+#include "ringfilm/io/pad/pad_file.hpp"
 
 /// The gap of a pad as CSV.
 RINGFILM_FUZZ_TARGET(pad_gap) {

@@ -1,7 +1,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/pad_file.hpp"
+#include "ringfilm/io/pad/pad_file.hpp"
 
 /// How the separation of a pad changes in time, as CSV.
 RINGFILM_FUZZ_TARGET(pad_history) {

@@ -3,7 +3,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/pad_file.hpp"
+#include "ringfilm/io/pad/pad_file.hpp"
 
 /// The gap of a pad over x and y, as CSV or NetCDF. Of NetCDF only the classic form, ours to read: for the other there
 /// is a library, whose faults are not ours to find.

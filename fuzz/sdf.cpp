@@ -5,7 +5,7 @@
 
 #include "fuzz_target.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/sdf_file.hpp"
+#include "ringfilm/instrument/formats/sdf_file.hpp"
 
 /// An SDF, text or binary. Every channel that passes is read.
 RINGFILM_FUZZ_TARGET(sdf) {

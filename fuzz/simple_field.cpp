@@ -5,7 +5,7 @@
 
 #include "fuzz_target.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/simple_field_file.hpp"
+#include "ringfilm/instrument/formats/simple_field_file.hpp"
 
 /// A Gwyddion Simple Field. Every channel that passes is read.
 RINGFILM_FUZZ_TARGET(simple_field) {

@@ -1,9 +1,9 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/study_file.hpp"
-#include "ringfilm/study/plan.hpp"
-#include "ringfilm/study/scenario.hpp"
+#include "ringfilm/io/study/study_file.hpp"
+#include "ringfilm/study/design/plan.hpp"
+#include "ringfilm/study/design/scenario.hpp"
 
 /// A study, with the files of fuzz/beside to refer to; of what passes some scenarios are made.
 RINGFILM_FUZZ_TARGET(study) {

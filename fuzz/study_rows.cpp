@@ -4,8 +4,8 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/digest.hpp"
-#include "ringfilm/io/shard_file.hpp"
+#include "ringfilm/io/storage/digest.hpp"
+#include "ringfilm/io/storage/shard_file.hpp"
 
 namespace {
 

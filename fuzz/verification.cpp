@@ -3,7 +3,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/verification_file.hpp"
+#include "ringfilm/io/verification/verification_file.hpp"
 
 /// The claims of a folder of verification, in fuzz/beside, whose README and cases they refer to.
 RINGFILM_FUZZ_TARGET(verification) {

@@ -6,7 +6,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/x3p_file.hpp"
+#include "ringfilm/instrument/formats/x3p_file.hpp"
 
 /// An X3P: the archive, its XML, its points. Every channel that passes is read.
 RINGFILM_FUZZ_TARGET(x3p) {

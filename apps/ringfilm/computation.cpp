@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "progress.hpp"
+#include "ringfilm/cycle/march/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
-#include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/cycle/simulate.hpp"
-#include "ringfilm/film/kernels.hpp"
-#include "ringfilm/io/result_document.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
+#include "ringfilm/io/result/result_document.hpp"
 
 namespace ringfilm::app {
 namespace {

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/cycle/simulate.hpp"
-#include "ringfilm/io/result_file.hpp"
-#include "ringfilm/study/batch.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/study/ensemble/batch.hpp"
 
 namespace ringfilm::app {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
 
-#include "ringfilm/instrument/force_sample.hpp"
-#include "ringfilm/instrument/surface_measurement.hpp"
-#include "ringfilm/surface/face_fit.hpp"
+#include "ringfilm/instrument/documents/force_sample.hpp"
+#include "ringfilm/instrument/documents/surface_measurement.hpp"
+#include "ringfilm/surface/face/face_fit.hpp"
 
 /// How the files of cases/measured/ are measured: docs/manual/measured-chain.md has the same as words of the commands.
 namespace ringfilm::app::chain {

@@ -6,10 +6,10 @@
 
 #include "output_names.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/atomic_file.hpp"
-#include "ringfilm/io/measurement_netcdf.hpp"
-#include "ringfilm/io/measurement_text.hpp"
-#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/measurement/measurement_netcdf.hpp"
+#include "ringfilm/io/measurement/measurement_text.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/report/measurement_page.hpp"
 
 namespace ringfilm::app {

@@ -2,9 +2,9 @@
 #include <optional>
 #include <string>
 
-#include "commands.hpp"
-#include "ringfilm/io/measurement.hpp"
-#include "ringfilm/io/measurement_json.hpp"
+#include "commands/commands.hpp"
+#include "ringfilm/io/measurement/measurement.hpp"
+#include "ringfilm/io/measurement/measurement_json.hpp"
 
 namespace ringfilm::app {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "ringfilm/io/uncertain_quantity.hpp"
+#include "ringfilm/io/text/uncertain_quantity.hpp"
 
 namespace ringfilm::app {
 

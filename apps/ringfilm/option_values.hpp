@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/units.hpp"
-#include "ringfilm/surface/lateral_force_calibration.hpp"
+#include "ringfilm/io/text/units.hpp"
+#include "ringfilm/surface/friction_loop/lateral_force_calibration.hpp"
 
 namespace ringfilm::app {
 

@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-#include "terminal_text.hpp"
+#include "text/terminal_text.hpp"
 
 namespace ringfilm::app {
 namespace {

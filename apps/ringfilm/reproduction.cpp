@@ -4,10 +4,10 @@
 
 #include <limits>
 
-#include "engineering_text.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/setup.hpp"
-#include "ringfilm/io/case_file.hpp"
+#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/io/case/case_file.hpp"
+#include "text/engineering_text.hpp"
 
 namespace ringfilm::app {
 namespace {

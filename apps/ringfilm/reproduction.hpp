@@ -2,9 +2,9 @@
 #include <filesystem>
 #include <string>
 
-#include "ringfilm/cycle/case.hpp"
-#include "ringfilm/io/result_file.hpp"
-#include "ringfilm/io/units.hpp"
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::app {
 

@@ -5,11 +5,11 @@
 #include <exception>
 #include <iostream>
 
-#include "command_line.hpp"
-#include "commands.hpp"
+#include "commands/command_line.hpp"
+#include "commands/commands.hpp"
 #include "exit_codes.hpp"
 #include "ringfilm/base/error.hpp"
-#include "terminal_text.hpp"
+#include "text/terminal_text.hpp"
 
 namespace ringfilm::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "processor.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/film/kernels.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
 #include "tables.hpp"
 
 // usage: engine_speed [--quick] [--scenarios=COUNT] [--benchmark_out=FILE] [--benchmark_filter=REGEX]

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "engine_runs.hpp"
-#include "fma_peak.hpp"
+#include "fma_peak/fma_peak.hpp"
 #include "operations.hpp"
 #include "processor.hpp"
-#include "ringfilm/film/kernels.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
 #include "sampled_steps.hpp"
 
 namespace ringfilm::benchmarks {

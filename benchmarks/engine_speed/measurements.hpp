@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/case/case.hpp"
 
 /// The benchmarks of the engine by name. Each tells the processor time of one of what it counts.
 namespace ringfilm::benchmarks {

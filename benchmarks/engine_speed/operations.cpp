@@ -2,7 +2,7 @@
 
 #include "counted.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
-#include "ringfilm/film/kernels_of.hpp"
+#include "ringfilm/film/kernels/kernels_of.hpp"
 
 namespace ringfilm::benchmarks {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ringfilm/cycle/march.hpp"
+#include "ringfilm/cycle/march/march.hpp"
 #include "ringfilm/film/method.hpp"
 #include "scenarios.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "ringfilm/io/case_file.hpp"
+#include "ringfilm/io/case/case_file.hpp"
 
 namespace ringfilm::benchmarks {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "ringfilm/cycle/setup.hpp"
+#include "ringfilm/cycle/march/setup.hpp"
 
 namespace ringfilm::benchmarks {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "markdown.hpp"
-#include "ringfilm/film/kernels.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
 
 namespace ringfilm::benchmarks {
 namespace {

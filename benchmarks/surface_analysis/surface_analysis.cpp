@@ -4,15 +4,15 @@
 #include <cstdio>
 #include <string>
 
-#include "ringfilm/surface/asperities.hpp"
-#include "ringfilm/surface/bearing.hpp"
-#include "ringfilm/surface/filter.hpp"
-#include "ringfilm/surface/form.hpp"
-#include "ringfilm/surface/roughness.hpp"
-#include "ringfilm/surface/scale.hpp"
-#include "ringfilm/surface/spectrum.hpp"
-#include "ringfilm/surface/summits.hpp"
-#include "ringfilm/surface/synthetic.hpp"
+#include "ringfilm/surface/asperity/asperities.hpp"
+#include "ringfilm/surface/asperity/scale.hpp"
+#include "ringfilm/surface/asperity/summits.hpp"
+#include "ringfilm/surface/synthetic/synthetic.hpp"
+#include "ringfilm/surface/topography/bearing.hpp"
+#include "ringfilm/surface/topography/filter.hpp"
+#include "ringfilm/surface/topography/form.hpp"
+#include "ringfilm/surface/topography/roughness.hpp"
+#include "ringfilm/surface/topography/spectrum.hpp"
 
 // usage: surface_analysis [--quick] [--benchmark_out=FILE] [--benchmark_filter=REGEX]
 // How long a large height map takes to be levelled, filtered and analysed, and how much memory that needs beside the

@@ -15,7 +15,7 @@ SECTIONS = [
     ("Reference", ["case-keys", "docs/glossary", "docs/references", "docs/api/python", "docs/api/cpp"]),
     ("Theory", ["docs/theory/README", "docs/theory/*"]),
     ("Whether to believe it", ["verification", "robustness", "verification/*/README", "cases/measured/README"]),
-    ("To carry it on", ["CONTRIBUTING", "adding-*", "docs/decisions/*", "CHANGELOG"]),
+    ("To carry it on", ["CONTRIBUTING", "docs/manual/extending/*", "docs/decisions/*", "CHANGELOG"]),
 ]
 
 # Shorter words for the list at the side than the page's own heading.

@@ -1,4 +1,4 @@
-#include "ringfilm/study/batch.hpp"
+#include "ringfilm/study/ensemble/batch.hpp"
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@
 #include "interpreter.hpp"
 #include "result_object.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
-#include "ringfilm/film/kernels.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
 
 namespace ringfilm::python {
 namespace {

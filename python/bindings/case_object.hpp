@@ -3,8 +3,8 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "ringfilm/cycle/case.hpp"
-#include "ringfilm/io/units.hpp"
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::python {
 

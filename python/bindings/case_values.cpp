@@ -4,7 +4,7 @@
 
 #include "arguments.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/units.hpp"
+#include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::python {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "ringfilm/cycle/case_fields.hpp"
-#include "ringfilm/io/toml_tree.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/text/toml_tree.hpp"
 
 /// Values of case keys as Python has them.
 namespace ringfilm::python {

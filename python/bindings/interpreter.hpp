@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "bindings.hpp"
-#include "ringfilm/study/threads.hpp"
+#include "ringfilm/study/ensemble/threads.hpp"
 
 namespace ringfilm::python {
 

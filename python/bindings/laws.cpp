@@ -1,14 +1,14 @@
 #include <cmath>
 
 #include "case_object.hpp"
-#include "height_maps.hpp"
+#include "measurement/height_maps.hpp"
 #include "record.hpp"
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/setup.hpp"
+#include "ringfilm/cycle/march/setup.hpp"
 #include "ringfilm/models/asperity_contact.hpp"
-#include "ringfilm/models/lubricant.hpp"
-#include "ringfilm/models/oil_temperature.hpp"
+#include "ringfilm/models/oil/lubricant.hpp"
+#include "ringfilm/models/oil/oil_temperature.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 
 namespace ringfilm::python {

@@ -7,14 +7,14 @@
 #include "array_view.hpp"
 #include "dataset_writer.hpp"
 #include "result_object.hpp"
-#include "ringfilm/io/atomic_file.hpp"
-#include "ringfilm/io/case_file.hpp"
-#include "ringfilm/io/result_csv.hpp"
-#include "ringfilm/io/result_file_document.hpp"
-#include "ringfilm/io/result_json.hpp"
-#include "ringfilm/io/suggestion.hpp"
+#include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/result/result_csv.hpp"
+#include "ringfilm/io/result/result_file_document.hpp"
+#include "ringfilm/io/result/result_json.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/report/html.hpp"
-#include "ringfilm/study/ledger.hpp"
+#include "ringfilm/study/ensemble/ledger.hpp"
 
 namespace ringfilm::python {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "ringfilm/cycle/case.hpp"
-#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 
 namespace ringfilm::python {
 

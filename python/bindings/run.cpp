@@ -5,7 +5,7 @@
 #include "computation.hpp"
 #include "errors.hpp"
 #include "interpreter.hpp"
-#include "pad_object.hpp"
+#include "pad/pad_object.hpp"
 #include "result_object.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/pad/solve_pad.hpp"

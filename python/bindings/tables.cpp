@@ -1,10 +1,10 @@
 #include "bindings.hpp"
 #include "case_values.hpp"
-#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/result.hpp"
-#include "ringfilm/io/result_file.hpp"
-#include "ringfilm/io/units.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/io/text/units.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 
 namespace ringfilm::python {
@@ -62,7 +62,7 @@ py::dict quantities() {
 
 void bind_tables(py::module_& module) {
   using cycle::Quantity;
-  py::class_<FieldRow>(module, "Field", "One key of a case. Source: src/ringfilm/cycle/case_fields.hpp.")
+  py::class_<FieldRow>(module, "Field", "One key of a case. Source: src/ringfilm/cycle/case/case_fields.hpp.")
       .def_readonly("key", &FieldRow::key, "Its name, for example engine.bore.")
       .def_readonly("unit", &FieldRow::unit, "SI unit; 1 for a plain number, empty for words.")
       .def_readonly("display_unit", &FieldRow::display_unit, "The unit in which people write it.")

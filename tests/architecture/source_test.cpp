@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <regex>
 
 #include "source_tree.hpp"
@@ -12,6 +14,19 @@ TEST(Architecture, NoFileIsLongerThan600Lines) {
   for (const SourceFile& file : all_sources()) {
     EXPECT_LE(file.lines.size(), 600u) << file.path << ": split it by what its parts are about";
   }
+}
+
+TEST(Architecture, NoFolderHoldsMoreThan25Files) {
+  namespace fs = std::filesystem;
+  std::map<std::string, int> files;
+  for (const char* folder : {"src", "apps", "python", "tests", "benchmarks", "fuzz", "docs", "cases", "verification"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(RINGFILM_SOURCE_FOLDER) / folder)) {
+      const std::string in = entry.path().parent_path().lexically_relative(RINGFILM_SOURCE_FOLDER).string();
+      if (entry.is_regular_file() && in.find("__pycache__") == std::string::npos) ++files[in];
+    }
+  }
+  ASSERT_GT(files.size(), 50u);
+  for (const auto& [folder, count] : files) EXPECT_LE(count, 25) << folder << ": split it by what its parts are about";
 }
 
 TEST(Architecture, NoFileHasAnAtticName) {
@@ -91,10 +106,10 @@ TEST(SourceTree, CommentsAndTextAreNoCode) {
 
 TEST(SourceTree, IncludesAreFoundHoweverTheyAreSpaced) {
   const auto file =
-      parse_source("apps/ringfilm/main.cpp", "#include <vector>\n  # include \"ringfilm/io/units.hpp\" // why\n");
+      parse_source("apps/ringfilm/main.cpp", "#include <vector>\n  # include \"ringfilm/io/text/units.hpp\" // why\n");
   ASSERT_EQ(file.includes.size(), 2u);
   EXPECT_FALSE(file.includes[0].quoted);
-  EXPECT_EQ(file.includes[1].target, "ringfilm/io/units.hpp");
+  EXPECT_EQ(file.includes[1].target, "ringfilm/io/text/units.hpp");
   EXPECT_EQ(room_of_include(file.includes[1].target), "io");
   EXPECT_EQ(file.room, "apps");
 }

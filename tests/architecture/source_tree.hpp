@@ -13,7 +13,7 @@ struct Include {
 };
 
 struct SourceFile {
-  std::string path;                ///< from the project's folder, e.g. "src/ringfilm/io/units.cpp"
+  std::string path;                ///< from the project's folder, e.g. "src/ringfilm/io/text/units.cpp"
   std::string room;                ///< "io"; "ringfilm" for src/ringfilm itself, "apps", "python"
   std::vector<std::string> lines;  ///< as written
   std::vector<std::string> code;   ///< the same without comments and text literals
@@ -31,7 +31,7 @@ std::vector<SourceFile> product_sources();
 /// All sources including tests and benchmarks.
 std::vector<SourceFile> all_sources();
 
-/// The room that an include such as "ringfilm/io/units.hpp" names; empty for anything outside the project.
+/// The room that an include such as "ringfilm/io/text/units.hpp" names; empty for anything outside the project.
 std::string room_of_include(const std::string& target);
 
 /// Reads one text as if it stood at `path`.

@@ -54,6 +54,8 @@ PROGRESS = re.compile(r"^\S+: \d+ of \d+ done, .*\n", re.MULTILINE)
 # AddressSanitizer reserves terabytes of addresses: a limit of memory ends it at its start.
 IS_SANITIZED = os.environ.get("RINGFILM_SANITIZED", "") == "1"
 
+LONGEST = 900 if IS_SANITIZED else 120  # a run of the program, in seconds
+
 
 def skip_loudly(test, reason):
     print(f"\nSKIPPED {test.id()}: {reason}", flush=True)
@@ -73,7 +75,8 @@ class ProgramTest(unittest.TestCase):
         (self.folder / "case.toml").write_text(CASE)
 
     def run_program(self, *words, **how):
-        return subprocess.run([PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, timeout=120, **how)
+        return subprocess.run([PROGRAM, *words], cwd=self.folder, capture_output=True, text=True,
+                              timeout=LONGEST, **how)
 
     def run_well(self, *words):
         done = self.run_program(*words)

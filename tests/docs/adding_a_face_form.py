@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does what docs/manual/adding-a-face-form.md says, to a copy of the project: its sources compile with the warnings of
+"""Does what docs/manual/extending/adding-a-face-form.md says, to a copy of the project: its sources compile with the warnings of
 the build, and the laws of faces hold for the form of the page. What a case makes of the form would take a new build of
 all that knows a case, and is left to the reader's own.
 
@@ -9,12 +9,12 @@ usage: adding_a_face_form.py SOURCE_FOLDER BUILD_FOLDER
 from patched_project import Project
 
 LAWS = "tests/laws/motion_and_gas_laws_test.cpp"
-CYCLE = ["src/ringfilm/cycle/case_fields_ring.cpp", "src/ringfilm/cycle/setup.cpp"]
+CYCLE = ["src/ringfilm/cycle/case/case_fields_ring.cpp", "src/ringfilm/cycle/march/setup.cpp"]
 FACE = "src/ringfilm/models/ring.cpp"
 
-with Project("docs/manual/adding-a-face-form.md") as project:
+with Project("docs/manual/extending/adding-a-face-form.md") as project:
     changed = sorted(project.changes())
-    expected = sorted([LAWS, *CYCLE, FACE, "src/ringfilm/models/ring.hpp", "src/ringfilm/cycle/case.hpp",
+    expected = sorted([LAWS, *CYCLE, FACE, "src/ringfilm/models/ring.hpp", "src/ringfilm/cycle/case/case.hpp",
                        "docs/theory/ring.md"])
     if changed != expected or project.changed_files() != expected:
         project.fail(f"it should change {expected}, and changes {project.changed_files()}")

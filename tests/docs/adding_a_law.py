@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does what docs/manual/adding-a-law.md says, to a copy of the project, and looks whether all comes that it promises.
+"""Does what docs/manual/extending/adding-a-law.md says, to a copy of the project, and looks whether all comes that it promises.
 
 usage: adding_a_law.py SOURCE_FOLDER BUILD_FOLDER
 """
@@ -14,8 +14,8 @@ from patched_project import BUILD, SOURCE, Project
 sys.path.insert(0, str(SOURCE / "tests" / "cli"))
 from program import CASE, TRACE  # noqa: E402
 
-PAGE = "docs/manual/adding-a-law.md"
-LAW, THEORY = "src/ringfilm/models/viscosity_laws.cpp", "docs/theory/oil.md"
+PAGE = "docs/manual/extending/adding-a-law.md"
+LAW, THEORY = "src/ringfilm/models/oil/viscosity_laws.cpp", "docs/theory/oil.md"
 KEYS = "docs/manual/case-keys.txt"
 TRUE_SLOPE, FALSE_SLOPE = "n * a * eta", "a * eta"
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does what docs/manual/adding-a-study.md says, to a copy of the project: its study is planned and its first part run,
+"""Does what docs/manual/extending/adding-a-study.md says, to a copy of the project: its study is planned and its first part run,
 its verification passes, and fails when its expected number is spoiled.
 
 usage: adding_a_study.py SOURCE_FOLDER BUILD_FOLDER
@@ -13,7 +13,7 @@ from patched_project import BUILD, Project
 
 STUDY, VERIFICATION = "cases/studies/speed_and_tension.toml", "verification/couette1890_parallel_plates"
 
-with Project("docs/manual/adding-a-study.md") as project:
+with Project("docs/manual/extending/adding-a-study.md") as project:
     files = project.files()
     if STUDY not in files or VERIFICATION + "/reference.toml" not in files:
         project.fail(f"it shows the files {sorted(files)}")

@@ -98,7 +98,7 @@ TEST(Docs, EveryDocumentThatCodePointsToExists) {
 /// The ledger links each topic to the page of assumptions.
 TEST(Docs, EveryTopicOfTheLedgerIsArgued) {
   const std::set<std::string> argued = anchors(text_of("docs/theory/assumptions.md"));
-  const std::string ledger = text_of("src/ringfilm/study/assumptions.cpp");
+  const std::string ledger = text_of("src/ringfilm/study/ensemble/assumptions.cpp");
   const std::regex topic(R"re((?:assumption\(|topic =)\s*"([a-z-]+)")re");
   int topics = 0;
   for (auto it = std::sregex_iterator(ledger.begin(), ledger.end(), topic); it != std::sregex_iterator(); ++it) {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "document_tree.hpp"
-#include "ringfilm/models/viscosity_laws.hpp"
+#include "ringfilm/models/oil/viscosity_laws.hpp"
 
 namespace ringfilm::documents {
 namespace {

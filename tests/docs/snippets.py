@@ -30,7 +30,7 @@ import time
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGES = ["README.md", *sorted(f"docs/manual/{path.name}" for path in (ROOT / "docs" / "manual").glob("*.md"))]
+PAGES = ["README.md", *sorted(path.relative_to(ROOT).as_posix() for path in (ROOT / "docs" / "manual").rglob("*.md"))]
 SECONDS_A_BLOCK = 300
 PYTHON = "/usr/bin/python3"
 

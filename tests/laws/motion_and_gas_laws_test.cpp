@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ringfilm/models/crank_slider.hpp"
-#include "ringfilm/models/gas.hpp"
+#include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/ring.hpp"
 
 namespace {

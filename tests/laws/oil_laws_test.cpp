@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/models/lubricant.hpp"
+#include "ringfilm/models/oil/lubricant.hpp"
 
 namespace {
 

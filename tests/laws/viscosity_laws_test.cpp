@@ -1,4 +1,4 @@
-#include "ringfilm/models/viscosity_laws.hpp"
+#include "ringfilm/models/oil/viscosity_laws.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/models/oil_fit.hpp"
+#include "ringfilm/models/oil/oil_fit.hpp"
 
 // What every law of the table of viscosity laws must keep: a new one is tested by standing there.
 namespace {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const { contourLines, filledBands, labelPlace } = await import(pathToFileURL(join(process.argv[2], 'src', 'contour.js')).href);
+const { contourLines, filledBands, labelPlace } = await import(pathToFileURL(join(process.argv[2], 'src', 'plot/contour.js')).href);
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });

@@ -7,14 +7,14 @@ const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).
 const { angleInWords, crankTicks, display, howOften, logTicks, number, numberOrCount, percent, sentence, shortPath, ticks, tickText, typesetSymbol, typesetUnit, withError, withErrorAndPower, withUnit, wrapped } = await load('units.js');
 const { namesByInputs, onCycleAxis, shortNames, stoppedAt } = await load('model.js');
 const { figureCsv, fileStem } = await load('downloads.js');
-const { figureSvg } = await load('svg.js');
-const { bandOutlines, freePlace, markIndices, markPlaces } = await load('scales.js');
-const { kHeightColours, kMissingColour } = await load('colour_map.js');
-const { fieldCaption } = await load('around_figures.js');
-const { cellAt, cellEdges, crankAxis, ringAxis, Unrolled } = await load('unrolled.js');
-const { fieldMaps, stripMaps } = await load('around_figures.js');
-const { lengthUnit } = await load('map_figure.js');
-const { curveFigure, withoutPoints } = await load('measurement_figures.js');
+const { figureSvg } = await load('plot/svg.js');
+const { bandOutlines, freePlace, markIndices, markPlaces } = await load('plot/scales.js');
+const { kHeightColours, kMissingColour } = await load('plot/colour_map.js');
+const { fieldCaption } = await load('cycle/around_figures.js');
+const { cellAt, cellEdges, crankAxis, ringAxis, Unrolled } = await load('cycle/unrolled.js');
+const { fieldMaps, stripMaps } = await load('cycle/around_figures.js');
+const { lengthUnit } = await load('plot/map_figure.js');
+const { curveFigure, withoutPoints } = await load('measurement/measurement_figures.js');
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/case/case.hpp"
 
 /// Engines as nobody would build them: the sample that the march must survive.
 namespace ringfilm::cycle::testing {

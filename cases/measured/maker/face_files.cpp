@@ -5,7 +5,7 @@
 
 #include "measured_chain.hpp"
 #include "measured_files.hpp"
-#include "ringfilm/surface/random_numbers.hpp"
+#include "ringfilm/surface/synthetic/random_numbers.hpp"
 
 namespace ringfilm::measured_files {
 namespace {

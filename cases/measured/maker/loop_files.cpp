@@ -5,8 +5,8 @@
 
 #include "measured_chain.hpp"
 #include "measured_files.hpp"
-#include "ringfilm/surface/lateral_force_line.hpp"
-#include "ringfilm/surface/random_numbers.hpp"
+#include "ringfilm/surface/friction_loop/lateral_force_line.hpp"
+#include "ringfilm/surface/synthetic/random_numbers.hpp"
 
 namespace ringfilm::measured_files {
 namespace {

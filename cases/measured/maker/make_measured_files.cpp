@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "measured_files.hpp"
-#include "ringfilm/io/atomic_file.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 3) {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "measured_chain.hpp"
-#include "ringfilm/io/case_file.hpp"
+#include "ringfilm/io/case/case_file.hpp"
 
 namespace ringfilm::measured_files {
 

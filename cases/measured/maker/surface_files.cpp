@@ -3,10 +3,10 @@
 
 #include "measured_chain.hpp"
 #include "measured_files.hpp"
-#include "ringfilm/instrument/digital_surf_file.hpp"
-#include "ringfilm/instrument/x3p_writer.hpp"
-#include "ringfilm/surface/random_numbers.hpp"
-#include "ringfilm/surface/wanted_surface.hpp"
+#include "ringfilm/instrument/formats/digital_surf_file.hpp"
+#include "ringfilm/instrument/formats/x3p_writer.hpp"
+#include "ringfilm/surface/synthetic/random_numbers.hpp"
+#include "ringfilm/surface/synthetic/wanted_surface.hpp"
 
 namespace ringfilm::measured_files {
 namespace {

@@ -118,7 +118,7 @@ class Case:
         ...
 
 class Field:
-    """One key of a case. Source: src/ringfilm/cycle/case_fields.hpp."""
+    """One key of a case. Source: src/ringfilm/cycle/case/case_fields.hpp."""
     def __repr__(self) -> str:
         """Key and help."""
         ...

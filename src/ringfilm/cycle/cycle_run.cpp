@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/kinematics.hpp"
+#include "ringfilm/cycle/march/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 
 namespace ringfilm::cycle {

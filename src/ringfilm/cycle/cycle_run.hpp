@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/march.hpp"
-#include "ringfilm/cycle/recorder.hpp"
-#include "ringfilm/cycle/side_by_side.hpp"
+#include "ringfilm/cycle/march/march.hpp"
+#include "ringfilm/cycle/march/recorder.hpp"
+#include "ringfilm/cycle/march/side_by_side.hpp"
 
 namespace ringfilm::cycle {
 

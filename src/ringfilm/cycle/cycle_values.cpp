@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "ringfilm/cycle/kinematics.hpp"
-#include "ringfilm/models/oil_fit.hpp"
+#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/models/oil/oil_fit.hpp"
 
 namespace ringfilm::cycle {
 namespace {

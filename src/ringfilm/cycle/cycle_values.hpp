@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/cycle/march/setup.hpp"
 #include "ringfilm/cycle/result.hpp"
-#include "ringfilm/cycle/setup.hpp"
 #include "ringfilm/film/film_state.hpp"
 
 namespace ringfilm::cycle {

@@ -1,7 +1,7 @@
 #pragma once
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/march/setup.hpp"
 #include "ringfilm/cycle/result.hpp"
-#include "ringfilm/cycle/setup.hpp"
 
 namespace ringfilm::cycle {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "ringfilm/cycle/march.hpp"
+#include "ringfilm/cycle/march/march.hpp"
+#include "ringfilm/cycle/march/setup.hpp"
 #include "ringfilm/cycle/result.hpp"
-#include "ringfilm/cycle/setup.hpp"
 
 namespace ringfilm::cycle {
 

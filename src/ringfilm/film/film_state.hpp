@@ -3,9 +3,9 @@
 #include <limits>
 #include <vector>
 
-#include "ringfilm/film/kernels.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/models/asperity_contact.hpp"
-#include "ringfilm/models/lubricant.hpp"
+#include "ringfilm/models/oil/lubricant.hpp"
 
 /// The plain structs that travel between the film and its callers. x runs along the face, the second surface moves with
 /// +U in x; everything is per unit length around the ring.

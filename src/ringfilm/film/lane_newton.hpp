@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "ringfilm/film/film_state.hpp"
-#include "ringfilm/film/kernels.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ringfilm/instrument/binary_reader.hpp"
+#include "ringfilm/instrument/formats/binary_reader.hpp"
 
 namespace ringfilm::instrument {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/instrument/channel.hpp"
+#include "ringfilm/instrument/formats/channel.hpp"
 
 namespace ringfilm::instrument {
 

@@ -9,15 +9,15 @@
 #include <memory>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/binary_reader.hpp"
-#include "ringfilm/instrument/digital_surf_file.hpp"
-#include "ringfilm/instrument/gwy_file.hpp"
-#include "ringfilm/instrument/gwyddion_program.hpp"
+#include "ringfilm/instrument/formats/binary_reader.hpp"
+#include "ringfilm/instrument/formats/digital_surf_file.hpp"
+#include "ringfilm/instrument/formats/gwy_file.hpp"
+#include "ringfilm/instrument/formats/gwyddion_program.hpp"
+#include "ringfilm/instrument/formats/sdf_file.hpp"
+#include "ringfilm/instrument/formats/simple_field_file.hpp"
+#include "ringfilm/instrument/formats/x3p_file.hpp"
 #include "ringfilm/instrument/regular_grid.hpp"
-#include "ringfilm/instrument/sdf_file.hpp"
-#include "ringfilm/instrument/simple_field_file.hpp"
-#include "ringfilm/instrument/x3p_file.hpp"
-#include "ringfilm/io/digest.hpp"
+#include "ringfilm/io/storage/digest.hpp"
 
 namespace ringfilm::instrument {
 namespace {

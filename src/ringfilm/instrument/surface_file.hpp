@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/instrument/channel.hpp"
-#include "ringfilm/instrument/height_table_file.hpp"
-#include "ringfilm/io/units.hpp"
-#include "ringfilm/surface/topography.hpp"
+#include "ringfilm/instrument/formats/channel.hpp"
+#include "ringfilm/instrument/formats/height_table_file.hpp"
+#include "ringfilm/io/text/units.hpp"
+#include "ringfilm/surface/topography/topography.hpp"
 
 /// The door for measured surfaces: any known format in, a height map in metres out, with what was taken from where.
 namespace ringfilm::instrument {

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "ringfilm/models/polynomial.hpp"
+#include "ringfilm/models/oil/polynomial.hpp"
 
 namespace ringfilm::models {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ringfilm/base/table.hpp"
-#include "ringfilm/cycle/oil.hpp"
+#include "ringfilm/cycle/march/oil.hpp"
 
 namespace ringfilm::pad {
 namespace {

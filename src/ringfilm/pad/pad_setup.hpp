@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/film/film_state.hpp"
 #include "ringfilm/pad/gap_surface.hpp"
 

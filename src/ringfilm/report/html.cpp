@@ -7,7 +7,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/report/html_text.hpp"
 #include "ringfilm/report/page_template.hpp"
-#include "ringfilm/report/payload.hpp"
+#include "ringfilm/report/payload/payload.hpp"
 
 namespace ringfilm::report {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 
 /// Results as one self-contained web page. Reads documents, computes nothing physical.
 namespace ringfilm::report {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ringfilm/io/base64.hpp"
+#include "ringfilm/io/text/base64.hpp"
 
 namespace ringfilm::report {
 namespace {

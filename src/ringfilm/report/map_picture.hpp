@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/io/measurement.hpp"
+#include "ringfilm/io/measurement/measurement.hpp"
 
 namespace ringfilm::report {
 

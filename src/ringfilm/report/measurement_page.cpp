@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ringfilm/io/measurement_text.hpp"
-#include "ringfilm/io/thinned_curve.hpp"
+#include "ringfilm/io/measurement/measurement_text.hpp"
+#include "ringfilm/io/study/thinned_curve.hpp"
 #include "ringfilm/report/html_text.hpp"
 #include "ringfilm/report/map_picture.hpp"
 #include "ringfilm/report/page_template.hpp"
-#include "ringfilm/report/payload_numbers.hpp"
+#include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/script_text.hpp"
 
 namespace ringfilm::report {

@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-#include "ringfilm/io/measurement.hpp"
-#include "ringfilm/io/result_file.hpp"
-#include "ringfilm/io/units.hpp"
+#include "ringfilm/io/measurement/measurement.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::report {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ringfilm/report/page_template.hpp"
-#include "ringfilm/report/payload_numbers.hpp"
+#include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/script_text.hpp"
 
 namespace ringfilm::report {

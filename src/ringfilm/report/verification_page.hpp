@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/io/result_file.hpp"
-#include "ringfilm/study/verification.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/study/verification/verification.hpp"
 
 /// What `ringfilm verify` found, for people and for programs. Computes nothing.
 namespace ringfilm::report {

@@ -1,5 +1,5 @@
 #pragma once
-#include "ringfilm/film/lane_block.hpp"
+#include "ringfilm/film/kernels/lane_block.hpp"
 #include "ringfilm/sheet/zebra.hpp"
 
 /// What the compiled kernels of a sheet share with their callers: plain numbers. Arrays are zebras (zebra.hpp).

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ringfilm/base/aligned.hpp"
+#include "ringfilm/film/kernels/newton_sweep.hpp"
 #include "ringfilm/film/load_balance.hpp"
-#include "ringfilm/film/newton_sweep.hpp"
 
 namespace ringfilm::sheet {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 #include "ringfilm/base/pack.hpp"
-#include "ringfilm/film/newton_sweep.hpp"
+#include "ringfilm/film/kernels/newton_sweep.hpp"
 #include "ringfilm/sheet/sheet_kernels.hpp"
 
 /// One iteration of Newton's method on a sheet, pack by pack: a lane is a strip. docs/theory/sheet.md.

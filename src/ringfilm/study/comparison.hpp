@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/result.hpp"
-#include "ringfilm/study/ledger.hpp"
+#include "ringfilm/study/ensemble/ledger.hpp"
 
 /// A result beside published statements.
 namespace ringfilm::study {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case.hpp"
+#include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/cycle/result.hpp"
 
 /// The numbers of one run by their names, whatever was run: what checks against known answers look up.

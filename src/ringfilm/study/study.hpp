@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/study/factor.hpp"
+#include "ringfilm/study/design/factor.hpp"
 
 /// A study as one plain value in SI: what varies, how it is sampled, what is kept. Its defaults are written here.
 namespace ringfilm::study {

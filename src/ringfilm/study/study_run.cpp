@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "ringfilm/cycle/result.hpp"
-#include "ringfilm/study/kept_curves.hpp"
-#include "ringfilm/study/scenario.hpp"
+#include "ringfilm/study/design/scenario.hpp"
+#include "ringfilm/study/statistics/kept_curves.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ringfilm/cycle/result.hpp"
-#include "ringfilm/study/batch.hpp"
-#include "ringfilm/study/plan.hpp"
+#include "ringfilm/study/design/plan.hpp"
+#include "ringfilm/study/ensemble/batch.hpp"
 
 /// Runs scenarios of a plan and hands over what came of them, in their order.
 namespace ringfilm::study {

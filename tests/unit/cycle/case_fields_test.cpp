@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

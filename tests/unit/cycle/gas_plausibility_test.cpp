@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/gas_plausibility.hpp"
+#include "ringfilm/cycle/case/gas_plausibility.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case_fields.hpp"
-#include "ringfilm/cycle/setup.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/march/setup.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle {

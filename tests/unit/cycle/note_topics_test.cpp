@@ -54,7 +54,8 @@ TEST(NoteTopics, OfTheSourcesAreAllThere) {
   std::set<std::string> found;
   for (const char* folder : {"cycle", "pad", "study"}) {
     const std::string path = std::string(RINGFILM_SOURCE_FOLDER "/src/ringfilm/") + folder;
-    for (const auto& entry : std::filesystem::directory_iterator(path)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+      if (!entry.is_regular_file()) continue;
       std::ifstream stream(entry.path());
       const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
       for (std::sregex_iterator one(text.begin(), text.end(), made), end; one != end; ++one) found.insert((*one)[1]);

@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/oil.hpp"
-#include "ringfilm/models/oil_of_functions.hpp"
+#include "ringfilm/cycle/march/oil.hpp"
+#include "ringfilm/models/oil/oil_of_functions.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "ringfilm/cycle/setup.hpp"
-#include "ringfilm/models/oil_fit.hpp"
+#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/models/oil/oil_fit.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {

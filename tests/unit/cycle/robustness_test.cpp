@@ -8,7 +8,7 @@
 
 #include "../../scenarios/engine_scenario.hpp"
 #include "batch_cases.hpp"
-#include "ringfilm/cycle/march.hpp"
+#include "ringfilm/cycle/march/march.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {

@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "ringfilm/cycle/case_fields.hpp"
-#include "ringfilm/cycle/march_film.hpp"
-#include "ringfilm/cycle/setup.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/march/march_film.hpp"
+#include "ringfilm/cycle/march/setup.hpp"
 #include "unrolled_cases.hpp"
 
 /// Keys and rules of a film on the unrolled ring.

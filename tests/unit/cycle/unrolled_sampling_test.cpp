@@ -1,10 +1,10 @@
-#include "ringfilm/cycle/unrolled_sampling.hpp"
+#include "ringfilm/cycle/march/unrolled_sampling.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ringfilm/cycle/sampling.hpp"
+#include "ringfilm/cycle/march/sampling.hpp"
 #include "unrolled_cases.hpp"
 
 /// Figures of the gap's ends from integrals that are made up.

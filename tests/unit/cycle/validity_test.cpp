@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case_fields.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {

@@ -5,7 +5,7 @@
 
 #include "ringfilm/film/film_solver.hpp"
 #include "ringfilm/film/first_guess.hpp"
-#include "ringfilm/models/oil_fit.hpp"
+#include "ringfilm/models/oil/oil_fit.hpp"
 
 /// Films as unlike as those that may meet in the lanes of a register.
 namespace ringfilm::film::testing {

@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/digital_surf_file.hpp"
+#include "ringfilm/instrument/formats/digital_surf_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

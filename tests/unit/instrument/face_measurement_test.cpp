@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/face_measurement.hpp"
+#include "ringfilm/instrument/documents/face_measurement.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

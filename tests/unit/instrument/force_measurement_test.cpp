@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/force_measurement.hpp"
+#include "ringfilm/instrument/documents/force_measurement.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/gwy_file.hpp"
+#include "ringfilm/instrument/formats/gwy_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

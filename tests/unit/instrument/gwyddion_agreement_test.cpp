@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "ringfilm/instrument/digital_surf_file.hpp"
-#include "ringfilm/instrument/gwy_file.hpp"
-#include "ringfilm/instrument/gwyddion_program.hpp"
-#include "ringfilm/instrument/simple_field_file.hpp"
-#include "ringfilm/instrument/x3p_writer.hpp"
+#include "ringfilm/instrument/formats/digital_surf_file.hpp"
+#include "ringfilm/instrument/formats/gwy_file.hpp"
+#include "ringfilm/instrument/formats/gwyddion_program.hpp"
+#include "ringfilm/instrument/formats/simple_field_file.hpp"
+#include "ringfilm/instrument/formats/x3p_writer.hpp"
 #include "written_files.hpp"
 
 /// Real files and files of our own, read by us and by gwyddion, which shares no line with us.

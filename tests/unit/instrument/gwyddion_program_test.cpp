@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/gwyddion_program.hpp"
+#include "ringfilm/instrument/formats/gwyddion_program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

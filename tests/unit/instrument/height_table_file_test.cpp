@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/height_table_file.hpp"
+#include "ringfilm/instrument/formats/height_table_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ringfilm/instrument/gwyddion_program.hpp"
+#include "ringfilm/instrument/formats/gwyddion_program.hpp"
 #include "written_files.hpp"
 
 namespace ringfilm::instrument {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/instrument/surface_measurement.hpp"
-#include "ringfilm/surface/synthetic.hpp"
+#include "ringfilm/instrument/documents/surface_measurement.hpp"
+#include "ringfilm/surface/synthetic/synthetic.hpp"
 
 /// Surface files that no disk holds.
 namespace ringfilm::instrument {

@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/map_writer.hpp"
+#include "ringfilm/instrument/formats/map_writer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/sdf_file.hpp"
+#include "ringfilm/instrument/formats/sdf_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/simple_field_file.hpp"
+#include "ringfilm/instrument/formats/simple_field_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/surface_measurement.hpp"
+#include "ringfilm/instrument/documents/surface_measurement.hpp"
 
 #include <gtest/gtest.h>
 

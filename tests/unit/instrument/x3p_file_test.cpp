@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/x3p_file.hpp"
+#include "ringfilm/instrument/formats/x3p_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ringfilm/instrument/x3p_writer.hpp"
+#include "ringfilm/instrument/formats/x3p_writer.hpp"
 #include "written_files.hpp"
 
 namespace ringfilm::instrument {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/case_file.hpp"
+#include "ringfilm/io/case/case_file.hpp"
 #include "scratch_folder.hpp"
 
 namespace ringfilm::io {

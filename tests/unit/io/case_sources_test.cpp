@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "case_example.hpp"
-#include "ringfilm/io/shipped.hpp"
+#include "ringfilm/io/storage/shipped.hpp"
 
 namespace ringfilm::io {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "ringfilm/io/measurement.hpp"
+#include "ringfilm/io/measurement/measurement.hpp"
 
 namespace ringfilm::io::example {
 

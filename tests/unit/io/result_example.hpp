@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 
 namespace ringfilm::io {
 

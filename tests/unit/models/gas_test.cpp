@@ -1,4 +1,4 @@
-#include "ringfilm/models/gas.hpp"
+#include "ringfilm/models/gas/gas.hpp"
 
 #include <gtest/gtest.h>
 

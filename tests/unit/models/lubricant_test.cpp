@@ -1,4 +1,4 @@
-#include "ringfilm/models/lubricant.hpp"
+#include "ringfilm/models/oil/lubricant.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "../../traps/floating_point_traps.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/models/roelands.hpp"
+#include "ringfilm/models/oil/roelands.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "ringfilm/models/oil_fit.hpp"
+#include "ringfilm/models/oil/oil_fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ringfilm/models/oil_of_functions.hpp"
+#include "ringfilm/models/oil/oil_of_functions.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

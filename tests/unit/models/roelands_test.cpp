@@ -1,4 +1,4 @@
-#include "ringfilm/models/roelands.hpp"
+#include "ringfilm/models/oil/roelands.hpp"
 
 #include <gtest/gtest.h>
 

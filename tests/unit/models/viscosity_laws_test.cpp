@@ -1,4 +1,4 @@
-#include "ringfilm/models/viscosity_laws.hpp"
+#include "ringfilm/models/oil/viscosity_laws.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "../../traps/floating_point_traps.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/models/gas.hpp"
+#include "ringfilm/models/gas/gas.hpp"
 
 namespace {
 

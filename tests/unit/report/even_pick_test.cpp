@@ -1,4 +1,4 @@
-#include "ringfilm/report/even_pick.hpp"
+#include "ringfilm/report/payload/even_pick.hpp"
 
 #include <gtest/gtest.h>
 

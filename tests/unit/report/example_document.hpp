@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "ringfilm/io/result_file.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 
 /// A result that no solver made: simple formulas with the shape of an engine cycle, every part of a document filled.
 namespace example {

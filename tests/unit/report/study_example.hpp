@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/study/plan.hpp"
+#include "ringfilm/study/design/plan.hpp"
 
 /// Pages of studies with made-up values.
 namespace example {

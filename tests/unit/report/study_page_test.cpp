@@ -10,8 +10,8 @@
 
 #include "page_data.hpp"
 #include "ringfilm/cycle/result.hpp"
-#include "ringfilm/report/payload_study.hpp"
-#include "ringfilm/study/main_values.hpp"
+#include "ringfilm/report/payload/payload_study.hpp"
+#include "ringfilm/study/statistics/main_values.hpp"
 #include "study_example.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "ringfilm/report/unsolved_reasons.hpp"
+#include "ringfilm/report/payload/unsolved_reasons.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ringfilm/models/lubricant.hpp"
+#include "ringfilm/models/oil/lubricant.hpp"
 #include "ringfilm/sheet/sheet_solver.hpp"
 
 namespace ringfilm::sheet {

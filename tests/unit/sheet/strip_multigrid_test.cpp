@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../../traps/floating_point_traps.hpp"
-#include "ringfilm/film/kernels.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/sheet/gmres.hpp"
 
 namespace ringfilm::sheet {

@@ -9,7 +9,7 @@
 
 #include "../../scenarios/repeatable_numbers.hpp"
 #include "../cycle/styles_case.hpp"
-#include "ringfilm/study/error_estimate.hpp"
+#include "ringfilm/study/ensemble/error_estimate.hpp"
 
 /// Do the error bands hold what they promise? Seeded cases, each against a march on a much finer grid.
 namespace ringfilm::study::testing {

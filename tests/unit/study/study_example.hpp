@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/study/plan.hpp"
+#include "ringfilm/study/design/plan.hpp"
 #include "study_case.hpp"
 
 /// Studies of which no case is ever run.

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "ringfilm/cycle/result.hpp"
-#include "ringfilm/study/scenario.hpp"
+#include "ringfilm/study/design/scenario.hpp"
 #include "study_example.hpp"
 
 namespace ringfilm::study {

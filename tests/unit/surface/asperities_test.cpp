@@ -1,4 +1,4 @@
-#include "ringfilm/surface/asperities.hpp"
+#include "ringfilm/surface/asperity/asperities.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/surface/form.hpp"
-#include "ringfilm/surface/summits.hpp"
-#include "ringfilm/surface/synthetic.hpp"
-#include "ringfilm/surface/wanted_surface.hpp"
+#include "ringfilm/surface/asperity/summits.hpp"
+#include "ringfilm/surface/synthetic/synthetic.hpp"
+#include "ringfilm/surface/synthetic/wanted_surface.hpp"
+#include "ringfilm/surface/topography/form.hpp"
 #include "surface_maps.hpp"
 
 namespace ringfilm::surface {

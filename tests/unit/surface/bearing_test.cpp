@@ -1,4 +1,4 @@
-#include "ringfilm/surface/bearing.hpp"
+#include "ringfilm/surface/topography/bearing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ringfilm/surface/face_fit.hpp"
+#include "ringfilm/surface/face/face_fit.hpp"
 
 #include <gtest/gtest.h>
 

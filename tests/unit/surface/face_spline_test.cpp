@@ -1,4 +1,4 @@
-#include "ringfilm/surface/face_spline.hpp"
+#include "ringfilm/surface/face/face_spline.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ringfilm/surface/filter.hpp"
+#include "ringfilm/surface/topography/filter.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/surface/gaussian_kernel.hpp"
+#include "ringfilm/surface/topography/gaussian_kernel.hpp"
 #include "surface_maps.hpp"
 
 namespace ringfilm::surface {

@@ -1,4 +1,4 @@
-#include "ringfilm/surface/form.hpp"
+#include "ringfilm/surface/topography/form.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

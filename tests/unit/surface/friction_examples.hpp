@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "ringfilm/surface/lateral_force.hpp"
+#include "ringfilm/surface/friction_loop/lateral_force.hpp"
 
 /// Friction loops with known slopes.
 namespace ringfilm::surface {

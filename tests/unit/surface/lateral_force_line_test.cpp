@@ -1,4 +1,4 @@
-#include "ringfilm/surface/lateral_force_line.hpp"
+#include "ringfilm/surface/friction_loop/lateral_force_line.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ringfilm/surface/lateral_force.hpp"
+#include "ringfilm/surface/friction_loop/lateral_force.hpp"
 
 #include <gtest/gtest.h>
 

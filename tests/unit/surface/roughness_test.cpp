@@ -1,4 +1,4 @@
-#include "ringfilm/surface/roughness.hpp"
+#include "ringfilm/surface/topography/roughness.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

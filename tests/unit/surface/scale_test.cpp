@@ -1,11 +1,11 @@
-#include "ringfilm/surface/scale.hpp"
+#include "ringfilm/surface/asperity/scale.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/surface/synthetic.hpp"
+#include "ringfilm/surface/synthetic/synthetic.hpp"
 #include "surface_maps.hpp"
 
 namespace ringfilm::surface {

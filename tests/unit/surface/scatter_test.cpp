@@ -1,4 +1,4 @@
-#include "ringfilm/surface/scatter.hpp"
+#include "ringfilm/surface/asperity/scatter.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/surface/regions.hpp"
-#include "ringfilm/surface/synthetic.hpp"
+#include "ringfilm/surface/synthetic/synthetic.hpp"
+#include "ringfilm/surface/topography/regions.hpp"
 #include "surface_maps.hpp"
 
 namespace ringfilm::surface {

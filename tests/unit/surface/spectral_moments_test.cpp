@@ -1,4 +1,4 @@
-#include "ringfilm/surface/spectral_moments.hpp"
+#include "ringfilm/surface/asperity/spectral_moments.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 
 #include "../../traps/floating_point_traps.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/surface/roughness.hpp"
-#include "ringfilm/surface/synthetic.hpp"
+#include "ringfilm/surface/synthetic/synthetic.hpp"
+#include "ringfilm/surface/topography/roughness.hpp"
 #include "surface_maps.hpp"
 
 namespace ringfilm::surface {

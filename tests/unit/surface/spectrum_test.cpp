@@ -1,4 +1,4 @@
-#include "ringfilm/surface/spectrum.hpp"
+#include "ringfilm/surface/topography/spectrum.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/surface/synthetic.hpp"
+#include "ringfilm/surface/synthetic/synthetic.hpp"
 #include "surface_maps.hpp"
 
 namespace ringfilm::surface {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <random>
 
-#include "ringfilm/surface/topography.hpp"
+#include "ringfilm/surface/topography/topography.hpp"
 
 namespace ringfilm::surface {
 

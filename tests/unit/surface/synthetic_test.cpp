@@ -1,4 +1,4 @@
-#include "ringfilm/surface/synthetic.hpp"
+#include "ringfilm/surface/synthetic/synthetic.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/surface/bearing.hpp"
-#include "ringfilm/surface/grid_transform.hpp"
-#include "ringfilm/surface/random_numbers.hpp"
-#include "ringfilm/surface/roughness.hpp"
+#include "ringfilm/surface/synthetic/random_numbers.hpp"
+#include "ringfilm/surface/topography/bearing.hpp"
+#include "ringfilm/surface/topography/grid_transform.hpp"
+#include "ringfilm/surface/topography/roughness.hpp"
 #include "surface_maps.hpp"
 
 namespace ringfilm::surface {

@@ -64,6 +64,6 @@ writeFileSync(
   outputFile,
   '// Made from src/ringfilm/report/page when the program is built.\n#include "ringfilm/report/page_template.hpp"\n\n' +
     'namespace ringfilm::report::page_template {\n' + asSource('report', 'src/main.js') + asSource('verification', 'src/verification.js') +
-    asSource('measurement', 'src/measurement.js') + asSource('study', 'src/study.js') +
+    asSource('measurement', 'src/measurement/measurement.js') + asSource('study', 'src/study/study.js') +
     '}  // namespace ringfilm::report::page_template\n'
 );

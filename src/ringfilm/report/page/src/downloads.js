@@ -1,5 +1,5 @@
 // Files to take away: SVG and PNG of a figure as it is shown, CSV of the numbers behind it.
-import { axisTitle } from './scales.js';
+import { axisTitle } from './plot/scales.js';
 import { plain } from './units.js';
 
 export function save(name, type, content) {

@@ -1,19 +1,19 @@
 // Puts the page together from the data that it carries.
-import { gapFigure } from './around_figures.js';
-import { AroundView } from './around_view.js';
-import { CycleGroup } from './chart.js';
-import { cycleFigures, kCycleRange, otherQuantityFigure, shownElsewhere, zoomFigure } from './cycle_figures.js';
+import { gapFigure } from './cycle/around_figures.js';
+import { AroundView } from './cycle/around_view.js';
+import { CycleGroup } from './plot/chart.js';
+import { cycleFigures, kCycleRange, otherQuantityFigure, shownElsewhere, zoomFigure } from './cycle/cycle_figures.js';
 import { element, svgElement } from './dom.js';
-import { FaceView } from './face_view.js';
-import { FigureView, Visibility } from './figure_view.js';
-import { firstScreen, operatingLine, reportTitle } from './first_screen.js';
-import { influenceFigure, ledgerSection } from './ledger.js';
+import { FaceView } from './cycle/face_view.js';
+import { FigureView, Visibility } from './cycle/figure_view.js';
+import { firstScreen, operatingLine, reportTitle } from './cycle/first_screen.js';
+import { influenceFigure, ledgerSection } from './cycle/ledger.js';
 import { Model } from './model.js';
-import { energyFigure, faceFigure, fieldAngles, stribeckFigure, wearFigure } from './other_figures.js';
-import { swatchSvg } from './svg.js';
+import { energyFigure, faceFigure, fieldAngles, stribeckFigure, wearFigure } from './cycle/other_figures.js';
+import { swatchSvg } from './plot/svg.js';
 import { comparisonSection, cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
 import { display } from './units.js';
-import { Unrolled } from './unrolled.js';
+import { Unrolled } from './cycle/unrolled.js';
 
 const kRanges = [
   ['Whole cycle', -360, 360],

@@ -1,6 +1,6 @@
 // The page of `ringfilm verify`: what was checked, against what, and how the errors fall with refinement.
 import { element } from './dom.js';
-import { FigureView, Visibility } from './figure_view.js';
+import { FigureView, Visibility } from './cycle/figure_view.js';
 import { section, table } from './tables.js';
 import { display, number, typeset, withUnit } from './units.js';
 

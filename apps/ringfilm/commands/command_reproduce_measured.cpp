@@ -1,0 +1,275 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include "commands/command_face.hpp"
+#include "commands/command_lateral_force.hpp"
+#include "commands/command_surface.hpp"
+#include "commands/commands.hpp"
+#include "computation.hpp"
+#include "measured_chain.hpp"
+#include "output_names.hpp"
+#include "reproduction.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/io/text/toml_tree.hpp"
+#include "ringfilm/report/html.hpp"
+#include "text/engineering_text.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kOfTable1 = 1e-3;  // relative; the files round heights far below that
+
+/// As cases and pages write it: run-in.
+std::string word_of(std::string ring) {
+  std::replace(ring.begin(), ring.end(), '_', '-');
+  return ring;
+}
+
+/// The single commands of docs/manual/measured-chain.md, all writing into one folder.
+class Chain {
+ public:
+  Chain(fs::path files, fs::path folder) : files_(std::move(files)), folder_(std::move(folder)) {}
+
+  /// A page for each surface by itself.
+  void measure_surfaces() const {
+    surface({file("liner.sur")}, std::nullopt, surface_command("surface_liner"));
+    for (const std::string ring : chain::kRings) {
+      surface({file("ring_" + ring + ".x3p")}, std::nullopt, surface_command("surface_" + ring));
+    }
+  }
+
+  /// Fragments and pages of one ring, and a case that includes the fragments. @returns path of the case
+  std::string measure_ring(const std::string& ring) const {
+    SurfaceCommand contact = surface_command(ring + "_contact");
+    contact.outputs.fragment = in_folder(ring + "_contact.toml");
+    pair({file("ring_" + ring + ".x3p")}, {file("liner.sur")}, contact);
+
+    FaceCommand shape;
+    shape.trace = file("face_" + ring + ".csv");
+    shape.rule = chain::face_rule();
+    shape.outputs = outputs(ring + "_face");
+    shape.outputs.fragment = in_folder(ring + "_face.toml");
+    face(shape);
+
+    LateralForceCommand friction;
+    for (const std::string each : chain::kRings) friction.files.paths.push_back(file("loops_" + each + ".csv"));
+    friction.silicon = ForceFiles{{file("loops_silicon.csv")}, {}};
+    friction.reference = chain::silicon_reference();
+    friction.rule = chain::force_rule();
+    friction.sample = ring;
+    friction.outputs = outputs(ring + "_shear_strength");
+    friction.outputs.fragment = in_folder(ring + "_shear_strength.toml");
+    lateral_force(friction);
+    return written_case(ring);
+  }
+
+ private:
+  std::string file(const std::string& name) const { return (files_ / name).string(); }
+  std::string in_folder(const std::string& name) const { return (folder_ / name).string(); }
+
+  MeasurementOutputs outputs(const std::string& stem) const {
+    MeasurementOutputs of;
+    of.netcdf = in_folder(stem + ".nc");
+    of.page = in_folder(stem + ".html");
+    of.summary = SummaryForm::kNothing;
+    return of;
+  }
+
+  SurfaceCommand surface_command(const std::string& stem) const {
+    SurfaceCommand of;
+    of.analysis = chain::surface_analysis();
+    of.outputs = outputs(stem);
+    return of;
+  }
+
+  std::string written_case(const std::string& ring) const {
+    const std::string common = fs::absolute(files_ / "common.toml").lexically_normal().string();
+    const std::string path = in_folder(ring + ".toml");
+    const std::string title = "Measured chain, " + word_of(ring) + " ring (synthetic instrument files)";
+    io::write_atomically(path,
+                         fmt::format("# Written by ringfilm reproduce measured.\ntitle = {}\ninclude = [\n  {},\n"
+                                     "  \"{}_contact.toml\",\n  \"{}_face.toml\",\n  \"{}_shear_strength.toml\",\n]\n",
+                                     io::quoted(title), io::quoted(common), ring, ring, ring));
+    return path;
+  }
+
+  fs::path files_, folder_;
+};
+
+/// One ring as the paper states it and as its files gave it.
+struct RingPair {
+  std::string ring;
+  cycle::Case wanted, got;
+};
+
+double height_um(const std::vector<double>& coefficients, double x_mm) {
+  double height = 0;
+  for (const double c : coefficients) height = height * x_mm + c;
+  return height;
+}
+
+/// Largest distance of the two polynomials over the face [um].
+double distance_um(const RingPair& of) {
+  constexpr int kPlaces = 1200;
+  const double width_mm = 1e3 * of.wanted.ring.face_width;
+  double largest = 0;
+  for (int k = 0; k <= kPlaces; ++k) {
+    const double x = width_mm * k / kPlaces;
+    largest = std::max(largest, std::abs(height_um(of.got.ring.face.coefficients, x) -
+                                         height_um(of.wanted.ring.face.coefficients, x)));
+  }
+  return largest;
+}
+
+/// Prints what should have come back beside what did, and keeps how many did not.
+class WantedAndGot {
+ public:
+  std::string text() const { return text_; }
+  int failures() const { return failures_; }
+
+  void add(const RingPair& of) {
+    const cycle::Contact &wanted = of.wanted.contact, &got = of.got.contact;
+    const cycle::MeasuredContact& measured = got.measured;
+    const std::string word = word_of(of.ring);
+    text_ += fmt::format("{:<29}{:>12}{:>14}{:>12}\n", word + " ring", "wanted", "got", "difference");
+    const auto table_1 = [&](const char* name, double scale, double in_paper, double here,
+                             const std::optional<double>& deviation) {
+      const bool holds = std::abs(here / in_paper - 1) <= kOfTable1;
+      row(name, in_paper / scale, here / scale, holds,
+          deviation ? fmt::format("one region +- {:.2g}", *deviation / scale) : "");
+    };
+    table_1("Table 1: N [um-2]", 1e12, wanted.asperity_density, got.asperity_density,
+            measured.asperity_density_deviation);
+    table_1("         beta [um]", 1e-6, wanted.asperity_radius, got.asperity_radius,
+            measured.asperity_radius_deviation);
+    table_1("         sigma [um]", 1e-6, wanted.roughness, got.roughness, measured.roughness_deviation);
+
+    const cycle::MeasuredShearStrength& shares = measured.shear_strength;
+    const double own = std::hypot(shares.slope_deviation.value_or(0), shares.calibration_deviation.value_or(0));
+    const double zeta = wanted.boundary_shear_strength_coefficient;
+    // The reference is the same in files and chain: what is left is the scatter of the loops.
+    row("Table 2: zeta", zeta, got.boundary_shear_strength_coefficient,
+        std::abs(got.boundary_shear_strength_coefficient - zeta) <= own,
+        fmt::format("loops +- {:.2g}, reference of silicon +- {:.2g}", own, shares.reference_deviation.value_or(0)));
+
+    for (std::size_t k = 0; k < wanted_coefficients(of); ++k) {
+      const std::string name = fmt::format("{} {}", k == 0 ? "Table 4:" : "        ", static_cast<char>('a' + k));
+      row(name, of.wanted.ring.face.coefficients[k], of.got.ring.face.coefficients[k], true, "");
+    }
+    const double distance = distance_um(of), noise = 1e6 * of.got.ring.face.measured.residual_rms.value_or(0);
+    text_ += fmt::format("{:<29}{:>12}{:>14.4f}{:>12}  noise {:.2g} um{}\n", "         largest distance [um]", "0",
+                         distance, "", noise, verdict(distance <= noise));
+  }
+
+ private:
+  static std::size_t wanted_coefficients(const RingPair& of) {
+    return std::min(of.wanted.ring.face.coefficients.size(), of.got.ring.face.coefficients.size());
+  }
+
+  std::string verdict(bool holds) {
+    failures_ += holds ? 0 : 1;
+    return holds ? "" : "  TOO FAR OFF";
+  }
+
+  void row(const std::string& name, double wanted, double got, bool holds, const std::string& remark) {
+    text_ += fmt::format("{:<29}{:>12.6g}{:>14.7g}{:>+10.4f} %{}{}{}\n", name, wanted, got, 100 * (got / wanted - 1),
+                         remark.empty() ? "" : "  ", remark, verdict(holds));
+  }
+
+  std::string text_;
+  int failures_ = 0;
+};
+
+std::vector<io::ResultDocument> computed(const std::vector<RingPair>& rings, int jobs) {
+  std::vector<Wanted> wanted;
+  for (const RingPair& ring : rings) {
+    wanted.push_back({ring.got, LedgerWanted::kComputed, ErrorsWanted::kEstimated, ring.ring + " ring, measured"});
+  }
+  for (const RingPair& ring : rings) {
+    wanted.push_back({ring.wanted, LedgerWanted::kStatements, ErrorsWanted::kEstimated, ring.ring + " ring"});
+  }
+  std::vector<io::ResultDocument> documents;
+  for (Computation& done : computations(wanted, {jobs})) {
+    if (done.stopped) throw *done.stopped;
+    documents.push_back(std::move(done.document));
+  }
+  return documents;
+}
+
+/// Film and friction of the measured rings over those of the paper's tables.
+std::string cycles_table(const std::vector<io::ResultDocument>& measured,
+                         const std::vector<io::ResultDocument>& published) {
+  const EngineeringText in_words;
+  std::string text = fmt::format("{:<34}{:<12}", "the three rings", "");
+  for (const std::string ring : chain::kRings) text += fmt::format("{:>24}", word_of(ring));
+  text += "\n";
+  for (const char* name : {"min_film_thickness", "film_parameter_at_peak_pressure", "peak_friction_coefficient_firing",
+                           "mean_power_loss", "mean_boundary_power", "mean_absolute_oil_flow"}) {
+    const auto line = [&](const char* first, const char* which, const std::vector<io::ResultDocument>& of) {
+      text += fmt::format("{:<34}{:<12}", first, which);
+      for (const io::ResultDocument& document : of) {
+        const double value = document.result.values.*cycle_quantity(name).value;
+        text += fmt::format("{:>24}", in_words(name, value, error_of(document, name)));
+      }
+      text += "\n";
+    };
+    line(name, "measured", measured);
+    line("", "styles2014", published);
+  }
+  return text;
+}
+
+}  // namespace
+
+void reproduce_measured(const ReproduceOptions& options) {
+  const fs::path shipped = (fs::path(io::shipped_folder()) / "cases").lexically_normal();
+  const fs::path folder = options.folder.empty() ? fs::path("measured") : fs::path(options.folder);
+  if (is_same_file(folder.string(), (shipped / "measured").string())) {
+    throw InputError("--output " + folder.string() + " is the folder of what is read", "name another one");
+  }
+  make_folder(folder);
+  const std::string page = (folder / "report.html").string();
+  io::check_can_write(page, io::Sink::kFile);
+  const Chain chain(shipped / "measured", folder);
+  std::cout << "From files of instruments to the cycle: three rings of Styles et al. 2014 at 1500 rpm and 120 degC\n"
+            << "surfaces, faces and friction loops: SYNTHETIC, made such that Tables 1, 2 and 4 come back\n"
+            << "cylinder pressure: SYNTHETIC, made for this project\n\n";
+
+  chain.measure_surfaces();
+  const io::Units units;
+  std::vector<RingPair> rings;
+  WantedAndGot table;
+  for (const std::string ring : chain::kRings) {
+    const std::string path = chain.measure_ring(ring);
+    rings.push_back({ring, case_for_report((shipped / "styles2014" / (word_of(ring) + ".toml")).string(), units),
+                     case_for_report(path, units)});
+    table.add(rings.back());
+  }
+  std::cout << table.text() << "\n";
+
+  std::vector<io::ResultDocument> documents = computed(rings, options.jobs);
+  const auto half = documents.begin() + static_cast<std::ptrdiff_t>(rings.size());
+  const std::vector<io::ResultDocument> published(std::make_move_iterator(half),
+                                                  std::make_move_iterator(documents.end()));
+  documents.erase(half, documents.end());
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    io::write_result((folder / (rings[i].ring + ".nc")).string(), documents[i]);
+  }
+  std::cout << cycles_table(documents, published) << "\n";
+  io::write_atomically(page, ringfilm::report::report_page(documents, {}));
+  std::cout << "cases and results:     " << (folder / "{new,run_in,embedded}.{toml,nc}").string() << "\n"
+            << "pages of measurements: " << (folder / "{surface_*,*_contact,*_face,*_shear_strength}.html").string()
+            << "\nreport:                " << fs::absolute(page).string() << "\n";
+  if (table.failures() > 0) {
+    throw FailedChecks(fmt::format("{} of the values that should come back are too far off", table.failures()));
+  }
+}
+
+}  // namespace ringfilm::app

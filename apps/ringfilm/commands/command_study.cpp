@@ -1,0 +1,462 @@
+#include "commands/command_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <set>
+
+#include "commands/commands.hpp"
+#include "output_names.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/io/storage/digest.hpp"
+#include "ringfilm/io/storage/shard_file.hpp"
+#include "ringfilm/io/study/study_file.hpp"
+#include "ringfilm/io/study/study_netcdf.hpp"
+#include "ringfilm/io/study/study_result.hpp"
+#include "ringfilm/report/study_page.hpp"
+#include "ringfilm/study/design/scenario.hpp"
+#include "ringfilm/study/statistics/kept_curves.hpp"
+#include "ringfilm/study/statistics/until.hpp"
+#include "ringfilm/study/study_run.hpp"
+#include "stop_request.hpp"
+#include "study/slurm_queue.hpp"
+#include "study/study_files.hpp"
+#include "study/study_part_words.hpp"
+#include "study/study_progress.hpp"
+#include "study/study_summary.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A study that was read and found sound.
+struct Loaded {
+  io::StudyFile file;
+  study::Plan plan;
+
+  explicit Loaded(const std::string& path) : file(io::read_study(path)), plan(file.study) {
+    study::check_scenarios(plan);
+  }
+
+  const std::optional<study::Until>& until() const { return file.study.sampling.until; }
+
+  /// Of a study with `until` only the rows show how many points it has.
+  void take_points_of(const io::ShardReader& rows) {
+    if (until()) take_points(rows.next() / rows_of_a_point());
+  }
+
+  void take_points(std::uint64_t points) {
+    file.study = study::with_points(file.study, points);
+    plan = study::Plan(file.study);
+  }
+
+  std::uint64_t rows_of_a_point() const { return plan.points_per_row() * file.study.bases.size(); }
+
+  io::Longer longer() const { return plan.can_grow() ? io::Longer::kAllowed : io::Longer::kRefused; }
+
+  /// Are the rows found the first ones of this study, which has become longer since?
+  bool goes_on_from(const io::ShardHeader& found, const io::ShardHeader& wanted) const {
+    return plan.can_grow() && io::is_beginning_of(found, wanted);
+  }
+
+  io::ShardHeader header(std::uint64_t part, std::uint64_t parts) const {
+    const io::Provenance program = io::this_program();
+    std::string inputs;
+    // The study's own file may be reworded: what it says is in the plan.
+    for (const cycle::InputFile& input : file.files) {
+      if (input.role != "study") inputs += fmt::format("{} {}\n", input.role, input.sha256);
+    }
+    const study::ScenarioRange range = study::shard_range(plan.most(), part, parts);
+    const study::Keep& keep = plan.study().keep;
+    const bool has_curves = keep.curves != study::Curves::kNone;
+    return {io::sha256(plan.digest_text()),
+            io::sha256(inputs),
+            fmt::format("{} commit {} {}", program.program, program.commit, program.compiler),
+            part,
+            parts,
+            range.first,
+            range.end,
+            cycle::cycle_quantities().size(),
+            has_curves ? keep.quantities : std::vector<std::string>{},
+            study::kept_angles(keep).size(),
+            std::string(film::kernels().name)};
+  }
+};
+
+std::string resume_words(const StudyOptions& options) {
+  std::string words =
+      fmt::format("ringfilm study {} -o {}", word_to_copy(options.study_path), word_to_copy(options.output));
+  if (options.is_part) words += fmt::format(" --shard {}/{}", options.part, options.parts);
+  if (options.threads > 0) words += fmt::format(" --threads {}", options.threads);
+  return words + (options.yes ? " --yes" : "") + " --resume";
+}
+
+std::string resume_words(StudyOptions options, std::uint64_t part, std::uint64_t parts) {
+  options.is_part = true;
+  options.part = part;
+  options.parts = parts;
+  return resume_words(options);
+}
+
+void check_grid(const StudyOptions& options, const study::Plan& plan) {
+  if (options.yes || plan.study().sampling.method != study::Method::kGrid || plan.size() <= study::kLargestGrid) return;
+  throw InputError(fmt::format("the full grid has {} points, more than {}", plan.size(), study::kLargestGrid),
+                   "add --yes if that is meant, or sample: method = \"sobol\"");
+}
+
+/// Curves of so many bytes are only kept where the user says so.
+constexpr double kLargestCurves = 2e9;
+
+void check_curves(const StudyOptions& options, const study::Plan& plan) {
+  const study::Keep& keep = plan.study().keep;
+  const double row = static_cast<double>(sizeof(float) * study::kept_quantities(keep).size()) *
+                     static_cast<double>(study::kept_angles(keep).size());
+  const double bytes = row * static_cast<double>(plan.most());
+  if (options.yes || bytes <= kLargestCurves) return;
+  throw InputError(
+      fmt::format("the curves of {} scenarios take {:.1f} GB on the disk, and as much again where all are kept",
+                  plan.most(), bytes / 1e9),
+      "add --yes if that is meant, or keep fewer quantities, a larger keep.crank_step, or curves = \"none\"");
+}
+
+void check_parts(const StudyOptions& options, const Loaded& study) {
+  if (!study.until() || !options.is_part) return;
+  throw InputError("a study with plan.until cannot be run in parts: only all rows show when it may stop",
+                   "leave --shard out, or take until out of the plan");
+}
+
+void check_can_be_submitted(const StudyOptions& options, const Loaded& study) {
+  if (!study.until()) return;
+  throw InputError("a study with plan.until cannot be submitted: only all rows show when it may stop",
+                   fmt::format("run it as one job, ringfilm study {} -o {} --resume, or take until out of the plan",
+                               word_to_copy(options.study_path), word_to_copy(options.output)));
+}
+
+void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
+  std::vector<Fault> faults;
+  for (const cycle::InputFile& input : study.file.files) {
+    for (const std::string& output : {files.result(), files.table(), files.page()}) {
+      if (is_same_file(output, input.path))
+        faults.push_back({{}, output + ": the output is a file that the study is read from", "name another output"});
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+/// Computes the scenarios of a part up to before `end`.
+void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& writer,
+             const study::ScenarioRange& range, const StopRequest& stop) {
+  const std::uint64_t there = writer.next() - range.first;
+  StudyProgress progress(fs::path(options.study_path).stem().string(), there, range.size());
+  study::StudyRunOptions run_options;
+  run_options.batch.threads = options.threads;
+  const auto finished = [&](const study::ScenarioChunk& chunk) {
+    try {
+      writer.append(chunk);
+    } catch (const OutputError& error) {
+      throw OutputError(fmt::format("{}\n{} of {} scenarios are kept; make room, then: {}", error.what(),
+                                    writer.next() - range.first, range.size(), resume_words(options)));
+    }
+    progress.show(writer.next() - range.first, writer.n_unsolved());
+    return stop.is_made() ? study::GoOn::kNo : study::GoOn::kYes;
+  };
+  study::run_scenarios(study.plan, {writer.next(), range.end}, finished, run_options);
+  if (writer.next() == range.end) return;
+  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to go on: {}", writer.next() - range.first,
+                                 range.size(), resume_words(options)));
+}
+
+/// Is a study with `until` sure enough with the rows that are there?
+bool is_sure(const Loaded& study, const io::ShardReader& rows) {
+  const study::Until& until = *study.until();
+  std::vector<double> values;
+  rows.append_values(*cycle::cycle_quantity_index(until.value), values);
+  return study::is_sure(until, study::sureness(study.plan, values));
+}
+
+/// Are all rows of a part there? Of a study with `until`: as many as it takes.
+bool is_whole(Loaded study, const io::ShardReader& rows) {
+  if (!study.until()) return rows.is_complete();
+  const std::uint64_t points = rows.next() / study.rows_of_a_point();
+  if (!rows.is_sound() || rows.next() % study.rows_of_a_point() != 0 || !study::is_look(study.file.study, points))
+    return false;
+  study.take_points(points);
+  return points == study.until()->most || is_sure(study, rows);
+}
+
+/// Computes what is missing of a part, and of a study with `until` as much as it takes.
+void compute_rows(const StudyOptions& options, Loaded& study, io::ShardWriter& writer, const std::string& path) {
+  const io::ShardHeader header = study.header(options.part, options.parts);
+  const StopRequest stop;
+  if (!study.until()) return compute(options, study, writer, header.range(), stop);
+  for (std::optional<std::uint64_t> points = study.file.study.sampling.scenarios; points;
+       points = study::next_look(*study.until(), *points)) {
+    study.take_points(*points);
+    // What was there before is not computed again, and what is beyond was computed because it had to be.
+    if (writer.next() > study.plan.size()) continue;
+    compute(options, study, writer, {0, study.plan.size()}, stop);
+    if (is_sure(study, io::ShardReader(path))) return;
+  }
+}
+
+/// Computes a part and gives its rows their final name before another process can open them.
+void compute_part(const StudyOptions& options, Loaded& study, const StudyFiles& files) {
+  const std::string growing = files.growing(options.part, options.parts);
+  io::ShardWriter writer(growing, study.header(options.part, options.parts), study.longer(),
+                         options.overwrite ? io::Rows::kReplaced : io::Rows::kContinued);
+  compute_rows(options, study, writer, growing);
+  writer.rename(files.finished(options.part, options.parts));
+}
+
+/// Writes results and summary of a study of which all rows are there.
+void write_results(const StudyFiles& files, const Loaded& study, std::vector<io::ShardReader> shards) {
+  const io::StudyRows rows{study.file, study.plan, std::move(shards)};
+  io::write_study_result(files.result(), rows);
+  io::write_study_csv(files.table(), rows);
+  io::write_atomically(files.page(), report::study_page(rows, io::Units(), io::this_program()));
+  std::cout << study_summary(rows) << "\nwrote " << files.result() << "\nwrote " << files.table() << "\nwrote "
+            << files.page() << "\n";
+  std::uint64_t unsolved = 0;
+  for (const io::ShardReader& shard : rows.shards) unsolved += shard.n_unsolved();
+  if (unsolved == study.plan.size()) throw FailedChecks("not one scenario could be solved");
+}
+
+/// The parts that make up a study, in their order. Throws InputError for parts that are missing, unfinished or of
+/// something else.
+std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const StudyFiles& files, const Loaded& study) {
+  std::vector<Fault> faults;
+  std::vector<io::ShardReader> shards;
+  std::optional<std::uint64_t> parts;
+  const auto go_on_words = [&](std::uint64_t part) {
+    return *parts == 1 ? resume_words(options) : resume_words(options, part, *parts);
+  };
+  for (const PartFile& file : files.parts()) {
+    if (!file.is_finished) continue;
+    if (parts && *parts != file.parts) {
+      throw InputError(fmt::format("{}: there are parts of {} and parts of {}", file.path, *parts, file.parts),
+                       "delete those of one kind");
+    }
+    parts = file.parts;
+    shards.emplace_back(file.path);
+    const io::ShardHeader wanted = study.header(file.part, file.parts);
+    const io::ShardHeader& found = shards.back().header();
+    const std::string differs = io::difference(found, wanted);
+    const bool may_go_on = study.goes_on_from(found, wanted);
+    if (!differs.empty() && !may_go_on) {
+      faults.push_back({{}, fmt::format("{}: these rows are of {}", file.path, differs), "compute this part anew"});
+    } else if (may_go_on || !is_whole(study, shards.back())) {
+      faults.push_back({{},
+                        fmt::format("{}: this part is not complete{}", file.path,
+                                    shards.back().is_sound() ? "" : ", since a chunk of it is spoilt"),
+                        go_on_words(file.part)});
+    }
+  }
+  if (!parts) {
+    throw InputError(fmt::format("{}: there is no finished part of a study", options.output),
+                     "compute the parts first, for example with --shard 1/4");
+  }
+  for (std::uint64_t part = 1; part <= *parts; ++part) {
+    if (fs::exists(files.finished(part, *parts))) continue;
+    const bool is_begun = fs::exists(files.growing(part, *parts));
+    faults.push_back({{},
+                      fmt::format("part {} of {} is {}", part, *parts, is_begun ? "not finished" : "missing"),
+                      go_on_words(part)});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return shards;
+}
+
+/// Refuses an output with a study that is being computed, and without --resume or --overwrite one that is there: it may
+/// have taken days.
+void check_is_free(const StudyOptions& options, const StudyFiles& files, const Loaded& study) {
+  const std::string growing = files.growing(options.part, options.parts);
+  io::check_not_being_written(growing);
+  const std::string finished = files.finished(options.part, options.parts);
+  const bool has_rows = fs::exists(growing) || fs::exists(finished);
+  if (options.overwrite || (options.resume && has_rows)) return;
+  if (fs::exists(growing)) {
+    throw InputError(fmt::format("{}: this study was not finished", growing),
+                     "continue it with --resume, begin anew with --overwrite, or name another output");
+  }
+  if (fs::exists(finished)) {
+    const std::string differs =
+        io::difference(io::ShardReader(finished).header(), study.header(options.part, options.parts));
+    throw InputError(fmt::format("{}: the output has a finished {} {}", finished,
+                                 options.is_part ? "part of" : "study of", differs.empty() ? "this plan" : differs),
+                     differs.empty() ? "--resume keeps its scenarios, --overwrite replaces it; or name another output"
+                                     : "name another output, or replace it with --overwrite");
+  }
+  // The rows may be deleted once the results are written.
+  std::vector<Fault> faults;
+  for (const std::string& path : {files.result(), files.table(), files.page()}) {
+    if (!options.is_part && fs::exists(path)) {
+      faults.push_back({{},
+                        fmt::format("{}: there are results already", path),
+                        "replace them with --overwrite, or name another output"});
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+}  // namespace
+
+void run_study(const StudyOptions& options) {
+  Loaded study(options.study_path);
+  check_grid(options, study.plan);
+  check_parts(options, study);
+  check_curves(options, study.plan);
+  const StudyFiles files(options.output);
+  const std::string growing = files.growing(options.part, options.parts);
+  const std::string finished = files.finished(options.part, options.parts);
+  study.header(options.part, options.parts);  // there is such a part
+  check_outputs_apart(files, study);
+  check_is_free(options, files, study);
+  files.make_folder();
+  io::check_can_write(files.result(), io::Sink::kFile);
+  io::check_can_write(files.table(), io::Sink::kFile);
+  io::check_can_write(files.page(), io::Sink::kFile);
+  bool is_there = false;
+  if (options.resume && fs::exists(finished)) {
+    const io::ShardReader there(finished);
+    const io::ShardHeader wanted = study.header(options.part, options.parts);
+    const std::string differs = io::difference(there.header(), wanted);
+    const bool may_go_on = study.goes_on_from(there.header(), wanted);
+    if (!differs.empty() && !may_go_on) {
+      throw InputError(fmt::format("{}: these rows are of {}", finished, differs),
+                       "results of both must not be mixed: name another output, or replace it with --overwrite");
+    }
+    is_there = !may_go_on && is_whole(study, there);
+    // Its rows, as far as they are sound, are the first ones of what is computed now. Where somebody else has begun
+    // with that, they go on with their own.
+    if (!is_there && !fs::exists(growing) && std::rename(finished.c_str(), growing.c_str()) != 0 && errno != ENOENT)
+      io::fail_to_write(growing, errno);
+  }
+  if (!is_there) compute_part(options, study, files);
+  if (options.is_part) {
+    std::cout << fmt::format("part {} of {} is {}: {}\n", options.part, options.parts,
+                             is_there ? "there already" : "done", finished);
+    return;
+  }
+  std::vector<io::ShardReader> shards;
+  shards.emplace_back(finished);
+  study.take_points_of(shards.front());
+  try {
+    write_results(files, study, std::move(shards));
+  } catch (const OutputError& error) {
+    throw OutputError(
+        fmt::format("{}\nall scenarios are kept; make room, then: {}", error.what(), resume_words(options)));
+  }
+}
+
+void merge_study(const StudyOptions& options) {
+  Loaded study(options.study_path);
+  const StudyFiles files(options.output);
+  check_outputs_apart(files, study);
+  std::vector<io::ShardReader> shards = joined_parts(options, files, study);
+  study.take_points_of(shards.front());
+  io::check_can_write(files.result(), io::Sink::kFile);
+  io::check_can_write(files.table(), io::Sink::kFile);
+  io::check_can_write(files.page(), io::Sink::kFile);
+  write_results(files, study, std::move(shards));
+}
+
+std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t usual) {
+  const Loaded study(options.study_path);
+  check_grid(options, study.plan);
+  check_can_be_submitted(options, study);
+  check_curves(options, study.plan);
+  const StudyFiles files(options.output);
+  check_outputs_apart(files, study);
+  const std::vector<PartFile> there = files.parts();
+  if (options.parts == 0) options.parts = there.empty() ? std::min(usual, study.plan.size()) : there.front().parts;
+  if (options.parts > study.plan.size()) {
+    throw InputError(fmt::format("--parts {}: the study has {} scenarios", options.parts, study.plan.size()),
+                     "each part requires one at least");
+  }
+  std::vector<Fault> faults;
+  std::set<std::uint64_t> finished;
+  for (const PartFile& file : there) {
+    if (file.parts != options.parts) {
+      faults.push_back({{},
+                        fmt::format("{}: here stands a part of {}, not of {}", file.path, file.parts, options.parts),
+                        fmt::format("go on with --parts {}, name another output, or delete this file", file.parts)});
+      continue;
+    }
+    if (!file.is_finished) io::check_not_being_written(file.path);
+    const io::ShardHeader wanted = study.header(file.part, file.parts);
+    // A header that was cut off says nothing: the part is begun anew.
+    if (!file.is_finished && fs::file_size(file.path) < io::size_without_rows(wanted)) continue;
+    const io::ShardReader rows(file.path);
+    const std::string differs = io::difference(rows.header(), wanted);
+    if (!differs.empty() && !study.goes_on_from(rows.header(), wanted)) {
+      faults.push_back({{},
+                        fmt::format("{}: these rows are of {}", file.path, differs),
+                        "results of both must not be mixed: name another output, or delete this file"});
+    } else if (differs.empty() && file.is_finished && rows.is_complete()) {
+      finished.insert(file.part);
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t part = 1; part <= options.parts; ++part) {
+    if (!finished.contains(part)) missing.push_back(part);
+  }
+  return missing;
+}
+
+void tell_study_status(const StudyOptions& options) {
+  const Loaded study(options.study_path);
+  const StudyFiles files(options.output);
+  const std::vector<PartFile> parts = files.parts();
+  std::cout << fmt::format("{}: {} scenarios\n", study.plan.study().title, study.plan.size());
+  if (parts.empty()) std::cout << fmt::format("nothing of it stands in {}\n", options.output);
+  std::optional<std::uint64_t> last_parts, last_part;
+  const std::optional<StudyJobs> jobs = StudyJobs::read(files);
+  const PartWords on_the_way(files, jobs);
+  const auto tell_missing = [&](std::uint64_t until) {
+    for (std::uint64_t part = last_part.value_or(0) + 1; last_parts && part < until; ++part)
+      std::cout << fmt::format("part {} of {}: not begun{}\n", part, *last_parts, on_the_way.of(part, *last_parts));
+  };
+  if (parts.empty() && jobs) last_parts = jobs->parts;
+  for (const PartFile& file : parts) {
+    if (last_parts && *last_parts != file.parts) {
+      tell_missing(*last_parts + 1);
+      last_part.reset();
+    }
+    last_parts = file.parts;
+    tell_missing(file.part);
+    last_part = file.part;
+    std::string words;
+    try {
+      const io::ShardReader shard(file.path);
+      const std::string differs = io::difference(shard.header(), study.header(file.part, file.parts));
+      words = fmt::format("{} of {} scenarios, {} not solved, {}", shard.next() - shard.header().first,
+                          shard.header().range().size(), shard.n_unsolved(),
+                          file.is_finished ? "finished" : "not finished");
+      if (!differs.empty()) words += fmt::format("; these rows are of {}", differs);
+      if (!file.is_finished)
+        words += fmt::format("{}{}", last_change_words(file.path), on_the_way.of(file.part, file.parts));
+      std::vector<io::ShardReader::Unsolved> unsolved;
+      shard.append_unsolved(unsolved);
+      constexpr std::size_t kReported = 3;
+      for (std::size_t i = 0; i < std::min(unsolved.size(), kReported); ++i)
+        words += fmt::format("\n  scenario {}: {}", unsolved[i].scenario, unsolved[i].reason);
+      if (unsolved.size() > kReported) words += fmt::format("\n  and {} more", unsolved.size() - kReported);
+    } catch (const InputError& error) {
+      words = error.faults().front().message;
+    }
+    std::cout << fmt::format("part {} of {}: {}\n", file.part, file.parts, words);
+  }
+  if (last_parts) tell_missing(*last_parts + 1);
+  std::cout << on_the_way.of_merge();
+}
+
+}  // namespace ringfilm::app

@@ -1,0 +1,113 @@
+#include "commands/command_surface.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/io/text/units.hpp"
+#include "ringfilm/surface/topography/roughness.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+/// x, y, z in metres, row after row, z empty where a point is missing.
+void write_heights(const std::string& path, const surface::HeightMap& map) {
+  io::AsideFile aside(path);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(aside.path().c_str(), "wb"), std::fclose);
+  if (!file) io::fail_to_write(path, errno);
+  const auto put = [&](const std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) io::fail_to_write(path, errno);
+  };
+  put("x [m],y [m],z [m]\n");
+  std::vector<std::string> x;
+  for (std::size_t i = 0; i < map.points_x; ++i) x.push_back(io::exact_text(static_cast<double>(i) * map.step_x_m));
+  for (std::size_t j = 0; j < map.points_y; ++j) {
+    const std::string y = io::exact_text(static_cast<double>(j) * map.step_y_m);
+    std::string lines;
+    for (std::size_t i = 0; i < map.points_x; ++i) {
+      const std::size_t point = map.index(i, j);
+      lines +=
+          x[i] + "," + y + "," + (map.measured(point) ? io::exact_text(map.height_m[point]) : std::string()) + "\n";
+    }
+    put(lines);
+  }
+  if (std::fflush(file.get()) != 0) io::fail_to_write(path, errno);
+  aside.put_in_place();
+}
+
+/// What the file holds, before anything is taken off.
+io::NamedNumbers numbers_as_read(const surface::HeightMap& map) {
+  double lowest = INFINITY, highest = -INFINITY;
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (!map.measured(i)) continue;
+    lowest = std::min(lowest, map.height_m[i]);
+    highest = std::max(highest, map.height_m[i]);
+  }
+  const auto length = [](std::size_t points, double step) { return static_cast<double>(points) * step; };
+  return {{"points_x", static_cast<double>(map.points_x)},
+          {"points_y", static_cast<double>(map.points_y)},
+          {"step_x", map.step_x_m},
+          {"step_y", map.is_profile() ? 0.0 : map.step_y_m},
+          {"width", length(map.points_x, map.step_x_m)},
+          {"height", map.is_profile() ? 0.0 : length(map.points_y, map.step_y_m)},
+          {"missing", static_cast<double>(map.points() - measured_points(map))},
+          {"min", lowest},
+          {"max", highest}};
+}
+
+std::optional<instrument::SurfaceFile> read_flat(const SurfaceCommand& command, const io::Units& units) {
+  if (!command.noise) return std::nullopt;
+  return instrument::read_surface_file(*command.noise, command.reading, units);
+}
+
+}  // namespace
+
+void surface(const std::vector<std::string>& paths, const std::optional<std::string>& heights,
+             const SurfaceCommand& command) {
+  std::vector<std::string> inputs = paths;
+  if (heights && paths.size() > 1) {
+    throw InputError("--heights writes the heights of one file, and there are " + std::to_string(paths.size()),
+                     "name one file");
+  }
+  if (command.noise) inputs.push_back(*command.noise);
+  MeasurementOutputs outputs = command.outputs;
+  outputs.heights = heights;
+  check_outputs(outputs, inputs);
+  const io::Units units;
+  const auto flat = read_flat(command, units);
+  if (paths.size() > 1) {
+    std::vector<instrument::SurfaceFile> files;
+    for (const std::string& path : paths) files.push_back(instrument::read_surface_file(path, command.reading, units));
+    const io::Measurement all = surfaces_measurement(files, command.analysis, flat ? &*flat : nullptr);
+    return deliver(all, outputs, numbers_of(all));
+  }
+  const instrument::SurfaceFile file = instrument::read_surface_file(paths.front(), command.reading, units);
+  const io::Measurement measurement = surface_measurement(file, command.analysis, flat ? &*flat : nullptr);
+  if (heights) write_heights(*heights, file.map);
+  io::NamedNumbers numbers = numbers_as_read(file.map), measured = numbers_of(measurement);
+  numbers.insert(numbers.end(), measured.begin(), measured.end());
+  deliver(measurement, outputs, numbers);
+}
+
+void pair(const std::vector<std::string>& ring, const std::vector<std::string>& liner, const SurfaceCommand& command) {
+  std::vector<std::string> inputs = ring;
+  inputs.insert(inputs.end(), liner.begin(), liner.end());
+  if (command.noise) inputs.push_back(*command.noise);
+  check_outputs(command.outputs, inputs);
+  const io::Units units;
+  const auto read = [&](const std::vector<std::string>& paths) {
+    std::vector<instrument::SurfaceFile> files;
+    for (const std::string& path : paths) files.push_back(instrument::read_surface_file(path, command.reading, units));
+    return files;
+  };
+  const auto flat = read_flat(command, units);
+  const io::Measurement measurement =
+      pair_measurement(read(ring), read(liner), command.analysis, flat ? &*flat : nullptr);
+  deliver(measurement, command.outputs, numbers_of(measurement));
+}
+
+}  // namespace ringfilm::app

@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "ringfilm/surface/synthetic/synthetic.hpp"
+#include "ringfilm/surface/synthetic/wanted_surface.hpp"
+
+namespace ringfilm::app {
+
+/// A Gaussian surface by its rms height and correlation length.
+struct GaussianSurface {
+  double Sq_m = 0.3e-6;
+  double length_m = 5e-6;
+  surface::MadeRms rms = surface::MadeRms::exact;
+};
+
+/// A Gaussian surface whose N, beta and sigma against a smooth flat are as wanted.
+struct ContactSurface {
+  surface::AsperityParameters wanted;
+  surface::SigmaRule rule = surface::SigmaRule::ra;
+};
+
+/// What `synthetic` was asked for.
+struct SyntheticCommand {
+  std::string output;
+  std::string words;  ///< the command without its output, for the record in the file
+  surface::SurfaceGrid grid;
+  std::uint64_t seed = 1;
+  std::variant<GaussianSurface, ContactSurface, surface::HonedSurface, surface::PorousSurface> kind;
+};
+
+/// Makes a surface and writes it as the file of an instrument, labelled as synthetic.
+void synthetic(const SyntheticCommand& command);
+
+}  // namespace ringfilm::app

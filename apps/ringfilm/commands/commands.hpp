@@ -1,0 +1,82 @@
+#pragma once
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/result/vts_file.hpp"
+
+/// The commands of the program: words in, words and files out. Each returns normally or throws one of the errors of
+/// ringfilm/base/error.hpp; main turns those into exit codes.
+namespace ringfilm::app {
+
+enum class SummaryForm { kTable, kJson, kNothing };
+enum class LedgerWanted { kStatements, kComputed };
+enum class ErrorsWanted { kNone, kEstimated };
+
+struct RunOptions {
+  std::string case_path;
+  std::vector<io::Override> overrides;
+  std::optional<std::string> output;  ///< NetCDF
+  std::optional<std::string> csv;
+  SummaryForm summary = SummaryForm::kTable;
+  LedgerWanted ledger = LedgerWanted::kStatements;
+  ErrorsWanted errors = ErrorsWanted::kNone;
+  int jobs = 0;  ///< threads for ledger and errors; 0: as many as the machine runs at once
+};
+void run(const RunOptions& options);
+
+/// The same for a case that is a pad.
+void run_pad(const RunOptions& options, const cycle::Case& input);
+
+struct CheckOptions {
+  std::string case_path;
+  std::vector<io::Override> overrides;
+};
+void check(const CheckOptions& options);
+
+struct ReportOptions {
+  std::vector<std::string> results;
+  std::vector<std::string> overlays;
+  std::optional<std::string> output;      ///< web page
+  std::optional<std::string> vts_folder;  ///< of the fields around the ring for ParaView
+  std::optional<io::VtsShape> vts_shape;
+};
+void report(const ReportOptions& options);
+
+struct ReproduceOptions {
+  std::string publication;
+  std::string folder;
+  int jobs = 0;  ///< threads; 0: as many as the machine runs at once
+};
+void reproduce(const ReproduceOptions& options);
+
+/// The same rings from the synthetic instrument files of cases/measured/: surfaces, faces and friction loops are
+/// measured as by the single commands, what they give becomes cases, and these are run.
+void reproduce_measured(const ReproduceOptions& options);
+
+enum class VerifyWanted { kTable, kJson, kNames };
+
+struct VerifyOptions {
+  std::vector<std::string> names;     ///< folders of verification/; empty: all
+  std::optional<std::string> output;  ///< web page
+  VerifyWanted wanted = VerifyWanted::kTable;
+};
+
+/// Everything was computed and written, but something in it is not as it should be (exit code 4).
+class FailedChecks : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs the shipped cases with known answers. Throws FailedChecks.
+void verify(const VerifyOptions& options);
+
+/// Prints the table of case keys.
+void fields();
+
+/// Writes a commented case to start from; refuses to replace a file.
+void start_case(const std::string& path);
+
+}  // namespace ringfilm::app

@@ -1,0 +1,153 @@
+#include "study/study_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ringfilm/io/text/units.hpp"
+#include "ringfilm/study/design/morris.hpp"
+#include "ringfilm/study/statistics/main_values.hpp"
+#include "ringfilm/study/statistics/sobol_indices.hpp"
+#include "ringfilm/study/statistics/statistics.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+class Summary {
+ public:
+  explicit Summary(const io::StudyRows& rows) : rows_(rows), plan_(rows.plan) {}
+
+  std::string text() {
+    const study::Study& study = plan_.study();
+    text_ = fmt::format("{}\n", study.title);
+    for (const std::string& note : rows_.notes()) text_ += fmt::format("note: {}\n", note);
+    for (std::size_t b = 0; b < study.bases.size(); ++b) {
+      tell_base(b);
+      print_notes(b);
+    }
+    tell_unsolved();
+    return text_;
+  }
+
+ private:
+  void tell_base(std::size_t base) {
+    const bool is_sample = study::has_sample(plan_);
+    const study::Among among = is_sample ? study::Among::kSample : study::Among::kAll;
+    text_ += fmt::format("\nbase {}, {} scenarios\n", plan_.study().bases[base].name, plan_.n_points(base));
+    text_ += is_sample ? fmt::format("  {:<24}{:>16}{:>16}{:>16}{:>16}\n", "", "mean", "5 %", "50 %", "95 %")
+                       : fmt::format("  {:<24}{:>16}{:>16}{:>16}\n", "", "lowest", "median", "highest");
+    const auto& quantities = cycle::cycle_quantities();
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+      if (std::find(study::main_values().begin(), study::main_values().end(), quantities[i].name) ==
+          study::main_values().end())
+        continue;
+      const std::vector<double> all = rows_.values(i);
+      tell_value(quantities[i], study::values_of_base(plan_, all, base, among), is_sample);
+      if (plan_.study().sampling.indices != study::Indices::kNone && quantities[i].name == study::main_values().front())
+        indices_ = indices_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i].name, base);
+      if (plan_.study().sampling.method == study::Method::kMorris && quantities[i].name == study::main_values().front())
+        indices_ = screening_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i], base);
+    }
+    text_ += std::exchange(indices_, "");
+  }
+
+  /// What the results of the base note, each topic with the number of scenarios that carry it.
+  void print_notes(std::size_t base) {
+    const std::uint64_t n = plan_.n_points(base);
+    bool is_first = true;
+    for (const auto& notes : rows_.scenario_notes()) {
+      const auto& [count, shown] = notes.bases[base];
+      if (!shown) continue;
+      if (std::exchange(is_first, false)) text_ += "  notes on the results, with the figures of one scenario\n";
+      text_ += fmt::format("    {} of {}  {}: {} ({} scenario {})\n", count, n, notes.topic, shown->message,
+                           shown->badness ? "worst:" : "first:", shown->scenario);
+    }
+  }
+
+  void tell_value(const cycle::Quantity& quantity, const std::vector<double>& values, bool is_sample) {
+    const std::vector<double> sorted = study::sorted_values(values);
+    if (sorted.empty()) return;
+    const auto padded = [&](double x) { return fmt::format("{:>16}", shown(quantity, x)); };
+    text_ += fmt::format("  {:<24}", quantity.name);
+    const auto mean = study::mean_of(values);
+    if (is_sample) {
+      text_ += mean ? padded(mean->value) : fmt::format("{:>16}", "");
+      for (const double share : {0.05, 0.5, 0.95}) text_ += padded(study::quantile_of(sorted, share).value);
+    } else {
+      text_ += padded(sorted.front()) + padded(study::quantile_of(sorted, 0.5).value) + padded(sorted.back());
+    }
+    text_ += "\n";
+  }
+
+  std::string indices_text(const std::vector<double>& values, const std::string& of, std::size_t base) const {
+    const auto found = study::sobol_indices(values, plan_.groups().size());
+    if (!found) return "";
+    std::string text = fmt::format("  share in the variance of {}, with 95 % intervals\n", of);
+    for (std::size_t g = 0; g < plan_.groups().size(); ++g) {
+      if (!study::applies(plan_.groups()[g], plan_.study(), base)) continue;
+      const auto& [first, total] = std::pair{found->first[g], found->total[g]};
+      text +=
+          fmt::format("    {:<36} alone {:5.2f} ({:.2f} to {:.2f})   with interactions {:5.2f} ({:.2f} to {:.2f})\n",
+                      plan_.groups()[g].name, first.value, first.low, first.high, total.value, total.low, total.high);
+    }
+    return text;
+  }
+
+  std::string shown(const cycle::Quantity& quantity, double value) const {
+    const double converted = units_.scale(quantity.display_unit, quantity.unit).from_si(value);
+    const std::string unit = quantity.display_unit == "1" ? "" : " " + quantity.display_unit;
+    return fmt::format("{:.5g}{}", converted, unit);
+  }
+
+  /// Factors by the size of their elementary effects, strongest first.
+  std::string screening_text(const std::vector<double>& values, const cycle::Quantity& of, std::size_t base) const {
+    const auto effects = study::morris_effects(plan_.trajectories(), values);
+    const auto moves = [&](std::size_t j) { return study::applies(plan_.study().factors[j], base); };
+    std::vector<std::size_t> order;
+    for (std::size_t j = 0; j < effects.size(); ++j) {
+      if (effects[j] && moves(j)) order.push_back(j);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return effects[a]->mean_absolute > effects[b]->mean_absolute;
+    });
+    std::string text = fmt::format(
+        "  elementary effects on {} over the whole range of each factor (Morris), with 95 % intervals\n", of.name);
+    for (const std::size_t j : order) {
+      text += fmt::format("    {:<36} mu* {:>14} +- {:>14}   sigma {:>14}\n", plan_.study().factors[j].name,
+                          shown(of, effects[j]->mean_absolute),
+                          shown(of, study::mean_half_width(effects[j]->count) * effects[j]->mean_absolute_error),
+                          shown(of, effects[j]->deviation));
+    }
+    for (std::size_t j = 0; j < effects.size(); ++j) {
+      if (!effects[j] && moves(j))
+        text += fmt::format("    {:<36} no effect known: too few solved\n", plan_.study().factors[j].name);
+    }
+    return text;
+  }
+
+  void tell_unsolved() {
+    const std::uint64_t n_unsolved = rows_.n_unsolved();
+    if (n_unsolved == 0) return;
+    text_ += fmt::format("\n{} of {} scenarios were not solved; the first:\n", n_unsolved, plan_.size());
+    constexpr std::uint64_t kReported = 3, kBlock = 4096;  // a block at a time: there may be a million
+    std::uint64_t n_listed = 0;
+    for (std::uint64_t first = 0; first < plan_.size() && n_listed < std::min(n_unsolved, kReported); first += kBlock) {
+      for (const auto& one : rows_.unsolved({first, std::min(first + kBlock, plan_.size())})) {
+        if (n_listed++ < kReported) text_ += fmt::format("  scenario {}: {}\n", one.scenario, one.reason);
+      }
+    }
+  }
+
+  const io::StudyRows& rows_;
+  const study::Plan& plan_;
+  io::Units units_;
+  std::string text_, indices_;
+};
+
+}  // namespace
+
+std::string study_summary(const io::StudyRows& rows) { return Summary(rows).text(); }
+
+}  // namespace ringfilm::app

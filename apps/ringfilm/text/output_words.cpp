@@ -1,0 +1,25 @@
+#include <CLI/CLI.hpp>
+
+#include "text/command_words.hpp"
+
+namespace ringfilm::app {
+
+void OutputWords::add_to(CLI::App& command, bool with_fragment) {
+  command.add_option("-o,--output", outputs.netcdf, "write everything as NetCDF-4")->type_name("X.nc");
+  command.add_option("--html", outputs.page, "write everything as one self-contained web page")->type_name("X.html");
+  if (with_fragment) {
+    command
+        .add_option("--fragment", outputs.fragment,
+                    "write what a case needs; a case reads it with include = [\"X.toml\"]")
+        ->type_name("X.toml");
+  }
+  command.add_flag("--json", json, "print JSON, SI units, instead of the table");
+}
+
+MeasurementOutputs OutputWords::wanted() const {
+  MeasurementOutputs wanted = outputs;
+  wanted.summary = json ? SummaryForm::kJson : SummaryForm::kTable;
+  return wanted;
+}
+
+}  // namespace ringfilm::app

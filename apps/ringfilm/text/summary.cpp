@@ -1,0 +1,227 @@
+#include "text/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <vector>
+
+#include "text/engineering_text.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+using cycle::CycleValues;
+
+constexpr int kValueWidth = 12;
+constexpr int kValueWithErrorWidth = 24;
+
+/// Pieces set one after the other in lines of at most 100 characters, all but the first line indented.
+std::string wrapped(const std::vector<std::string>& pieces) {
+  constexpr std::size_t kLineLength = 100;
+  constexpr const char* kIndent = "    ";
+  std::string lines, line;
+  for (const std::string& piece : pieces) {
+    if (!line.empty() && line.size() + 1 + piece.size() > kLineLength) {
+      lines += line + "\n";
+      line = kIndent + piece;
+    } else {
+      line += (line.empty() ? "" : " ") + piece;
+    }
+  }
+  return lines + line + "\n";
+}
+
+std::vector<std::string> words(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+class Table {
+ public:
+  Table(const CycleValues& values, const std::optional<study::ErrorEstimate>& errors)
+      : values_(values), errors_(errors) {}
+
+  /// A line for the cycle value of that name, with a remark.
+  void add(const std::string& name, const std::string& remark = "") {
+    const cycle::CycleQuantity& quantity = cycle_quantity(name);
+    text_ += fmt::format("{:>{}}   {}{}\n", shown(name), errors_ ? kValueWithErrorWidth : kValueWidth,
+                         quantity.long_name, remark.empty() ? "" : " (" + remark + ")");
+  }
+  std::string shown(const std::string& name) const {
+    const auto value = cycle_quantity(name).value;
+    return errors_ ? in_words_(name, values_.*value, errors_->values.*value) : in_words_(name, values_.*value);
+  }
+  std::string at(const std::string& angle_name) const { return "at " + shown(angle_name); }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  const CycleValues& values_;
+  const std::optional<study::ErrorEstimate>& errors_;
+  EngineeringText in_words_;
+  std::string text_;
+};
+
+std::string percent(double part, double whole) { return fmt::format("{:.0f} %", whole > 0 ? 100 * part / whole : 0.0); }
+
+std::string values_table(const CycleValues& values, const std::optional<study::ErrorEstimate>& errors) {
+  Table table(values, errors);
+  table.add("fmep");
+  table.add("mean_power_loss", "boundary " + percent(values.mean_boundary_power, values.mean_power_loss) +
+                                   ", viscous " + percent(values.mean_viscous_power, values.mean_power_loss));
+  table.add("energy_per_cycle", fmt::format("power {}, exhaust {}, intake {}, compression {}",
+                                            percent(values.power_stroke_energy, values.energy_per_cycle),
+                                            percent(values.exhaust_stroke_energy, values.energy_per_cycle),
+                                            percent(values.intake_stroke_energy, values.energy_per_cycle),
+                                            percent(values.compression_stroke_energy, values.energy_per_cycle)));
+  table.add("mean_total_friction",
+            "boundary " + table.shown("mean_boundary_friction") + ", viscous " + table.shown("mean_viscous_friction"));
+  table.add("peak_total_friction", table.at("peak_total_friction_angle"));
+  table.add("peak_boundary_friction", table.at("peak_boundary_friction_angle"));
+  table.add("peak_viscous_friction", table.at("peak_viscous_friction_angle"));
+  table.add("peak_friction_coefficient", table.at("peak_friction_coefficient_angle") +
+                                             "; within 60 degree of firing TDC " +
+                                             table.shown("peak_friction_coefficient_firing"));
+  table.add("min_film_thickness", table.at("min_film_thickness_angle"));
+  table.add("film_parameter_at_peak_pressure", "lowest of the cycle " + table.shown("min_film_parameter"));
+  table.add("mixed_share");
+  table.add("mean_absolute_oil_flow", "net " + table.shown("net_oil_flow") + ", positive to the crankcase");
+  table.add("peak_film_pressure",
+            "peak gas pressure " + table.shown("peak_gas_pressure") + " " + table.at("peak_gas_pressure_angle"));
+  table.add("wear_drive_energy");
+  return table.text();
+}
+
+/// What only an unrolled film has: its grid, and what the ends of the gap do.
+std::string unrolled_lines(const cycle::Case& input, const cycle::CycleResult& result) {
+  const EngineeringText in_words;
+  std::string text = fmt::format("film on the unrolled ring: {} x {} cells, {:.6g} mm around", input.solver.cells,
+                                 input.solver.cells_y, input.ring_length() * 1e3);
+  if (!input.ring.end_gap) return wrapped(words(text + ", joined without a gap"));
+  text += fmt::format(", gap of {:.4g} mm at {:.4g} degree", *input.ring.end_gap * 1e3, input.ring.gap_position_deg);
+  if (result.complete) {
+    const auto shown = [&](const char* name) {
+      const auto& all = cycle::unrolled_cycle_quantities();
+      const auto found = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
+      return in_words(*found, result.unrolled_values.*found->value);
+    };
+    text += fmt::format(
+        "; oil into the gap {} on average, negative out of it; the largest flow either way {} ({}), to and fro {} of "
+        "the flow at the middle section; share "
+        "of the ends in load {}, friction power {}, flow {}",
+        shown("mean_gap_leakage"), shown("peak_gap_leakage"), shown("peak_gap_leakage_angle"),
+        shown("gap_leakage_share"), shown("ends_share_mean_load"), shown("ends_share_friction_power"),
+        shown("ends_share_absolute_flow"));
+  }
+  return wrapped(words(text));
+}
+
+std::string error_lines(const study::ErrorEstimate& errors, cycle::StepControl control) {
+  std::string grids;
+  for (const study::GridRun& run : errors.runs) {
+    const std::string around = run.cells_y > 0 ? fmt::format(" x {}", run.cells_y) : "";
+    grids +=
+        fmt::format("{}{}{} cells at {:.4g} degree", grids.empty() ? "" : ", ", run.cells, around, run.crank_step_deg);
+    if (control == cycle::StepControl::kAdaptive) grids += fmt::format(" (step_error {:.3g})", run.step_error);
+  }
+  return wrapped(words("+- is the error of cells and crank steps, from the grids " + grids +
+                       "; it says nothing of the models and the inputs"));
+}
+
+std::string stopped_solver_lines(const cycle::Effort& effort) {
+  return wrapped(words(fmt::format("solver: stopped after {} crank steps and {} Newton iterations", effort.crank_steps,
+                                   effort.newton_iterations)));
+}
+
+std::string solver_lines(const cycle::Effort& effort) {
+  std::string text = fmt::format(
+      "solver: {:.4g} cycles until the state repeats (to {:.1e}), {} crank steps, {} Newton iterations; load balanced "
+      "to {:.1e} (relative)",
+      effort.cycles_marched, effort.periodicity_error, effort.crank_steps, effort.newton_iterations,
+      effort.max_load_residual);
+  if (effort.max_mass_residual > 0) text += fmt::format(", mass to {:.1e}", effort.max_mass_residual);
+  const long n_fallbacks = effort.fallback_secant + effort.fallback_sub_step;
+  if (n_fallbacks > 0) text += fmt::format("; {} steps needed the fallback chain", n_fallbacks);
+  return wrapped(words(text));
+}
+
+std::string assumed_lines(const std::vector<io::CaseEntry>& inputs) {
+  std::vector<std::string> entries;
+  for (const io::CaseEntry& entry : inputs) {
+    if (entry.assumed) entries.push_back(entry.key + " = " + entry.shown);
+  }
+  if (entries.empty()) return "assumed: nothing, the case states every key in use\n";
+  std::vector<std::string> pieces = {fmt::format("assumed: {} keys that the case does not state:", entries.size())};
+  for (const std::string& entry : entries) pieces.push_back(entry + (&entry == &entries.back() ? "" : ","));
+  return wrapped(pieces);
+}
+
+std::string simplification_lines(const io::ResultDocument& document) {
+  std::string topics;
+  for (const study::LedgerEntry& entry : document.ledger) topics += (topics.empty() ? "" : ", ") + entry.topic;
+  return wrapped(words(fmt::format("taken for granted: {} simplifications ({})", document.ledger.size(), topics))) +
+         (document.ledger_computed ? "" : "    run with --ledger to see what the other choices would change\n");
+}
+
+std::string note_lines(const io::ResultDocument& document) {
+  std::string text;
+  for (const std::string& note : document.input_notes) text += wrapped(words("note: " + note));
+  for (const auto& [topic, message, count] : document.result.notes) {
+    text += wrapped(words("note: " + message + (count > 1 ? fmt::format(" ({} times)", count) : "")));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary(const cycle::Case& input, const io::ResultDocument& document) {
+  constexpr double kFreezing = 273.15;  // [K]
+  std::string text = document.title + "\n";
+  text += fmt::format("{:.6g} rpm, oil at {:.6g} degC; cylinder pressure: {}\n\n",
+                      input.operating.speed * 30 / std::numbers::pi, input.operating.oil_temperature - kFreezing,
+                      pressure_origin(input.gas));
+  const cycle::CycleResult& result = document.result;
+  if (!result.complete) {
+    text += fmt::format(
+        "STOPPED after {:.4g} cycles, before the cycle repeated itself; {} crank angles are in the result, but no "
+        "values "
+        "of the cycle\n\n",
+        result.effort.cycles_marched, result.samples.size());
+  }
+  if (result.complete && !result.samples.empty()) text += values_table(result.values, document.errors) + "\n";
+  if (!result.unrolled.is_absent()) text += unrolled_lines(input, result);
+  if (document.errors && study::has_values(*document.errors))
+    text += error_lines(*document.errors, input.solver.crank_step_control);
+  text += result.complete ? solver_lines(result.effort) : stopped_solver_lines(result.effort);
+  text += assumed_lines(document.inputs) + simplification_lines(document) + note_lines(document);
+  return text;
+}
+
+std::string ledger_table(const io::ResultDocument& document) {
+  const CycleValues& base = document.result.values;
+  const auto change = [](double with, double without) {
+    return without == 0 ? std::string("-") : fmt::format("{:+.1f} %", 100 * (with / without - 1));
+  };
+  std::string text =
+      fmt::format("{:<68}{:>12}{:>12}{:>12}\n", "the other choice alone", "min film", "mean power", "mean |flow|");
+  for (const study::LedgerEntry& entry : document.ledger) {
+    for (const study::LedgerVariant& variant : entry.variants) {
+      if (!variant.solved) {
+        text += fmt::format("  {:<66}  not solved: {}\n", variant.setting, variant.reason);
+        continue;
+      }
+      text += fmt::format("  {:<66}{:>12}{:>12}{:>12}\n", variant.setting,
+                          change(variant.values.min_film_thickness, base.min_film_thickness),
+                          change(variant.values.mean_power_loss, base.mean_power_loss),
+                          change(variant.values.mean_absolute_oil_flow, base.mean_absolute_oil_flow));
+    }
+  }
+  return text;
+}
+
+}  // namespace ringfilm::app

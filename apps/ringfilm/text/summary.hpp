@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+
+namespace ringfilm::app {
+
+/// The table that `ringfilm run` prints: what was computed, the values of the cycle, how well it was solved, what was
+/// assumed and what must be known about it.
+std::string summary(const cycle::Case& input, const io::ResultDocument& document);
+
+/// The ledger with the change of minimum film, mean power and oil flow for each choice that was run.
+std::string ledger_table(const io::ResultDocument& document);
+
+}  // namespace ringfilm::app

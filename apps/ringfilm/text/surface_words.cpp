@@ -1,0 +1,235 @@
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "commands/command_surface.hpp"
+#include "option_values.hpp"
+#include "ringfilm/base/error.hpp"
+#include "text/command_words.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+constexpr const char* kSurfaceFooter = R"(Examples:
+  ringfilm surface liner.x3p
+  ringfilm surface liner.x3p --form cylinder --short-cutoff "2.5 um" --long-cutoff "250 um" --html liner.html
+  ringfilm surface scan.csv --unit nm --step-x "0.5 um" --form tilt --json
+  ringfilm surface ring.sur --form tilt --prominent "4 of 50 um" --output ring.nc
+  ringfilm surface liner.x3p --heights heights.csv
+
+Nothing is taken off the heights unless it is asked for. Lengths are written with their unit.
+--heights writes the heights as they were read: x, y, z in metres, z empty where a point is missing.
+The file can be read again without any option.
+)";
+
+constexpr const char* kPairFooter = R"(Examples:
+  ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --short-cutoff "2.5 um" --fragment contact.toml
+  ringfilm pair --ring r1.sur r2.sur r3.sur --liner l1.x3p l2.x3p --form cylinder --grid 3x3 --sigma Rq
+
+Every file and region of a side is one sample of that surface; the means go into the case, the scatter with them.
+)";
+
+/// "3x2" as two counts.
+std::pair<std::size_t, std::size_t> counts_of(const std::string& option, const std::string& text) {
+  const std::size_t cross = text.find('x');
+  std::size_t across = 0, down = 0;
+  const auto read = [](std::string_view word, std::size_t& to) {
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), to);
+    return error == std::errc() && end == word.data() + word.size() && to >= 1 && to <= 1000;
+  };
+  const std::string_view words = text;
+  if (cross == std::string::npos || !read(words.substr(0, cross), across) || !read(words.substr(cross + 1), down)) {
+    throw InputError(option + " " + text + ": these are not two counts from 1 to 1000",
+                     "for example " + option + " 3x2");
+  }
+  return {across, down};
+}
+
+/// The words of a surface command, as text.
+struct SurfaceWords {
+  instrument::SurfaceOptions reading;
+  std::optional<std::string> layout, short_cutoff, long_cutoff, grid, prominent, noise, angle, cavity_depth;
+  std::vector<std::string> rectangles;
+  std::string form = "none", direction = "mean", scheme = "neighbours", sigma = "Ra";
+  bool robust = false;
+  OutputWords outputs;
+
+  void add_to(CLI::App& command) {
+    command.add_option("--channel", reading.channel, "which channel of the file: its number from 1, or its name")
+        ->type_name("N");
+    command.add_option("--unit", reading.height_unit, "unit of the heights, where the file does not say")
+        ->type_name("UNIT");
+    command.add_option("--lateral-unit", reading.lateral_unit, "unit of x and y, where the file does not say")
+        ->type_name("UNIT");
+    command.add_option("--step-x", reading.step_x, "distance of points along a row, where the file does not say")
+        ->type_name("LENGTH");
+    command.add_option("--step-y", reading.step_y, "distance of rows; the same as --step-x if left out")
+        ->type_name("LENGTH");
+    command.add_option("--layout", layout, "of a text file: matrix, points (x, y, z) or profile")->type_name("LAYOUT");
+    command
+        .add_option("--form", form, "what is taken off first: none, mean, tilt, cylinder or polynomial-K of degree K")
+        ->capture_default_str()
+        ->type_name("FORM");
+    command.add_option("--short-cutoff", short_cutoff, "S-filter: waves shorter than this go")->type_name("LENGTH");
+    command.add_option("--long-cutoff", long_cutoff, "L-filter: waves longer than this go")->type_name("LENGTH");
+    command.add_flag("--robust", robust, "robust Gaussian filters, which pores and grooves do not pull down");
+    command.add_option("--direction", direction, "of slopes and curvatures: x, y, mean or geometric")
+        ->capture_default_str()
+        ->type_name("WORD");
+    command.add_option("--scheme", scheme, "of slopes and curvatures: neighbours or seven-point")
+        ->capture_default_str()
+        ->type_name("WORD");
+    command.add_option("--angle", angle, "report slopes and curvatures of a map at this angle to x, too")
+        ->type_name("ANGLE");
+    command.add_option("--cavity-depth", cavity_depth, "what lies deeper below the median is a cavity")
+        ->type_name("LENGTH");
+    command.add_option("--sigma", sigma, "which roughness stands for sigma: Ra or Rq")
+        ->capture_default_str()
+        ->type_name("WORD");
+    command
+        .add_option("--region", rectangles,
+                    "a rectangle to be measured by itself: x, y, width, height with their unit; may be repeated")
+        ->allow_extra_args(false)
+        ->type_name("\"X,Y,W,H um\"");
+    command.add_option("--grid", grid, "so many equal regions across and down")->type_name("3x2");
+    command.add_option("--prominent", prominent, "so many squares of this size that stand out most")
+        ->type_name("\"N of LENGTH\"");
+    command.add_option("--noise", noise, "a flat measured likewise: its moments are taken off")->type_name("FILE");
+  }
+
+  SurfaceCommand command() const {
+    SurfaceCommand of;
+    const io::Units units;
+    OptionValues values(units);
+    of.reading = reading;
+    if (layout) {
+      using instrument::TableLayout;
+      of.reading.layout = values.chosen<TableLayout>(
+          "--layout", *layout,
+          {{"matrix", TableLayout::kMatrix}, {"points", TableLayout::kPoints}, {"profile", TableLayout::kProfile}});
+    }
+    of.noise = noise;
+    of.outputs = outputs.wanted();
+    of.analysis.preparation.form = form_choice(values);
+    of.analysis.preparation.filter = robust ? surface::FilterKind::robust_gaussian : surface::FilterKind::gaussian;
+    if (robust && !short_cutoff && !long_cutoff) {
+      throw InputError("--robust names a filter, but there is no cut-off", "add --short-cutoff or --long-cutoff");
+    }
+    if (short_cutoff) of.analysis.preparation.short_cutoff_m = values.length("--short-cutoff", *short_cutoff, "2.5 um");
+    if (long_cutoff) of.analysis.preparation.long_cutoff_m = values.length("--long-cutoff", *long_cutoff, "2.5 um");
+    if (cavity_depth) of.analysis.cavity_depth_m = values.length("--cavity-depth", *cavity_depth, "2.5 um");
+    if (angle) of.analysis.angle_rad = values.quantity("--angle", *angle, "rad", "30 deg");
+    using surface::MomentDirection;
+    of.analysis.direction = values.chosen<MomentDirection>("--direction", direction,
+                                                           {{"x", MomentDirection::x},
+                                                            {"y", MomentDirection::y},
+                                                            {"mean", MomentDirection::mean},
+                                                            {"geometric", MomentDirection::geometric}});
+    using surface::DifferenceScheme;
+    of.analysis.scheme = values.chosen<DifferenceScheme>(
+        "--scheme", scheme,
+        {{"neighbours", DifferenceScheme::neighbours}, {"seven-point", DifferenceScheme::seven_point}});
+    of.analysis.sigma_rule = values.chosen<surface::SigmaRule>(
+        "--sigma", sigma, {{"Ra", surface::SigmaRule::ra}, {"Rq", surface::SigmaRule::rq}});
+    for (const std::string& text : rectangles) of.analysis.regions.rectangles_m.push_back(rectangle(text, units));
+    if (grid) std::tie(of.analysis.regions.across, of.analysis.regions.down) = counts_of("--grid", *grid);
+    if (prominent) add_prominent(of.analysis.regions, values);
+    values.check();
+    return of;
+  }
+
+ private:
+  surface::FormChoice form_choice(OptionValues& values) const {
+    using surface::FormKind;
+    const std::string polynomial = "polynomial-";
+    if (form.rfind(polynomial, 0) == 0) {
+      int degree = -1;
+      const char *begin = form.data() + polynomial.size(), *end = form.data() + form.size();
+      const auto [stop, error] = std::from_chars(begin, end, degree);
+      if (error == std::errc() && stop == end && degree >= 0 && degree <= 12) return {FormKind::polynomial, degree};
+      throw InputError("--form " + form + ": the degree is no number from 0 to 12", "for example --form polynomial-2");
+    }
+    return {values.chosen<FormKind>("--form", form,
+                                    {{"none", FormKind::none},
+                                     {"mean", FormKind::mean},
+                                     {"tilt", FormKind::tilt},
+                                     {"cylinder", FormKind::cylinder},
+                                     {"polynomial-2", FormKind::polynomial}}),
+            2};
+  }
+
+  /// "0,0,100,50 um" as four lengths.
+  static std::array<double, 4> rectangle(const std::string& text, const io::Units& units) {
+    const InputError refusal("--region " + text + ": these are not four numbers and a unit of length",
+                             "for example --region \"0, 0, 100, 50 um\"");
+    std::array<double, 4> of{};
+    std::size_t begin = 0;
+    std::vector<std::string> words;
+    while (begin <= text.size()) {
+      const std::size_t comma = std::min(text.find(',', begin), text.size());
+      words.push_back(text.substr(begin, comma - begin));
+      begin = comma + 1;
+    }
+    if (words.size() != 4) throw refusal;
+    const std::size_t last = words[3].find_last_of("0123456789.");
+    if (last == std::string::npos) throw refusal;
+    const std::string unit = words[3].substr(last + 1);
+    words[3].resize(last + 1);
+    for (std::size_t k = 0; k < 4; ++k) {
+      try {
+        of[k] = units.quantity(words[k] + unit, "m", "100 um");
+      } catch (const io::UnitError&) {
+        throw refusal;
+      }
+    }
+    return of;
+  }
+
+  void add_prominent(instrument::RegionChoice& to, OptionValues& values) const {
+    const std::string of = " of ";
+    const std::size_t word = prominent->find(of);
+    const InputError refusal("--prominent " + *prominent + ": this is not a count and a size",
+                             "for example --prominent \"4 of 50 um\"");
+    if (word == std::string::npos) throw refusal;
+    const auto [end, error] = std::from_chars(prominent->data(), prominent->data() + word, to.prominent);
+    if (error != std::errc() || end != prominent->data() + word || to.prominent < 1 || to.prominent > 1000)
+      throw refusal;
+    to.size_m = values.length("--prominent", prominent->substr(word + of.size()), "50 um");
+  }
+};
+
+}  // namespace
+
+void add_surface_commands(CLI::App& program, Actions& actions) {
+  {
+    CLI::App* command = program.add_subcommand("surface", "Measure a surface: roughness, bearing curve, asperities");
+    const auto words = std::make_shared<SurfaceWords>();
+    const auto paths = std::make_shared<std::vector<std::string>>();
+    const auto heights = std::make_shared<std::optional<std::string>>();
+    command
+        ->add_option(
+            "FILE", *paths,
+            "X3P, SDF, SUR, GSF, CSV; other formats through the program gwyddion; several files of one surface "
+            "give a mean and its scatter")
+        ->required()
+        ->type_name("...");
+    words->add_to(*command);
+    words->outputs.add_to(*command, false);
+    command->add_option("--heights", *heights, "write the heights as read: x, y, z in metres")->type_name("OUT.csv");
+    command->footer(kSurfaceFooter);
+    actions.emplace_back(command, [words, paths, heights] { surface(*paths, *heights, words->command()); });
+  }
+  {
+    CLI::App* command = program.add_subcommand("pair", "Two surfaces in contact: N, beta and sigma for a case");
+    const auto words = std::make_shared<SurfaceWords>();
+    const auto ring = std::make_shared<std::vector<std::string>>();
+    const auto liner = std::make_shared<std::vector<std::string>>();
+    command->add_option("--ring", *ring, "maps of the ring's face")->required()->type_name("FILE ...");
+    command->add_option("--liner", *liner, "maps of the liner")->required()->type_name("FILE ...");
+    words->add_to(*command);
+    words->outputs.add_to(*command, true);
+    command->footer(kPairFooter);
+    actions.emplace_back(command, [words, ring, liner] { pair(*ring, *liner, words->command()); });
+  }
+}
+
+}  // namespace ringfilm::app

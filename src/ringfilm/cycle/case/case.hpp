@@ -1,0 +1,487 @@
+#pragma once
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ringfilm/base/shared.hpp"
+#include "ringfilm/models/oil/lubricant.hpp"
+
+/// The input of one engine cycle, or of a pad, as one plain value: SI units, complete, checked. Angles alone are in
+/// degrees (suffix `_deg`; of the crank 0 = firing TDC), because that is the grid on which everything is asked for and
+/// stored (docs/decisions/0002-crank-angle-in-degrees.md).
+///
+/// A default is written here and nowhere else. A member without a default belongs to a key that must be stated;
+/// `cycle/case/case_fields.hpp` has the one table of keys, units, ranges and meanings.
+namespace ringfilm::cycle {
+
+/// A value of an oil at one temperature.
+struct TemperatureValue {
+  double temperature = 0;  ///< [K]
+  double value = 0;        ///< [SI unit of the quantity]
+};
+
+/// A quantity sampled over crank angle, as its file gives it (any range within one cycle, any spacing, increasing).
+struct SampledTrace {
+  std::vector<double> crank_angle_deg;  ///< [degree], zero as its file has it
+  std::vector<double> value;            ///< [SI]
+};
+
+/// Viscosity and density of an oil of one's own on a rectangular grid; index [i_temperature * n_pressure + i_pressure].
+struct OilTable {
+  std::vector<double> temperature;  ///< [K], increasing
+  std::vector<double> pressure;     ///< [Pa] absolute, increasing
+  std::vector<double> viscosity;    ///< [Pa s]
+  std::vector<double> density;      ///< [kg/m3]
+};
+
+/// An engine cycle, or a pad: a pad where any key of `pad` is stated.
+enum class Problem {
+  kCycle,  ///< a ring over the four strokes
+  kPad     ///< a film of stated shape
+};
+
+/// `pad.direction`: which way the flat surface moves.
+enum class Direction {
+  kPlusX,  ///< towards larger x
+  kMinusX  ///< towards x = 0
+};
+
+/// `pad.sides`: what the film ends at across the motion.
+enum class Sides {
+  kOpen,      ///< stated pressures
+  kPeriodic,  ///< its own other side
+  kClosed     ///< walls
+};
+
+/// `gas.model`: where the cylinder pressure comes from.
+enum class GasModel {
+  kTrace,  ///< a file
+  kWiebe   ///< a single-zone cycle with Wiebe heat release
+};
+
+/// `gas.pressure_reference`: the zero of the pressures of a trace.
+enum class PressureReference {
+  kAbsolute,  ///< no pressure
+  kGauge      ///< 1.01325 bar
+};
+
+/// `gas.angle_zero`: the dead centre at which a trace has crank angle 0.
+enum class AngleZero {
+  kFiringTdc,      ///< that of the firing, as everywhere else
+  kGasExchangeTdc  ///< that of the gas exchange, 360 degree off
+};
+
+/// `gas.trace_origin`: where a trace comes from.
+enum class TraceOrigin {
+  kNotStated,  ///< the case does not say
+  kMeasured,   ///< on an engine
+  kComputed,   ///< by a model of the engine
+  kSynthetic   ///< made up; marked SYNTHETIC wherever it appears
+};
+
+/// `ring.face.form`: how the height of the face is given.
+enum class FaceForm {
+  kPolynomial,  ///< coefficients
+  kParabola,    ///< crown height and place of the lowest point
+  kPoints       ///< measured points, straight between them
+};
+
+/// `ring.face.height_zero`: zero of the stored heights of the face.
+enum class HeightZero {
+  kMinimum,  ///< its lowest point
+  kAsGiven   ///< that of the input
+};
+
+/// `ring.face.orientation`: which edge is x = 0 of the input.
+enum class Orientation {
+  kX0Chamber,    ///< that at the chamber
+  kX0Crankcase,  ///< that at the crankcase
+  kLeadingEdge   ///< always the leading one: the face turns over at each reversal
+};
+
+/// `ring.coating.contact_modulus`: whose modulus the contact spots feel.
+enum class ContactModulus {
+  kCoating,  ///< that of the coating
+  kBase      ///< that of the ring below
+};
+
+/// `contact.roughness_measure`: what is made of the stated roughness.
+enum class RoughnessMeasure {
+  kAsGiven,  ///< it is sigma
+  kRaToRq    ///< it is Ra, and sigma is sqrt(pi/2) = 1.2533 times as much, as for a Gaussian surface
+};
+
+/// `contact.integrals`: the Gaussian height integrals F_2 and F_5/2.
+enum class ContactIntegrals {
+  kExact,               ///< their values
+  kPolynomial4Digit,    ///< a fit of the literature, zero from its first root on
+  kPolynomialAsPrinted  ///< the same as styles2014 has it, digits cut off: rises again beyond 1.911
+};
+
+/// `contact.film_parameter`: what the contact pressure follows.
+enum class FilmParameter {
+  kLocal,   ///< h(x)/sigma along the face
+  kNominal  ///< h_m/sigma, on the whole face
+};
+
+/// `lubricant.viscosity_temperature`: law of viscosity against temperature.
+enum class ViscosityTemperature {
+  kWalther,  ///< ASTM D341 through the points
+  kHoupert   ///< Houpert's term
+};
+
+using ViscosityPressure = models::ViscosityPressureLaw;  ///< `lubricant.viscosity_pressure`
+
+/// `lubricant.density_temperature`: law of density against temperature.
+enum class DensityTemperature {
+  kTable,              ///< linear through the points and beyond
+  kThermalExpansivity  ///< by the expansivity gamma
+};
+
+/// `lubricant.compressibility`: law of density against pressure.
+enum class Compressibility {
+  kDowsonHigginson,  ///< rho_0 [1 + a p/(1 + b p)]
+  kNone              ///< none: pressure does not change it
+};
+
+/// `film.dimension`: on what the film is solved.
+enum class FilmDimension {
+  kFace,     ///< across the face, alike all around
+  kUnrolled  ///< the whole unrolled ring, with the ends of its gap
+};
+
+/// `film.cavitation`: how the film ruptures.
+enum class Cavitation {
+  kReynoldsExit,   ///< pressure is never below p_c (Reynolds)
+  kMassConserving  ///< and mass is kept, too (JFO)
+};
+
+/// `solver.crank_step_control`: how long a crank step is.
+enum class StepControl {
+  kAdaptive,  ///< refined where the film needs it
+  kFixed      ///< the stated one alone
+};
+
+/// `solver.method`: how film and load balance are solved.
+enum class Method {
+  kCoupledNewton,    ///< both at once by Newton's method
+  kPointRelaxation,  ///< pressures one by one, in a relaxed correction of h_m, as in styles2014
+  kNestedSecant      ///< the film at fixed h_m by Newton's method, in a secant on h_m
+};
+
+/// `solver.properties`: what the iteration asks for oil and contact.
+enum class Properties {
+  kFitted,  ///< polynomials fitted to their laws
+  kExact    ///< the laws themselves
+};
+
+/// `output.fields`: at which crank angles pressure and film along the face are kept.
+enum class FieldsWanted {
+  kNone,    ///< at none
+  kListed,  ///< at Output::field_angles_deg
+  kAll      ///< at all of the result
+};
+
+/// `output.reduction`: what is kept of the fields of an unrolled film.
+enum class FieldReduction {
+  kNone,      ///< each place
+  kAlongFace  ///< what each strip across the face sums up to
+};
+
+/// The keys under `engine`.
+struct Engine {
+  double bore = 0;                   ///< of the cylinder, B [m]
+  double stroke = 0;                 ///< twice the crank radius [m]
+  double connecting_rod_length = 0;  ///< between the centres of its bearings [m]
+};
+
+/// The keys under `operating`.
+struct Operating {
+  double speed = 0;            ///< omega, of the crankshaft [rad/s]
+  double oil_temperature = 0;  ///< of the film, one value for the whole stroke [K]
+};
+
+/// The keys under `gas`, with the traces that they name.
+struct Gas {
+  GasModel model = GasModel::kTrace;  ///< cylinder pressure from a file, or from a cycle with Wiebe heat release
+  // model = "trace"
+  std::string cylinder_pressure_file;            ///< CSV of pressure against crank angle, as named
+  base::Shared<SampledTrace> cylinder_pressure;  ///< [Pa] as the file gives it: absolute or gauge, zero as stated below
+  PressureReference pressure_reference{};        ///< zero of the traces; gauge: above 1.01325 bar
+  AngleZero angle_zero{};                        ///< dead centre at which the traces have crank angle 0
+  TraceOrigin trace_origin = TraceOrigin::kNotStated;  ///< shown wherever the trace appears
+  std::optional<std::string> pressure_column;          ///< name in the header; absent: the only pressure in the file
+  std::optional<std::string> angle_column;             ///< name in the header; absent: the only crank angle in the file
+  std::optional<std::string> pressure_unit;            ///< for a header that does not carry it
+  std::optional<std::string> angle_unit;               ///< for a header that does not carry it
+  // model = "wiebe"; angles 0 = firing TDC
+  double compression_ratio = 10.5;         ///< largest over smallest cylinder volume [-]
+  double peak_pressure = 62e5;             ///< [Pa] absolute
+  double peak_angle_deg = 20;              ///< of the highest pressure after firing TDC [degree]
+  double burn_duration_deg = 60;           ///< length of the heat release [degree]
+  double exhaust_valve_opening_deg = 130;  ///< [degree]
+  double exhaust_valve_closing_deg = 375;  ///< [degree]
+  double intake_valve_opening_deg = 345;   ///< [degree]
+  double intake_valve_closing_deg = 590;   ///< [degree]
+  // wiebe, and a trace that covers only a part of the cycle (there without default)
+  std::optional<double> intake_pressure;                   ///< in the cylinder during intake, absolute [Pa]
+  std::optional<double> exhaust_pressure;                  ///< in the cylinder during exhaust, absolute [Pa]
+  static constexpr double kWiebeIntakePressure = 0.95e5;   ///< unless the case states it [Pa]
+  static constexpr double kWiebeExhaustPressure = 1.05e5;  ///< likewise [Pa]
+  // always
+  double crankcase_pressure = 101325;  ///< under the ring, absolute [Pa]; not used where a trace is given
+  std::optional<std::string> crankcase_pressure_file;         ///< CSV like that of the cylinder, as named
+  std::optional<base::Shared<SampledTrace>> crankcase_trace;  ///< [Pa] as that file gives it
+  double pressure_behind_ring = 1.0;  ///< share of the absolute gas pressure that acts behind the ring [-]
+};
+
+/// Where a face came from; recorded, and not used by any model.
+struct MeasuredFace {
+  std::optional<std::string> trace;           ///< file of the trace
+  std::optional<double> width;                ///< that the face was fitted over; the ring must have it [m]
+  std::optional<std::string> levelling;       ///< how its tilt was taken off
+  std::optional<double> residual_rms;         ///< rms distance of trace and face [m]
+  std::optional<double> largest_residual;     ///< largest distance of trace and face [m]
+  std::optional<std::string> invented_shape;  ///< where the face has what the trace has not
+};
+
+/// The keys under `ring.face`, with the points that they name.
+struct RingFace {
+  FaceForm form{};                                    ///< how h_s(x), the gap to a straight liner, is given
+  HeightZero height_zero = HeightZero::kMinimum;      ///< of the stored heights; the film is the true gap in both
+  Orientation orientation = Orientation::kX0Chamber;  ///< the edge at x = 0: a ring-fixed one, or the leading one
+  // form = "polynomial": height [height_unit] = sum of coefficients[k] x^(n-1-k), x in [length_unit]
+  std::vector<double> coefficients;  ///< highest power first
+  double length_unit = 0;            ///< of x in the polynomial [m]
+  double height_unit = 0;            ///< of the height in the polynomial [m]
+  // form = "parabola"
+  double crown_height = 0;  ///< rise at the farther edge [m]
+  double apex = 0.5;        ///< place of the lowest point, fraction of the width from x = 0 [-]
+  // form = "points"
+  std::string points_file;     ///< CSV of measured points, as named
+  std::vector<double> x;       ///< [m], increasing, covers 0 to the face width
+  std::vector<double> height;  ///< h_s at x, low where the ring comes next to the liner [m]
+  MeasuredFace measured;       ///< of a face that was fitted to a trace
+};
+
+/// What covers the face of the ring. Contact spots are far smaller than usual coatings are thick.
+struct Coating {
+  std::optional<double> youngs_modulus;  ///< [Pa]; absent: no coating
+  double poissons_ratio = 0;             ///< of the coating [-]
+  std::optional<double> thickness;       ///< of the coating; absent: not known, and no note on what lies below [m]
+  ContactModulus contact_modulus = ContactModulus::kCoating;  ///< whose modulus the contact spots feel
+};
+
+/// The keys under `ring`.
+struct Ring {
+  double face_width = 0;          ///< b, along the cylinder's axis [m]
+  double youngs_modulus = 203e9;  ///< E_1 [Pa]
+  double poissons_ratio = 0.3;    ///< nu_1 [-]
+  // exactly one of: elastic_pressure | tangential_force | (free_gap and radial_thickness)
+  std::optional<double> elastic_pressure;  ///< p_e, on the bore by the ring's own tension [Pa]
+  std::optional<double> tangential_force;  ///< F_t = p_e b B/2, that closes the ring at its gap [N]
+  std::optional<double> free_gap;          ///< of the free ring less that of the closed one [m]
+  std::optional<double> radial_thickness;  ///< of the ring, t; goes with free_gap [m]
+  // film.dimension = "unrolled"
+  std::optional<double> end_gap;  ///< between the ends of the ring in the bore; absent: a closed ring [m]
+  double gap_position_deg = 0;    ///< of the gap's middle around the bore [degree]
+  RingFace face;                  ///< shape of the face across its width
+  Coating coating;                ///< absent unless its modulus is stated
+};
+
+/// The keys under `liner`.
+struct Liner {
+  double youngs_modulus = 92.3e9;  ///< E_2 [Pa]
+  double poissons_ratio = 0.211;   ///< nu_2 [-]
+};
+
+/// How zeta was measured: standard deviations by origin. The last two are common to all samples of one calibration.
+struct MeasuredShearStrength {
+  std::optional<std::string> loops;             ///< file and sample
+  std::optional<std::string> method;            ///< "silicon", "geometry", "wedge"
+  std::optional<std::string> calibration;       ///< its name; cases that share it are correlated
+  std::optional<double> slope_deviation;        ///< of zeta, by the sample's own line [-]
+  std::optional<double> calibration_deviation;  ///< of zeta, by the measurement of the calibration [-]
+  std::optional<double> reference_deviation;    ///< of zeta, by the value that the calibration took over [-]
+};
+
+/// How N, beta and sigma were measured, and their scatter between the regions. The models do not use it; the numbers of
+/// a study of uncertainty start here.
+struct MeasuredContact {
+  std::optional<std::string> ring_surface;           ///< file, channel, region
+  std::optional<std::string> liner_surface;          ///< file, channel, region
+  std::optional<std::string> filter;                 ///< what was taken off before, in words
+  std::optional<double> long_cutoff;                 ///< longest wavelength that was kept [m]
+  std::optional<double> short_cutoff;                ///< shortest wavelength that was kept; N and beta depend on it [m]
+  std::optional<double> step;                        ///< distance of points; N and beta depend on it [m]
+  std::optional<std::string> roughness_rule;         ///< how sigma was made of both surfaces, in words
+  std::optional<std::string> difference_scheme;      ///< how slopes and curvatures were made of heights, in words
+  std::optional<double> regions;                     ///< how many were measured [-]
+  std::optional<double> asperity_density_deviation;  ///< standard deviation of N between regions [1/m2]
+  std::optional<double> asperity_radius_deviation;   ///< the same of beta [m]
+  std::optional<double> roughness_deviation;         ///< the same of sigma [m]
+  std::optional<double> density_radius_correlation;  ///< of N and beta over the regions [-]
+  std::optional<double> density_roughness_correlation;  ///< of N and sigma over the regions [-]
+  std::optional<double> radius_roughness_correlation;   ///< of beta and sigma over the regions [-]
+  MeasuredShearStrength shear_strength;                 ///< where zeta comes from
+};
+
+/// The keys under `contact`.
+struct Contact {
+  double asperity_density = 0;  ///< N: asperity peaks per area of the pair [1/m2]
+  double asperity_radius = 0;   ///< beta: mean radius of their summits [m]
+  double roughness = 0;         ///< sigma: composite roughness of the pair, as stated [m]
+  /// Is it used as stated, or is it Ra, to be multiplied by sqrt(pi/2) = 1.2533 for the rms?
+  RoughnessMeasure roughness_measure = RoughnessMeasure::kAsGiven;
+  double boundary_shear_strength_coefficient = 0;  ///< zeta: boundary shear strength over contact pressure [-]
+  double eyring_shear_stress = 2e6;                ///< tau_0, of the boundary film [Pa]
+  std::optional<double> composite_modulus;         ///< E' of 2/E' = sum (1 - nu^2)/E; absent: of ring and liner [Pa]
+  ContactIntegrals integrals = ContactIntegrals::kExact;  ///< of the heights, F_2 and F_5/2
+  FilmParameter film_parameter = FilmParameter::kLocal;   ///< contact pressure from h(x)/sigma, or h_m/sigma all over
+  MeasuredContact measured;                               ///< where N, beta, sigma and zeta come from
+};
+
+/// The keys under `lubricant`, with the oil of the file that they name.
+struct Lubricant {
+  std::optional<std::string> file;                    ///< where the keys of this table were read from
+  std::string name;                                   ///< for people; empty if the case states the values itself
+  std::vector<TemperatureValue> kinematic_viscosity;  ///< [m2/s]
+  std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure
+  std::optional<double> constant_density;             ///< instead of `density`: the same at all temperatures [kg/m3]
+  std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws
+  base::Shared<OilTable> table;                       ///< of that file; empty without one
+  double temperature_viscosity_coefficient = 0.04;    ///< beta_0 [1/K], houpert
+  double reference_temperature = 313.15;              ///< theta_0 [K], houpert and thermal-expansivity
+  double thermal_expansivity = 7.5e-4;                ///< gamma [1/K]
+  /// Law of viscosity against temperature: ASTM D341 through the points, or Houpert's term.
+  ViscosityTemperature viscosity_temperature = ViscosityTemperature::kWalther;
+  ViscosityPressure viscosity_pressure = ViscosityPressure::kRoelands;    ///< law of viscosity against pressure
+  models::LawParameters law_parameters = models::usual_law_parameters();  ///< of viscosity against pressure [SI]
+  DensityTemperature density_temperature = DensityTemperature::kTable;    ///< linear through the points, or by gamma
+  Compressibility compressibility = Compressibility::kDowsonHigginson;    ///< law of density against pressure
+  double dh_a = models::DowsonHigginson{}.a;  ///< a of the density rho_0 [1 + a p/(1 + b p)] [1/Pa]
+  double dh_b = models::DowsonHigginson{}.b;  ///< b of the same law [1/Pa]
+  double viscosity = 0;                       ///< of a pad, at the zero of its pressures [Pa s]
+};
+
+/// The keys under `film`.
+struct Film {
+  FilmDimension dimension = FilmDimension::kFace;  ///< across the face, alike all around, or the whole unrolled ring
+  Cavitation cavitation = Cavitation::kMassConserving;  ///< where the film ruptures: Reynolds, or mass kept (JFO)
+  double cavitation_pressure = 101325;  ///< p_c, absolute [Pa]; of a pad counted like its other pressures
+};
+
+/// The keys under `solver`.
+struct Solver {
+  int cells = 200;                              ///< across the face
+  int cells_y = 180;                            ///< of a film in two dimensions: around the ring, or across the pad
+  std::optional<double> end_cell;               ///< length of the cells at the ends of the gap [m]
+  static constexpr double kEndCell = 1.0 / 50;  ///< where it is not stated, of the face width [-]
+  double crank_step_deg = 1.0;                  ///< of the march; whole steps make 720 [degree]
+  StepControl crank_step_control = StepControl::kAdaptive;  ///< refine that step where the film needs it?
+  double step_error = 1e-3;  ///< error in time let through per step, adaptive: in ln h_m; half of it in the oil [-]
+  double tolerance = 1e-8;   ///< relative error left by the Newton iteration in film and pressure [-]
+  Method method = Method::kCoupledNewton;       ///< how film and load balance are solved
+  Properties properties = Properties::kFitted;  ///< polynomials fitted to the laws of oil and contact, or these laws
+};
+
+/// The keys under `output`.
+struct Output {
+  double crank_angle_step_deg = 1.0;                 ///< used where the list is empty [degree]
+  std::vector<double> crank_angles_deg;              ///< explicit list, increasing, within [0, 720)
+  FieldsWanted fields = FieldsWanted::kNone;         ///< at which angles pressure and film along the face are kept
+  std::vector<double> field_angles_deg;              ///< where kListed: explicit list, increasing [degree]
+  FieldReduction reduction = FieldReduction::kNone;  ///< of the fields of an unrolled film
+};
+
+/// A film of stated shape without ring and engine (docs/theory/pad.md). Pressures count from one zero, which the case
+/// chooses; loads are per metre of width, means over it where it is finite.
+struct Pad {
+  double length = 0;               ///< L, along the motion [m]
+  std::optional<double> width;     ///< B, across the motion; absent: infinitely wide [m]
+  std::string gap_file;            ///< CSV or NetCDF of the gap, as named
+  std::vector<double> gap_x;       ///< [m], from 0 to the length, increasing; a step stands there twice
+  std::vector<double> gap_y;       ///< of a map, from 0 to the width, likewise; empty: the same gap at every y [m]
+  std::vector<double> gap_height;  ///< for each x; of a map, for each x of the first y, then of the next [m]
+  double speed = 0;                ///< of the flat surface [m/s]
+  Direction direction = Direction::kPlusX;  ///< which way the flat surface moves
+  double left_pressure = 0;                 ///< at x = 0 [Pa]
+  double right_pressure = 0;                ///< at x = length [Pa]
+  // width
+  Sides sides = Sides::kOpen;  ///< what the film ends at across the motion
+  double front_pressure = 0;   ///< at y = 0, open sides [Pa]
+  double back_pressure = 0;    ///< at y = width, open sides [Pa]
+  // exactly one of: separation | load | separation_history
+  std::optional<double> separation;                    ///< adds to the gap [m]
+  std::optional<double> load;                          ///< carried by the film, which finds its separation [N/m]
+  std::optional<std::string> separation_history_file;  ///< CSV of separation against time, as named
+  std::vector<double> history_time;                    ///< [s], increasing
+  std::vector<double> history_separation;              ///< at these times, straight between them [m]
+  // separation_history
+  double time_step = 0;               ///< of the march [s]
+  std::optional<double> end_time;     ///< absent: end of the history [s]
+  std::optional<double> output_step;  ///< absent: every time step is kept [s]
+
+  bool has_sides_at_pressures() const { return width && sides == Sides::kOpen; }  ///< of width alone
+
+  /// Where the march ends [s].
+  double last_time() const { return end_time.value_or(history_time.empty() ? 0.0 : history_time.back()); }
+};
+
+/// A file that the case was read from, for the record.
+struct InputFile {
+  std::string role;    ///< "case", "include", "gas.cylinder_pressure", ...
+  std::string path;    ///< as named
+  std::string sha256;  ///< of its bytes
+};
+
+/// All keys of a case. Members that a problem or a model does not use stay as they are.
+struct Case {
+  Problem problem = Problem::kCycle;  ///< a pad where any of its keys is stated
+  std::string title;                  ///< for people; names pages and figures
+  Engine engine;                      ///< bore and crank
+  Operating operating;                ///< speed and oil temperature
+  Gas gas;                            ///< pressure above, below and behind the ring
+  Ring ring;                          ///< size, tension, face, coating, gap
+  Liner liner;                        ///< what the bore is made of
+  Contact contact;                    ///< roughness of the pair and boundary friction
+  Lubricant lubricant;                ///< the oil by its laws, or by a table
+  Film film;                          ///< in one dimension or two, and how it ruptures
+  Solver solver;                      ///< grid, steps, tolerances
+  Output output;                      ///< what is kept of the march
+  Pad pad;                            ///< of Problem::kPad alone
+
+  /// Around the ring, too?
+  bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
+  /// Around the bore; of an unrolled film without the gap [m].
+  double ring_length() const;
+  /// Of the cells at the ends of the ring, as asked for [m].
+  double end_cell() const { return solver.end_cell.value_or(Solver::kEndCell * ring.face_width); }
+
+  std::set<std::string> stated;  ///< keys that the user gave; every other active key is an assumption
+  std::vector<InputFile> files;  ///< everything that was read
+  /// What the reader had to say about the input (byte-order mark, synthetic trace, ...).
+  std::vector<std::string> notes;
+};
+
+inline double Case::ring_length() const {
+  const double circumference = std::numbers::pi * engine.bore;
+  return is_unrolled() ? circumference - ring.end_gap.value_or(0) : circumference;
+}
+
+/// The case before anything is stated. What is usual for a ring's oil and its absolute pressures is not for a pad.
+inline Case blank_case(Problem problem) {
+  Case c;
+  c.problem = problem;
+  if (problem == Problem::kPad) {
+    c.title = "pad";
+    c.lubricant.viscosity_pressure = ViscosityPressure::kNone;
+    c.lubricant.compressibility = Compressibility::kNone;
+    c.film.cavitation_pressure = 0;
+  }
+  return c;
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,97 @@
+#include "ringfilm/cycle/case/case_fields.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "ringfilm/cycle/case/case_fields_table.hpp"
+#include "ringfilm/models/oil/oil_temperature.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+using namespace table;
+
+/// Is it the key of a number that laws of viscosity take?
+bool is_law_parameter(const std::string& key) {
+  const auto parameters = models::law_parameters();
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [&](const models::LawParameter& parameter) { return key == "lubricant." + parameter.key; });
+}
+
+/// Keys of a ring's case that a pad has as well; of the others `pad` and the pad's viscosity are its own.
+std::optional<Problem> problem_of(const std::string& key) {
+  static const std::set<std::string> shared = {"title",
+                                               "lubricant.name",
+                                               "lubricant.density",
+                                               "lubricant.viscosity_pressure",
+                                               "lubricant.compressibility",
+                                               "lubricant.dh_a",
+                                               "lubricant.dh_b",
+                                               "film.cavitation",
+                                               "film.cavitation_pressure",
+                                               "solver.cells",
+                                               "solver.cells_y",
+                                               "solver.tolerance"};
+  if (shared.contains(key) || is_law_parameter(key)) return std::nullopt;
+  return key.rfind("pad.", 0) == 0 || key == "lubricant.viscosity" ? Problem::kPad : Problem::kCycle;
+}
+
+std::vector<Field> all_fields() {
+  std::vector<Field> fields{
+      field("title", TextKind{member<&Case::title>}, kNoUnit, {}, Need::kRequiredInCycle, {},
+            {"what this case is, for people", "\"My engine, compression ring\""}),
+      field("engine.bore", NumberKind{member<&Case::engine, &Engine::bore>}, {"m", "mm"}, above(0, 2), Need::kRequired,
+            {}, {"bore of the cylinder, B", "\"89.0 mm\""}),
+      field("engine.stroke", NumberKind{member<&Case::engine, &Engine::stroke>}, {"m", "mm"}, above(0, 5),
+            Need::kRequired, {}, {"stroke, twice the crank radius r", "\"79.5 mm\""}),
+      field("engine.connecting_rod_length", NumberKind{member<&Case::engine, &Engine::connecting_rod_length>},
+            {"m", "mm"}, above(0, 10), Need::kRequired, {},
+            {"connecting rod between the centres of its bearings, l", "\"138.1 mm\""}),
+      field("operating.speed", NumberKind{member<&Case::operating, &Operating::speed>}, {"rad/s", "rpm"},
+            above(0, 2094.39510239320), Need::kRequired, {}, {"speed of the crankshaft, omega", "\"1500 rpm\""}),
+      field("operating.oil_temperature", NumberKind{member<&Case::operating, &Operating::oil_temperature>},
+            {"K", "degC"}, strictly_between(models::kColdestOil, models::kHottestOil), Need::kRequired, {},
+            {"temperature of the oil film, T; one value for the whole stroke", "\"120 degC\""}),
+  };
+  append_gas_fields(fields);
+  append_ring_fields(fields);
+  append_contact_fields(fields);
+  append_measured_fields(fields);
+  append_lubricant_fields(fields);
+  append_run_fields(fields);
+  append_pad_fields(fields);
+  for (Field& field : fields) field.problem = problem_of(field.key);
+  return fields;
+}
+
+}  // namespace
+
+const std::vector<Field>& case_fields() {
+  static const std::vector<Field> fields = all_fields();
+  return fields;
+}
+
+const Field* find_field(const std::string& key) {
+  for (const Field& field : case_fields()) {
+    if (field.key == key) return &field;
+  }
+  return nullptr;
+}
+
+bool belongs(const Field& field, const Case& c) { return !field.problem || *field.problem == c.problem; }
+
+bool is_active(const Field& field, const Case& c) {
+  return belongs(field, c) && (field.active == nullptr || field.active(c));
+}
+
+bool is_for_record(const Field& field) {
+  static const std::set<std::string> alone = {"title", "lubricant.name", "gas.trace_origin"};
+  return alone.contains(field.key) || field.key.rfind("output.", 0) == 0 ||
+         field.key.find(".measured.") != std::string::npos;
+}
+
+bool is_required(const Field& field, const Case& c) {
+  return field.need == Need::kRequired || (field.need == Need::kRequiredInCycle && c.problem == Problem::kCycle);
+}
+
+}  // namespace ringfilm::cycle

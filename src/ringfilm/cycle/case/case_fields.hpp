@@ -1,0 +1,138 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+
+/// The one table of case keys. Reading, refusing, echoing, `ringfilm fields`, `ringfilm new`, the case reference of the
+/// manual and the studies all walk it; nothing else knows a key.
+namespace ringfilm::cycle {
+
+using NumberRef = std::function<double&(Case&)>;
+using OptionalNumberRef = std::optional<double>& (*)(Case&);
+using TextRef = std::string& (*)(Case&);
+using OptionalTextRef = std::optional<std::string>& (*)(Case&);
+
+/// A dimensional (or dimensionless, unit "1") number.
+struct NumberKind {
+  NumberRef ref;
+};
+/// The same, absent by default.
+struct OptionalNumberKind {
+  OptionalNumberRef ref;
+};
+struct CountKind {
+  int& (*ref)(Case&);
+};
+/// One of a few names; `index` and `choose` translate to the enumerator's position.
+struct ChoiceKind {
+  std::vector<std::string> names;
+  int (*index)(const Case&);
+  void (*choose)(Case&, int);
+};
+struct TextKind {
+  TextRef ref;
+};
+struct OptionalTextKind {
+  OptionalTextRef ref;
+};
+/// A file name, relative to the file that names it; `role` states to the reader what to load from it.
+struct FileKind {
+  TextRef ref;
+};
+struct OptionalFileKind {
+  OptionalTextRef ref;
+};
+/// A quantity or the name of a trace file (`gas.crankcase_pressure`).
+struct NumberOrFileKind {
+  NumberRef number;
+  OptionalTextRef file;
+};
+/// A unit written as text, kept as its size in SI (`ring.face.length_unit = "mm"` is 1e-3).
+struct UnitNameKind {
+  NumberRef ref;
+};
+/// Bare numbers.
+struct NumberListKind {
+  std::vector<double>& (*ref)(Case&);
+};
+/// An array of { temperature = "40 degC", value = "59.99 mm2/s" }.
+struct TemperatureValuesKind {
+  std::vector<TemperatureValue>& (*ref)(Case&);
+};
+/// One quantity, or an array of values at temperatures (`lubricant.density`).
+struct ConstantOrTemperatureValuesKind {
+  OptionalNumberRef constant;
+  std::vector<TemperatureValue>& (*ref)(Case&);
+};
+/// `output.crank_angles`: a step or a list of angles.
+struct AnglesKind {};
+/// `output.fields`: "none", "all" or a list of angles.
+struct FieldAnglesKind {};
+
+using Kind = std::variant<NumberKind, OptionalNumberKind, CountKind, ChoiceKind, TextKind, OptionalTextKind, FileKind,
+                          OptionalFileKind, NumberOrFileKind, UnitNameKind, NumberListKind, TemperatureValuesKind,
+                          ConstantOrTemperatureValuesKind, AnglesKind, FieldAnglesKind>;
+
+/// Must the user state it, is there a default in case.hpp, or may it be absent altogether?
+enum class Need {
+  kRequired,
+  kRequiredInCycle,  ///< a pad has a default
+  kDefault,
+  kOptional
+};
+
+/// Bounds in SI; an open bound is excluded.
+struct Range {
+  double low;
+  double high;
+  bool low_open = false;
+  bool high_open = false;
+};
+
+struct Field {
+  std::string key;  ///< "engine.bore"
+  Kind kind;
+  std::string unit;          ///< SI unit in UDUNITS spelling; "1" dimensionless; "" for text, choices and files
+  std::string display_unit;  ///< the unit in which people write and read it, e.g. "mm"
+  std::optional<Range> range;
+  Need need = Need::kDefault;
+  std::function<bool(const Case&)> active;  ///< empty: always in use
+  std::string active_when;                  ///< in words, e.g. "gas.model = \"trace\""
+  std::string help;                         ///< one line: what it is, symbol, source if assumed
+  std::string example;                      ///< the right-hand side as one would write it in TOML
+  std::optional<Problem> problem = {};      ///< the problem to which the key belongs; absent: both
+};
+
+/// All keys, in the order of a case file.
+const std::vector<Field>& case_fields();
+
+/// The field of that key, nullptr if there is none.
+const Field* find_field(const std::string& key);
+
+/// Does the key belong to the problem that `c` is?
+bool belongs(const Field& field, const Case& c);
+
+/// Is the key in use with the choices that `c` makes?
+bool is_active(const Field& field, const Case& c);
+
+/// Does the key only label or record, so that no model computes with it: the title, where a trace comes from, how an
+/// input was measured, what is stored of the result?
+bool is_for_record(const Field& field);
+
+/// Must `c` state the key, if it is in use?
+bool is_required(const Field& field, const Case& c);
+
+/// Rules that join several keys: exclusive tensions, moduli against composite modulus, lists that must not be empty,
+/// solver and output angles that must fit. Empty if all hold. Each entry names the key to blame and what to do.
+struct RuleBreach {
+  std::string key;
+  std::string message;
+  std::string remedy;
+};
+std::vector<RuleBreach> broken_rules(const Case& c);
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,52 @@
+#include "ringfilm/cycle/case/case_fields_table.hpp"
+
+namespace ringfilm::cycle::table {
+namespace {
+
+// The contract of names has contact.model, of which there is one; it leaves no trace in the Case.
+ChoiceKind only_contact_model() {
+  return {{"greenwood-tripp"}, [](const Case&) { return 0; }, [](Case&, int) {}};
+}
+
+}  // namespace
+
+void append_contact_fields(std::vector<Field>& fields) {
+  fields.insert(
+      fields.end(),
+      {
+          field("contact.model", only_contact_model(), kNoUnit, {}, Need::kDefault, {},
+                {"law of the asperity contact", "\"greenwood-tripp\""}),
+          field("contact.asperity_density", NumberKind{member<&Case::contact, &Contact::asperity_density>},
+                {"m-2", "um-2"}, above(0, 1e18), Need::kRequired, {},
+                {"asperity peaks per area of the pair, N", "\"0.097 um-2\""}),
+          field("contact.asperity_radius", NumberKind{member<&Case::contact, &Contact::asperity_radius>}, {"m", "um"},
+                above(0, 1e-2), Need::kRequired, {}, {"mean radius of the asperity summits, beta", "\"1.56 um\""}),
+          field("contact.roughness", NumberKind{member<&Case::contact, &Contact::roughness>}, {"m", "um"},
+                above(0, 1e-4), Need::kRequired, {}, {"composite roughness of the pair, sigma", "\"0.48 um\""}),
+          field(
+              "contact.roughness_measure",
+              choice<&Case::contact, &Contact::roughness_measure>({"as-given", "ra-to-rq"}), kNoUnit, {},
+              Need::kDefault, {},
+              {"use sigma as given, or take it as Ra and multiply by sqrt(pi/2) = 1.2533 for the rms", "\"as-given\""}),
+          field(
+              "contact.boundary_shear_strength_coefficient",
+              NumberKind{member<&Case::contact, &Contact::boundary_shear_strength_coefficient>}, kPlainNumber,
+              between(0, 5), Need::kRequired, {},
+              {"boundary shear strength over contact pressure, zeta; measured by lateral force microscopy", "0.3581"}),
+          field("contact.eyring_shear_stress", NumberKind{member<&Case::contact, &Contact::eyring_shear_stress>},
+                {"Pa", "MPa"}, between(0, 1e10), Need::kDefault, {},
+                {"Eyring shear stress of the boundary film, tau_0", "\"2 MPa\""}),
+          field("contact.composite_modulus", OptionalNumberKind{member<&Case::contact, &Contact::composite_modulus>},
+                {"Pa", "GPa"}, between(1e8, 1e13), Need::kOptional, {},
+                {"E' of 2/E' = sum (1 - nu^2)/E, instead of the moduli of ring and liner", "\"134.8 GPa\""}),
+          field("contact.integrals",
+                choice<&Case::contact, &Contact::integrals>({"exact", "polynomial-4-digit", "polynomial-as-printed"}),
+                kNoUnit, {}, Need::kDefault, {},
+                {"Gaussian height integrals F_2 and F_5/2: exact, or one of two published fits", "\"exact\""}),
+          field("contact.film_parameter", choice<&Case::contact, &Contact::film_parameter>({"local", "nominal"}),
+                kNoUnit, {}, Need::kDefault, {},
+                {"contact pressure from h(x)/sigma over the face, or from h_m/sigma on the whole face", "\"local\""}),
+      });
+}
+
+}  // namespace ringfilm::cycle::table

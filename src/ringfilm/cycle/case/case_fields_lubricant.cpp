@@ -1,0 +1,128 @@
+#include "ringfilm/cycle/case/case_fields_table.hpp"
+
+namespace ringfilm::cycle::table {
+namespace {
+
+bool has_laws(const Case& c) { return !c.lubricant.table_file; }
+
+constexpr When kLaws{has_laws, "no lubricant.table"};
+constexpr When kHoupert{
+    [](const Case& c) { return has_laws(c) && c.lubricant.viscosity_temperature == ViscosityTemperature::kHoupert; },
+    "lubricant.viscosity_temperature = \"houpert\""};
+constexpr When kDowsonHigginson{
+    [](const Case& c) { return has_laws(c) && c.lubricant.compressibility == Compressibility::kDowsonHigginson; },
+    "lubricant.compressibility = \"dowson-higginson\""};
+constexpr When kThermalExpansivity{[](const Case& c) {
+                                     return has_laws(c) &&
+                                            c.lubricant.density_temperature == DensityTemperature::kThermalExpansivity;
+                                   },
+                                   "lubricant.density_temperature = \"thermal-expansivity\""};
+constexpr When kReferenceTemperature{
+    [](const Case& c) { return kHoupert.holds(c) || kThermalExpansivity.holds(c); },
+    "lubricant.viscosity_temperature = \"houpert\" or lubricant.density_temperature = \"thermal-expansivity\""};
+
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const auto& law : models::viscosity_laws()) names.push_back(law.name);
+  return names;
+}
+
+std::string law_meanings() {
+  std::string text = "viscosity against pressure";
+  for (const auto& law : models::viscosity_laws()) text += "; " + law.name + ": " + law.meaning;
+  return text;
+}
+
+/// The key of a number that laws of viscosity take; in use where one of them is chosen.
+Field law_field(const models::LawParameter& parameter) {
+  std::string laws;
+  for (const auto& law : models::viscosity_laws()) {
+    if (models::takes(law, parameter.key)) laws += (laws.empty() ? "\"" : " or \"") + law.name + "\"";
+  }
+  return {.key = "lubricant." + parameter.key,
+          .kind = NumberKind{[key = parameter.key](Case& c) -> double& { return c.lubricant.law_parameters.at(key); }},
+          .unit = parameter.unit,
+          .display_unit = parameter.display_unit,
+          .range = between(parameter.low, parameter.high),
+          .need = parameter.statement == models::Statement::kRequired ? Need::kRequired : Need::kDefault,
+          .active =
+              [key = parameter.key](const Case& c) {
+                return has_laws(c) && models::takes(models::viscosity_law(c.lubricant.viscosity_pressure), key);
+              },
+          .active_when = "lubricant.viscosity_pressure = " + laws,
+          .help = parameter.meaning,
+          .example = parameter.example};
+}
+
+}  // namespace
+
+void append_lubricant_fields(std::vector<Field>& fields) {
+  fields.insert(
+      fields.end(),
+      {
+          field("lubricant.file", OptionalTextKind{member<&Case::lubricant, &Lubricant::file>}, kNoUnit, {},
+                Need::kOptional, {},
+                {"TOML file with the keys of this section; a key given in both is an error",
+                 "\"data/lubricants/styles2014.toml\""}),
+          field("lubricant.name", TextKind{member<&Case::lubricant, &Lubricant::name>}, kNoUnit, {}, Need::kDefault, {},
+                {"what the oil is called, for people", "\"my oil\""}),
+          field(
+              "lubricant.kinematic_viscosity",
+              TemperatureValuesKind{member<&Case::lubricant, &Lubricant::kinematic_viscosity>}, {"m2/s", "mm2/s"},
+              above(0, 1), Need::kRequired, kLaws,
+              {"kinematic viscosity nu at two or more temperatures; houpert: one at the reference temperature will do",
+               "[{ temperature = \"40 degC\", value = \"59.99 mm2/s\" }, "
+               "{ temperature = \"100 degC\", value = \"9.590 mm2/s\" }]"}),
+          field("lubricant.viscosity", NumberKind{member<&Case::lubricant, &Lubricant::viscosity>}, {"Pa s", "mPa s"},
+                above(0, 1e6), Need::kRequired, {},
+                {"dynamic viscosity eta of a pad's oil at the zero of its pressures", "\"39 mPa s\""}),
+          field("lubricant.density",
+                ConstantOrTemperatureValuesKind{member<&Case::lubricant, &Lubricant::constant_density>,
+                                                member<&Case::lubricant, &Lubricant::density>},
+                {"kg/m3", "kg/m3"}, above(0, 30000), Need::kRequired, kLaws,
+                {"density rho at atmospheric pressure, one value or values at temperatures; of a pad one value, at the "
+                 "zero of its pressures",
+                 "[{ temperature = \"15 degC\", value = \"849.7 kg/m3\" }, "
+                 "{ temperature = \"40 degC\", value = \"833.8 kg/m3\" }]"}),
+          field("lubricant.table", OptionalFileKind{member<&Case::lubricant, &Lubricant::table_file>}, kNoUnit, {},
+                Need::kOptional, {},
+                {"CSV file temperature [degC],pressure [Pa],viscosity [Pa s],density [kg/m3], instead of all laws",
+                 "\"oil_table.csv\""}),
+          field("lubricant.viscosity_temperature",
+                choice<&Case::lubricant, &Lubricant::viscosity_temperature>({"walther", "houpert"}), kNoUnit, {},
+                Need::kDefault, kLaws,
+                {"viscosity against temperature: ASTM D341 through the points, or Houpert's term", "\"walther\""}),
+          field("lubricant.viscosity_pressure", choice<&Case::lubricant, &Lubricant::viscosity_pressure>(law_names()),
+                kNoUnit, {}, Need::kDefault, kLaws, {law_meanings(), "\"roelands\""}),
+      });
+  for (const auto& parameter : models::law_parameters()) fields.push_back(law_field(parameter));
+  fields.insert(
+      fields.end(),
+      {
+          field("lubricant.temperature_viscosity_coefficient",
+                NumberKind{member<&Case::lubricant, &Lubricant::temperature_viscosity_coefficient>}, {"K-1", "K-1"},
+                between(0, 1), Need::kDefault, kHoupert, {"temperature-viscosity coefficient, beta_0", "\"0.04 K-1\""}),
+          field("lubricant.reference_temperature",
+                NumberKind{member<&Case::lubricant, &Lubricant::reference_temperature>}, {"K", "degC"},
+                strictly_between(200, 600), Need::kDefault, kReferenceTemperature,
+                {"where eta_0 and rho_0 are taken, theta_0", "\"40 degC\""}),
+          field("lubricant.density_temperature",
+                choice<&Case::lubricant, &Lubricant::density_temperature>({"table", "thermal-expansivity"}), kNoUnit,
+                {}, Need::kDefault, kLaws,
+                {"density against temperature: linear through the points and beyond, or by the expansivity",
+                 "\"table\""}),
+          field("lubricant.thermal_expansivity", NumberKind{member<&Case::lubricant, &Lubricant::thermal_expansivity>},
+                {"K-1", "K-1"}, between(0, 1e-2), Need::kDefault, kThermalExpansivity,
+                {"thermal expansivity, gamma", "\"7.5e-4 K-1\""}),
+          field("lubricant.compressibility",
+                choice<&Case::lubricant, &Lubricant::compressibility>({"dowson-higginson", "none"}), kNoUnit, {},
+                Need::kDefault, kLaws, {"density against pressure", "\"dowson-higginson\""}),
+          field("lubricant.dh_a", NumberKind{member<&Case::lubricant, &Lubricant::dh_a>}, {"Pa-1", "Pa-1"},
+                between(0, 1e-6), Need::kDefault, kDowsonHigginson,
+                {"a of the density rho_0 [1 + a p/(1 + b p)]", "\"6e-10 Pa-1\""}),
+          field("lubricant.dh_b", NumberKind{member<&Case::lubricant, &Lubricant::dh_b>}, {"Pa-1", "Pa-1"},
+                between(0, 1e-6), Need::kDefault, kDowsonHigginson, {"b of the same law", "\"1.7e-9 Pa-1\""}),
+      });
+}
+
+}  // namespace ringfilm::cycle::table

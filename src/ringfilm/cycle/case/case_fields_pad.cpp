@@ -1,0 +1,65 @@
+#include "ringfilm/cycle/case/case_fields_table.hpp"
+
+namespace ringfilm::cycle::table {
+namespace {
+
+constexpr When kHistory{[](const Case& c) { return c.pad.separation_history_file.has_value(); },
+                        "pad.separation_history is given"};
+constexpr When kFiniteWidth{[](const Case& c) { return c.pad.width.has_value(); }, "pad.width is given"};
+constexpr When kOpenSides{[](const Case& c) { return c.pad.has_sides_at_pressures(); },
+                          "pad.width is given and pad.sides = \"open\""};
+
+}  // namespace
+
+void append_pad_fields(std::vector<Field>& fields) {
+  const Unit mm{"m", "mm"}, um{"m", "um"}, second{"s", "s"}, bar{"Pa", "bar"};
+  const Range pressure = between(-1e9, 1e10);
+  const Range time = between(-1e9, 1e9);
+  fields.insert(
+      fields.end(),
+      {
+          field("pad.length", NumberKind{member<&Case::pad, &Pad::length>}, mm, above(0, 1e3), Need::kRequired, {},
+                {"length along the motion, L; any key of [pad] makes the case a film of stated shape without engine, "
+                 "gas and ring",
+                 "\"76.2 mm\""}),
+          field("pad.width", OptionalNumberKind{member<&Case::pad, &Pad::width>}, mm, above(0, 1e3), Need::kOptional,
+                {}, {"width across the motion, B; if left out, the pad is infinitely wide", "\"50 mm\""}),
+          field("pad.gap", FileKind{member<&Case::pad, &Pad::gap_file>}, kNoUnit, {}, Need::kRequired, {},
+                {"CSV file x [mm],h [um] of the gap from x = 0 to the length, g; straight between points, the same x "
+                 "twice is a step; with a width also a map, CSV x [mm],y [mm],h [um] or NetCDF h(y, x)",
+                 "\"gap.csv\""}),
+          field("pad.speed", NumberKind{member<&Case::pad, &Pad::speed>}, {"m/s", "m/s"}, between(0, 1e5),
+                Need::kRequired, {}, {"speed of the flat surface, U; the pad and its gap stand still", "\"4.57 m/s\""}),
+          field("pad.direction", choice<&Case::pad, &Pad::direction>({"+x", "-x"}), kNoUnit, {}, Need::kDefault, {},
+                {"which way the flat surface moves", "\"+x\""}),
+          field("pad.left_pressure", NumberKind{member<&Case::pad, &Pad::left_pressure>}, bar, pressure,
+                Need::kRequired, {}, {"pressure at x = 0, from the zero that the case chooses", "\"0 bar\""}),
+          field("pad.right_pressure", NumberKind{member<&Case::pad, &Pad::right_pressure>}, bar, pressure,
+                Need::kRequired, {}, {"pressure at x = length, from the same zero", "\"0 bar\""}),
+          field(
+              "pad.sides", choice<&Case::pad, &Pad::sides>({"open", "periodic", "closed"}), kNoUnit, {}, Need::kDefault,
+              kFiniteWidth,
+              {"what the film ends at across the motion: stated pressures, its own other side, or walls", "\"open\""}),
+          field("pad.front_pressure", NumberKind{member<&Case::pad, &Pad::front_pressure>}, bar, pressure,
+                Need::kRequired, kOpenSides, {"pressure at y = 0, from the same zero", "\"0 bar\""}),
+          field("pad.back_pressure", NumberKind{member<&Case::pad, &Pad::back_pressure>}, bar, pressure,
+                Need::kRequired, kOpenSides, {"pressure at y = width, from the same zero", "\"0 bar\""}),
+          field("pad.separation", OptionalNumberKind{member<&Case::pad, &Pad::separation>}, um, between(-1, 1),
+                Need::kOptional, {}, {"added to the gap everywhere: h = g + s", "\"0 um\""}),
+          field("pad.load", OptionalNumberKind{member<&Case::pad, &Pad::load>}, {"N/m", "N/m"}, above(0, 1e12),
+                Need::kOptional, {},
+                {"load per metre of width that the film carries; the separation is found", "\"100000 N/m\""}),
+          field("pad.separation_history", OptionalFileKind{member<&Case::pad, &Pad::separation_history_file>}, kNoUnit,
+                {}, Need::kOptional, {},
+                {"CSV file time [s],h [um] of the separation, straight between points", "\"separation.csv\""}),
+          field("pad.time_step", NumberKind{member<&Case::pad, &Pad::time_step>}, second, above(0, 1e9),
+                Need::kRequired, kHistory, {"time step of the march", "\"0.001 s\""}),
+          field("pad.end_time", OptionalNumberKind{member<&Case::pad, &Pad::end_time>}, second, time, Need::kOptional,
+                kHistory, {"where the march ends; if left out, with the history", "\"1 s\""}),
+          field("pad.output_step", OptionalNumberKind{member<&Case::pad, &Pad::output_step>}, second, above(0, 1e9),
+                Need::kOptional, kHistory,
+                {"spacing of the instants that are kept, whole time steps; if left out, every step", "\"0.01 s\""}),
+      });
+}
+
+}  // namespace ringfilm::cycle::table

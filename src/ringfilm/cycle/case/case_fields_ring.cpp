@@ -1,0 +1,141 @@
+#include "ringfilm/cycle/case/case_fields_table.hpp"
+
+namespace ringfilm::cycle::table {
+namespace {
+
+constexpr When kPolynomial{[](const Case& c) { return c.ring.face.form == FaceForm::kPolynomial; },
+                           "ring.face.form = \"polynomial\""};
+constexpr When kParabola{[](const Case& c) { return c.ring.face.form == FaceForm::kParabola; },
+                         "ring.face.form = \"parabola\""};
+constexpr When kPoints{[](const Case& c) { return c.ring.face.form == FaceForm::kPoints; },
+                       "ring.face.form = \"points\""};
+constexpr When kFourModuli{[](const Case& c) { return !c.contact.composite_modulus; },
+                           "contact.composite_modulus is not stated"};
+constexpr When kFourModuliOrFreeGap{
+    [](const Case& c) { return !c.contact.composite_modulus || c.ring.free_gap || c.ring.radial_thickness; },
+    "contact.composite_modulus is not stated, or the tension comes from ring.free_gap"};
+
+constexpr When kUnrolled{[](const Case& c) { return c.is_unrolled(); }, "film.dimension = \"unrolled\""};
+constexpr When kGapped{[](const Case& c) { return c.is_unrolled() && c.ring.end_gap.has_value(); },
+                       "ring.end_gap is stated"};
+constexpr When kCoated{
+    [](const Case& c) { return !c.contact.composite_modulus && c.ring.coating.youngs_modulus.has_value(); },
+    "ring.coating.youngs_modulus is stated, and contact.composite_modulus is not"};
+
+constexpr Unit kLength{"m", "mm"};
+constexpr Unit kModulus{"Pa", "GPa"};
+
+}  // namespace
+
+void append_ring_fields(std::vector<Field>& fields) {
+  fields.insert(
+      fields.end(),
+      {
+          field("ring.face_width", NumberKind{member<&Case::ring, &Ring::face_width>}, kLength, above(0, 0.05),
+                Need::kRequired, {}, {"axial width of the ring face, b", "\"1.2 mm\""}),
+          field("ring.youngs_modulus", NumberKind{member<&Case::ring, &Ring::youngs_modulus>}, kModulus,
+                between(1e8, 1e13), Need::kDefault, kFourModuliOrFreeGap,
+                {"Young's modulus of the ring, E_1; commonly quoted, not verified", "\"203 GPa\""}),
+          field("ring.poissons_ratio", NumberKind{member<&Case::ring, &Ring::poissons_ratio>}, kPlainNumber,
+                Range{0, 0.5, false, true}, Need::kDefault, kFourModuli, {"Poisson's ratio of the ring, nu_1", "0.3"}),
+          field("ring.elastic_pressure", OptionalNumberKind{member<&Case::ring, &Ring::elastic_pressure>},
+                {"Pa", "MPa"}, above(0, 1e8), Need::kOptional, {},
+                {"pressure of the ring on the bore by its own tension, p_e; one of the three ways to state it",
+                 "\"0.20 MPa\""}),
+          field("ring.tangential_force", OptionalNumberKind{member<&Case::ring, &Ring::tangential_force>}, {"N", "N"},
+                above(0, 1e5), Need::kOptional, {},
+                {"force that closes the ring at its gap, F_t = p_e b B/2; one of the three ways", "\"10.7 N\""}),
+          field(
+              "ring.free_gap", OptionalNumberKind{member<&Case::ring, &Ring::free_gap>}, kLength, above(0, 1),
+              Need::kOptional, {},
+              {"gap of the free ring less that of the closed one, s; with ring.radial_thickness one of the three ways",
+               "\"10.5 mm\""}),
+          field("ring.radial_thickness", OptionalNumberKind{member<&Case::ring, &Ring::radial_thickness>}, kLength,
+                above(0, 0.2), Need::kOptional, {},
+                {"radial thickness of the ring, t; with ring.free_gap one of the three ways", "\"3.5 mm\""}),
+          field("ring.end_gap", OptionalNumberKind{member<&Case::ring, &Ring::end_gap>}, kLength, above(0, 1),
+                Need::kOptional, kUnrolled,
+                {"gap between the ends of the ring in the bore, g; if left out, the ring is closed", "\"0.3 mm\""}),
+          field("ring.gap_position", NumberKind{member<&Case::ring, &Ring::gap_position_deg>}, {"degree", "degree"},
+                between(-360, 360), Need::kDefault, kGapped,
+                {"where around the bore the middle of the gap is; in a round bore a label of the results alone",
+                 "\"0 degree\""}),
+          field(
+              "ring.face.form", choice<&Case::ring, &Ring::face, &RingFace::form>({"polynomial", "parabola", "points"}),
+              kNoUnit, {}, Need::kRequired, {},
+              {"how the height of the face, h_s(x), is given; height is the gap to a straight liner", "\"parabola\""}),
+          field("ring.face.height_zero",
+                choice<&Case::ring, &Ring::face, &RingFace::height_zero>({"minimum", "as-given"}), kNoUnit, {},
+                Need::kDefault, {},
+                {"zero of the stored face heights: their lowest point or the input's own; the film is the true gap in "
+                 "both",
+                 "\"minimum\""}),
+          field(
+              "ring.face.orientation",
+              choice<&Case::ring, &Ring::face, &RingFace::orientation>({"x0-chamber", "x0-crankcase", "leading-edge"}),
+              kNoUnit, {}, Need::kDefault, {},
+              {"which edge is x = 0: a ring-fixed one, or always the leading one (turns over at each reversal)",
+               "\"x0-chamber\""}),
+          field("ring.face.coefficients", NumberListKind{member<&Case::ring, &Ring::face, &RingFace::coefficients>},
+                kPlainNumber, {}, Need::kRequired, kPolynomial,
+                {"coefficients of the height, highest power first", "[4.0, -4.8, 1.44]"}),
+          field("ring.face.length_unit", UnitNameKind{member<&Case::ring, &Ring::face, &RingFace::length_unit>},
+                {"m", "mm"}, above(0, 1), Need::kRequired, kPolynomial, {"unit of x in the polynomial", "\"mm\""}),
+          field("ring.face.height_unit", UnitNameKind{member<&Case::ring, &Ring::face, &RingFace::height_unit>},
+                {"m", "um"}, above(0, 1), Need::kRequired, kPolynomial,
+                {"unit of the height in the polynomial", "\"um\""}),
+          field("ring.face.crown_height", NumberKind{member<&Case::ring, &Ring::face, &RingFace::crown_height>},
+                {"m", "um"}, above(0, 0.01), Need::kRequired, kParabola,
+                {"height of the parabola at the edge farther from its lowest point", "\"15 um\""}),
+          field("ring.face.apex", NumberKind{member<&Case::ring, &Ring::face, &RingFace::apex>}, kPlainNumber,
+                between(0, 1), Need::kDefault, kParabola,
+                {"place of the lowest point, as a fraction of the width from x = 0", "0.5"}),
+          field("ring.face.file", FileKind{member<&Case::ring, &Ring::face, &RingFace::points_file>}, kNoUnit, {},
+                Need::kRequired, kPoints,
+                {"CSV file of measured points: x [mm],height [um], from x = 0 to the face width", "\"face.csv\""}),
+          field("ring.face.measured.trace",
+                OptionalTextKind{member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::trace>}, kNoUnit,
+                {}, Need::kOptional, {}, {"file of the trace that the face was fitted to", "\"new.csv\""}),
+          field("ring.face.measured.width",
+                OptionalNumberKind{member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::width>},
+                kLength, above(0, 0.05), Need::kOptional, {},
+                {"width that the face was fitted over; ring.face_width must be the same", "\"1.2 mm\""}),
+          field("ring.face.measured.levelling",
+                OptionalTextKind{member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::levelling>},
+                kNoUnit, {}, Need::kOptional, {}, {"how the tilt of the trace was taken off", "\"land\""}),
+          field("ring.face.measured.residual_rms",
+                OptionalNumberKind{member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::residual_rms>},
+                {"m", "um"}, between(0, 1e-3), Need::kOptional, {}, {"rms distance of trace and face", "\"0.05 um\""}),
+          field("ring.face.measured.largest_residual",
+                OptionalNumberKind{
+                    member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::largest_residual>},
+                {"m", "um"}, between(0, 1e-2), Need::kOptional, {},
+                {"largest distance of trace and face", "\"0.2 um\""}),
+          field("ring.face.measured.invented_shape",
+                OptionalTextKind{member<&Case::ring, &Ring::face, &RingFace::measured, &MeasuredFace::invented_shape>},
+                kNoUnit, {}, Need::kOptional, {},
+                {"where the face has a shape that its trace has not", "\"x = 1.14 to 1.2 mm: falls\""}),
+          field("ring.coating.youngs_modulus",
+                OptionalNumberKind{member<&Case::ring, &Ring::coating, &Coating::youngs_modulus>}, kModulus,
+                between(1e8, 1e13), Need::kOptional, kFourModuli,
+                {"Young's modulus of the coating on the face; enters E' in place of the ring's", "\"280 GPa\""}),
+          field("ring.coating.poissons_ratio",
+                NumberKind{member<&Case::ring, &Ring::coating, &Coating::poissons_ratio>}, kPlainNumber,
+                Range{0, 0.5, false, true}, Need::kRequired, kCoated, {"Poisson's ratio of the coating", "0.3"}),
+          field("ring.coating.thickness", OptionalNumberKind{member<&Case::ring, &Ring::coating, &Coating::thickness>},
+                {"m", "um"}, above(0, 1e-2), Need::kOptional, kCoated,
+                {"thickness of the coating; a note says where contact spots feel what is below", "\"100 um\""}),
+          field("ring.coating.contact_modulus",
+                choice<&Case::ring, &Ring::coating, &Coating::contact_modulus>({"coating", "base"}), kNoUnit, {},
+                Need::kDefault, kCoated,
+                {"whose modulus the contact spots feel: that of the coating, or of the ring below", "\"coating\""}),
+          field("liner.youngs_modulus", NumberKind{member<&Case::liner, &Liner::youngs_modulus>}, kModulus,
+                between(1e8, 1e13), Need::kDefault, kFourModuli,
+                {"Young's modulus of the liner, E_2; commonly quoted, not verified", "\"92.3 GPa\""}),
+          field("liner.poissons_ratio", NumberKind{member<&Case::liner, &Liner::poissons_ratio>}, kPlainNumber,
+                Range{0, 0.5, false, true}, Need::kDefault, kFourModuli,
+                {"Poisson's ratio of the liner, nu_2", "0.211"}),
+      });
+}
+
+}  // namespace ringfilm::cycle::table

@@ -1,0 +1,76 @@
+#include "ringfilm/cycle/case/case_fields_table.hpp"
+
+namespace ringfilm::cycle::table {
+namespace {
+
+constexpr When kTwoDimensions{
+    [](const Case& c) { return c.is_unrolled() || (c.problem == Problem::kPad && c.pad.width.has_value()); },
+    "film.dimension = \"unrolled\", or pad.width is given"};
+constexpr When kGapEnds{[](const Case& c) { return c.is_unrolled() && c.ring.end_gap.has_value(); },
+                        "ring.end_gap is stated"};
+constexpr When kUnrolledFields{[](const Case& c) { return c.is_unrolled() && c.output.fields != FieldsWanted::kNone; },
+                               "film.dimension = \"unrolled\" and output.fields are asked for"};
+
+}  // namespace
+
+void append_run_fields(std::vector<Field>& fields) {
+  const Unit degree{"degree", "degree"};
+  fields.insert(
+      fields.end(),
+      {
+          field("film.dimension", choice<&Case::film, &Film::dimension>({"face", "unrolled"}), kNoUnit, {},
+                Need::kDefault, {},
+                {"film across the face alone, alike all around, or on the whole unrolled ring with the ends of its gap",
+                 "\"face\""}),
+          field("film.cavitation", choice<&Case::film, &Film::cavitation>({"reynolds-exit", "mass-conserving"}),
+                kNoUnit, {}, Need::kDefault, {},
+                {"where the film ruptures: pressure never below p_c (Reynolds), or also mass kept (JFO)",
+                 "\"mass-conserving\""}),
+          field(
+              "film.cavitation_pressure", NumberKind{member<&Case::film, &Film::cavitation_pressure>}, {"Pa", "bar"},
+              between(-1e9, 1e9), Need::kDefault, {},
+              {"pressure at which the film ruptures, p_c; never above the pressures at the edges; absolute for a ring",
+               "\"1.01325 bar\""}),
+          field("solver.cells", CountKind{member<&Case::solver, &Solver::cells>}, kPlainNumber, between(8, 100000),
+                Need::kDefault, {}, {"cells across the face", "200"}),
+          field("solver.cells_y", CountKind{member<&Case::solver, &Solver::cells_y>}, kPlainNumber, between(4, 100000),
+                Need::kDefault, kTwoDimensions, {"cells around the ring, or across the pad", "180"}),
+          field("solver.end_cell", OptionalNumberKind{member<&Case::solver, &Solver::end_cell>}, {"m", "um"},
+                above(0, 1), Need::kOptional, kGapEnds,
+                {"length around the ring of the cells at the ends of its gap; if left out, 1/50 of the face width",
+                 "\"24 um\""}),
+          field("solver.crank_step", NumberKind{member<&Case::solver, &Solver::crank_step_deg>}, degree, above(0, 10),
+                Need::kDefault, {}, {"crank step of the march; whole steps must make 720 degrees", "\"1 degree\""}),
+          field("solver.crank_step_control", choice<&Case::solver, &Solver::crank_step_control>({"adaptive", "fixed"}),
+                kNoUnit, {}, Need::kDefault, {},
+                {"refine the crank step where the film needs it, or march with the stated step alone", "\"adaptive\""}),
+          field(
+              "solver.step_error", NumberKind{member<&Case::solver, &Solver::step_error>}, kPlainNumber,
+              between(1e-8, 0.1), Need::kDefault,
+              {[](const Case& c) { return c.solver.crank_step_control == StepControl::kAdaptive; },
+               "solver.crank_step_control = \"adaptive\""},
+              {"error that one step may make in the logarithm of the film; half of it in the oil on the face", "1e-3"}),
+          field("solver.tolerance", NumberKind{member<&Case::solver, &Solver::tolerance>}, kPlainNumber,
+                between(1e-14, 1e-2), Need::kDefault, {},
+                {"relative error that the iteration may leave in film and pressure", "1e-8"}),
+          field("solver.method",
+                choice<&Case::solver, &Solver::method>({"coupled-newton", "point-relaxation", "nested-secant"}),
+                kNoUnit, {}, Need::kDefault, {},
+                {"how film and load balance are solved: the fast way, the paper's, or two nested loops",
+                 "\"coupled-newton\""}),
+          field("solver.properties", choice<&Case::solver, &Solver::properties>({"fitted", "exact"}), kNoUnit, {},
+                Need::kDefault, {},
+                {"what the iteration asks: polynomials fitted to the laws of oil and contact, or the laws themselves",
+                 "\"fitted\""}),
+          field("output.crank_angles", AnglesKind{}, degree, above(0, 90), Need::kDefault, {},
+                {"crank angles of the result: a step, or a list of angles counted from firing TDC", "\"1 degree\""}),
+          field("output.fields", FieldAnglesKind{}, degree, {}, Need::kDefault, {},
+                {"pressure and film along the face: \"none\", \"all\", or a list of crank angles", "\"none\""}),
+          field("output.reduction", choice<&Case::output, &Output::reduction>({"none", "along-face"}), kNoUnit, {},
+                Need::kDefault, kUnrolledFields,
+                {"fields of an unrolled film at each place, or only what each strip across the face sums up to",
+                 "\"none\""}),
+      });
+}
+
+}  // namespace ringfilm::cycle::table

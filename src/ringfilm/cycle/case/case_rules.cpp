@@ -1,0 +1,278 @@
+#include <cmath>
+#include <optional>
+
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/case/case_rules_measured.hpp"
+#include "ringfilm/cycle/case/case_rules_pad.hpp"
+#include "ringfilm/cycle/case/case_rules_unrolled.hpp"
+#include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/models/gas/gas.hpp"
+#include "ringfilm/models/gas/trace_span.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+using Breaches = std::vector<RuleBreach>;
+
+/// Do whole steps make one cycle? A step typed with few digits ("0.333333 degree") does not.
+bool divides_cycle(double step_deg) {
+  const double steps = kCycleDeg / step_deg;
+  return std::abs(steps - std::round(steps)) <= 1e-9 * steps;
+}
+
+/// Fields of this many values are 80 MB each, five of them in a file.
+constexpr double kMostFieldValues = 1e7;
+
+void check_field_size(const Case& c, Breaches& breaches) {
+  const Output& output = c.output;
+  if (output.fields == FieldsWanted::kNone) return;
+  const double all = output.crank_angles_deg.empty() ? kCycleDeg / output.crank_angle_step_deg
+                                                     : static_cast<double>(output.crank_angles_deg.size());
+  const double angles = output.fields == FieldsWanted::kAll ? all : static_cast<double>(output.field_angles_deg.size());
+  if (angles * c.solver.cells <= kMostFieldValues) return;
+  breaches.push_back({"output.fields",
+                      "output.fields asks for " + number_text(angles) + " angles on " + number_text(c.solver.cells) +
+                          " cells, more than " + number_text(kMostFieldValues) + " values a field",
+                      "list the angles that matter, for example [\"0 degree\", \"20 degree\"]"});
+}
+
+void check_cavitation_pressure(const Film& film, Breaches& breaches) {
+  constexpr double kHighest = 1e7;
+  if (film.cavitation_pressure > kHighest) {
+    breaches.push_back({"film.cavitation_pressure",
+                        "film.cavitation_pressure = " + number_text(film.cavitation_pressure / 1e5) + " bar is above " +
+                            number_text(kHighest / 1e5) + " bar",
+                        "no oil film of a ring ruptures there; give the absolute pressure of the cavity"});
+  }
+  if (film.cavitation_pressure >= 0) return;
+  breaches.push_back(
+      {"film.cavitation_pressure",
+       "film.cavitation_pressure = " + number_text(film.cavitation_pressure / 1e5) + " bar is below zero",
+       "pressures around a ring are absolute, for example \"1.01325 bar\""});
+}
+
+void check_engine(const Case& c, Breaches& breaches) {
+  if (c.engine.connecting_rod_length > c.engine.stroke / 2) return;
+  breaches.push_back({"engine.connecting_rod_length",
+                      "engine.connecting_rod_length = " + number_text(c.engine.connecting_rod_length * 1e3) +
+                          " mm is not longer than the crank radius, " + number_text(c.engine.stroke * 500) + " mm",
+                      "the crank could not turn; check engine.stroke and engine.connecting_rod_length"});
+}
+
+void check_wiebe(const Gas& gas, Breaches& breaches) {
+  if (gas.peak_angle_deg >= gas.exhaust_valve_opening_deg) {
+    breaches.push_back({"gas.exhaust_valve_opening", "the exhaust valve opens before the peak of the pressure",
+                        "gas.exhaust_valve_opening must be later than gas.peak_angle"});
+  }
+  if (gas.exhaust_valve_opening_deg >= gas.exhaust_valve_closing_deg) {
+    breaches.push_back({"gas.exhaust_valve_closing", "the exhaust valve closes before it opens",
+                        "count both angles from firing TDC, for example 130 and 375 degree"});
+  }
+  if (gas.intake_valve_opening_deg >= gas.intake_valve_closing_deg) {
+    breaches.push_back({"gas.intake_valve_closing", "the intake valve closes before it opens",
+                        "count both angles from firing TDC, for example 345 and 590 degree"});
+  }
+}
+
+void check_trace(const Case& c, Breaches& breaches) {
+  const Gas& gas = c.gas;
+  const auto& angles = gas.cylinder_pressure->crank_angle_deg;
+  if (angles.empty() || models::covers_cycle(angles)) return;
+  const double missing = angles.front() + kCycleDeg - angles.back();
+  if (missing < kCycleDeg - 2 * models::kLongestPartialTraceDeg) {
+    breaches.push_back({"gas.cylinder_pressure",
+                        "the trace has no samples between " + number_text(angles.back()) + " and " +
+                            number_text(angles.front() + kCycleDeg) + " degree, where the cycle begins again",
+                        "samples may be " + number_text(models::kLargestSampleDistanceDeg) +
+                            " degree apart at the most; complete the cycle, or cut the trace to " +
+                            number_text(-models::kLongestPartialTraceDeg) + " to " +
+                            number_text(models::kLongestPartialTraceDeg) +
+                            " degree about firing TDC and state gas.intake_pressure and gas.exhaust_pressure"});
+    return;
+  }
+  const std::string span = "the trace covers only " + number_text(angles.front()) + " to " +
+                           number_text(angles.back()) + " degree of the cycle" +
+                           (models::covers_one_revolution(angles) ? std::string(", ") + models::kOneRevolution : "") +
+                           ", and ";
+  const std::string remedy = " is wanted to join the rest smoothly, for example ";
+  if (!gas.intake_pressure) {
+    breaches.push_back({"gas.intake_pressure", span + "gas.intake_pressure is not stated",
+                        "an absolute pressure" + remedy + "intake_pressure = \"0.95 bar\" in [gas]"});
+  }
+  if (!gas.exhaust_pressure) {
+    breaches.push_back({"gas.exhaust_pressure", span + "gas.exhaust_pressure is not stated",
+                        "an absolute pressure" + remedy + "exhaust_pressure = \"1.05 bar\" in [gas]"});
+  }
+  const std::optional<TraceStart> start = trace_start(c);
+  if (!start || !contradicts_intake(*start)) return;
+  breaches.push_back({"gas.intake_pressure",
+                      "the trace begins with " + number_text(start->pressure / 1e5) + " bar absolute at " +
+                          number_text(start->crank_angle_deg) +
+                          " degree, where gas.intake_pressure = " + number_text(start->lowest / 1e5) +
+                          " bar can be compressed to " + number_text(start->highest / 1e5) + " bar at most",
+                      "they belong to one engine: check both, the unit of the trace and gas.pressure_reference"});
+}
+
+void check_crankcase(const Gas& gas, Breaches& breaches) {
+  if (!gas.crankcase_trace || models::covers_cycle((*gas.crankcase_trace)->crank_angle_deg)) return;
+  breaches.push_back({"gas.crankcase_pressure", "the crankcase trace covers only a part of the cycle",
+                      "give samples over the whole cycle, none more than " +
+                          number_text(models::kLargestSampleDistanceDeg) + " degrees apart, or one pressure"});
+}
+
+/// All ways to state the tension end where ring.elastic_pressure does.
+void check_tension_range(const Case& c, Breaches& breaches) {
+  const Ring& ring = c.ring;
+  if (!(ring.face_width > 0) || !(c.engine.bore > 0)) return;  // refused by their own ranges
+  const double highest = find_field("ring.elastic_pressure")->range->high, p_e = elastic_pressure(c);
+  if (p_e <= highest) return;
+  const char* key = ring.tangential_force ? "ring.tangential_force" : "ring.free_gap";
+  breaches.push_back({key,
+                      std::string(key) + " makes an elastic pressure of " + number_text(p_e / 1e6) +
+                          " MPa on a face of " + number_text(ring.face_width * 1e3) + " mm, above the " +
+                          number_text(highest / 1e6) + " MPa at which ring.elastic_pressure ends",
+                      kUsualTension});
+}
+
+void check_tension(const Case& c, Breaches& breaches) {
+  const Ring& ring = c.ring;
+  const bool gap = ring.free_gap || ring.radial_thickness;
+  const int stated = (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (gap ? 1 : 0);
+  const std::string ways =
+      "state one of ring.elastic_pressure, ring.tangential_force, or ring.free_gap with ring.radial_thickness";
+  if (stated == 0) {
+    breaches.push_back({"ring.elastic_pressure", "the tension of the ring is missing", ways});
+  } else if (stated > 1) {
+    std::string names = ring.elastic_pressure ? "ring.elastic_pressure" : "";
+    if (ring.tangential_force) names += (names.empty() ? "" : " and ") + std::string("ring.tangential_force");
+    if (gap) names += " and ring.free_gap";
+    breaches.push_back({ring.tangential_force ? "ring.tangential_force"
+                        : gap                 ? "ring.free_gap"
+                                              : "ring.elastic_pressure",
+                        "the tension of the ring is stated twice: " + names, ways});
+  } else if (gap && !ring.free_gap) {
+    breaches.push_back({"ring.free_gap", "ring.radial_thickness is stated without ring.free_gap", ways});
+  } else if (gap && !ring.radial_thickness) {
+    breaches.push_back({"ring.radial_thickness", "ring.free_gap is stated without ring.radial_thickness", ways});
+  } else {
+    check_tension_range(c, breaches);
+  }
+}
+
+void check_face_points(const Ring& ring, Breaches& breaches) {
+  const RingFace& face = ring.face;
+  if (face.x.empty() || (face.x.front() <= 0 && face.x.back() >= ring.face_width)) return;
+  breaches.push_back({"ring.face.file",
+                      "the points of the face run from x = " + number_text(face.x.front() * 1e3) + " to " +
+                          number_text(face.x.back() * 1e3) + " mm and do not cover the face width of " +
+                          number_text(ring.face_width * 1e3) + " mm",
+                      "points are wanted from x = 0 to ring.face_width; no height is invented beyond them"});
+}
+
+/// A fit holds over the width of its trace only: beyond it a polynomial runs away, and less of it is another face.
+void check_measured_width(const Ring& ring, Breaches& breaches) {
+  constexpr double kRounding = 1e-6;  // both are typed or written with eight digits
+  const std::optional<double>& fitted = ring.face.measured.width;
+  if (!fitted || std::abs(ring.face_width - *fitted) <= kRounding * *fitted) return;
+  breaches.push_back(
+      {"ring.face_width",
+       "ring.face_width = " + number_text(ring.face_width * 1e3) + " mm, but the face was fitted over " +
+           number_text(*fitted * 1e3) + " mm (ring.face.measured.width)",
+       "state the width that was measured, or fit the trace again over this one: ringfilm face --width"});
+}
+
+/// Increasing temperatures; `falling`: values that fall with them.
+enum class Trend { kAny, kFalling };
+
+void check_points(const std::string& key, const std::vector<TemperatureValue>& points, Trend trend,
+                  Breaches& breaches) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i].temperature == points[i - 1].temperature) {
+      breaches.push_back({key, key + " has two values at " + number_text(points[i].temperature - 273.15) + " degC",
+                          "keep one of them"});
+    } else if (trend == Trend::kFalling && points[i].value >= points[i - 1].value) {
+      breaches.push_back({key,
+                          key + " does not fall from " + number_text(points[i - 1].temperature - 273.15) + " to " +
+                              number_text(points[i].temperature - 273.15) + " degC",
+                          "the viscosity of an oil falls with temperature; are two values exchanged?"});
+    }
+  }
+}
+
+/// What an oil weighs; a figure outside is a slip of units.
+void check_density(const Lubricant& oil, Breaches& breaches) {
+  const auto refuse_unless_oil = [&breaches](double density) {
+    if (density > 100 && density < 5000) return;
+    breaches.push_back({"lubricant.density", "lubricant.density = " + number_text(density) + " kg/m3 is out of range",
+                        "allowed is above 100 to below 5000 kg/m3"});
+  };
+  if (oil.constant_density) refuse_unless_oil(*oil.constant_density);
+  for (const TemperatureValue& point : oil.density) refuse_unless_oil(point.value);
+}
+
+void check_laws(const Lubricant& oil, Breaches& breaches) {
+  check_density(oil, breaches);
+  const auto& nu = oil.kinematic_viscosity;
+  const bool houpert = oil.viscosity_temperature == ViscosityTemperature::kHoupert;
+  if (nu.size() == 1 && !houpert) {
+    breaches.push_back({"lubricant.kinematic_viscosity",
+                        "lubricant.kinematic_viscosity has one value; the Walther line needs two or more",
+                        "add the viscosity at another temperature, for example 100 degC"});
+  } else if (nu.size() == 1 && nu.front().temperature != oil.reference_temperature) {
+    breaches.push_back({"lubricant.kinematic_viscosity",
+                        "lubricant.kinematic_viscosity has one value, and it is not at lubricant.reference_temperature",
+                        "state the value at the reference temperature, or two values"});
+  }
+  check_points("lubricant.kinematic_viscosity", nu, Trend::kFalling, breaches);
+  check_points("lubricant.density", oil.density, Trend::kAny, breaches);
+}
+
+void check_angles(const Case& c, Breaches& breaches) {
+  const auto refuse_step = [&breaches](const std::string& key, double step_deg) {
+    breaches.push_back({key, key + " = " + number_text(step_deg) + " degree does not divide the cycle of 720 degrees",
+                        "whole steps must make a cycle, for example \"1 degree\" or \"0.5 degree\""});
+  };
+  if (!divides_cycle(c.solver.crank_step_deg)) refuse_step("solver.crank_step", c.solver.crank_step_deg);
+  const bool by_step = c.output.crank_angles_deg.empty();
+  if (by_step && !divides_cycle(c.output.crank_angle_step_deg)) {
+    refuse_step("output.crank_angles", c.output.crank_angle_step_deg);
+  }
+  constexpr double kFinestDeg = 0.01;  // 72 000 rows
+  if (by_step && c.output.crank_angle_step_deg < kFinestDeg) {
+    breaches.push_back({"output.crank_angles", "output.crank_angles asks for more than 72000 angles",
+                        "the finest step is \"0.01 degree\""});
+  }
+  if (c.solver.crank_step_deg < kFinestDeg) {
+    breaches.push_back({"solver.crank_step", "solver.crank_step asks for more than 72000 steps",
+                        "the finest step is \"0.01 degree\""});
+  }
+  check_field_size(c, breaches);
+}
+
+}  // namespace
+
+std::vector<RuleBreach> broken_rules(const Case& c) {
+  if (c.problem == Problem::kPad) return broken_pad_rules(c);
+  Breaches breaches;
+  check_cavitation_pressure(c.film, breaches);
+  check_engine(c, breaches);
+  if (c.gas.model == GasModel::kWiebe) {
+    check_wiebe(c.gas, breaches);
+  } else {
+    check_trace(c, breaches);
+  }
+  check_crankcase(c.gas, breaches);
+  check_tension(c, breaches);
+  if (c.ring.face.form == FaceForm::kPoints) check_face_points(c.ring, breaches);
+  check_measured_width(c.ring, breaches);
+  append_measured_breaches(c.contact.measured, breaches);
+  if (!c.lubricant.table_file) check_laws(c.lubricant, breaches);
+  check_angles(c, breaches);
+  append_unrolled_breaches(c, breaches);
+  return breaches;
+}
+
+}  // namespace ringfilm::cycle

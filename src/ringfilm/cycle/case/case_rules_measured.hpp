@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+
+namespace ringfilm::cycle {
+
+/// What `[contact.measured]` says must be possible: whole regions, cut-offs in order, correlations of known scatter
+/// that some data can have, a calibration with a name.
+void append_measured_breaches(const MeasuredContact& measured, std::vector<RuleBreach>& breaches);
+
+}  // namespace ringfilm::cycle

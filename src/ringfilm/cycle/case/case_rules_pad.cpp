@@ -1,0 +1,204 @@
+#include "ringfilm/cycle/case/case_rules_pad.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/case/case_rules_sheet.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+using Breaches = std::vector<RuleBreach>;
+
+constexpr double kMostSteps = 1e6;
+/// Rows of the CSV file, some 80 bytes each; values of a field.
+constexpr double kMostRows = 1e7;
+
+void check_what_is_given(const Pad& pad, Breaches& breaches) {
+  std::vector<std::string> given;
+  if (pad.separation) given.push_back("pad.separation");
+  if (pad.load) given.push_back("pad.load");
+  if (pad.separation_history_file) given.push_back("pad.separation_history");
+  if (given.size() == 1) return;
+  const std::string ways = "state exactly one of pad.separation, pad.load and pad.separation_history";
+  if (given.empty()) {
+    breaches.push_back({"pad.separation", "neither separation nor load of the pad is stated", ways});
+    return;
+  }
+  std::string names = given.front();
+  for (std::size_t i = 1; i < given.size(); ++i) names += " and " + given[i];
+  breaches.push_back({given.back(), names + " are stated together", ways});
+}
+
+/// Do places run from 0 to the end?
+bool covers(const std::vector<double>& places, double end) { return places.front() == 0 && places.back() == end; }
+
+/// @returns whether the points run from 0 to the length, and to the width
+bool check_gap(const Pad& pad, Breaches& breaches) {
+  if (pad.gap_x.empty()) return false;
+  const bool is_map = !pad.gap_y.empty();
+  if (is_map && !pad.width) {
+    breaches.push_back({"pad.gap", "the gap is a map over x and y, and the pad has no width",
+                        "state pad.width, or give the gap along x alone"});
+    return false;
+  }
+  const bool is_long = covers(pad.gap_x, pad.length), is_wide = !is_map || covers(pad.gap_y, *pad.width);
+  if (!is_long) {
+    breaches.push_back({"pad.gap",
+                        "the points of the gap run from x = " + number_text(pad.gap_x.front() * 1e3) + " to " +
+                            number_text(pad.gap_x.back() * 1e3) + " mm, the pad from 0 to " +
+                            number_text(pad.length * 1e3) + " mm",
+                        "points are wanted from x = 0 to pad.length, both included"});
+  }
+  if (!is_wide) {
+    breaches.push_back({"pad.gap",
+                        "the rows of the gap run from y = " + number_text(pad.gap_y.front() * 1e3) + " to " +
+                            number_text(pad.gap_y.back() * 1e3) + " mm, the pad from 0 to " +
+                            number_text(*pad.width * 1e3) + " mm",
+                        "rows are wanted from y = 0 to pad.width, both included"});
+  }
+  return is_long && is_wide;
+}
+
+/// Where the gap is joined with itself it must not jump.
+void check_joined_gap(const Pad& pad, Breaches& breaches) {
+  if (pad.sides != Sides::kPeriodic || pad.gap_y.empty()) return;
+  constexpr double kRounding = 1e-9;
+  const std::size_t n_x = pad.gap_x.size(), last = pad.gap_height.size() - n_x;
+  for (std::size_t i = 0; i < n_x; ++i) {
+    const double front = pad.gap_height[i], back = pad.gap_height[last + i];
+    if (std::abs(front - back) <= kRounding * std::max(std::abs(front), std::abs(back))) continue;
+    breaches.push_back({"pad.sides",
+                        "pad.sides = \"periodic\" joins the sides of the pad, and at x = " +
+                            number_text(pad.gap_x[i] * 1e3) + " mm the gap is " + number_text(front * 1e6) +
+                            " um at y = 0 and " + number_text(back * 1e6) + " um at y = width",
+                        "give the map the same first and last row, or take open or closed sides"});
+    return;
+  }
+}
+
+/// An edge below the pressure of cavities would be filled with gas. That of an infinitely wide pad lowers the pressure
+/// of its cavities, with a note.
+void check_edge_pressures(const Case& c, Breaches& breaches) {
+  const Pad& pad = c.pad;
+  if (!pad.width) return;
+  const auto check = [&](const char* key, double pressure) {
+    if (pressure >= c.film.cavitation_pressure) return;
+    breaches.push_back({key,
+                        std::string(key) + " = " + number_text(pressure / 1e5) +
+                            " bar is below film.cavitation_pressure = " +
+                            number_text(c.film.cavitation_pressure / 1e5) + " bar: the film cannot be full there",
+                        "raise it, or lower film.cavitation_pressure"});
+  };
+  check("pad.left_pressure", pad.left_pressure);
+  check("pad.right_pressure", pad.right_pressure);
+  if (!pad.has_sides_at_pressures()) return;
+  check("pad.front_pressure", pad.front_pressure);
+  check("pad.back_pressure", pad.back_pressure);
+}
+
+void check_film(const Pad& pad, Breaches& breaches) {
+  const auto lowest = std::min_element(pad.gap_height.begin(), pad.gap_height.end());
+  const std::size_t k = lowest - pad.gap_height.begin(), n_x = pad.gap_x.size();
+  std::string place = "at x = " + number_text(pad.gap_x[k % n_x] * 1e3) + " mm";
+  if (!pad.gap_y.empty()) place += ", y = " + number_text(pad.gap_y[k / n_x] * 1e3) + " mm";
+  place += " the gap is " + number_text(*lowest * 1e6) + " um";
+  const std::string remedy = "the separation adds to the gap, and their sum must be above zero everywhere";
+  if (pad.separation && !(*lowest + *pad.separation > 0)) {
+    breaches.push_back({"pad.separation",
+                        place + ", with pad.separation = " + number_text(*pad.separation * 1e6) + " um no film is left",
+                        remedy});
+  }
+  const auto closest = std::min_element(pad.history_separation.begin(), pad.history_separation.end());
+  if (closest != pad.history_separation.end() && !(*lowest + *closest > 0)) {
+    breaches.push_back({"pad.separation_history",
+                        place + ", with the separation of " + number_text(*closest * 1e6) + " um at " +
+                            number_text(pad.history_time[closest - pad.history_separation.begin()]) +
+                            " s no film is left",
+                        remedy});
+  }
+}
+
+/// Nodes in one direction at the most: each piece between steps of the gap gets two cells or more.
+double most_nodes(int cells, const std::vector<double>& places) {
+  double pieces = 1;
+  for (std::size_t i = 1; i < places.size(); ++i) pieces += places[i] == places[i - 1];
+  return cells + 3 * pieces + 1;
+}
+
+double most_nodes(const Case& c) {
+  const double along = most_nodes(c.solver.cells, c.pad.gap_x);
+  return c.pad.width ? along * most_nodes(c.solver.cells_y, c.pad.gap_y) : along;
+}
+
+void check_nodes(const Case& c, Breaches& breaches) {
+  if (!c.pad.width || most_nodes(c) <= kMostSheetNodes) return;
+  breaches.push_back({"solver.cells_y",
+                      "solver.cells and solver.cells_y, with the steps of the gap, make a grid of " +
+                          number_text(most_nodes(c)) + " nodes, more than " + number_text(kMostSheetNodes),
+                      "take fewer cells in one direction or both"});
+}
+
+void check_times(const Case& c, Breaches& breaches) {
+  const Pad& pad = c.pad;
+  const double begin = pad.history_time.front(), end = pad.last_time();
+  if (!(end > begin) || end > pad.history_time.back()) {
+    breaches.push_back({"pad.end_time",
+                        "pad.end_time = " + number_text(end) + " s does not lie in the history, which runs from " +
+                            number_text(begin) + " to " + number_text(pad.history_time.back()) + " s",
+                        "choose an end after the first and not after the last time of the history"});
+    return;
+  }
+  const double steps = std::ceil((end - begin) / pad.time_step);
+  if (steps > kMostSteps) {
+    breaches.push_back({"pad.time_step", "pad.time_step asks for " + number_text(steps) + " steps",
+                        "at the most " + number_text(kMostSteps) + " are marched; take a longer step"});
+    return;
+  }
+  const double every = pad.output_step ? *pad.output_step / pad.time_step : 1;
+  if (every < 1 - 1e-6 || std::abs(every - std::round(every)) > 1e-6 * every) {
+    breaches.push_back({"pad.output_step",
+                        "pad.output_step = " + number_text(*pad.output_step) +
+                            " s is no whole number of time steps of " + number_text(pad.time_step) + " s",
+                        "take one, two, three ... times pad.time_step"});
+  } else if (steps / every * most_nodes(c) > kMostRows) {
+    breaches.push_back({pad.output_step ? "pad.output_step" : "pad.time_step",
+                        "the result would hold " + number_text(std::ceil(steps / every)) + " instants of " +
+                            number_text(most_nodes(c)) + " nodes, more than " + number_text(kMostRows) + " rows",
+                        "keep fewer instants with a longer pad.output_step"});
+  }
+}
+
+void check_oil(const Case& c, Breaches& breaches) {
+  if (!c.lubricant.constant_density && !c.lubricant.density.empty()) {
+    breaches.push_back({"lubricant.density", "lubricant.density has values at temperatures; a pad has no temperature",
+                        "write one value, for example \"850 kg/m3\""});
+  }
+  for (const auto& parameter : models::viscosity_law(c.lubricant.viscosity_pressure).parameters) {
+    if (parameter.statement == models::Statement::kRequired || c.stated.contains("lubricant." + parameter.key))
+      continue;
+    breaches.push_back({"lubricant.viscosity_pressure",
+                        "lubricant." + parameter.key + " is not stated, and a pad has none to fall back on",
+                        "state it in [lubricant], for example " + parameter.key + " = " + parameter.example});
+  }
+}
+
+}  // namespace
+
+std::vector<RuleBreach> broken_pad_rules(const Case& c) {
+  Breaches breaches;
+  check_what_is_given(c.pad, breaches);
+  if (check_gap(c.pad, breaches)) {
+    check_film(c.pad, breaches);
+    check_joined_gap(c.pad, breaches);
+    check_nodes(c, breaches);
+  }
+  check_edge_pressures(c, breaches);
+  if (!c.pad.history_time.empty()) check_times(c, breaches);
+  check_oil(c, breaches);
+  return breaches;
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,212 @@
+#include "ringfilm/cycle/case/gas_plausibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/models/crank_slider.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+constexpr double kBar = 1e5;
+
+/// Compression alone peaks at firing TDC, or a degree before. Combustion shifts the peak by 5 to 25 degree, a late one
+/// by 40; at 60 degree the volume is about four times that at TDC, so that the peak of compression stays the highest.
+/// Knock and early combustion peak 10 to 20 degree before TDC.
+constexpr double kEarliestPeakDeg = -30, kLatestPeakDeg = 60;
+/// Compression by 4, less than that of any engine, raises the pressure six times. A trace below this ratio of its
+/// highest to its lowest pressure shows no compression, as on a rig without a cylinder head, and no peak to look at.
+constexpr double kLeastCompression = 2;
+/// Without compression the cylinder is open to the atmosphere, whose pressure stays below 1.09 bar.
+constexpr double kHighestOpen = 1.2 * kBar;
+/// Between these angles the valves of any engine are closed, and combustion has not begun, or raises the pressure;
+/// eq-weak-compression.
+constexpr double kCompressionFromDeg = -75, kCompressionToDeg = -45;
+/// Real compression has an exponent of about 1.3. Isothermal compression at this ratio is weaker
+/// than that of historic engines (ratio 4, exponent 1.3), and weaker than one at a ratio of 10 that leaks as much as to
+/// an exponent of 0.85.
+constexpr double kLowestRatio = 6;
+/// No manifold of a running engine falls below 0.2 bar absolute: a closed throttle on the overrun leaves 0.2 to 0.3.
+constexpr double kDeepestVacuum = 0.2 * kBar;
+/// The exhaust flows out against the atmosphere, which has 0.6 bar at a height of 4000 m.
+constexpr double kThinAir = 0.6 * kBar;
+/// The charge of one turbocharger has up to 5 bar absolute; only large engines with two in series have more.
+constexpr double kHighestCharge = 6 * kBar;
+/// Series engines peak below 300 bar, and heavy knock below 400.
+constexpr double kHighestPeak = 400 * kBar;
+/// The lowest pressure above the atmosphere of a naturally aspirated engine is below zero; of a charged one it is the
+/// boost, which is seldom above this. The same number of an absolute pressure is that of the atmosphere, less the loss
+/// of an open throttle.
+constexpr double kLargestUsualBoost = 0.7 * kBar;
+
+/// Bounds of a compression up to the start of a trace: that of no engine is larger, and no exponent above that of cold
+/// air without losses.
+constexpr double kHighestRatio = 25, kAdiabatic = 1.4;
+/// Waves in the intake pipe and losses of the valves move the pressure at the end of intake by less than this share.
+constexpr double kIntakeScatter = 0.3;
+/// Below this ratio of pressures the flow through a valve is choked (air: 0.528): no valve that lets an engine breathe
+/// leaves such a difference.
+constexpr double kChoked = 0.528;
+
+constexpr double kExhaustBeginDeg = 220, kExhaustEndDeg = 320;  // away from blow-down and valve overlap
+
+std::string in_bar(double pressure) { return number_text(pressure / kBar) + " bar"; }
+
+double rise_of_reference(const Gas& gas) {
+  return gas.pressure_reference == PressureReference::kGauge ? base::kAtmosphere : 0.0;
+}
+
+/// Of an angle of the trace, in [-360, 360).
+double from_firing(const Gas& gas, double trace_angle_deg) {
+  const double zero = gas.angle_zero == AngleZero::kGasExchangeTdc ? kCycleDeg / 2 : 0;
+  const double angle = wrapped(trace_angle_deg + zero);
+  return angle < kCycleDeg / 2 ? angle : angle - kCycleDeg;
+}
+
+/// Volume above the piston, in strokes.
+double volume_above(const Case& c, double crank_angle_deg, double compression_ratio) {
+  const models::CrankSlider crank(c.engine.stroke / 2, c.engine.connecting_rod_length);
+  return 1 / (compression_ratio - 1) + crank.position(crank_angle_deg * std::numbers::pi / 180) / crank.stroke();
+}
+
+class GasNotes {
+ public:
+  GasNotes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes)
+      : case_(c), gas_(c.gas), trace_(*c.gas.cylinder_pressure), cylinder_(cylinder), notes_(notes) {
+    const auto [low, high] = std::minmax_element(trace_.value.begin(), trace_.value.end());
+    lowest_ = *low + rise_of_reference(gas_);
+    highest_ = *high + rise_of_reference(gas_);
+    peak_deg_ = from_firing(gas_, trace_.crank_angle_deg[static_cast<std::size_t>(high - trace_.value.begin())]);
+  }
+
+  void append() {
+    append_place_of_peak();
+    append_weak_compression();
+    append_low_pressures();
+    append_high_pressures();
+    append_jump();
+  }
+
+ private:
+  bool is_whole() const { return models::covers_cycle(trace_.crank_angle_deg); }
+
+  void note(const char* topic, std::string message) { notes_.push_back({topic, std::move(message), 1}); }
+
+  bool is_compressed() const { return highest_ >= kLeastCompression * lowest_; }
+  bool is_peak_in_place() const { return peak_deg_ >= kEarliestPeakDeg && peak_deg_ <= kLatestPeakDeg; }
+
+  void append_place_of_peak() {
+    if (!is_compressed() || is_peak_in_place()) return;
+    const bool near_gas_exchange = std::abs(peak_deg_) > kCycleDeg / 4;
+    note("gas-peak-place", "the cylinder pressure has its peak at " + number_text(wrapped(peak_deg_)) + " degree, " +
+                               (near_gas_exchange ? "near gas-exchange TDC" : "away from firing TDC at 0 degree") +
+                               ": is gas.angle_zero right, and the unit of the crank angle?");
+  }
+
+  void append_weak_compression() {
+    if (!is_compressed()) {
+      if (lowest_ <= kHighestOpen || lowest_ > kHighestCharge) return;
+      note("gas-compression-low",
+           "the cylinder pressure stays between " + in_bar(lowest_) + " and " + in_bar(highest_) +
+               " absolute: it shows no compression, and a rig without a cylinder head has the pressure of the "
+               "atmosphere: are the unit of the trace and gas.pressure_reference right?");
+      return;
+    }
+    const bool has_compression = is_whole() || from_firing(gas_, trace_.crank_angle_deg.front()) <= kCompressionFromDeg;
+    if (!is_peak_in_place() || !has_compression || lowest_ < kDeepestVacuum) return;
+    const double from = cylinder_.pressure(kCompressionFromDeg), to = cylinder_.pressure(kCompressionToDeg);
+    const double least =
+        volume_above(case_, kCompressionFromDeg, kLowestRatio) / volume_above(case_, kCompressionToDeg, kLowestRatio);
+    if (to >= least * from) return;
+    note("gas-compression-low", "the cylinder pressure rises from " + in_bar(from) + " absolute at " +
+                                    number_text(-kCompressionFromDeg) + " degree before firing TDC to " + in_bar(to) +
+                                    " at " + number_text(-kCompressionToDeg) + " degree, less than by compression (" +
+                                    number_text(least) +
+                                    " times or more): are the unit of the trace and gas.pressure_reference right?");
+  }
+
+  void append_low_pressures() {
+    if (lowest_ < kDeepestVacuum) {
+      note("gas-pressure-low", "the cylinder pressure falls to " + in_bar(lowest_) +
+                                   " absolute, lower than the intake of any running engine: are the unit of the "
+                                   "trace and gas.pressure_reference right?");
+      return;
+    }
+    if (!is_whole()) return;
+    double sum = 0;
+    int n = 0;
+    for (double angle = kExhaustBeginDeg; angle <= kExhaustEndDeg; angle += 10, ++n) sum += cylinder_.pressure(angle);
+    if (sum / n >= kThinAir) return;
+    note("gas-pressure-low", "the cylinder pressure is " + in_bar(sum / n) +
+                                 " absolute during the exhaust stroke, lower than the atmosphere into which it flows: "
+                                 "are the unit of the trace and gas.pressure_reference right?");
+  }
+
+  void append_high_pressures() {
+    if (highest_ > kHighestPeak || lowest_ > kHighestCharge) {
+      note("gas-pressure-high", "the cylinder pressure lies between " + in_bar(lowest_) + " and " + in_bar(highest_) +
+                                    " absolute, higher than in usual engines: is the unit of the trace right?");
+      return;
+    }
+    const bool is_gauge = gas_.pressure_reference == PressureReference::kGauge;
+    if (!is_gauge || !is_whole() || !is_compressed() || lowest_ - base::kAtmosphere < kLargestUsualBoost) return;
+    note("gas-pressure-high", "the cylinder pressure never falls below " + in_bar(lowest_ - base::kAtmosphere) +
+                                  " above the atmosphere, " + in_bar(lowest_) +
+                                  " absolute: unless the engine is charged so high, the trace is absolute and "
+                                  "gas.pressure_reference is wrong");
+  }
+
+  void append_jump() {
+    const std::optional<TraceStart> start = trace_start(case_);
+    if (!start) return;
+    if (start->pressure >= (1 - kIntakeScatter) * start->lowest &&
+        start->pressure <= (1 + kIntakeScatter) * start->highest) {
+      return;
+    }
+    note("gas-trace-jump",
+         "the trace begins with " + in_bar(start->pressure) + " at " + number_text(start->crank_angle_deg) +
+             " degree, where gas.intake_pressure = " + in_bar(start->lowest) + " can be compressed to " +
+             in_bar(start->highest) + " at most: is one of them wrong, or of another reference?");
+  }
+
+  const Case& case_;
+  const Gas& gas_;
+  const SampledTrace& trace_;
+  const models::CyclePressure& cylinder_;
+  std::vector<Note>& notes_;
+  double lowest_ = 0, highest_ = 0, peak_deg_ = 0;  ///< absolute [Pa]; of the peak, in [-360, 360) [degree]
+};
+
+}  // namespace
+
+std::optional<TraceStart> trace_start(const Case& c) {
+  const Gas& gas = c.gas;
+  const SampledTrace& trace = *gas.cylinder_pressure;
+  const bool is_joined = gas.model == GasModel::kTrace && !trace.value.empty() && gas.intake_pressure &&
+                         !models::covers_cycle(trace.crank_angle_deg);
+  if (!is_joined) return std::nullopt;
+  const double angle = from_firing(gas, trace.crank_angle_deg.front());
+  if (angle > 0) return std::nullopt;
+  const double bottom = -kCycleDeg / 4;  // compression begins there
+  const double rise = std::pow(
+      volume_above(c, bottom, kHighestRatio) / volume_above(c, std::max(angle, bottom), kHighestRatio), kAdiabatic);
+  return TraceStart{angle, trace.value.front() + rise_of_reference(gas), *gas.intake_pressure,
+                    *gas.intake_pressure * rise};
+}
+
+bool contradicts_intake(const TraceStart& start) {
+  return start.pressure < kChoked * start.lowest || start.pressure > start.highest / kChoked;
+}
+
+void append_gas_notes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes) {
+  if (c.gas.model != GasModel::kTrace || c.gas.cylinder_pressure->value.empty()) return;
+  GasNotes(c, cylinder, notes).append();
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/models/gas/gas.hpp"
+
+/// What a trace of the cylinder pressure shows, compared with what the case states about it (docs/theory/gas.md).
+namespace ringfilm::cycle {
+
+/// The start of a trace over a part of the cycle, and where compression from gas.intake_pressure could have brought it.
+struct TraceStart {
+  double crank_angle_deg;  ///< [degree], 0 = firing TDC
+  double pressure;         ///< of the trace, absolute [Pa]
+  double lowest, highest;  ///< before and after compression of the intake pressure [Pa]
+};
+
+/// Nothing where the trace covers the whole cycle or begins after firing TDC, or gas.intake_pressure is not stated.
+std::optional<TraceStart> trace_start(const Case& c);
+
+/// Does the start contradict gas.intake_pressure whatever the engine?
+bool contradicts_intake(const TraceStart& start);
+
+/// Notes on an improbable trace: a peak far from firing TDC, weak or no compression, pressures of another
+/// reference or unit, a jump where it is joined with the intake pressure.
+/// @param cylinder the pressure of the whole cycle
+void append_gas_notes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes);
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,34 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/models/oil/lubricant.hpp"
+
+namespace ringfilm::cycle {
+
+struct PreparedOil {
+  std::shared_ptr<const models::OilAtTemperature> oil;
+  double viscosity;         ///< at 1 atm [Pa s]
+  double density;           ///< at 1 atm [kg/m3]
+  std::vector<Note> notes;  ///< extrapolations, in a reader's units
+};
+
+/// The oil of a case at one temperature [K], by the laws that the case names.
+PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature);
+
+/// An oil that the caller brings, with the note that says so. Throws InputError without a law, or where it has no value
+/// up to the pressures that its fits are to reach (see fit_properties).
+PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAtTemperature> law,
+                    double largest_mean_pressure);
+
+/// Gives the oil its polynomials for the inner loop, from zero to four times the largest mean pressure on the face [Pa]
+/// and 20 MPa at least; to half of that where no certified fit reaches further. Adds a note where there is none at all.
+void fit_properties(PreparedOil& oil, double largest_mean_pressure);
+
+/// The oil of a pad: viscosity and density as stated at the zero of its pressures, from which the laws count.
+std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant);
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,284 @@
+#pragma once
+#include "ringfilm/film/kernels/lane_block.hpp"
+
+/// Oil and sums of one solved film, along the face in the lanes of a register. Plain pointers, so that what is compiled
+/// for one machine holds no code that another one shares.
+namespace ringfilm::film {
+
+/// A film as arrays over n+1 nodes and n cells; FilmGrid and FilmState define them.
+struct FilmView {
+  int n_cells;
+  const double *node_height, *face_height, *share, *spacing;
+  const double *p, *deficit, *content;
+  double h_m;         ///< [m]
+  double fill_share;  ///< 1: theta = 1 - deficit; 0: theta = 1
+};
+
+/// One lane of a block: z, and how far apart its numbers are.
+struct LaneView {
+  const double* z;
+  int stride;
+  double p_cavitation, inverse_fill_scale;
+};
+
+/// Where pressure and deficit of a film go.
+struct FilmPressure {
+  double *p, *deficit;
+};
+
+/// The step that led to a film.
+struct StepView {
+  double U;                      ///< [m/s]
+  double rate;                   ///< 1/dt [1/s]
+  const double* content_before;  ///< [kg/m2]
+};
+
+/// Fits of an oil's laws (models/oil/oil_fit.hpp).
+struct FittedOilView {
+  const double *K, *rho;
+  double centre, inverse_half_width;
+};
+
+/// Oil at n+1 nodes.
+struct NodalOilView {
+  const double *rho, *K;
+};
+
+/// Faces through which the flux is wanted, in rising order, and where it goes [kg/(m s)].
+struct FluxesWanted {
+  const int* face;
+  double* flux;
+  int count;
+};
+
+/// Sums over the face of one film.
+struct FilmSums {
+  double hydrodynamic_load;                ///< [N/m]
+  double shear_couette, shear_poiseuille;  ///< [N/m]
+  double storage;                          ///< growth of the mass on the face [kg/(m s)]
+  double peak_pressure;                    ///< [Pa]
+};
+
+/// Fits of the contact laws (models/asperity_contact.hpp), lowest power first: eighth roots of F_5/2 and F_2.
+struct FittedContactView {
+  const double *F_52, *F_2;
+  double reach, per_gap, pressure_scale, area_scale;
+  double spread;       ///< 1: at the local gap; 0: at h_m on the whole face
+  double turning_gap;  ///< the load beyond it is told apart [m]
+};
+
+struct ContactSums {
+  double load, load_beyond;  ///< [N/m]
+  double area;               ///< [m]
+};
+
+/// Mass flux in +x through the face between nodes i and i+1. @param rho,K of these two nodes
+RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double* rho, const double* K, int i) {
+  const double h = film.h_m + film.face_height[i];
+  const double dp = film.p[i + 1] - film.p[i];
+  const auto fill = [&](bool from_left) { return 1 - film.fill_share * film.deficit[from_left ? i : i + 1]; };
+  return face_flux(entrainment(0.25 * U, fill(U >= 0), h), rho[0] + rho[1],
+                   fill(dp <= 0) * conductance(h * h * h, film.spacing[i]), K[0] + K[1], dp);
+}
+
+/// Sums along the face with packs of Real, and what is left over one by one.
+template <class Real, class One>
+class AlongFace {
+ public:
+  /// What each node holds, its oil from the fits.
+  RINGFILM_INLINE static void content(const FilmView& film, const FittedOilView& oil, double* to) {
+    visit_nodes<kAbreast>(0, film.n_cells + 1, [&]<class Some, int kPacks>(int begin) RINGFILM_INLINE_BODY {
+      Some t[kPacks], rho[kPacks];
+      for (int a = 0; a < kPacks; ++a) t[a] = fit_place<Some>(film, oil, begin + a * Some::kWidth);
+      base::sum_of_powers<kDensityTerms, kPacks>(oil.rho, t, rho);
+      for (int a = 0; a < kPacks; ++a) {
+        const int i = begin + a * Some::kWidth;
+        (rho[a] * theta<Some>(film, i) * (Some(film.h_m) + Some::load(film.node_height + i))).store(to + i);
+      }
+    });
+  }
+
+  /// Pressure and deficit of n+1 nodes from a lane.
+  RINGFILM_INLINE static void read(const LaneView& lane, int n_nodes, const FilmPressure& to) {
+    visit_nodes<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY { read_at<Some>(lane, to, i); });
+  }
+
+  /// The first node from `i` on, and before `end`, that is a cavity, or that is none; `end` if there is no such.
+  RINGFILM_INLINE static int next_node(const double* deficit, int i, int end, bool cavity) {
+    const double sign = cavity ? 1 : -1;
+    while (i + Real::kWidth <= end &&
+           !Real::any(Real(sign) * (Real::load(deficit + i) - Real(kHardlyCavity)) > Real(0))) {
+      i += Real::kWidth;
+    }
+    while (i < end && (deficit[i] > kHardlyCavity) != cavity) ++i;
+    return i;
+  }
+
+  /// With oil that is given.
+  RINGFILM_INLINE static FilmSums sums(const FilmView& film, const NodalOilView& oil, const StepView& step,
+                                       const FluxesWanted& fluxes) {
+    Sums<Real> packs(film, step);
+    Sums<One> rest(film, step);
+    visit_nodes<1>(0, film.n_cells, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+      Sums<Some>& to = sums_of<Some>(packs, rest);
+      to.add_node(film, step, i);
+      to.add_face(film, oil.rho + i, oil.K + i, i);
+    });
+    for (int k = 0; k < fluxes.count; ++k) {
+      const int i = fluxes.face[k];
+      fluxes.flux[k] = flux_through(film, step.U, oil.rho + i, oil.K + i, i);
+    }
+    rest.add_node(film, step, film.n_cells);
+    return total(packs, rest, step);
+  }
+
+  /// With oil from the fits.
+  RINGFILM_INLINE static FilmSums sums(const FilmView& film, const FittedOilView& oil, const StepView& step,
+                                       const FluxesWanted& fluxes) {
+    Sums<Real> packs(film, step);
+    Sums<One> rest(film, step);
+    double rho[kStretch], K[kStretch];  // of the nodes from `begin` on
+    const int n = film.n_cells;
+    int flux = 0;
+    for (int begin = 0; begin < n; begin += kStretch - 1) {  // the last node of a stretch is the first of the next
+      const int end = begin + kStretch < n + 1 ? begin + kStretch : n + 1;
+      visit_nodes<kAbreast>(begin, end, [&]<class Some, int kPacks>(int i) RINGFILM_INLINE_BODY {
+        Some t[kPacks], value[kPacks];
+        for (int a = 0; a < kPacks; ++a) t[a] = fit_place<Some>(film, oil, i + a * Some::kWidth);
+        base::sum_of_powers<kFluidityTerms, kPacks>(oil.K, t, value);
+        for (int a = 0; a < kPacks; ++a) value[a].store(K + (i - begin) + a * Some::kWidth);
+        base::sum_of_powers<kDensityTerms, kPacks>(oil.rho, t, value);
+        for (int a = 0; a < kPacks; ++a) value[a].store(rho + (i - begin) + a * Some::kWidth);
+      });
+      visit_nodes<1>(begin, end - 1, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+        Sums<Some>& to = sums_of<Some>(packs, rest);
+        to.add_node(film, step, i);
+        to.add_face(film, rho + (i - begin), K + (i - begin), i);
+      });
+      for (; flux < fluxes.count && fluxes.face[flux] < end - 1; ++flux) {
+        const int i = fluxes.face[flux];
+        fluxes.flux[flux] = flux_through(film, step.U, rho + (i - begin), K + (i - begin), i);
+      }
+    }
+    rest.add_node(film, step, n);
+    return total(packs, rest, step);
+  }
+
+  RINGFILM_INLINE static ContactSums contact(const FilmView& film, const FittedContactView& contact) {
+    Contact<Real> packs;
+    Contact<One> rest;
+    int i = 0;
+    for (; i + Real::kWidth <= film.n_cells + 1; i += Real::kWidth) packs.add(film, contact, i);
+    for (; i <= film.n_cells; ++i) rest.add(film, contact, i);
+    return {contact.pressure_scale * (packs.load.sum() + rest.load.v),
+            contact.pressure_scale * (packs.beyond.sum() + rest.beyond.v),
+            contact.area_scale * (packs.area.sum() + rest.area.v)};
+  }
+
+ private:
+  static constexpr int kAbreast = 4;    ///< packs whose polynomials are summed side by side
+  static constexpr int kStretch = 257;  ///< nodes whose oil is at hand at a time
+
+  /// Calls visit<Pack, packs>(first node) for all nodes from `begin` to before `end`: with kPacks packs of Real as
+  /// often as they fit, then with one, then node by node.
+  template <int kPacks, class Visit>
+  RINGFILM_INLINE static void visit_nodes(int begin, int end, const Visit& visit) {
+    int i = begin;
+    if constexpr (kPacks > 1) {
+      for (; i + kPacks * Real::kWidth <= end; i += kPacks * Real::kWidth) visit.template operator()<Real, kPacks>(i);
+    }
+    for (; i + Real::kWidth <= end; i += Real::kWidth) visit.template operator()<Real, 1>(i);
+    for (; i < end; ++i) visit.template operator()<One, 1>(i);
+  }
+
+  template <class Some>
+  RINGFILM_INLINE static Some fit_place(const FilmView& film, const FittedOilView& oil, int i) {
+    return min(Some(1), (Some::load(film.p + i) - Some(oil.centre)) * Some(oil.inverse_half_width));
+  }
+
+  template <class Some>
+  RINGFILM_INLINE static Some theta(const FilmView& film, int i) {
+    return Some(1) - Some(film.fill_share) * Some::load(film.deficit + i);
+  }
+
+  template <class Some>
+  RINGFILM_INLINE static void read_at(const LaneView& lane, const FilmPressure& to, int i) {
+    const Some z = Some::gather(lane.z + i * lane.stride, lane.stride);
+    (Some(lane.p_cavitation) + max(Some(0), z)).store(to.p + i);
+    max(Some(0), -z * Some(lane.inverse_fill_scale)).store(to.deficit + i);
+  }
+
+  template <class Some>
+  struct Sums {
+    Some load{0}, couette{0}, poiseuille{0}, storage{0}, peak;
+    int upstream;  ///< of the two nodes of a cell: what the first holds of oil fills the cell
+
+    RINGFILM_INLINE Sums(const FilmView& film, const StepView& step) : peak(film.p[0]), upstream(step.U >= 0 ? 0 : 1) {}
+
+    RINGFILM_INLINE void add_node(const FilmView& film, const StepView& step, int i) {
+      const Some p = Some::load(film.p + i);
+      const Some share = Some::load(film.share + i);
+      load += share * p;
+      storage += share * (Some::load(film.content + i) - Some::load(step.content_before + i));
+      peak = max(peak, p);
+    }
+    /// @param rho,K of node i and the one after it
+    RINGFILM_INLINE void add_face(const FilmView& film, const double* rho, const double* K, int i) {
+      const Some h = Some(film.h_m) + Some::load(film.face_height + i);
+      couette += cell_shear(Some::load(film.spacing + i), theta<Some>(film, i + upstream), h, Some::load(rho),
+                            Some::load(K), Some::load(rho + 1), Some::load(K + 1));
+      poiseuille += h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
+    }
+  };
+
+  template <class Some>
+  RINGFILM_INLINE static Sums<Some>& sums_of(Sums<Real>& packs, Sums<One>& rest) {
+    if constexpr (Some::kWidth == Real::kWidth) {
+      return packs;
+    } else {
+      return rest;
+    }
+  }
+
+  RINGFILM_INLINE static FilmSums total(const Sums<Real>& packs, const Sums<One>& rest, const StepView& step) {
+    double peak = rest.peak.v;
+    double lanes[Real::kWidth];
+    packs.peak.store(lanes);
+    for (const double lane : lanes) peak = peak > lane ? peak : lane;
+    return {packs.load.sum() + rest.load.v, 0.25 * step.U * (packs.couette.sum() + rest.couette.v),
+            0.5 * (packs.poiseuille.sum() + rest.poiseuille.v), step.rate * (packs.storage.sum() + rest.storage.v),
+            peak};
+  }
+
+  template <class Some>
+  struct Contact {
+    Some load{0}, beyond{0}, area{0};
+
+    RINGFILM_INLINE void add(const FilmView& film, const FittedContactView& contact, int i) {
+      const Some gap = Some(film.h_m) + Some(contact.spread) * Some::load(film.node_height + i);
+      const typename Some::Mask inside = gap < Some(contact.reach);
+      if (!Some::any(inside)) return;
+      // Far ones count for nothing, but must be numbers.
+      const Some t = min(Some(1), max(Some(0), gap) * Some(contact.per_gap) - Some(1));
+      Some root_52(contact.F_52[kContactTerms - 1]);
+      Some root_2(contact.F_2[kContactTerms - 1]);
+#pragma GCC unroll 32
+      for (int k = kContactTerms - 2; k >= 0; --k) {
+        root_52 = root_52 * t + Some(contact.F_52[k]);
+        root_2 = root_2 * t + Some(contact.F_2[k]);
+      }
+      const Some weight = select(inside, Some::load(film.share + i), Some(0));
+      const Some p = weight * eighth_power(root_52);
+      load += p;
+      beyond += select(gap > Some(contact.turning_gap), p, Some(0));
+      area += weight * eighth_power(root_2);
+    }
+    RINGFILM_INLINE static Some eighth_power(Some root) {
+      const Some square = root * root;
+      const Some fourth = square * square;
+      return fourth * fourth;
+    }
+  };
+};
+
+}  // namespace ringfilm::film

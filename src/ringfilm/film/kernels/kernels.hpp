@@ -1,0 +1,34 @@
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "ringfilm/film/kernels/film_sums.hpp"
+#include "ringfilm/film/kernels/lane_block.hpp"
+
+/// The inner loops of the film, compiled for several kinds of machine from one source; the best is chosen at run time.
+namespace ringfilm::film {
+
+struct FilmKernels {
+  std::string_view name;             ///< "avx512"
+  int width;                         ///< lanes of `sweep`
+  void (*sweep)(LaneBlock&);         ///< Newton's iteration, `width` films
+  void (*single_sweep)(LaneBlock&);  ///< one film
+  void (*content)(const FilmView&, const FittedOilView&, double* to);
+  void (*read)(const LaneView&, int n_nodes, const FilmPressure&);
+  FilmSums (*sums)(const FilmView&, const FittedOilView&, const StepView&, const FluxesWanted&);
+  FilmSums (*sums_of_given_oil)(const FilmView&, const NodalOilView&, const StepView&, const FluxesWanted&);
+  int (*next_node)(const double* deficit, int i, int end, bool cavity);
+  ContactSums (*contact)(const FilmView&, const FittedContactView&);
+};
+
+/// The widest that this machine has, or the one that the environment variable RINGFILM_KERNELS names ("baseline",
+/// "avx2", "avx512"). Throws InputError for a name that is none or that this machine cannot run.
+const FilmKernels& kernels();
+
+/// By name, as above.
+const FilmKernels& kernels(std::string_view name);
+
+/// Names that this machine can run, the narrowest first.
+std::vector<std::string_view> kernel_names();
+
+}  // namespace ringfilm::film

@@ -1,0 +1,76 @@
+#pragma once
+#include "ringfilm/film/kernels/kernels.hpp"
+#include "ringfilm/film/kernels/newton_sweep.hpp"
+
+/// For the sources that compile the kernels, each for one kind of machine: kernels_*.cpp.
+namespace ringfilm::film {
+
+template <class Real, class Wide, LaneLaws kLaws, LaneCavity kCavity>
+void sweep_with_bounds(LaneBlock& block) {
+  if (block.bounds == Bounds::kOne) {
+    NewtonSweep<Real, Wide, kLaws, kCavity, Bounds::kOne>(block).run();
+  } else {
+    NewtonSweep<Real, Wide, kLaws, kCavity, Bounds::kOwn>(block).run();
+  }
+}
+
+template <class Real, class Wide>
+void sweep(LaneBlock& block) {
+  const bool fill = block.cavity == LaneCavity::kFill;
+  if (block.laws == LaneLaws::kFitted) {
+    if (fill) {
+      sweep_with_bounds<Real, Wide, LaneLaws::kFitted, LaneCavity::kFill>(block);
+    } else {
+      sweep_with_bounds<Real, Wide, LaneLaws::kFitted, LaneCavity::kMultiplier>(block);
+    }
+  } else {
+    if (fill) {
+      sweep_with_bounds<Real, Wide, LaneLaws::kGiven, LaneCavity::kFill>(block);
+    } else {
+      sweep_with_bounds<Real, Wide, LaneLaws::kGiven, LaneCavity::kMultiplier>(block);
+    }
+  }
+}
+
+template <class Real, class One>
+void content(const FilmView& film, const FittedOilView& oil, double* to) {
+  AlongFace<Real, One>::content(film, oil, to);
+}
+
+template <class Real, class One>
+void read_lane(const LaneView& lane, int n_nodes, const FilmPressure& to) {
+  AlongFace<Real, One>::read(lane, n_nodes, to);
+}
+
+template <class Real, class One, class Oil>
+FilmSums sums(const FilmView& film, const Oil& oil, const StepView& step, const FluxesWanted& fluxes) {
+  return AlongFace<Real, One>::sums(film, oil, step, fluxes);
+}
+
+template <class Real, class One>
+int next_node(const double* deficit, int i, int end, bool cavity) {
+  return AlongFace<Real, One>::next_node(deficit, i, end, cavity);
+}
+
+template <class Real, class One>
+ContactSums contact_sums(const FilmView& film, const FittedContactView& contact) {
+  return AlongFace<Real, One>::contact(film, contact);
+}
+
+template <int kWidth, base::InstructionSet kSet>
+constexpr FilmKernels kernels_of(std::string_view name) {
+  using Real = base::Pack<kWidth, kSet>;
+  using One = base::Pack<1, kSet>;
+  return {name,
+          kWidth,
+          sweep<Real, Real>,
+          sweep<One, Real>,
+          content<Real, One>,
+          read_lane<Real, One>,
+          sums<Real, One, FittedOilView>,
+          sums<Real, One, NodalOilView>,
+          next_node<Real, One>,
+          contact_sums<Real, One>};
+}
+
+}  // namespace ringfilm::film

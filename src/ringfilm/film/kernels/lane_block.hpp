@@ -1,0 +1,92 @@
+#pragma once
+#include "ringfilm/film/balance.hpp"
+#include "ringfilm/models/contact_fit.hpp"
+#include "ringfilm/models/oil/oil_fit.hpp"
+
+/// What the compiled kernels of the film share with their callers: plain numbers, one film in each lane.
+namespace ringfilm::film {
+
+inline constexpr int kMostLanes = 8;
+
+/// Terms of the polynomials that stand for the laws.
+inline constexpr int kFluidityTerms = models::OilFit::kFluidityDegree + 1;
+inline constexpr int kFluiditySlopeTerms = models::OilFit::kFluiditySlopeDegree + 1;
+inline constexpr int kDensityTerms = models::OilFit::kDensityDegree + 1;
+inline constexpr int kDensitySlopeTerms = models::OilFit::kDensitySlopeDegree + 1;
+inline constexpr int kContactTerms = models::ContactFit::kDegree + 1;
+inline constexpr int kContactSlopeTerms = models::ContactFit::kSlopeDegree + 1;
+
+/// Where oil and contact come from; one choice for all lanes of a block.
+enum class LaneLaws {
+  kFitted,  ///< from the polynomials in the block
+  kGiven,   ///< from `rho` ... `dK_dp` and `contact_load`, `contact_slope`, which the caller fills before every sweep
+};
+
+/// How the cavity of a block is closed; one choice for all lanes.
+enum class LaneCavity { kFill, kMultiplier };
+
+/// A number for each lane.
+using Lanes = double[kMostLanes];
+
+/// Nodal arrays hold this many more nodes than there are, with no share: nodes are visited several at a time.
+inline constexpr int kPadding = 16;
+
+/// Newton's iteration of the films in all lanes. Nodal arrays hold the value of node i in lane l at [i * width + l].
+struct LaneBlock {
+  int n_cells;
+  LaneLaws laws;
+  LaneCavity cavity;
+  Bounds bounds;
+
+  // Over nodes 0..n
+  double* z;                          ///< eq-fill, "one number per node" [Pa]
+  double* bound;                      ///< lowest pressure over p_c; only with Bounds::kOwn [Pa]
+  double* inflow;                     ///< what the step before left and what sources add [kg/(m s)]
+  double* node_height;                ///< h_s [m]
+  double* share;                      ///< [m]
+  double *rho, *drho_dp, *K, *dK_dp;  ///< only with LaneLaws::kGiven
+  // Over cells 0..n-1
+  double* face_height;  ///< h_s [m]
+  double* conductance;  ///< 1/(24 dx) [1/m]
+  // Scratch over inner nodes
+  double *upper, *column, *rhs;
+
+  // Inputs
+  alignas(64) Lanes h_m;                   ///< [m]
+  alignas(64) Lanes quarter_U;             ///< U/4 [m/s]
+  alignas(64) Lanes rate;                  ///< 1/dt, 0 when steady [1/s]
+  alignas(64) Lanes p_cavitation;          ///< [Pa]
+  alignas(64) Lanes scale, inverse_scale;  ///< of pressures [Pa], [1/Pa]
+  alignas(64) Lanes fill_scale;            ///< by which z of a cavity is its fill; stays from step to step [Pa]
+  alignas(64) Lanes inverse_fill_scale;    ///< [1/Pa]
+  alignas(64) Lanes load;                  ///< [N/m]
+  alignas(64) Lanes goes_on;   ///< 1: the film in z is what the step before left, at h_m = `left_h`: inflow is its own
+  alignas(64) Lanes left_h;    ///< [m]
+  alignas(64) Lanes movable;   ///< 1: h_m is unknown; 0: it is given
+  alignas(64) Lanes start_h;   ///< h_m that weighs the multiplier [m]
+  alignas(64) Lanes cavity_K;  ///< K at the cavitation pressure [s/m2]
+  alignas(64) Lanes contact_load;   ///< W_a where no fit gives it [N/m]
+  alignas(64) Lanes contact_slope;  ///< dW_a/dh_m of it [N/m2]
+
+  // Fits
+  alignas(64) Lanes fit_centre, fit_inverse_half_width;  ///< [Pa], [1/Pa]
+  alignas(64) Lanes fit_K[kFluidityTerms], fit_dK[kFluiditySlopeTerms];
+  alignas(64) Lanes fit_rho[kDensityTerms], fit_drho[kDensitySlopeTerms];
+  alignas(64) Lanes contact_spread;             ///< 1: contact at the local gap; 0: at h_m on the whole face
+  alignas(64) Lanes contact_reach;              ///< beyond this gap there is none; negative: nowhere [m]
+  alignas(64) Lanes contact_scale;              ///< of the pressure [Pa]
+  alignas(64) Lanes contact_per_gap;            ///< from the gap to the polynomial's t = -1 ... 1 [1/m]
+  double contact[kContactTerms];                ///< eighth root of F_5/2 in t
+  double contact_slope_of[kContactSlopeTerms];  ///< its slope in t
+
+  // Outcome of a sweep
+  alignas(64) Lanes excess;     ///< W_h + W_a - W before the update [N/m]
+  alignas(64) Lanes d_ln_h;     ///< by which h_m is to grow; the sweep leaves h_m alone
+  alignas(64) Lanes largest;    ///< change of z, relative to the scale or to a larger multiplier
+  alignas(64) Lanes peak;       ///< largest z of a film, or 0 [Pa]
+  alignas(64) Lanes check;      ///< not finite if anything in the sweep was not
+  alignas(64) Lanes to_film;    ///< not 0: a node went from cavity to film
+  alignas(64) Lanes to_cavity;  ///< not 0: one went the other way
+};
+
+}  // namespace ringfilm::film

@@ -1,8 +1,0 @@
-#include "ringfilm/film/kernels_of.hpp"
-
-namespace ringfilm::film {
-
-extern const FilmKernels kAvx512Kernels;
-constexpr FilmKernels kAvx512Kernels = kernels_of<8, base::InstructionSet::kAvx512>("avx512");
-
-}  // namespace ringfilm::film

@@ -1,8 +1,0 @@
-#include "ringfilm/film/kernels_of.hpp"
-
-namespace ringfilm::film {
-
-extern const FilmKernels kBaselineKernels;
-constexpr FilmKernels kBaselineKernels = kernels_of<2, base::InstructionSet::kBaseline>("baseline");
-
-}  // namespace ringfilm::film

@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/instrument/documents/force_sample.hpp"
+#include "ringfilm/io/measurement/measurement.hpp"
+
+namespace ringfilm::instrument {
+
+/// How the lateral signal becomes a coefficient, and what it was found from; common to all samples.
+struct ForceCalibration {
+  surface::Calibration calibration;
+  std::string name;                            ///< for the record: cases that share it are correlated
+  std::optional<ForceSample> silicon;          ///< of CalibrationMethod::kSilicon
+  surface::Uncertain silicon_coefficient;      ///< the value taken over for it
+  std::optional<surface::Lever> lever;         ///< of CalibrationMethod::kGeometry
+  std::vector<ForceSample> facets;             ///< of CalibrationMethod::kWedge: two
+  std::array<surface::Uncertain, 2> angles{};  ///< of the facets [rad]
+  std::optional<surface::WedgeCalibration> wedge;
+  std::vector<std::string> sources;  ///< of lever data; those of loops stand with them
+};
+
+/// Throws InputError where the friction on silicon does not rise with load, or the reference is none.
+ForceCalibration silicon_calibration(ForceSample silicon, surface::Uncertain reference);
+
+/// Throws InputError for samples that have no loops (offsets are wanted), unlike kinds of load, and what the wedge
+/// method refuses.
+ForceCalibration wedge_calibration(std::vector<ForceSample> facets, const std::array<surface::Uncertain, 2>& angles_rad,
+                                   const ForceRule& rule);
+
+/// Everything that is reported of friction loops: lines, calibration, coefficients with their shares of uncertainty.
+/// @param wanted the sample whose fragment is made; absent: of a single sample, else none
+io::Measurement force_measurement(const std::vector<ForceSample>& samples, const ForceCalibration& calibration,
+                                  const ForceRule& rule, const std::optional<std::size_t>& wanted);
+
+}  // namespace ringfilm::instrument

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/instrument/documents/surface_measurement.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+std::vector<surface::Region> chosen_regions(const surface::HeightMap& map, const RegionChoice& choice) {
+  std::vector<surface::Region> regions;
+  for (const auto& [x, y, width, height] : choice.rectangles_m) {
+    regions.push_back(surface::region_in_metres(map, x, y, width, height));
+  }
+  if (choice.across > 0) {
+    for (const surface::Region& part : surface::grid_regions(map, choice.across, choice.down)) regions.push_back(part);
+  }
+  if (choice.prominent > 0) {
+    const auto points = [&](double step) {
+      return static_cast<std::size_t>(std::llround(std::min(choice.size_m / step, static_cast<double>(kMostPoints))));
+    };
+    for (const surface::Region& part :
+         surface::prominent_regions(map, choice.prominent, points(map.step_x_m), points(map.step_y_m))) {
+      regions.push_back(part);
+    }
+  }
+  return regions;
+}
+
+/// A map is filtered once for each cut-off: of a large one its middle tells as much.
+surface::HeightMap middle_part(const surface::HeightMap& map) {
+  constexpr std::size_t kMost = 1024;
+  const auto across = std::min(map.points_x, map.is_profile() ? kMost * kMost : kMost);
+  const auto down = std::min(map.points_y, kMost);
+  return part_of_map(map, {(map.points_x - across) / 2, (map.points_y - down) / 2, across, down});
+}
+
+}  // namespace
+
+PreparedSurface prepare_surface(const SurfaceFile& file, const SurfaceAnalysis& analysis) {
+  PreparedSurface surface{file.origin, file.plausibility_line, file.map, {}, {}, {}};
+  surface::Preparation form_alone;
+  form_alone.form = analysis.preparation.form;
+  surface.prepared = prepare(surface.map, form_alone);
+  surface.middle = middle_part(surface.map);
+  surface::Preparation filters = analysis.preparation;
+  filters.form = {surface::FormKind::none};
+  surface.prepared.filters = prepare(surface.map, filters).filters;
+  surface.regions = chosen_regions(surface.map, analysis.regions);
+  return surface;
+}
+
+std::vector<surface::SurfaceMeasures> measures_of_regions(const PreparedSurface& surface,
+                                                          const SurfaceAnalysis& analysis,
+                                                          const surface::SpectralMoments* noise) {
+  std::vector<surface::SurfaceMeasures> measures;
+  const auto add = [&](const surface::HeightMap& map) {
+    measures.push_back(surface_measures(map, analysis.direction, analysis.scheme));
+    if (noise != nullptr) measures.back().moments = without_noise(measures.back().moments, *noise);
+  };
+  if (surface.regions.empty()) add(surface.map);
+  for (const surface::Region& region : surface.regions) add(part_of_map(surface.map, region));
+  return measures;
+}
+
+surface::SpectralMoments noise_moments(const SurfaceFile& flat, const PreparedSurface& surface,
+                                       const SurfaceAnalysis& analysis) {
+  const auto differ = [](double a, double b) { return std::abs(a - b) > 1e-6 * b; };
+  if (differ(flat.map.step_x_m, surface.map.step_x_m) ||
+      (!surface.map.is_profile() && differ(flat.map.step_y_m, surface.map.step_y_m))) {
+    throw InputError("the flat " + flat.origin.path + " has another step than " + surface.origin.path,
+                     "noise depends on the step: measure the flat as the surface was measured");
+  }
+  SurfaceAnalysis alone = analysis;
+  alone.regions = {};
+  // A flat has no cylinder: its holder tilts it.
+  using surface::FormKind;
+  if (alone.preparation.form.kind == FormKind::cylinder) alone.preparation.form = {FormKind::tilt};
+  return surface_measures(prepare_surface(flat, alone).map, analysis.direction, analysis.scheme).moments;
+}
+
+std::vector<std::string> source_lines(const PreparedSurface& surface) {
+  const SurfaceOrigin& origin = surface.origin;
+  std::string file = origin.path + ": " + origin.format;
+  if (origin.channels.size() > 1) {
+    file += ", channel " + std::to_string(origin.channel_number) + " of " + std::to_string(origin.channels.size());
+    if (!origin.channel.empty()) file += " (" + origin.channel + ")";
+  }
+  if (!origin.instrument.empty()) file += ", " + origin.instrument;
+  if (!origin.date.empty()) file += ", " + origin.date;
+  std::vector<std::string> lines = {file, surface.plausibility_line, "SHA-256 " + origin.sha256};
+  lines.insert(lines.end(), origin.notes.begin(), origin.notes.end());
+  return lines;
+}
+
+std::string measured_with(const PreparedSurface& surface) {
+  std::string filters;
+  for (const surface::FilterApplied& filter : surface.prepared.filters) {
+    const bool is_short = filter.choice.side == surface::FilterSide::short_cutoff;
+    const bool is_robust = filter.choice.kind == surface::FilterKind::robust_gaussian;
+    filters +=
+        fmt::format("{}{}-filter {:.4g} um", filters.empty() ? "" : ", ",
+                    std::string(is_robust ? "robust " : "") + (is_short ? "S" : "L"), filter.choice.cutoff_m * 1e6);
+  }
+  const surface::HeightMap& map = surface.map;
+  const bool square = map.is_profile() || map.step_x_m == map.step_y_m;
+  return (filters.empty() ? "no filter" : filters) +
+         (square ? fmt::format("; pixel {:.4g} um", map.step_x_m * 1e6)
+                 : fmt::format("; pixel {:.4g} x {:.4g} um", map.step_x_m * 1e6, map.step_y_m * 1e6));
+}
+
+}  // namespace ringfilm::instrument

@@ -1,0 +1,218 @@
+#include "ringfilm/instrument/documents/surface_measurement.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/instrument/documents/surface_figures.hpp"
+#include "ringfilm/instrument/documents/surface_side.hpp"
+#include "ringfilm/instrument/documents/surface_values.hpp"
+#include "ringfilm/surface/asperity/scatter.hpp"
+#include "ringfilm/surface/asperity/summits.hpp"
+#include "ringfilm/surface/topography/bearing.hpp"
+#include "ringfilm/surface/topography/roughness.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+constexpr double kDegreesPerRadian = 57.29577951308232;
+constexpr std::size_t kEnoughForBearing = 100;  // points of the probability parameters
+
+io::MeasuredGroup height_group(const PreparedSurface& surface) {
+  const surface::HeightStatistics heights = height_statistics(surface.map);
+  const bool profile = surface.map.is_profile();
+  const auto name = [&](const char* tail) { return std::string(profile ? "R" : "S") + tail; };
+  const std::string with = measured_with(surface);
+  io::MeasuredGroup group{"Heights", {}};
+  const auto add = [&](const char* tail, const char* words, double value, const char* unit, const char* display) {
+    group.values.push_back(value_of(name(tail), words, name(tail), unit, display, value, with));
+  };
+  add("a", "mean absolute deviation of heights", heights.Sa_m, "m", "um");
+  add("q", "rms height", heights.Sq_m, "m", "um");
+  add("sk", "skewness", heights.Ssk, "1", "1");
+  add("ku", "kurtosis", heights.Sku, "1", "1");
+  add("p", "highest peak above the mean", heights.Sp_m, "m", "um");
+  add("v", "deepest pit below the mean", heights.Sv_m, "m", "um");
+  add("z", "peak to pit", heights.Sz_m, "m", "um");
+  return group;
+}
+
+io::MeasuredGroup bearing_group(const std::vector<double>& falling, const std::optional<double>& cavity_depth_m,
+                                const std::string& with) {
+  io::MeasuredGroup group{"Bearing curve", {}};
+  const auto add = [&](const char* name, const char* words, double value, const char* unit, const char* display) {
+    group.values.push_back(value_of(name, words, name, unit, display, value, with));
+  };
+  const surface::CoreRoughness core = surface::core_roughness(falling);
+  add("Rk", "core roughness", core.Rk_m, "m", "um");
+  add("Rpk", "reduced peaks", core.Rpk_m, "m", "um");
+  add("Rvk", "reduced valleys", core.Rvk_m, "m", "um");
+  add("Mr1", "material ratio of the peaks", core.Mr1, "1", "%");
+  add("Mr2", "material ratio where valleys begin", core.Mr2, "1", "%");
+  if (const auto two_steps = surface::probability_roughness(falling)) {
+    add("Rpq", "rms of the plateau", two_steps->Rpq_m, "m", "um");
+    add("Rvq", "rms of the valleys", two_steps->Rvq_m, "m", "um");
+    add("Rmq", "material ratio where plateau and valleys meet", two_steps->Rmq, "1", "%");
+  }
+  const surface::Cavities pores = cavity_depth_m
+                                      ? surface::cavities(falling, surface::CavityRule::below_depth, *cavity_depth_m)
+                                      : surface::cavities(falling, surface::CavityRule::below_plateau);
+  const std::string rule = cavity_depth_m ? "deeper than " + surface::length_text(*cavity_depth_m) + " below the median"
+                                          : "deeper than 3 standard deviations of the plateau below the median";
+  group.values.push_back(
+      value_of("cavity_area_share", "area share of cavities (porosity)", "", "1", "%", pores.area_share, rule));
+  group.values.push_back(
+      value_of("cavity_mean_depth", "their mean depth below the median", "", "m", "um", pores.mean_depth_m, rule));
+  group.values.push_back(value_of("cavity_volume", "their volume for each area", "", "m", "um", pores.volume_m, rule));
+  return group;
+}
+
+io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnalysis& analysis,
+                               const surface::SpectralMoments* noise) {
+  const surface::MomentTable table = moment_table(surface.map, analysis.scheme);
+  const std::string with = measured_with(surface) + "; " + scheme_text(analysis.scheme);
+  io::MeasuredGroup group{"Slopes and curvatures", {}};
+  const auto add = [&](const std::string& name, const std::string& words, const char* unit, const char* display,
+                       double value) {
+    group.values.push_back(value_of(name, words, name, unit, display, value, with));
+  };
+  add(surface.map.is_profile() ? "Rdq" : "Sdq", "rms slope", "1", "1", rms_slope(table));
+  add("m0", "variance of heights", "m2", "um2", table.m0_m2);
+  if (!surface.map.is_profile()) {
+    add("m2_x", "variance of slopes along x", "1", "1", table.m2_x);
+    add("m2_y", "variance of slopes along y", "1", "1", table.m2_y);
+    add("m4_x", "variance of curvatures along x", "m-2", "mm-2", table.m4_x_per_m2);
+    add("m4_y", "variance of curvatures along y", "m-2", "mm-2", table.m4_y_per_m2);
+  }
+  if (analysis.angle_rad) {
+    const surface::SpectralMoments at = moments_at_angle(table, *analysis.angle_rad);
+    const std::string words = fmt::format(", profiles at {:.4g} degree to x", *analysis.angle_rad * kDegreesPerRadian);
+    add("m2_at_angle", "variance of slopes" + words, "1", "1", at.m2);
+    add("m4_at_angle", "variance of curvatures" + words, "m-2", "mm-2", at.m4_per_m2);
+  }
+  surface::SpectralMoments used = moments(table, analysis.direction);
+  if (noise != nullptr) used = without_noise(used, *noise);
+  const std::string use = noise == nullptr ? ", in use" : ", in use, less the noise of the flat";
+  add("m2", "variance of slopes" + use, "1", "1", used.m2);
+  add("m4", "variance of curvatures" + use, "m-2", "mm-2", used.m4_per_m2);
+  return group;
+}
+
+void add_asperities(const PreparedSurface& surface, const SurfaceAnalysis& analysis,
+                    const surface::SpectralMoments* noise, io::Measurement& to) {
+  const std::vector<surface::SurfaceMeasures> measures = measures_of_regions(surface, analysis, noise);
+  std::vector<surface::AsperityParameters> parameters;
+  for (const surface::SurfaceMeasures& one : measures) {
+    parameters.push_back(single_parameters(one, analysis.sigma_rule));
+  }
+  const std::string with = measured_with(surface), sigma = with + "; " + surface_sigma_text(analysis.sigma_rule);
+  if (parameters.size() < 2) {
+    to.groups.push_back(
+        asperity_group("Asperities, this surface against a smooth one", parameters.front(), with, sigma));
+  } else {
+    const surface::ParameterScatter scatter = surface::scatter_of(parameters);
+    to.groups.push_back(scatter_group(scatter, with, sigma));
+    to.tables.push_back(covariance_table(scatter.covariance_log));
+    if (parameters.size() < kEnoughForScatter) to.notes.push_back(few_samples_note(parameters.size()));
+  }
+  if (!surface.regions.empty()) to.tables.push_back(region_table(surface, measures, parameters));
+}
+
+}  // namespace
+
+io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalysis& analysis, const SurfaceFile* flat) {
+  const PreparedSurface surface = prepare_surface(file, analysis);
+  const std::string with = measured_with(surface);
+  io::Measurement all;
+  all.kind = "surface";
+  all.title = "Surface " + file_name(file.origin.path);
+  all.sources = source_lines(surface);
+  all.statements = analysis_lines(surface, analysis);
+  std::optional<surface::SpectralMoments> noise;
+  if (flat != nullptr) {
+    noise = noise_moments(*flat, surface, analysis);
+    all.statements.push_back("moments of the flat " + flat->origin.path + " taken off m0, m2 and m4 of N and beta");
+  }
+  all.notes = surface_notes(file, surface, analysis);
+
+  // A map that is too small, flat or empty for one of them still has the others.
+  const auto attempt = [&](const char* what, const auto& add) {
+    try {
+      add();
+    } catch (const InputError& refusal) {
+      all.notes.push_back(std::string("no ") + what + ": " + refusal.faults().front().message);
+    }
+  };
+  attempt("height statistics", [&] { all.groups.push_back(height_group(surface)); });
+  {
+    const std::vector<double> falling = surface::bearing_curve(surface.map);
+    if (falling.size() >= kEnoughForBearing) {
+      attempt("bearing parameters",
+              [&] { all.groups.push_back(bearing_group(falling, analysis.cavity_depth_m, with)); });
+    }
+    all.curves.push_back(profile_curve(surface));
+    all.curves.push_back(bearing_curve(falling));
+    attempt("marks of the core", [&] {
+      const surface::CoreRoughness core = surface::core_roughness(falling);
+      all.curves.back().marks = {{core.Mr1, "Mr1"}, {core.Mr2, "Mr2"}};
+    });
+  }
+  const surface::SpectralMoments* const taken_off = noise ? &*noise : nullptr;
+  attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis, taken_off)); });
+  attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, taken_off, all); });
+  if (!surface.map.is_profile()) {
+    attempt("summits", [&] {
+      all.groups.push_back(summit_group(
+          "Summits counted one by one (higher than all eight neighbours)", count_summits(surface.map),
+          single_parameters(surface_measures(surface.map, analysis.direction, analysis.scheme), analysis.sigma_rule),
+          with));
+    });
+  }
+  attempt("power spectrum", [&] { all.curves.push_back(spectrum_curve(surface)); });
+  attempt("table against the short cut-off", [&] {
+    all.tables.push_back(scale_table(surface, analysis));
+    if (all.tables.back().row_labels.size() > 1) all.curves.push_back(scale_curve(all.tables.back(), analysis));
+  });
+  if (!surface.map.is_profile()) all.maps.push_back(height_map(surface, "height"));
+  return all;
+}
+
+io::Measurement surfaces_measurement(const std::vector<SurfaceFile>& files, const SurfaceAnalysis& analysis,
+                                     const SurfaceFile* flat) {
+  const Side side = measured_side("surface", files, analysis, flat);
+  io::Measurement all;
+  all.kind = "surface";
+  all.title = "Surface " + names_of(side);
+  std::vector<surface::AsperityParameters> parameters;
+  for (const surface::SurfaceMeasures& one : side.measures) {
+    parameters.push_back(single_parameters(one, analysis.sigma_rule));
+  }
+  bool unlike = false;
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    const PreparedSurface& surface = side.surfaces[k];
+    for (std::string& line : source_lines(surface)) all.sources.push_back(std::move(line));
+    for (const std::string& note : surface_notes(files[k], surface, analysis)) {
+      all.notes.push_back(file_name(surface.origin.path) + ": " + note);
+    }
+    if (!surface.map.is_profile()) {
+      all.maps.push_back(height_map(surface, fmt::format("height_{}", k + 1)));
+      all.maps.back().title = "Heights of " + file_name(surface.origin.path);
+    }
+    unlike = unlike || measured_with(surface) != measured_with(side.surfaces.front());
+  }
+  if (unlike) all.notes.push_back("the files have different steps: their m4, N and beta do not belong together");
+  if (parameters.size() < kEnoughForScatter) all.notes.push_back(few_samples_note(parameters.size()));
+  all.statements = analysis_lines(side.surfaces.front(), analysis);
+  if (flat != nullptr) all.statements.push_back("moments of the flat " + flat->origin.path + " taken off m2 and m4");
+  const std::string with = measured_with(side.surfaces.front());
+  const surface::ParameterScatter scatter = surface::scatter_of(parameters);
+  all.groups.push_back(scatter_group(scatter, with, with + "; " + surface_sigma_text(analysis.sigma_rule)));
+  all.tables.push_back(side_table(side, analysis, "What each sample measures"));
+  all.tables.push_back(covariance_table(scatter.covariance_log));
+  return all;
+}
+
+}  // namespace ringfilm::instrument

@@ -1,0 +1,256 @@
+#include "ringfilm/instrument/documents/surface_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/surface/topography/roughness.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+constexpr double kMuchTilt = 0.05;     // of Sq that a plane takes off
+constexpr double kManyMissing = 0.05;  // of all points
+constexpr double kSameStep = 1e-6;     // relative
+
+/// Says how much a tilt that was left in adds, if it adds much.
+std::optional<std::string> tilt_note(surface::HeightMap map) {
+  try {
+    const double as_read = height_statistics(map).Sq_m;
+    surface::Preparation tilt;
+    tilt.form = {surface::FormKind::tilt};
+    prepare(map, tilt);
+    const double levelled = height_statistics(map).Sq_m;
+    if (levelled > (1 - kMuchTilt) * as_read) return std::nullopt;
+    return "tilt was left in: without it the rms height falls from " + surface::length_text(as_read) + " to " +
+           surface::length_text(levelled) + "; --form tilt";
+  } catch (const InputError&) {  // no plane through these points: nothing to say of it
+    return std::nullopt;
+  }
+}
+
+std::string direction_text(surface::MomentDirection direction) {
+  switch (direction) {
+    case surface::MomentDirection::x:
+      return "along x";
+    case surface::MomentDirection::y:
+      return "along y";
+    case surface::MomentDirection::mean:
+      return "mean of x and y";
+    case surface::MomentDirection::geometric:
+      return "geometric mean of x and y";
+  }
+  return "";
+}
+
+bool regions_overlap(const std::vector<surface::Region>& regions) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    for (std::size_t k = i + 1; k < regions.size(); ++k) {
+      const surface::Region &a = regions[i], &b = regions[k];
+      if (a.column < b.column + b.columns && b.column < a.column + a.columns && a.row < b.row + b.rows &&
+          b.row < a.row + a.rows) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+io::MeasuredValue value_of(const std::string& name, const std::string& long_name, const std::string& symbol,
+                           const std::string& unit, const std::string& display_unit, double value,
+                           const std::string& remark) {
+  io::MeasuredValue of;
+  of.name = name;
+  of.long_name = long_name;
+  of.symbol = symbol;
+  of.unit = unit;
+  of.display_unit = display_unit;
+  of.value = value;
+  of.remark = remark;
+  return of;
+}
+
+void add_column(io::MeasuredTable& table, const std::string& name, const std::string& long_name,
+                const std::string& symbol, const std::string& unit, const std::string& display_unit) {
+  table.columns.push_back(value_of(name, long_name, symbol, unit, display_unit, 0, ""));
+  table.values.emplace_back();
+}
+
+void add_row(io::MeasuredTable& table, const std::string& label, std::span<const double> values) {
+  for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(values[c]);
+  table.row_labels.push_back(label);
+}
+
+io::MeasuredFrame frame_of(const surface::Region& region, const surface::HeightMap& map, const std::string& label) {
+  return {static_cast<double>(region.column) * map.step_x_m, static_cast<double>(region.row) * map.step_y_m,
+          static_cast<double>(region.columns) * map.step_x_m, static_cast<double>(region.rows) * map.step_y_m, label};
+}
+
+bool same_step(double a_m, double b_m) { return std::abs(a_m / b_m - 1) <= kSameStep; }
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+std::string surface_sigma_text(surface::SigmaRule rule) {
+  return rule == surface::SigmaRule::ra ? "Ra (Sa)" : "Rq (Sq)";
+}
+
+std::string moment_text(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
+  return scheme_text(analysis.scheme) + (surface.map.is_profile() ? "" : ", " + direction_text(analysis.direction));
+}
+
+std::vector<std::string> analysis_lines(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
+  std::vector<std::string> lines = surface.prepared.lines();
+  lines.push_back("spectral moments: " + moment_text(surface, analysis));
+  return lines;
+}
+
+std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSurface& surface,
+                                       const SurfaceAnalysis& analysis) {
+  std::vector<std::string> notes;
+  const auto kind = analysis.preparation.form.kind;
+  if (kind == surface::FormKind::none || kind == surface::FormKind::mean) {
+    if (auto note = tilt_note(file.map)) notes.push_back(std::move(*note));
+  }
+  if (!analysis.preparation.short_cutoff_m) {
+    const surface::HeightMap& map = surface.map;
+    const bool both = analysis.direction == surface::MomentDirection::mean ||
+                      analysis.direction == surface::MomentDirection::geometric;
+    if (both && !map.is_profile() && !same_step(map.step_x_m, map.step_y_m)) {
+      notes.push_back("the steps of " + surface::length_text(map.step_x_m) + " along x and " +
+                      surface::length_text(map.step_y_m) +
+                      " along y differ: without --short-cutoff the slopes and curvatures along both do not belong "
+                      "together");
+    }
+    notes.push_back("no short cut-off: m4, N and beta belong to the step of " +
+                    surface::length_text(surface.map.step_x_m) + "; see the table against the cut-off");
+  }
+  if (regions_overlap(surface.regions)) {
+    notes.push_back("regions overlap: they are no independent samples, and the scatter is too small");
+  }
+  const double missing = 1 - static_cast<double>(measured_points(file.map)) / static_cast<double>(file.map.points());
+  if (missing > kManyMissing) {
+    notes.push_back(
+        fmt::format("{:.3g} % of the points were not measured; they are left out everywhere", 100 * missing));
+  }
+  return notes;
+}
+
+io::MeasuredGroup asperity_group(const std::string& title, const surface::AsperityParameters& of,
+                                 const std::string& remark, const std::string& sigma_text) {
+  io::MeasuredGroup group{title, {}};
+  group.values.push_back(
+      value_of("asperity_density", "density of asperity peaks", "N", "m-2", "mm-2", of.density_per_m2, remark));
+  group.values.push_back(value_of("asperity_radius", "mean summit radius", "beta", "m", "um", of.beta_m, remark));
+  group.values.push_back(value_of("roughness", "roughness in contact", "sigma", "m", "um", of.sigma_m, sigma_text));
+  group.values.push_back(
+      value_of("tabor_product", "0.03 to 0.05 after Tabor", "N beta sigma", "1", "1", of.tabor(), remark));
+  group.values.push_back(value_of("slope_ratio", "roughness over radius", "sigma/beta", "1", "1", of.slope(), remark));
+  return group;
+}
+
+io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const std::string& remark,
+                                const std::string& sigma_text) {
+  surface::AsperityParameters mean{scatter.mean[0], scatter.mean[1], scatter.mean[2]};
+  io::MeasuredGroup group = asperity_group(
+      fmt::format("Asperities, mean of {} samples with its standard error", scatter.count), mean, remark, sigma_text);
+  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
+  const char* symbols[] = {"N", "beta", "sigma"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    group.values[k].standard_error = scatter.mean[k] * scatter.relative_standard_error(k);
+    group.values.push_back(
+        value_of(std::string(names[k]) + "_relative_deviation", "standard deviation between regions, relative",
+                 std::string("s(ln ") + symbols[k] + ")", "1", "%", std::sqrt(scatter.covariance_log[k][k]), remark));
+  }
+  add_correlations(scatter.covariance_log, remark, group);
+  return group;
+}
+
+void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, const std::string& remark,
+                      io::MeasuredGroup& group) {
+  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
+  const char* symbols[] = {"N", "beta", "sigma"};
+  for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {0, 2}}) {
+    group.values.push_back(value_of(std::string("correlation_") + names[a] + "_" + names[b],
+                                    "correlation between regions", fmt::format("r({}, {})", symbols[a], symbols[b]),
+                                    "1", "1", surface::correlation(covariance_log, a, b), remark));
+  }
+}
+
+std::string few_samples_note(std::size_t samples) {
+  return fmt::format("{} samples tell little of deviations and less of correlations: name more files or regions",
+                     samples);
+}
+
+io::MeasuredTable covariance_table(const surface::ParameterScatter::Matrix& covariance_log) {
+  io::MeasuredTable table;
+  table.name = "covariance";
+  table.title = "Covariance of the logarithms of N, beta and sigma, of one sample of each surface";
+  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
+  const char* symbols[] = {"ln N", "ln beta", "ln sigma"};
+  for (std::size_t c = 0; c < 3; ++c) {
+    table.columns.push_back(value_of(std::string("covariance_with_") + names[c], std::string("with ") + symbols[c],
+                                     symbols[c], "1", "1", 0, ""));
+    table.values.push_back({covariance_log[0][c], covariance_log[1][c], covariance_log[2][c]});
+    table.row_labels.push_back(symbols[c]);
+  }
+  return table;
+}
+
+io::MeasuredGroup summit_group(const std::string& title, const surface::Summits& summits,
+                               const surface::AsperityParameters& of_moments, const std::string& remark) {
+  io::MeasuredGroup group{title, {}};
+  const auto add = [&](const char* name, const char* words, const char* unit, const char* display, double value) {
+    group.values.push_back(value_of(name, words, "", unit, display, value, remark));
+  };
+  add("summit_count", "summits", "1", "1", static_cast<double>(summits.count));
+  add("summit_density", "density of summits", "m-2", "mm-2", summits.density_per_m2);
+  if (summits.count == 0) return group;
+  add("summit_radius", "radius of their mean curvature", "m", "um", summits.mean_radius_m);
+  add("summit_rms_height", "rms of their heights", "m", "um", summits.rms_height_m);
+  add("summit_density_ratio", "counted density over N of the moments", "1", "1",
+      summits.density_per_m2 / of_moments.density_per_m2);
+  add("summit_radius_ratio", "counted radius over beta of the moments", "1", "1",
+      summits.mean_radius_m / of_moments.beta_m);
+  return group;
+}
+
+io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector<surface::SurfaceMeasures>& measures,
+                               const std::vector<surface::AsperityParameters>& parameters) {
+  io::MeasuredTable table;
+  table.name = "regions";
+  table.title = "Regions";
+  add_column(table, "region_x", "left edge", "x", "m", "um");
+  add_column(table, "region_y", "upper edge", "y", "m", "um");
+  add_column(table, "region_width", "width", "", "m", "um");
+  add_column(table, "region_height", "height", "", "m", "um");
+  const bool proposed = std::any_of(surface.regions.begin(), surface.regions.end(),
+                                    [](const surface::Region& region) { return region.prominence_m != 0; });
+  add_column(table, "region_Sa", "mean absolute deviation", "Sa", "m", "um");
+  add_column(table, "region_Sq", "rms height", "Sq", "m", "um");
+  add_column(table, "region_asperity_density", "density of asperity peaks", "N", "m-2", "mm-2");
+  add_column(table, "region_asperity_radius", "mean summit radius", "beta", "m", "um");
+  if (proposed) add_column(table, "region_prominence", "prominence", "", "m", "um");
+  for (std::size_t k = 0; k < surface.regions.size(); ++k) {
+    const io::MeasuredFrame place = frame_of(surface.regions[k], surface.map, std::to_string(k + 1));
+    const double values[] = {place.x,
+                             place.y,
+                             place.width,
+                             place.height,
+                             measures[k].Sa_m,
+                             measures[k].Sq_m,
+                             parameters[k].density_per_m2,
+                             parameters[k].beta_m,
+                             surface.regions[k].prominence_m};
+    add_row(table, place.label, values);
+  }
+  return table;
+}
+
+}  // namespace ringfilm::instrument

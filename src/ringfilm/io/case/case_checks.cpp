@@ -1,0 +1,147 @@
+#include "ringfilm/io/case/case_checks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using cycle::Field;
+
+std::string section_of(const std::string& key) { return key.substr(0, key.find('.')); }
+
+class Checks {
+ public:
+  Checks(const cycle::Case& c, const StatedKeys& stated) : case_(c), stated_(stated) {}
+
+  std::vector<Fault> faults() {
+    check_missing();
+    check_unused();
+    check_rules();
+    return std::move(faults_);
+  }
+
+ private:
+  bool is_faulty(const std::string& key) const {
+    return std::any_of(stated_.faulty.begin(), stated_.faulty.end(), [&key](const std::string& faulty) {
+      return key == faulty || (faulty.back() == '.' && key.rfind(faulty, 0) == 0);
+    });
+  }
+
+  /// Sections whose keys decide on each other's use.
+  static std::string group_of(const std::string& key) {
+    const std::string section = section_of(key);
+    return section == "liner" || section == "contact" ? "ring" : section;
+  }
+
+  /// May the key `other` decide whether `field` is in use? A trace does for the pressures that join a partial one.
+  static bool decides(const Field& other, const Field& field) {
+    // A key of another section decides where the words on its use name it.
+    if (field.active_when.find(other.key) != std::string::npos) return true;
+    if (group_of(other.key) != group_of(field.key)) return false;
+    if (std::holds_alternative<cycle::FileKind>(other.kind)) {
+      return std::holds_alternative<cycle::OptionalNumberKind>(field.kind);
+    }
+    return std::holds_alternative<cycle::ChoiceKind>(other.kind) ||
+           std::holds_alternative<cycle::NumberOrFileKind>(other.kind) || other.need == cycle::Need::kOptional;
+  }
+
+  /// Is it known whether the key is in use? Not where a key that decides on it is wrong or missing.
+  bool use_is_known(const Field& field) const {
+    const bool all_is_well = stated_.faulty.empty() && missing_.empty();  // nearly always; quick, for batches
+    if (field.active == nullptr || all_is_well) return true;
+    const auto& fields = cycle::case_fields();
+    return std::none_of(fields.begin(), fields.end(), [&](const Field& other) {
+      return (is_faulty(other.key) || missing_.contains(other.key)) && decides(other, field);
+    });
+  }
+
+  void check_missing() {
+    // Keys that are always wanted come first: where a choice among them is missing, no more can be said.
+    for (const Field& field : cycle::case_fields()) {
+      if (field.active == nullptr && cycle::belongs(field, case_)) check_missing(field);
+    }
+    std::vector<const Field*> in_use;
+    for (const Field& field : cycle::case_fields()) {
+      if (field.active != nullptr && use_is_known(field) && cycle::is_active(field, case_)) in_use.push_back(&field);
+    }
+    for (const Field* field : in_use) check_missing(*field);
+  }
+
+  void check_missing(const Field& field) {
+    if (!cycle::is_required(field, case_) || stated_.given.contains(field.key) || is_faulty(field.key)) return;
+    missing_.insert(field.key);
+    const std::size_t dot = field.key.rfind('.');
+    const bool top_level = dot == std::string::npos;
+    const std::string name = top_level ? field.key : field.key.substr(dot + 1);
+    faults_.push_back({{stated_.path, 0, 0, ""},
+                       "the key " + field.key + " is missing: " + field.help,
+                       "write, for example, " + name + " = " + field.example +
+                           (top_level ? " before the first section" : " in [" + field.key.substr(0, dot) + "]")});
+  }
+
+  void check_unused() {
+    check_mixed();
+    for (const auto& [key, entry] : stated_.given) {
+      const Field& field = *cycle::find_field(key);
+      if (!cycle::belongs(field, case_)) continue;
+      if (!use_is_known(field) || cycle::is_active(field, case_) || stated_.from_oil_file.contains(key)) continue;
+      faults_.push_back({entry.key_mark, key + " is not used in this case",
+                         "it is used where " + field.active_when + "; take it out (or add --set " + key +
+                             "= on the command line), or change that"});
+    }
+  }
+
+  /// Has either problem keys of its own there?
+  static bool is_shared(const std::string& section) {
+    return section == "lubricant" || section == "film" || section == "solver";
+  }
+
+  /// A case with keys of both problems: reported once a section that the case must not have at all, else for each key.
+  void check_mixed() {
+    using Given = std::pair<const std::string, KeyPlace>;
+    std::map<std::string, const Given*> first;
+    for (const Given& given : stated_.given) {
+      if (cycle::belongs(*cycle::find_field(given.first), case_)) continue;
+      const std::string section = section_of(given.first);
+      const Given*& of_section = first[is_shared(section) ? given.first : section];
+      const int line = given.second.key_mark.line;
+      if (of_section == nullptr || line < of_section->second.key_mark.line) of_section = &given;
+    }
+    for (const auto& [what, given] : first) {
+      faults_.push_back({given->second.key_mark, given->first + " is not used in this case",
+                         case_.problem == cycle::Problem::kPad
+                             ? "a case with [pad] is a film without engine, gas and ring: take " +
+                                   (what == given->first ? what : "[" + what + "]") + " out, or [pad]"
+                             : "it is used in a pad, a film without engine, gas and ring; take it out"});
+    }
+  }
+
+  void check_rules() {
+    for (const cycle::RuleBreach& breach : cycle::broken_rules(case_)) {
+      const std::string section = section_of(breach.key);
+      const auto of_section = [&section](const std::string& key) { return section_of(key) == section; };
+      if (std::any_of(stated_.faulty.begin(), stated_.faulty.end(), of_section) ||
+          std::any_of(missing_.begin(), missing_.end(), of_section)) {
+        continue;
+      }
+      const auto found = stated_.given.find(breach.key);
+      const SourceMark mark =
+          found == stated_.given.end() ? SourceMark{stated_.path, 0, 0, ""} : found->second.value_mark;
+      faults_.push_back({mark, breach.message, breach.remedy});
+    }
+  }
+
+  const cycle::Case& case_;
+  const StatedKeys& stated_;
+  std::set<std::string> missing_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace
+
+std::vector<Fault> case_faults(const cycle::Case& c, const StatedKeys& stated) { return Checks(c, stated).faults(); }
+
+}  // namespace ringfilm::io

@@ -1,0 +1,201 @@
+#include "ringfilm/io/case/case_edit.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/case/case_checks.hpp"
+#include "ringfilm/io/case/case_data.hpp"
+#include "ringfilm/io/case/case_values.hpp"
+#include "ringfilm/io/text/source_text.hpp"
+#include "ringfilm/io/text/suggestion.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using cycle::Case;
+using cycle::Field;
+
+const std::string kOil = "lubricant.";
+
+/// Gives the members behind a key the values that they have in a blank case.
+class Blank {
+ public:
+  Blank(Case& c, Case blank) : case_(c), blank_(std::move(blank)) {}
+
+  void operator()(const cycle::NumberOrFileKind& kind) {
+    kind.number(case_) = kind.number(blank_);
+    kind.file(case_) = kind.file(blank_);
+    case_.gas.crankcase_trace.reset();  // the one key of this kind
+  }
+  void operator()(const cycle::ChoiceKind& kind) { kind.choose(case_, kind.index(blank_)); }
+  void operator()(const cycle::ConstantOrTemperatureValuesKind& kind) {
+    kind.constant(case_) = kind.constant(blank_);
+    kind.ref(case_) = kind.ref(blank_);
+  }
+  void operator()(const cycle::AnglesKind&) {
+    case_.output.crank_angle_step_deg = blank_.output.crank_angle_step_deg;
+    case_.output.crank_angles_deg = blank_.output.crank_angles_deg;
+  }
+  void operator()(const cycle::FieldAnglesKind&) {
+    case_.output.fields = blank_.output.fields;
+    case_.output.field_angles_deg = blank_.output.field_angles_deg;
+  }
+  template <class Other>
+  void operator()(const Other& kind) {
+    kind.ref(case_) = kind.ref(blank_);
+  }
+
+ private:
+  Case& case_;
+  Case blank_;
+};
+
+void take_out(Case& c, const Field& field) {
+  std::visit(Blank(c, cycle::blank_case(c.problem)), field.kind);
+  c.stated.erase(field.key);
+  std::erase_if(c.files, [&field](const cycle::InputFile& file) { return file.role == field.key; });
+}
+
+/// Does the key decide how files are read?
+bool moves_files(const Field& field, const Case& c) {
+  const bool is_number = std::holds_alternative<cycle::NumberKind>(field.kind) ||
+                         std::holds_alternative<cycle::OptionalNumberKind>(field.kind) ||
+                         std::holds_alternative<cycle::CountKind>(field.kind);
+  if (c.problem == cycle::Problem::kPad) {
+    return field.key == "pad.length" || field.key == "pad.width" || (field.key.rfind("pad.", 0) == 0 && !is_number);
+  }
+  if (field.key == "ring.face_width") return c.ring.face.form == cycle::FaceForm::kPoints;
+  return !is_number &&
+         (field.key.rfind("gas.", 0) == 0 || field.key.rfind("ring.face.", 0) == 0 || field.key == kOil + "table");
+}
+
+bool is_data_role(const std::string& role) { return role != "case" && role != "include" && role != kOil + "file"; }
+
+void read_files_again(Case& c, const Units& units) {
+  std::erase_if(c.files, [](const cycle::InputFile& file) { return is_data_role(file.role); });
+  c.notes.clear();
+  for (const DataFile& data : data_files(c, units)) read_data_file(data, c);
+}
+
+void put(Case& c, const Field& field, const TomlEntry& entry, const Units& units) {
+  std::vector<Fault> faults;
+  if (!set_value(c, field, entry, units, faults)) throw InputError(std::move(faults));
+  c.stated.insert(field.key);
+}
+
+/// All that an oil file says, in the place of what was stated of the oil.
+void read_oil(Case& c, const std::string& name, const Units& units) {
+  const NamedFile file = locate(name, "");
+  const SourceText source = read_source_text(file.path, file.shown, kLargestToml);
+  std::erase_if(c.files,
+                [](const cycle::InputFile& one) { return one.role == kOil + "file" || one.role == kOil + "table"; });
+  for (const std::string& key : std::set<std::string>(c.stated)) {
+    if (key.rfind(kOil, 0) == 0 && key != kOil + "file") take_out(c, known_field(key));
+  }
+  c.files.push_back({kOil + "file", file.shown, source.sha256});
+  const std::size_t end = file.shown.rfind('/');
+  const std::string folder = end == std::string::npos ? "" : file.shown.substr(0, end);
+  for (const auto& [key, value] : parse_toml(source).members) {
+    if (key == "file" || value.kind == TomlValue::Kind::kTable) {
+      throw InputError({{value.key_mark, key + " has no place in an oil file",
+                         "it holds the keys of [lubricant], without sections"}});
+    }
+    put(c, known_field(kOil + key), {kOil + key, value, folder}, units);
+  }
+}
+
+bool has_two_forms(const Field& field) {
+  return std::holds_alternative<cycle::NumberOrFileKind>(field.kind) ||
+         std::holds_alternative<cycle::AnglesKind>(field.kind) ||
+         std::holds_alternative<cycle::FieldAnglesKind>(field.kind);
+}
+
+enum class Files { kUnmoved, kMoved };
+
+/// @returns must files be read again?
+Files apply(const Change& change, Case& c, const Units& units) {
+  const Field& field = known_field(change.key);
+  const bool is_oil_file = change.key == kOil + "file" && change.value;
+  if (!change.value || has_two_forms(field)) take_out(c, field);
+  if (change.value) put(c, field, {change.key, *change.value, ""}, units);
+  if (is_oil_file) read_oil(c, change.value->text, units);
+  return is_oil_file || moves_files(field, c) ? Files::kMoved : Files::kUnmoved;
+}
+
+Files apply(std::vector<Change> changes, Case& c, const Units& units) {
+  std::stable_partition(changes.begin(), changes.end(),
+                        [](const Change& change) { return change.key == kOil + "file"; });
+  Files files = Files::kUnmoved;
+  std::vector<Fault> faults;
+  for (const Change& change : changes) {
+    try {
+      if (apply(change, c, units) == Files::kMoved) files = Files::kMoved;
+    } catch (const UnknownKeyError&) {
+      throw;
+    } catch (const InputError& refusal) {
+      faults.insert(faults.end(), refusal.faults().begin(), refusal.faults().end());
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return files;
+}
+
+/// One key, where files may have to be read again; refusals of these name the way to change several keys.
+void change_alone(Case& c, const Change& change, const Units& units) {
+  Case changed = c;
+  if (apply(change, changed, units) == Files::kUnmoved) {
+    c = std::move(changed);
+    return;
+  }
+  try {
+    read_files_again(changed, units);
+  } catch (const InputError& refusal) {
+    std::vector<Fault> faults = refusal.faults();
+    std::string& remedy = faults.back().remedy;
+    remedy += (remedy.empty() ? "" : "; ") + std::string("keys that only fit together are changed by one update()");
+    throw InputError(std::move(faults));
+  }
+  c = std::move(changed);
+}
+
+}  // namespace
+
+const Field& known_field(const std::string& key) {
+  if (const Field* field = cycle::find_field(key)) return *field;
+  std::vector<std::string> keys;
+  for (const Field& field : cycle::case_fields()) keys.push_back(field.key);
+  const std::string near = nearest_word(key, keys);
+  throw UnknownKeyError("unknown key " + key + (near.empty() ? "" : "; did you mean " + near + "?"),
+                        near.empty() ? "`ringfilm fields` lists all keys" : "");
+}
+
+void state(Case& c, const std::string& key, const TomlValue& value, const Units& units) {
+  const Field& field = known_field(key);
+  const bool is_alone = key != kOil + "file" && !has_two_forms(field) && !moves_files(field, c);
+  if (is_alone) return put(c, field, {key, value, ""}, units);
+  change_alone(c, {key, value}, units);
+}
+
+void retract(Case& c, const std::string& key, const Units& units) { change_alone(c, {key, std::nullopt}, units); }
+
+void update(Case& c, const std::vector<Change>& changes, const Units& units) {
+  Case changed = c;
+  if (apply(changes, changed, units) == Files::kMoved) read_files_again(changed, units);
+  c = std::move(changed);
+}
+
+void check_case(const Case& c) {
+  StatedKeys stated;
+  if (!c.files.empty()) stated.path = c.files.front().path;
+  for (const std::string& key : c.stated) {
+    stated.given[key] = {};
+    if (c.lubricant.file && key.rfind(kOil, 0) == 0) stated.from_oil_file.insert(key);
+  }
+  std::vector<Fault> faults = case_faults(c, stated);
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,114 @@
+#include "ringfilm/io/case/case_file.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/case/case_checks.hpp"
+#include "ringfilm/io/case/case_data.hpp"
+#include "ringfilm/io/case/case_tree.hpp"
+#include "ringfilm/io/case/case_values.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using cycle::Case;
+
+class CaseReader {
+ public:
+  CaseReader(CaseTree tree, const Units& units) : tree_(std::move(tree)), units_(units) {}
+
+  Case read() {
+    case_ = cycle::blank_case(problem());
+    case_.files = tree_.files;
+    case_.notes = tree_.notes;
+    for (const TomlEntry& entry : tree_.entries) read_value(entry);
+    read_data_files();
+    if (tree_.complete) check();
+    if (!tree_.faults.empty()) {
+      sort_faults();
+      throw InputError(tree_.faults);
+    }
+    return std::move(case_);
+  }
+
+ private:
+  /// A pad where any of its keys is stated, be it with a slip.
+  cycle::Problem problem() const {
+    const auto of_pad = [](const std::string& key) { return key.rfind("pad.", 0) == 0; };
+    const bool stated = std::any_of(tree_.entries.begin(), tree_.entries.end(),
+                                    [&](const TomlEntry& entry) { return of_pad(entry.key); });
+    return stated || std::any_of(tree_.faulty.begin(), tree_.faulty.end(), of_pad) ? cycle::Problem::kPad
+                                                                                   : cycle::Problem::kCycle;
+  }
+
+  void read_value(const TomlEntry& entry) {
+    given_[entry.key] = &entry;
+    case_.stated.insert(entry.key);
+    if (!set_value(case_, *cycle::find_field(entry.key), entry, units_, tree_.faults)) tree_.faulty.insert(entry.key);
+  }
+
+  bool is_good(const std::string& key) const { return given_.contains(key) && !is_faulty(key); }
+
+  bool is_faulty(const std::string& key) const {
+    return std::any_of(tree_.faulty.begin(), tree_.faulty.end(), [&key](const std::string& faulty) {
+      return key == faulty || (faulty.back() == '.' && key.rfind(faulty, 0) == 0);
+    });
+  }
+
+  void read_data_files() {
+    for (const DataFile& data : data_files(case_, units_)) {
+      if (is_good(data.key)) read_data(data);
+    }
+  }
+
+  void read_data(const DataFile& data) {
+    try {
+      read_data_file(data, case_);
+    } catch (const InputError& error) {
+      tree_.faulty.insert(data.key);
+      for (const Fault& f : error.faults()) {
+        const bool in_file = f.mark.line > 0;
+        const SourceMark& named = given_.at(data.key)->value.mark;
+        tree_.faults.push_back(in_file ? f : Fault{named, data.key + ": " + f.mark.file + ": " + f.message, f.remedy});
+      }
+    }
+  }
+
+  void check() {
+    StatedKeys stated{tree_.path, {}, tree_.faulty, tree_.from_oil_file};
+    for (const auto& [key, entry] : given_) stated.given[key] = {entry->value.key_mark, entry->value.mark};
+    const std::vector<Fault> faults = case_faults(case_, stated);
+    tree_.faults.insert(tree_.faults.end(), faults.begin(), faults.end());
+  }
+
+  /// In the order in which a person meets them: file by file, from top to bottom, then what is missing.
+  void sort_faults() {
+    std::vector<std::string> order;
+    for (const cycle::InputFile& file : case_.files) order.push_back(file.path);
+    const auto rank = [&](const Fault& f) {
+      const auto found = std::find(order.begin(), order.end(), f.mark.file);
+      return std::tuple(f.mark.line == 0, found - order.begin(), f.mark.line, f.mark.column);
+    };
+    std::stable_sort(tree_.faults.begin(), tree_.faults.end(),
+                     [&](const Fault& a, const Fault& b) { return rank(a) < rank(b); });
+  }
+
+  CaseTree tree_;
+  const Units& units_;
+  Case case_;
+  std::map<std::string, const TomlEntry*> given_;
+};
+
+}  // namespace
+
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides) {
+  return read_case(path, overrides, Units());
+}
+
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units) {
+  return CaseReader(read_case_tree(path, overrides), units).read();
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/io/text/units.hpp"
+
+namespace ringfilm::io {
+
+/// `--set key=value` of the command line: the value is read as TOML, else as text; an empty value takes the key out, so
+/// that another way to state the same (a ring's tension, a gas model) can stand in its place.
+struct Override {
+  std::string key;    ///< "engine.bore"
+  std::string value;  ///< as written, e.g. "89 mm"; empty: the key is taken out
+};
+
+/// Reads a case with its includes, oil file, traces and points; overrides come last and replace.
+/// Throws one InputError with every fault found in all files. File names are relative to the file that names them,
+/// those of an override to the working folder; `data/lubricants/...` falls back to the shipped folder.
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
+
+/// The same for who reads many cases, which building the units anew for each would slow down.
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units);
+
+/// The active keys with the values in use, in table order.
+std::vector<CaseEntry> case_entries(const cycle::Case& c);
+
+/// A complete case file in SI that gives the same bits again: every active key, an oil file written out key by key.
+/// Traces and tables are named by path, as seen from the working folder of the run.
+std::string resolved_case(const cycle::Case& c);
+
+/// The folder of find_shipped_folder(); throws InputError where there is none.
+std::string shipped_folder();
+
+}  // namespace ringfilm::io

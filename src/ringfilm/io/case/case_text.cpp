@@ -1,0 +1,212 @@
+#include "ringfilm/io/case/case_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/case/case_value_text.hpp"
+#include "ringfilm/io/case/case_values.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using cycle::Case;
+using cycle::Field;
+using cycle::Need;
+
+std::string section_of(const Field& field) {
+  const std::size_t dot = field.key.rfind('.');
+  return dot == std::string::npos ? "" : field.key.substr(0, dot);
+}
+
+std::string name_of(const Field& field) { return field.key.substr(field.key.rfind('.') + 1); }
+
+/// What the wiebe model and the ends of an unrolled ring take where the case is silent; optional keys of other models
+/// have no default.
+Case with_optional_defaults(Case c) {
+  if (c.gas.model == cycle::GasModel::kWiebe) {
+    c.gas.intake_pressure = c.gas.intake_pressure.value_or(cycle::Gas::kWiebeIntakePressure);
+    c.gas.exhaust_pressure = c.gas.exhaust_pressure.value_or(cycle::Gas::kWiebeExhaustPressure);
+  }
+  if (c.is_unrolled() && c.ring.end_gap) c.solver.end_cell = c.end_cell();
+  return c;
+}
+
+/// The case that `starting_case` writes: examples where a key must be stated, defaults elsewhere.
+Case example_case(const Units& units) {
+  Case c;
+  c.gas.model = cycle::GasModel::kWiebe;
+  c.ring.face.form = cycle::FaceForm::kParabola;
+  std::vector<Fault> faults;
+  for (const Field& field : cycle::case_fields()) {
+    const bool chosen = field.key == "ring.face.form";
+    const bool wanted = (cycle::is_required(field, c) && cycle::is_active(field, c)) ||
+                        field.key == "ring.elastic_pressure" || field.key == "lubricant.name";
+    if (wanted && !chosen) set_value(c, field, {field.key, parse_toml_value(field.example), ""}, units, faults);
+  }
+  if (!faults.empty()) throw std::logic_error("an example of the table of keys is refused: " + describe(faults));
+  return with_optional_defaults(c);
+}
+
+/// Default of a key in the unit people use, "required", or nothing for a key that may be absent.
+std::string default_words(const Field& field, const Units& units) {
+  if (cycle::is_required(field, Case{})) return "required";
+  if (field.need == Need::kOptional)
+    return field.active_when.find("wiebe") == std::string::npos
+               ? "-"
+               : shown_value(field, example_case(units), units) + " (wiebe)";
+  const auto default_in = [&](cycle::Problem problem) { return shown_value(field, cycle::blank_case(problem), units); };
+  const std::string value = default_in(field.problem.value_or(cycle::Problem::kCycle));
+  const std::string of_pad = field.problem ? value : default_in(cycle::Problem::kPad);
+  return (value.empty() ? "-" : value) + (of_pad == value ? "" : " (pad: " + of_pad + ")");
+}
+
+std::string unit_words(const Field& field) {
+  if (field.display_unit.empty() || field.display_unit == "1") return "-";
+  return field.display_unit;
+}
+
+/// Range of a number, or the names of a choice.
+std::string allowed_words(const Field& field, const Units& units) {
+  if (const auto* choice = std::get_if<cycle::ChoiceKind>(&field.kind)) {
+    std::string names;
+    for (const std::string& name : choice->names) names += (names.empty() ? "" : " | ") + name;
+    return names;
+  }
+  if (std::holds_alternative<cycle::FieldAnglesKind>(field.kind)) return "none | all | [angles]";
+  const std::string range = range_words(field, units);
+  return range.empty() ? "-" : range;
+}
+
+std::string meaning_words(const Field& field) {
+  return field.help + (field.active_when.empty() ? "" : " (where " + field.active_when + ")");
+}
+
+/// Rows of the table of keys, the first its head.
+std::vector<std::vector<std::string>> rows(const std::string& section, const Units& units) {
+  std::vector<std::vector<std::string>> rows{{"key", "unit", "default", "allowed", "meaning"}};
+  for (const Field& field : cycle::case_fields()) {
+    if (section_of(field) != section) continue;
+    rows.push_back({name_of(field), unit_words(field), default_words(field, units), allowed_words(field, units),
+                    meaning_words(field)});
+  }
+  return rows;
+}
+
+/// A bar inside a cell would end it.
+std::string in_markdown(const std::string& cell) {
+  std::string escaped;
+  for (const char c : cell) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
+std::vector<std::string> sections() {
+  std::vector<std::string> sections;
+  for (const Field& field : cycle::case_fields()) {
+    if (sections.empty() || sections.back() != section_of(field)) sections.push_back(section_of(field));
+  }
+  return sections;
+}
+
+/// Writes "[section]" whenever it changes.
+class SectionHeads {
+ public:
+  std::string before(const Field& field) {
+    const std::string section = section_of(field);
+    if (section == last_) return "";
+    last_ = section;
+    return fmt::format("\n[{}]\n", section);
+  }
+
+ private:
+  std::string last_;
+};
+
+}  // namespace
+
+std::vector<CaseEntry> case_entries(const Case& given) {
+  const Units units;
+  const Case c = with_optional_defaults(given);
+  std::vector<CaseEntry> entries;
+  for (const Field& field : cycle::case_fields()) {
+    if (!cycle::is_active(field, c)) continue;
+    const std::string value = exact_value(field, c);
+    if (value.empty()) continue;
+    entries.push_back({field.key, value, shown_value(field, c, units), !c.stated.contains(field.key), field.help});
+  }
+  return entries;
+}
+
+std::string resolved_case(const Case& given) {
+  const Case c = with_optional_defaults(given);
+  std::string text = "# Every value in use, in SI and exact. File names are as seen from the folder of the run.\n";
+  SectionHeads heads;
+  for (const Field& field : cycle::case_fields()) {
+    // The keys of the oil file are written out below, so the file itself must not be named again.
+    if (field.key == "lubricant.file" || !cycle::is_active(field, c)) continue;
+    const std::string value = exact_value(field, c);
+    if (!value.empty()) text += heads.before(field) + name_of(field) + " = " + value + "\n";
+  }
+  return text;
+}
+
+std::string starting_case() {
+  const Units units;
+  const Case c = example_case(units);
+  std::string text =
+      "# A case of ringfilm. A quantity is text with its unit; a bare number has none.\n"
+      "# Lines that start with \"# key =\" are keys of other models, or such as may be left out.\n"
+      "# `ringfilm fields` shows all keys; `ringfilm check` reads this file without running it.\n"
+      "# include = [\"fragment.toml\"] would read more keys from another file.\n";
+  SectionHeads heads;
+  for (const Field& field : cycle::case_fields()) {
+    if (!cycle::belongs(field, c)) continue;
+    const std::string value = cycle::is_active(field, c) ? written_value(field, c, units) : "";
+    text += heads.before(field) + "\n# " + (value.empty() ? meaning_words(field) : field.help) + ".\n";
+    const std::string allowed = allowed_words(field, units);
+    if (allowed != "-") text += "# Allowed: " + allowed + ".\n";
+    text += (value.empty() ? "# " + name_of(field) + " = " + field.example : name_of(field) + " = " + value) + "\n";
+  }
+  return text;
+}
+
+std::string fields_table() {
+  const Units units;
+  std::string text = "include = [\"fragment.toml\"] before the first section reads more keys from other files.\n";
+  for (const std::string& section : sections()) {
+    const auto table = rows(section, units);
+    std::vector<std::size_t> width(table.front().size(), 0);
+    for (const auto& row : table) {
+      for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+    }
+    text += section.empty() ? "\nbefore the first section\n" : fmt::format("\n[{}]\n", section);
+    for (const auto& row : table) {
+      text += " ";
+      for (std::size_t i = 0; i + 1 < row.size(); ++i) text += fmt::format(" {:<{}} ", row[i], width[i]);
+      text += fmt::format(" {}\n", row.back());
+    }
+  }
+  return text;
+}
+
+std::string fields_markdown() {
+  const Units units;
+  std::string text;
+  for (const std::string& section : sections()) {
+    text += section.empty() ? "\n### Before the first section\n\n" : fmt::format("\n### `[{}]`\n\n", section);
+    std::string after_head = "|---|---|---|---|---|\n";
+    for (const auto& row : rows(section, units)) {
+      text += "|";
+      for (const std::string& cell : row) text += fmt::format(" {} |", in_markdown(cell));
+      text += "\n";
+      text += std::exchange(after_head, "");
+    }
+  }
+  return text;
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,148 @@
+#include "ringfilm/io/case/case_value_text.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "ringfilm/io/text/toml_tree.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using cycle::Case;
+using cycle::Field;
+
+/// How a quantity [SI unit] is put into words.
+using Write = std::function<std::string(double value, const std::string& si_unit, const std::string& display_unit)>;
+
+std::string exact_quantity(double value, const std::string& si_unit, const std::string&) {
+  return si_unit == "1" ? exact_text(value) : fmt::format("\"{} {}\"", exact_text(value), si_unit);
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return fmt::format("[{}]", text);
+}
+
+/// Walks the kinds of keys; text, file names and choices come out in quotes.
+class Writer {
+ public:
+  Writer(const Field& field, Case c, Write write) : field_(field), case_(std::move(c)), write_(std::move(write)) {}
+
+  std::string operator()(const cycle::NumberKind& kind) { return number(kind.ref(case_)); }
+  std::string operator()(const cycle::OptionalNumberKind& kind) {
+    const auto& value = kind.ref(case_);
+    return value ? number(*value) : "";
+  }
+  std::string operator()(const cycle::CountKind& kind) { return std::to_string(kind.ref(case_)); }
+  std::string operator()(const cycle::ChoiceKind& kind) { return io::quoted(kind.names[kind.index(case_)]); }
+  std::string operator()(const cycle::TextKind& kind) { return text(kind.ref(case_)); }
+  std::string operator()(const cycle::OptionalTextKind& kind) { return text(kind.ref(case_).value_or("")); }
+  std::string operator()(const cycle::FileKind& kind) { return text(kind.ref(case_)); }
+  std::string operator()(const cycle::OptionalFileKind& kind) { return text(kind.ref(case_).value_or("")); }
+  std::string operator()(const cycle::NumberOrFileKind& kind) {
+    return kind.file(case_) ? io::quoted(*kind.file(case_)) : number(kind.number(case_));
+  }
+  std::string operator()(const cycle::UnitNameKind& kind) { return number(kind.ref(case_)); }
+  std::string operator()(const cycle::NumberListKind& kind) {
+    std::vector<std::string> parts;
+    for (const double value : kind.ref(case_)) parts.push_back(exact_text(value));
+    return parts.empty() ? "" : joined(parts);
+  }
+  std::string operator()(const cycle::TemperatureValuesKind& kind) {
+    std::vector<std::string> parts;
+    for (const auto& [temperature, value] : kind.ref(case_)) {
+      parts.push_back(
+          fmt::format("{{ temperature = {}, value = {} }}", write_(temperature, "K", "degC"), number(value)));
+    }
+    return parts.empty() ? "" : joined(parts);
+  }
+  std::string operator()(const cycle::ConstantOrTemperatureValuesKind& kind) {
+    const auto& constant = kind.constant(case_);
+    return constant ? number(*constant) : (*this)(cycle::TemperatureValuesKind{kind.ref});
+  }
+  std::string operator()(const cycle::AnglesKind&) {
+    const cycle::Output& output = case_.output;
+    return output.crank_angles_deg.empty() ? number(output.crank_angle_step_deg) : angles(output.crank_angles_deg);
+  }
+  std::string operator()(const cycle::FieldAnglesKind&) {
+    const cycle::Output& output = case_.output;
+    if (output.fields == cycle::FieldsWanted::kListed) return angles(output.field_angles_deg);
+    return output.fields == cycle::FieldsWanted::kAll ? "\"all\"" : "\"none\"";
+  }
+
+ private:
+  std::string number(double value) const { return write_(value, field_.unit, field_.display_unit); }
+  static std::string text(const std::string& words) { return words.empty() ? "" : io::quoted(words); }
+  std::string angles(const std::vector<double>& angles_deg) const {
+    std::vector<std::string> parts;
+    for (const double angle : angles_deg) parts.push_back(write_(angle, "degree", "degree"));
+    return joined(parts);
+  }
+
+  const Field& field_;
+  Case case_;  // the table refers to members of a Case that may be changed; this one is a copy
+  Write write_;
+};
+
+Write in_display_units(const Units& units) {
+  return [&units](double value, const std::string& si_unit, const std::string& display_unit) {
+    const std::string shown = units.shown(value, si_unit, display_unit);
+    return si_unit == "1" ? shown : fmt::format("\"{}\"", shown);
+  };
+}
+
+/// The case without its traces and tables: only what keys hold, so that copies are cheap.
+Case without_samples(const Case& c) {
+  Case lean;
+  lean.problem = c.problem;
+  lean.title = c.title;
+  lean.engine = c.engine;
+  lean.operating = c.operating;
+  lean.gas = c.gas;
+  lean.ring = c.ring;
+  lean.ring.face.x.clear();
+  lean.ring.face.height.clear();
+  lean.liner = c.liner;
+  lean.contact = c.contact;
+  lean.lubricant = c.lubricant;
+  lean.film = c.film;
+  lean.solver = c.solver;
+  lean.output = c.output;
+  lean.pad = c.pad;
+  lean.pad.gap_x.clear();
+  lean.pad.gap_height.clear();
+  lean.pad.history_time.clear();
+  lean.pad.history_separation.clear();
+  return lean;
+}
+
+}  // namespace
+
+std::string exact_value(const Field& field, const Case& c) {
+  return std::visit(Writer(field, without_samples(c), exact_quantity), field.kind);
+}
+
+std::string written_value(const Field& field, const Case& c, const Units& units) {
+  return std::visit(Writer(field, without_samples(c), in_display_units(units)), field.kind);
+}
+
+std::string shown_value(const Field& field, const Case& c, const Units& units) {
+  Case lean = without_samples(c);
+  const auto* points = std::get_if<cycle::TemperatureValuesKind>(&field.kind);
+  const auto* either = std::get_if<cycle::ConstantOrTemperatureValuesKind>(&field.kind);
+  if (points != nullptr || (either != nullptr && !either->constant(lean))) {
+    std::string text;
+    for (const auto& [temperature, value] : (points != nullptr ? points->ref : either->ref)(lean)) {
+      text += (text.empty() ? "" : "; ") + units.shown(value, field.unit, field.display_unit) + " at " +
+              units.shown(temperature, "K", "degC");
+    }
+    return text;
+  }
+  std::string text = written_value(field, c, units);
+  std::erase(text, '"');
+  return text;
+}
+
+}  // namespace ringfilm::io

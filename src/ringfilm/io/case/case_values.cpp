@@ -1,0 +1,291 @@
+#include "ringfilm/io/case/case_values.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "ringfilm/io/text/suggestion.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using Kind = TomlValue::Kind;
+
+bool is_number(const TomlValue& value) { return value.kind == Kind::kInteger || value.kind == Kind::kNumber; }
+
+bool inside(double value, const cycle::Range& range) {
+  return (range.low_open ? value > range.low : value >= range.low) &&
+         (range.high_open ? value < range.high : value <= range.high);
+}
+
+double within_cycle(double angle_deg) {
+  const double wrapped = std::fmod(angle_deg, 720.0);
+  return wrapped < 0 ? wrapped + 720.0 : wrapped + 0.0;
+}
+
+/// Does the text start with a number, and is it no file name?
+bool is_quantity(const std::string& text) {
+  double value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool file_name = text.size() > 4 && text.compare(text.size() - 4, 4, ".csv") == 0;
+  return error == std::errc{} && !file_name;
+}
+
+class Setter {
+ public:
+  Setter(cycle::Case& c, const cycle::Field& field, const TomlEntry& entry, const Units& units,
+         std::vector<Fault>& faults)
+      : case_(c), field_(field), entry_(entry), value_(entry.value), units_(units), faults_(faults) {}
+
+  void operator()(const cycle::NumberKind& kind) {
+    if (const auto x = quantity(value_, field_.unit, field_.example)) kind.ref(case_) = *x;
+  }
+  void operator()(const cycle::OptionalNumberKind& kind) {
+    if (const auto x = quantity(value_, field_.unit, field_.example)) kind.ref(case_) = *x;
+  }
+  void operator()(const cycle::CountKind& kind) {
+    if (value_.kind != Kind::kInteger) {
+      refuse(value_, "is not a whole number", "a whole number is wanted here, for example " + field_.example);
+    } else if (in_range(value_, value_.number)) {
+      kind.ref(case_) = static_cast<int>(value_.number);
+    }
+  }
+  void operator()(const cycle::ChoiceKind& kind) {
+    const auto found = std::find(kind.names.begin(), kind.names.end(), value_.text);
+    if (value_.kind == Kind::kText && found != kind.names.end()) {
+      kind.choose(case_, static_cast<int>(found - kind.names.begin()));
+      return;
+    }
+    std::string names;
+    for (const std::string& name : kind.names) names += (names.empty() ? "" : ", ") + quoted(name);
+    const std::string near = nearest_word(value_.text, kind.names);
+    refuse(value_, near.empty() ? "is not known" : "is not known; did you mean " + quoted(near) + "?",
+           kind.names.size() == 1 ? "the only choice is " + names : "choose one of " + names);
+  }
+  void operator()(const cycle::TextKind& kind) {
+    constexpr std::size_t kLongest = 1000;
+    if (!is_text()) return;
+    if (value_.text.size() > kLongest) {
+      refuse(value_, "has " + std::to_string(value_.text.size()) + " characters",
+             "at the most " + std::to_string(kLongest) + " are kept with a result; a longer text can be a comment");
+    } else {
+      kind.ref(case_) = value_.text;
+    }
+  }
+  void operator()(const cycle::OptionalTextKind& kind) {
+    if (!is_text()) return;
+    kind.ref(case_) = field_.key == "lubricant.file" ? located() : value_.text;
+  }
+  void operator()(const cycle::FileKind& kind) {
+    if (is_text()) kind.ref(case_) = located();
+  }
+  void operator()(const cycle::OptionalFileKind& kind) {
+    if (is_text()) kind.ref(case_) = located();
+  }
+  void operator()(const cycle::NumberOrFileKind& kind) {
+    if (value_.kind == Kind::kText && !value_.text.empty() && !is_quantity(value_.text)) {
+      if (is_text()) kind.file(case_) = located();
+    } else if (const auto x = quantity(value_, field_.unit, field_.example)) {
+      kind.number(case_) = *x;
+    }
+  }
+  void operator()(const cycle::UnitNameKind& kind) {
+    if (!is_text()) return;
+    try {
+      const double size = is_quantity(value_.text) ? units_.quantity(value_.text, field_.unit, field_.example)
+                                                   : units_.scale(value_.text, field_.unit).to_si(1);
+      if (in_range(value_, size)) kind.ref(case_) = size;
+    } catch (const UnitError& problem) {
+      refuse(value_, problem.what(), dimension_words(field_.unit) + " is wanted here, for example " + field_.example);
+    }
+  }
+  void operator()(const cycle::NumberListKind& kind) {
+    std::vector<double> numbers;
+    for (const TomlValue& item : list("a list of numbers")) {
+      if (!is_number(item)) {
+        refuse(item, "is not a number", "bare numbers are wanted here");
+      } else if (finite(item)) {
+        numbers.push_back(item.number);
+      }
+    }
+    if (good_) kind.ref(case_) = numbers;
+  }
+  void operator()(const cycle::TemperatureValuesKind& kind) {
+    std::vector<cycle::TemperatureValue> points;
+    for (const TomlValue& item : list("a list of values at temperatures")) points.push_back(temperature_value(item));
+    std::stable_sort(points.begin(), points.end(),
+                     [](const auto& a, const auto& b) { return a.temperature < b.temperature; });
+    if (good_) kind.ref(case_) = points;
+  }
+  void operator()(const cycle::ConstantOrTemperatureValuesKind& kind) {
+    if (value_.kind == Kind::kList) {
+      (*this)(cycle::TemperatureValuesKind{kind.ref});
+      if (good_) kind.constant(case_).reset();
+    } else if (const auto x = quantity(value_, field_.unit, "\"850 kg/m3\"")) {
+      kind.constant(case_) = *x;
+      kind.ref(case_).clear();
+    }
+  }
+  void operator()(const cycle::AnglesKind&) {
+    if (value_.kind == Kind::kList) {
+      const std::vector<double> listed = angles();
+      if (good_) case_.output.crank_angles_deg = listed;
+    } else if (const auto step = quantity(value_, field_.unit, field_.example)) {
+      case_.output.crank_angle_step_deg = *step;
+    }
+  }
+  void operator()(const cycle::FieldAnglesKind&) {
+    if (value_.kind == Kind::kText && (value_.text == "none" || value_.text == "all")) {
+      case_.output.fields = value_.text == "all" ? cycle::FieldsWanted::kAll : cycle::FieldsWanted::kNone;
+    } else if (value_.kind == Kind::kList) {
+      const std::vector<double> listed = angles();
+      if (!good_) return;
+      case_.output.fields = cycle::FieldsWanted::kListed;
+      case_.output.field_angles_deg = listed;
+    } else {
+      refuse(value_, "is not known",
+             "write \"none\", \"all\", or a list of angles such as [\"0 degree\", \"20 degree\"]");
+    }
+  }
+
+  bool good() const { return good_; }
+
+ private:
+  void refuse(const TomlValue& value, const std::string& predicate, const std::string& remedy) {
+    good_ = false;
+    faults_.push_back({value.mark, entry_.key + " = " + value.as_written() + " " + predicate, remedy});
+  }
+
+  std::string located() const { return locate(value_.text, entry_.folder).shown; }
+
+  bool is_text() {
+    const std::string control = control_character_words(value_.text, LinesAndTabs::kRefused);
+    if (!control.empty()) {
+      refuse(value_, control, kControlCharacterRemedy);
+      return false;
+    }
+    if (value_.kind == Kind::kText && !value_.text.empty()) return true;
+    refuse(value_, value_.kind == Kind::kText ? "is empty" : "is not text",
+           "text in quotes is wanted here, for example " + field_.example);
+    return false;
+  }
+
+  bool finite(const TomlValue& value) {
+    if (std::isfinite(value.number)) return true;
+    refuse(value, "is not a finite number", "for example " + field_.example);
+    return false;
+  }
+
+  bool in_range(const TomlValue& value, double number) {
+    if (!field_.range || inside(number, *field_.range)) return true;
+    refuse(value, "is out of range", "allowed is " + range_words(field_, units_));
+    return false;
+  }
+
+  /// A number with its unit in SI, checked against nothing but its dimension.
+  std::optional<double> plain_quantity(const TomlValue& value, const std::string& unit, const std::string& example) {
+    const std::string wanted = dimension_words(unit) + " is wanted here, for example " + example;
+    if (is_number(value)) {
+      if (!finite(value)) return std::nullopt;
+      if (unit == "1") return value.number;
+      refuse(value, "has no unit", wanted);
+    } else if (value.kind != Kind::kText) {
+      refuse(value, "is not a quantity", wanted);
+    } else if (unit == "1") {
+      refuse(value, "is text", wanted);
+    } else {
+      try {
+        return units_.quantity(value.text, unit, example);
+      } catch (const UnitError& problem) {
+        refuse(value, problem.what(), problem.remedy);
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<double> quantity(const TomlValue& value, const std::string& unit, const std::string& example) {
+    const auto x = plain_quantity(value, unit, example);
+    return x && in_range(value, *x) ? x : std::nullopt;
+  }
+
+  const std::vector<TomlValue>& list(const std::string& what) {
+    if (value_.kind != Kind::kList) {
+      refuse(value_, "is not " + what, "for example " + field_.example);
+    } else if (value_.items.empty()) {
+      refuse(value_, "is empty", "for example " + field_.example);
+    }
+    return value_.items;
+  }
+
+  std::vector<double> angles() {
+    std::vector<double> angles;
+    for (const TomlValue& item : list("a list of crank angles")) {
+      // The one place where a bare number has a unit: crank angles are degrees on every axis and in every file.
+      const auto angle = is_number(item) ? plain_quantity(item, "1", "20")
+                                         : plain_quantity(item, "degree", "[\"0 degree\", \"20 degree\"]");
+      if (!angle) continue;
+      if (std::abs(*angle) > 720) {
+        refuse(item, "is more than a cycle", "angles from -360 to 360 or from 0 to 720 degree are wanted here");
+      }
+      angles.push_back(within_cycle(*angle));
+    }
+    std::sort(angles.begin(), angles.end());
+    const auto twice = std::adjacent_find(angles.begin(), angles.end());
+    if (good_ && twice != angles.end()) {
+      refuse(value_, "has the angle " + exact_text(*twice) + " degree twice", "keep one of them");
+    }
+    return angles;
+  }
+
+  cycle::TemperatureValue temperature_value(const TomlValue& item) {
+    const TomlValue *temperature = nullptr, *value = nullptr;
+    const std::string remedy = "for example " + field_.example;
+    for (const auto& [name, member] : item.members) {
+      if (name == "temperature") {
+        temperature = &member;
+      } else if (name == "value") {
+        value = &member;
+      } else {
+        good_ = false;
+        faults_.push_back({member.key_mark, "unknown key " + name + " in " + field_.key, remedy});
+      }
+    }
+    if (temperature == nullptr || value == nullptr) {
+      refuse(item, "requires a temperature and a value", remedy);
+      return {};
+    }
+    const auto T = plain_quantity(*temperature, "K", "\"40 degC\"");
+    if (T && (*T < 150 || *T > 800)) refuse(*temperature, "is out of range", "allowed is -123 degC to 527 degC");
+    const auto x = quantity(*value, field_.unit, "\"1 " + field_.display_unit + "\"");
+    return T && x ? cycle::TemperatureValue{*T, *x} : cycle::TemperatureValue{};
+  }
+
+  cycle::Case& case_;
+  const cycle::Field& field_;
+  const TomlEntry& entry_;
+  const TomlValue& value_;
+  const Units& units_;
+  std::vector<Fault>& faults_;
+  bool good_ = true;
+};
+
+}  // namespace
+
+bool set_value(cycle::Case& c, const cycle::Field& field, const TomlEntry& entry, const Units& units,
+               std::vector<Fault>& faults) {
+  Setter setter(c, field, entry, units, faults);
+  std::visit(setter, field.kind);
+  return setter.good();
+}
+
+std::string range_words(const cycle::Field& field, const Units& units) {
+  if (!field.range) return "";
+  const cycle::Range& range = *field.range;
+  const std::string low = units.shown(range.low, field.unit, field.display_unit);
+  const std::string high = units.shown(range.high, field.unit, field.display_unit);
+  return (range.low_open ? "above " : "") + low.substr(0, low.find(' ')) + (range.high_open ? " to below " : " to ") +
+         high;
+}
+
+}  // namespace ringfilm::io

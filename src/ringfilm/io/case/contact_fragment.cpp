@@ -1,0 +1,140 @@
+#include "ringfilm/io/case/contact_fragment.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/case/case_value_text.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+
+std::string comments(const std::vector<std::string>& heading) {
+  std::string text;
+  for (std::string line : heading) {
+    for (char& c : line) {
+      if (static_cast<unsigned char>(c) < 0x20 || c == '\x7f') c = ' ';
+    }
+    text += "# " + line + "\n";
+  }
+  return text;
+}
+
+/// The keys of the table that `wanted` names (whole sections end in a dot) and for which `c` has a value.
+std::string fragment(const cycle::Case& c, const std::vector<std::string>& wanted,
+                     const std::vector<std::string>& heading) {
+  const Units units;
+  std::string text = comments(heading), section;
+  for (const cycle::Field& field : cycle::case_fields()) {
+    bool is_wanted = false;
+    for (const std::string& key : wanted) {
+      is_wanted = is_wanted || (key.back() == '.' ? starts_with(field.key, key) : field.key == key);
+    }
+    if (!is_wanted || !cycle::is_active(field, c)) continue;
+    const std::string value = written_value(field, c, units);
+    if (value.empty()) continue;
+    const std::size_t dot = field.key.rfind('.');
+    if (field.key.substr(0, dot) != section) {
+      section = field.key.substr(0, dot);
+      text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", section);
+    }
+    text += fmt::format("{} = {}\n", field.key.substr(dot + 1), value);
+  }
+  return text;
+}
+
+std::string name_of(surface::FaceLevelling levelling) {
+  switch (levelling) {
+    case surface::FaceLevelling::kNone:
+      return "as measured";
+    case surface::FaceLevelling::kStated:
+      return "stated tilt";
+    case surface::FaceLevelling::kLand:
+      return "land level";
+  }
+  throw std::logic_error("a rule of levelling without a name");
+}
+
+cycle::MeasuredFace measured_face(const surface::FaceFit& fit, const surface::FaceRule& rule,
+                                  const std::string& trace_name, const surface::FaceResidual& residual) {
+  cycle::MeasuredFace measured;
+  measured.trace = trace_name;
+  measured.width = rule.width_m;
+  measured.levelling = fmt::format("{}, {:.6g} mrad taken off", name_of(rule.levelling), fit.tilt * 1e3);
+  measured.residual_rms = residual.rms_m;
+  measured.largest_residual = std::abs(residual.largest_m);
+  return measured;
+}
+
+}  // namespace
+
+std::string contact_fragment(const PairOfSurfaces& pair, const std::vector<std::string>& heading) {
+  cycle::Case c;
+  c.contact.asperity_density = pair.asperity_density;
+  c.contact.asperity_radius = pair.asperity_radius;
+  c.contact.roughness = pair.roughness;
+  c.contact.roughness_measure = pair.roughness_measure;
+  c.contact.measured = pair.measured;
+  c.contact.measured.shear_strength = {};
+  return fragment(c,
+                  {"contact.asperity_density", "contact.asperity_radius", "contact.roughness",
+                   "contact.roughness_measure", "contact.measured."},
+                  heading);
+}
+
+std::string face_polynomial_fragment(const surface::FaceFit& fit, const surface::FaceRule& rule,
+                                     const std::string& trace_name, const std::vector<std::string>& heading) {
+  cycle::Case c;
+  cycle::RingFace& face = c.ring.face;
+  face.form = cycle::FaceForm::kPolynomial;
+  face.coefficients = fit.polynomial.coefficients_mm_um();
+  face.length_unit = 1e-3;
+  face.height_unit = 1e-6;
+  face.measured = measured_face(fit, rule, trace_name, fit.polynomial_residual);
+  std::string words;
+  for (const surface::InventedShape& shape : fit.invented) words += (words.empty() ? "" : "; ") + shape.words();
+  if (!words.empty()) face.measured.invented_shape = words;
+  return fragment(c,
+                  {"ring.face.form", "ring.face.coefficients", "ring.face.length_unit", "ring.face.height_unit",
+                   "ring.face.measured."},
+                  heading);
+}
+
+std::string face_points_fragment(const surface::FaceFit& fit, const surface::FaceRule& rule,
+                                 const std::string& trace_name, const std::string& points_file,
+                                 const std::vector<std::string>& heading) {
+  cycle::Case c;
+  cycle::RingFace& face = c.ring.face;
+  face.form = cycle::FaceForm::kPoints;
+  face.points_file = points_file;
+  face.measured = measured_face(fit, rule, trace_name, fit.spline_residual);
+  return fragment(c, {"ring.face.form", "ring.face.file", "ring.face.measured."}, heading);
+}
+
+std::string face_points_csv(const surface::FaceFit& fit) {
+  std::string text = "x [mm],height [um]\n";
+  for (std::size_t i = 0; i < fit.x_m.size(); ++i) {
+    text += fmt::format("{:.9g},{:.9g}\n", fit.x_m[i] * 1e3, fit.spline_m[i] * 1e6);
+  }
+  return text;
+}
+
+std::string shear_strength_fragment(const surface::ShearStrength& strength, const std::string& loops_name,
+                                    surface::CalibrationMethod method, const std::string& calibration_name,
+                                    const std::vector<std::string>& heading) {
+  cycle::Case c;
+  c.contact.boundary_shear_strength_coefficient = strength.zeta;
+  cycle::MeasuredShearStrength& measured = c.contact.measured.shear_strength;
+  measured.loops = strength.sample.empty() ? loops_name : loops_name + ", " + strength.sample;
+  measured.method = surface::name_of(method);
+  measured.calibration = calibration_name;
+  measured.slope_deviation = strength.slope_deviation;
+  measured.calibration_deviation = strength.calibration_deviation;
+  measured.reference_deviation = strength.reference_deviation;
+  return fragment(c, {"contact.boundary_shear_strength_coefficient", "contact.measured.shear_strength."}, heading);
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/text/source_text.hpp"
+#include "ringfilm/io/text/units.hpp"
+
+namespace ringfilm::io {
+
+/// Where a trace was measured: the peak of a crankcase may be low, and anywhere.
+enum class TracePlace { kCylinder, kCrankcase };
+
+/// What the case says about the columns of a trace; nothing where only the file states it.
+struct TraceColumns {
+  std::optional<std::string> pressure_column, angle_column;
+  std::optional<std::string> pressure_unit, angle_unit;  ///< for a header without units
+  cycle::PressureReference reference{};
+  TracePlace place = TracePlace::kCylinder;
+};
+
+/// A trace in SI and degrees; pressures absolute or gauge, angles with their own zero, both as the file has them.
+struct TraceFile {
+  cycle::SampledTrace samples;
+  std::string sha256;
+  std::vector<std::string> notes;
+};
+
+/// Reads pressure [Pa] against crank angle [degree] from a CSV file. Throws InputError with all faults of the file:
+/// those of read_csv, columns that cannot be told apart, units missing, contradictory or of the wrong kind, angles that
+/// do not increase, leave a hole or span over 720 degrees, pressures that cannot be absolute (or gauge) or do not
+/// repeat after a cycle.
+TraceFile read_trace(const NamedFile& file, const TraceColumns& stated, const Units& units);
+
+}  // namespace ringfilm::io

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/io/text/source_text.hpp"
+#include "ringfilm/io/text/units.hpp"
+
+/// The two tables of a pad: its gap, and how its separation changes.
+namespace ringfilm::io {
+
+struct GapFile {
+  std::vector<double> x;       ///< [m], increasing; twice where the gap has a step
+  std::vector<double> y;       ///< of a map, likewise; else empty [m]
+  std::vector<double> height;  ///< for each x; of a map, for each x of the first y, then of the next [m]
+  std::string sha256;
+  std::vector<std::string> notes;
+};
+
+/// Reads a CSV file with the columns `x [mm],h [um]` (or `height`) in any units of length; with a column y, or from
+/// NetCDF, a map (gap_map_file.hpp). Throws InputError with its faults: an x that falls, one that comes three times, a
+/// step at an end.
+GapFile read_gap(const NamedFile& file, const Units& units);
+
+struct SeparationHistory {
+  std::vector<double> time;        ///< [s], increasing
+  std::vector<double> separation;  ///< as many [m]
+  std::string sha256;
+  std::vector<std::string> notes;
+};
+
+/// Reads a CSV file with the columns `time [s],h [um]` (or `separation`). Throws InputError with its faults.
+SeparationHistory read_separation_history(const NamedFile& file, const Units& units);
+
+}  // namespace ringfilm::io

@@ -1,0 +1,64 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/comparison.hpp"
+#include "ringfilm/study/ensemble/error_estimate.hpp"
+#include "ringfilm/study/ensemble/ledger.hpp"
+
+namespace ringfilm::io {
+
+/// One active key of the case as the run used it.
+struct CaseEntry {
+  std::string key;       ///< "engine.bore"
+  std::string value;     ///< TOML right-hand side in SI, exact
+  std::string shown;     ///< in the unit people use, e.g. "89 mm"
+  bool assumed = false;  ///< the user did not state it
+  std::string help;      ///< what the key is, one line
+};
+
+/// What computed the result.
+struct Provenance {
+  std::string program;   ///< "ringfilm 0.1.0"
+  std::string commit;    ///< of the sources, "unknown" outside a checkout
+  std::string compiler;  ///< name, version, build type
+  std::string kernels;   ///< inner loops that found the films, and how many at once: "avx512, 1 lane"; of a run alone
+};
+Provenance this_program();  ///< of this build
+
+/// The same for a run of this program that marches by itself, in one lane.
+Provenance this_run();
+
+/// All that a result file holds; a report can be drawn again from it alone.
+struct ResultDocument {
+  std::string title;                             ///< Case::title
+  std::vector<CaseEntry> inputs;                 ///< the active keys with the values in use, in table order
+  std::string resolved_case;                     ///< a complete case file in SI that gives the same bits again
+  std::vector<cycle::InputFile> files;           ///< everything that was read, with its digest
+  std::vector<std::string> input_notes;          ///< Case::notes
+  Provenance provenance;                         ///< what computed it
+  cycle::CycleResult result;                     ///< up to the last good angle where the march stopped
+  std::vector<study::LedgerEntry> ledger;        ///< what the case takes for granted
+  bool ledger_computed = false;                  ///< were the variants run?
+  std::vector<study::ComparisonRow> comparison;  ///< with published values; empty where there are none
+  std::optional<study::ErrorEstimate> errors;    ///< absent where they were not asked for
+};
+
+/// Writes NetCDF-4 with named dimensions crank_angle, x, ...; aside first, flushed, then renamed, so that a kill or a
+/// full disk leaves what stood there before. Same document, same bytes. Throws OutputError.
+void write_result(const std::string& path, const ResultDocument& document);
+
+/// Throws InputError if the file cannot be read, does not have the digest at its end (digest_trailer.hpp), or is not
+/// one of ours (another program's NetCDF, newer schema, truncated).
+ResultDocument read_result(const std::string& path);
+
+/// The bytes that write_result writes, for who sends a result elsewhere. Throws OutputError.
+std::string result_bytes(const ResultDocument& document);
+
+/// The result that those bytes hold. @param name where they come from, for messages. Throws InputError as read_result.
+ResultDocument result_of_bytes(const std::string& name, const std::string& bytes);
+
+}  // namespace ringfilm::io

@@ -1,0 +1,229 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ringfilm/io/result/provenance_attributes.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/io/result/result_file_quantities.hpp"
+#include "ringfilm/io/result/result_file_unrolled.hpp"
+
+/// The one description of the result file (docs/manual/result-file.md): writing and reading both walk it.
+namespace ringfilm::io {
+
+/// Raised by one whenever a name or a meaning changes.
+constexpr long kResultSchema = 5;
+
+/// A ledger variant as a row of a table; its values are a row of `variant_values`.
+struct VariantRow {
+  long entry = 0;  ///< row of the ledger entry it belongs to
+  std::string setting;
+  bool solved = true;
+  std::string reason;
+};
+
+template <class File, class Document>
+void exchange_attributes(File& file, Document& document) {
+  file.attribute("title", document.title);
+  exchange_provenance(file, document.provenance);
+  file.attribute("kernels", document.provenance.kernels);
+  file.attribute("complete", document.result.complete);
+  file.attribute("ledger_computed", document.ledger_computed);
+  auto& effort = document.result.effort;
+  file.attribute("effort_cycles_marched", effort.cycles_marched);
+  file.attribute("effort_periodicity_error", effort.periodicity_error);
+  file.attribute("effort_crank_steps", effort.crank_steps);
+  file.attribute("effort_newton_iterations", effort.newton_iterations);
+  file.attribute("effort_relaxation_sweeps", effort.relaxation_sweeps);
+  file.attribute("effort_sub_steps", effort.sub_steps);
+  file.attribute("effort_fallback_secant", effort.fallback_secant);
+  file.attribute("effort_fallback_sub_step", effort.fallback_sub_step);
+  file.attribute("effort_max_load_residual", effort.max_load_residual);
+  file.attribute("effort_max_newton_step", effort.max_newton_step);
+  file.attribute("effort_max_mass_residual", effort.max_mass_residual);
+}
+
+template <class File, class Result>
+void exchange_curves(File& file, Result& result) {
+  file.rows("crank_angle", result.samples);
+  for (const auto& quantity : cycle::curve_quantities()) {
+    file.column("crank_angle", quantity, result.samples, quantity.value);
+  }
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    file.scalar(cycle_variable(quantity), result.values.*quantity.value);
+  }
+  const auto& derived = cycle::derived_quantities();
+  file.scalars("derived_", derived, result.derived);
+}
+
+/// Nothing where the errors were not asked for: a file without grid runs has none.
+template <class File, class Document>
+void exchange_errors(File& file, Document& document) {
+  using study::GridRun;
+  if constexpr (File::kReads) {
+    std::vector<GridRun> runs;
+    file.rows("grid_run", runs);
+    if (!runs.empty()) document.errors = study::no_estimate(document.result.samples.size());
+  }
+  if (!document.errors) return;
+  auto& errors = *document.errors;
+  file.rows("grid_run", errors.runs);
+  file.column("grid_run", count("grid_run_cells", "cells across the face of a march for the error estimate"),
+              errors.runs, &GridRun::cells);
+  file.column("grid_run", count("grid_run_cells_y", "cells around the ring of an unrolled film, else 0"), errors.runs,
+              &GridRun::cells_y);
+  file.column("grid_run", described("grid_run_crank_step", "degree", "its crank step"), errors.runs,
+              &GridRun::crank_step_deg);
+  file.column("grid_run", described("grid_run_step_error", "1", "error that one of its steps may make"), errors.runs,
+              &GridRun::step_error);
+  file.column("grid_run", count("grid_run_solved", "1 where it was solved"), errors.runs, &GridRun::solved);
+  file.column("grid_run", text("grid_run_reason", "why it was not solved"), errors.runs, &GridRun::reason);
+  for (const auto& quantity : cycle::curve_quantities()) {
+    if (!study::has_error(quantity)) continue;
+    file.column("crank_angle", error_variable(quantity), errors.samples, quantity.value);
+  }
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    const cycle::Quantity variable = cycle_variable(quantity);
+    file.scalar(error_variable(variable), errors.values.*quantity.value);
+    file.scalar(order_variable(variable, "cells"), errors.order_in_cells.*quantity.value);
+    file.scalar(order_variable(variable, "step"), errors.order_in_step.*quantity.value);
+  }
+}
+
+template <class File, class Result>
+void exchange_fields(File& file, Result& result) {
+  auto& fields = result.fields;
+  file.numbers({"x"}, described("x", "m", "position along the ring face from the chamber edge", "x"), fields.x);
+  file.numbers({"x"}, described("face_height", "m", "height of the ring face as installed", "h_s", "eq-film-thickness"),
+               fields.face_height);
+  file.numbers({"field_crank_angle"},
+               described("field_crank_angle", "degree", "crank angle of the fields, 0 = firing TDC", "phi"),
+               fields.crank_angle_deg);
+  const std::vector<const char*> grid = {"field_crank_angle", "x"};
+  file.numbers(grid, described("film_thickness", "m", "film thickness along the face", "h", "eq-film-thickness"),
+               fields.film_thickness);
+  file.numbers(grid, described("film_pressure", "Pa", "absolute film pressure along the face", "p", "eq-reynolds"),
+               fields.film_pressure);
+  file.numbers(grid, described("fill", "1", "liquid share of the gap", "theta", "eq-fill"), fields.fill);
+  file.numbers(grid,
+               described("local_film_parameter", "1", "film parameter along the face", "lambda", "eq-film-parameter"),
+               fields.film_parameter);
+  file.numbers(
+      grid, described("asperity_pressure", "Pa", "asperity contact pressure along the face", "p_a", "eq-asperity-load"),
+      fields.asperity_pressure);
+  auto& stroke = result.stroke;
+  file.numbers({"liner_position"},
+               described("liner_position", "m", "distance below the position of the ring at TDC", "s"),
+               stroke.liner_position);
+  file.numbers({"liner_position"},
+               described("wear_drive_density", "J m-1", "work of asperity contact per length of liner and cycle", "w",
+                         "eq-wear-drive"),
+               stroke.wear_drive_density);
+}
+
+template <class File, class Document>
+void exchange_case(File& file, Document& document) {
+  file.scalar(text("resolved_case", "a complete case file in SI that gives the same bits again"),
+              document.resolved_case);
+  file.rows("input", document.inputs);
+  file.column("input", text("input_key", "key of the case"), document.inputs, &CaseEntry::key);
+  file.column("input", text("input_value", "value in SI as in a case file"), document.inputs, &CaseEntry::value);
+  file.column("input", text("input_shown", "value in the unit people use"), document.inputs, &CaseEntry::shown);
+  file.column("input", count("input_assumed", "1 where the case does not state the key and the default was taken"),
+              document.inputs, &CaseEntry::assumed);
+  file.column("input", text("input_help", "meaning of the key"), document.inputs, &CaseEntry::help);
+
+  file.rows("file", document.files);
+  file.column("file", text("file_role", "what the file was read for"), document.files, &cycle::InputFile::role);
+  file.column("file", text("file_path", "name of the file"), document.files, &cycle::InputFile::path);
+  file.column("file", text("file_sha256", "SHA-256 of its bytes"), document.files, &cycle::InputFile::sha256);
+}
+
+template <class File, class Document>
+void exchange_notes(File& file, Document& document) {
+  file.texts("input_note", text("input_note_message", "what the reader of the case had to say"), document.input_notes);
+  auto& notes = document.result.notes;
+  file.rows("note", notes);
+  file.column("note", text("note_topic", "stable word for the note"), notes, &cycle::Note::topic);
+  file.column("note", text("note_message", "what the user must know about this result"), notes, &cycle::Note::message);
+  file.column("note", count("note_count", "crank steps or evaluations concerned"), notes, &cycle::Note::count);
+}
+
+/// @param table the variants of all entries one after the other, a row of `values` each
+template <class File, class Ledger, class VariantTable>
+void exchange_ledger(File& file, Ledger& ledger, VariantTable& table) {
+  using study::LedgerEntry;
+  file.rows("ledger_entry", ledger);
+  file.column("ledger_entry", text("ledger_topic", "stable word for the assumption"), ledger, &LedgerEntry::topic);
+  file.column("ledger_entry", text("ledger_statement", "what is assumed"), ledger, &LedgerEntry::statement);
+  file.column("ledger_entry", text("ledger_consequence", "what it is known to do"), ledger, &LedgerEntry::consequence);
+  file.column("ledger_entry", text("ledger_source", "where it is argued"), ledger, &LedgerEntry::source);
+  file.column("ledger_entry", count("ledger_can_be_lifted", "1 where the program offers another choice"), ledger,
+              &LedgerEntry::can_be_lifted);
+
+  auto& variants = table.rows;
+  file.rows("ledger_variant", variants);
+  file.column("ledger_variant", count("variant_entry", "row of the ledger entry, from 0"), variants,
+              &VariantRow::entry);
+  file.column("ledger_variant", text("variant_setting", "the one setting that differs"), variants,
+              &VariantRow::setting);
+  file.column("ledger_variant", count("variant_solved", "1 where the cycle was solved"), variants, &VariantRow::solved);
+  file.column("ledger_variant", text("variant_reason", "why it was not solved"), variants, &VariantRow::reason);
+  file.texts("cycle_quantity", text("cycle_quantity", "column of variant_values"), table.quantities);
+  file.texts("cycle_quantity", text("cycle_quantity_unit", "unit of that column"), table.units);
+  file.numbers({"ledger_variant", "cycle_quantity"},
+               text("variant_values", "cycle values with that setting; units in cycle_quantity_unit"), table.values);
+}
+
+/// Unit of a cycle quantity by its name; empty if there is none of that name.
+inline std::string unit_of(const std::string& name) {
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    if (quantity.name == name) return quantity.unit;
+  }
+  return "";
+}
+
+template <class File, class Document>
+void exchange_comparison(File& file, Document& document) {
+  using study::ComparisonRow;
+  using study::PublishedValue;
+  auto& rows = document.comparison;
+  const auto published = [](auto& row) -> auto& { return row.published; };
+  file.rows("comparison", rows);
+  file.column("comparison", text("comparison_source", "who says so"), rows, &PublishedValue::source, published);
+  file.column("comparison", text("comparison_quantity", "cycle quantity"), rows, &PublishedValue::quantity, published);
+  file.column("comparison", text("comparison_statement", "statement"), rows, &PublishedValue::statement, published);
+  std::vector<std::string> units;
+  for (const auto& row : rows) units.push_back(unit_of(row.published.quantity));
+  file.texts("comparison", text("comparison_unit", "unit of the values compared"), units);
+  file.column("comparison", text("comparison_published", "published value; unit in comparison_unit"), rows,
+              &PublishedValue::value, published);
+  file.column("comparison", text("comparison_decided_by", "inputs that the source leaves open"), rows,
+              &PublishedValue::decided_by, published);
+  file.column("comparison", text("comparison_computed", "computed value; unit in comparison_unit"), rows,
+              &ComparisonRow::computed);
+  file.column("comparison", described("comparison_deviation", "1", "(computed - published)/published"), rows,
+              &ComparisonRow::deviation);
+  file.column("comparison", text("comparison_strongest_setting", "ledger variant that comes closest"), rows,
+              &ComparisonRow::strongest_setting);
+  file.column(
+      "comparison",
+      text("comparison_with_strongest_setting", "value with it, NaN where there is none; unit in comparison_unit"),
+      rows, &ComparisonRow::with_strongest_setting);
+}
+
+/// Everything, in the order of the file.
+template <class File, class Document, class VariantTable>
+void exchange(File& file, Document& document, VariantTable& variants) {
+  exchange_attributes(file, document);
+  exchange_curves(file, document.result);
+  exchange_errors(file, document);
+  exchange_fields(file, document.result);
+  exchange_unrolled(file, document.result);
+  exchange_case(file, document);
+  exchange_notes(file, document);
+  exchange_ledger(file, document.ledger, variants);
+  exchange_comparison(file, document);
+}
+
+}  // namespace ringfilm::io

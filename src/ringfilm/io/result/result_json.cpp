@@ -1,0 +1,120 @@
+#include "ringfilm/io/result/result_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace ringfilm::io {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json effort_object(const cycle::Effort& effort) {
+  return {{"cycles_marched", effort.cycles_marched},
+          {"periodicity_error", effort.periodicity_error},
+          {"crank_steps", effort.crank_steps},
+          {"newton_iterations", effort.newton_iterations},
+          {"relaxation_sweeps", effort.relaxation_sweeps},
+          {"sub_steps", effort.sub_steps},
+          {"fallback_secant", effort.fallback_secant},
+          {"fallback_sub_step", effort.fallback_sub_step},
+          {"max_load_residual", effort.max_load_residual},
+          {"max_newton_step", effort.max_newton_step},
+          {"max_mass_residual", effort.max_mass_residual}};
+}
+
+ordered_json notes_array(const ResultDocument& document) {
+  ordered_json notes = ordered_json::array();
+  for (const std::string& message : document.input_notes) notes.push_back({{"topic", "input"}, {"message", message}});
+  for (const auto& [topic, message, count] : document.result.notes) {
+    notes.push_back({{"topic", topic}, {"message", message}, {"count", count}});
+  }
+  return notes;
+}
+
+/// What is taken for granted; of a variant the cycle values that differ, SI.
+ordered_json ledger_array(const ResultDocument& document) {
+  ordered_json ledger = ordered_json::array();
+  for (const study::LedgerEntry& entry : document.ledger) {
+    ordered_json variants = ordered_json::array();
+    for (const study::LedgerVariant& variant : entry.variants) {
+      ordered_json changed = ordered_json::object();
+      for (const auto& quantity : cycle::cycle_quantities()) {
+        const double value = variant.values.*quantity.value;
+        if (variant.solved && value != document.result.values.*quantity.value) changed[quantity.name] = value;
+      }
+      variants.push_back({{"setting", variant.setting}, {"solved", variant.solved}, {"changed", changed}});
+      if (!variant.solved) variants.back()["reason"] = variant.reason;
+    }
+    ledger.push_back({{"topic", entry.topic},
+                      {"statement", entry.statement},
+                      {"consequence", entry.consequence},
+                      {"source", entry.source},
+                      {"can_be_lifted", entry.can_be_lifted},
+                      {"variants", variants}});
+  }
+  return ledger;
+}
+
+ordered_json cycle_object(const cycle::CycleValues& values) {
+  ordered_json object = ordered_json::object();
+  for (const auto& quantity : cycle::cycle_quantities()) object[quantity.name] = values.*quantity.value;
+  return object;
+}
+
+ordered_json error_estimate_object(const study::ErrorEstimate& estimate) {
+  ordered_json runs = ordered_json::array();
+  for (const study::GridRun& run : estimate.runs) {
+    runs.push_back({{"cells", run.cells},
+                    {"crank_step", run.crank_step_deg},
+                    {"step_error", run.step_error},
+                    {"solved", run.solved}});
+    if (run.cells_y > 0) runs.back()["cells_y"] = run.cells_y;
+    if (!run.solved) runs.back()["reason"] = run.reason;
+  }
+  return {{"runs", runs},
+          {"order_in_cells", cycle_object(estimate.order_in_cells)},
+          {"order_in_step", cycle_object(estimate.order_in_step)}};
+}
+
+}  // namespace
+
+std::string result_json(const ResultDocument& document) {
+  const cycle::CycleResult& result = document.result;
+  ordered_json units = ordered_json::object();
+  ordered_json object = {{"title", document.title}};
+  for (const auto& quantity : cycle::cycle_quantities()) {
+    object[quantity.name] = result.values.*quantity.value;
+    units[quantity.name] = quantity.unit;
+  }
+  for (const auto& quantity : cycle::unrolled_cycle_quantities()) {
+    if (result.unrolled.is_absent()) break;
+    object[quantity.name] = result.unrolled_values.*quantity.value;
+    units[quantity.name] = quantity.unit;
+  }
+  for (const auto& quantity : cycle::derived_quantities()) {
+    if (const auto entry = result.derived.find(quantity.name); entry != result.derived.end()) {
+      object[quantity.name] = entry->second;
+      units[quantity.name] = quantity.unit;
+    }
+  }
+  object["units"] = units;
+  if (document.errors) {
+    object["errors"] = cycle_object(document.errors->values);
+    object["error_estimate"] = error_estimate_object(*document.errors);
+  }
+  object["notes"] = notes_array(document);
+  ordered_json assumed = ordered_json::object();
+  for (const CaseEntry& entry : document.inputs) {
+    if (entry.assumed) assumed[entry.key] = entry.shown;
+  }
+  object["assumed"] = assumed;
+  if (document.ledger_computed) object["ledger"] = ledger_array(document);
+  object["effort"] = effort_object(result.effort);
+  object["program"] = document.provenance.program;
+  object["commit"] = document.provenance.commit;
+  object["kernels"] = document.provenance.kernels;
+  object["complete"] = result.complete;
+  // A title in another encoding than UTF-8 must not lose the result.
+  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,34 @@
+#include "ringfilm/io/storage/digest_trailer.hpp"
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/storage/digest.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+constexpr std::string_view kTrailerStart = "\nringfilm sha256 ";
+
+}  // namespace
+
+std::string digest_trailer(std::string_view digits) { return std::string(kTrailerStart) + std::string(digits) + "\n"; }
+
+std::string_view content_before_trailer(const std::string& name, std::string_view bytes) {
+  const std::size_t size = bytes.size() < kDigestTrailerSize ? 0 : bytes.size() - kDigestTrailerSize;
+  const std::string_view content = bytes.substr(0, size), trailer = bytes.substr(size);
+  if (!trailer.starts_with(kTrailerStart) || !trailer.ends_with('\n')) {
+    throw InputError(name + ": the file does not end with the SHA-256 digest that ringfilm writes",
+                     "name a result as ringfilm wrote it: another program made or changed this file, it is cut off or "
+                     "damaged, or an older ringfilm wrote it; for a result, run its case again");
+  }
+  const std::string computed = sha256(content);
+  const std::string_view stored = trailer.substr(kTrailerStart.size(), computed.size());
+  if (stored != computed) {
+    throw InputError(
+        name + ": the bytes of the file do not have the SHA-256 digest at its end: " + computed + " in place of " +
+            std::string(stored),
+        "the file is damaged or was changed by another program: take an intact copy, or run its case again");
+  }
+  return content;
+}
+
+}  // namespace ringfilm::io

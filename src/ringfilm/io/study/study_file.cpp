@@ -1,0 +1,326 @@
+#include "ringfilm/io/study/study_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/study/study_factor.hpp"
+#include "ringfilm/io/study/study_reading.hpp"
+#include "ringfilm/io/study/study_table.hpp"
+#include "ringfilm/io/text/csv_file.hpp"
+#include "ringfilm/io/text/source_text.hpp"
+#include "ringfilm/io/text/units.hpp"
+#include "ringfilm/study/design/measured_factors.hpp"
+#include "ringfilm/study/study_words.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using study::Method;
+
+class StudyReader {
+ public:
+  explicit StudyReader(const std::string& path)
+      : path_(path), folder_(std::filesystem::path(path).parent_path().string()) {}
+
+  StudyFile read() {
+    const SourceText source = read_source_text(path_, path_, kLargestToml);
+    const TomlValue root = parse_toml(source);
+    record({"study", path_, source.sha256});
+    StudyTable table(root, "a study",
+                     {"title", "kind", "seed", "base", "factor", "measured", "correlation", "plan", "keep"}, faults_);
+    study_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
+    study_.kind = table.chosen("kind", study::kind_words()).value_or(study_.kind);
+    study_.seed = table.count("seed").value_or(study_.seed);
+    const std::vector<TomlValue> bases = table.items("base");
+    for (const TomlValue& base : bases) read_base(base);
+    if (bases.empty() && faults_.empty())
+      faults_.push_back({{path_, 0, 0, ""}, "the study has no base case", "write [[base]] and case = \"...\" below"});
+    // Factors are about bases: where one is missing, nothing sure can be said of them.
+    if (!faults_.empty()) throw InputError(faults_);
+    read_factors(table);
+    if (faults_.empty()) read_measured(table);
+    if (faults_.empty()) read_correlations(table);
+    read_plan(table);
+    read_keep(table);
+    if (faults_.empty()) read_files_of_factors();
+    if (!faults_.empty()) throw InputError(faults_);
+    return {std::move(study_), std::move(files_)};
+  }
+
+ private:
+  void record(const cycle::InputFile& file) {
+    if (recorded_.insert(file.path + "\n" + file.sha256).second) files_.push_back(file);
+  }
+
+  void read_base(const TomlValue& value) {
+    StudyTable table(value, "[[base]]", {"name", "case"}, faults_);
+    const std::string name = table.needed_text("case", "\"my_engine.toml\"");
+    if (name.empty()) return;
+    const std::string path = locate(name, folder_).shown;
+    try {
+      cycle::Case input = read_case(path, {}, units_);
+      if (input.problem == cycle::Problem::kPad) {
+        table.refuse(table.find("case")->mark, fmt::format("{} is a pad", path), "a study is about rings over a cycle");
+      }
+      for (const cycle::InputFile& file : input.files) record(file);
+      study_.bases.push_back(
+          {table.text("name").value_or(std::filesystem::path(path).stem().string()), std::move(input)});
+    } catch (const InputError& error) {
+      for (const Fault& f : error.faults())
+        faults_.push_back(f.mark.line > 0 ? f : Fault{table.find("case")->mark, f.message, f.remedy});
+    }
+  }
+
+  void read_factors(StudyTable& root) {
+    const FactorSources sources{study_, units_};
+    std::vector<study::Factor> factors;
+    for (const TomlValue& value : root.items("factor")) {
+      if (auto factor = read_factor(value, sources, faults_)) factors.push_back(std::move(*factor));
+    }
+    study_.factors = std::move(factors);
+  }
+
+  /// What the factors read from files. After the plan, which decides which of their texts meet.
+  void read_files_of_factors() {
+    StudyReadings read = study_readings(study_, folder_, units_, faults_);
+    for (const cycle::InputFile& file : read.files) record(file);
+    study_.readings = std::move(read.readings);
+  }
+
+  void read_measured(StudyTable& root) {
+    for (const TomlValue& value : root.items("measured")) {
+      StudyTable table(value, "[[measured]]", {"bases", "shared"}, faults_);
+      const std::vector<std::size_t> bases = read_base_names(table, study_);
+      study::MeasuredSharing sharing;
+      if (const TomlValue* shared = table.find("shared")) {
+        sharing = {study::Shared::kApart, study::Shared::kApart};
+        for (const std::string& word : table.texts("shared")) {
+          if (word == "calibration") {
+            sharing.calibration = study::Shared::kCommon;
+          } else if (word == "reference") {
+            sharing.reference = study::Shared::kCommon;
+          } else {
+            table.refuse_word(*shared, "shared", word, {"calibration", "reference"});
+          }
+        }
+      }
+      if (!faults_.empty()) return;
+      try {
+        study::add_measured_factors(study_, bases, sharing);
+      } catch (const InputError& error) {
+        for (const Fault& f : error.faults()) table.refuse(table.mark(), f.message, f.remedy);
+      }
+    }
+  }
+
+  void read_correlations(StudyTable& root) {
+    std::vector<std::string> names;
+    for (const study::Factor& factor : study_.factors) names.push_back(factor.name);
+    for (const TomlValue& value : root.items("correlation")) {
+      StudyTable table(value, "[[correlation]]", {"factors", "value"}, faults_);
+      std::vector<std::size_t> both;
+      for (const std::string& name : table.texts("factors")) {
+        const auto at = std::find(names.begin(), names.end(), name);
+        if (at == names.end()) {
+          table.refuse_word(*table.find("factors"), "factors", name, names);
+        } else {
+          both.push_back(static_cast<std::size_t>(at - names.begin()));
+        }
+      }
+      const auto number = table.number("value");
+      if (!faults_.empty()) continue;
+      if (both.size() != 2 || !number) {
+        table.refuse(table.mark(), "a correlation requires two factors and a value",
+                     "write factors = [\"a\", \"b\"] and value = 0.5");
+      } else {
+        study_.correlations.push_back({both[0], both[1], *number, table.mark()});
+      }
+    }
+  }
+
+  void read_plan(StudyTable& root) {
+    study::Sampling& sampling = study_.sampling;
+    const TomlValue* value = root.find("plan");
+    if (value == nullptr) {
+      faults_.push_back({{path_, 0, 0, ""}, "the study has no plan", "write [plan] and method = \"sobol\" below"});
+      return;
+    }
+    StudyTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels", "until"},
+                     faults_);
+    table.needed_text("method", "\"sobol\"");
+    const auto method = table.chosen("method", study::method_words());
+    sampling.method = method.value_or(sampling.method);
+    sampling.scenarios = table.count("scenarios").value_or(sampling.scenarios);
+    sampling.trajectories = table.count("trajectories").value_or(sampling.trajectories);
+    sampling.levels = table.count("levels").value_or(sampling.levels);
+    sampling.indices = table
+                           .chosen<study::Indices>("indices", {{"none", study::Indices::kNone},
+                                                               {"first-and-total", study::Indices::kFirstAndTotal}})
+                           .value_or(sampling.indices);
+    if (method) refuse_idle_keys(table, *method);
+    if (sampling.method == Method::kList && faults_.empty()) read_list(table);
+    read_until(table);
+  }
+
+  /// Keys that the method does not read; of until and indices the plan itself says so.
+  static void refuse_idle_keys(StudyTable& table, Method method) {
+    const auto refuse = [&table](const char* key, const char* remedy) {
+      if (const TomlValue* value = table.find(key))
+        table.refuse(value->key_mark,
+                     fmt::format("plan.{} means nothing with method = \"{}\"", key, table.find("method")->text),
+                     remedy);
+    };
+    if (method != Method::kSobol && method != Method::kLatinHypercube)
+      refuse("scenarios", "leave it out, or sample: method = \"sobol\"");
+    if (method != Method::kList) refuse("list", "leave it out, or take its points: method = \"list\"");
+    if (method != Method::kMorris) {
+      refuse("trajectories", "leave it out, or screen: method = \"morris\"");
+      refuse("levels", "leave it out, or screen: method = \"morris\"");
+    }
+  }
+
+  void read_until(StudyTable& plan) {
+    const TomlValue* value = plan.find("until");
+    if (value == nullptr) return;
+    const std::size_t n_before = faults_.size();
+    StudyTable table(*value, "plan.until", {"value", "quantile", "width", "most"}, faults_);
+    study::Until until;
+    until.value = table.needed_text("value", "\"fmep\"");
+    until.quantile = table.number("quantile");
+    const auto most = table.count("most");
+    if (!most && faults_.size() == n_before)
+      table.refuse(value->mark, "plan.until has no most", "state how many points are enough: most = 100000");
+    until.most = most.value_or(0);
+    const auto& known = cycle::cycle_quantities();
+    const std::optional<std::size_t> quantity = cycle::cycle_quantity_index(until.value);
+    if (faults_.size() > n_before) return;
+    until.mark = value->key_mark;
+    if (!quantity) {
+      std::vector<std::string> names;
+      for (const auto& one : known) names.push_back(one.name);
+      table.refuse_word(*table.find("value"), "value", until.value, names);
+      return;
+    }
+    if (const auto width = read_width(table, known[*quantity])) until.width = *width;
+    if (faults_.size() == n_before) study_.sampling.until = until;
+  }
+
+  std::optional<double> read_width(StudyTable& table, const cycle::Quantity& quantity) {
+    if (quantity.unit == "1") {
+      const auto width = table.number("width");
+      if (!width) table.refuse(table.mark(), "plan.until has no width", "write, for example, width = 0.01");
+      return above_zero(table, width);
+    }
+    const std::string example = fmt::format("\"0.1 {}\"", quantity.display_unit);
+    const std::string text = table.needed_text("width", example);
+    if (text.empty()) return std::nullopt;
+    try {
+      return above_zero(table, units_.quantity(text, quantity.unit, example));
+    } catch (const UnitError& problem) {
+      table.refuse(table.find("width")->mark, fmt::format("width = \"{}\" {}", text, problem.what()), problem.remedy);
+      return std::nullopt;
+    }
+  }
+
+  static std::optional<double> above_zero(StudyTable& table, std::optional<double> width) {
+    if (!width || *width > 0) return width;
+    const TomlValue& value = *table.find("width");
+    table.refuse(value.mark, fmt::format("the width of an interval is above 0, not {}", value.as_written()),
+                 "state how narrow it shall become");
+    return std::nullopt;
+  }
+
+  /// A column for each factor, in any order; of choices their place in the list of values, from 0.
+  void read_list(StudyTable& table) {
+    const std::string name = table.needed_text("list", "\"plan.csv\"");
+    if (name.empty()) return;
+    const CsvFile csv = read_csv(locate(name, folder_));
+    record({"list", csv.source.path, csv.source.sha256});
+    std::vector<std::vector<double>> columns;
+    std::set<std::size_t> of_factors;
+    for (const study::Factor& factor : study_.factors) {
+      const auto found = csv.find(factor.name);
+      if (found) of_factors.insert(*found);
+      if (!found) {
+        table.refuse(csv.source.mark(csv.header_line), fmt::format("there is no column {}", factor.name),
+                     fmt::format("the columns are {}; one is wanted for each factor", csv.names()));
+        continue;
+      }
+      std::vector<double> values = csv.columns[*found].values;
+      const auto& unit = csv.columns[*found].unit;
+      try {
+        if (!factor.unit.empty() && (unit || factor.unit != "1")) {
+          const Scale scale = units_.scale(unit.value_or(""), factor.unit);
+          for (double& x : values) x = scale.to_si(x);
+        }
+      } catch (const UnitError& problem) {
+        table.refuse(csv.unit_mark(*found), fmt::format("the column {} {}", factor.name, problem.what()),
+                     fmt::format("write it as {} [{}]", factor.name, factor.display_unit));
+      }
+      columns.push_back(std::move(values));
+    }
+    for (std::size_t i = 0; i < csv.columns.size(); ++i) {
+      if (!of_factors.contains(i))
+        table.refuse(csv.header_mark(i), fmt::format("the column {} is of no factor", csv.columns[i].name),
+                     "leave it out, or state a factor of this name");
+    }
+    if (!faults_.empty()) return;
+    for (std::size_t i = 0; i < csv.row_lines.size(); ++i) {
+      auto& row = study_.sampling.list.emplace_back();
+      for (const auto& column : columns) row.push_back(column[i]);
+    }
+  }
+
+  void read_keep(StudyTable& root) {
+    const TomlValue* value = root.find("keep");
+    if (value == nullptr) return;
+    StudyTable table(*value, "[keep]", {"curves", "quantities", "crank_step"}, faults_);
+    study::Keep& keep = study_.keep;
+    keep.curves = table
+                      .chosen<study::Curves>("curves", {{"none", study::Curves::kNone},
+                                                        {"all", study::Curves::kAll},
+                                                        {"quantiles", study::Curves::kQuantiles}})
+                      .value_or(keep.curves);
+    keep.quantities_mark = keep.crank_step_mark = value->key_mark;
+    if (const TomlValue* quantities = table.find("quantities")) read_kept_quantities(table, *quantities);
+    if (const TomlValue* step = table.find("crank_step")) {
+      keep.crank_step_mark = step->mark;
+      constexpr const char* kExample = "2 degree";
+      try {
+        keep.crank_step_deg = units_.quantity(table.text("crank_step").value_or(kExample), "degree", kExample);
+      } catch (const UnitError& problem) {
+        table.refuse(step->mark, fmt::format("crank_step = {} {}", step->as_written(), problem.what()), problem.remedy);
+      }
+    }
+  }
+
+  void read_kept_quantities(StudyTable& table, const TomlValue& quantities) {
+    std::vector<std::string> known;
+    for (const auto& curve : cycle::curve_quantities()) known.push_back(curve.name);
+    known.erase(known.begin());  // the crank angle, which is the axis
+    study_.keep.quantities = table.texts("quantities");
+    study_.keep.quantities_mark = quantities.mark;
+    for (const std::string& name : study_.keep.quantities) {
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        table.refuse_word(quantities, "quantities", name, known);
+    }
+  }
+
+  std::string path_, folder_;
+  Units units_;
+  study::Study study_;
+  std::vector<cycle::InputFile> files_;
+  std::set<std::string> recorded_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace
+
+StudyFile read_study(const std::string& path) { return StudyReader(path).read(); }
+
+}  // namespace ringfilm::io

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/study/study.hpp"
+
+namespace ringfilm::io {
+
+/// A study as its file states it.
+struct StudyFile {
+  study::Study study;  ///< bases read, numbers in SI
+  /// The study's own file, then every file that its bases, choices and list were read from, each once.
+  std::vector<cycle::InputFile> files;
+};
+
+/// Reads a study with its bases and all that they name. File names are relative to the study's file. Throws one
+/// InputError with every fault found; what joins factors and plan is checked by study::Plan.
+StudyFile read_study(const std::string& path);
+
+}  // namespace ringfilm::io

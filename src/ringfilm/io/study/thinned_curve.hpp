@@ -1,0 +1,23 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "ringfilm/io/measurement/measurement.hpp"
+
+namespace ringfilm::io {
+
+/// The points of one series that a page carries; NaN where the line has a gap.
+struct ThinnedSeries {
+  std::vector<double> x, y;
+};
+
+/// All points where there are few; else the lowest, the highest, the first and the last of each of `stretches` even
+/// parts of the axis (even on its scale), so that no peak is lost.
+ThinnedSeries thinned(const MeasuredCurve& curve, const MeasuredSeries& series, std::size_t stretches);
+
+/// The same for all series of a curve over one axis, with at most `most_points` as long as its places do not turn back;
+/// empty where all points stay.
+std::optional<MeasuredCurve> thinned(const MeasuredCurve& curve, std::size_t most_points);
+
+}  // namespace ringfilm::io

@@ -1,0 +1,154 @@
+#include "ringfilm/io/text/source_text.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "ringfilm/io/storage/digest.hpp"
+#include "ringfilm/io/storage/shipped.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const SourceMark& mark, const std::string& message, const std::string& remedy) {
+  throw InputError(std::vector<Fault>{{mark, message, remedy}});
+}
+
+}  // namespace
+
+std::string read_source_bytes(const std::string& path, const std::string& shown, std::size_t limit) {
+  const SourceMark file{shown, 0, 0, ""};
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) refuse(file, "there is no such file", "check the name and the folder");
+  if (fs::is_directory(status)) refuse(file, "this is a folder, not a file", "name the file in it");
+  // To open a pipe waits for somebody who writes into it.
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    refuse(file, "this is a device or a pipe, not a file", "put its content into a file first");
+  }
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) {
+    refuse(file, std::string("the file cannot be read: ") + std::strerror(errno != 0 ? errno : EIO),
+           "check who may read it");
+  }
+  std::string bytes;
+  std::string block(1 << 16, '\0');
+  while (bytes.size() <= limit && in.read(block.data(), static_cast<std::streamsize>(block.size())).gcount() > 0) {
+    bytes.append(block, 0, static_cast<std::size_t>(in.gcount()));
+  }
+  if (bytes.size() > limit) {
+    refuse(file, "the file is larger than " + std::to_string(limit >> 20) + " MB", "is it the right file?");
+  }
+  return bytes;
+}
+
+namespace {
+
+/// Length of the well-formed UTF-8 sequence at `i`, 0 if there is none (Unicode 15, table 3-7).
+std::size_t utf8_length(const std::string& s, std::size_t i) {
+  const auto byte = [&s](std::size_t k) { return k < s.size() ? static_cast<unsigned char>(s[k]) : 0u; };
+  const auto follows = [&byte](std::size_t k) { return (byte(k) & 0xC0u) == 0x80u; };
+  const unsigned first = byte(i);
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return follows(i + 1) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const bool overlong = first == 0xE0 && byte(i + 1) < 0xA0;
+    const bool surrogate = first == 0xED && byte(i + 1) > 0x9F;
+    return follows(i + 1) && follows(i + 2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const bool overlong = first == 0xF0 && byte(i + 1) < 0x90;
+    const bool too_large = first == 0xF4 && byte(i + 1) > 0x8F;
+    return follows(i + 1) && follows(i + 2) && follows(i + 3) && !overlong && !too_large ? 4 : 0;
+  }
+  return 0;
+}
+
+/// Takes the byte-order mark off and brings line ends to "\n".
+std::string normalised(const std::string& bytes, bool& has_byte_order_mark) {
+  has_byte_order_mark = bytes.rfind("\xEF\xBB\xBF", 0) == 0;
+  std::string text;
+  text.reserve(bytes.size());
+  for (std::size_t i = has_byte_order_mark ? 3 : 0; i < bytes.size(); ++i) {
+    if (bytes[i] != '\r') {
+      text += bytes[i];
+    } else if (i + 1 == bytes.size() || bytes[i + 1] != '\n') {
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+void check_text(const SourceText& source) {
+  int line = 1;
+  std::size_t line_start = 0;
+  for (std::size_t i = 0; i < source.text.size();) {
+    const char c = source.text[i];
+    const bool control = (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n') || c == '\x7f';
+    const SourceMark here{source.path, line, static_cast<int>(i - line_start) + 1, ""};
+    if (control) refuse(here, "the file is binary, not text", "is it the right file?");
+    const std::size_t length = utf8_length(source.text, i);
+    if (length == 0) refuse(here, "the file is not UTF-8 text", "save it as UTF-8");
+    i += length;
+    if (c == '\n') {
+      ++line;
+      line_start = i;
+    }
+  }
+}
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::size_t start = 0;
+  while (start < text.size()) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    lines.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace
+
+SourceMark SourceText::mark(int line, int column) const {
+  const bool known = line >= 1 && line <= static_cast<int>(lines.size());
+  return {path, line, column, known ? lines[line - 1] : std::string()};
+}
+
+SourceText read_source_text(const std::string& path, const std::string& shown, std::size_t limit) {
+  const std::string bytes = read_source_bytes(path, shown, limit);
+  const SourceMark file{shown, 0, 0, ""};
+  if (bytes.rfind("\xFF\xFE", 0) == 0 || bytes.rfind("\xFE\xFF", 0) == 0) {
+    refuse(file, "the file is UTF-16 text", "save it as UTF-8");
+  }
+  SourceText source;
+  source.path = shown;
+  source.sha256 = sha256(bytes);
+  source.text = normalised(bytes, source.has_byte_order_mark);
+  check_text(source);
+  if (source.text.find_first_not_of(" \t\n") == std::string::npos)
+    refuse(file, "the file is empty", "is it the right file?");
+  source.lines = split_lines(source.text);
+  return source;
+}
+
+NamedFile locate(const std::string& name, const std::string& folder) {
+  const std::string beside = (fs::path(folder) / name).lexically_normal().string();
+  std::error_code error;
+  if (name.rfind("data/", 0) == 0 && !fs::exists(beside, error)) {
+    const std::optional<std::string> shipped = find_shipped_folder();
+    if (shipped) {
+      const std::string path = (fs::path(*shipped) / name).lexically_normal().string();
+      if (fs::exists(path, error)) return {path, name};
+    }
+  }
+  return {beside, beside};
+}
+
+}  // namespace ringfilm::io

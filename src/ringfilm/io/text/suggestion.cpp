@@ -1,0 +1,45 @@
+#include "ringfilm/io/text/suggestion.hpp"
+
+#include <algorithm>
+
+namespace ringfilm::io {
+namespace {
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> two_back(b.size() + 1), back(b.size() + 1), now(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) back[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    now[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = back[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      now[j] = std::min({back[j] + 1, now[j - 1] + 1, changed});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        now[j] = std::min(now[j], two_back[j - 2] + 1);
+    }
+    two_back.swap(back);
+    back.swap(now);
+  }
+  return back[b.size()];
+}
+
+std::string last_part(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+
+}  // namespace
+
+std::string nearest_word(const std::string& written, const std::vector<std::string>& known) {
+  constexpr std::size_t kLongestWord = 200;
+  if (written.size() > kLongestWord) return "";
+  std::string nearest;
+  std::size_t least = std::max<std::size_t>(2, written.size() / 4) + 1;
+  for (const std::string& word : known) {
+    std::size_t distance = edit_distance(written, word);
+    if (last_part(written) == last_part(word)) distance = std::min<std::size_t>(distance, 2);
+    if (distance < least) {
+      least = distance;
+      nearest = word;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace ringfilm::io

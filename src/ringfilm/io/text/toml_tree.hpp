@@ -1,0 +1,64 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/text/source_text.hpp"
+
+/// A TOML file as plain values, each with its place in the file.
+namespace ringfilm::io {
+
+struct TomlMember;
+
+struct TomlValue {
+  enum class Kind { kText, kInteger, kNumber, kList, kTable, kOther };
+
+  Kind kind = Kind::kOther;         ///< kOther: booleans, dates, times
+  std::string text;                 ///< kText
+  double number = 0;                ///< kInteger, kNumber; may be NaN or infinite
+  std::vector<TomlValue> items;     ///< kList
+  std::vector<TomlMember> members;  ///< kTable, in the order of the file
+  SourceMark key_mark;              ///< of the key in front of it; as `mark` for items of a list
+  SourceMark mark;                  ///< of the value
+
+  /// As in the file, shortened, for messages: "12.5 N", [1, 2], 3.5.
+  std::string as_written() const;
+};
+
+/// One key of a table.
+struct TomlMember {
+  std::string key;
+  TomlValue value;
+};
+
+/// One key with its value, by its whole name ("ring.face.form").
+struct TomlEntry {
+  std::string key;
+  TomlValue value;
+  std::string folder;  ///< of the file: file names in the value are relative to it
+};
+
+/// Parses one file. Throws InputError with the place of the first syntax error, or of each key and text that holds a
+/// control character; refuses keys that are not ASCII and nesting beyond any case file before the parser sees them.
+TomlValue parse_toml(const SourceText& source);
+
+/// Parses the right-hand side of one key ("3.5", "\"wiebe\"", "[1, 2]"); throws InputError if it is no TOML value.
+TomlValue parse_toml_value(const std::string& text);
+
+/// The keys of a tree and, apart, the sections that hold none. Tables inside lists stay values.
+struct FlatToml {
+  std::vector<TomlEntry> entries;
+  std::vector<TomlEntry> sections;  ///< every table by its whole name
+};
+FlatToml flatten(const TomlValue& root, const std::string& folder);
+
+/// The end of the sentence on a text that holds a control character, which may be a line end or a tab; empty where it
+/// holds none.
+enum class LinesAndTabs { kAllowed, kRefused };
+std::string control_character_words(const std::string& text, LinesAndTabs lines_and_tabs);
+inline constexpr const char* kControlCharacterRemedy = "take it out: a text is letters, digits and signs";
+
+/// A TOML basic string with quotes and escapes.
+std::string quoted(const std::string& text);
+
+}  // namespace ringfilm::io

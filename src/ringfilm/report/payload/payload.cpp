@@ -1,0 +1,255 @@
+#include "ringfilm/report/payload/payload.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/io/text/units.hpp"
+#include "ringfilm/report/payload/payload_numbers.hpp"
+#include "ringfilm/report/payload/payload_unrolled.hpp"
+#include "ringfilm/report/script_text.hpp"
+
+namespace ringfilm::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kCurveDigits = 7;
+constexpr int kFieldDigits = 5;
+constexpr int kErrorDigits = 3;
+/// Numbers of one field that a page may carry: a phone still opens some megabytes.
+constexpr std::size_t kFieldNumbers = 60000;
+
+ordered_json described(const cycle::Quantity& q) {
+  return {{"name", q.name},           {"unit", q.unit},     {"display_unit", q.display_unit},
+          {"long_name", q.long_name}, {"symbol", q.symbol}, {"equation", q.equation}};
+}
+
+template <class Quantities>
+ordered_json described_all(const Quantities& quantities) {
+  ordered_json list = ordered_json::array();
+  for (const cycle::Quantity& q : quantities) list.push_back(described(q));
+  return list;
+}
+
+ordered_json cycle_values(const cycle::CycleValues& values) {
+  ordered_json object = ordered_json::object();
+  for (const cycle::CycleQuantity& q : cycle::cycle_quantities()) object[q.name] = exact(values.*q.value);
+  return object;
+}
+
+ordered_json curves(const cycle::CycleResult& result) {
+  ordered_json object = ordered_json::object();
+  for (const cycle::CurveQuantity& q : cycle::curve_quantities()) {
+    ordered_json list = ordered_json::array();
+    for (const cycle::Sample& sample : result.samples) list.push_back(rounded(sample.*q.value, kCurveDigits));
+    object[q.name] = std::move(list);
+  }
+  add_unrolled_curves(result, kCurveDigits, object);
+  return object;
+}
+
+/// Errors by the names of values and curves; null where they were not estimated.
+ordered_json errors(const std::optional<study::ErrorEstimate>& estimate) {
+  if (!estimate) return nullptr;
+  ordered_json runs = ordered_json::array();
+  for (const study::GridRun& run : estimate->runs) {
+    runs.push_back({{"cells", run.cells}, {"crank_step", exact(run.crank_step_deg)}, {"solved", run.solved}});
+  }
+  ordered_json curve_errors = ordered_json::object();
+  for (const cycle::CurveQuantity& q : cycle::curve_quantities()) {
+    if (!study::has_error(q)) continue;
+    ordered_json list = ordered_json::array();
+    for (const cycle::Sample& error : estimate->samples) list.push_back(rounded(error.*q.value, kErrorDigits));
+    curve_errors[q.name] = std::move(list);
+  }
+  return {{"runs", std::move(runs)},
+          {"has_values", study::has_values(*estimate)},
+          {"values", cycle_values(estimate->values)},
+          {"curves", std::move(curve_errors)}};
+}
+
+/// One list of node values for each crank angle that the page carries.
+ordered_json field(const std::vector<double>& values, std::size_t n_nodes, const std::vector<std::size_t>& kept) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t k : kept) {
+    if ((k + 1) * n_nodes > values.size()) return ordered_json::array();
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(k * n_nodes);
+    list.push_back(rounded_list({begin, begin + static_cast<std::ptrdiff_t>(n_nodes)}, kFieldDigits));
+  }
+  return list;
+}
+
+ordered_json face_fields(const cycle::FaceFields& fields) {
+  const std::size_t n_nodes = fields.x.size();
+  const std::size_t n_angles = fields.crank_angle_deg.size();
+  const std::size_t most = n_nodes == 0 ? 1 : std::max<std::size_t>(1, kFieldNumbers / n_nodes);
+  const std::size_t stride = (n_angles + most - 1) / most;
+  std::vector<std::size_t> kept;
+  std::vector<double> angles;
+  for (std::size_t k = 0; k < n_angles; k += stride) {
+    kept.push_back(k);
+    angles.push_back(fields.crank_angle_deg[k]);
+  }
+  return {{"x", rounded_list(fields.x, kCurveDigits)},
+          {"face_height", rounded_list(fields.face_height, kCurveDigits)},
+          {"stored_angles", n_angles},
+          {"crank_angle", rounded_list(angles, kCurveDigits)},
+          {"film_thickness", field(fields.film_thickness, n_nodes, kept)},
+          {"film_pressure", field(fields.film_pressure, n_nodes, kept)},
+          {"asperity_pressure", field(fields.asperity_pressure, n_nodes, kept)},
+          {"fill", field(fields.fill, n_nodes, kept)}};
+}
+
+ordered_json effort(const cycle::Effort& e) {
+  return {{"cycles_marched", exact(e.cycles_marched)},
+          {"periodicity_error", exact(e.periodicity_error)},
+          {"crank_steps", e.crank_steps},
+          {"newton_iterations", e.newton_iterations},
+          {"sub_steps", e.sub_steps},
+          {"fallback_secant", e.fallback_secant},
+          {"fallback_sub_step", e.fallback_sub_step},
+          {"max_load_residual", exact(e.max_load_residual)},
+          {"max_newton_step", exact(e.max_newton_step)},
+          {"max_mass_residual", exact(e.max_mass_residual)}};
+}
+
+ordered_json ledger(const std::vector<study::LedgerEntry>& entries) {
+  ordered_json list = ordered_json::array();
+  for (const study::LedgerEntry& entry : entries) {
+    ordered_json variants = ordered_json::array();
+    for (const study::LedgerVariant& v : entry.variants) {
+      variants.push_back(
+          {{"setting", v.setting}, {"solved", v.solved}, {"reason", v.reason}, {"values", cycle_values(v.values)}});
+    }
+    list.push_back({{"topic", entry.topic},
+                    {"statement", entry.statement},
+                    {"consequence", entry.consequence},
+                    {"source", entry.source},
+                    {"can_be_lifted", entry.can_be_lifted},
+                    {"variants", std::move(variants)}});
+  }
+  return list;
+}
+
+ordered_json comparison(const std::vector<study::ComparisonRow>& rows) {
+  ordered_json list = ordered_json::array();
+  for (const study::ComparisonRow& row : rows) {
+    list.push_back({{"source", row.published.source},
+                    {"quantity", row.published.quantity},
+                    {"statement", row.published.statement},
+                    {"published", exact(row.published.value)},
+                    {"decided_by", row.published.decided_by},
+                    {"computed", exact(row.computed)},
+                    {"deviation", exact(row.deviation)},
+                    {"strongest_setting", row.strongest_setting},
+                    {"with_strongest_setting",
+                     row.with_strongest_setting ? exact(*row.with_strongest_setting) : ordered_json(nullptr)}});
+  }
+  return list;
+}
+
+/// At which a film ruptures whose model knows no fill [Pa]; nothing for other models, or if it is not reported.
+std::optional<double> rupture_pressure(const std::vector<io::CaseEntry>& inputs) {
+  const auto shown = [&inputs](const char* key) {
+    const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& entry) { return entry.key == key; });
+    return found == inputs.end() ? std::string() : found->shown;
+  };
+  if (shown("film.cavitation") != "reynolds-exit") return std::nullopt;
+  try {
+    return io::Units().quantity(shown("film.cavitation_pressure"), "Pa", "0 bar");
+  } catch (const io::UnitError&) {
+    return std::nullopt;
+  }
+}
+
+const char* word_of(cycle::NoteCount count) {
+  switch (count) {
+    case cycle::NoteCount::kCrankAngles:
+      return "crank angles";
+    case cycle::NoteCount::kCase:
+      return "case";
+    case cycle::NoteCount::kOccurrences:
+      break;
+  }
+  return "occurrences";
+}
+
+/// A note with its place in the order of all notes and what it counts.
+ordered_json note_object(const cycle::Note& note) {
+  const cycle::NoteTopic* entry = cycle::note_topic(note.topic);
+  return {{"topic", note.topic},
+          {"message", note.message},
+          {"count", note.count},
+          {"counts", word_of(entry == nullptr ? cycle::NoteCount::kOccurrences : entry->count)},
+          {"rank", cycle::note_rank(note.topic)}};
+}
+
+ordered_json document(const io::ResultDocument& d) {
+  ordered_json inputs = ordered_json::array();
+  for (const io::CaseEntry& e : d.inputs) {
+    inputs.push_back(
+        {{"key", e.key}, {"value", e.value}, {"shown", e.shown}, {"assumed", e.assumed}, {"help", e.help}});
+  }
+  ordered_json files = ordered_json::array();
+  for (const cycle::InputFile& f : d.files) files.push_back({{"role", f.role}, {"path", f.path}, {"sha256", f.sha256}});
+  ordered_json notes = ordered_json::array();
+  for (const cycle::Note& n : d.result.notes) notes.push_back(note_object(n));
+  ordered_json derived = ordered_json::object();
+  for (const auto& [name, value] : d.result.derived) derived[name] = exact(value);
+  return {{"title", d.title},
+          {"complete", d.result.complete},
+          {"curves", curves(d.result)},
+          {"values", cycle_values(d.result.values)},
+          {"fields", face_fields(d.result.fields)},
+          {"unrolled_values", unrolled_values(d.result)},
+          {"unrolled", unrolled_payload(d.result.unrolled, rupture_pressure(d.inputs))},
+          {"stroke",
+           {{"liner_position", rounded_list(d.result.stroke.liner_position, kCurveDigits)},
+            {"wear_drive_density", rounded_list(d.result.stroke.wear_drive_density, kCurveDigits)}}},
+          {"derived", std::move(derived)},
+          {"notes", std::move(notes)},
+          {"input_notes", d.input_notes},
+          {"effort", effort(d.result.effort)},
+          {"inputs", std::move(inputs)},
+          {"files", std::move(files)},
+          {"resolved_case", d.resolved_case},
+          {"provenance",
+           {{"program", d.provenance.program},
+            {"commit", d.provenance.commit},
+            {"compiler", d.provenance.compiler},
+            {"kernels", d.provenance.kernels}}},
+          {"ledger", ledger(d.ledger)},
+          {"ledger_computed", d.ledger_computed},
+          {"comparison", comparison(d.comparison)},
+          {"errors", errors(d.errors)}};
+}
+
+}  // namespace
+
+std::string payload(const std::vector<io::ResultDocument>& documents, const std::vector<Overlay>& overlays) {
+  ordered_json root;
+  root["curve_quantities"] = described_all(cycle::curve_quantities());
+  root["cycle_quantities"] = described_all(cycle::cycle_quantities());
+  root["derived_quantities"] = described_all(cycle::derived_quantities());
+  root["unrolled_quantities"] = described_all(cycle::unrolled_quantities());
+  root["unrolled_cycle_quantities"] = described_all(cycle::unrolled_cycle_quantities());
+  root["unrolled_fields"] = described_all(cycle::unrolled_fields());
+  root["strip_fields"] = described_all(cycle::strip_fields());
+  root["cases"] = ordered_json::array();
+  for (const io::ResultDocument& d : documents) root["cases"].push_back(document(d));
+  root["overlays"] = ordered_json::array();
+  for (const Overlay& o : overlays) {
+    root["overlays"].push_back({{"name", o.name},
+                                {"quantity", o.quantity},
+                                {"source", o.source},
+                                {"crank_angle", rounded_list(o.crank_angle_deg, kCurveDigits)},
+                                {"value", rounded_list(o.value, kCurveDigits)}});
+  }
+  // A file name or a title may hold bytes that are no UTF-8: they are shown as a replacement sign, not refused.
+  return script_text(root.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+}  // namespace ringfilm::report

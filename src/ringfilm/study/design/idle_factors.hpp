@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ringfilm/study/design/plan.hpp"
+
+namespace ringfilm::study {
+
+/// Looks for factors that change no value of the cycle at all, as scenarios come.
+///
+/// Two scenarios of one base that differ in one factor alone are a pair. A factor is idle where there are pairs and the
+/// values of each are the same to the last bit. The scenarios of a sample differ in all factors: there the factors are
+/// idle where all scenarios of a base have the same values. Scenarios that were not solved do not count.
+class IdleFactors {
+ public:
+  /// The plan must outlive it.
+  explicit IdleFactors(const Plan& plan);
+
+  /// One scenario; `values` as in ScenarioRow. Any order.
+  void add(std::uint64_t scenario, std::span<const double> values);
+
+  /// Is no factor idle, whatever comes?
+  bool is_decided() const;
+
+  /// One sentence for each idle factor, or one for all of them.
+  std::vector<std::string> notes() const;
+
+ private:
+  struct Seen {
+    double number;         ///< of the factor
+    std::uint64_t values;  ///< hash of the values of the cycle
+  };
+  struct Watched {
+    bool has_effect = false;
+    std::uint64_t n_pairs = 0;
+    std::map<std::uint64_t, Seen> by_others;  ///< by the hash of base and other numbers
+  };
+  struct BaseValues {
+    std::uint64_t n = 0, values = 0;  ///< solved scenarios, hash of the values of the first of them
+    bool differ = false;
+  };
+  void look_for_pair(std::size_t factor, const Point& point, std::uint64_t values);
+
+  const Plan& plan_;
+  bool has_pairs_;          ///< are there scenarios that differ in one factor alone?
+  std::uint64_t thinning_;  ///< of so many sets of other numbers one is looked at
+  std::vector<Watched> factors_;
+  std::vector<BaseValues> bases_;
+};
+
+}  // namespace ringfilm::study

@@ -1,0 +1,277 @@
+#include "ringfilm/study/design/scenario.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+#include "ringfilm/study/wording.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+using namespace cycle;
+
+struct EntryOf {
+  Entry operator()(const NumberKind&) const { return Entry::kAnyNumber; }
+  Entry operator()(const OptionalNumberKind&) const { return Entry::kAnyNumber; }
+  Entry operator()(const NumberOrFileKind&) const { return Entry::kAnyNumber; }
+  Entry operator()(const ConstantOrTemperatureValuesKind&) const { return Entry::kAnyNumber; }
+  Entry operator()(const CountKind&) const { return Entry::kWholeNumber; }
+  Entry operator()(const NumberListKind&) const { return Entry::kScaleOnly; }
+  Entry operator()(const TemperatureValuesKind&) const { return Entry::kScaleOnly; }
+  Entry operator()(const ChoiceKind&) const { return Entry::kText; }
+  Entry operator()(const TextKind&) const { return Entry::kText; }
+  Entry operator()(const OptionalTextKind&) const { return Entry::kText; }
+  Entry operator()(const FileKind&) const { return Entry::kText; }
+  Entry operator()(const OptionalFileKind&) const { return Entry::kText; }
+  Entry operator()(const UnitNameKind&) const { return Entry::kNone; }
+  Entry operator()(const AnglesKind&) const { return Entry::kNone; }
+  Entry operator()(const FieldAnglesKind&) const { return Entry::kNone; }
+};
+
+/// Puts one number into one key of a case.
+class NumberWriter {
+ public:
+  NumberWriter(Case& c, const Field& field, const Factor& factor, double number, std::vector<Fault>& faults)
+      : case_(c), field_(field), factor_(factor), number_(number), faults_(faults) {}
+
+  void operator()(const NumberKind& kind) { kind.ref(case_) = changed(kind.ref(case_)); }
+  void operator()(const OptionalNumberKind& kind) { change_optional(kind.ref(case_)); }
+  void operator()(const NumberOrFileKind& kind) {
+    if (kind.file(case_)) {
+      refuse("is read from a file in this base", "a number cannot take its place in a study; state one in the base");
+    } else {
+      kind.number(case_) = changed(kind.number(case_));
+    }
+  }
+  void operator()(const ConstantOrTemperatureValuesKind& kind) {
+    if (factor_.how == How::kSet) {
+      kind.constant(case_) = changed(0);
+      kind.ref(case_).clear();
+    } else if (kind.constant(case_)) {
+      change_optional(kind.constant(case_));
+    } else {
+      (*this)(TemperatureValuesKind{kind.ref});
+    }
+  }
+  void operator()(const TemperatureValuesKind& kind) {
+    for (TemperatureValue& point : kind.ref(case_)) point.value = changed(point.value);
+  }
+  void operator()(const NumberListKind& kind) {
+    for (double& value : kind.ref(case_)) value = changed(value);
+  }
+  void operator()(const CountKind& kind) {
+    const double count = changed(kind.ref(case_));
+    if (count != std::round(count) || std::abs(count) > 1e9) {
+      refuse("= " + shown(count) + " is not a whole number", "list whole numbers");
+    } else {
+      kind.ref(case_) = static_cast<int>(count);
+    }
+  }
+  template <class Other>
+  void operator()(const Other&) {
+    throw std::logic_error("a key that takes no number: " + field_.key);
+  }
+
+ private:
+  double changed(double base) {
+    const double value = factor_.how == How::kSet     ? number_
+                         : factor_.how == How::kScale ? base * number_
+                                                      : base + number_;
+    if (!std::isfinite(value)) {
+      refuse("is not finite", "check the distribution and the gain of the factor");
+    } else if (field_.range && !is_inside(value, *field_.range)) {
+      refuse("= " + with_unit(value, field_) + " is out of range", "allowed is " + range_words(field_));
+    }
+    return value;
+  }
+
+  void change_optional(std::optional<double>& value) {
+    if (factor_.how == How::kSet) {
+      value = changed(0);
+    } else if (value) {
+      value = changed(*value);
+    } else {
+      refuse("is not stated in this base", "there is nothing to scale or to add to; state it, or set it");
+    }
+  }
+
+  void refuse(const std::string& predicate, const std::string& remedy) {
+    faults_.push_back({factor_.mark, called(factor_) + ": " + field_.key + " " + predicate, remedy});
+  }
+
+  Case& case_;
+  const Field& field_;
+  const Factor& factor_;
+  double number_;
+  std::vector<Fault>& faults_;
+};
+
+void choose(Case& c, const Field& field, const Choice& choice) {
+  const auto* names = std::get_if<ChoiceKind>(&field.kind);
+  if (names == nullptr) throw std::logic_error("a text that no model computes with: " + choice.text);
+  const auto found = std::find(names->names.begin(), names->names.end(), choice.text);
+  if (found == names->names.end()) throw std::logic_error("a choice that the key does not have: " + choice.text);
+  names->choose(c, static_cast<int>(found - names->names.begin()));
+}
+
+/// Puts in what was read from files with the choices of the point.
+void put_readings(const Study& study, const Point& point, Case& c) {
+  for (const FileReading& reading : study.readings) {
+    std::vector<std::optional<std::size_t>> choices;
+    for (const std::size_t j : reading.factors) {
+      const std::optional<double> value = applies(study.factors.at(j), point.base) ? point.values.at(j) : std::nullopt;
+      choices.push_back(value ? std::optional(static_cast<std::size_t>(*value)) : std::nullopt);
+    }
+    const bool is_chosen = std::any_of(choices.begin(), choices.end(), [](const auto& one) { return one.has_value(); });
+    if (is_chosen) reading.put(c, point.base, choices);
+  }
+}
+
+/// When it is the turn of a factor: no choice must undo a number, and no number that is set one that is
+/// added.
+int turn(const Factor& factor) {
+  if (std::holds_alternative<Choices>(factor.variation)) return 1;
+  return factor.how == How::kSet ? 2 : factor.how == How::kScale ? 3 : 4;
+}
+
+struct ValueText {
+  Case& c;
+  std::string operator()(const NumberKind& kind) const { return exact(kind.ref(c)); }
+  std::string operator()(const OptionalNumberKind& kind) const { return optional(kind.ref(c)); }
+  std::string operator()(const CountKind& kind) const { return std::to_string(kind.ref(c)); }
+  std::string operator()(const ChoiceKind& kind) const { return kind.names.at(kind.index(c)); }
+  std::string operator()(const TextKind& kind) const { return kind.ref(c); }
+  std::string operator()(const OptionalTextKind& kind) const { return kind.ref(c).value_or("-"); }
+  std::string operator()(const FileKind& kind) const { return kind.ref(c); }
+  std::string operator()(const OptionalFileKind& kind) const { return kind.ref(c).value_or("-"); }
+  std::string operator()(const NumberOrFileKind& kind) const {
+    return exact(kind.number(c)) + " " + kind.file(c).value_or("-");
+  }
+  std::string operator()(const UnitNameKind& kind) const { return exact(kind.ref(c)); }
+  std::string operator()(const NumberListKind& kind) const { return listed(kind.ref(c)); }
+  std::string operator()(const TemperatureValuesKind& kind) const {
+    std::string text;
+    for (const auto& [temperature, value] : kind.ref(c))
+      text.append(exact(temperature)).append(" ").append(exact(value)).append(" ");
+    return text;
+  }
+  std::string operator()(const ConstantOrTemperatureValuesKind& kind) const {
+    return optional(kind.constant(c)) + " " + (*this)(TemperatureValuesKind{kind.ref});
+  }
+  std::string operator()(const AnglesKind&) const {
+    return exact(c.output.crank_angle_step_deg) + " " + listed(c.output.crank_angles_deg);
+  }
+  std::string operator()(const FieldAnglesKind&) const {
+    return std::to_string(static_cast<int>(c.output.fields)) + " " + listed(c.output.field_angles_deg);
+  }
+
+  static std::string optional(const std::optional<double>& value) { return value ? exact(*value) : "-"; }
+  static std::string listed(const std::vector<double>& values) {
+    std::string text;
+    for (const double value : values) text.append(exact(value)).append(" ");
+    return text;
+  }
+};
+
+}  // namespace
+
+Entry entry_of(const Field& field) { return is_file(field) ? Entry::kText : std::visit(EntryOf{}, field.kind); }
+
+bool is_file(const Field& field) {
+  // lubricant.file is kept as text, because the case remembers the name alone.
+  return std::holds_alternative<FileKind>(field.kind) || std::holds_alternative<OptionalFileKind>(field.kind) ||
+         field.key == "lubricant.file";
+}
+
+bool decides_reading(const Field& field) {
+  return entry_of(field) == Entry::kText && !std::holds_alternative<ChoiceKind>(field.kind) && !is_for_record(field);
+}
+
+bool is_inside(double value, const Range& range) {
+  return (range.low_open ? value > range.low : value >= range.low) &&
+         (range.high_open ? value < range.high : value <= range.high);
+}
+
+std::string with_unit(double value, const Field& field) {
+  return field.unit == "1" || field.unit.empty() ? shown(value) : shown(value) + " " + field.unit;
+}
+
+std::string range_words(const Field& field) {
+  if (!field.range) return "any number";
+  const Range& range = *field.range;
+  return std::string(range.low_open ? "above " : "") + with_unit(range.low, field) +
+         (range.high_open ? " to below " : " to ") + with_unit(range.high, field);
+}
+
+Case scenario_case(const Study& study, const Point& point) {
+  Case c = study.bases.at(point.base).input;
+  std::vector<Fault> faults;
+  // What a file brings must not undo what is chosen beside it.
+  put_readings(study, point, c);
+  for (int now = 1; now <= 4; ++now) {
+    for (std::size_t j = 0; j < study.factors.size(); ++j) {
+      const Factor& factor = study.factors[j];
+      if (turn(factor) != now || !point.values.at(j)) continue;
+      for (const Target& target : factor.targets) {
+        if (target.base && *target.base != point.base) continue;
+        const Field* field = find_field(target.key);
+        if (field == nullptr) throw std::logic_error("a key that does not exist: " + target.key);
+        if (decides_reading(*field)) continue;
+        if (const auto* choices = std::get_if<Choices>(&factor.variation)) {
+          choose(c, *field, choices->values.at(static_cast<std::size_t>(*point.values[j])));
+        } else {
+          NumberWriter writer(c, *field, factor, target.gain * *point.values[j], faults);
+          std::visit(writer, field->kind);
+        }
+        c.stated.insert(target.key);
+      }
+    }
+  }
+  // Rules presume that every number is within its range.
+  if (faults.empty()) {
+    for (const RuleBreach& breach : broken_rules(c)) faults.push_back({{}, breach.message, breach.remedy});
+  }
+  if (!faults.empty()) throw InputError(faults);
+  return c;
+}
+
+void check_scenarios(const Plan& plan) {
+  constexpr std::uint64_t kTried = 16;
+  for (std::size_t base = 0; base < plan.study().bases.size(); ++base) {
+    const std::uint64_t n = plan.n_points(base), tried = std::min(n, kTried);
+    std::vector<Fault> first;
+    for (std::uint64_t k = 0; k < tried; ++k) {
+      // Spread over the plan, its beginning and its end among them.
+      const std::uint64_t p = tried == 1 ? 0 : k * ((n - 1) / (tried - 1)) + std::min(k, (n - 1) % (tried - 1));
+      try {
+        scenario_case(plan.study(), plan.point(plan.scenario(base, p)));
+        first.clear();
+        break;
+      } catch (const InputError& refusal) {
+        if (first.empty()) first = refusal.faults();
+      }
+    }
+    if (first.empty()) continue;
+    first.insert(first.begin(), Fault{{},
+                                      "no scenario of base \"" + plan.study().bases[base].name + "\" can be run, of " +
+                                          std::to_string(tried) + " tried",
+                                      "the first of them is refused because"});
+    throw InputError(first);
+  }
+}
+
+std::string digest_text(const Case& c) {
+  Case own = c;  // the table of keys hands out references to members that may change
+  std::string text;
+  for (const Field& field : case_fields()) {
+    if (!belongs(field, c)) continue;
+    text.append("  ").append(field.key).append(" = ").append(std::visit(ValueText{own}, field.kind)).append("\n");
+  }
+  for (const InputFile& file : c.files)
+    text.append("  ").append(file.role).append(" ").append(file.sha256).append("\n");
+  return text;
+}
+
+}  // namespace ringfilm::study

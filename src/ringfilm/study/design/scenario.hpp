@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/study/design/plan.hpp"
+
+/// From the numbers of a scenario to its case.
+namespace ringfilm::study {
+
+/// How a number can enter a key: not at all, by any way, or by scaling alone (lists of numbers).
+enum class Entry { kNone, kAnyNumber, kWholeNumber, kScaleOnly, kText };
+Entry entry_of(const cycle::Field& field);
+
+/// Does the key name a file?
+bool is_file(const cycle::Field& field);
+
+/// Does its text decide what is read from a file: the file itself, a column of it, a unit? What was read must then come
+/// with the choice, in Study::readings.
+bool decides_reading(const cycle::Field& field);
+
+/// The base of a point with the numbers of its factors put in, choices first, then numbers set, scaled and added to.
+/// Throws InputError with all that is wrong: a number out of the range of its key, a base without a number to scale or
+/// to add to, and the rules that join keys (cycle::broken_rules).
+cycle::Case scenario_case(const Study& study, const Point& point);
+
+/// Throws InputError if a base has no scenario that can be made into a case, of 16 spread over the plan: a key that is
+/// stated twice over, a number to scale that is not there. To be asked before anything is run; a plan of which some
+/// scenarios can be run is run, and the others are rows with their reasons.
+void check_scenarios(const Plan& plan);
+
+bool is_inside(double value, const cycle::Range& range);
+/// "1.5e-06 m"
+std::string with_unit(double value, const cycle::Field& field);
+/// "above 0 m to 2 m"
+std::string range_words(const cycle::Field& field);
+
+/// All values of a case that come from its keys, and the digests of the files that it was read from, as text.
+std::string digest_text(const cycle::Case& c);
+
+}  // namespace ringfilm::study

@@ -1,0 +1,85 @@
+#include "ringfilm/study/ensemble/alternatives.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+#include <variant>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+using cycle::Case;
+
+/// Those with which the case breaks no rule.
+std::vector<Alternative> kept_if_allowed(const Case& c, std::vector<Alternative> alternatives) {
+  std::erase_if(alternatives, [&](const Alternative& alternative) {
+    Case changed = c;
+    alternative.apply(changed);
+    return !cycle::broken_rules(changed).empty();
+  });
+  return alternatives;
+}
+
+const cycle::ChoiceKind& choice(const std::string& key) {
+  return std::get<cycle::ChoiceKind>(cycle::find_field(key)->kind);
+}
+
+void set_number(const std::string& key, Case& c, double value) {
+  const cycle::Kind& kind = cycle::find_field(key)->kind;
+  if (const auto* optional = std::get_if<cycle::OptionalNumberKind>(&kind)) {
+    optional->ref(c) = value;
+  } else if (const auto* or_file = std::get_if<cycle::NumberOrFileKind>(&kind)) {
+    or_file->number(c) = value;
+  } else {
+    std::get<cycle::NumberKind>(kind).ref(c) = value;
+  }
+}
+
+bool in_range(const std::string& key, double value) {
+  const auto& range = cycle::find_field(key)->range;
+  return !range || (value > range->low && value < range->high) || (value == range->low && !range->low_open) ||
+         (value == range->high && !range->high_open);
+}
+
+std::string four_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// Nobody learns anything from a value this close to the one in use.
+bool same(double value, double in_use) { return std::abs(value - in_use) <= 1e-3 * std::abs(in_use); }
+
+}  // namespace
+
+std::string chosen(const std::string& key, const Case& c) { return choice(key).names.at(choice(key).index(c)); }
+
+std::vector<Alternative> other_choices(const std::string& key, const Case& c) {
+  const cycle::ChoiceKind& kind = choice(key);
+  std::vector<Alternative> others;
+  for (int i = 0; i < static_cast<int>(kind.names.size()); ++i) {
+    if (i == kind.index(c)) continue;
+    others.push_back({key + " = \"" + kind.names[i] + "\"", [choose = kind.choose, i](Case& x) { choose(x, i); }});
+  }
+  return kept_if_allowed(c, std::move(others));
+}
+
+std::vector<Alternative> other_numbers(const std::string& key, const Case& c, double in_use, const Unit& unit,
+                                       std::initializer_list<double> values) {
+  std::vector<Alternative> others;
+  for (const double wanted : values) {
+    const std::string number = four_digits((wanted - unit.zero) / unit.size);
+    const double value = std::strtod(number.c_str(), nullptr) * unit.size + unit.zero;
+    if (same(value, in_use) || !in_range(key, value)) continue;
+    const std::string written = *unit.name ? "\"" + number + " " + unit.name + "\"" : number;
+    others.push_back({key + " = " + written, [key, value](Case& x) { set_number(key, x, value); }});
+  }
+  return kept_if_allowed(c, std::move(others));
+}
+
+double other_than(double in_use, double value, double instead) { return same(value, in_use) ? instead : value; }
+
+}  // namespace ringfilm::study

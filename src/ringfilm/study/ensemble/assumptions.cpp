@@ -1,0 +1,268 @@
+#include "ringfilm/study/ensemble/assumptions.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace ringfilm::study {
+namespace {
+
+using cycle::Case;
+
+template <typename... Values>
+std::string text(const char* format, Values... values) {
+  char buffer[640];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+Assumption assumption(const std::string& topic, std::string statement, std::string consequence,
+                      std::vector<Alternative> alternatives = {}) {
+  LedgerEntry entry;
+  entry.topic = topic;
+  entry.statement = std::move(statement);
+  entry.consequence = std::move(consequence);
+  entry.source = "docs/theory/assumptions.md#" + topic;
+  entry.can_be_lifted = !alternatives.empty();
+  return {std::move(entry), std::move(alternatives)};
+}
+
+constexpr Unit kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5}, kNewton{"N", 1}, kMm{"mm", 1e-3};
+constexpr Unit kCelsius{"degC", 1, 273.15}, kPlain{"", 1};
+
+// --- choices of model -------------------------------------------------------------------------------------------
+
+Assumption cavitation(const Case& c) {
+  const char* key = "film.cavitation";
+  return assumption("cavitation-model", "the film ruptures and forms again after the \"" + chosen(key, c) + "\" model",
+                    "the paper gives the exit condition and nothing on how the film forms again",
+                    other_choices(key, c));
+}
+
+Assumption orientation(const Case& c) {
+  const char* key = "ring.face.orientation";
+  return assumption("face-orientation", "the face is installed as \"" + chosen(key, c) + "\"",
+                    "a face trace does not show which of its ends looks at the chamber", other_choices(key, c));
+}
+
+Assumption contact_integrals(const Case& c) {
+  const char* key = "contact.integrals";
+  return assumption("contact-integrals", "the integrals of the contact model are taken as \"" + chosen(key, c) + "\"",
+                    "the polynomial as printed rises again beyond a film parameter of 1.9", other_choices(key, c));
+}
+
+Assumption film_parameter(const Case& c) {
+  const char* key = "contact.film_parameter";
+  return assumption("film-parameter",
+                    "contact is summed over the face with the \"" + chosen(key, c) + "\" film parameter",
+                    "nominal puts the whole face at the minimum film", other_choices(key, c));
+}
+
+Assumption roughness_measure(const Case& c) {
+  const char* key = "contact.roughness_measure";
+  return assumption("roughness-measure",
+                    text("the roughness %.3g um is used \"%s\"", c.contact.roughness * 1e6, chosen(key, c).c_str()),
+                    "a root-sum-square of Ra is sqrt(2/pi) = 0.80 of the rms height that the contact model expects",
+                    other_choices(key, c));
+}
+
+const models::ViscosityLaw& law_of(const Case& c) { return models::viscosity_law(c.lubricant.viscosity_pressure); }
+
+/// Has each number that the law takes a default, or does the case state it?
+bool is_known(const Case& c) {
+  const auto& parameters = law_of(c).parameters;
+  return std::all_of(parameters.begin(), parameters.end(), [&](const models::LawParameter& parameter) {
+    return parameter.statement == models::Statement::kDefault || c.stated.contains("lubricant." + parameter.key);
+  });
+}
+
+/// Does viscosity grow with pressure? Without that all laws are one.
+bool thickens(const Case& c) {
+  constexpr double kEta = 0.01, kPressure = 0;  // [Pa s], [Pa]
+  double eta = 0, slope = 0;
+  law_of(c).curve({kEta, kEta, c.lubricant.law_parameters})->viscosity({&kPressure, 1}, {&eta, 1}, {&slope, 1});
+  return slope > 0;
+}
+
+Assumption oil_laws(const Case& c) {
+  const char* topic = "oil-laws";
+  if (c.lubricant.table_file) {
+    return assumption(topic, "viscosity and density are interpolated in the table of the oil",
+                      "beyond the pressures of the table its last slopes are continued");
+  }
+  std::vector<Alternative> others;
+  for (Alternative& other : other_choices("lubricant.viscosity_pressure", c)) {
+    Case changed = c;
+    other.apply(changed);
+    if (is_known(changed) && (thickens(c) || thickens(changed))) others.push_back(std::move(other));
+  }
+  for (Alternative& other : other_choices("lubricant.compressibility", c)) others.push_back(std::move(other));
+  return assumption(topic,
+                    "viscosity follows \"" + chosen("lubricant.viscosity_temperature", c) + "\" in temperature and \"" +
+                        chosen("lubricant.viscosity_pressure", c) + "\" in pressure, density \"" +
+                        chosen("lubricant.density_temperature", c) + "\" and \"" +
+                        chosen("lubricant.compressibility", c) + "\"",
+                    "the laws are continued beyond the measured temperatures, and film pressures lie far below those "
+                    "for which the laws of pressure were made",
+                    std::move(others));
+}
+
+// --- inputs that sources leave open -----------------------------------------------------------------------------
+
+Assumption composite_modulus(const cycle::Setup& setup) {
+  const Case& c = setup.input;
+  if (c.ring.coating.youngs_modulus && !c.contact.composite_modulus) {
+    const char* key = "ring.coating.contact_modulus";
+    const bool of_coating = c.ring.coating.contact_modulus == cycle::ContactModulus::kCoating;
+    return assumption("composite-modulus",
+                      text("E' is %.1f GPa, with the modulus of the %s", setup.E_prime / 1e9,
+                           of_coating ? "coating" : "ring below its coating"),
+                      "contact spots far smaller than the coating is thick feel the coating alone",
+                      other_choices(key, c));
+  }
+  const double other = other_than(setup.E_prime, 190e9, 135e9);
+  return assumption(
+      "composite-modulus", text("E' is %.1f GPa; the coating's own modulus is not known", setup.E_prime / 1e9),
+      "contact spots are far smaller than the coating is thick, so that its modulus rules; near 190 GPa both film "
+      "parameters of the paper are met",
+      other_numbers("contact.composite_modulus", setup.input, setup.E_prime, kGPa, {other}));
+}
+
+/// 20 % to either side of whatever states the tension; the elastic pressure is proportional to each of them.
+std::vector<Alternative> other_tensions(const cycle::Ring& ring, const Case& c) {
+  const auto scaled = [&](const char* key, double value, const Unit& unit) {
+    return other_numbers(key, c, value, unit, {0.8 * value, 1.2 * value});
+  };
+  if (ring.elastic_pressure) return scaled("ring.elastic_pressure", *ring.elastic_pressure, kMPa);
+  if (ring.tangential_force) return scaled("ring.tangential_force", *ring.tangential_force, kNewton);
+  return scaled("ring.free_gap", ring.free_gap.value(), kMm);
+}
+
+Assumption elastic_pressure(const cycle::Setup& setup) {
+  return assumption("ring-tension",
+                    text("the ring presses with %.3g MPa by its own tension", setup.elastic_pressure / 1e6), "",
+                    other_tensions(setup.input.ring, setup.input));
+}
+
+Assumption cavitation_pressure(const Case& c) {
+  const double p = c.film.cavitation_pressure;
+  return assumption("cavitation-pressure",
+                    text("the film ruptures at %.3g bar absolute, or at the lower edge pressure", p / 1e5), "",
+                    other_numbers("film.cavitation_pressure", c, p, kBar, {other_than(p, 0.2e5, 1.013e5)}));
+}
+
+Assumption pressure_behind_ring(const Case& c) {
+  const double share = c.gas.pressure_behind_ring;
+  return assumption("pressure-behind-ring",
+                    text("%.3g %% of the gas pressure acts behind the ring at once", 100 * share),
+                    "the groove fills through the side clearance, with a delay and a loss",
+                    other_numbers("gas.pressure_behind_ring", c, share, kPlain, {other_than(share, 1.0, 0.9)}));
+}
+
+Assumption pressure_under_ring(const Case& c) {
+  const char* topic = "pressure-under-ring";
+  const char* consequence = "the second land holds gas at a pressure between chamber and crankcase";
+  if (c.gas.crankcase_trace) {
+    return assumption(topic, "the pressure straight under the ring is that of the crankcase trace", consequence);
+  }
+  const double p = c.gas.crankcase_pressure;
+  return assumption(topic, text("the pressure straight under the ring is that of the crankcase, %.3g bar", p / 1e5),
+                    consequence, other_numbers("gas.crankcase_pressure", c, p, kBar, {other_than(p, 3e5, 1.013e5)}));
+}
+
+Assumption oil_temperature(const Case& c) {
+  const double T = c.operating.oil_temperature;
+  return assumption(
+      "one-oil-temperature",
+      text("all oil is at %.4g degC; it is not heated in the film and the walls do not differ", T - 273.15),
+      "shear heats the oil by a few kelvin at the most; the temperatures of ring and liner decide, and "
+      "they vary along the stroke",
+      other_numbers("operating.oil_temperature", c, T, kCelsius, {T - 20, T + 20}));
+}
+
+// --- what this program cannot lift yet ----------------------------------------------------------------------------
+
+Assumption flooded_inlet(const cycle::Setup& setup) {
+  return assumption(
+      "flooded-inlet",
+      text("both edges are flooded with oil; at the chamber edge it stands at up to %.3g bar",
+           setup.cylinder_pressure.peak() / 1e5),
+      "physically that is gas: with gas at the chamber edge friction falls by 30 to 45 %, with the oil that earlier "
+      "strokes left as supply most of that comes back");
+}
+
+/// Of a film across the face it is lifted by a case of its own, not here: the unrolled film costs more than all other
+/// choices of a ledger together.
+Assumption ring_gap(const Case& c) {
+  const char* topic = "ring-gap";
+  if (!c.is_unrolled()) {
+    Assumption left_out =
+        assumption(topic, "the ends of the ring's gap are left out",
+                   "their share is about that of the gap in the circumference; film.dimension = \"unrolled\" with "
+                   "ring.end_gap computes them");
+    left_out.entry.can_be_lifted = true;
+    return left_out;
+  }
+  const auto others = other_choices("film.dimension", c);
+  if (!c.ring.end_gap) {
+    return assumption(topic, "the ring is closed: the unrolled film has no gap",
+                      "all strips across the face are alike; ring.end_gap states a gap", others);
+  }
+  return assumption(
+      topic,
+      text("the ring has a gap of %.4g mm, at whose ends the film has the mean of the pressures at its edges; gas that "
+           "blows through it is not computed",
+           *c.ring.end_gap * 1e3),
+      "oil that leaves the film for the gap, or comes from there, is reported; that the gap holds oil is an assumption "
+      "like "
+      "that of flooded edges",
+      others);
+}
+
+std::vector<Assumption> always_open(const Case& c) {
+  return {
+      assumption("round-bore", "the bore is round; static, thermal and dynamic deformation are zero",
+                 "a ring follows smooth distortions of low order; what it cannot follow opens gaps"),
+      assumption("rigid-surfaces", "ring and liner do not deform under the film pressure",
+                 "holds where film pressures stay far below the moduli, as in gasoline engines"),
+      ring_gap(c),
+      assumption("dry-shear-strength",
+                 text("the boundary shear strength coefficient %.4g was measured dry, on other spots than N, beta and "
+                      "sigma",
+                      c.contact.boundary_shear_strength_coefficient),
+                 "boundary friction is proportional to it; additives lower it"),
+      assumption("gaussian-summits", "asperity summits are Gaussian, of one radius, and in elastic contact",
+                 "run-in and plateau-honed surfaces are skewed"),
+      assumption("newtonian-oil", "the oil is Newtonian at any shear rate",
+                 "multigrade oils lose viscosity from about 1e6 1/s on"),
+      assumption("smooth-gap-flow", "roughness does not hinder the flow (no flow factors)",
+                 "flow factors move the mean friction by -19 to +9 % with the lay of the roughness"),
+  };
+}
+
+}  // namespace
+
+std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
+  const Case& c = setup.input;
+  std::vector<Assumption> all = {flooded_inlet(setup),
+                                 pressure_behind_ring(c),
+                                 pressure_under_ring(c),
+                                 oil_temperature(c),
+                                 composite_modulus(setup),
+                                 elastic_pressure(setup),
+                                 orientation(c),
+                                 cavitation(c),
+                                 cavitation_pressure(c),
+                                 contact_integrals(c),
+                                 film_parameter(c),
+                                 roughness_measure(c),
+                                 oil_laws(c)};
+  if (c.gas.model == cycle::GasModel::kTrace && c.gas.trace_origin == cycle::TraceOrigin::kSynthetic) {
+    all.insert(all.begin(), assumption("synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured",
+                                       "load, film and boundary friction around firing TDC follow it"));
+  }
+  for (Assumption& open : always_open(c)) all.push_back(std::move(open));
+  return all;
+}
+
+}  // namespace ringfilm::study

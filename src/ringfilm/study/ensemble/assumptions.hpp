@@ -1,0 +1,19 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/study/ensemble/alternatives.hpp"
+#include "ringfilm/study/ensemble/ledger.hpp"
+
+namespace ringfilm::study {
+
+/// An assumption of a case with the alternatives that this program can run.
+struct Assumption {
+  LedgerEntry entry;  ///< without variants
+  std::vector<Alternative> alternatives;
+};
+
+/// What `setup` takes for granted, the weightiest first.
+std::vector<Assumption> assumptions_of(const cycle::Setup& setup);
+
+}  // namespace ringfilm::study

@@ -1,0 +1,58 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/ensemble/batch.hpp"
+
+/// How far a result may be from the one of ever finer cells and crank steps (docs/theory/error-estimate.md).
+namespace ringfilm::study {
+
+/// One march of the same case, on its own grid or on another.
+struct GridRun {
+  long cells = 0;             ///< across the face
+  double crank_step_deg = 0;  ///< of the march [degree]
+  double step_error = 0;      ///< of adaptive control [-]
+  bool solved = true;         ///< did its march reach its end?
+  std::string reason;         ///< why not, if not solved
+  long cells_y = 0;           ///< around the ring; 0: a film across the face
+};
+
+/// Errors in the units of what they belong to; NaN where there is no estimate. Effort has none.
+struct ErrorEstimate {
+  std::vector<GridRun> runs;           ///< the case itself, then cells doubled and halved, steps halved and doubled
+  cycle::CycleValues values;           ///< error of each value of the cycle
+  std::vector<cycle::Sample> samples;  ///< error of each curve at each crank angle of the result
+  /// Observed orders in the cells (eq-observed-order) [-]; NaN where the three grids do not converge monotonically.
+  cycle::CycleValues order_in_cells;
+  cycle::CycleValues order_in_step;  ///< the same in the crank step [-]
+};
+
+/// Is there an error of any value? Not where both marches of one pair of grids, in cells or in steps, cannot be used.
+bool has_values(const ErrorEstimate& estimate);
+
+/// Can a curve have a discretisation error? Not the crank angle itself and not the effort that was spent.
+bool has_error(const cycle::CurveQuantity& quantity);
+
+/// The case on the four other grids that tell its errors: cells doubled and halved, steps halved and doubled. Of an
+/// unrolled film the cells around the ring go with those across the face, and so does the length of those at its ends.
+std::vector<cycle::Case> other_grids(const cycle::Case& c);
+
+/// The errors of `result`, a complete result of `c`, from how its `other_grids` ended. One that was not solved, be it
+/// that its march stopped or that it breaks a rule of cases (too many nodes), leaves the one on its other side to go
+/// by, and both no estimate. Throws std::logic_error if there are not as many endings as grids.
+ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, std::span<const Ending> others);
+
+/// The same, marching them; costs about five times what `c` cost.
+ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, const Progress& progress = {},
+                             const BatchOptions& options = {});
+
+/// What the user must know about the marches that stopped; empty if none did.
+std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate);
+
+/// No error at all: what `values` and `samples` of a result start from.
+ErrorEstimate no_estimate(std::size_t n_samples);
+
+}  // namespace ringfilm::study

@@ -1,0 +1,36 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/study.hpp"
+
+/// The curves that a study keeps of each scenario, all over one axis of crank angles.
+namespace ringfilm::study {
+
+/// The curves of a scenario are at most so many numbers, 128 kB: rows wait for the slowest in memory.
+inline constexpr std::size_t kMostCurveNumbers = std::size_t{1} << 15;
+
+/// In the order in which the study names them; empty where no curves are kept.
+std::vector<const cycle::CurveQuantity*> kept_quantities(const Keep& keep);
+
+/// The common axis, from -360 to below 360 [degree]; empty where no curves are kept.
+std::vector<double> kept_angles(const Keep& keep);
+
+/// Makes a case give its samples at the angles that are kept, and nothing that is not. The march is the same whatever
+/// is asked for, and so are the values of the cycle.
+void ask_for_kept(const Keep& keep, cycle::Case& c);
+
+/// Quantity by quantity over the axis [SI]; `samples` are those of a case that was asked for them. Not finite where a
+/// sample is not.
+std::vector<float> kept_numbers(const Keep& keep, const std::vector<cycle::Sample>& samples);
+
+/// The same of a scenario that was not solved: all NaN.
+std::vector<float> no_kept_numbers(const Keep& keep);
+
+/// What is wrong with what is to be kept: no quantity, unknown ones, a step that does not divide the cycle or that
+/// parts the steps of a base's march, more than kMostCurveNumbers.
+std::vector<Fault> faults_of_keep(const Study& study);
+
+}  // namespace ringfilm::study

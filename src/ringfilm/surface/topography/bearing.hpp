@@ -1,0 +1,58 @@
+#pragma once
+#include <optional>
+#include <span>
+
+#include "ringfilm/surface/topography/topography.hpp"
+
+namespace ringfilm::surface {
+
+/// Heights of core, reduced peaks and valleys after @cite iso13565_2; eq-surface-core.
+struct CoreRoughness {
+  double Rk_m = 0.0;     ///< height of the core [m]
+  double Rpk_m = 0.0;    ///< height of the peaks above the core, reduced to a triangle [m]
+  double Rvk_m = 0.0;    ///< depth of the valleys below the core, reduced to a triangle [m]
+  double Mr1 = 0.0;      ///< material ratio where the core begins, 0 to 1
+  double Mr2 = 0.0;      ///< where it ends
+  double upper_m = 0.0;  ///< height of the line of the core at 0 [m]
+  double lower_m = 0.0;  ///< and at 1
+};
+
+/// The line through the 40 % of the curve with the least fall (the first of equals), by least squares along the height;
+/// the areas above and below the core as triangles of equal area.
+/// @param falling_heights_m bearing curve, 20 points or more [m]
+CoreRoughness core_roughness(std::span<const double> falling_heights_m);
+
+/// Roughness of a surface made in two steps after @cite iso13565_3, eq-surface-probability.
+struct ProbabilityRoughness {
+  double Rpq_m = 0.0;  ///< slope of the plateau part: rms of the plateau [m]
+  double Rvq_m = 0.0;  ///< slope of the valley part [m]
+  double Rmq = 0.0;    ///< material ratio where both lines meet, 0 to 1
+};
+
+/// Two straight lines of least squares on the curve over normal probability from -3 to 3 standard deviations, their
+/// parting where both together leave least; the standard finds the parting with a fitted conic. Nothing where one line
+/// is as good, a surface made in one step, or where both do not meet on the curve.
+/// @param falling_heights_m bearing curve, 100 points or more [m]
+std::optional<ProbabilityRoughness> probability_roughness(std::span<const double> falling_heights_m);
+
+/// Which points count as cavities (pores, grooves).
+enum class CavityRule {
+  below_depth,    ///< deeper than a stated depth below the median height
+  below_plateau,  ///< deeper than 3 standard deviations of the plateau below the median; these are 1.4826 times the
+                  ///< median distance of the points above the median from it
+  below_core,     ///< below the core of the bearing curve: a share of 1 - Mr2
+};
+
+/// Cavities of a surface: what lies below a threshold.
+struct Cavities {
+  double area_share = 0.0;    ///< of the measured points, 0 to 1
+  double threshold_m = 0.0;   ///< height below which a point counts [m]
+  double mean_depth_m = 0.0;  ///< of the cavities below the median height [m]
+  double volume_m = 0.0;      ///< below the threshold, per nominal area [m]
+};
+
+/// Share of the area that are cavities, eq-surface-cavities.
+/// @param depth_m for below_depth alone [m]
+Cavities cavities(std::span<const double> falling_heights_m, CavityRule rule, double depth_m = 0.0);
+
+}  // namespace ringfilm::surface

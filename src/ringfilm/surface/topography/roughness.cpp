@@ -1,0 +1,138 @@
+#include "ringfilm/surface/topography/roughness.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "ringfilm/base/error.hpp"
+
+namespace ringfilm::surface {
+namespace {
+
+constexpr std::size_t kLeastPointsOfRoughness = 4;
+constexpr std::size_t kLeastPointsOfARow = 8;
+
+/// Calls visit(heights of the measured points) row by row.
+template <class Visit>
+void visit_rows(const HeightMap& map, const Visit& visit) {
+  Eigen::ArrayXd kept(static_cast<Eigen::Index>(map.points_x));
+  for (std::size_t j = 0; j < map.points_y; ++j) {
+    Eigen::Index count = 0;
+    for (std::size_t i = map.index(0, j); i < map.index(0, j + 1); ++i) {
+      kept[count] = map.height_m[i];
+      count += map.measured(i);
+    }
+    if (count > 0) visit(kept.head(count));
+  }
+}
+
+[[noreturn]] void refuse_huge(const char* what) {
+  throw InputError("the heights of the map are so large that " + std::string(what) + " cannot be expressed as numbers",
+                   "heights are in metres");
+}
+
+struct Extent {
+  double mean_m, lowest_m, highest_m;
+};
+
+/// Of the measured points; the mean is summed row by row about the first of them.
+Extent extent(const HeightMap& map, std::size_t measured) {
+  double reference = 0, sum = 0;
+  bool first = true;
+  Extent of{};
+  visit_rows(map, [&](const auto& heights) {
+    if (first) of = {0, heights[0], heights[0]};
+    if (first) reference = heights[0];
+    first = false;
+    of.lowest_m = std::min(of.lowest_m, heights.minCoeff());
+    of.highest_m = std::max(of.highest_m, heights.maxCoeff());
+    sum += (heights - reference).sum();
+  });
+  of.mean_m = reference + sum / static_cast<double>(measured);
+  return of;
+}
+
+}  // namespace
+
+HeightStatistics height_statistics(const HeightMap& map) {
+  check_map(map, kLeastPointsOfRoughness);
+  HeightStatistics of;
+  of.points = measured_points(map);
+  of.missing = map.points() - of.points;
+  const Extent range = extent(map, of.points);
+  of.mean_m = range.mean_m;
+  of.Sp_m = range.highest_m - of.mean_m;
+  of.Sv_m = of.mean_m - range.lowest_m;
+  of.Sz_m = range.highest_m - range.lowest_m;
+  if (!(of.Sz_m > 0)) {
+    throw InputError("all heights of the map are the same: it has no roughness", "choose another channel or region");
+  }
+  if (!std::isfinite(of.Sz_m)) refuse_huge("their range");
+  // In units of Sz, so that no power of a height in metres runs out of range.
+  double absolute = 0, squares = 0, cubes = 0, fourths = 0;
+  Eigen::ArrayXd z, square;
+  visit_rows(map, [&](const auto& heights) {
+    z = (heights - of.mean_m) / of.Sz_m;
+    square = z.square();
+    absolute += z.abs().sum();
+    squares += square.sum();
+    cubes += (square * z).sum();
+    fourths += square.square().sum();
+  });
+  const double count = static_cast<double>(of.points), variance = squares / count;
+  of.Sa_m = absolute / count * of.Sz_m;
+  of.Sq_m = std::sqrt(variance) * of.Sz_m;
+  of.Ssk = cubes / count / (variance * std::sqrt(variance));
+  of.Sku = fourths / count / (variance * variance);
+  return of;
+}
+
+RowRoughness row_roughness(const HeightMap& map) {
+  check_map(map);
+  RowRoughness of;
+  double absolute = 0, squares = 0;
+  for (std::size_t j = 0; j < map.points_y; ++j) {
+    const std::size_t begin = map.index(0, j), end = map.index(0, j + 1);
+    double sum = 0, row_absolute = 0, row_squares = 0;
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!map.measured(i)) continue;
+      sum += map.height_m[i];
+      ++count;
+    }
+    if (count < kLeastPointsOfARow) continue;
+    const double mean = sum / static_cast<double>(count);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!map.measured(i)) continue;
+      const double z = map.height_m[i] - mean;
+      row_absolute += std::abs(z);
+      row_squares += z * z;
+    }
+    absolute += row_absolute / static_cast<double>(count);
+    squares += row_squares / static_cast<double>(count);
+    ++of.rows;
+  }
+  if (of.rows == 0) {
+    throw InputError("no row of the map has " + std::to_string(kLeastPointsOfARow) + " measured points",
+                     "take a larger region");
+  }
+  of.Ra_m = absolute / static_cast<double>(of.rows);
+  of.Rq_m = std::sqrt(squares / static_cast<double>(of.rows));
+  if (!std::isfinite(of.Ra_m) || !std::isfinite(of.Rq_m)) refuse_huge("their squares");
+  return of;
+}
+
+std::vector<double> bearing_curve(const HeightMap& map) {
+  check_map(map);
+  std::vector<double> heights;
+  heights.reserve(map.points());
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (map.measured(i)) heights.push_back(map.height_m[i]);
+  }
+  std::sort(heights.begin(), heights.end(), std::greater<>());
+  return heights;
+}
+
+}  // namespace ringfilm::surface

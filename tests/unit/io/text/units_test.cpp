@@ -1,0 +1,136 @@
+#include "ringfilm/io/text/units.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+namespace ringfilm::io {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Reading {
+  const char* text;
+  const char* si_unit;
+  double value;  // by hand, from the definition of the unit
+};
+
+class UnitsRead : public ::testing::TestWithParam<Reading> {};
+
+TEST_P(UnitsRead, GiveTheDoubleNearestToTheSiValue) {
+  const Units units;
+  const auto [text, si_unit, value] = GetParam();
+  // 4 ulp: the definitions behind psi, rpm and degF are themselves rounded products.
+  EXPECT_DOUBLE_EQ(units.quantity(text, si_unit, ""), value) << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Quantities, UnitsRead,
+    ::testing::Values(
+        Reading{"82.5 mm", "m", 0.0825}, Reading{"1.56 um", "m", 1.56e-6}, Reading{"1.56 \u00B5m", "m", 1.56e-6},
+        Reading{"1.56 \u03BCm", "m", 1.56e-6}, Reading{"1.2mm", "m", 1.2e-3}, Reading{"+1.2e-3 m", "m", 1.2e-3},
+        Reading{"1 inch", "m", 0.0254}, Reading{"12.5 N", "N", 12.5}, Reading{"203 GPa", "Pa", 203e9},
+        Reading{"1.01325 bar", "Pa", 101325}, Reading{"1.01325 bara", "Pa", 101325}, Reading{"1 atm", "Pa", 101325},
+        Reading{"100 psi", "Pa", 689475.7293168361}, Reading{"2 N/mm2", "Pa", 2e6}, Reading{"2 MPa", "Pa", 2e6},
+        Reading{"1500 rpm", "rad/s", 157.07963267948966}, Reading{"1500 rev/min", "rad/s", 157.07963267948966},
+        Reading{"1500\u00A0rpm", "rad/s", 157.07963267948966},
+        Reading{"\u00A01500\u202Frpm ", "rad/s", 157.07963267948966}, Reading{"5 mPa\u00A0s", "Pa s", 5e-3},
+        Reading{"157 rad/s", "rad/s", 157}, Reading{"25 rps", "rad/s", 157.07963267948966},
+        Reading{"120 degC", "K", 393.15}, Reading{"120 \u00B0C", "K", 393.15}, Reading{"248 degF", "K", 393.15},
+        Reading{"393.15 K", "K", 393.15}, Reading{"0.097 um-2", "m-2", 0.097e12},
+        Reading{"0.097 um^-2", "m-2", 0.097e12}, Reading{"0.097 1/um2", "m-2", 0.097e12},
+        Reading{"59.99 mm2/s", "m2/s", 59.99e-6}, Reading{"59.99 cSt", "m2/s", 59.99e-6},
+        Reading{"59.99 mm\u00B2/s", "m2/s", 59.99e-6}, Reading{"5 cP", "Pa s", 5e-3}, Reading{"5 mPa.s", "Pa s", 5e-3},
+        Reading{"5 mPa s", "Pa s", 5e-3}, Reading{"833.8 kg/m3", "kg/m3", 833.8},
+        Reading{"0.8338 g/cm3", "kg/m3", 833.8}, Reading{"1e-8 m2/N", "Pa-1", 1e-8}, Reading{"10 1/GPa", "Pa-1", 1e-8},
+        Reading{"1e-3 1/K", "K-1", 1e-3}, Reading{"1e-3 K-1", "K-1", 1e-3}, Reading{"20 degree", "degree", 20},
+        Reading{"20 deg", "degree", 20}, Reading{"20 degCA", "degree", 20},
+        Reading{"3.14159265358979312 rad", "degree", 180}));
+
+struct Refusal {
+  const char* text;
+  const char* si_unit;
+  const char* message;
+  const char* remedy;
+};
+
+class UnitsRefuse : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(UnitsRefuse, SayWhatIsWrongAndWhatToWrite) {
+  const Units units;
+  const auto [text, si_unit, message, remedy] = GetParam();
+  try {
+    units.quantity(text, si_unit, "\"1 something\"");
+    FAIL() << text << " was read";
+  } catch (const UnitError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(message)) << text;
+    EXPECT_THAT(error.remedy, HasSubstr(remedy)) << text;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Texts, UnitsRefuse,
+    ::testing::Values(
+        Refusal{"12.5", "N", "has no unit", "a force is wanted here, for example \"1 something\""},
+        Refusal{"12.5 mm", "N", "is not a force", "a force is wanted"},
+        Refusal{"12,5 N", "N", "decimal comma", "decimal point"},
+        Refusal{"1 500 rpm", "rad/s", "second number", "one number"},
+        Refusal{"nan N", "N", "not a finite number", "a force"},
+        Refusal{"inf bar", "Pa", "not a finite number", "a pressure"},
+        Refusal{"1e400 N", "N", "out of the range of numbers", "a force"},
+        Refusal{"-inf bar", "Pa", "not a finite number", "a pressure"},
+        Refusal{"much", "N", "does not start with a number", "a force"},
+        Refusal{"", "N", "does not start with a number", "a force"}, Refusal{"5 furlongs", "N", "", "a force"},
+        Refusal{"5 xyz", "m", "unknown unit \"xyz\"", "a length"},
+        Refusal{"2 barg", "Pa", "gauge pressure", "add the atmosphere"},
+        Refusal{"30 psig", "Pa", "gauge pressure", "add the atmosphere"},
+        Refusal{"1500 RPM", "rad/s", "unknown unit \"RPM\"", "write rpm"},
+        Refusal{"1500 U/min", "rad/s", "\"U/min\"", "write rpm"},
+        Refusal{"1\u00A0500 rpm", "rad/s", "second number", "one number"},
+        Refusal{"2 PSI", "Pa", "\"PSI\"", "write psi"}, Refusal{"157 1/s", "rad/s", "turns or radians", "rpm or rad/s"},
+        Refusal{"25 Hz", "rad/s", "turns or radians", "rpm or rad/s"},
+        Refusal{"20 percent", "degree", "turns or radians", "degree or rad"},
+        Refusal{"120 C", "K", "is not a temperature", "degC"}, Refusal{"10 bar", "K", "is not a temperature", "degC"},
+        // UDUNITS by itself turns um2 over into um-2.
+        Refusal{"0.097 um2", "m-2", "is not a number per area", "a number per area"}));
+
+TEST(Units, RefuseAPageInPlaceOfAUnit) {
+  EXPECT_THROW(Units().quantity("1 " + std::string(1 << 20, '('), "m", ""), UnitError);
+}
+
+TEST(Units, ShowTheUnitThatPeopleRead) {
+  const Units units;
+  EXPECT_EQ(units.shown(0.089, "m", "mm"), "89 mm");
+  EXPECT_EQ(units.shown(393.15, "K", "degC"), "120 degC");
+  EXPECT_EQ(units.shown(157.07963267948966, "rad/s", "rpm"), "1500 rpm");
+  EXPECT_EQ(units.shown(9.7e10, "m-2", "um-2"), "0.097 um-2");
+  EXPECT_EQ(units.shown(0.3, "1", "1"), "0.3");
+}
+
+TEST(Units, ReadBackTheirOwnSiTextBitByBit) {
+  const Units units;
+  for (const double value : {0.1, 1.0 / 3.0, 157.07963267948966, 9.7e10, 1e-300}) {
+    for (const char* unit : {"m", "N", "Pa", "rad/s", "K", "degree", "m-2", "m2/s", "kg/m3", "Pa-1", "K-1"}) {
+      EXPECT_EQ(units.quantity(exact_text(value) + " " + unit, unit, ""), value) << unit;
+    }
+  }
+}
+
+TEST(Units, MayBeReadByManyThreadsAtOnce) {
+  std::vector<double> read(8, 0.0);
+  std::vector<std::thread> threads;
+  for (double& value : read) {
+    threads.emplace_back([&value] {
+      const Units units;
+      for (int i = 0; i < 200; ++i) value += units.quantity("2 mm", "m", "");
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  // 200 sums of 0.002, each rounded.
+  for (const double value : read) EXPECT_NEAR(value, 0.4, 1e-12);
+}
+
+}  // namespace
+}  // namespace ringfilm::io

@@ -1,0 +1,149 @@
+#include "ringfilm/study/design/measured_factors.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "../study_example.hpp"
+#include "ringfilm/study/design/scenario.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+cycle::Case measured_case(double zeta) {
+  cycle::Case c = coarse_case();
+  c.contact.boundary_shear_strength_coefficient = zeta;
+  auto& m = c.contact.measured;
+  m.asperity_density_deviation = 0.1 * c.contact.asperity_density;
+  m.asperity_radius_deviation = 0.2 * c.contact.asperity_radius;
+  m.roughness_deviation = 0.05 * c.contact.roughness;
+  m.density_radius_correlation = -0.6;
+  m.radius_roughness_correlation = 0.2;
+  m.shear_strength.calibration = "March";
+  m.shear_strength.slope_deviation = 0.02;
+  m.shear_strength.calibration_deviation = 0.1 * zeta;
+  m.shear_strength.reference_deviation = 0.53 * zeta;
+  return c;
+}
+
+Study three_states() {
+  Study study = study_of({}, Method::kSobol, 4096);
+  study.bases = {{"new", measured_case(0.36)}, {"run-in", measured_case(0.3)}, {"embedded", measured_case(0.24)}};
+  return study;
+}
+
+std::vector<std::string> names(const Study& study) {
+  std::vector<std::string> all;
+  for (const Factor& factor : study.factors) all.push_back(factor.name);
+  return all;
+}
+
+TEST(MeasuredFactors, SurfacesAreEachForThemselvesAndTheCalibrationIsOneForAll) {
+  Study study = three_states();
+  add_measured_factors(study, {0, 1, 2});
+  EXPECT_THAT(names(study), ::testing::ElementsAre(
+                                "asperity_density of new", "asperity_radius of new", "roughness of new",
+                                "slope of zeta of new", "calibration of March", "reference of March",
+                                "asperity_density of run-in", "asperity_radius of run-in", "roughness of run-in",
+                                "slope of zeta of run-in", "asperity_density of embedded",
+                                "asperity_radius of embedded", "roughness of embedded", "slope of zeta of embedded"));
+  EXPECT_EQ(study.correlations.size(), 6u);
+  EXPECT_EQ(told(study), "");
+  // What is common moves all bases by the same share.
+  const Plan plan(study);
+  for (std::uint64_t p = 0; p < 20; ++p) {
+    std::vector<double> rest;
+    for (std::size_t b = 0; b < 3; ++b) {
+      const Point point = plan.point(plan.scenario(b, p));
+      const cycle::Case c = scenario_case(study, point);
+      const double own = *point.values[b == 0 ? 3 : b == 1 ? 9 : 13];
+      rest.push_back(c.contact.boundary_shear_strength_coefficient /
+                     study.bases[b].input.contact.boundary_shear_strength_coefficient / own);
+    }
+    EXPECT_NEAR(rest[1], rest[0], 1e-12);
+    EXPECT_NEAR(rest[2], rest[0], 1e-12);
+  }
+}
+
+TEST(MeasuredFactors, ScatterIsThatOfTheMeasurement) {
+  Study study = three_states();
+  study.bases.resize(1);
+  study.bases[0].input.contact.measured.shear_strength = {};
+  add_measured_factors(study, {0});
+  const Plan plan(study);
+  const cycle::Contact& contact = study.bases[0].input.contact;
+  double mean = 0, square = 0, product = 0;
+  const double n = 4096;
+  for (std::uint64_t i = 0; i < 4096; ++i) {
+    const cycle::Contact c = scenario_case(study, plan.point(i)).contact;
+    const double N = c.asperity_density / contact.asperity_density - 1,
+                 beta = c.asperity_radius / contact.asperity_radius - 1;
+    mean += beta / n;
+    square += beta * beta / n;
+    product += N * beta / n;
+    EXPECT_GT(c.asperity_radius, 0);
+  }
+  // A deviation of 4096 independent draws is certain to 1.1 %, a correlation of -0.6 to 0.01; Sobol points are better.
+  // Cut off at five deviations, nothing of that shows.
+  EXPECT_NEAR(mean, 0, 0.2 * 0.016);
+  EXPECT_NEAR(std::sqrt(square), 0.2, 0.2 * 0.011);
+  EXPECT_NEAR(product / (0.1 * 0.2), -0.6, 0.02);
+}
+
+TEST(MeasuredFactors, ErrorsMayStandApart) {
+  Study study = three_states();
+  add_measured_factors(study, {0, 2}, {Shared::kApart, Shared::kCommon});
+  EXPECT_THAT(names(study),
+              ::testing::IsSupersetOf({"calibration of new", "calibration of embedded", "reference of March"}));
+  study = three_states();
+  study.bases[1].input.contact.measured.shear_strength.calibration = "April";
+  add_measured_factors(study, {0, 1, 2});
+  EXPECT_THAT(names(study), ::testing::IsSupersetOf({"calibration of March", "calibration of April"}));
+}
+
+TEST(MeasuredFactors, NoFactorWithoutScatter) {
+  Study study = three_states();
+  study.bases[0].input.contact.measured.asperity_radius_deviation = 0;
+  study.bases[0].input.contact.measured.roughness_deviation.reset();
+  add_measured_factors(study, {0});
+  EXPECT_EQ(study.factors.size(), 4u);
+  EXPECT_TRUE(study.correlations.empty());
+  study = three_states();
+  study.bases[1].input.contact.measured = {};
+  try {
+    add_measured_factors(study, {0, 1});
+    FAIL() << "there is nothing to draw from";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("base \"run-in\" states no scatter in [contact.measured]"));
+  }
+}
+
+TEST(MeasuredFactors, OneErrorHasOneSize) {
+  Study study = three_states();
+  study.bases[2].input.contact.measured.shear_strength.calibration_deviation = 0.12 * 0.24;
+  try {
+    add_measured_factors(study, {0, 1, 2});
+    FAIL() << "one error cannot have two sizes";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("the calibration of March has the relative deviation 0.1 in one base and 0.12 in "
+                          "base \"embedded\""));
+  }
+}
+
+TEST(MeasuredFactors, BadScatterIsToldByTheFactor) {
+  Study study = three_states();
+  study.bases[0].input.contact.measured.roughness_deviation = -1e-8;
+  add_measured_factors(study, {0});
+  EXPECT_THAT(told(study), HasSubstr("factor \"roughness of new\" has the standard deviation -1e-08"));
+  study = three_states();
+  study.bases[0].input.contact.measured.density_roughness_correlation = 0.9;
+  add_measured_factors(study, {0});
+  EXPECT_THAT(told(study), HasSubstr("their matrix is not positive definite, as factor \"roughness of new\" shows"));
+}
+
+}  // namespace
+}  // namespace ringfilm::study

@@ -1,0 +1,116 @@
+#include "ringfilm/study/statistics/kept_curves.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../study_example.hpp"
+#include "ringfilm/study/study_run.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+using testing::coarse_case;
+using testing::factor;
+using testing::study_of;
+using testing::told;
+
+Keep all_curves(double crank_step_deg) {
+  Keep keep;
+  keep.curves = Curves::kAll;
+  keep.crank_step_deg = crank_step_deg;
+  return keep;
+}
+
+Study small_study(const Keep& keep) {
+  Study study = study_of({factor("operating.speed", Levels{{1.0, 1.5, -1.0}}, How::kScale)}, Method::kGrid);
+  study.keep = keep;
+  return study;
+}
+
+std::vector<ScenarioRow> rows_of(const Study& study) {
+  std::vector<ScenarioRow> rows;
+  const Plan plan(study);
+  run_scenarios(plan, {0, plan.size()}, [&rows](const ScenarioChunk& chunk) {
+    rows.insert(rows.end(), chunk.rows.begin(), chunk.rows.end());
+    return GoOn::kYes;
+  });
+  return rows;
+}
+
+TEST(KeptCurves, AxisRunsFromGasExchangeToGasExchangeWithFiringInTheMiddle) {
+  const std::vector<double> angles = kept_angles(all_curves(4));
+  ASSERT_EQ(angles.size(), 180u);
+  EXPECT_EQ(angles.front(), -360);
+  EXPECT_EQ(angles[90], 0);
+  EXPECT_EQ(angles.back(), 356);
+  // Of an odd number of angles none is -360.
+  EXPECT_EQ(kept_angles(all_curves(144)), (std::vector<double>{-288, -144, 0, 144, 288}));
+  EXPECT_TRUE(kept_angles(Keep{}).empty());
+}
+
+TEST(KeptCurves, NumbersAreThoseOfTheSampleAtTheAngle) {
+  Keep keep = all_curves(144);
+  keep.quantities = {"power_loss", "min_film_thickness"};
+  std::vector<cycle::Sample> samples;
+  for (int k = 0; k < 5; ++k) {
+    cycle::Sample sample;
+    sample.crank_angle_deg = 144 * k;
+    sample.power_loss = 144 * k;
+    sample.min_film_thickness = -144 * k;
+    samples.push_back(sample);
+  }
+  EXPECT_EQ(kept_numbers(keep, samples), (std::vector<float>{432, 576, 0, 144, 288, -432, -576, 0, -144, -288}));
+  samples.pop_back();
+  EXPECT_THROW(kept_numbers(keep, samples), std::logic_error);
+}
+
+TEST(KeptCurves, LeaveTheValuesOfTheCycleAsTheyAre) {
+  Study plain = small_study({}), kept = small_study(all_curves(8));
+  // What the base itself asks for plays no part.
+  kept.bases.front().input.output.crank_angles_deg = {0.5, 1.5, 7};
+  const auto without = rows_of(plain), with = rows_of(kept);
+  ASSERT_EQ(without.size(), 3u);
+  ASSERT_EQ(with.size(), 3u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(without[i].values, with[i].values);
+    EXPECT_TRUE(without[i].curves.empty());
+    ASSERT_EQ(with[i].curves.size(), 4 * 90u);
+    for (const float number : with[i].curves) EXPECT_TRUE(std::isfinite(number));
+  }
+  EXPECT_FALSE(with[2].reason.empty());
+  ASSERT_EQ(with[2].curves.size(), 4 * 90u);
+  for (const float number : with[2].curves) EXPECT_TRUE(std::isnan(number));
+}
+
+TEST(KeptCurves, MinimumOfTheCurveIsThatOfTheCycle) {
+  Keep keep = all_curves(4);  // every step of the march
+  keep.quantities = {"min_film_thickness"};
+  const ScenarioRow row = rows_of(small_study(keep)).front();
+  const auto& quantities = cycle::cycle_quantities();
+  const auto value = std::find_if(quantities.begin(), quantities.end(),
+                                  [](const auto& one) { return one.name == "min_film_thickness"; });
+  const double smallest = *std::min_element(row.curves.begin(), row.curves.end());
+  // Single precision.
+  EXPECT_NEAR(smallest / row.values.at(static_cast<std::size_t>(value - quantities.begin())), 1, 1e-6);
+}
+
+TEST(KeptCurves, WhatCannotBeKeptIsRefused) {
+  EXPECT_EQ(told(small_study(all_curves(4))), "");
+  EXPECT_NE(told(small_study(all_curves(7))).find("does not divide the cycle"), std::string::npos);
+  EXPECT_NE(told(small_study(all_curves(0))).find("does not divide the cycle"), std::string::npos);
+  EXPECT_NE(told(small_study(all_curves(2))).find("no multiple of solver.crank_step = 4 degree"), std::string::npos);
+  Keep keep = all_curves(4);
+  keep.quantities = {"min_film_thickness", "crank_angle", "min_film_thickness"};
+  EXPECT_NE(told(small_study(keep)).find("no curve crank_angle"), std::string::npos);
+  EXPECT_NE(told(small_study(keep)).find("min_film_thickness twice"), std::string::npos);
+  keep.quantities.clear();
+  EXPECT_NE(told(small_study(keep)).find("names no curve"), std::string::npos);
+  Study fine = small_study(all_curves(0.01));
+  EXPECT_NE(told(fine).find("numbers, more than"), std::string::npos);
+  fine.keep.curves = Curves::kNone;
+  EXPECT_EQ(told(fine), "");
+}
+
+}  // namespace
+}  // namespace ringfilm::study
