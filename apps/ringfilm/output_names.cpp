@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 
 #include "ringfilm/base/error.hpp"
@@ -25,7 +26,8 @@ constexpr std::array<Suffix, 5> kSuffixes{{{".nc", OutputKind::kNetcdf, "a NetCD
 void check_suffix(const std::string& option, const std::string& path, OutputKind kind) {
   const auto of_kind =
       std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const Suffix& s) { return s.kind == kind; });
-  const std::string suffix = std::filesystem::path(path).extension().string();
+  std::string suffix = std::filesystem::path(path).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
   for (const Suffix& one : kSuffixes) {
     if (one.suffix != suffix || one.kind == kind) continue;
     throw InputError(option + " " + path + ": " + of_kind->words + " is written here, and " + suffix +

@@ -187,7 +187,7 @@ std::vector<double> row_of(const char* name, const py::handle& value) {
   const Doubles array = doubles_of(name, value);
   if (array.ndim() != 1) {
     throw InputError(std::string(name) + " has " + std::to_string(array.ndim()) + " dimensions",
-                     "an array of shape (points,) is wanted here");
+                     "an array of shape (points,) is required here");
   }
   return {array.data(), array.data() + array.size()};
 }

@@ -1,3 +1,5 @@
+#include <functional>
+
 #include "arguments.hpp"
 #include "case_object.hpp"
 #include "case_values.hpp"
@@ -8,6 +10,7 @@
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"
+#include "ringfilm/io/case/trace_file.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 #include "ringfilm/study/design/scenario.hpp"
@@ -171,17 +174,33 @@ Cases can be copied, compared and pickled; a pickle holds the numbers of all fil
 
 }  // namespace
 
+namespace {
+
+/// What changes one key; a refusal that another key can lift names the way to change both.
+void change_alone(const std::function<void()>& change) {
+  try {
+    change();
+  } catch (const io::TraceKeyError& refusal) {
+    std::vector<Fault> faults = refusal.faults();
+    std::string& remedy = faults.back().remedy;
+    remedy += (remedy.empty() ? "" : "; ") + std::string("keys that only fit together are changed by one update()");
+    throw InputError(std::move(faults));
+  }
+}
+
+}  // namespace
+
 void CaseObject::set(const std::string& key, const py::handle& value) {
   const std::optional<io::TomlValue> stated = toml_value(value, known_field(key));
   if (!stated) return remove(key);
   is_checked_ = false;
-  io::state(value_, key, *stated, units());
+  change_alone([&] { io::state(value_, key, *stated, units()); });
 }
 
 void CaseObject::remove(const std::string& key) {
   known_field(key);
   is_checked_ = false;
-  io::retract(value_, key, units());
+  change_alone([&] { io::retract(value_, key, units()); });
 }
 
 void CaseObject::update(const py::dict& values) {

@@ -230,6 +230,7 @@ class BadCommandLine(program.ProgramTest):
         for words, said in (
                 (("run", "case.toml", "--output", "a.nc", "--output=b.nc"), "--output is given twice"),
                 (("run", "case.toml", "-o", "a.nc", "-o", "b.nc", "--output", "c.nc"), "--output is given 3 times"),
+                (("run", "case.toml", "-oa.nc", "-ob.nc"), "--output is given twice"),
                 (("study", "study.toml", "--threads", "2", "--threads", "3"), "--threads is given twice"),
                 (("run", "case.toml", "--output"), "--output has no value")):
             with self.subTest(words):
@@ -263,7 +264,7 @@ class BadCommandLine(program.ProgramTest):
             '[[base]]\ncase = "case.toml"\n[[factor]]\nkey = "contact.boundary_shear_strength_coefficient"\n'
             'values = ["1"]\n[plan]\nmethod = "grid"\n')
         done = self.run_program("study", "study.toml", "-o", "out")
-        self.assert_refused(done, 'values = "1" is a number in quotes', "a number without unit is wanted here, for example 1\n")
+        self.assert_refused(done, 'values = "1" is a number in quotes', "a number without unit is required here, for example 1\n")
 
     def test_unknown_publication(self):
         self.assert_refused(self.run_program("reproduce", "smith2020"), "smith2020", "styles2014")

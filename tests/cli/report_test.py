@@ -64,6 +64,8 @@ class Report(program.ProgramTest):
         self.assert_refused(self.run_program("report", "a.nc", "--output", "page.nc"),
                             "--output page.nc: a web page is written here, and .nc is the ending of a NetCDF file",
                             "the ending .html")
+        self.assert_refused(self.run_program("run", "case.toml", "-o", "X.HTML"),
+                            "--output X.HTML: a NetCDF file is written here", "the ending .nc")
         self.assert_refused(self.run_program("run", "case.toml", "--output", "a.html", "--csv", "a.nc"),
                             "--output a.html: a NetCDF file is written here", "the ending .nc",
                             "--csv a.nc: a CSV file is written here", "the ending .csv")

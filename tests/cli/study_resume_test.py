@@ -76,6 +76,62 @@ class ResumedStudy(StudyFolder):
         self.resume()
         self.assertEqual(self.contents("out"), whole)
 
+    def test_an_overwrite_that_was_stopped_goes_on(self):
+        self.run_well(*self.study())
+        self.write_scenarios(20000)
+        rows = self.folder / "out" / ROWS
+        run = subprocess.Popen([PROGRAM, *self.study(), "--overwrite"], cwd=self.folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, text=True)
+        growing = rows.with_suffix(".growing")
+        while not growing.exists() or growing.stat().st_size < 2000:
+            self.assertIsNone(run.poll(), "it ended before it was disturbed")
+            time.sleep(0.01)
+        run.send_signal(signal.SIGINT)
+        _, said = run.communicate(timeout=100)
+        self.assertEqual(run.returncode, 4, said)
+        self.assertIn("to go on: ringfilm study study.toml -o out --resume", said)
+        self.assertFalse(rows.exists())
+        kept = growing.stat().st_size
+        run = subprocess.Popen([PROGRAM, *self.study(), "--resume"], cwd=self.folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, text=True)
+        while run.poll() is None and growing.stat().st_size <= kept:
+            time.sleep(0.01)
+        run.send_signal(signal.SIGINT)
+        _, said = run.communicate(timeout=100)
+        self.assertEqual(run.returncode, 4, said)
+        self.assertGreater(growing.stat().st_size, kept)
+
+    def test_a_report_of_a_study_names_its_page(self):
+        self.run_well(*self.study())
+        self.assert_refused(self.run_program("report", "out/study.nc", "-o", "page.html"),
+                            "out/study.nc: the result of a study", "out/study.html")
+
+    def test_the_status_reports_corrupted_rows(self):
+        self.run_well(*self.study())
+        rows = self.folder / "out" / ROWS
+        self.assertIn("part 1 of 1: 16 of 16 scenarios, 0 not solved, finished", self.run_well(*self.study("status")))
+        self.spoil(rows, -100)
+        said = self.run_well(*self.study("status"))
+        self.assertRegex(said, r"part 1 of 1: \d+ of 16 scenarios, 0 not solved, corrupted after these")
+        self.assertNotIn("finished", said)
+        self.spoil(rows, -100)
+        for at in (3, 20, 80, 200):  # size, digest, first line and plan of the header
+            self.spoil(rows, at)
+            self.assertIn("the header of this file of rows is corrupted", self.run_well(*self.study("status")))
+            self.assert_refused(self.run_program(*self.study(), "--resume"), "the header of this file of rows is corrupted")
+            self.spoil(rows, at)
+
+    def test_a_gas_model_without_its_trace_has_the_reason_that_a_case_has(self):
+        case = (self.folder / "case.toml").read_text()
+        gas = case[case.index("[gas]"):case.index("[ring]")]
+        wiebe = '[gas]\nmodel = "wiebe"\ncompression_ratio = 17\npeak_pressure = "100 bar"\npeak_angle = "12 degree"\n'
+        (self.folder / "case.toml").write_text(case.replace(gas, wiebe))
+        self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "gas.model"\n'
+                         'values = ["wiebe", "trace"]\n[plan]\nmethod = "grid"\n')
+        self.run_well(*self.study())
+        said = self.run_well(*self.study("status"))
+        self.assertIn("scenario 1: the key gas.cylinder_pressure is missing", said)
+
     def test_a_narrower_interval_or_more_points_go_on(self):
         self.write_until("1e9 Pa")
         self.assertIn("stopped after 8 points", self.run_well(*self.study()))
@@ -223,7 +279,7 @@ class ResumedStudy(StudyFolder):
         self.write_until("-2 kPa")
         self.assert_refused(self.run_program(*self.study(output="none")), "study.toml:", '"-2 kPa"')
         self.write_until("1e9 Pa", most="1e2")
-        self.assertRegex(self.run_well(*self.study()), r"is [0-9.]{1,6} kPa wide; wanted: 1e\+06 kPa")
+        self.assertRegex(self.run_well(*self.study()), r"is [0-9.]{1,6} kPa wide; required: 1e\+06 kPa")
 
 
 if __name__ == "__main__":

@@ -147,6 +147,11 @@ def test_keys_that_only_fit_together_are_changed_at_once(case, folder):
     for key, value in (("gas.cylinder_pressure", "two.csv"), ("gas.pressure_column", "p2")):
         with pytest.raises(ringfilm.InputError, match=r"keys that only fit together are changed by one update\(\)"):
             case[key] = value
+    (folder / "spoilt.csv").write_text("angle [degree],p [bar]\n0,none\n")
+    for name, fault in (("absent.csv", "no such file"), ("spoilt.csv", "none")):
+        with pytest.raises(ringfilm.InputError, match=fault) as refused:
+            case["gas.cylinder_pressure"] = name
+        assert "update()" not in str(refused.value)
     with pytest.raises(ringfilm.InputError) as refused:
         case.update({"operating.speed": 2000, "engine.bore": 0.09})
     assert len(refused.value.faults) == 2

@@ -344,16 +344,10 @@ std::optional<InputError> unknown_option(const CLI::App& command, const std::vec
 }
 
 /// An option that takes one value and is given more often.
-std::optional<InputError> repeated_option(const CLI::App& command, const std::vector<std::string>& words) {
+std::optional<InputError> repeated_option(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
-    if (option->get_items_expected_max() != 1) continue;
-    std::vector<std::string> names;
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-    const auto n = std::count_if(words.begin(), words.end(), [&names](const std::string& word) {
-      return std::find(names.begin(), names.end(), word.substr(0, word.find('='))) != names.end();
-    });
-    if (n < 2) continue;
+    const std::size_t n = option->results().size();
+    if (option->get_positional() || option->get_items_expected_max() != 1 || n < 2) continue;
     const std::string times = n == 2 ? "twice" : std::to_string(n) + " times";
     return InputError(option->get_name() + " is given " + times, "give it once");
   }
@@ -385,7 +379,7 @@ const CLI::App& named_command(const CLI::App& program, const std::vector<std::st
 std::optional<InputError> wrong_number_of_values(const CLI::App& program, const std::vector<std::string>& words,
                                                  const CLI::ParseError& refusal) {
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&refusal) == nullptr) return std::nullopt;
-  if (const auto repeated = repeated_option(named_command(program, words), words)) return repeated;
+  if (const auto repeated = repeated_option(named_command(program, words))) return repeated;
   return option_without_value(refusal.what());
 }
 

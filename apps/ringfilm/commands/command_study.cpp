@@ -129,13 +129,13 @@ void check_curves(const StudyOptions& options, const study::Plan& plan) {
 
 void check_parts(const StudyOptions& options, const Loaded& study) {
   if (!study.until() || !options.is_part) return;
-  throw InputError("a study with plan.until cannot be run in parts: only all rows show when it may stop",
+  throw InputError("a study with plan.until cannot be run in parts: whether it may stop depends on all of its rows",
                    "leave --shard out, or take until out of the plan");
 }
 
 void check_can_be_submitted(const StudyOptions& options, const Loaded& study) {
   if (!study.until()) return;
-  throw InputError("a study with plan.until cannot be submitted: only all rows show when it may stop",
+  throw InputError("a study with plan.until cannot be submitted: whether it may stop depends on all of its rows",
                    fmt::format("run it as one job, ringfilm study {} -o {} --resume, or take until out of the plan",
                                word_to_copy(options.study_path), word_to_copy(options.output)));
 }
@@ -207,13 +207,33 @@ void compute_rows(const StudyOptions& options, Loaded& study, io::ShardWriter& w
   }
 }
 
-/// Computes a part and gives its rows their final name before another process can open them.
-void compute_part(const StudyOptions& options, Loaded& study, const StudyFiles& files) {
+/// How far the rows of a part are. Of rows of another study only the file name shows it.
+std::string state_words(const Loaded& study, const PartFile& file, const io::ShardReader& rows) {
+  if (!file.is_finished) return "not finished";
+  if (!rows.is_sound()) return "corrupted after these: --resume keeps them and computes the others again";
+  const bool is_same = io::difference(rows.header(), study.header(file.part, file.parts)).empty();
+  return is_same && !is_whole(study, rows) ? "not complete: --resume computes the others" : "finished";
+}
+
+void remove_rows(const std::string& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw OutputError(fmt::format("{}: could not be removed: {}", path, error.message()));
+}
+
+/// Computes a part and gives its rows their final name before another process can lock them.
+/// @returns the rows of a study in one part, opened before another process can replace them
+std::vector<io::ShardReader> compute_part(const StudyOptions& options, Loaded& study, const StudyFiles& files) {
   const std::string growing = files.growing(options.part, options.parts);
   io::ShardWriter writer(growing, study.header(options.part, options.parts), study.longer(),
                          options.overwrite ? io::Rows::kReplaced : io::Rows::kContinued);
+  // Otherwise --resume would find the finished rows that are being replaced.
+  if (options.overwrite) remove_rows(files.finished(options.part, options.parts));
   compute_rows(options, study, writer, growing);
+  std::vector<io::ShardReader> rows;
+  if (!options.is_part) rows.emplace_back(growing);
   writer.rename(files.finished(options.part, options.parts));
+  return rows;
 }
 
 /// Writes results and summary of a study of which all rows are there.
@@ -339,14 +359,14 @@ void run_study(const StudyOptions& options) {
     if (!is_there && !fs::exists(growing) && std::rename(finished.c_str(), growing.c_str()) != 0 && errno != ENOENT)
       io::fail_to_write(growing, errno);
   }
-  if (!is_there) compute_part(options, study, files);
+  std::vector<io::ShardReader> shards;
+  if (!is_there) shards = compute_part(options, study, files);
   if (options.is_part) {
     std::cout << fmt::format("part {} of {} is {}: {}\n", options.part, options.parts,
                              is_there ? "there already" : "done", finished);
     return;
   }
-  std::vector<io::ShardReader> shards;
-  shards.emplace_back(finished);
+  if (is_there) shards.emplace_back(finished);
   study.take_points_of(shards.front());
   try {
     write_results(files, study, std::move(shards));
@@ -439,8 +459,7 @@ void tell_study_status(const StudyOptions& options) {
       const io::ShardReader shard(file.path);
       const std::string differs = io::difference(shard.header(), study.header(file.part, file.parts));
       words = fmt::format("{} of {} scenarios, {} not solved, {}", shard.next() - shard.header().first,
-                          shard.header().range().size(), shard.n_unsolved(),
-                          file.is_finished ? "finished" : "not finished");
+                          shard.header().range().size(), shard.n_unsolved(), state_words(study, file, shard));
       if (!differs.empty()) words += fmt::format("; these rows are of {}", differs);
       if (!file.is_finished)
         words += fmt::format("{}{}", last_change_words(file.path), on_the_way.of(file.part, file.parts));

@@ -10,7 +10,7 @@ surface::HeightMap height_map(const GivenNumbers& given, const GivenStep& step) 
   const py::ssize_t dimensions = heights.values.ndim();
   if (dimensions != 1 && dimensions != 2) {
     throw InputError("heights have " + std::to_string(dimensions) + " dimensions",
-                     "an array of shape (y, x) is wanted here, or (x,) for a profile");
+                     "an array of shape (y, x) is required here, or (x,) for a profile");
   }
   surface::HeightMap map;
   map.points_x = static_cast<std::size_t>(heights.values.shape(dimensions - 1));

@@ -19,7 +19,7 @@ struct SourceMark {
 struct Fault {
   SourceMark mark;      ///< of an empty file name where it lies at no place of a file
   std::string message;  ///< value and rule, e.g. "ring.tangential_force = 12.5 has no unit"
-  std::string remedy;   ///< next step, e.g. "a force is wanted here, for example \"12.5 N\""; may be empty
+  std::string remedy;   ///< next step, e.g. "a force is required here, for example \"12.5 N\""; may be empty
 };
 
 /// The input cannot be used (exit code 2). Carries every fault that was found, not only the first.

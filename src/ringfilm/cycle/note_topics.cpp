@@ -1,6 +1,7 @@
 #include "ringfilm/cycle/note_topics.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ringfilm::cycle {
 
@@ -76,7 +77,8 @@ void sort_notes(std::vector<Note>& notes) {
 std::optional<double> note_badness(const std::string& topic, std::span<const double> values) {
   const NoteTopic* entry = note_topic(topic);
   if (entry == nullptr || entry->measure == nullptr) return std::nullopt;
-  return entry->badness(values[*cycle_quantity_index(entry->measure)]);
+  const double badness = entry->badness(values[*cycle_quantity_index(entry->measure)]);
+  return std::isfinite(badness) ? std::optional(badness) : std::nullopt;
 }
 
 }  // namespace ringfilm::cycle

@@ -8,7 +8,7 @@ namespace ringfilm::cycle {
 /// The state of a cycle repeats when film and pressure agree to this many solver tolerances [-].
 inline constexpr double kPeriodicityFactor = 10;
 
-/// Receives how far the march is; may be slow; what it throws ends the work.
+/// Receives the progress of the time integration; may be slow; what it throws ends the work.
 class Observer {
  public:
   virtual ~Observer() = default;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ringfilm/cycle/limits.hpp"
+#include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -100,13 +101,20 @@ constexpr double kWholeEngine = 1e6;
 /// Of the film, as a rise of the face within a cell: there the flow through the cell is wrong by a factor of two.
 constexpr double kUnseen = 0.25;
 
-void append_cell_note(const film::FilmGrid& grid, const Sample& thinnest, int cells, std::vector<Note>& notes) {
+void append_cell_note(const film::FilmGrid& grid, const Sample& thinnest, CellsOfFace cells, std::vector<Note>& notes) {
   const double rise = *std::min_element(grid.face_height.begin(), grid.face_height.end());
   if (rise <= kUnseen * thinnest.min_film_thickness) return;
+  const std::string remedy =
+      cells == CellsOfFace::kUniform
+          ? text("take more solver.cells than %d", grid.n_cells())
+          : text(
+                "the %d cells are graded for films of %.3g nm already; check face, load and oil, which make a thinner "
+                "film",
+                grid.n_cells(), film::kAtom * 1e9);
   notes.push_back({"cells-too-long",
                    text("the face rises by %.3g nm within the cell at its lowest place, where the film is %.3g nm thin "
-                        "(at %.0f degree): take more solver.cells than %d",
-                        rise * 1e9, thinnest.min_film_thickness * 1e9, thinnest.crank_angle_deg, cells),
+                        "(at %.0f degree): %s",
+                        rise * 1e9, thinnest.min_film_thickness * 1e9, thinnest.crank_angle_deg, remedy.c_str()),
                    1});
 }
 
@@ -176,7 +184,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
     notes.push_back({"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
   }
   append_limit_notes(setup, base, fmep, notes);
-  append_cell_note(grid, *lowest, setup.input.solver.cells, notes);
+  append_cell_note(grid, *lowest, setup.cells, notes);
   append_face_note(setup, notes);
   append_gap_leakage_note(setup.input, notes);
   append_coating_note(setup, lowest->film_parameter, notes);
@@ -194,8 +202,11 @@ void append_effort_notes(const Effort& effort, const March::Totals& totals, std:
   const long uncontrolled_steps = totals.uncontrolled_steps;
   if (uncontrolled_steps > 0) {
     notes.push_back({"step-control-at-its-limit",
-                     "steps of 1/64 of the crank step with an error in time of more than 5 % of the film, beyond what "
-                     "solver.step_error allows: take a shorter solver.crank_step",
+                     text("steps of 1/%d of the crank step with an error in time of more than %.3g %% of the film or "
+                          "%.3g %% of the oil on the face, beyond what solver.step_error allows: take a shorter "
+                          "solver.crank_step",
+                          March::kTicksPerBaseStep, 100 * March::kUncontrolledError,
+                          100 * March::kUncontrolledError * March::kContentShare),
                      uncontrolled_steps});
   }
   if (effort.fallback_secant > 0) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/pad/load_search.hpp"
@@ -13,9 +14,44 @@ namespace {
 
 constexpr int kMostHalvings = 6;  // a time step is cut to 1/64 at the finest
 
+/// Viscosity of the oil at no pressure [Pa s], and its slope over pressure [s].
+struct Viscosity {
+  double eta = 0, deta_dp = 0;
+};
+Viscosity viscosity(const PadSetup& setup) {
+  const double p = 0;
+  double rho = 0, drho_dp = 0;
+  Viscosity oil;
+  setup.oil->properties({&p, 1}, {{&rho, 1}, {&drho_dp, 1}, {&oil.eta, 1}, {&oil.deta_dp, 1}});
+  return oil;
+}
+
+/// The largest pressure that edges, sides and motion can make in a steady film, but for a factor of order 1 [Pa].
+double acting_pressure(const PadSetup& setup, double h_m) {
+  const cycle::Pad& pad = setup.input.pad;
+  const double edges = std::max(std::abs(pad.left_pressure), std::abs(pad.right_pressure));
+  const double sides =
+      pad.has_sides_at_pressures() ? std::max(std::abs(pad.front_pressure), std::abs(pad.back_pressure)) : 0.0;
+  return std::max({edges, sides, viscosity(setup).eta * std::abs(setup.U) * pad.length / (h_m * h_m)});
+}
+
+/// A steady film in which nothing acts has no pressure and no flow: what the solver leaves of them is rounding.
+void clear_rounding(Sample& sample) {
+  for (double Sample::*value :
+       {&Sample::load, &Sample::mean_film_pressure, &Sample::peak_film_pressure, &Sample::friction_moving,
+        &Sample::friction_fixed, &Sample::flow_left, &Sample::flow_right, &Sample::mass_flow_left,
+        &Sample::mass_flow_right, &Sample::total_load, &Sample::total_friction_moving, &Sample::total_friction_fixed,
+        &Sample::flow_front, &Sample::flow_back, &Sample::mass_flow_front, &Sample::mass_flow_back}) {
+    if (!std::isnan(sample.*value)) sample.*value = 0;
+  }
+  sample.friction_coefficient = std::numeric_limits<double>::quiet_NaN();
+}
+
 void append_instant(const PadFilm& film, const film::FilmInputs& inputs, const film::FilmState& previous,
                     const film::FilmState& state, double time, PadResult& result) {
   result.samples.push_back(film.sample(inputs, previous, state, time));
+  const bool is_steady = inputs.time_step == film::kSteady;
+  if (is_steady && acting_pressure(film.setup(), state.h_m) == 0) clear_rounding(result.samples.back());
   result.profiles.push_back(film.profile(state, time));
   if (auto field = film.field(state, time)) result.fields.push_back(std::move(*field));
 }
@@ -98,18 +134,6 @@ bool any_separation_carries(PadFilms& films, const film::FilmState& state, Effor
   return thicker && std::abs(film.load(*thicker) - load) <= kTheSame * load;
 }
 
-/// Viscosity of the oil at no pressure [Pa s], and its slope over pressure [s].
-struct Viscosity {
-  double eta = 0, deta_dp = 0;
-};
-Viscosity viscosity(const PadSetup& setup) {
-  const double p = 0;
-  double rho = 0, drho_dp = 0;
-  Viscosity oil;
-  setup.oil->properties({&p, 1}, {{&rho, 1}, {&drho_dp, 1}, {&oil.eta, 1}, {&oil.deta_dp, 1}});
-  return oil;
-}
-
 std::string no_film_at(const PadSetup& setup) {
   std::string message = "no steady film was found, from slower motion and coarser grids either";
   const auto [eta, deta_dp] = viscosity(setup);
@@ -147,26 +171,16 @@ void append_load_notes(const LoadSearch& search, std::vector<cycle::Note>& notes
   }
 }
 
-/// The largest pressure that edges, sides and motion can make, but for a factor of order 1 [Pa].
-double acting_pressure(const PadSetup& setup, double h_m) {
-  const cycle::Pad& pad = setup.input.pad;
-  const double edges = std::max(std::abs(pad.left_pressure), std::abs(pad.right_pressure));
-  const double sides =
-      pad.has_sides_at_pressures() ? std::max(std::abs(pad.front_pressure), std::abs(pad.back_pressure)) : 0.0;
-  return std::max({edges, sides, viscosity(setup).eta * std::abs(setup.U) * pad.length / (h_m * h_m)});
-}
-
 /// A steady film with half the cells, to tell whether the grid is fine enough.
 void append_grid_note(const PadSetup& setup, const film::FilmState& state, const Sample& fine, PadResult& result) {
-  if (acting_pressure(setup, state.h_m) == 0) return;  // nothing makes a film that carries
+  constexpr double kZeroLoad = 1e-9;  // of the pressures that act: no share of such a load is known
+  if (std::abs(fine.load) <= kZeroLoad * acting_pressure(setup, state.h_m) * setup.input.pad.length) return;
   constexpr double kWorthTelling = 0.01;
   const cycle::Solver& solver = setup.input.solver;
   const auto film = pad_film(setup, {(solver.cells + 1) / 2, (solver.cells_y + 1) / 2});
   film::FilmState coarse = film->full(state.h_m);
   const film::FilmState before = coarse;
   if (!solve_at_separation(*film, setup.steady_inputs(), 0, before, coarse, result.effort)) return;
-  constexpr double kRounding = 1e-9;  // of the pressures that act: such a load is zero, and no share of it is known
-  if (std::abs(fine.load) <= kRounding * acting_pressure(setup, state.h_m) * setup.input.pad.length) return;
   const double change = film->load(coarse) / fine.load - 1;
   if (!(std::abs(change) > kWorthTelling)) return;
   result.notes.push_back({"coarse-grid", text("with half the cells the same film carries %.2g %% %s: take more %s",

@@ -15,7 +15,7 @@ class StoppedPad : public ConvergenceError {
   PadResult result;  ///< its `complete` is false
 };
 
-/// Receives how far the march in time is; may be slow; what it throws ends the work.
+/// Receives the progress of the time integration; may be slow; what it throws ends the work.
 class Observer {
  public:
   virtual ~Observer() = default;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <regex>
 #include <set>
 
@@ -46,6 +47,8 @@ TEST(NoteTopics, AThinnerFilmIsWorse) {
   thinner[*cycle_quantity_index("min_film_thickness")] = 0.5;
   EXPECT_GT(note_badness("film-below-molecules", thinner), note_badness("film-below-molecules", thin));
   EXPECT_FALSE(note_badness("synthetic-trace", thin));
+  thinner[*cycle_quantity_index("min_film_thickness")] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(note_badness("film-below-molecules", thinner));
 }
 
 // Every topic of which the sources make a note is in the table.

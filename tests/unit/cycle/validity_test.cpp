@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {
@@ -84,6 +85,46 @@ TEST(Validity, ATensionThatNoRingHasIsNoted) {
   EXPECT_FALSE(noted(10));
   EXPECT_FALSE(noted(106)) << "2 MPa, as the lands of an oil ring";
   EXPECT_TRUE(noted(1000));
+}
+
+TEST(Validity, NotesOfASetupAreInOrderOfSeverity) {
+  Case c = styles_new_ring();
+  c.ring.elastic_pressure = 10e6;
+  c.operating.oil_temperature = 273.15 + 180;  // above the highest stated viscosity
+  const std::vector<Note> notes = prepare(c).notes;
+  ASSERT_GE(notes.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(notes.begin(), notes.end(),
+                             [](const Note& a, const Note& b) { return note_rank(a.topic) < note_rank(b.topic); }));
+}
+
+TEST(Validity, TheNoteOnStepControlHasTheLimitsOfTheTimeIntegration) {
+  March::Totals totals;
+  totals.uncontrolled_steps = 3;
+  std::vector<Note> notes;
+  append_effort_notes({}, totals, notes);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_THAT(notes.front().message,
+              ::testing::HasSubstr("steps of 1/64 of the crank step with an error in time of more "
+                                   "than 5 % of the film or 2.5 % of the oil on the face"));
+}
+
+TEST(Validity, TheNoteOnLongCellsCountsTheCellsOfTheGrid) {
+  cycle::Setup setup = prepare(styles_new_ring());
+  Sample s = usual_sample();
+  s.min_film_thickness = 1e-14;
+  for (const CellsOfFace cells : {CellsOfFace::kUniform, CellsOfFace::kGraded}) {
+    setup.cells = cells;
+    const film::FilmGrid grid = face_grid(setup);
+    std::vector<Note> notes;
+    append_validity_notes(setup, grid, {s}, 0, {}, notes);
+    const auto found =
+        std::find_if(notes.begin(), notes.end(), [](const Note& note) { return note.topic == "cells-too-long"; });
+    ASSERT_NE(found, notes.end());
+    const std::string n = std::to_string(grid.n_cells());
+    EXPECT_THAT(found->message,
+                ::testing::HasSubstr(cells == CellsOfFace::kUniform ? "take more solver.cells than " + n
+                                                                    : "the " + n + " cells are graded"));
+  }
 }
 
 // The three ways to state the tension end at the same elastic pressure.

@@ -39,7 +39,7 @@ struct TextKind {
 struct OptionalTextKind {
   OptionalTextRef ref;
 };
-/// A file name, relative to the file that names it; `role` states to the reader what to load from it.
+/// A file name, relative to the file that names it; `role` determines what the reader loads.
 struct FileKind {
   TextRef ref;
 };

@@ -80,6 +80,11 @@ void check_wiebe(const Gas& gas, Breaches& breaches) {
 void check_trace(const Case& c, Breaches& breaches) {
   const Gas& gas = c.gas;
   const auto& angles = gas.cylinder_pressure->crank_angle_deg;
+  if (angles.empty() && gas.cylinder_pressure_file.empty()) {
+    breaches.push_back({"gas.cylinder_pressure",
+                        "the key gas.cylinder_pressure is missing: " + find_field("gas.cylinder_pressure")->help,
+                        "gas.model = \"trace\" requires a trace"});
+  }
   if (angles.empty() || models::covers_cycle(angles)) return;
   const double missing = angles.front() + kCycleDeg - angles.back();
   if (missing < kCycleDeg - 2 * models::kLongestPartialTraceDeg) {

@@ -15,15 +15,8 @@ namespace {
 constexpr int kTicks = March::kTicksPerBaseStep;
 constexpr int kFinestLevel = 6;
 static_assert(kTicks == 1 << kFinestLevel);
-/// Error that adaptive control allows per step in the oil on the face, as a share of that in ln h_m.
-constexpr double kContentShare = 0.5;
 /// A step twice as long makes four times the error; it is tried only with something to spare.
 constexpr double kCoarsenBelow = 0.15;
-/// Error of a step at the finest level, relative to film or half of the oil, from which on it counts. Of 700 random
-/// engines at the default steps 268 have steps over solver.step_error at the finest level. Against a quarter of the
-/// crank step the smallest film of those with errors up to 0.05 is off by no more than that of the others (90 %
-/// quantile 1.1 % for both); it is off by 6 % and 28 % for the two with larger errors.
-constexpr double kUncontrolled = 0.05;
 
 /// What has no answer at a crank angle, with the figures that show it.
 std::string reason(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
@@ -210,7 +203,8 @@ void March::conclude(const film::FilmReport& report, Waypoints& waypoints) {
   ++effort_.steps;
   ++totals_.crank_steps;
   totals_.sub_steps += ticks < kTicks;
-  totals_.uncontrolled_steps += adaptive() && error > std::max(1.0, kUncontrolled / setup_.input.solver.step_error);
+  totals_.uncontrolled_steps +=
+      adaptive() && error > std::max(1.0, kUncontrolledError / setup_.input.solver.step_error);
   totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
   instant_ = {wrapped(angle_deg_), step_.at.axis, step_.at.inputs, &before_, &state_, effort_};
   waypoints.after_step(*this);

@@ -88,6 +88,13 @@ class March {
 
   /// A base step may be cut into as many.
   static constexpr int kTicksPerBaseStep = 64;
+  /// Relative error of the film in a step at the finest level from which on the step counts as uncontrolled [-]. Of 700
+  /// random engines at the default steps 268 have steps over solver.step_error at the finest level. Against a quarter
+  /// of the crank step the smallest film of those with errors up to 0.05 is off by no more than that of the others
+  /// (90 % quantile 1.1 % for both); it is off by 6 % and 28 % for the two with larger errors.
+  static constexpr double kUncontrolledError = 0.05;
+  /// Error that is allowed per step in the oil on the face, as a share of that in ln h_m [-].
+  static constexpr double kContentShare = 0.5;
 
   /// A film at `crank_angle_deg`, solved from where the march stands without moving it, in up to 64 steps. Throws
   /// ConvergenceError. `to` receives the film; the Instant refers to it and to memory of the march.

@@ -113,10 +113,10 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
 Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
   append_end_cell_note(c, oil.notes);
   append_gas_notes(c, cylinder, oil.notes);
-  sort_notes(oil.notes);
   const double p_e = elastic_pressure(c);
   append_tension_note(p_e, oil.notes);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, cylinder));
+  sort_notes(oil.notes);
   models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
                                                           : models::CyclePressure(c.gas.crankcase_pressure);
   return {c,

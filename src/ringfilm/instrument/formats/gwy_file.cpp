@@ -33,7 +33,7 @@ class GwyReader {
   Object object(std::size_t offset, std::size_t end, const std::string& name) const {
     const std::string found = name_at(offset, end);
     if (found != name) {
-      in_.refuse_at(offset, fmt::format("a {} is wanted here, and a {} stands here", name, utf8_from(found)),
+      in_.refuse_at(offset, fmt::format("a {} is required here, and a {} stands here", name, utf8_from(found)),
                     "the file is damaged: save it again");
     }
     offset += found.size() + 1;

@@ -321,7 +321,7 @@ class TableReader {
       const std::optional<double> value = number_of(cell, decimal_commas_);
       if (!value) {
         refuse_here(cells.column(), fmt::format("\"{}\" is not a finite number", utf8_from(cell.substr(0, 40))),
-                    "a number is wanted here, or nothing where no height was measured");
+                    "a number is required here, or nothing where no height was measured");
       }
       row.push_back(*value);
     }

@@ -201,7 +201,7 @@ void read_text(const BinaryReader& in, const SdfHeader& header, ChannelValues& v
     const auto [rest, error] = std::from_chars(*place == '+' ? place + 1 : place, end, height);
     const bool ends = rest == end || *rest == ' ' || *rest == '\t' || *rest == '\r' || *rest == '\n' || *rest == '*';
     if (error != std::errc{} || !ends || std::isinf(height)) {
-      in.refuse_at(offset, fmt::format("height {} is not a number", i + 1), "a number or BAD is wanted here");
+      in.refuse_at(offset, fmt::format("height {} is not a number", i + 1), "a number or BAD is required here");
     }
     if (std::isnan(height)) {
       mark_missing(values, i);

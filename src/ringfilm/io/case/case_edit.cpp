@@ -143,21 +143,14 @@ Files apply(std::vector<Change> changes, Case& c, const Units& units) {
   return files;
 }
 
-/// One key, where files may have to be read again; refusals of these name the way to change several keys.
+/// One key, where files may have to be read again.
 void change_alone(Case& c, const Change& change, const Units& units) {
   Case changed = c;
   if (apply(change, changed, units) == Files::kUnmoved) {
     c = std::move(changed);
     return;
   }
-  try {
-    read_files_again(changed, units);
-  } catch (const InputError& refusal) {
-    std::vector<Fault> faults = refusal.faults();
-    std::string& remedy = faults.back().remedy;
-    remedy += (remedy.empty() ? "" : "; ") + std::string("keys that only fit together are changed by one update()");
-    throw InputError(std::move(faults));
-  }
+  read_files_again(changed, units);
   c = std::move(changed);
 }
 

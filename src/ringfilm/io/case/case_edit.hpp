@@ -17,11 +17,11 @@ const cycle::Field& known_field(const std::string& key);
 /// States a key: its value is read as in a case file, a file that it names is read at once, and so are those whose
 /// meaning it changes (the unit of a trace, the width that a face must have). File names are relative to the working
 /// folder. An oil file takes the place of all that was stated of the oil. Throws InputError, the case is then as
-/// before.
+/// before; TraceKeyError where another key of the case does not fit a trace.
 void state(cycle::Case& c, const std::string& key, const TomlValue& value, const Units& units);
 
 /// Takes a key out: what it was by default it is again. Throws InputError for a key that does not exist
-/// and for a file that cannot be read without it.
+/// and for a file that cannot be read without it, TraceKeyError as state() does.
 void retract(cycle::Case& c, const std::string& key, const Units& units);
 
 /// A key with its new value; absent: the key is taken out.

@@ -46,7 +46,7 @@ class Setter {
   }
   void operator()(const cycle::CountKind& kind) {
     if (value_.kind != Kind::kInteger) {
-      refuse(value_, "is not a whole number", "a whole number is wanted here, for example " + field_.example);
+      refuse(value_, "is not a whole number", "a whole number is required here, for example " + field_.example);
     } else if (in_range(value_, value_.number)) {
       kind.ref(case_) = static_cast<int>(value_.number);
     }
@@ -97,14 +97,14 @@ class Setter {
                                                    : units_.scale(value_.text, field_.unit).to_si(1);
       if (in_range(value_, size)) kind.ref(case_) = size;
     } catch (const UnitError& problem) {
-      refuse(value_, problem.what(), dimension_words(field_.unit) + " is wanted here, for example " + field_.example);
+      refuse(value_, problem.what(), dimension_words(field_.unit) + " is required here, for example " + field_.example);
     }
   }
   void operator()(const cycle::NumberListKind& kind) {
     std::vector<double> numbers;
     for (const TomlValue& item : list("a list of numbers")) {
       if (!is_number(item)) {
-        refuse(item, "is not a number", "bare numbers are wanted here");
+        refuse(item, "is not a number", "bare numbers are required here");
       } else if (finite(item)) {
         numbers.push_back(item.number);
       }
@@ -167,7 +167,7 @@ class Setter {
     }
     if (value_.kind == Kind::kText && !value_.text.empty()) return true;
     refuse(value_, value_.kind == Kind::kText ? "is empty" : "is not text",
-           "text in quotes is wanted here, for example " + field_.example);
+           "text in quotes is required here, for example " + field_.example);
     return false;
   }
 
@@ -185,7 +185,7 @@ class Setter {
 
   /// A number with its unit in SI, checked against nothing but its dimension.
   std::optional<double> plain_quantity(const TomlValue& value, const std::string& unit, const std::string& example) {
-    const std::string wanted = dimension_words(unit) + " is wanted here, for example " + example;
+    const std::string wanted = dimension_words(unit) + " is required here, for example " + example;
     if (is_number(value)) {
       if (!finite(value)) return std::nullopt;
       if (unit == "1") return value.number;
@@ -226,7 +226,7 @@ class Setter {
                                          : plain_quantity(item, "degree", "[\"0 degree\", \"20 degree\"]");
       if (!angle) continue;
       if (std::abs(*angle) > 720) {
-        refuse(item, "is more than a cycle", "angles from -360 to 360 or from 0 to 720 degree are wanted here");
+        refuse(item, "is more than a cycle", "angles from -360 to 360 or from 0 to 720 degree are required here");
       }
       angles.push_back(within_cycle(*angle));
     }

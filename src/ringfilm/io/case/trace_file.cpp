@@ -56,10 +56,15 @@ class TraceReader {
     TraceFile trace;
     if (i_angle && i_pressure) {
       trace.samples = {values(*i_angle, angle), values(*i_pressure, pressure)};
-      if (faults_.empty()) check_angles(trace.samples.crank_angle_deg, *i_angle);
-      if (faults_.empty()) check_pressures(trace.samples.value, *i_pressure);
+      if (!faults_.empty()) throw TraceKeyError(faults_);
+      check_angles(trace.samples.crank_angle_deg, *i_angle);
+      if (faults_.empty()) {
+        check_pressures(trace.samples.value, *i_pressure);
+        if (!faults_.empty()) throw TraceKeyError(faults_);
+      }
       if (faults_.empty()) check_repetition(trace.samples, *i_pressure);
     }
+    if (!i_angle || !i_pressure) throw TraceKeyError(faults_);
     if (!faults_.empty()) throw InputError(faults_);
     trace.sha256 = csv_.source.sha256;
     trace.notes = csv_.notes;
@@ -150,7 +155,7 @@ class TraceReader {
       const bool gauge = role.si_unit == "Pa" && is_gauge(unit);
       return refuse("the column " + column.name + " " + problem.what(),
                     gauge ? "write the unit without the g, and state gas.pressure_reference = \"gauge\""
-                          : dimension_words(role.si_unit) + " is wanted here, for example " + role.header_example);
+                          : dimension_words(role.si_unit) + " is required here, for example " + role.header_example);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/units.hpp"
@@ -27,10 +28,17 @@ struct TraceFile {
   std::vector<std::string> notes;
 };
 
+/// A column, unit or pressure reference that the case states, or leaves to the file, does not fit the trace. Where two
+/// keys have to change together, it is right to refuse each alone.
+class TraceKeyError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Reads pressure [Pa] against crank angle [degree] from a CSV file. Throws InputError with all faults of the file:
 /// those of read_csv, columns that cannot be told apart, units missing, contradictory or of the wrong kind, angles that
 /// do not increase, leave a hole or span over 720 degrees, pressures that cannot be absolute (or gauge) or do not
-/// repeat after a cycle.
+/// repeat after a cycle; TraceKeyError where another column, unit or reference may be right.
 TraceFile read_trace(const NamedFile& file, const TraceColumns& stated, const Units& units);
 
 }  // namespace ringfilm::io

@@ -33,6 +33,11 @@ void refuse_what_is_not_ours(const std::string& path, const ResultFileReader& fi
     throw InputError(path + ": the film of a pad; a report is drawn of rings",
                      "name a result of an engine cycle; any program for NetCDF reads this one");
   }
+  if (file.has_attribute("ringfilm_study_schema")) {
+    throw InputError(path + ": the result of a study; a report is drawn of single cycles",
+                     "ringfilm study wrote the page of the study together with it: " +
+                         std::filesystem::path(path).replace_extension(".html").string());
+  }
   if (!file.has_attribute("ringfilm_schema")) {
     throw InputError(path + ": a NetCDF file, but not one of ringfilm (it has no attribute ringfilm_schema)",
                      "name a result that ringfilm run --output has written");

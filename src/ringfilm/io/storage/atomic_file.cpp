@@ -157,7 +157,7 @@ void check_can_write(const std::string& path, Sink sink) {
   const fs::path folder = folder_of(target);
   std::error_code error;
   if (fs::is_directory(target, error)) {
-    throw InputError(path + ": this is a folder", "a file name is wanted here");
+    throw InputError(path + ": this is a folder", "a file name is required here");
   }
   if (error == std::errc::filename_too_long) check_length(path, target);
   if (!fs::exists(folder, error)) {
@@ -168,7 +168,7 @@ void check_can_write(const std::string& path, Sink sink) {
     throw InputError(path + ": " + folder.string() + " is not a folder", "name a file in a folder that exists");
   }
   if (is_device(target)) {
-    if (sink == Sink::kFile) throw InputError(path + ": this is a device or a pipe", "a file name is wanted here");
+    if (sink == Sink::kFile) throw InputError(path + ": this is a device or a pipe", "a file name is required here");
     if (is_dev_full(target)) throw InputError(path + ": nothing can be written to this device", "name a file");
     if (::access(target.c_str(), W_OK) != 0) {
       throw InputError(path + ": the device or pipe is not writable: " + std::strerror(errno), "name a file");

@@ -37,6 +37,15 @@ constexpr std::uint64_t kDigits = 64, kFrame = 8 + kDigits, kChunkHead = 24;
 constexpr std::uint64_t kLargestHeader = 1 << 16, kLargestBlock = std::uint64_t{1} << 30;
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 constexpr const char* kMagic = "ringfilm study rows 4";
+/// Characters of it that files of all versions have.
+constexpr std::size_t kMagicStart = std::string_view("ringfilm study rows").size();
+
+/// Characters of the two that are the same at the same place.
+std::size_t n_equal(std::string_view a, std::string_view b) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) n += a[i] == b[i] ? 1 : 0;
+  return n;
+}
 
 std::string number_bytes(std::uint64_t number) {
   std::string bytes(8, '\0');
@@ -159,13 +168,28 @@ InputError being_written(const std::string& path) {
                     "wait for it, stop it first, or name another output");
 }
 
-/// Takes the lock of a writer. Whoever only asks for it, check_not_being_written(), holds it for a moment.
-bool is_locked_soon(int file) {
+/// Takes the lock of a writer. check_not_being_written() holds it for a moment.
+/// @returns false where another process holds it  @param path in messages
+bool take_lock(int file, const std::string& path) {
   constexpr int kTries = 20;
   constexpr useconds_t kPause = 10'000;  // [us]
-  for (int n = 0; n < kTries; ++n) {
-    if (::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;  // not every file system has locks
-    ::usleep(kPause);
+  for (int n = 0; n < kTries;) {
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+    switch (errno) {
+      case EINTR:
+        break;
+      case EWOULDBLOCK:
+        ++n;
+        ::usleep(kPause);
+        break;
+      case ENOTSUP:
+      case ENOSYS:
+      case EINVAL:
+      case ENOLCK:
+        return true;  // not every file system has locks
+      default:
+        fail_to_write(path, errno);
+    }
   }
   return false;
 }
@@ -250,13 +274,21 @@ void ShardReader::copy_chunks(const std::function<void(const std::string&)>& put
 }
 
 void ShardReader::read_header() {
-  const InputError no_such_file(fmt::format("{}: this is no file of rows of a study, or was cut off at once", path_),
+  const InputError no_such_file(fmt::format("{}: this is not a file of rows of a study, or it was cut off", path_),
                                 "delete it to begin anew");
+  const InputError spoilt(
+      fmt::format("{}: the header of this file of rows is corrupted, so that its rows cannot be assigned to a study",
+                  path_),
+      "take the file from a copy, or delete it to compute its rows again");
   if (size_ < kFrame) throw no_such_file;
+  // Where the size itself is corrupted, the header is still where it was.
+  const std::string_view magic_start = std::string_view(kMagic).substr(0, kMagicStart);
+  const std::string start = bytes(kFrame, std::min<std::uint64_t>(magic_start.size(), size_ - kFrame));
+  const InputError& refusal = n_equal(start, magic_start) + 1 >= magic_start.size() ? spoilt : no_such_file;
   const std::uint64_t n = number_at(bytes(0, 8), 0);
-  if (n > kLargestHeader || n > size_ - kFrame) throw no_such_file;
+  if (n > kLargestHeader || n > size_ - kFrame) throw refusal;
   const std::string text = bytes(kFrame, n);
-  if (sha256(text) != bytes(8, kDigits)) throw no_such_file;
+  if (sha256(text) != bytes(8, kDigits)) throw refusal;
   std::istringstream lines(text);
   std::string magic, word;
   ShardHeader& h = header_;
@@ -391,11 +423,11 @@ void ShardReader::append_notes(const study::ScenarioRange& range, std::vector<Sh
   }
 }
 
-ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Longer longer, Rows there_before)
+ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Longer longer, Rows rows)
     : path_(path), header_(header), next_(header.first) {
   try {
     const std::uint64_t found = open_alone();
-    const std::uint64_t size = there_before == Rows::kReplaced ? 0 : found;
+    const std::uint64_t size = rows == Rows::kReplaced ? 0 : found;
     // A header that was cut off says nothing; the rest of one that is there decides.
     if (size < size_without_rows(header)) {
       if (::ftruncate(file_, 0) != 0) fail_to_write(path, errno);
@@ -433,7 +465,7 @@ std::uint64_t ShardWriter::open_alone() {
   constexpr mode_t kReadWriteAsUmaskAllows = 0666;
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kReadWriteAsUmaskAllows);
   if (file_ < 0) fail_to_write(path_, errno);
-  if (!is_locked_soon(file_)) throw being_written(path_);
+  if (!take_lock(file_, path_)) throw being_written(path_);
   struct stat status {};
   if (::fstat(file_, &status) != 0) fail_to_write(path_, errno);
   struct stat named {};

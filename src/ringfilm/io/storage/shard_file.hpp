@@ -128,7 +128,7 @@ class ShardWriter {
   /// another study, program, input or other kernels, or if another process appends to it; OutputError. Rows that are to
   /// be replaced are removed once the file is locked, whatever they belong to.
   ShardWriter(const std::string& path, const ShardHeader& header, Longer longer = Longer::kRefused,
-              Rows there = Rows::kContinued);
+              Rows rows = Rows::kContinued);
   ShardWriter(const ShardWriter&) = delete;
   ShardWriter& operator=(const ShardWriter&) = delete;
   ~ShardWriter();
@@ -137,7 +137,7 @@ class ShardWriter {
   std::uint64_t n_unsolved() const { return n_unsolved_; }  ///< of those that are there
   /// Throws OutputError; the file then ends with the chunk before.
   void append(const study::ScenarioChunk& chunk);
-  /// Gives the file its final name while nobody else can open it; throws OutputError.
+  /// Gives the file its final name while nobody else can lock it; throws OutputError.
   void rename(const std::string& to) const;
 
  private:

@@ -132,7 +132,7 @@ class FactorReader {
     if (factor_.unit == "1" && (value.kind == Kind::kNumber || value.kind == Kind::kInteger)) return value.number;
     if (value.kind != Kind::kText) {
       refuse(&value, fmt::format("{} = {} has no unit", key, value.as_written()),
-             fmt::format("{} is wanted here, for example {}", dimension_words(factor_.unit), example));
+             fmt::format("{} is required here, for example {}", dimension_words(factor_.unit), example));
       return std::nullopt;
     }
     try {

@@ -16,6 +16,7 @@
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
+#include "ringfilm/study/design/plan.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 
 namespace ringfilm::io {
@@ -25,7 +26,7 @@ using study::Factor;
 
 /// Combinations of one section that are read: each takes some milliseconds and keeps the numbers of its files, 10 kB
 /// of a trace with a sample per degree.
-constexpr double kMostCombinations = 10'000;
+constexpr std::size_t kMostCombinations = 10'000;
 
 /// The sections of a case that files can define.
 const std::vector<std::string> kSections = {"gas.", "ring.face.", "lubricant."};
@@ -68,22 +69,25 @@ using ReadingsOfBases = std::vector<std::map<Combination, Reading>>;
 /// The combinations of the texts of some factors in one section that the plan uses.
 class SectionReader {
  public:
-  SectionReader(const study::Study& study, std::string section, std::vector<std::size_t> factors,
+  SectionReader(const study::Plan& plan, std::string section, std::vector<std::size_t> factors,
                 const std::string& folder, const Units& units)
-      : study_(study), section_(std::move(section)), factors_(std::move(factors)), folder_(folder), units_(units) {}
+      : plan_(plan), section_(std::move(section)), factors_(std::move(factors)), folder_(folder), units_(units) {}
 
   study::FileReading read(std::vector<cycle::InputFile>& files, std::vector<Fault>& faults) {
-    if (n_combinations() > kMostCombinations) {
+    const std::vector<std::set<Combination>> used = used_combinations();
+    std::size_t n_used = 0;
+    for (const std::set<Combination>& of_base : used) n_used += of_base.size();
+    if (n_used > kMostCombinations) {
       faults.push_back(
           {study_.factors[factors_.front()].mark,
-           fmt::format("the plan uses {1:.6g} combinations of the texts of [{0}], each of which is read",
-                       section_.substr(0, section_.size() - 1), n_combinations()),
+           fmt::format("the plan uses more than {1} combinations of the texts of [{0}], each of which is read",
+                       section_.substr(0, section_.size() - 1), kMostCombinations),
            fmt::format("at most {} are possible; list fewer values, or write several studies", kMostCombinations)});
       return {};
     }
     for (std::size_t b = 0; b < study_.bases.size(); ++b) {
       readings_.emplace_back();
-      for (const Combination& one : combinations(b)) readings_[b].emplace(one, read_combination(b, one));
+      for (const Combination& one : used[b]) readings_[b].emplace(one, read_combination(b, one));
       for (const auto& [combination, reading] : readings_[b]) {
         if (reading.read) files.insert(files.end(), reading.read->files.begin(), reading.read->files.end());
       }
@@ -103,74 +107,66 @@ class SectionReader {
     return std::get<study::Choices>(study_.factors[factors_[k]].variation).values;
   }
 
-  /// How many combinations of all bases the plan uses at most, without making a list of them.
-  double n_combinations() const {
-    double n = 0;
-    for (std::size_t base = 0; base < study_.bases.size(); ++base) {
-      double all = 1, single = 0;
-      for (std::size_t k = 0; k < factors_.size(); ++k) {
-        if (!applies(k, base)) continue;
-        all *= static_cast<double>(choices(k).size());
-        single += static_cast<double>(choices(k).size());
-      }
-      const bool is_list = study_.sampling.method == study::Method::kList;
-      const double most = is_list ? static_cast<double>(study_.sampling.list.size()) : all;
-      n += study_.sampling.method == study::Method::kOneAtATime ? single : std::min(all, most);
+  bool applies(std::size_t k, std::size_t base) const { return study::applies(study_.factors[factors_[k]], base); }
+
+  /// The combinations that the plan uses of the texts for each base, or one more than are allowed.
+  std::vector<std::set<Combination>> used_combinations() const {
+    std::vector<std::set<Combination>> used(study_.bases.size());
+    std::size_t n_others = 0;
+    for (std::size_t base = 0; base < used.size(); ++base) {
+      add_combinations(base, kMostCombinations + 2 - n_others, used[base]);  // the base's own and one too many
+      used[base].erase(Combination(factors_.size()));                        // the base's own texts are read already
+      n_others += used[base].size();
+      if (n_others > kMostCombinations) break;
+    }
+    return used;
+  }
+
+  /// Adds the combinations that the plan uses for a base, at most so many.
+  void add_combinations(std::size_t base, std::size_t most, std::set<Combination>& used) const {
+    // A grid has all combinations of its values. Its last factor varies fastest, so that its points show them slowly.
+    if (study_.sampling.method == study::Method::kGrid) return add_all(base, {}, most, used);
+    const double n_all = n_possible(base);
+    const std::uint64_t n_points =
+        plan_.most() == plan_.size() ? plan_.n_points(base) : plan_.most() / study_.bases.size();
+    for (std::uint64_t p = 0; p < n_points && used.size() < most && static_cast<double>(used.size()) < n_all; ++p)
+      used.insert(combination_of(plan_.point(plan_.scenario(base, p))));
+  }
+
+  /// How many combinations the points of a base can have at most.
+  double n_possible(std::size_t base) const {
+    const study::Sampling& sampling = study_.sampling;
+    double n = 1;
+    for (std::size_t k = 0; k < factors_.size(); ++k) {
+      if (!applies(k, base)) continue;
+      std::size_t n_texts = choices(k).size();
+      if (sampling.method == study::Method::kMorris) n_texts = std::min(n_texts, sampling.levels);
+      if (sampling.method == study::Method::kOneAtATime) ++n_texts;  // the base's own
+      n *= static_cast<double>(n_texts);
     }
     return n;
   }
 
-  bool applies(std::size_t k, std::size_t base) const { return study::applies(study_.factors[factors_[k]], base); }
-
-  /// The combinations that the plan uses for a base.
-  std::set<Combination> combinations(std::size_t base) const {
-    std::set<Combination> used;
-    if (study_.sampling.method == study::Method::kOneAtATime) {
-      add_single(base, used);
-    } else if (study_.sampling.method == study::Method::kList) {
-      add_listed(base, used);
-    } else {
-      add_all(base, {}, used);
-    }
-    used.erase(Combination(factors_.size()));  // the base's own texts are read already
-    return used;
-  }
-
-  void add_single(std::size_t base, std::set<Combination>& used) const {
+  Combination combination_of(const study::Point& point) const {
+    Combination one(factors_.size());
     for (std::size_t k = 0; k < factors_.size(); ++k) {
-      Combination one(factors_.size());
-      for (std::size_t i = 0; applies(k, base) && i < choices(k).size(); ++i) {
-        one[k] = i;
-        used.insert(one);
-      }
+      if (const auto& value = point.values.at(factors_[k])) one[k] = static_cast<std::size_t>(*value);
     }
+    return one;
   }
 
-  void add_listed(std::size_t base, std::set<Combination>& used) const {
-    for (const std::vector<double>& row : study_.sampling.list) {
-      Combination one(factors_.size());
-      bool is_valid = true;  // the plan refuses a row with a number that is not the place of a text
-      for (std::size_t k = 0; k < factors_.size(); ++k) {
-        if (!applies(k, base)) continue;
-        const double place = row.at(factors_[k]);
-        is_valid = is_valid && place >= 0 && place < static_cast<double>(choices(k).size());
-        if (is_valid) one[k] = static_cast<std::size_t>(place);
-      }
-      if (is_valid) used.insert(one);
-    }
-  }
-
-  void add_all(std::size_t base, Combination so_far, std::set<Combination>& used) const {
+  void add_all(std::size_t base, Combination so_far, std::size_t most, std::set<Combination>& used) const {
+    if (used.size() >= most) return;
     const std::size_t k = so_far.size();
     if (k == factors_.size()) {
       used.insert(so_far);
       return;
     }
     so_far.emplace_back();
-    if (!applies(k, base)) return add_all(base, so_far, used);
+    if (!applies(k, base)) return add_all(base, so_far, most, used);
     for (std::size_t i = 0; i < choices(k).size(); ++i) {
       so_far.back() = i;
-      add_all(base, so_far, used);
+      add_all(base, so_far, most, used);
     }
   }
 
@@ -227,7 +223,8 @@ class SectionReader {
     }
   }
 
-  const study::Study& study_;
+  const study::Plan& plan_;
+  const study::Study& study_ = plan_.study();
   std::string section_;
   std::vector<std::size_t> factors_;
   const std::string& folder_;
@@ -254,14 +251,25 @@ std::set<std::string> sections_of(const Factor& factor) {
 StudyReadings study_readings(const study::Study& study, const std::string& folder, const Units& units,
                              std::vector<Fault>& faults) {
   StudyReadings all;
+  std::vector<std::string> sections;
   for (const std::string& section : kSections) {
     std::vector<std::size_t> factors;
     for (std::size_t j = 0; j < study.factors.size(); ++j) {
       if (sections_of(study.factors[j]).contains(section)) factors.push_back(j);
     }
     if (factors.empty()) continue;
-    study::FileReading reading = SectionReader(study, section, factors, folder, units).read(all.files, faults);
-    all.readings.push_back(std::move(reading));
+    sections.push_back(section);
+    all.readings.push_back({std::move(factors), nullptr});
+  }
+  if (all.readings.empty()) return all;
+  study::Study planned = study;
+  planned.readings = all.readings;
+  // Which texts meet is only known of a plan without faults. study::Plan refuses all others.
+  if (!study::faults_of(planned).empty()) return all;
+  const study::Plan plan(std::move(planned));
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    SectionReader reader(plan, sections[i], all.readings[i].factors, folder, units);
+    all.readings[i] = reader.read(all.files, faults);
   }
   return all;
 }

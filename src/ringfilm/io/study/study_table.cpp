@@ -60,7 +60,7 @@ std::optional<double> StudyTable::number(const std::string& key) {
   if (value == nullptr) return std::nullopt;
   if ((value->kind == Kind::kNumber || value->kind == Kind::kInteger) && std::isfinite(value->number))
     return value->number;
-  refuse(value->mark, fmt::format("{} = {} is no number", key, value->as_written()), "a bare number is wanted here");
+  refuse(value->mark, fmt::format("{} = {} is no number", key, value->as_written()), "a bare number is required here");
   return std::nullopt;
 }
 
@@ -71,7 +71,7 @@ std::optional<std::uint64_t> StudyTable::count(const std::string& key) {
   if (is_number && value->number >= 0 && value->number <= 0x1p53 && value->number == std::floor(value->number))
     return static_cast<std::uint64_t>(value->number);
   refuse(value->mark, fmt::format("{} = {} is no whole number", key, value->as_written()),
-         "a whole number, 0 or above, is wanted here");
+         "a whole number, 0 or above, is required here");
   return std::nullopt;
 }
 

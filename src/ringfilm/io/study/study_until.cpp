@@ -29,7 +29,7 @@ std::vector<std::string> until_notes(const study::Plan& plan, const std::vector<
     note += bases[i].width ? shown(*bases[i].width) + " wide" : "unknown, with too few solved scenarios,";
     if (bases.size() > 1) note += fmt::format(" for {}", study.bases[bases[i].base].name);
   }
-  return {fmt::format("{}; wanted: {}", note, shown(until.width))};
+  return {fmt::format("{}; required: {}", note, shown(until.width))};
 }
 
 }  // namespace ringfilm::io

@@ -179,7 +179,7 @@ class CsvReader {
     } else if (std::isnan(value) ? nan_ == NaN::kRefused : std::isinf(value)) {
       wrong = cell.text + " is not a finite number";
     }
-    if (!wrong.empty()) faults_.push_back({csv_.source.mark(line, cell.column), wrong, "a number is wanted here"});
+    if (!wrong.empty()) faults_.push_back({csv_.source.mark(line, cell.column), wrong, "a number is required here"});
     return value;
   }
 

@@ -29,7 +29,7 @@ std::string unit_behind_number(const std::string& text) {
 }
 
 double number_of(const std::string& text, const std::string& example) {
-  const std::string wanted = "a number without unit is wanted here, for example " + example;
+  const std::string wanted = "a number without unit is required here, for example " + example;
   const char* begin = text.c_str() + (text.rfind('+', 0) == 0 ? 1 : 0);
   const char* end = text.c_str() + text.size();
   double value = 0;

@@ -258,7 +258,7 @@ bool Units::measures(const std::string& unit, const std::string& si_unit) const 
 }
 
 double Units::quantity(const std::string& text, const std::string& si_unit, const std::string& example) const {
-  const std::string wanted = dimension_words(si_unit) + " is wanted here, for example " + example;
+  const std::string wanted = dimension_words(si_unit) + " is required here, for example " + example;
   const std::string written = trimmed(with_plain_spaces(text));
   const char* begin = written.c_str() + (written.rfind('+', 0) == 0 ? 1 : 0);
   const char* end = written.c_str() + written.size();

@@ -28,7 +28,7 @@ Fault unknown_curve(const CsvFile& csv, std::size_t i_column) {
   const std::string& written = csv.columns[i_column].name;
   const std::string nearest = nearest_word(written, names);
   return {csv.header_mark(i_column), "no curve of a result is called " + written,
-          nearest.empty() ? "a column such as friction_on_liner [N] or min_film_thickness [um] is wanted here"
+          nearest.empty() ? "a column such as friction_on_liner [N] or min_film_thickness [um] is required here"
                           : "did you mean " + nearest + "?"};
 }
 

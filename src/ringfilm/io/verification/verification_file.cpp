@@ -79,7 +79,7 @@ class Table {
       return 0;
     }
     refuse(key, value, si_unit == "1" ? "is no number" : "has no unit",
-           si_unit == "1" ? "" : "a text such as \"1.5 " + si_unit + "\" is wanted here");
+           si_unit == "1" ? "" : "a text such as \"1.5 " + si_unit + "\" is required here");
     return 0;
   }
 
@@ -101,7 +101,7 @@ class Table {
   int count_of(const std::string& key, const TomlValue& value, int fewest) {
     const double number = value.kind == TomlValue::Kind::kInteger ? value.number : 0;
     if (number >= fewest && number <= kMostCount) return static_cast<int>(number);
-    refuse(key, value, "is no count", "a whole number from " + std::to_string(fewest) + " on is wanted here");
+    refuse(key, value, "is no count", "a whole number from " + std::to_string(fewest) + " on is required here");
     return fewest;
   }
 

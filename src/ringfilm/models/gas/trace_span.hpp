@@ -7,8 +7,8 @@
 /// Which parts of a cycle the samples of a trace cover.
 namespace ringfilm::models {
 
-/// Between neighbouring samples, the last one and the first of the next cycle included [degree]: the pressure between
-/// them is interpolated.
+/// Largest distance between neighbouring samples, the last one and the first of the next cycle included [degree]. The
+/// pressure between samples is interpolated.
 inline constexpr double kLargestSampleDistanceDeg = 10;
 
 /// A trace over part of the cycle is joined from exhaust to intake pressure between these angles [degree] ...

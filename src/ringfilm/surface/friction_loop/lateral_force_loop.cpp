@@ -131,7 +131,7 @@ LoopFriction loop_friction(const FrictionLoop& loop, double end_share) {
   }
   if (half_difference.size() < kFewestLoopPoints) {
     throw InputError("a friction loop has " + std::to_string(half_difference.size()) +
-                         " points between its ends; a scatter requires at least " + std::to_string(kFewestLoopPoints),
+                         " points between its ends; the scatter requires at least " + std::to_string(kFewestLoopPoints),
                      "give longer lines or cut a smaller share");
   }
   const LoopMean tmr = mean_along(half_difference), offset = mean_along(half_sum);

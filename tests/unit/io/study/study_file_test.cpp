@@ -196,7 +196,7 @@ TEST(StudyFile, ReadsTheCombinationsOfTextsThatThePlanUses) {
   const std::string both =
       many_texts("gas.cylinder_pressure", "f", ".csv", 150) + many_texts("gas.pressure_column", "c", "", 100);
   const std::string refusal = folder.refusal(both, "[plan]\nmethod = \"grid\"\n");
-  EXPECT_THAT(refusal, HasSubstr("the plan uses 15000 combinations of the texts of [gas]"));
+  EXPECT_THAT(refusal, HasSubstr("the plan uses more than 10000 combinations of the texts of [gas]"));
   EXPECT_THAT(refusal, ::testing::Not(HasSubstr("no such file")));
   folder.folder().write("plan.csv", "c,f\n0,7\n1,7\n");
   const StudyFile listed = folder.read(both, "[plan]\nmethod = \"list\"\nlist = \"plan.csv\"\n");
@@ -210,6 +210,35 @@ TEST(StudyFile, ReadsTheCombinationsOfTextsThatThePlanUses) {
   for (std::uint64_t i = 0; i < single.size(); ++i)
     peaks.insert(study::scenario_case(single.study(), single.point(i)).gas.cylinder_pressure->value[3] / 1e5);
   EXPECT_THAT(peaks, ::testing::ElementsAre(20, 27, 80)) << "the column c1 of f7.csv is not used";
+}
+
+TEST(StudyFile, ReadsNoMoreCombinationsThanThePlanHasPoints) {
+  CaseText text;
+  text.gas += "pressure_column = \"c0\"\nangle_column = \"a0\"\n";
+  const StudyFolder folder(text);
+  std::string rows = "a0 [degree]";
+  for (int i = 0; i < 30; ++i) rows += ",a" + std::to_string(i + 1) + " [degree],c" + std::to_string(i) + " [bar]";
+  for (int angle = 0; angle < 720; angle += 5) {
+    rows += "\n" + std::to_string(angle);
+    for (int i = 0; i < 30; ++i) rows += "," + std::to_string(angle) + "," + std::to_string(20 + i);
+  }
+  folder.folder().write("p.csv", rows + "\n");
+  for (int i = 0; i < 30; ++i) folder.folder().write("f" + std::to_string(i) + ".csv", rows + "\n");
+  const std::string all = many_texts("gas.cylinder_pressure", "f", ".csv", 30) +
+                          many_texts("gas.pressure_column", "c", "", 30) + many_texts("gas.angle_column", "a", "", 30);
+  for (const char* plan_text :
+       {"[plan]\nmethod = \"sobol\"\nscenarios = 16\n", "[plan]\nmethod = \"latin-hypercube\"\nscenarios = 16\n",
+        "[plan]\nmethod = \"morris\"\ntrajectories = 4\n",
+        "[plan]\nmethod = \"sobol\"\nscenarios = 16\n"
+        "until = { value = \"fmep\", width = \"1 Pa\", most = 64 }\n"}) {
+    const study::Plan plan(folder.read(all, plan_text).study);
+    for (std::uint64_t i = 0; i < plan.most(); ++i) {
+      const auto column = *plan.point(i).values.at(1);
+      EXPECT_EQ(study::scenario_case(plan.study(), plan.point(i)).gas.cylinder_pressure->value[3], (20 + column) * 1e5);
+    }
+  }
+  EXPECT_THAT(folder.refusal(all, "[plan]\nmethod = \"sobol\"\nscenarios = 100000\n"),
+              HasSubstr("the plan uses more than 10000 combinations of the texts of [gas]"));
 }
 
 TEST(StudyFile, AUnitThatIsChosenScalesTheTrace) {

@@ -65,7 +65,7 @@ export function stripMaps(data, { ends, face }) {
   return new FieldMaps({ title: 'Around the ring over the cycle', columns: crankAxis(data.stripAngles), rows, maps, height: () => kHeight.overCrank, above: kStrokesAbove });
 }
 
-/** What the reader learns about how the drawing came from the file. */
+/** States which share of the stored fields the page shows. */
 function thinning(data) {
   const { angles, y, x } = data.stored;
   const of = (drawn, stored, things) => (drawn < stored ? [`${drawn} of ${stored} ${things}`] : []);
