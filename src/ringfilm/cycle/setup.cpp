@@ -9,6 +9,7 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/contact_plausibility.hpp"
 #include "ringfilm/cycle/gas_plausibility.hpp"
 #include "ringfilm/cycle/march_film.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
@@ -113,9 +114,11 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
 Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
   append_end_cell_note(c, oil.notes);
   append_gas_notes(c, cylinder, oil.notes);
-  sort_notes(oil.notes);
+  append_viscosity_notes(oil, c.operating.oil_temperature, oil.notes);
+  append_contact_notes(c, roughness(c), oil.notes);
   const double p_e = elastic_pressure(c);
   append_tension_note(p_e, oil.notes);
+  sort_notes(oil.notes);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, cylinder));
   models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
                                                           : models::CyclePressure(c.gas.crankcase_pressure);

@@ -33,13 +33,15 @@ TEST(CaseFile, GivesEveryValueInSi) {
 
 TEST(CaseFile, KeepsTheDigestOfEveryFileItRead) {
   const CaseFolder folder;
-  folder.write("p.csv", "crank_angle [degree],p [bar]\n0,1\n5,2\n");
+  std::string trace = "crank_angle [degree],p [bar]\n";
+  for (int angle = -90; angle <= 90; angle += 10) trace += std::to_string(angle) + (angle == 0 ? ",2\n" : ",1\n");
+  folder.write("p.csv", trace);
   const cycle::Case c = folder.read({{"gas.intake_pressure", "0.9 bar"}, {"gas.exhaust_pressure", "1.1 bar"}});
   ASSERT_EQ(c.files.size(), 2u);
   EXPECT_EQ(c.files[0].role, "case");
   EXPECT_EQ(c.files[1].role, "gas.cylinder_pressure");
   // sha256sum of the text above.
-  EXPECT_EQ(c.files[1].sha256, "8b28f6a31ca3e0d9c36ad3adfcd4bb4c5db7a2d2b492b910599ae4387d690837");
+  EXPECT_EQ(c.files[1].sha256, "a0ecc53b6e48ed8f3fd2d488182c73fe5f6c010d9a142fbaa2ac4e063fb5913a");
 }
 
 TEST(CaseFile, TitleIsNoBook) {
