@@ -144,7 +144,7 @@ class ResumedStudy(StudyFolder):
         self.assertEqual(self.contents("out"), self.contents("whole"))
         self.write_until("1e9 Pa", most=512, scenarios=256)
         self.assertIn("stopped after 256 points", self.resume())
-        # What is there is more than is wanted: it is kept, and nothing is computed.
+        # What is there is more than is required: it is kept, and nothing is computed.
         self.write_until("1e9 Pa", most=512)
         self.assertIn("stopped after 256 points", self.resume())
 

@@ -139,7 +139,7 @@ struct GaussianWords : SyntheticWords {
       return of;
     }
     if (sq || length || rms) {
-      values.refuse("--sq, --correlation-length and --rms are another way to say what surface is wanted",
+      values.refuse("--sq, --correlation-length and --rms are another way to say which surface is wanted",
                     "leave them out, or --asperity-density, --asperity-radius and --roughness");
     }
     of.wanted.density_per_m2 = values.quantity("--asperity-density", *density, "m-2", "0.05 um-2");

@@ -46,6 +46,59 @@ void append_face_note(const Setup& setup, std::vector<Note>& notes) {
                    1});
 }
 
+/// Of the thinnest film or the roughness, as an error of the straight lines between points of the face: there the
+/// smallest film of a parabola is off by 5 %, its friction by 0.3 % (docs/manual/robustness.md).
+constexpr double kCoarsePoints = 0.1;
+
+/// How far a curved face may lie from the straight lines next to its lowest point, |h''| dx^2/8, with h'' of the three
+/// points around it [m]; 0 for two points, which have no curvature.
+double error_between_points(const RingFace& face) {
+  const std::size_t n = face.x.size();
+  if (n < 3) return 0;
+  const auto lowest = std::min_element(face.height.begin(), face.height.end()) - face.height.begin();
+  const std::size_t k = std::clamp<std::size_t>(static_cast<std::size_t>(lowest), 1, n - 2);
+  const double left = face.x[k] - face.x[k - 1], right = face.x[k + 1] - face.x[k];
+  const double curvature =
+      2 * ((face.height[k + 1] - face.height[k]) / right - (face.height[k] - face.height[k - 1]) / left) /
+      (left + right);
+  const double longest = std::max(left, right);
+  return std::abs(curvature) * longest * longest / 8;
+}
+
+void append_points_note(const Setup& setup, double thinnest_film, std::vector<Note>& notes) {
+  const RingFace& face = setup.input.ring.face;
+  if (face.form != FaceForm::kPoints) return;
+  if (face.x.size() == 2) {
+    notes.push_back({"face-points-few",
+                     "the face has two points only and is a straight line between them: a barrel or a worn face needs "
+                     "more points",
+                     1});
+    return;
+  }
+  const double error = error_between_points(face), film = std::max(thinnest_film, setup.sigma);
+  if (error <= kCoarsePoints * film) return;
+  notes.push_back({"face-points-few",
+                   text("the straight lines between the points next to the lowest place of the face are %.2g um away "
+                        "from a curve through them, where the film is %.2g um thin: give more points there (of a "
+                        "curved face), or smooth their noise",
+                        error * 1e6, thinnest_film * 1e6),
+                   1});
+}
+
+/// With fewer cells peak film pressures of the shipped cases are off by more than 1 %, their friction by more than 0.1
+/// % (docs/manual/robustness.md).
+constexpr int kFewestCells = 50;
+
+void append_grid_note(const Setup& setup, std::vector<Note>& notes) {
+  const int cells = setup.input.solver.cells;
+  if (setup.cells == CellsOfFace::kGraded || cells >= kFewestCells) return;
+  notes.push_back({"coarse-grid",
+                   text("%d cells across the face are few: friction is off by up to 0.2 %% with 32 cells, 1 %% with 16 "
+                        "and 30 %% with 8, the peak film pressure by 2, 14 and 30 %%: take %d solver.cells or more",
+                        cells, kFewestCells),
+                   1});
+}
+
 /// From this share on the modulus below the coating moves E' by about as much as moduli are known.
 constexpr double kCoatingFelt = 0.1;
 
@@ -185,7 +238,9 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   }
   append_limit_notes(setup, base, fmep, notes);
   append_cell_note(grid, *lowest, setup.cells, notes);
+  append_grid_note(setup, notes);
   append_face_note(setup, notes);
+  append_points_note(setup, lowest->min_film_thickness, notes);
   append_gap_leakage_note(setup.input, notes);
   append_coating_note(setup, lowest->film_parameter, notes);
   append_oil_table_note(setup, base, notes);

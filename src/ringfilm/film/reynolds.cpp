@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::film {
 

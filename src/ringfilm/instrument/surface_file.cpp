@@ -126,7 +126,7 @@ double length_of_user(const std::string& path, const std::string& text, const st
   try {
     const double length = units.quantity(text, "m", "0.5 um");
     if (length > 0) return length;
-    refuse(path, fmt::format("{} {} is no step", option, text), "a length above zero is wanted");
+    refuse(path, fmt::format("{} {} is no step", option, text), "a length above zero is required");
   } catch (const io::UnitError& error) {
     refuse(path, fmt::format("{} \"{}\" {}", option, text, error.what()), error.remedy);
   }
@@ -312,7 +312,7 @@ TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options
   Loaded loaded = load(path, options, units);
   ChannelValues& values = loaded.values;
   if (values.channel.points_y != 1) {
-    refuse(path, fmt::format("a profile is wanted, and the file has {} rows", values.channel.points_y),
+    refuse(path, fmt::format("a profile is required, and the file has {} rows", values.channel.points_y),
            "export one profile from it");
   }
   TraceFile result;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -16,6 +17,7 @@ namespace ringfilm::cycle {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// A cycle of a naturally aspirated engine as its trace: compression by 10 from the intake pressure, peak after TDC.
@@ -184,10 +186,87 @@ TEST(GasPlausibility, AJumpBetweenIntakeAndTraceIsNotedOrRefused) {
   EXPECT_THAT(topics(later), IsEmpty()) << "compressed so far";
 }
 
-TEST(GasPlausibility, IsAskedOfNoWiebeCycle) {
-  Case wiebe = whole();
-  wiebe.gas.model = GasModel::kWiebe;
-  EXPECT_THAT(topics(turned(wiebe, 90)), IsEmpty());
+TEST(GasPlausibility, StatedPressuresOfGasExchangeAreCompared) {
+  Case exhaust = partial(0.95e5);
+  exhaust.gas.exhaust_pressure = 9e5;
+  EXPECT_THAT(topics(exhaust), ElementsAre("gas-pressure-high"));
+  exhaust.gas.exhaust_pressure = 0.1e5;
+  EXPECT_THAT(topics(exhaust), ElementsAre("gas-pressure-low"));
+}
+
+Case wiebe() {
+  Case c = whole();
+  c.gas.model = GasModel::kWiebe;
+  c.gas.compression_ratio = 10.5;
+  c.gas.peak_pressure = 62e5;
+  c.gas.peak_angle_deg = 20;
+  c.gas.intake_pressure = 0.95e5;
+  c.gas.exhaust_pressure = 1.05e5;
+  return c;
+}
+
+TEST(GasPlausibility, ProbableWiebeCyclesHaveNoNote) {
+  EXPECT_THAT(topics(wiebe()), IsEmpty());
+  EXPECT_THAT(topics(turned(wiebe(), 90)), IsEmpty()) << "the trace is not used";
+  Case charged = wiebe();
+  charged.gas.intake_pressure = 3.5e5;
+  charged.gas.exhaust_pressure = 3.2e5;
+  charged.gas.peak_pressure = 200e5;
+  EXPECT_THAT(topics(charged), IsEmpty());
+  Case late = wiebe();
+  late.gas.intake_valve_closing_deg = 640;
+  EXPECT_THAT(topics(late), IsEmpty()) << "Atkinson";
+}
+
+TEST(GasPlausibility, ImprobableWiebeCyclesAreNoted) {
+  const auto with_key = [](double Gas::*key, double value) {
+    Case c = wiebe();
+    c.gas.*key = value;
+    return c;
+  };
+  EXPECT_THAT(topics(with_key(&Gas::peak_pressure, 620e5)), ElementsAre("gas-pressure-high"));
+  EXPECT_THAT(topics(with_key(&Gas::peak_angle_deg, 89)), ElementsAre("gas-peak-place"));
+  EXPECT_THAT(gas_notes(with_key(&Gas::peak_angle_deg, 89)).front().message, HasSubstr("is gas.peak_angle right?"));
+  EXPECT_THAT(topics(with_key(&Gas::intake_valve_closing_deg, 700)), ElementsAre("gas-compression-low"));
+  Case intake = wiebe(), exhaust = wiebe();
+  intake.gas.intake_pressure = 0.01e5;
+  EXPECT_THAT(topics(intake), ElementsAre("gas-pressure-low"));
+  exhaust.gas.exhaust_pressure = 9e5;
+  EXPECT_THAT(topics(exhaust), ElementsAre("gas-pressure-high"));
+}
+
+TEST(GasPlausibility, AnglesOfNoEngineAreNoted) {
+  const auto has = [](const Case& c, const char* topic) {
+    const std::vector<Note> notes = prepare(c).notes;
+    return std::any_of(notes.begin(), notes.end(), [&](const Note& note) { return note.topic == topic; });
+  };
+  Case c = wiebe();
+  EXPECT_FALSE(has(c, "valve-timing-unusual"));
+  EXPECT_FALSE(has(c, "burn-duration-short"));
+  c.gas.burn_duration_deg = 1;
+  EXPECT_TRUE(has(c, "burn-duration-short"));
+  c.gas.intake_valve_closing_deg = 700;
+  EXPECT_TRUE(has(c, "valve-timing-unusual"));
+}
+
+TEST(GasPlausibility, APartOfTheCycleSpansCompressionAndExpansion) {
+  EXPECT_THAT(broken(partial(0.95e5)), IsEmpty());
+  const auto refusal = [](double factor, double gap_deg) {
+    Case c = whole();
+    c.gas.intake_pressure = 0.95e5;
+    c.gas.exhaust_pressure = 1.05e5;
+    SampledTrace trace = *c.gas.cylinder_pressure;
+    for (double& angle : trace.crank_angle_deg) angle *= factor;
+    trace.crank_angle_deg.resize(trace.crank_angle_deg.size() - static_cast<std::size_t>(gap_deg / 2));
+    trace.value.resize(trace.crank_angle_deg.size());
+    c.gas.cylinder_pressure = std::move(trace);
+    std::string message;
+    for (const RuleBreach& breach : broken_rules(c)) message += breach.key + ": " + breach.message;
+    return message;
+  };
+  EXPECT_THAT(refusal(std::numbers::pi / 180, 0), HasSubstr("are its crank angles in radians?"));
+  EXPECT_THAT(refusal(std::numbers::pi / 180, 360), HasSubstr("are its crank angles in radians?"));
+  EXPECT_THAT(refusal(1.0 / 360, 0), HasSubstr("less than the 180 degree"));
 }
 
 }  // namespace

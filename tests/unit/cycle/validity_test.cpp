@@ -42,6 +42,7 @@ std::vector<std::string> topics(const Sample& sample, double fmep = 20e3) {
 
 using ::testing::Contains;
 using ::testing::IsSubsetOf;
+using ::testing::Not;
 
 TEST(Validity, ResultsOfARingHaveNoNoteOnLimits) {
   EXPECT_THAT(topics(usual_sample()), IsSubsetOf({"shear-rate-high", "synthetic-trace"}));
@@ -141,6 +142,54 @@ TEST(Validity, ATensionBeyondTheRangeOfTheElasticPressureIsRefused) {
   ASSERT_EQ(breaches(1.001 * at_limit, 1.2e-3).size(), 1u);
   EXPECT_EQ(breaches(1.001 * at_limit, 1.2e-3).front().key, "ring.tangential_force");
   EXPECT_EQ(breaches(10, 1e-9).size(), 1u);
+}
+
+std::vector<std::string> topics_of(const Case& c) {
+  const Setup setup = prepare(c);
+  std::vector<Note> notes = setup.notes;
+  append_validity_notes(setup, face_grid(setup), {usual_sample()}, 20e3, {}, notes);
+  std::vector<std::string> all;
+  for (const Note& note : notes) all.push_back(note.topic);
+  return all;
+}
+
+TEST(Validity, FewCellsAreNoted) {
+  Case c = styles_new_ring();
+  c.solver.cells = 49;
+  EXPECT_THAT(topics_of(c), Contains("coarse-grid"));
+  c.solver.cells = 50;
+  EXPECT_THAT(topics_of(c), Not(Contains("coarse-grid")));
+}
+
+TEST(Validity, FewPointsOfACurvedFaceAreNoted) {
+  const auto parabola = [](int n_points) {
+    Case c = styles_new_ring();
+    c.ring.face.form = FaceForm::kPoints;
+    for (int k = 0; k < n_points; ++k) {
+      const double share = k / (n_points - 1.0);
+      c.ring.face.x.push_back(share * c.ring.face_width);
+      c.ring.face.height.push_back(10e-6 * (2 * share - 1) * (2 * share - 1));
+    }
+    return topics_of(c);
+  };
+  for (const int n_points : {2, 3, 4, 5, 7}) EXPECT_THAT(parabola(n_points), Contains("face-points-few")) << n_points;
+  for (const int n_points : {21, 200}) EXPECT_THAT(parabola(n_points), Not(Contains("face-points-few"))) << n_points;
+}
+
+TEST(Validity, AViscosityOfNoOilIsNoted) {
+  const auto noted = [](double factor, double celsius) {
+    Case c = styles_new_ring();
+    c.operating.oil_temperature = celsius + 273.15;
+    for (TemperatureValue& point : c.lubricant.kinematic_viscosity) point.value *= factor;
+    return topics_of(c);
+  };
+  for (const double celsius : {-30.0, 40.0, 120.0}) {
+    EXPECT_THAT(noted(1, celsius), Not(Contains("viscosity-high"))) << celsius;
+    EXPECT_THAT(noted(1, celsius), Not(Contains("viscosity-low"))) << celsius;
+  }
+  EXPECT_THAT(noted(1000, 40), Contains("viscosity-high"));
+  EXPECT_THAT(noted(1000, 120), Contains("viscosity-high"));
+  EXPECT_THAT(noted(0.04, 40), Contains("viscosity-low"));
 }
 
 }  // namespace

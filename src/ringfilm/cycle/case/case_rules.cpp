@@ -8,6 +8,7 @@
 #include "ringfilm/cycle/case/case_rules_unrolled.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
 #include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/march/oil.hpp"
 #include "ringfilm/cycle/march/setup.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/gas/trace_span.hpp"
@@ -77,6 +78,23 @@ void check_wiebe(const Gas& gas, Breaches& breaches) {
   }
 }
 
+/// A part of the cycle that is too short to be joined.
+bool refuse_short_trace(const std::vector<double>& angles, Breaches& breaches) {
+  const double span = angles.back() - angles.front();
+  if (span >= models::kShortestPartialTraceDeg) return false;
+  const std::string least = number_text(models::kShortestPartialTraceDeg) + " degree";
+  breaches.push_back({"gas.cylinder_pressure",
+                      "the trace covers " + number_text(angles.front()) + " to " + number_text(angles.back()) +
+                          " degree, less than the " + least + " that compression and expansion take" +
+                          (models::spans_radians(angles) ? ": are its crank angles in radians?" : ""),
+                      models::spans_radians(angles)
+                          ? "then state the unit in its header, crank_angle [rad]"
+                          : "give " + least +
+                                " about firing TDC or more, from the closing of the intake valve to the opening of "
+                                "the exhaust valve; is the unit of the crank angle right?"});
+  return true;
+}
+
 void check_trace(const Case& c, Breaches& breaches) {
   const Gas& gas = c.gas;
   const auto& angles = gas.cylinder_pressure->crank_angle_deg;
@@ -86,6 +104,7 @@ void check_trace(const Case& c, Breaches& breaches) {
                         "gas.model = \"trace\" requires a trace"});
   }
   if (angles.empty() || models::covers_cycle(angles)) return;
+  if (refuse_short_trace(angles, breaches)) return;
   const double missing = angles.front() + kCycleDeg - angles.back();
   if (missing < kCycleDeg - 2 * models::kLongestPartialTraceDeg) {
     breaches.push_back({"gas.cylinder_pressure",
@@ -102,7 +121,7 @@ void check_trace(const Case& c, Breaches& breaches) {
                            number_text(angles.back()) + " degree of the cycle" +
                            (models::covers_one_revolution(angles) ? std::string(", ") + models::kOneRevolution : "") +
                            ", and ";
-  const std::string remedy = " is wanted to join the rest smoothly, for example ";
+  const std::string remedy = " is required to join the rest smoothly, for example ";
   if (!gas.intake_pressure) {
     breaches.push_back({"gas.intake_pressure", span + "gas.intake_pressure is not stated",
                         "an absolute pressure" + remedy + "intake_pressure = \"0.95 bar\" in [gas]"});
@@ -139,7 +158,7 @@ void check_tension_range(const Case& c, Breaches& breaches) {
                       std::string(key) + " makes an elastic pressure of " + number_text(p_e / 1e6) +
                           " MPa on a face of " + number_text(ring.face_width * 1e3) + " mm, above the " +
                           number_text(highest / 1e6) + " MPa at which ring.elastic_pressure ends",
-                      kUsualTension});
+                      usual_tension()});
 }
 
 void check_tension(const Case& c, Breaches& breaches) {
@@ -207,12 +226,11 @@ void check_points(const std::string& key, const std::vector<TemperatureValue>& p
   }
 }
 
-/// What an oil weighs; a figure outside is a slip of units.
 void check_density(const Lubricant& oil, Breaches& breaches) {
   const auto refuse_unless_oil = [&breaches](double density) {
-    if (density > 100 && density < 5000) return;
+    if (is_oil_density(density)) return;
     breaches.push_back({"lubricant.density", "lubricant.density = " + number_text(density) + " kg/m3 is out of range",
-                        "allowed is above 100 to below 5000 kg/m3"});
+                        kAllowedOilDensity});
   };
   if (oil.constant_density) refuse_unless_oil(*oil.constant_density);
   for (const TemperatureValue& point : oil.density) refuse_unless_oil(point.value);

@@ -55,6 +55,21 @@ constexpr double kIntakeScatter = 0.3;
 constexpr double kChoked = 0.528;
 
 constexpr double kExhaustBeginDeg = 220, kExhaustEndDeg = 320;  // away from blow-down and valve overlap
+constexpr double kIntakeBeginDeg = 400, kIntakeEndDeg = 500;    // away from valve overlap and compression
+
+/// Fast homogeneous combustion takes about 10 degrees; below 5 the pressure jumps as in a detonation.
+constexpr double kShortestBurnDeg = 5;
+
+/// An angle of Wiebe's cycle and where engines have it, early and late closing after Miller and Atkinson included.
+struct UsualAngle {
+  const char* key;
+  double Gas::*angle_deg;
+  double low, high;  ///< from firing TDC [degree]
+};
+constexpr UsualAngle kValveAngles[] = {{"gas.exhaust_valve_opening", &Gas::exhaust_valve_opening_deg, 80, 210},
+                                       {"gas.exhaust_valve_closing", &Gas::exhaust_valve_closing_deg, 290, 440},
+                                       {"gas.intake_valve_opening", &Gas::intake_valve_opening_deg, 280, 440},
+                                       {"gas.intake_valve_closing", &Gas::intake_valve_closing_deg, 440, 660}};
 
 std::string in_bar(double pressure) { return number_text(pressure / kBar) + " bar"; }
 
@@ -78,14 +93,16 @@ double volume_above(const Case& c, double crank_angle_deg, double compression_ra
 class GasNotes {
  public:
   GasNotes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes)
-      : case_(c), gas_(c.gas), trace_(*c.gas.cylinder_pressure), cylinder_(cylinder), notes_(notes) {
-    const auto [low, high] = std::minmax_element(trace_.value.begin(), trace_.value.end());
-    lowest_ = *low + rise_of_reference(gas_);
-    highest_ = *high + rise_of_reference(gas_);
-    peak_deg_ = from_firing(gas_, trace_.crank_angle_deg[static_cast<std::size_t>(high - trace_.value.begin())]);
+      : case_(c), gas_(c.gas), cylinder_(cylinder), notes_(notes) {
+    if (is_wiebe()) {
+      look_at_cycle();
+    } else {
+      look_at_trace(*gas_.cylinder_pressure);
+    }
   }
 
   void append() {
+    if (is_wiebe()) append_angles();
     append_place_of_peak();
     append_weak_compression();
     append_low_pressures();
@@ -94,7 +111,49 @@ class GasNotes {
   }
 
  private:
-  bool is_whole() const { return models::covers_cycle(trace_.crank_angle_deg); }
+  bool is_wiebe() const { return gas_.model == GasModel::kWiebe; }
+  bool is_gauge() const { return !is_wiebe() && gas_.pressure_reference == PressureReference::kGauge; }
+
+  void look_at_trace(const SampledTrace& trace) {
+    const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
+    lowest_ = *low + rise_of_reference(gas_);
+    highest_ = *high + rise_of_reference(gas_);
+    peak_deg_ = from_firing(gas_, trace.crank_angle_deg[static_cast<std::size_t>(high - trace.value.begin())]);
+    is_whole_ = models::covers_cycle(trace.crank_angle_deg);
+    first_deg_ = from_firing(gas_, trace.crank_angle_deg.front());
+  }
+
+  void look_at_cycle() {
+    lowest_ = highest_ = cylinder_.peak();
+    for (int deg = 0; deg < static_cast<int>(kCycleDeg); ++deg) lowest_ = std::min(lowest_, cylinder_.pressure(deg));
+    const double angle = wrapped(cylinder_.peak_angle_deg());
+    peak_deg_ = angle < kCycleDeg / 2 ? angle : angle - kCycleDeg;
+    is_whole_ = true;
+  }
+
+  /// What to check: of a trace, or the keys of Wiebe's cycle.
+  std::string check(const char* of_trace, const char* of_wiebe) const { return is_wiebe() ? of_wiebe : of_trace; }
+
+  double mean(double from_deg, double to_deg) const {
+    double sum = 0;
+    int n = 0;
+    for (double angle = from_deg; angle <= to_deg; angle += 10, ++n) sum += cylinder_.pressure(angle);
+    return sum / n;
+  }
+
+  void append_angles() {
+    for (const UsualAngle& usual : kValveAngles) {
+      const double angle = gas_.*usual.angle_deg;
+      if (angle >= usual.low && angle <= usual.high) continue;
+      note("valve-timing-unusual", std::string(usual.key) + " = " + number_text(angle) +
+                                       " degree: four-stroke engines have " + number_text(usual.low) + " to " +
+                                       number_text(usual.high) + " degree, counted from firing TDC");
+    }
+    if (gas_.burn_duration_deg >= kShortestBurnDeg) return;
+    note("burn-duration-short", "gas.burn_duration = " + number_text(gas_.burn_duration_deg) +
+                                    " degree: the fastest combustion of engines takes about 10 degree, and below " +
+                                    number_text(kShortestBurnDeg) + " the pressure jumps as in a detonation");
+  }
 
   void note(const char* topic, std::string message) { notes_.push_back({topic, std::move(message), 1}); }
 
@@ -104,9 +163,10 @@ class GasNotes {
   void append_place_of_peak() {
     if (!is_compressed() || is_peak_in_place()) return;
     const bool near_gas_exchange = std::abs(peak_deg_) > kCycleDeg / 4;
-    note("gas-peak-place", "the cylinder pressure has its peak at " + number_text(wrapped(peak_deg_)) + " degree, " +
-                               (near_gas_exchange ? "near gas-exchange TDC" : "away from firing TDC at 0 degree") +
-                               ": is gas.angle_zero right, and the unit of the crank angle?");
+    note("gas-peak-place",
+         "the cylinder pressure has its peak at " + number_text(wrapped(peak_deg_)) + " degree, " +
+             (near_gas_exchange ? "near gas-exchange TDC" : "away from firing TDC at 0 degree") +
+             check(": is gas.angle_zero right, and the unit of the crank angle?", ": is gas.peak_angle right?"));
   }
 
   void append_weak_compression() {
@@ -115,51 +175,71 @@ class GasNotes {
       note("gas-compression-low",
            "the cylinder pressure stays between " + in_bar(lowest_) + " and " + in_bar(highest_) +
                " absolute: it shows no compression, and a rig without a cylinder head has the pressure of the "
-               "atmosphere: are the unit of the trace and gas.pressure_reference right?");
+               "atmosphere: " +
+               check("are the unit of the trace and gas.pressure_reference right?", "is gas.peak_pressure right?"));
       return;
     }
-    const bool has_compression = is_whole() || from_firing(gas_, trace_.crank_angle_deg.front()) <= kCompressionFromDeg;
+    const bool has_compression = is_whole_ || first_deg_ <= kCompressionFromDeg;
     if (!is_peak_in_place() || !has_compression || lowest_ < kDeepestVacuum) return;
     const double from = cylinder_.pressure(kCompressionFromDeg), to = cylinder_.pressure(kCompressionToDeg);
     const double least =
         volume_above(case_, kCompressionFromDeg, kLowestRatio) / volume_above(case_, kCompressionToDeg, kLowestRatio);
     if (to >= least * from) return;
-    note("gas-compression-low", "the cylinder pressure rises from " + in_bar(from) + " absolute at " +
-                                    number_text(-kCompressionFromDeg) + " degree before firing TDC to " + in_bar(to) +
-                                    " at " + number_text(-kCompressionToDeg) + " degree, less than by compression (" +
-                                    number_text(least) +
-                                    " times or more): are the unit of the trace and gas.pressure_reference right?");
+    note(
+        "gas-compression-low",
+        "the cylinder pressure rises from " + in_bar(from) + " absolute at " + number_text(-kCompressionFromDeg) +
+            " degree before firing TDC to " + in_bar(to) + " at " + number_text(-kCompressionToDeg) +
+            " degree, less than by compression (" + number_text(least) + " times or more): " +
+            check("are the unit of the trace and gas.pressure_reference right?", "is gas.intake_valve_closing right?"));
   }
 
   void append_low_pressures() {
     if (lowest_ < kDeepestVacuum) {
       note("gas-pressure-low", "the cylinder pressure falls to " + in_bar(lowest_) +
-                                   " absolute, lower than the intake of any running engine: are the unit of the "
-                                   "trace and gas.pressure_reference right?");
+                                   " absolute, lower than the intake of any running engine: " +
+                                   check("are the unit of the trace and gas.pressure_reference right?",
+                                         "are gas.intake_pressure and gas.exhaust_pressure right?"));
       return;
     }
-    if (!is_whole()) return;
-    double sum = 0;
-    int n = 0;
-    for (double angle = kExhaustBeginDeg; angle <= kExhaustEndDeg; angle += 10, ++n) sum += cylinder_.pressure(angle);
-    if (sum / n >= kThinAir) return;
-    note("gas-pressure-low", "the cylinder pressure is " + in_bar(sum / n) +
-                                 " absolute during the exhaust stroke, lower than the atmosphere into which it flows: "
-                                 "are the unit of the trace and gas.pressure_reference right?");
+    const double exhaust = mean(kExhaustBeginDeg, kExhaustEndDeg);
+    if (exhaust >= kThinAir) return;
+    note("gas-pressure-low",
+         "the cylinder pressure is " + in_bar(exhaust) +
+             " absolute during the exhaust stroke, lower than the atmosphere into which it flows: " +
+             question_of_exhaust());
   }
 
   void append_high_pressures() {
     if (highest_ > kHighestPeak || lowest_ > kHighestCharge) {
-      note("gas-pressure-high", "the cylinder pressure lies between " + in_bar(lowest_) + " and " + in_bar(highest_) +
-                                    " absolute, higher than in usual engines: is the unit of the trace right?");
+      note("gas-pressure-high",
+           "the cylinder pressure lies between " + in_bar(lowest_) + " and " + in_bar(highest_) +
+               " absolute, higher than in usual engines: " +
+               check("is the unit of the trace right?",
+                     "are gas.peak_pressure, gas.intake_pressure and gas.exhaust_pressure right?"));
       return;
     }
-    const bool is_gauge = gas_.pressure_reference == PressureReference::kGauge;
-    if (!is_gauge || !is_whole() || !is_compressed() || lowest_ - base::kAtmosphere < kLargestUsualBoost) return;
+    if (append_high_gas_exchange()) return;
+    if (!is_gauge() || !is_whole_ || !is_compressed() || lowest_ - base::kAtmosphere < kLargestUsualBoost) return;
     note("gas-pressure-high", "the cylinder pressure never falls below " + in_bar(lowest_ - base::kAtmosphere) +
                                   " above the atmosphere, " + in_bar(lowest_) +
                                   " absolute: unless the engine is charged so high, the trace is absolute and "
                                   "gas.pressure_reference is wrong");
+  }
+
+  std::string question_of_exhaust() const {
+    return is_wiebe() || !is_whole_ ? "is gas.exhaust_pressure right, an absolute pressure?"
+                                    : "are the unit of the trace and gas.pressure_reference right?";
+  }
+
+  bool append_high_gas_exchange() {
+    if (is_compressed() && !is_peak_in_place()) return false;  // at other angles
+    const double exhaust = mean(kExhaustBeginDeg, kExhaustEndDeg), intake = mean(kIntakeBeginDeg, kIntakeEndDeg);
+    if (std::max(exhaust, intake) <= kHighestCharge) return false;
+    note("gas-pressure-high", "the cylinder pressure is " + in_bar(exhaust) +
+                                  " absolute during the exhaust stroke and " + in_bar(intake) +
+                                  " during intake: one turbocharger charges to 5 bar, and exhaust " +
+                                  "brakes hold back about as much; are these pressures right?");
+    return true;
   }
 
   void append_jump() {
@@ -177,10 +257,11 @@ class GasNotes {
 
   const Case& case_;
   const Gas& gas_;
-  const SampledTrace& trace_;
   const models::CyclePressure& cylinder_;
   std::vector<Note>& notes_;
   double lowest_ = 0, highest_ = 0, peak_deg_ = 0;  ///< absolute [Pa]; of the peak, in [-360, 360) [degree]
+  double first_deg_ = 0;                            ///< of a trace, in [-360, 360) [degree]
+  bool is_whole_ = false;                           ///< does the trace cover the cycle?
 };
 
 }  // namespace
@@ -205,7 +286,7 @@ bool contradicts_intake(const TraceStart& start) {
 }
 
 void append_gas_notes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes) {
-  if (c.gas.model != GasModel::kTrace || c.gas.cylinder_pressure->value.empty()) return;
+  if (c.gas.model == GasModel::kTrace && c.gas.cylinder_pressure->value.empty()) return;
   GasNotes(c, cylinder, notes).append();
 }
 

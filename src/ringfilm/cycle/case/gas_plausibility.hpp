@@ -6,7 +6,8 @@
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 
-/// What a trace of the cylinder pressure shows, compared with what the case states about it (docs/theory/gas.md).
+/// What the cylinder pressure shows, of a trace or of Wiebe's cycle, compared with what the case states about it
+/// (docs/theory/gas.md).
 namespace ringfilm::cycle {
 
 /// The start of a trace over a part of the cycle, and where compression from gas.intake_pressure could have brought it.
@@ -22,8 +23,8 @@ std::optional<TraceStart> trace_start(const Case& c);
 /// Does the start contradict gas.intake_pressure whatever the engine?
 bool contradicts_intake(const TraceStart& start);
 
-/// Notes on an improbable trace: a peak far from firing TDC, weak or no compression, pressures of another
-/// reference or unit, a jump where it is joined with the intake pressure.
+/// Notes on an improbable cylinder pressure: a peak far from firing TDC, weak or no compression, pressures of another
+/// reference or unit, a jump where a trace is joined with the intake pressure; of Wiebe's cycle also on its angles.
 /// @param cylinder the pressure of the whole cycle
 void append_gas_notes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes);
 

@@ -79,6 +79,25 @@ std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaw
   return notes;
 }
 
+/// Two points of the line (ASTM D341) of an oil [m2/s].
+struct GradeLine {
+  const char* name;
+  double at_40, at_100;
+};
+/// The thickest and the thinnest grade of SAE J300: the bounds at 100 degC are those of the standard, the values at
+/// 40 degC those of oils with a viscosity index of about 100.
+constexpr GradeLine kThickest{"SAE 60", 350e-6, 26.1e-6}, kThinnest{"SAE 8", 16e-6, 4e-6};
+/// Oils of other use, from gear and cylinder oils to fuels, stay within this factor of the grades.
+constexpr double kOtherOils = 5;
+
+double viscosity_of_grade(const GradeLine& grade, double temperature, double density) {
+  models::OilLaws laws;
+  laws.viscosity_temperature = {kZeroCelsius + 40, kZeroCelsius + 100};
+  laws.kinematic_viscosity = {grade.at_40, grade.at_100};
+  laws.density = {{temperature}, {density}};
+  return models::oil_state(laws, temperature).eta_T;
+}
+
 /// Up to where the polynomials should serve [Pa].
 double range_of_fits(double largest_mean_pressure) {
   constexpr double kLeastRange = 20e6;  // [Pa]
@@ -97,6 +116,19 @@ PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
   const models::OilState at = models::oil_state(laws, temperature);
   return {models::closed_form_oil(laws, temperature), at.eta_T, at.rho_T,
           extrapolation_notes(lubricant, laws, temperature)};
+}
+
+void append_viscosity_notes(const PreparedOil& oil, double temperature, std::vector<Note>& notes) {
+  const double highest = kOtherOils * viscosity_of_grade(kThickest, temperature, oil.density);
+  const double lowest = viscosity_of_grade(kThinnest, temperature, oil.density) / kOtherOils;
+  if (oil.viscosity >= lowest && oil.viscosity <= highest) return;
+  const bool high = oil.viscosity > highest;
+  char text[256];
+  std::snprintf(text, sizeof text, "the oil has %.4g mPa s at %s, %s %.3g mPa s, %s %s at this temperature: %s",
+                oil.viscosity * 1e3, celsius(temperature).c_str(), high ? "above" : "below",
+                (high ? highest : lowest) * 1e3, high ? "5 times that of" : "a fifth of that of",
+                high ? kThickest.name : kThinnest.name, "is the unit of its viscosity right?");
+  notes.push_back({high ? "viscosity-high" : "viscosity-low", text, 1});
 }
 
 PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAtTemperature> law,

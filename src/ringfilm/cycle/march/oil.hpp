@@ -9,6 +9,11 @@
 
 namespace ringfilm::cycle {
 
+/// Can an oil weigh as much, at any temperature and pressure [kg/m3]? Another number is of another unit.
+inline bool is_oil_density(double density) { return density > 100 && density < 5000; }
+/// The same for messages.
+inline constexpr const char* kAllowedOilDensity = "allowed is above 100 to below 5000 kg/m3";
+
 struct PreparedOil {
   std::shared_ptr<const models::OilAtTemperature> oil;
   double viscosity;         ///< at 1 atm [Pa s]
@@ -18,6 +23,9 @@ struct PreparedOil {
 
 /// The oil of a case at one temperature [K], by the laws that the case names.
 PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature);
+
+/// Notes on a viscosity far from those of engine oils at this temperature [K]; docs/theory/oil.md.
+void append_viscosity_notes(const PreparedOil& oil, double temperature, std::vector<Note>& notes);
 
 /// An oil that the caller brings, with the note that says so. Throws InputError without a law, or where it has no value
 /// up to the pressures that its fits are to reach (see fit_properties).

@@ -9,6 +9,7 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/case/contact_plausibility.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
 #include "ringfilm/cycle/march/march_film.hpp"
 #include "ringfilm/cycle/march/oil.hpp"
@@ -106,13 +107,15 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
   if (elastic_pressure <= kHighestTension) return;
   notes.push_back({"ring-tension-high",
                    "the tension of the ring makes an elastic pressure of " + number_text(elastic_pressure / 1e6) +
-                       " MPa: " + kUsualTension,
+                       " MPa: " + usual_tension(),
                    1});
 }
 
 Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
   append_end_cell_note(c, oil.notes);
   append_gas_notes(c, cylinder, oil.notes);
+  append_viscosity_notes(oil, c.operating.oil_temperature, oil.notes);
+  append_contact_notes(c, roughness(c), oil.notes);
   const double p_e = elastic_pressure(c);
   append_tension_note(p_e, oil.notes);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, cylinder));
@@ -135,6 +138,11 @@ Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
 }
 
 }  // namespace
+
+std::string usual_tension() {
+  return "compression rings press with 0.05 to 0.5 MPa, oil rings with up to 2 MPa; check the units of the tension, "
+         "ring.face_width and engine.bore";
+}
 
 double elastic_pressure(const Case& c) {
   const Ring& r = c.ring;

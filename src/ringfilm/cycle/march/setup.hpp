@@ -40,10 +40,8 @@ struct Setup {
   CellsOfFace cells = CellsOfFace::kUniform;            ///< graded where uniform ones found no film
 };
 
-/// What rings press with, for messages.
-inline constexpr const char* kUsualTension =
-    "compression rings press with 0.05 to 0.5 MPa, oil rings with up to 2 MPa; check the units of the tension, "
-    "ring.face_width and engine.bore";
+/// The elastic pressure of rings and what to check of another one, for messages.
+std::string usual_tension();
 
 /// p_e of the one way in which the case states the tension of the ring, eq-elastic-pressure [Pa].
 double elastic_pressure(const Case& c);

@@ -44,7 +44,7 @@ struct NodalOilView {
   const double *rho, *K;
 };
 
-/// Faces through which the flux is wanted, in rising order, and where it goes [kg/(m s)].
+/// Faces through which the flux is required, in rising order, and where it goes [kg/(m s)].
 struct FluxesWanted {
   const int* face;
   double* flux;

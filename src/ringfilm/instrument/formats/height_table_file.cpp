@@ -409,7 +409,8 @@ class TableReader {
   std::string unit_of(std::size_t column) const { return column < header_.size() ? header_[column].unit : ""; }
 
   void check_place(double place, const char* name) const {
-    if (std::isnan(place)) refuse_here(1, fmt::format("the row has no {}", name), "a place is wanted for each height");
+    if (std::isnan(place))
+      refuse_here(1, fmt::format("the row has no {}", name), "a place is required for each height");
   }
 
   ChannelValues read_points() {

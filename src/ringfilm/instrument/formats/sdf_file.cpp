@@ -137,7 +137,7 @@ class TextHeader {
     const auto [rest, error] = std::from_chars(first, text.data() + text.size(), value);
     if (error != std::errc{} || rest != text.data() + text.size()) {
       in_.refuse_at(entry->second.second, fmt::format("{} = {} is not a number of its kind", key, text),
-                    "a number is wanted");
+                    "a number is required");
     }
     return value;
   }
@@ -212,14 +212,15 @@ void read_text(const BinaryReader& in, const SdfHeader& header, ChannelValues& v
   }
   if (place == end) {
     in.refuse_at(all.size(), "the file ends within its last height: nothing shows whether a digit is missing",
-                 "the file was cut short: copy it again; after the last height a line \"*\" is wanted");
+                 "the file was cut short: copy it again; after the last height a line \"*\" is required");
   }
   skip_blanks();
   if (place == end) values.notes.push_back("the line \"*\" that ends the heights is missing; all heights are there");
   if (place != end && *place != '*') {
-    in.refuse_at(static_cast<std::size_t>(place - all.data()),
-                 fmt::format("the map of {} x {} points ends here, and more follows", header.points_x, header.points_y),
-                 "after the last height a line \"*\" is wanted; else the size in the header is smaller than the data");
+    in.refuse_at(
+        static_cast<std::size_t>(place - all.data()),
+        fmt::format("the map of {} x {} points ends here, and more follows", header.points_x, header.points_y),
+        "after the last height a line \"*\" is required; else the size in the header is smaller than the data");
   }
 }
 

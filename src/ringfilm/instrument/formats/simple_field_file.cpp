@@ -59,7 +59,7 @@ class SimpleFieldHeader {
     const double value = number<double>(key, entry->second);
     if (!std::isfinite(value) || value <= 0) {
       in_.refuse_at(entry->second.offset, fmt::format("{} = {} is no length", key, entry->second.value),
-                    "a number above zero is wanted");
+                    "a number above zero is required");
     }
     return value;
   }
@@ -67,7 +67,7 @@ class SimpleFieldHeader {
   std::uint64_t count(const std::string& key) const {
     const auto entry = entries_.find(key);
     if (entry == entries_.end()) {
-      in_.refuse_at(end_, fmt::format("the header has no {}", key), "the number of points is wanted: XRes and YRes");
+      in_.refuse_at(end_, fmt::format("the header has no {}", key), "the number of points is required: XRes and YRes");
     }
     return number<std::uint32_t>(key, entry->second);
   }
@@ -79,7 +79,7 @@ class SimpleFieldHeader {
     const char* const last = entry.value.data() + entry.value.size();
     const auto [rest, error] = std::from_chars(entry.value.data(), last, value);
     if (error != std::errc{} || rest != last) {
-      in_.refuse_at(entry.offset, fmt::format("{} = {} is not a number", key, entry.value), "a number is wanted");
+      in_.refuse_at(entry.offset, fmt::format("{} = {} is not a number", key, entry.value), "a number is required");
     }
     return value;
   }

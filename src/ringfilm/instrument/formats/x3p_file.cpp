@@ -82,7 +82,7 @@ double number_in(const Description& about, const std::string& element, const std
   const auto [rest, error] = std::from_chars(first, text.data() + text.size(), value);
   if (error != std::errc{} || rest != text.data() + text.size() || !std::isfinite(value)) {
     refuse_element(about, element, fmt::format("\"{}\" is not a finite number", utf8_from(text.substr(0, 40))),
-                   "a number is wanted");
+                   "a number is required");
   }
   return value;
 }
@@ -161,7 +161,7 @@ X3pAxis read_axis(const Description& about, const pugi::xml_node& axes, const st
     }
     axis.type = type[0];
   } else if (!axis.by_step) {
-    refuse_element(about, name, "there is no DataType", "I, L, F or D is wanted");
+    refuse_element(about, name, "there is no DataType", "I, L, F or D is required");
   }
   if (find(node, "Increment")) axis.increment = number_in(about, name + "/Increment", text_of(node, "Increment"));
   if (find(node, "Offset")) axis.offset = number_in(about, name + "/Offset", text_of(node, "Offset"));
@@ -202,7 +202,7 @@ void check_increments(const Description& about) {
   const auto check = [&about](const X3pAxis& axis, std::size_t points, const char* name) {
     if (axis.increment > 0 || (axis.by_step && points == 1)) return;
     refuse_element(about, fmt::format("{}/Increment", name), fmt::format("{} is no step", axis.increment),
-                   "a number above zero is wanted: export the file again");
+                   "a number above zero is required: export the file again");
   };
   check(about.x, about.points_x, "CX");
   check(about.y, about.points_y, "CY");
@@ -218,7 +218,7 @@ void read_links(Description& about, const pugi::xml_node& record3) {
     about.point_checksum = text_of(link, "MD5ChecksumPointData");
     about.valid_entry = text_of(link, "ValidPointsLink");
     about.valid_checksum = text_of(link, "MD5ChecksumValidPoints");
-    if (about.point_entry.empty()) refuse_element(about, "DataLink", "PointDataLink is empty", "a name is wanted");
+    if (about.point_entry.empty()) refuse_element(about, "DataLink", "PointDataLink is empty", "a name is required");
   } else if (!find(record3, "DataList")) {
     refuse_element(about, "Record3", "there is neither DataLink nor DataList", "the standard requires one of them");
   }
@@ -449,7 +449,7 @@ InstrumentFile read_x3p(const std::string& path) {
   about.y = read_axis(about, axes, "CY");
   about.z = read_axis(about, axes, "CZ");
   if (about.z.by_step) {
-    refuse_element(about, "CZ/AxisType", "heights of even steps are no heights", "A is wanted for CZ");
+    refuse_element(about, "CZ/AxisType", "heights of even steps are no heights", "A is required for CZ");
   }
   about.is_profile = text_of(record1, "FeatureType") == "PRF";
   read_sizes(about, record3);

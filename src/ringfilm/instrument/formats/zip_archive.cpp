@@ -57,7 +57,7 @@ void ZipArchive::read_pieces(const std::string& name, std::uint64_t length,
   std::string block(1 << 18, '\0');
   std::uint64_t taken = 0;
   while (true) {
-    // One byte more than is wanted tells an entry that is longer than it may be.
+    // One byte more than is required tells an entry that is longer than it may be.
     const std::uint64_t wanted = std::min<std::uint64_t>(block.size(), length - taken + 1);
     const zip_int64_t got = zip_fread(entry.get(), block.data(), wanted);
     if (got < 0) {

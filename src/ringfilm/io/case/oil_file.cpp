@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ringfilm/cycle/march/oil.hpp"
 #include "ringfilm/io/text/csv_quantity.hpp"
 
 namespace ringfilm::io {
@@ -30,6 +31,15 @@ void check_sign(const CsvFile& csv, const std::string& name, const std::vector<d
   }
 }
 
+/// The same range as that of lubricant.density.
+void check_density(const CsvFile& csv, const std::vector<double>& density, std::vector<Fault>& faults) {
+  const auto found = std::find_if_not(density.begin(), density.end(), cycle::is_oil_density);
+  if (found == density.end()) return;
+  faults.push_back({csv.cell_mark(static_cast<std::size_t>(found - density.begin()), *csv.find("density")),
+                    fmt::format("the density is {:.6g} kg/m3, out of range", *found),
+                    std::string(cycle::kAllowedOilDensity) + "; is the unit in the header right?"});
+}
+
 }  // namespace
 
 OilFile read_oil_table(const NamedFile& file, const Units& units) {
@@ -46,7 +56,7 @@ OilFile read_oil_table(const NamedFile& file, const Units& units) {
   check_sign(csv, "temperature", T, Bound::kPositive, faults);
   check_sign(csv, "pressure", p, Bound::kNotNegative, faults);
   check_sign(csv, "viscosity", eta, Bound::kPositive, faults);
-  check_sign(csv, "density", rho, Bound::kPositive, faults);
+  check_density(csv, rho, faults);
 
   OilFile oil;
   oil.table.temperature = sorted_unique(T);
@@ -57,7 +67,7 @@ OilFile read_oil_table(const NamedFile& file, const Units& units) {
   if (faults.empty() && T.size() < n_T * n_p) {
     faults.push_back({whole,
                       fmt::format("the table has {} rows for {} temperatures and {} pressures", T.size(), n_T, n_p),
-                      "every pressure is wanted at every temperature"});
+                      "every pressure is required at every temperature"});
   }
   if (!faults.empty()) throw InputError(faults);
   oil.table.viscosity.assign(n_T * n_p, 0.0);

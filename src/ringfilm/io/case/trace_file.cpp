@@ -115,7 +115,7 @@ class TraceReader {
     if (candidates.size() == 1) return candidates.front();
     if (candidates.empty()) {
       faults_.push_back({header, "no column of the file is a " + role.words + ": " + why_none_is(role),
-                         "a header such as " + role.header_example + " is wanted, or " + role.column_key});
+                         "a header such as " + role.header_example + " is required, or " + role.column_key});
     } else {
       faults_.push_back({header, fmt::format("{} columns of the file may be the {}", candidates.size(), role.words),
                          "name one of them with " + role.column_key + "; the file has: " + csv_.names()});

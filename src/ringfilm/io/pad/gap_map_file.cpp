@@ -99,7 +99,7 @@ class Lines {
 
   [[noreturn]] void refuse(std::size_t row, const Column& column, const std::string& message) const {
     refuse(row, column, message,
-           "a full rectangle is wanted: every x with every y, all x of one y and then of the next, each in the same "
+           "a full rectangle is required: every x with every y, all x of one y and then of the next, each in the same "
            "order");
   }
 
@@ -142,7 +142,7 @@ void check_gap_column(const std::string& name, const std::vector<double>& places
                         fmt::format("the same {} twice is a step; keep two of them", name)});
       return;
     case PlaceFault::kStepAtEnd:
-      faults.push_back({mark, "a step at an end of the pad", "a step is wanted inside, with a gap on both sides"});
+      faults.push_back({mark, "a step at an end of the pad", "a step is required inside, with a gap on both sides"});
       return;
   }
 }

@@ -19,7 +19,7 @@ namespace ringfilm::io {
 namespace {
 
 constexpr std::size_t kLargestMap = std::size_t{256} << 20;  // [byte]
-constexpr const char* kWanted = "a variable h(y, x) is wanted, with coordinates x(x) and y(y), each with units";
+constexpr const char* kWanted = "a variable h(y, x) is required, with coordinates x(x) and y(y), each with units";
 
 [[noreturn]] void refuse(const std::string& shown, const std::string& what, const std::string& remedy) {
   throw InputError(std::vector<Fault>{{{shown, 0, 0, ""}, what, remedy}});
@@ -225,7 +225,7 @@ void check_axis(const std::string& shown, const std::string& name, const std::ve
       fault("comes three times", fmt::format("the same {} twice is a step; keep two of them", name));
       return;
     case PlaceFault::kStepAtEnd:
-      fault("is a step at an end of the pad", "a step is wanted inside, with a gap on both sides");
+      fault("is a step at an end of the pad", "a step is required inside, with a gap on both sides");
       return;
   }
 }

@@ -40,7 +40,7 @@ class AsideFile {
 
   /// Sets room aside on the disk for so many bytes, so that writing them cannot meet a full one; what is not needed is
   /// given back when the file is put in place. Where the file system cannot do that, the room that is free must do.
-  /// Throws OutputError with the room that is wanted.
+  /// Throws OutputError with the room that is required.
   void reserve(std::uint64_t bytes);
 
   /// Flushes and renames; throws OutputError, what stood there before is then untouched.

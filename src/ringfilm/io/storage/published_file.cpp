@@ -50,7 +50,7 @@ double number_of(const TomlValue& table, const std::string& si_unit, const Units
   }
   if (number == 0) {
     faults.push_back({value->mark, "published.value = " + value->as_written() + " is no number to compare with",
-                      si_unit == "1" ? "a number other than 0 is wanted" : "a number with unit is wanted, not 0"});
+                      si_unit == "1" ? "a number other than 0 is required" : "a number with unit is required, not 0"});
   }
   return number;
 }

@@ -27,8 +27,8 @@ struct ShardHeader {
   study::ScenarioRange range() const { return {first, end}; }
 };
 
-/// What differs between two headers, in words ("another plan"); empty if the rows found are of what is wanted. Kernels
-/// are not compared: rows that are there may be read wherever they were computed.
+/// What differs between two headers, in words ("another plan"); empty if the rows found are of what is required.
+/// Kernels are not compared: rows that are there may be read wherever they were computed.
 std::string difference(const ShardHeader& found, const ShardHeader& wanted);
 
 /// Are the rows found the first ones of those wanted, of a study in one part that has only become longer?

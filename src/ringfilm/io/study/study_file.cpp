@@ -248,7 +248,7 @@ class StudyReader {
       if (found) of_factors.insert(*found);
       if (!found) {
         table.refuse(csv.source.mark(csv.header_line), fmt::format("there is no column {}", factor.name),
-                     fmt::format("the columns are {}; one is wanted for each factor", csv.names()));
+                     fmt::format("the columns are {}; one is required for each factor", csv.names()));
         continue;
       }
       std::vector<double> values = csv.columns[*found].values;

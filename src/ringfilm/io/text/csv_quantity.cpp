@@ -13,7 +13,7 @@ std::vector<double> quantity_column(const CsvFile& csv, const std::string& name,
   const auto i_column = csv.find(name);
   if (!i_column) {
     faults.push_back({csv.source.mark(csv.header_line, 1), "the file has no column " + name,
-                      "a column " + example + " is wanted; it has: " + csv.names()});
+                      "a column " + example + " is required; it has: " + csv.names()});
     return {};
   }
   const CsvColumn& column = csv.columns[*i_column];

@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "ringfilm/base/constants.hpp"
@@ -18,6 +19,19 @@ inline constexpr double kShortestBlendDeg = 40;
 /// Such a trace lies between minus and plus this angle from firing TDC [degree].
 inline constexpr double kLongestPartialTraceDeg = kJoinedOverlapBeginDeg - kShortestBlendDeg;
 static_assert(kLongestPartialTraceDeg == base::kCycleDeg - kJoinedOverlapEndDeg - kShortestBlendDeg);
+
+/// Such a trace covers this span at least [degree]: the valves of a four-stroke engine are closed over 200 degrees and
+/// more, and no blend of a few values makes up for compression and expansion.
+inline constexpr double kShortestPartialTraceDeg = 180;
+
+/// Do the samples span one or two revolutions in radians, while they are read as degrees? The last one may be missing.
+inline bool spans_radians(const std::vector<double>& crank_angle_deg) {
+  constexpr double kRevolution = 2 * std::numbers::pi, kScatter = 0.05;
+  if (crank_angle_deg.empty()) return false;
+  const double span = crank_angle_deg.back() - crank_angle_deg.front();
+  return std::abs(span - kRevolution) <= kScatter * kRevolution ||
+         std::abs(span - 2 * kRevolution) <= kScatter * 2 * kRevolution;
+}
 
 /// Do the samples cover one revolution of the crank, and so half a cycle of a four-stroke engine? Their span may differ
 /// from 360 degrees by the distance that samples may have, as where the last one before 360 degrees is missing.

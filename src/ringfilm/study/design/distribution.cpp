@@ -116,7 +116,7 @@ std::vector<Complaint> complaints_of_shape(const Distribution& d) {
     case Shape::kTriangular:
       if (d.mode < d.lower || d.mode > d.upper) {
         found.push_back({"has its mode " + shown(d.mode) + " outside " + shown(d.lower) + " to " + shown(d.upper),
-                         "lower <= mode <= upper is wanted"});
+                         "lower <= mode <= upper is required"});
       }
       [[fallthrough]];
     case Shape::kUniform:

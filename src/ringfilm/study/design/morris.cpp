@@ -18,7 +18,7 @@ struct MorrisTrajectories::Trajectory {
 
 MorrisTrajectories::MorrisTrajectories(std::size_t n_factors, std::size_t n_levels, std::uint64_t seed)
     : n_factors_(n_factors), n_levels_(n_levels), seed_(seed) {
-  if (n_levels < 2 || n_levels % 2 != 0) throw std::invalid_argument("an even number of levels is wanted");
+  if (n_levels < 2 || n_levels % 2 != 0) throw std::invalid_argument("an even number of levels is required");
 }
 
 MorrisTrajectories::Trajectory MorrisTrajectories::trajectory(std::uint64_t i) const {

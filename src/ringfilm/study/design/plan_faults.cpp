@@ -355,7 +355,7 @@ void check_list(const Study& study, Faults& faults) {
     if (list[i].size() != study.factors.size()) {
       faults.push_back({{},
                         line + "has " + std::to_string(list[i].size()) + " values",
-                        "one is wanted for each of " + std::to_string(study.factors.size()) + " factors"});
+                        "one is required for each of " + std::to_string(study.factors.size()) + " factors"});
       return;
     }
     for (std::size_t j = 0; j < list[i].size(); ++j) {
@@ -414,7 +414,7 @@ void check_sampling(const Study& study, Faults& faults) {
   }
   if (sampling.method == Method::kMorris) {
     if (sampling.levels < 2 || sampling.levels % 2 != 0 || sampling.levels > 1000) {
-      refuse("plan.levels = " + std::to_string(sampling.levels), "an even number from 2 to 1000 is wanted");
+      refuse("plan.levels = " + std::to_string(sampling.levels), "an even number from 2 to 1000 is required");
     }
     if (sampling.trajectories < 2 || static_cast<double>(sampling.trajectories) > 1e6) {
       refuse("plan.trajectories = " + std::to_string(sampling.trajectories), "2 to 10^6 are wanted");

@@ -83,7 +83,7 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
     throw InputError("the height of the land is not a length above zero", "for example 1 um");
   }
   if (!std::isfinite(rule.tilt)) {
-    throw InputError("the tilt of the face is not a finite number", "a slope is wanted, for example 0.002");
+    throw InputError("the tilt of the face is not a finite number", "a slope is required, for example 0.002");
   }
   // Heights are lowered by tilt * x, which is a rotation as long as its cosine is 1: at 0.1 lengths are 0.5 % off.
   constexpr double kLargestTilt = 0.1;

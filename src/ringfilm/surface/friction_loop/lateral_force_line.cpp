@@ -132,7 +132,7 @@ double coverage_factor(double confidence, double degrees_of_freedom) {
   if (!(confidence > 0 && confidence < 1) || !(degrees_of_freedom > 0)) {
     throw InputError("an interval has no width for a confidence of " + number_text(confidence) + " and " +
                          number_text(degrees_of_freedom) + " degrees of freedom",
-                     "a confidence between 0 and 1 is wanted, for example 0.95, and three points or more");
+                     "a confidence between 0 and 1 is required, for example 0.95, and three points or more");
   }
   const double upper = 0.5 + confidence / 2;
   if (std::isinf(degrees_of_freedom)) return boost::math::quantile(boost::math::normal(), upper);

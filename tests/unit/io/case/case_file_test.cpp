@@ -33,13 +33,15 @@ TEST(CaseFile, GivesEveryValueInSi) {
 
 TEST(CaseFile, KeepsTheDigestOfEveryFileItRead) {
   const CaseFolder folder;
-  folder.write("p.csv", "crank_angle [degree],p [bar]\n0,1\n5,2\n");
+  std::string trace = "crank_angle [degree],p [bar]\n";
+  for (int angle = -90; angle <= 90; angle += 10) trace += std::to_string(angle) + (angle == 0 ? ",2\n" : ",1\n");
+  folder.write("p.csv", trace);
   const cycle::Case c = folder.read({{"gas.intake_pressure", "0.9 bar"}, {"gas.exhaust_pressure", "1.1 bar"}});
   ASSERT_EQ(c.files.size(), 2u);
   EXPECT_EQ(c.files[0].role, "case");
   EXPECT_EQ(c.files[1].role, "gas.cylinder_pressure");
   // sha256sum of the text above.
-  EXPECT_EQ(c.files[1].sha256, "8b28f6a31ca3e0d9c36ad3adfcd4bb4c5db7a2d2b492b910599ae4387d690837");
+  EXPECT_EQ(c.files[1].sha256, "a0ecc53b6e48ed8f3fd2d488182c73fe5f6c010d9a142fbaa2ac4e063fb5913a");
 }
 
 TEST(CaseFile, TitleIsNoBook) {
@@ -158,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"ring.face_width = \"1,2 mm\" has a decimal comma", "write a decimal point"}},
         Mistake{"TextForBareNumber",
                 [] { return with_more(&CaseText::contact, "[liner]\npoissons_ratio = \"0.2\"\n"); },
-                {"liner.poissons_ratio = \"0.2\" is text", "a number without unit is wanted"}},
+                {"liner.poissons_ratio = \"0.2\" is text", "a number without unit is required"}},
         Mistake{"Gauge",
                 [] { return with_more(&CaseText::gas, "crankcase_pressure = \"0.1 barg\"\n"); },
                 {"\"0.1 barg\" is a gauge pressure", "add the atmosphere"}},
@@ -179,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"solver.crank_step = 0.7 degree does not divide the cycle"}},
         Mistake{"AngleWithoutUnit",
                 [] { return with_more(&CaseText::more, "[output]\ncrank_angles = 1\n"); },
-                {"case.toml:28:16: output.crank_angles = 1 has no unit", "an angle is wanted"}},
+                {"case.toml:28:16: output.crank_angles = 1 has no unit", "an angle is required"}},
         Mistake{"AngleTwice",
                 [] { return with_more(&CaseText::more, "[output]\nfields = [\"-20 degree\", \"700 degree\"]\n"); },
                 {"has the angle 700 degree twice"}},

@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
     Texts, UnitsRefuse,
     ::testing::Values(
         Refusal{"12.5", "N", "has no unit", "a force is required here, for example \"1 something\""},
-        Refusal{"12.5 mm", "N", "is not a force", "a force is wanted"},
+        Refusal{"12.5 mm", "N", "is not a force", "a force is required"},
         Refusal{"12,5 N", "N", "decimal comma", "decimal point"},
         Refusal{"1 500 rpm", "rad/s", "second number", "one number"},
         Refusal{"nan N", "N", "not a finite number", "a force"},

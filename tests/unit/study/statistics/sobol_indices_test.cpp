@@ -178,7 +178,7 @@ Coverage coverage(int seeds, const Exact& exact, const std::function<std::vector
 
 // Of 200 seeds with three or four factors that are not independent of each other, 95 % is certain to about 1.5 % (one
 // standard deviation of 200 throws). Intervals between percentiles of the bootstrap are known to fall short of their
-// confidence by some 1 % at 256 rows: 90 % to 99 % is wanted.
+// confidence by some 1 % at 256 rows: 90 % to 99 % is required.
 TEST(SobolIndices, IntervalsCoverAsOftenAsTheySayWhereRowsAreIndependent) {
   const Coverage of_ishigami = coverage(200, exact_ishigami(), [](std::uint64_t seed) {
     return independent_rows(
