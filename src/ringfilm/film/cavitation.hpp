@@ -11,6 +11,14 @@ inline double fill(Cavitation cavitation, double deficit) {
   return cavitation == Cavitation::kMassConserving ? 1 - deficit : 1.0;
 }
 
+/// z of the node at an edge [Pa]. @param fill_scale what z of a cavity is divided by for its fill [Pa]
+inline double edge_z(const EdgeState& edge, double p_cavitation, double fill_scale) {
+  return edge.fluid == EdgeFluid::kGas ? (edge.film_content - 1) * fill_scale : edge.pressure - p_cavitation;
+}
+
+/// The deficit of the node at an edge [-].
+inline double edge_deficit(const EdgeState& edge) { return edge.fluid == EdgeFluid::kGas ? 1 - edge.film_content : 0; }
+
 /// Is the node part of a cavity?
 inline bool is_cavity(double deficit) { return deficit > kHardlyCavity; }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "ringfilm/base/aligned.hpp"
+#include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::film {
@@ -152,8 +153,7 @@ void LaneNewton::go_on(int lane, const FilmInputs& inputs, const FilmState& prev
 void LaneNewton::set_edges(int lane) {
   const Lane& at = lanes_[lane];
   const auto z_of = [&](const EdgeState& edge) {
-    if (edge.fluid == EdgeFluid::kGas) return (edge.film_content - 1) * block_.fill_scale[lane];
-    return edge.pressure - at.inputs->p_cavitation;
+    return edge_z(edge, at.inputs->p_cavitation, block_.fill_scale[lane]);
   };
   nodal(block_.z, 0, lane) = z_of(at.inputs->left);
   nodal(block_.z, at.n_cells, lane) = z_of(at.inputs->right);
@@ -324,11 +324,8 @@ void LaneNewton::read(int lane, FilmState& state) const {
   }
   state.p.front() = inputs.left.pressure;
   state.p.back() = inputs.right.pressure;
-  const auto deficit_of = [](const EdgeState& edge) {
-    return edge.fluid == EdgeFluid::kGas ? 1 - edge.film_content : 0;
-  };
-  state.deficit.front() = deficit_of(inputs.left);
-  state.deficit.back() = deficit_of(inputs.right);
+  state.deficit.front() = edge_deficit(inputs.left);
+  state.deficit.back() = edge_deficit(inputs.right);
 }
 
 }  // namespace ringfilm::film

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ringfilm/base/aligned.hpp"
+#include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/kernels/newton_sweep.hpp"
 #include "ringfilm/film/load_balance.hpp"
 
@@ -147,8 +148,7 @@ void SheetNewton::set_given(const SheetInputs& inputs) {
     for (int i = 0; i <= last; ++i) block_.z[shape_.at(i, s)] = p - inputs.strip.p_cavitation;
   };
   const auto z_of = [&](const film::EdgeState& edge) {
-    if (edge.fluid == film::EdgeFluid::kGas) return (edge.film_content - 1) * block_.fill_scale;
-    return edge.pressure - inputs.strip.p_cavitation;
+    return film::edge_z(edge, inputs.strip.p_cavitation, block_.fill_scale);
   };
   if (ends_ == Ends::kOpen) {
     put(-1, inputs.p_low);
@@ -387,11 +387,8 @@ void SheetNewton::read(const SheetProblem& problem, const SheetInputs& inputs, f
       state.p[first] = strip.left.pressure;
       state.p[first + last] = strip.right.pressure;
     }
-    const auto deficit_of = [](const film::EdgeState& edge) {
-      return edge.fluid == film::EdgeFluid::kGas ? 1 - edge.film_content : 0;
-    };
-    state.deficit[first] = deficit_of(strip.left);
-    state.deficit[first + last] = deficit_of(strip.right);
+    state.deficit[first] = film::edge_deficit(strip.left);
+    state.deficit[first + last] = film::edge_deficit(strip.right);
   }
 }
 
