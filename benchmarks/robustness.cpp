@@ -19,17 +19,17 @@
 #include "../tests/scenarios/engine_scenario.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/cycle_run.hpp"
-#include "ringfilm/cycle/march/kinematics.hpp"
-#include "ringfilm/cycle/march/side_by_side.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/integration/side_by_side.hpp"
 #include "ringfilm/film/film_integrals.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/models/oil/viscosity_laws.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
 #include "ringfilm/study/ensemble/threads.hpp"
 
-/// Marches one cycle of each of many seeded scenarios (tests/scenarios), side by side in the lanes of a register, and
-/// counts how every step was solved. A film is believed only if all its numbers are finite and its load balances by a
-/// sum of its own.
+/// Integrates one cycle of each of many seeded scenarios (tests/scenarios), side by side in the lanes of a register,
+/// and counts how every step was solved. A film is believed only if all its numbers are finite and its load balances by
+/// a sum of its own.
 namespace ringfilm::cycle {
 namespace {
 
@@ -45,7 +45,7 @@ enum class End {
   kUnexplained,      ///< reported: no balance found
   kNotFinite,        ///< a film with a NaN or an infinity was accepted
   kOutOfBalance,     ///< a film was accepted that does not carry its load
-  kLastStateBroken,  ///< after a stop the march does not stand on a good film
+  kLastStateBroken,  ///< after a stop the integration does not stand on a good film
   kException,        ///< anything else was thrown
 };
 constexpr int kEnds = 10;
@@ -60,8 +60,8 @@ struct Outcome {
   End end = End::kSolved;
   std::string message;
   std::optional<double> crank_angle_deg;
-  bool is_graded = false;  ///< marched on graded cells, since uniform ones found no film
-  March::Totals totals;
+  bool is_graded = false;  ///< integrated on graded cells, since uniform ones found no film
+  TimeIntegration::Totals totals;
   long side_steps = 0;
 };
 
@@ -77,9 +77,9 @@ struct Broken {
   double crank_angle_deg;
 };
 
-void check_film(const March& march, const Instant& instant) {
+void check_film(const TimeIntegration& integration, const Instant& instant) {
   if (!is_finite(*instant.state)) throw Broken{End::kNotFinite, instant.crank_angle_deg};
-  const auto sums = film::film_integrals(march.problem(), instant.inputs, *instant.previous, *instant.state);
+  const auto sums = film::film_integrals(integration.problem(), instant.inputs, *instant.previous, *instant.state);
   const double carried = sums.hydrodynamic_load + sums.asperity_load;
   if (!(std::abs(carried - instant.inputs.load) <= kLoadError * instant.inputs.load)) {
     throw Broken{End::kOutOfBalance, instant.crank_angle_deg};
@@ -87,20 +87,20 @@ void check_film(const March& march, const Instant& instant) {
 }
 
 /// Checks every accepted film; asks for films between the steps where the scenario wants them.
-class Watch : public Waypoints {
+class Watch : public StepObserver {
  public:
   Watch(const EngineScenario& scenario, long& side_steps) : spacing_(scenario.side_spacing_deg), side_(side_steps) {}
 
-  void before_step(March& march, double from_deg, double to_deg) override {
+  void before_step(TimeIntegration& integration, double from_deg, double to_deg) override {
     if (!spacing_) return;
     const double next = (std::floor(from_deg / *spacing_) + 1) * *spacing_;
     if (next >= to_deg) return;
     film::FilmState state;
     ++side_;
-    check_film(march, march.side_step(next, state));
+    check_film(integration, integration.side_step(next, state));
   }
 
-  void after_step(const March& march) override { check_film(march, march.instant()); }
+  void after_step(const TimeIntegration& integration) override { check_film(integration, integration.instant()); }
 
  private:
   std::optional<double> spacing_;
@@ -117,53 +117,54 @@ double asperity_capacity(const film::FilmProblem& problem) {
   return load;
 }
 
-/// The load that the march could not balance, per length [N/m].
+/// The load that the integration could not balance, per length [N/m].
 double load_at(const Setup& setup, double crank_angle_deg) {
   const double p = setup.cylinder_pressure.pressure(wrapped(crank_angle_deg));
   return (setup.elastic_pressure + setup.input.gas.pressure_behind_ring * p) * setup.input.ring.face_width;
 }
 
 /// One cycle of a scenario. All that it throws is its outcome.
-class ScenarioMarch final : public Marching {
+class ScenarioIntegration final : public BatchMember {
  public:
   /// Throws InputError.
-  ScenarioMarch(int index, const EngineScenario& scenario) : ScenarioMarch(index, scenario, prepare(scenario.input)) {}
+  ScenarioIntegration(int index, const EngineScenario& scenario)
+      : ScenarioIntegration(index, scenario, prepare(scenario.input)) {}
 
-  ScenarioMarch(int index, const EngineScenario& scenario, Setup setup)
+  ScenarioIntegration(int index, const EngineScenario& scenario, Setup setup)
       : index_(index),
         scenario_(scenario),
         setup_(std::move(setup)),
-        march_(setup_),
+        integration_(setup_),
         watch_(scenario_, outcome_.side_steps),
         n_steps_(steps_per_cycle(setup_.input.solver)) {
     attempt([&] {
-      march_.start(static_cast<int>(std::lround(scenario_.start_angle_deg / kCycleDeg * n_steps_)) % n_steps_);
+      integration_.start(static_cast<int>(std::lround(scenario_.start_angle_deg / kCycleDeg * n_steps_)) % n_steps_);
       started_ = true;
-      check_film(march_, march_.instant());
+      check_film(integration_, integration_.instant());
     });
   }
 
-  March& march() override { return march_; }
+  TimeIntegration& integration() override { return integration_; }
   bool done() const override { return done_; }
 
   void conclude(const film::FilmReport& report) override {
     attempt([&] {
-      march_.conclude(report, watch_);
-      if (march_.at_base_angle()) done_ = ++steps_ == n_steps_;
+      integration_.conclude(report, watch_);
+      if (integration_.at_base_angle()) done_ = ++steps_ == n_steps_;
     });
   }
 
   int index() const { return index_; }
   Outcome outcome() const {
     Outcome outcome = outcome_;
-    outcome.totals = march_.totals();
+    outcome.totals = integration_.totals();
     outcome.is_graded = setup_.cells == CellsOfFace::kGraded;
     return outcome;
   }
-  /// Where this march stopped and graded cells may help.
-  std::unique_ptr<ScenarioMarch> again() const {
+  /// Where this integration stopped and graded cells may help.
+  std::unique_ptr<ScenarioIntegration> again() const {
     std::optional<Setup> setup = stop_ ? second_attempt(setup_, *stop_) : std::nullopt;
-    return setup ? std::make_unique<ScenarioMarch>(index_, scenario_, std::move(*setup)) : nullptr;
+    return setup ? std::make_unique<ScenarioIntegration>(index_, scenario_, std::move(*setup)) : nullptr;
   }
 
  private:
@@ -189,7 +190,7 @@ class ScenarioMarch final : public Marching {
     outcome_.crank_angle_deg = error.crank_angle_deg();
     stop_ = Stop{error.what(), error.crank_angle_deg(), error.failure};
     outcome_.end = end_of(error);
-    if (started_ && !is_finite(march_.state())) outcome_.end = End::kLastStateBroken;
+    if (started_ && !is_finite(integration_.state())) outcome_.end = End::kLastStateBroken;
   }
 
   End end_of(const NoBalance& error) const {
@@ -200,7 +201,7 @@ class ScenarioMarch final : public Marching {
       case film::Failure::kRunsAway:
         return End::kRunsAway;
       case film::Failure::kOverloaded:
-        return asperity_capacity(march_.problem()) >= load ? End::kFalseOverload : End::kOverloaded;
+        return asperity_capacity(integration_.problem()) >= load ? End::kFalseOverload : End::kOverloaded;
       default:
         return End::kUnexplained;
     }
@@ -209,7 +210,7 @@ class ScenarioMarch final : public Marching {
   int index_;
   EngineScenario scenario_;
   Setup setup_;
-  March march_;
+  TimeIntegration integration_;
   Outcome outcome_;
   Watch watch_;
   int n_steps_;
@@ -264,7 +265,7 @@ struct Row {
   std::string name;
   std::function<bool(const EngineScenario&)> holds;
   long scenarios = 0, steps = 0, newton = 0, search = 0, cuts = 0, short_steps = 0, side_steps = 0;
-  long graded = 0;  ///< marched again on graded cells
+  long graded = 0;  ///< integrated again on graded cells
   long ends[kEnds] = {};
 
   void add(const Outcome& outcome) {
@@ -334,7 +335,8 @@ void print(const std::vector<Row>& rows) {
   }
   std::printf(
       "\ndirect, search: steps solved by the coupled Newton, by the bracketed search; cut: attempts given up for a\n"
-      "shorter step; side: films asked for between steps; graded: marched again on graded cells, since uniform ones\n"
+      "shorter step; side: films asked for between steps; graded: integrated again on graded cells, since uniform "
+      "ones\n"
       "found no film; overloaded: nothing carries the load; lifted: the gas under the ring lifts it off; runs away:\n"
       "thinner films have no pressure; faults: all else that did not end well");
   for (const Row* row : {&rows.front(), &rows.back()}) {
@@ -391,10 +393,10 @@ Survey surveyed(const Options& options, int first, int count) {
     if (n_given == count) return std::nullopt;
     return n_given++;
   };
-  const auto next = [&]() -> std::unique_ptr<Marching> {
+  const auto next = [&]() -> std::unique_ptr<BatchMember> {
     while (const std::optional<int> index = next_index()) {
       try {
-        return std::make_unique<ScenarioMarch>(*index, scenario_of(options, first + *index));
+        return std::make_unique<ScenarioIntegration>(*index, scenario_of(options, first + *index));
       } catch (const std::exception& error) {
         Outcome outcome;
         outcome.end = End::kException;
@@ -404,14 +406,14 @@ Survey surveyed(const Options& options, int first, int count) {
     }
     return nullptr;
   };
-  const auto finished = [&](std::unique_ptr<Marching> marching) {
-    const auto& march = static_cast<const ScenarioMarch&>(*marching);
-    const std::unique_ptr<ScenarioMarch> again = march.again();
+  const auto finished = [&](std::unique_ptr<BatchMember> integrating) {
+    const auto& integration = static_cast<const ScenarioIntegration&>(*integrating);
+    const std::unique_ptr<ScenarioIntegration> again = integration.again();
     if (again != nullptr) integrate_alone(*again);
-    end(march.index(), (again != nullptr ? *again : march).outcome());
+    end(integration.index(), (again != nullptr ? *again : integration).outcome());
   };
   std::vector<LaneEffort> efforts(n_threads);
-  study::on_threads(n_threads, [&](int thread) { efforts[thread] = march_side_by_side(next, finished); });
+  study::on_threads(n_threads, [&](int thread) { efforts[thread] = integrate_side_by_side(next, finished); });
   for (const LaneEffort& effort : efforts) study::add(effort, survey.lanes);
   survey.processor_seconds = processor_seconds() - start;
   return survey;
@@ -467,12 +469,12 @@ long survey(const Options& options) {
 
 int main(int argc, char** argv) {
   ringfilm::cycle::Options options;
-  CLI::App app("Marches one cycle of each of many seeded scenarios and counts how every step was solved");
+  CLI::App app("Integrates one cycle of each of many seeded scenarios and counts how every step was solved");
   app.add_option("--count", options.count, "scenarios")->check(CLI::Range(1, 10'000'000))->capture_default_str();
   app.add_option("--first", options.first, "index of the first one")->check(CLI::NonNegativeNumber);
   app.add_option("--seed", options.seed, "of the sample")->capture_default_str();
   app.add_option("--jobs", options.jobs, "threads")->check(CLI::Range(1, 256))->capture_default_str();
-  app.add_option("--only", options.only, "march this one scenario and print it")->check(CLI::NonNegativeNumber);
+  app.add_option("--only", options.only, "integrate this one scenario and print it")->check(CLI::NonNegativeNumber);
   app.add_option("--cells", options.cells, "solver.cells of all scenarios")->check(CLI::Range(8, 100'000));
   app.add_option("--failures", options.failures, "file for one line of JSON per scenario that was not solved");
   CLI11_PARSE(app, argc, argv);

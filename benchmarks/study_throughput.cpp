@@ -74,7 +74,7 @@ io::StudyFile uncertainty_study(std::uint64_t scenarios, study::Curves curves) {
 }
 
 io::ShardHeader header_of(const study::Plan& plan) {
-  const study::Keep& keep = plan.study().keep;
+  const study::OutputSelection& keep = plan.study().keep;
   return {"plan",
           "inputs",
           "program",

@@ -34,7 +34,7 @@ Cost cost_of(cycle::Case c) {
   const cycle::CycleResult result = cycle::simulate(setup);
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   const auto steps = static_cast<double>(result.effort.crank_steps);
-  return {seconds / result.effort.cycles_marched, static_cast<double>(result.effort.newton_iterations) / steps};
+  return {seconds / result.effort.cycles_integrated, static_cast<double>(result.effort.newton_iterations) / steps};
 }
 
 cycle::Case new_ring(int cells) {

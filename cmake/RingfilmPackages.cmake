@@ -28,7 +28,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME ringfilm)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 "Friction, oil film and oil flow of a piston ring over the engine cycle: the
 transient Reynolds equation along the face of the ring, or around the whole
-ring, with the contact of rough surfaces and the balance of the ring, marched
+ring, with the contact of rough surfaces and the balance of the ring, integrated
 over crank angle until it repeats. One case file in, one result file and one
 web page out.
 .

@@ -63,7 +63,7 @@ endfunction()
 # ringfilm_film_kernels(): the inner loops of the film, across and around.
 function(ringfilm_film_kernels)
   ringfilm_instruction_sets("${CMAKE_SOURCE_DIR}/src/ringfilm/film/kernels/kernels")
-  ringfilm_instruction_sets("${CMAKE_SOURCE_DIR}/src/ringfilm/sheet/kernels")
+  ringfilm_instruction_sets("${CMAKE_SOURCE_DIR}/src/ringfilm/film/kernels/film2d_kernels")
 endfunction()
 
 # ringfilm_instruction_sets(<stem>): compiles <stem>_avx2.cpp and <stem>_avx512.cpp, each for the kind of machine in its

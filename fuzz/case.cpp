@@ -1,10 +1,11 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 
-/// A case file, with the files of fuzz/beside to refer to; what passes is made ready to march and written out again.
+/// A case file, with the files of fuzz/beside to refer to; what passes is made ready to integrate and written out
+/// again.
 RINGFILM_FUZZ_TARGET(case) {
   using namespace ringfilm;
   static const io::Units units;

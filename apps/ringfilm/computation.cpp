@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "progress.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
@@ -17,7 +17,7 @@ namespace ringfilm::app {
 namespace {
 
 /// The case itself, on one lane: its bits are the same whatever else is computed.
-Computation marched(const Wanted& wanted, ComputationWatch& watch) {
+Computation integrated(const RunRequest& wanted, ComputationWatch& watch) {
   const cycle::Case& input = wanted.input;
   watch.begins(wanted);
   Computation done;
@@ -33,8 +33,8 @@ Computation marched(const Wanted& wanted, ComputationWatch& watch) {
   return done;
 }
 
-/// What is to be found out about one computation by further marches, and where theirs stand in the batch of all.
-struct Inquiry {
+/// What is to be found out about one computation by further integrations, and where theirs stand in the batch of all.
+struct FollowUpRuns {
   study::LedgerPlan ledger;
   std::size_t n_other_grids = 0;
 
@@ -48,7 +48,7 @@ std::size_t append(std::vector<cycle::Case> cases, std::vector<cycle::Case>& all
   return n;
 }
 
-void add_errors(const Wanted& wanted, std::span<const study::Ending> ended, io::ResultDocument& document) {
+void add_errors(const RunRequest& wanted, std::span<const study::Ending> ended, io::ResultDocument& document) {
   document.errors = study::error_estimate(wanted.input, document.result, ended);
   const auto notes = study::notes_on(*document.errors);
   document.result.notes.insert(document.result.notes.end(), notes.begin(), notes.end());
@@ -58,37 +58,37 @@ void add_errors(const Wanted& wanted, std::span<const study::Ending> ended, io::
 /// Prints the progress on a line.
 class LineWatch : public ComputationWatch {
  public:
-  void begins(const Wanted& one) override { march_.emplace(line_, one.name); }
-  void advanced(int cycle, double crank_angle_deg) override { march_->advanced(cycle, crank_angle_deg); }
+  void begins(const RunRequest& one) override { integration_.emplace(line_, one.name); }
+  void advanced(int cycle, double crank_angle_deg) override { integration_->advanced(cycle, crank_angle_deg); }
   void others_ended(int n_done, int n_total) override {
     line_.show(fmt::format("{} of {} other grids and choices", n_done, n_total));
   }
 
  private:
   ProgressLine line_;
-  std::optional<MarchProgress> march_;
+  std::optional<IntegrationProgress> integration_;
 };
 
 }  // namespace
 
-std::vector<Computation> computations(const std::vector<Wanted>& wanted, const study::BatchOptions& options) {
+std::vector<Computation> computations(const std::vector<RunRequest>& wanted, const study::BatchOptions& options) {
   LineWatch watch;
   return computations(wanted, options, watch);
 }
 
-std::vector<Computation> computations(const std::vector<Wanted>& wanted, const study::BatchOptions& options,
+std::vector<Computation> computations(const std::vector<RunRequest>& wanted, const study::BatchOptions& options,
                                       ComputationWatch& watch) {
   std::vector<Computation> all;
-  for (const Wanted& one : wanted) all.push_back(marched(one, watch));
+  for (const RunRequest& one : wanted) all.push_back(integrated(one, watch));
 
   std::vector<cycle::Case> further;
-  std::vector<Inquiry> inquiries(all.size());
+  std::vector<FollowUpRuns> inquiries(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].stopped) continue;
-    if (wanted[i].errors == ErrorsWanted::kEstimated) {
+    if (wanted[i].errors == ErrorRequest::kEstimated) {
       inquiries[i].n_other_grids = append(study::other_grids(wanted[i].input), further);
     }
-    if (wanted[i].ledger == LedgerWanted::kComputed) {
+    if (wanted[i].ledger == LedgerRequest::kComputed) {
       inquiries[i].ledger = study::ledger_plan(wanted[i].input);
       append(inquiries[i].ledger.cases, further);
     }
@@ -103,7 +103,7 @@ std::vector<Computation> computations(const std::vector<Wanted>& wanted, const s
     io::ResultDocument& document = all[i].document;
     if (inquiries[i].n_other_grids > 0) add_errors(wanted[i], taken(inquiries[i].n_other_grids), document);
     if (!inquiries[i].is_empty()) document.provenance.kernels += others;
-    document.ledger_computed = wanted[i].ledger == LedgerWanted::kComputed && !all[i].stopped;
+    document.ledger_computed = wanted[i].ledger == LedgerRequest::kComputed && !all[i].stopped;
     if (document.ledger_computed) {
       const auto variants = taken(inquiries[i].ledger.cases.size());
       document.ledger = study::ledger(std::move(inquiries[i].ledger), variants, document.result.values);

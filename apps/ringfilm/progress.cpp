@@ -32,7 +32,7 @@ void ProgressLine::show(const std::string& text) {
   std::cerr << text << std::flush;
 }
 
-void MarchProgress::advanced(int cycle, double crank_angle_deg) {
+void IntegrationProgress::advanced(int cycle, double crank_angle_deg) {
   line_.show(fmt::format("{}: cycle {}, {:.0f} degree", what_, cycle, crank_angle_deg));
 }
 

@@ -24,10 +24,10 @@ class ProgressLine {
   Clock::time_point next_;
 };
 
-/// Prints the progress of a march on a line.
-class MarchProgress : public cycle::Observer {
+/// Prints the progress of an integration on a line.
+class IntegrationProgress : public cycle::Observer {
  public:
-  MarchProgress(ProgressLine& line, std::string what) : line_(line), what_(std::move(what)) {}
+  IntegrationProgress(ProgressLine& line, std::string what) : line_(line), what_(std::move(what)) {}
   void advanced(int cycle, double crank_angle_deg) override;
 
  private:

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "text/engineering_text.hpp"
 

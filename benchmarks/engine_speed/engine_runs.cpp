@@ -7,14 +7,14 @@
 
 #include "processor.hpp"
 #include "ringfilm/cycle/simulate.hpp"
-#include "ringfilm/film/lane_newton.hpp"
+#include "ringfilm/film/solver/lane_newton.hpp"
 
 namespace ringfilm::benchmarks {
 namespace {
 
 void add(const cycle::CycleResult& result, Spent& spent) {
   ++spent.scenarios;
-  spent.cycles += result.effort.cycles_marched;
+  spent.cycles += result.effort.cycles_integrated;
   spent.crank_steps += result.effort.crank_steps;
   spent.iterations += result.effort.newton_iterations;
 }
@@ -22,7 +22,7 @@ void add(const cycle::CycleResult& result, Spent& spent) {
 /// A sweep that leaves what any sweep leaves; one in some is first done several times over by the clock. Kernels are
 /// plain functions, so what they find out must stand by itself.
 struct TimedSweep {
-  static constexpr long kEvery = 61;  // no multiple of anything in a march
+  static constexpr long kEvery = 61;  // no multiple of anything in an integration
   static constexpr int kRepeats = 16;
   static inline long calls = 0;
   static inline double seconds = 0, nodes = 0;
@@ -51,7 +51,7 @@ Spent run_singly(const Scenarios& scenarios, std::size_t first, std::size_t coun
     const double ready = processor_seconds();
     spent.making_ready += ready - start;
     add(cycle::simulate(setup), spent);
-    spent.marching += processor_seconds() - ready;
+    spent.integrating += processor_seconds() - ready;
   }
   return spent;
 }
@@ -61,7 +61,8 @@ Spent run_batch(const Scenarios& scenarios, std::size_t first, std::size_t count
   const double heap_before = heap_bytes();
   double heap = heap_before;
   std::size_t given = 0;
-  const auto n_watched = static_cast<std::size_t>(4 * film::kernels().width);  // by then marches have come to their end
+  const auto n_watched =
+      static_cast<std::size_t>(4 * film::kernels().width);  // by then integrations have come to their end
   const auto next = [&]() -> std::optional<cycle::Setup> {
     if (given == count) return std::nullopt;
     const double start = processor_seconds();
@@ -76,7 +77,7 @@ Spent run_batch(const Scenarios& scenarios, std::size_t first, std::size_t count
   };
   const double start = processor_seconds();
   spent.lanes = cycle::simulate_batch(next, finished);
-  spent.marching = processor_seconds() - start - spent.making_ready;
+  spent.integrating = processor_seconds() - start - spent.making_ready;
   spent.heap_per_scenario = (heap - heap_before) / film::kernels().width;
   return spent;
 }
@@ -89,7 +90,7 @@ Spent run_batches(const Scenarios& scenarios, int threads, std::size_t count) {
   }
   for (std::thread& worker : workers) worker.join();
   Spent all = *std::max_element(shares.begin(), shares.end(),
-                                [](const Spent& a, const Spent& b) { return a.marching < b.marching; });
+                                [](const Spent& a, const Spent& b) { return a.integrating < b.integrating; });
   all.scenarios = all.crank_steps = all.iterations = all.stopped = 0;
   all.cycles = 0;
   all.lanes = {};

@@ -11,7 +11,7 @@
 #include "tables.hpp"
 
 // usage: engine_speed [--quick] [--scenarios=COUNT] [--benchmark_out=FILE] [--benchmark_filter=REGEX]
-// How fast engine cycles are marched, by every method and in lanes, against the machine's limit; see
+// How fast engine cycles are integrated, by every method and in lanes, against the machine's limit; see
 // docs/manual/performance.md.
 namespace ringfilm::benchmarks {
 namespace {

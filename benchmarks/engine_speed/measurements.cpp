@@ -58,12 +58,12 @@ double peak_operations() { return kPeakRounds * fma_peak(film::kernels().name).o
 
 /// Notes the peak around a measurement, the better of before and after: a machine with other work is not always as
 /// fast.
-class PeakBeside {
+class PeakBaseline {
  public:
-  explicit PeakBeside(benchmark::State& state) : state_(state), before_(peak_seconds(kPeakRounds)) {}
-  ~PeakBeside() { state_.counters["peak_flops"] = peak_operations() / std::min(before_, peak_seconds(kPeakRounds)); }
-  PeakBeside(const PeakBeside&) = delete;
-  PeakBeside& operator=(const PeakBeside&) = delete;
+  explicit PeakBaseline(benchmark::State& state) : state_(state), before_(peak_seconds(kPeakRounds)) {}
+  ~PeakBaseline() { state_.counters["peak_flops"] = peak_operations() / std::min(before_, peak_seconds(kPeakRounds)); }
+  PeakBaseline(const PeakBaseline&) = delete;
+  PeakBaseline& operator=(const PeakBaseline&) = delete;
 
  private:
   benchmark::State& state_;
@@ -131,7 +131,7 @@ void register_engine(const Extent& extent, cycle::Cavitation cavitation, int cel
   });
   add(name_of("batched", cavitation, cells), extent.repetitions, [scenarios, extent](benchmark::State& state) {
     Spent spent;
-    const PeakBeside peak(state);
+    const PeakBaseline peak(state);
     for (auto _ : state) count_batch(state, spent = run_batch((*scenarios)(), 0, extent.batch_scenarios));
     state.counters["heap_per_scenario"] = spent.heap_per_scenario;
   });
@@ -144,7 +144,7 @@ void register_engine(const Extent& extent, cycle::Cavitation cavitation, int cel
   auto count = std::make_shared<Once<OperationCount>>(
       [scenarios] { return count_operations((*scenarios)(), kCountedScenarios); });
   add(name_of("newton-sweep", cavitation, cells), extent.repetitions, [scenarios, count](benchmark::State& state) {
-    const PeakBeside peak(state);
+    const PeakBaseline peak(state);
     for (auto _ : state) state.SetIterationTime(sweep_seconds_per_node((*scenarios)(), kTimedScenarios));
     state.counters["operations_per_node_and_iteration"] = (*count)().per_node_and_iteration;
     state.counters["operations_per_node_and_step"] = (*count)().per_node_and_step;

@@ -13,7 +13,7 @@ inline constexpr int kReferenceCells = 200;
 /// How much is measured.
 struct Extent {
   int repetitions = 3;                ///< of which the fastest counts
-  std::size_t single_scenarios = 8;   ///< marched one by one
+  std::size_t single_scenarios = 8;   ///< integrated one by one
   std::size_t batch_scenarios = 256;  ///< in a call of simulate_batch
   int most_relaxed_cells = 800;       ///< point relaxation is left out beyond
   int threads = 1;                    ///< of the batches on all threads
@@ -27,10 +27,10 @@ std::string name_of(const std::string& what, cycle::Cavitation cavitation, int c
 
 /// Registers all of them with Google Benchmark:
 ///   fma-peak, fma-peak-all-threads                           a floating-point operation
-///   point-relaxation/MODEL/CELLS, nested-secant/...          a marched cycle, from sampled steps
-///   coupled-newton/..., batched/..., batched-all-threads/... a marched cycle
+///   point-relaxation/MODEL/CELLS, nested-secant/...          an integrated cycle, from sampled steps
+///   coupled-newton/..., batched/..., batched-all-threads/... an integrated cycle
 ///   newton-sweep/MODEL/CELLS                                 a node of a block, all lanes
-///   batch-of/COUNT                                           a scenario, made ready and marched
+///   batch-of/COUNT                                           a scenario, made ready and integrated
 void register_measurements(const Extent& extent);
 
 }  // namespace ringfilm::benchmarks

@@ -7,12 +7,12 @@
 namespace ringfilm::benchmarks {
 namespace {
 
-/// What the marches of the first scenarios asked of some kernels.
+/// What the integrations of the first scenarios asked of some kernels.
 struct Asked {
   double operations = 0, nodes_swept = 0, nodes_stepped = 0;
 };
 
-Asked march(const Scenarios& scenarios, int n_scenarios, const film::FilmKernels& kernels) {
+Asked integration(const Scenarios& scenarios, int n_scenarios, const film::FilmKernels& kernels) {
   Asked asked;
   std::size_t given = 0;
   const auto next = [&]() -> std::optional<cycle::Setup> {
@@ -42,8 +42,8 @@ OperationCount count_operations(const Scenarios& scenarios, int n_scenarios) {
     kernels.single_sweep = counting.single_sweep;
     return kernels;
   }();
-  const Asked of_sweeps = march(scenarios, n_scenarios, sweeps_counting);
-  const Asked of_all = march(scenarios, n_scenarios, counting);
+  const Asked of_sweeps = integration(scenarios, n_scenarios, sweeps_counting);
+  const Asked of_all = integration(scenarios, n_scenarios, counting);
   const double per_sweep = of_sweeps.operations / of_sweeps.nodes_swept;
   return {per_sweep, (of_all.operations - per_sweep * of_all.nodes_swept) / of_all.nodes_stepped};
 }

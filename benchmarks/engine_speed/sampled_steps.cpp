@@ -11,7 +11,7 @@ namespace ringfilm::benchmarks {
 namespace {
 
 constexpr int kStepsPerCycle = 720;
-constexpr int kStart = 270;  // mid exhaust stroke, as of any march
+constexpr int kStart = 270;  // mid exhaust stroke, as of any integration
 
 /// Over-relaxation factors that are tried: 2 - factor falls by a quarter each time.
 const std::vector<double> kFactors = {1.7,  1.775, 1.831, 1.873, 1.905, 1.929, 1.947,
@@ -20,15 +20,15 @@ const std::vector<double> kFactors = {1.7,  1.775, 1.831, 1.873, 1.905, 1.929, 1
 }  // namespace
 
 /// Keeps what one step in `every` started from.
-class SampledSteps::Sampler : public cycle::Waypoints {
+class SampledSteps::Sampler : public cycle::StepObserver {
  public:
   Sampler(std::vector<Step>& steps, int every) : steps_(steps), every_(every) {}
-  void before_step(cycle::March& march, double, double) override { start_ = march.state(); }
-  void after_step(const cycle::March& march) override {
-    const auto at = march.instant();
+  void before_step(cycle::TimeIntegration& integration, double, double) override { start_ = integration.state(); }
+  void after_step(const cycle::TimeIntegration& integration) override {
+    const auto at = integration.instant();
     if (taken_++ % every_ == 0 && taken_ > 1) {
       Step step{at.inputs, *at.previous, start_, *at.state};
-      step.guess.h_m = start_.h_m * start_.h_m / before_h_m_;  // extrapolated, as the march does
+      step.guess.h_m = start_.h_m * start_.h_m / before_h_m_;  // extrapolated, as the integration does
       steps_.push_back(step);
     }
     before_h_m_ = start_.h_m;
@@ -43,10 +43,11 @@ class SampledSteps::Sampler : public cycle::Waypoints {
 };
 
 SampledSteps::SampledSteps(const Scenarios& scenarios, int every)
-    : setup_(std::make_unique<cycle::Setup>(scenarios.setup(0))), march_(std::make_unique<cycle::March>(*setup_)) {
+    : setup_(std::make_unique<cycle::Setup>(scenarios.setup(0))),
+      integration_(std::make_unique<cycle::TimeIntegration>(*setup_)) {
   Sampler sampler(steps_, every);
-  march_->start(kStart);
-  for (int k = 0; k < kStepsPerCycle; ++k) march_->advance(sampler);
+  integration_->start(kStart);
+  for (int k = 0; k < kStepsPerCycle; ++k) integration_->advance(sampler);
 }
 
 MethodCost SampledSteps::cost(film::MethodWorkspace workspace) const {
@@ -55,7 +56,7 @@ MethodCost SampledSteps::cost(film::MethodWorkspace workspace) const {
   for (const Step& step : steps_) {
     state = step.guess;
     const double start = processor_seconds();
-    const auto report = film::solve_film(march_->problem(), step.inputs, step.previous, state, workspace);
+    const auto report = film::solve_film(integration_->problem(), step.inputs, step.previous, state, workspace);
     cost.seconds_per_cycle += processor_seconds() - start;
     cost.effort_per_step += static_cast<double>(report.iterations + report.sweeps);
     cost.films_per_step += report.outer_iterations;

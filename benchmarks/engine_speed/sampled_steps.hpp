@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "ringfilm/cycle/march/march.hpp"
-#include "ringfilm/film/method.hpp"
+#include "ringfilm/cycle/integration/time_integration.hpp"
+#include "ringfilm/film/solver/method.hpp"
 #include "scenarios.hpp"
 
 namespace ringfilm::benchmarks {
@@ -18,15 +18,17 @@ struct MethodCost {
   double difference = 0;         ///< largest relative one of h_m from the coupled Newton's
 };
 
-/// Steps of a marched cycle of the first scenario, one in `every`, for methods too slow for all of them: each solves
-/// the same steps from the coupled Newton's state before and the same guess, to the same tolerance.
+/// Steps of an integrated cycle of the first scenario, one in `every`, for methods too slow for all of them: each
+/// solves the same steps from the coupled Newton's state before and the same guess, to the same tolerance.
 class SampledSteps {
  public:
   SampledSteps(const Scenarios& scenarios, int every);
 
   /// Processor time of the steps, times what makes a cycle of them.
   MethodCost cost(film::MethodWorkspace workspace) const;
-  film::MethodWorkspace workspace(film::Method method) const { return film::workspace_of(method, march_->problem()); }
+  film::MethodWorkspace workspace(film::Method method) const {
+    return film::workspace_of(method, integration_->problem());
+  }
 
   /// The fixed over-relaxation factor, of some tried, with which point relaxation needs the fewest sweeps and leaves no
   /// step unsolved; nothing: it fails with all of them.
@@ -39,8 +41,8 @@ class SampledSteps {
   };
   class Sampler;
 
-  std::unique_ptr<cycle::Setup> setup_;  // where the march looks for it, wherever this object goes
-  std::unique_ptr<cycle::March> march_;
+  std::unique_ptr<cycle::Setup> setup_;  // where the integration looks for it, wherever this object goes
+  std::unique_ptr<cycle::TimeIntegration> integration_;
   std::vector<Step> steps_;
 };
 

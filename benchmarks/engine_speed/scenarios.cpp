@@ -28,7 +28,7 @@ Scenarios::Scenarios(int cells, cycle::Cavitation cavitation)
   base_.solver.crank_step_deg = 1;
   base_.solver.crank_step_control = cycle::StepControl::kFixed;
   base_.film.cavitation = cavitation;
-  base_.output.fields = cycle::FieldsWanted::kNone;
+  base_.output.fields = cycle::FieldOutput::kNone;
   elastic_pressure_ = cycle::prepare(base_).elastic_pressure;
 }
 

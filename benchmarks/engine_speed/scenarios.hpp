@@ -1,9 +1,10 @@
 #pragma once
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 
 namespace ringfilm::benchmarks {
 
-/// What is marched: the paper's new ring at 1500 rpm, steps of 1 degree, and scenarios around it that differ in speed
+/// What is integrated: the paper's new ring at 1500 rpm, steps of 1 degree, and scenarios around it that differ in
+/// speed
 /// (+-20 %), elastic pressure (+-20 %) and oil temperature (+-10 K), so that no lane does what its neighbour does.
 class Scenarios {
  public:

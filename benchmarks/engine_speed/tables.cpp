@@ -35,7 +35,7 @@ class Printer {
       growth.insert(growth.end(), 2, text("", std::nullopt));
       table.row({name_of(model), "growth"}, growth);
     }
-    table.print("Processor time of a marched cycle [ms]; made ready: of a scenario before it is marched [ms]");
+    table.print("Processor time of an integrated cycle [ms]; made ready: of a scenario before it is integrated [ms]");
   }
 
   void ratios() const {
@@ -131,7 +131,7 @@ class Printer {
                                          text("%.1f", Value(1e-6) * figures_.counter(name, "peak_resident_bytes")),
                                          text("%.0f", figures_.counter(name, "stopped"))});
     }
-    table.print("Scenarios in one call (mass-conserving, 200 cells; made ready and marched)");
+    table.print("Scenarios in one call (mass-conserving, 200 cells; made ready and integrated)");
   }
 
  private:

@@ -5,7 +5,7 @@
 #include "case_values.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/case_edit.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_text.hpp"

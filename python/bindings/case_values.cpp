@@ -65,8 +65,8 @@ class SiValue {
   }
   py::object operator()(const cycle::FieldAnglesKind&) const {
     const cycle::Output& output = case_.output;
-    if (output.fields == cycle::FieldsWanted::kListed) return py::cast(output.field_angles_deg);
-    return py::str(output.fields == cycle::FieldsWanted::kAll ? "all" : "none");
+    if (output.fields == cycle::FieldOutput::kListed) return py::cast(output.field_angles_deg);
+    return py::str(output.fields == cycle::FieldOutput::kAll ? "all" : "none");
   }
 
  private:
@@ -128,7 +128,7 @@ class Restore {
   }
   void operator()(const cycle::FieldAnglesKind&) const {
     const auto [wanted, angles] = py::cast<std::pair<int, std::vector<double>>>(value_);
-    case_.output.fields = static_cast<cycle::FieldsWanted>(wanted);
+    case_.output.fields = static_cast<cycle::FieldOutput>(wanted);
     case_.output.field_angles_deg = angles;
   }
   template <class Other>

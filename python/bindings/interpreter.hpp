@@ -35,7 +35,7 @@ class Interruptible {
   /// asked: so this thread asks, whatever the work is at.
   void run(const std::function<void()>& work) {
     const py::gil_scoped_release others_go_on;
-    study::look_after(work, [this] {
+    study::run_while_polling(work, [this] {
       const py::gil_scoped_acquire lock;
       if (PyErr_CheckSignals() == 0) return;
       is_to_end_ = true;

@@ -5,7 +5,7 @@
 #include "record.hpp"
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/models/asperity_contact.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"

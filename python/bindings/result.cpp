@@ -206,7 +206,7 @@ not solved, with NaN for values). Empty where it was not asked for.)");
       [](const ResultObject& self) {
         const cycle::Effort& effort = self.result().effort;
         py::dict words;
-        words["cycles_marched"] = effort.cycles_marched;
+        words["cycles_integrated"] = effort.cycles_integrated;
         words["periodicity_error"] = effort.periodicity_error;
         words["crank_steps"] = effort.crank_steps;
         words["newton_iterations"] = effort.newton_iterations;
@@ -233,7 +233,7 @@ not solved, with NaN for values). Empty where it was not asked for.)");
       "What computed the result: program, commit, compiler, kernels.");
   type.def_property_readonly(
       "complete", [](const ResultObject& self) { return self.result().complete; },
-      "False where the march stopped, or never began; the curves then hold what it had passed.");
+      "False where the integration stopped, or never began; the curves then hold what it had passed.");
   type.def_property_readonly(
       "reason", [](const ResultObject& self) { return self.reason(); },
       "Why a scenario of a batch was not solved, on one line; empty where it was.");

@@ -16,7 +16,7 @@ namespace {
 class CycleWatch : public app::ComputationWatch {
  public:
   explicit CycleWatch(const py::object& progress) : progress_(progress) {}
-  void begins(const app::Wanted&) override {}
+  void begins(const app::RunRequest&) override {}
   void others_ended(int, int) override {
     interpreter_.visit([] {});
   }
@@ -65,8 +65,8 @@ py::object run_pad(const cycle::Case& input, const py::object& progress, const R
 
 /// With more to find out than the result alone.
 py::object inquire(const cycle::Case& input, CycleWatch& watch, const RunWishes& wishes) {
-  const app::Wanted wanted{input, wishes.ledger ? app::LedgerWanted::kComputed : app::LedgerWanted::kStatements,
-                           wishes.error_estimate ? app::ErrorsWanted::kEstimated : app::ErrorsWanted::kNone, ""};
+  const app::RunRequest wanted{input, wishes.ledger ? app::LedgerRequest::kComputed : app::LedgerRequest::kStatements,
+                               wishes.error_estimate ? app::ErrorRequest::kEstimated : app::ErrorRequest::kNone, ""};
   app::Computation done;
   {
     const py::gil_scoped_release others_go_on;

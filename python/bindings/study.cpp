@@ -18,7 +18,7 @@
 #include "ringfilm/study/statistics/kept_curves.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
-#include "ringfilm/study/statistics/until.hpp"
+#include "ringfilm/study/statistics/stopping_rule.hpp"
 #include "ringfilm/study/study_run.hpp"
 #include "ringfilm/study/study_words.hpp"
 
@@ -159,7 +159,7 @@ StudyResultObject run(const StudyObject& self, int threads, const py::object& pr
   StudyResultObject result{self.loaded, {}, {}, {}};
   result.values.resize(cycle::cycle_quantities().size());
   compute(result, threads, progress);
-  const std::optional<study::Until> until = self.loaded->study().sampling.until;
+  const std::optional<study::StoppingRule> until = self.loaded->study().sampling.until;
   if (!until) return result;
   const std::size_t value = quantity_index(until->value);
   std::optional<std::uint64_t> points = self.loaded->study().sampling.scenarios;
@@ -247,7 +247,7 @@ py::list sobol(const StudyResultObject& self, const GivenText& value, const Give
 py::array curves(const py::object& object, const GivenText& quantity) {
   const std::string name = text_of("quantity", quantity.value, "film_thickness");
   const auto& self = object.cast<const StudyResultObject&>();
-  const study::Keep& keep = self.loaded->study().keep;
+  const study::OutputSelection& keep = self.loaded->study().keep;
   const auto kept = study::kept_quantities(keep);
   const std::size_t n_angles = study::kept_angles(keep).size();
   for (std::size_t q = 0; q < kept.size(); ++q) {

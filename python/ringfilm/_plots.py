@@ -62,7 +62,7 @@ def _caption(figure, text, result):
     if _is_synthetic(result):
         words.append("The cylinder pressure is SYNTHETIC: made by a formula, not measured.")
     if not result.complete:
-        words.append(f"The march STOPPED at {result.crank_angle[-1]:g} degree, before the end of the cycle.")
+        words.append(f"The integration STOPPED at {result.crank_angle[-1]:g} degree, before the end of the cycle.")
     words.append(f"Case: {result.title or 'without a title'}; {result.provenance['program']}.")
     caption(figure, " ".join(words))
 
@@ -109,7 +109,7 @@ def _refuse_without_curves(result):
     if result.reason:
         raise ValueError(f"this result has no curves: the case was not solved: {result.reason}")
     if not result.complete:
-        raise ValueError("this result has no curves: the march stopped before the first crank angle that is kept")
+        raise ValueError("this result has no curves: the integration stopped before the first crank angle that is kept")
     raise ValueError("this result has no curves: run the batch with curves=\"all\"")
 
 

@@ -3,6 +3,6 @@
 A trace has no gaps: leave points that were not measured out. NaN and masked points are refused.
 """
 
-from ._ringfilm.face import FaceFit, FaceResidual, InventedShape, fit_face, read_trace
+from ._ringfilm.face import FaceFit, FaceResidual, FitArtifact, fit_face, read_trace
 
-__all__ = ["FaceFit", "FaceResidual", "InventedShape", "fit_face", "read_trace"]
+__all__ = ["FaceFit", "FaceResidual", "FitArtifact", "fit_face", "read_trace"]

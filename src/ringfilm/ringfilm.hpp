@@ -27,7 +27,7 @@
 
 // One cycle, a pad, many cycles, studies.
 #include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/pad/solve_pad.hpp"

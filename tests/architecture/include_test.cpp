@@ -9,24 +9,25 @@
 namespace ringfilm::architecture {
 namespace {
 
-TEST(Architecture, EveryFolderHasARank) {
+TEST(Architecture, EveryFolderHasALayer) {
   const auto sources = product_sources();
   ASSERT_GT(sources.size(), 10u) << "the sources were not found in " << RINGFILM_SOURCE_FOLDER;
   for (const SourceFile& file : sources) {
-    EXPECT_TRUE(ranks().count(file.room)) << file.path << ": the folder " << file.room
-                                          << " has no rank; give it one in tests/architecture/source_tree.cpp";
+    EXPECT_TRUE(layers().count(file.module)) << file.path << ": the folder " << file.module
+                                             << " has no layer; give it one in tests/architecture/source_tree.cpp";
   }
 }
 
-TEST(Architecture, IncludesGoToALowerRankOrStayInTheirFolder) {
+TEST(Architecture, IncludesGoToALowerLayerOrStayInTheirFolder) {
   for (const SourceFile& file : product_sources()) {
     for (const Include& include : file.includes) {
-      const std::string room = room_of_include(include.target);
-      if (room.empty() || room == file.room) continue;
-      ASSERT_TRUE(ranks().count(room)) << file.at(include.line) << ": " << include.target << " lies in no known folder";
-      EXPECT_LT(ranks().at(room), ranks().at(file.room))
-          << file.at(include.line) << ": " << file.room << " (rank " << ranks().at(file.room) << ") includes "
-          << include.target << " of rank " << ranks().at(room);
+      const std::string module = module_of_include(include.target);
+      if (module.empty() || module == file.module) continue;
+      ASSERT_TRUE(layers().count(module))
+          << file.at(include.line) << ": " << include.target << " lies in no known folder";
+      EXPECT_LT(layers().at(module), layers().at(file.module))
+          << file.at(include.line) << ": " << file.module << " (layer " << layers().at(file.module) << ") includes "
+          << include.target << " of layer " << layers().at(module);
     }
   }
 }
@@ -35,10 +36,11 @@ TEST(Architecture, ProjectHeadersAreIncludedFromTheSourceFolder) {
   std::set<std::string> known;
   for (const SourceFile& file : product_sources()) known.insert(file.path);
   for (const SourceFile& file : product_sources()) {
-    if (file.room == "apps" || file.room == "python") continue;
+    if (file.module == "apps" || file.module == "python") continue;
     for (const Include& include : file.includes) {
       if (!include.quoted) {
-        EXPECT_TRUE(room_of_include(include.target).empty()) << file.at(include.line) << ": ours is written in quotes";
+        EXPECT_TRUE(module_of_include(include.target).empty())
+            << file.at(include.line) << ": ours is written in quotes";
         continue;
       }
       const bool written_by_the_build = include.target.rfind("ringfilm_", 0) == 0;
@@ -52,7 +54,7 @@ TEST(Architecture, NoFolderUsesItselfInACircle) {
   std::map<std::string, std::set<std::string>> uses;
   for (const SourceFile& file : product_sources()) {
     for (const Include& include : file.includes) {
-      if (room_of_include(include.target) == file.room) uses[file.path].insert("src/" + include.target);
+      if (module_of_include(include.target) == file.module) uses[file.path].insert("src/" + include.target);
     }
   }
   std::set<std::string> done;
@@ -75,23 +77,23 @@ TEST(Architecture, NoFolderUsesItselfInACircle) {
   for (const std::string& node : nodes) walk(node);
 }
 
-/// Lowest rank that may include a header of the standard or C library; 11: no one may.
+/// Lowest layer that may include a header of the standard or C library; 10: none.
 const std::map<std::string, int>& owners() {
   static const std::map<std::string, int> owners = {
-      {"thread", 7},  {"mutex", 7},      {"shared_mutex", 7}, {"future", 7},  {"condition_variable", 7},
-      {"atomic", 7},  {"stop_token", 7}, {"chrono", 7},       {"ctime", 7},   {"time.h", 7},
-      {"fstream", 8}, {"filesystem", 8}, {"iostream", 10},    {"ranges", 11}, {"format", 11},
-      {"random", 11}, {"print", 11},     {"locale", 8}};
+      {"thread", 6},  {"mutex", 6},      {"shared_mutex", 6}, {"future", 6},  {"condition_variable", 6},
+      {"atomic", 6},  {"stop_token", 6}, {"chrono", 6},       {"ctime", 6},   {"time.h", 6},
+      {"fstream", 7}, {"filesystem", 7}, {"iostream", 9},     {"ranges", 10}, {"format", 10},
+      {"random", 10}, {"print", 10},     {"locale", 7}};
   return owners;
 }
 
-TEST(Architecture, StreamsFilesThreadsAndClocksStayInTheRankThatOwnsThem) {
+TEST(Architecture, StreamsFilesThreadsAndClocksStayInTheLayerThatOwnsThem) {
   for (const SourceFile& file : product_sources()) {
     for (const Include& include : file.includes) {
       const auto owner = owners().find(include.target);
-      if (include.quoted || owner == owners().end() || !ranks().count(file.room)) continue;
-      EXPECT_GE(ranks().at(file.room), owner->second)
-          << file.at(include.line) << ": <" << include.target << "> is not for rank " << ranks().at(file.room);
+      if (include.quoted || owner == owners().end() || !layers().count(file.module)) continue;
+      EXPECT_GE(layers().at(file.module), owner->second)
+          << file.at(include.line) << ": <" << include.target << "> is not for layer " << layers().at(file.module);
     }
   }
 }
@@ -102,7 +104,7 @@ TEST(Architecture, ThreadsBelongToStudiesAlone) {
   for (const SourceFile& file : product_sources()) {
     for (const Include& include : file.includes) {
       if (include.quoted || !threads.count(include.target)) continue;
-      EXPECT_EQ(file.room, "study") << file.at(include.line) << ": <" << include.target << ">";
+      EXPECT_EQ(file.module, "study") << file.at(include.line) << ": <" << include.target << ">";
     }
   }
 }
@@ -110,7 +112,7 @@ TEST(Architecture, ThreadsBelongToStudiesAlone) {
 TEST(Architecture, TheSolverNeedsNoLibraryThatABrowserLacks) {
   const std::set<std::string> outside = {"toml++", "netcdf.h", "udunits2.h", "openssl", "CLI", "nlohmann", "fmt"};
   for (const SourceFile& file : product_sources()) {
-    if (!ranks().count(file.room) || ranks().at(file.room) > 6) continue;
+    if (!layers().count(file.module) || layers().at(file.module) > 5) continue;
     for (const Include& include : file.includes) {
       const std::string first = include.target.substr(0, include.target.find('/'));
       EXPECT_FALSE(outside.count(first)) << file.at(include.line) << ": " << include.target;

@@ -37,7 +37,7 @@ Offered offered_by(const std::string& listing, const std::string& member, const 
 }
 
 /// Standard output of a command; empty if it cannot be run.
-std::string said_by(const std::string& command) {
+std::string output_of(const std::string& command) {
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen((command + " 2>/dev/null").c_str(), "r"), ::pclose);
   std::string said;
   for (int c = 0; pipe && (c = std::fgetc(pipe.get())) != EOF;) said += static_cast<char>(c);
@@ -50,8 +50,8 @@ struct Machine {
 };
 
 TEST(MachineCode, ObjectsForNewerMachinesOfferNothingThatOlderOnesMightPickUp) {
-  const std::string listing = said_by("nm --defined-only '" RINGFILM_FILM_LIBRARY "'");
-  if (listing.empty()) GTEST_SKIP() << "nm (binutils) is missing: nothing tells what the objects define";
+  const std::string listing = output_of("nm --defined-only '" RINGFILM_FILM_LIBRARY "'");
+  if (listing.empty()) GTEST_SKIP() << "nm (binutils) is missing: nothing lists what the objects define";
   if (listing.find("kernels_avx2.cpp") == std::string::npos) GTEST_SKIP() << "no kernels for newer machines were built";
   for (const Machine& machine :
        {Machine{"kernels_avx2.cpp.o", "14InstructionSetE1E"}, Machine{"kernels_avx512.cpp.o", "14InstructionSetE2E"}}) {
@@ -61,7 +61,7 @@ TEST(MachineCode, ObjectsForNewerMachinesOfferNothingThatOlderOnesMightPickUp) {
   }
 }
 
-TEST(MachineCode, FunctionsWithoutTheTagAreTold) {
+TEST(MachineCode, FunctionsWithoutTheTagAreReported) {
   const std::string listing =
       "\nkernels_old.cpp.o:\n0000000000000000 W _ZNSt6vectorIdSaIdEE9push_backEOd\n"
       "\nkernels_new.cpp.o:\n0000000000000000 W _ZN4filmILN4base14InstructionSetE1EEEvv\n"

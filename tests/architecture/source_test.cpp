@@ -40,7 +40,7 @@ TEST(Architecture, EverySourceImplementsAHeaderOfItsFolder) {
   for (const SourceFile& file : product_sources()) {
     if (file.path.rfind("src/", 0) != 0 || file.path.substr(file.path.size() - 4) != ".cpp") continue;
     EXPECT_TRUE(std::any_of(file.includes.begin(), file.includes.end(), [&](const Include& include) {
-      return room_of_include(include.target) == file.room;
+      return module_of_include(include.target) == file.module;
     })) << file.path;
   }
 }
@@ -77,7 +77,7 @@ TEST(Architecture, TheSolverUsesNothingThatAnOlderLibraryLacks) {
   static const std::regex lacking(
       R"(std::(bit_cast|views|ranges|format|print|cout|cerr|clog|fopen|printf|puts|FILE|from_chars)\b)");
   for (const SourceFile& file : product_sources()) {
-    if (!ranks().count(file.room) || ranks().at(file.room) > 6) continue;
+    if (!layers().count(file.module) || layers().at(file.module) > 5) continue;
     for (std::size_t i = 0; i < file.code.size(); ++i) {
       EXPECT_FALSE(std::regex_search(file.code[i], lacking))
           << file.at(static_cast<int>(i) + 1) << ": " << file.lines[i];
@@ -101,7 +101,7 @@ TEST(SourceTree, CommentsAndTextAreNoCode) {
   EXPECT_EQ(file.code[1], "f(\"\"); ");
   EXPECT_EQ(file.code[2], "");
   EXPECT_EQ(file.code[3], " z");
-  EXPECT_EQ(file.room, "film");
+  EXPECT_EQ(file.module, "film");
 }
 
 TEST(SourceTree, IncludesAreFoundHoweverTheyAreSpaced) {
@@ -110,8 +110,8 @@ TEST(SourceTree, IncludesAreFoundHoweverTheyAreSpaced) {
   ASSERT_EQ(file.includes.size(), 2u);
   EXPECT_FALSE(file.includes[0].quoted);
   EXPECT_EQ(file.includes[1].target, "ringfilm/io/text/units.hpp");
-  EXPECT_EQ(room_of_include(file.includes[1].target), "io");
-  EXPECT_EQ(file.room, "apps");
+  EXPECT_EQ(module_of_include(file.includes[1].target), "io");
+  EXPECT_EQ(file.module, "apps");
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string room_of_path(const std::string& path) {
+std::string module_of_path(const std::string& path) {
   static const std::regex in_library("^src/ringfilm/([^/]+)/.*");
   std::smatch match;
   if (std::regex_match(path, match, in_library)) return match[1];
@@ -79,19 +79,18 @@ std::vector<SourceFile> read_below(const std::vector<std::string>& folders) {
 
 }  // namespace
 
-const std::map<std::string, int>& ranks() {
-  static const std::map<std::string, int> ranks = {{"base", 0},  {"surface", 1},   {"models", 2},     {"film", 3},
-                                                   {"sheet", 4}, {"cycle", 5},     {"life", 6},       {"pad", 6},
-                                                   {"study", 7}, {"io", 8},        {"instrument", 9}, {"report", 9},
-                                                   {"apps", 10}, {"ringfilm", 10}, {"python", 10}};
-  return ranks;
+const std::map<std::string, int>& layers() {
+  static const std::map<std::string, int> layers = {
+      {"base", 0},  {"surface", 1}, {"models", 2},     {"film", 3},   {"cycle", 4}, {"life", 5},     {"pad", 5},
+      {"study", 6}, {"io", 7},      {"instrument", 8}, {"report", 8}, {"apps", 9},  {"ringfilm", 9}, {"python", 9}};
+  return layers;
 }
 
 SourceFile parse_source(const std::string& path, const std::string& text) {
   static const std::regex include(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
   SourceFile file;
   file.path = path;
-  file.room = room_of_path(path);
+  file.module = module_of_path(path);
   CodeOnly code_only;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
@@ -109,7 +108,7 @@ std::vector<SourceFile> product_sources() { return read_below({"src", "apps", "p
 
 std::vector<SourceFile> all_sources() { return read_below({"src", "apps", "python", "tests", "benchmarks"}); }
 
-std::string room_of_include(const std::string& target) {
+std::string module_of_include(const std::string& target) {
   if (target.rfind("ringfilm/", 0) != 0) return "";
   const std::string rest = target.substr(9);
   const std::size_t slash = rest.find('/');

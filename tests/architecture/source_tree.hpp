@@ -14,7 +14,7 @@ struct Include {
 
 struct SourceFile {
   std::string path;                ///< from the project's folder, e.g. "src/ringfilm/io/text/units.cpp"
-  std::string room;                ///< "io"; "ringfilm" for src/ringfilm itself, "apps", "python"
+  std::string module;              ///< "io"; "ringfilm" for src/ringfilm itself, "apps", "python"
   std::vector<std::string> lines;  ///< as written
   std::vector<std::string> code;   ///< the same without comments and text literals
   std::vector<Include> includes;
@@ -22,8 +22,8 @@ struct SourceFile {
   std::string at(int line) const { return path + ":" + std::to_string(line); }
 };
 
-/// Ranks of the rooms; an include goes to a lower rank or stays in its room.
-const std::map<std::string, int>& ranks();
+/// Ranks of the modules; an include goes to a lower layer or stays in its module.
+const std::map<std::string, int>& layers();
 
 /// All .cpp and .hpp below src/, apps/ and python/ (read once a call).
 std::vector<SourceFile> product_sources();
@@ -31,8 +31,8 @@ std::vector<SourceFile> product_sources();
 /// All sources including tests and benchmarks.
 std::vector<SourceFile> all_sources();
 
-/// The room that an include such as "ringfilm/io/text/units.hpp" names; empty for anything outside the project.
-std::string room_of_include(const std::string& target);
+/// The module that an include such as "ringfilm/io/text/units.hpp" names; empty for anything outside the project.
+std::string module_of_include(const std::string& target);
 
 /// Reads one text as if it stood at `path`.
 SourceFile parse_source(const std::string& path, const std::string& text);

@@ -65,7 +65,7 @@ class Numbers(FaceTest):
 
     def test_the_fall_of_table_4_in_its_last_60_um_is_told(self):
         told = self.json_of(*PLACED)
-        rows = told["tables"]["invented_shape"]
+        rows = told["tables"]["fit_artifact"]
         self.assertIn("falls towards the edge", json.dumps(rows))
         self.assertTrue(any("1.14 to 1.2 mm" in note for note in told["notes"]), told["notes"])
 
@@ -128,7 +128,7 @@ class Fragments(FaceTest):
     def test_polynomial_and_points_give_one_film(self):
         fragment = self.fit()
         self.assertIn('form = "polynomial"', fragment)
-        self.assertIn("invented_shape", fragment)
+        self.assertIn("fit_artifact", fragment)
         self.assertIn("stated tilt, -3 mrad taken off", fragment)
         self.assertNotIn("face.csv", self.names())
         of_polynomial = self.least_film()

@@ -13,7 +13,7 @@ import program
 RUN = ("run", "case.toml", "--json")
 EMULATOR = "qemu-x86_64"
 # The kinds of machine differ in the rounding of fused products and of the mathematical library, 1e-16, of which the
-# march makes 1e-13 at the most of some hundred engines.
+# integration makes 1e-13 at the most of some hundred engines.
 ROUNDING = 1e-9
 
 

@@ -62,7 +62,7 @@ class Run(program.ProgramTest):
         column = {name.split(" [")[0]: i for i, name in enumerate(header)}
         values = self.values()
         power = sum(row[column["power_loss"]] for row in rows) / len(rows)
-        self.assertAlmostEqual(values["mean_power_loss"], power, delta=0.005 * power)  # 720 points against the march
+        self.assertAlmostEqual(values["mean_power_loss"], power, delta=0.005 * power)  # 720 points against the integration
         swept = 3.141592653589793 / 4 * 0.089**2 * 0.0795
         self.assertAlmostEqual(values["fmep"], values["energy_per_cycle"] / swept, delta=1e-6 * values["fmep"])
         self.assertLessEqual(values["min_film_thickness"], 1.0001 * min(r[column["min_film_thickness"]] for r in rows))

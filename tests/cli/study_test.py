@@ -73,7 +73,7 @@ class StudyTest(ProgramTest):
                          'values = ["1500 rpm", "2000 rpm"]\n[plan]\nmethod = "grid"\n')
         self.run_well("study", "study.toml", "-o", "out")
         alone = json.loads(self.run_well("run", "case.toml", "--json"))
-        # Lanes of a vector add in another order than a case that marches alone.
+        # Lanes of a vector add in another order than a case that is integrated alone.
         fmep = alone["fmep"]
         self.assertAlmostEqual(float(self.table()[0]["fmep [Pa]"]) / fmep, 1, delta=1e-6)
 
@@ -242,7 +242,7 @@ class StudyTest(ProgramTest):
         curves = data.curve_min_film_thickness.values[:, :, 0]
         for i in range(16):
             self.assertEqual(bool(solved[i]), not any(map(math.isnan, curves[i])))
-        # The curve passes every second step of the march, of which the value of the cycle is the smallest of all.
+        # The curve passes every second step of the integration, of which the value of the cycle is the smallest of all.
         smallest = curves[solved].min(axis=1) / data.min_film_thickness.values[solved]
         self.assertTrue(((smallest >= 1 - 1e-6) & (smallest < 1.05)).all(), smallest)
 

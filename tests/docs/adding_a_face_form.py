@@ -9,7 +9,7 @@ usage: adding_a_face_form.py SOURCE_FOLDER BUILD_FOLDER
 from patched_project import Project
 
 LAWS = "tests/laws/motion_and_gas_laws_test.cpp"
-CYCLE = ["src/ringfilm/cycle/case/case_fields_ring.cpp", "src/ringfilm/cycle/march/setup.cpp"]
+CYCLE = ["src/ringfilm/cycle/case/case_fields_ring.cpp", "src/ringfilm/cycle/integration/setup.cpp"]
 FACE = "src/ringfilm/models/ring.cpp"
 
 with Project("docs/manual/extending/adding-a-face-form.md") as project:

@@ -84,7 +84,7 @@ class TheInstalledPackage(unittest.TestCase):
         self.assertIn("inner loop: yes", lines[2])
         self.assertIn("Doolittle on Tait's volume", told)
         first = next(line for line in lines if line.startswith("scenario 0:"))
-        # Lanes of a vector add in another order than a case that marches alone.
+        # Lanes of a vector add in another order than a case that is integrated alone.
         self.assertAlmostEqual(float(first.split()[2]), own, delta=1e-3)
 
     def test_a_batch(self):

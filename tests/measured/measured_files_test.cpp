@@ -91,7 +91,7 @@ TEST(MeasuredFiles, StaySmall) {
 }
 
 TEST(MeasuredFiles, AreMadeFromTheValuesOfThePaper) {
-  const std::vector<WantedRing> rings = wanted_rings(kCases);
+  const std::vector<TargetRing> rings = target_rings(kCases);
   ASSERT_EQ(rings.size(), 3u);
   EXPECT_EQ(rings[1].name, "run_in");
   EXPECT_DOUBLE_EQ(rings[1].beta_m, 1.34e-6);            // Table 1

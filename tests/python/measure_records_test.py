@@ -63,7 +63,7 @@ MADE = {
     "AsperityParameters": lambda: surface.single_parameters(surface.surface_measures(heights(), 1e-6)),
     "FaceFit": fit,
     "FaceResidual": lambda: fit().spline_residual,
-    "InventedShape": lambda: fit().invented[0],
+    "FitArtifact": lambda: fit().invented[0],
     "LoopFriction": lambda: lateral_force.loop_friction(
         numpy.linspace(0, 1e-6, 100), numpy.linspace(0.3, 0.31, 100), numpy.full(100, -0.1)
     ),

@@ -38,7 +38,7 @@ def test_tables(slider):
     assert frame["load"].iloc[0] == float(data["load"][0])
 
 
-def test_a_march_in_time_tells_its_progress():
+def test_a_time_integration_tells_its_progress():
     told = []
     case = ringfilm.Case.read(PAD / "oscillating_squeeze.toml")
     result = case.run(progress=lambda time, end: told.append((time, end)))

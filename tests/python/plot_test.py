@@ -168,7 +168,7 @@ def test_what_cannot_be_drawn_is_refused(result):
         result.plot("nothing")
 
 
-def test_a_march_that_stopped_is_not_told_to_be_a_batch(case):
+def test_an_integration_that_stopped_is_not_told_to_be_a_batch(case):
     case["contact.asperity_density"] = "1e-6 um-2"
     case["contact.roughness"] = "0.01 um"
     case["ring.elastic_pressure"] = "60 MPa"
@@ -177,7 +177,7 @@ def test_a_march_that_stopped_is_not_told_to_be_a_batch(case):
     with pytest.raises(ringfilm.ConvergenceError) as stop:
         case.run()
     assert not stop.value.result.crank_angle.size
-    with pytest.raises(ValueError, match="the march stopped before the first crank angle"):
+    with pytest.raises(ValueError, match="the integration stopped before the first crank angle"):
         stop.value.result.plot()
     with pytest.raises(ValueError, match="the case was not solved: at 270 degree"):
         ringfilm.simulate_many([case])[0].plot()

@@ -70,7 +70,7 @@ def test_fields(result):
 def test_notes_and_assumptions_come_along(result):
     assert all(len(note) == 3 for note in result.notes)
     assert {key for key, *_ in result.inputs} >= {"engine.bore", "ring.youngs_modulus"}
-    assert result.assumptions and result.effort["cycles_marched"] > 0
+    assert result.assumptions and result.effort["cycles_integrated"] > 0
     assert result.provenance["program"].startswith("ringfilm")
 
 

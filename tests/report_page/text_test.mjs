@@ -184,7 +184,7 @@ test('counts are told of the whole only where it is known', () => {
   assert.deepEqual([howOften(634, 720), howOften(634, null), howOften(1, null)], ['634 of 720 crank angles', '634 times', 'once']);
 });
 
-test('a march stops before the gap in its samples, wherever the axis begins', () => {
+test('an integration stops before the gap in its samples, wherever the axis begins', () => {
   const range = (from, to) => Array.from({ length: to - from }, (_, k) => from + k);
   assert.equal(stoppedAt(range(0, 30)), 29);
   // Started at 270 degree, stopped at 12: the samples are sorted from 0.

@@ -59,8 +59,8 @@ int main(int argc, char** argv) {
   std::vector<io::ResultDocument> around = {example::document("unrolled, fields"),
                                             example::document("unrolled, strips", 0.7),
                                             example::document("unrolled, face", 0.35)};
-  example::add_unrolled_film(around[0], example::Around::kFields);
-  example::add_unrolled_film(around[1], example::Around::kStripsOnly);
+  example::add_unrolled_film(around[0], example::CircumferentialGrid::kFields);
+  example::add_unrolled_film(around[1], example::CircumferentialGrid::kStripsOnly);
   const bool around_written = write("unrolled.html", report::report_page(around, {}));
 
   const io::Units units;

@@ -4,7 +4,7 @@
 
 #include "ringfilm/cycle/case/case.hpp"
 
-/// Engines as nobody would build them: the sample that the march must survive.
+/// Engines as nobody would build them: the sample that the integration must survive.
 namespace ringfilm::cycle::testing {
 
 enum class FaceKind { kNewPolynomial, kRunInPolynomial, kEmbeddedPolynomial, kParabola, kNoisyPoints, kWornFlat };
@@ -13,15 +13,16 @@ enum class TraceKind { kSmooth, kNoisy, kKnock, kStep, kKnockAndStep };
 const char* name(FaceKind kind);
 const char* name(TraceKind kind);
 
-/// One engine and how to march it.
+/// One engine and how to integrate it.
 struct EngineScenario {
   Case input;
   FaceKind face{};
   TraceKind trace{};
   double rise = 0;             ///< of the face above its lowest point, at the higher edge [m]
   double peak_pressure = 0;    ///< largest sample of the trace [Pa]
-  double start_angle_deg = 0;  ///< the march starts here from a steady film; at a dead centre: from standstill
-  std::optional<double> side_spacing_deg;  ///< solve the film off the march too, at angles this far apart [degree]
+  double start_angle_deg = 0;  ///< the integration starts here from a steady film; at a dead centre: from standstill
+  std::optional<double>
+      side_spacing_deg;  ///< solve the film off the integration too, at angles this far apart [degree]
 };
 
 /// Member `index` of the sample `seed`: a shifted Kronecker sequence with the square roots of primes (Richtmyer), which

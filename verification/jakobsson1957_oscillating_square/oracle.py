@@ -29,7 +29,7 @@ sys.dont_write_bytecode = True  # a folder of its own among the verifications wo
 from film_in_two_dimensions import Film, limit  # noqa: E402
 
 
-def march(n, step):
+def integration(n, step):
     s = np.linspace(0, 1, n + 1)
     edges = SIDE / 2 * (0.5 * s + 0.5 * s * s)  # finer towards the bath
     film = Film(edges, edges, lambda x, y: 0 * x, ETA, 0.0, BATH, None, BATH, None)
@@ -49,7 +49,7 @@ def march(n, step):
     return loads, cavity[0], cavity[-1] + step
 
 
-seen = {(n, step): march(n, step) for n, step in
+seen = {(n, step): integration(n, step) for n, step in
         ((16, 0.00125), (32, 0.00125), (64, 0.00125), (128, 0.00125), (32, 0.0025), (32, 0.000625))}
 result = {}
 for at in TIMES:

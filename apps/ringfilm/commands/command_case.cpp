@@ -5,7 +5,7 @@
 
 #include "commands/commands.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/pad/pad_setup.hpp"

@@ -184,8 +184,8 @@ class Commands {
       const std::string case_path = run_words_.case_path();
       if (csv_ && csv_->empty()) csv_ = std::filesystem::path(case_path).stem().string() + ".csv";
       run({case_path, run_words_.overrides(), output_, csv_, json_ ? SummaryForm::kJson : SummaryForm::kTable,
-           ledger_ ? LedgerWanted::kComputed : LedgerWanted::kStatements,
-           error_estimate_ ? ErrorsWanted::kEstimated : ErrorsWanted::kNone, jobs()});
+           ledger_ ? LedgerRequest::kComputed : LedgerRequest::kStatements,
+           error_estimate_ ? ErrorRequest::kEstimated : ErrorRequest::kNone, jobs()});
     });
     run_words_.add_to(command);
     command.add_option("-o,--output", output_, "write the whole result as NetCDF-4")->type_name("X.nc");
@@ -197,8 +197,9 @@ class Commands {
         ->type_name("X.csv");
     command.add_flag("--json", json_, "print the values as JSON, SI units, instead of the table");
     command.add_flag("--ledger", ledger_, "run the other choice for every assumption that can be lifted");
-    command.add_flag("--error-estimate", error_estimate_,
-                     "march four other grids too and give every value the error of its own, about 6 times the work");
+    command.add_flag(
+        "--error-estimate", error_estimate_,
+        "integration four other grids too and give every value the error of its own, about 6 times the work");
     add_jobs(command);
     command.footer(kRunFooter);
   }
@@ -260,7 +261,7 @@ class Commands {
 
   void add_verify() {
     auto& command = add("verify", "Compute cases with known answers and report how far off they are", [this] {
-      verify_.wanted = list_ ? VerifyWanted::kNames : verify_json_ ? VerifyWanted::kJson : VerifyWanted::kTable;
+      verify_.wanted = list_ ? VerifyRequest::kNames : verify_json_ ? VerifyRequest::kJson : VerifyRequest::kTable;
       verify(verify_);
     });
     command.add_option("NAME", verify_.names, "cases to check; all if none is named")->type_name("...");
@@ -297,9 +298,10 @@ class Commands {
 
   void add_jobs(CLI::App& command) {
     command
-        .add_option("--jobs", jobs_,
-                    "threads for the other marches of ledger and error estimate, 1 to 1024; without it as many as the "
-                    "machine runs at once; the numbers are the same")
+        .add_option(
+            "--jobs", jobs_,
+            "threads for the other integrations of ledger and error estimate, 1 to 1024; without it as many as the "
+            "machine runs at once; the numbers are the same")
         ->type_name("N");
   }
   int jobs() const { return jobs_ ? jobs_of(*jobs_) : 0; }

@@ -44,9 +44,9 @@ std::vector<RingInput> ring_inputs(const fs::path& cases) {
 }
 
 std::vector<io::ResultDocument> computed_rings(const std::vector<RingInput>& rings, int jobs) {
-  std::vector<Wanted> wanted;
+  std::vector<RunRequest> wanted;
   for (const RingInput& ring : rings) {
-    wanted.push_back({ring.input, LedgerWanted::kComputed, ErrorsWanted::kEstimated, ring.ring});
+    wanted.push_back({ring.input, LedgerRequest::kComputed, ErrorRequest::kEstimated, ring.ring});
   }
   std::vector<io::ResultDocument> documents;
   for (Computation& done : computations(wanted, {jobs})) {

@@ -129,7 +129,7 @@ double distance_um(const RingPair& of) {
 }
 
 /// Prints what should have come back beside what did, and keeps how many did not.
-class WantedAndGot {
+class TargetAndResult {
  public:
   std::string text() const { return text_; }
   int failures() const { return failures_; }
@@ -188,12 +188,12 @@ class WantedAndGot {
 };
 
 std::vector<io::ResultDocument> computed(const std::vector<RingPair>& rings, int jobs) {
-  std::vector<Wanted> wanted;
+  std::vector<RunRequest> wanted;
   for (const RingPair& ring : rings) {
-    wanted.push_back({ring.got, LedgerWanted::kComputed, ErrorsWanted::kEstimated, ring.ring + " ring, measured"});
+    wanted.push_back({ring.got, LedgerRequest::kComputed, ErrorRequest::kEstimated, ring.ring + " ring, measured"});
   }
   for (const RingPair& ring : rings) {
-    wanted.push_back({ring.wanted, LedgerWanted::kStatements, ErrorsWanted::kEstimated, ring.ring + " ring"});
+    wanted.push_back({ring.wanted, LedgerRequest::kStatements, ErrorRequest::kEstimated, ring.ring + " ring"});
   }
   std::vector<io::ResultDocument> documents;
   for (Computation& done : computations(wanted, {jobs})) {
@@ -245,7 +245,7 @@ void reproduce_measured(const ReproduceOptions& options) {
   chain.measure_surfaces();
   const io::Units units;
   std::vector<RingPair> rings;
-  WantedAndGot table;
+  TargetAndResult table;
   for (const std::string ring : chain::kRings) {
     const std::string path = chain.measure_ring(ring);
     rings.push_back({ring, case_for_report((shipped / "styles2014" / (word_of(ring) + ".toml")).string(), units),

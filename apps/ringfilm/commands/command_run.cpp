@@ -59,7 +59,7 @@ cycle::Case checked_case(const RunOptions& options) {
   return input;
 }
 
-/// Why the march stopped, and what there is of it now.
+/// Why the integration stopped, and what there is of it now.
 ConvergenceError named_stop(const RunOptions& options, const Computation& done) {
   const auto& samples = done.document.result.samples;
   std::string text = done.stopped->what();

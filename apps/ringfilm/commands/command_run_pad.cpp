@@ -27,10 +27,10 @@ class PadProgress : public pad::Observer {
 };
 
 void check_wishes(const RunOptions& options) {
-  if (options.ledger == LedgerWanted::kComputed) {
+  if (options.ledger == LedgerRequest::kComputed) {
     throw InputError("--ledger: a pad has no assumptions that could be lifted", "leave it out");
   }
-  if (options.errors == ErrorsWanted::kEstimated) {
+  if (options.errors == ErrorRequest::kEstimated) {
     throw InputError("--error-estimate: the errors of a pad are not estimated",
                      "leave it out, and run the pad with twice the cells to see what changes");
   }

@@ -23,7 +23,7 @@
 #include "ringfilm/report/study_page.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/statistics/kept_curves.hpp"
-#include "ringfilm/study/statistics/until.hpp"
+#include "ringfilm/study/statistics/stopping_rule.hpp"
 #include "ringfilm/study/study_run.hpp"
 #include "stop_request.hpp"
 #include "study/slurm_queue.hpp"
@@ -46,7 +46,7 @@ struct Loaded {
     study::check_scenarios(plan);
   }
 
-  const std::optional<study::Until>& until() const { return file.study.sampling.until; }
+  const std::optional<study::StoppingRule>& until() const { return file.study.sampling.until; }
 
   /// Of a study with `until` only the rows show how many points it has.
   void take_points_of(const io::ShardReader& rows) {
@@ -60,7 +60,7 @@ struct Loaded {
 
   std::uint64_t rows_of_a_point() const { return plan.points_per_row() * file.study.bases.size(); }
 
-  io::Longer longer() const { return plan.can_grow() ? io::Longer::kAllowed : io::Longer::kRefused; }
+  io::Extension longer() const { return plan.can_grow() ? io::Extension::kAllowed : io::Extension::kRefused; }
 
   /// Are the rows found the first ones of this study, which has become longer since?
   bool goes_on_from(const io::ShardHeader& found, const io::ShardHeader& wanted) const {
@@ -75,7 +75,7 @@ struct Loaded {
       if (input.role != "study") inputs += fmt::format("{} {}\n", input.role, input.sha256);
     }
     const study::ScenarioRange range = study::shard_range(plan.most(), part, parts);
-    const study::Keep& keep = plan.study().keep;
+    const study::OutputSelection& keep = plan.study().keep;
     const bool has_curves = keep.curves != study::Curves::kNone;
     return {io::sha256(plan.digest_text()),
             io::sha256(inputs),
@@ -116,7 +116,7 @@ void check_grid(const StudyOptions& options, const study::Plan& plan) {
 constexpr double kLargestCurves = 2e9;
 
 void check_curves(const StudyOptions& options, const study::Plan& plan) {
-  const study::Keep& keep = plan.study().keep;
+  const study::OutputSelection& keep = plan.study().keep;
   const double row = static_cast<double>(sizeof(float) * study::kept_quantities(keep).size()) *
                      static_cast<double>(study::kept_angles(keep).size());
   const double bytes = row * static_cast<double>(plan.most());
@@ -176,7 +176,7 @@ void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& 
 
 /// Is a study with `until` sure enough with the rows that are there?
 bool is_sure(const Loaded& study, const io::ShardReader& rows) {
-  const study::Until& until = *study.until();
+  const study::StoppingRule& until = *study.until();
   std::vector<double> values;
   rows.append_values(*cycle::cycle_quantity_index(until.value), values);
   return study::is_sure(until, study::sureness(study.plan, values));

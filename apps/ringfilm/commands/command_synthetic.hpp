@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "ringfilm/surface/synthetic/synthetic.hpp"
-#include "ringfilm/surface/synthetic/wanted_surface.hpp"
+#include "ringfilm/surface/synthetic/target_surface.hpp"
 
 namespace ringfilm::app {
 

@@ -12,8 +12,8 @@
 namespace ringfilm::app {
 
 enum class SummaryForm { kTable, kJson, kNothing };
-enum class LedgerWanted { kStatements, kComputed };
-enum class ErrorsWanted { kNone, kEstimated };
+enum class LedgerRequest { kStatements, kComputed };
+enum class ErrorRequest { kNone, kEstimated };
 
 struct RunOptions {
   std::string case_path;
@@ -21,8 +21,8 @@ struct RunOptions {
   std::optional<std::string> output;  ///< NetCDF
   std::optional<std::string> csv;
   SummaryForm summary = SummaryForm::kTable;
-  LedgerWanted ledger = LedgerWanted::kStatements;
-  ErrorsWanted errors = ErrorsWanted::kNone;
+  LedgerRequest ledger = LedgerRequest::kStatements;
+  ErrorRequest errors = ErrorRequest::kNone;
   int jobs = 0;  ///< threads for ledger and errors; 0: as many as the machine runs at once
 };
 void run(const RunOptions& options);
@@ -56,12 +56,12 @@ void reproduce(const ReproduceOptions& options);
 /// measured as by the single commands, what they give becomes cases, and these are run.
 void reproduce_measured(const ReproduceOptions& options);
 
-enum class VerifyWanted { kTable, kJson, kNames };
+enum class VerifyRequest { kTable, kJson, kNames };
 
 struct VerifyOptions {
   std::vector<std::string> names;     ///< folders of verification/; empty: all
   std::optional<std::string> output;  ///< web page
-  VerifyWanted wanted = VerifyWanted::kTable;
+  VerifyRequest wanted = VerifyRequest::kTable;
 };
 
 /// Everything was computed and written, but something in it is not as it should be (exit code 4).

@@ -13,10 +13,10 @@
 
 namespace ringfilm::app {
 
-Said said_by(const std::string& command_line) {
+CommandOutput said_by(const std::string& command_line) {
   std::FILE* pipe = ::popen(fmt::format("{{ {}\n}} 2>&1", command_line).c_str(), "re");
   if (pipe == nullptr) return {"no process could be started", -1};
-  Said said;
+  CommandOutput said;
   std::array<char, 4096> part{};
   constexpr std::size_t kMost = 1 << 24;  // of 10^5 tasks with their reasons
   for (std::size_t n = 0; (n = std::fread(part.data(), 1, part.size(), pipe)) > 0;) {
@@ -66,7 +66,7 @@ std::optional<std::map<std::uint64_t, std::string>> queue_states(const StudyJobs
   std::map<std::uint64_t, std::string> states;
   for (const std::string& job : {jobs.array, jobs.merge}) {
     if (job.empty()) continue;
-    const Said said = said_by(fmt::format("squeue --noheader --array --jobs={} --format='%K %T %r'", job));
+    const CommandOutput said = said_by(fmt::format("squeue --noheader --array --jobs={} --format='%K %T %r'", job));
     // Of a job that is long gone squeue says so as an error.
     if (said.exit_code != 0 && said.text.find("Invalid job id") == std::string::npos) return std::nullopt;
     if (said.exit_code != 0) continue;

@@ -10,11 +10,11 @@
 namespace ringfilm::app {
 
 /// What a command of the shell printed on both outputs, and how it ended.
-struct Said {
+struct CommandOutput {
   std::string text;
   int exit_code = 0;
 };
-Said said_by(const std::string& command_line);
+CommandOutput said_by(const std::string& command_line);
 
 /// A word as the shell takes it literally.
 std::string shell_word(const std::string& word);

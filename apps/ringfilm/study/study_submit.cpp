@@ -105,7 +105,7 @@ class SlurmStudy {
   /// Hands a script to sbatch, from the folder in which it lies. @returns the number of the job
   std::string submit(const std::string& script, const std::string& words) const {
     const std::string command = fmt::format("sbatch --parsable {}{}", words, shell_word("./" + script));
-    const Said said = said_by(fmt::format("cd -- {} && {}", shell_word(files_.folder()), command));
+    const CommandOutput said = said_by(fmt::format("cd -- {} && {}", shell_word(files_.folder()), command));
     std::istringstream lines(said.text);
     for (std::string line; said.exit_code == 0 && std::getline(lines, line);) {
       const std::string number = line.substr(0, line.find(';'));  // after it: the cluster's name

@@ -142,7 +142,7 @@ std::string solver_lines(const cycle::Effort& effort) {
   std::string text = fmt::format(
       "solver: {:.4g} cycles until the state repeats (to {:.1e}), {} crank steps, {} Newton iterations; load balanced "
       "to {:.1e} (relative)",
-      effort.cycles_marched, effort.periodicity_error, effort.crank_steps, effort.newton_iterations,
+      effort.cycles_integrated, effort.periodicity_error, effort.crank_steps, effort.newton_iterations,
       effort.max_load_residual);
   if (effort.max_mass_residual > 0) text += fmt::format(", mass to {:.1e}", effort.max_mass_residual);
   const long n_fallbacks = effort.fallback_secant + effort.fallback_sub_step;
@@ -191,7 +191,7 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
         "STOPPED after {:.4g} cycles, before the cycle repeated itself; {} crank angles are in the result, but no "
         "values "
         "of the cycle\n\n",
-        result.effort.cycles_marched, result.samples.size());
+        result.effort.cycles_integrated, result.samples.size());
   }
   if (result.complete && !result.samples.empty()) text += values_table(result.values, document.errors) + "\n";
   if (!result.unrolled.is_absent()) text += unrolled_lines(input, result);

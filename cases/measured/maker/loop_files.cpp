@@ -81,11 +81,11 @@ MadeFile loop_file(const std::string& name, const std::string& sample, double wa
 
 }  // namespace
 
-std::vector<MadeFile> loop_files(const std::vector<WantedRing>& rings) {
+std::vector<MadeFile> loop_files(const std::vector<TargetRing>& rings) {
   std::uint64_t seed = kSiliconSeed;
   std::vector<MadeFile> files = {
       loop_file("loops_silicon.csv", "silicon", app::chain::silicon_reference().value / kPsi_nN_per_mV, seed)};
-  for (const WantedRing& ring : rings) {
+  for (const TargetRing& ring : rings) {
     files.push_back(loop_file("loops_" + ring.name + ".csv", ring.name, ring.shear_strength / kPsi_nN_per_mV, ++seed));
   }
   return files;

@@ -9,9 +9,9 @@
 
 namespace ringfilm::measured_files {
 
-std::vector<WantedRing> wanted_rings(const std::string& cases) {
+std::vector<TargetRing> target_rings(const std::string& cases) {
   const io::Units units;
-  std::vector<WantedRing> rings;
+  std::vector<TargetRing> rings;
   for (const std::string name : app::chain::kRings) {
     std::string case_name = name;
     std::replace(case_name.begin(), case_name.end(), '_', '-');
@@ -23,7 +23,7 @@ std::vector<WantedRing> wanted_rings(const std::string& cases) {
 }
 
 std::vector<MadeFile> all_files(const std::string& cases) {
-  const std::vector<WantedRing> rings = wanted_rings(cases);
+  const std::vector<TargetRing> rings = target_rings(cases);
   std::vector<MadeFile> files;
   for (auto* of : {&surface_files, &face_files, &loop_files}) {
     std::vector<MadeFile> made = of(rings);

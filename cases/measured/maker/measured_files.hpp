@@ -12,7 +12,7 @@ struct MadeFile {
 };
 
 /// What one ring should come out as.
-struct WantedRing {
+struct TargetRing {
   std::string name;                ///< as the files are named
   double density_per_m2;           ///< N
   double beta_m;                   ///< beta
@@ -22,16 +22,16 @@ struct WantedRing {
 };
 
 /// The rings of cases/styles2014/. @param cases the folder that holds it
-std::vector<WantedRing> wanted_rings(const std::string& cases);
+std::vector<TargetRing> target_rings(const std::string& cases);
 
 /// liner.sur and ring_<name>.x3p: Gaussian surfaces, tilted, some points of the rings missing.
-std::vector<MadeFile> surface_files(const std::vector<WantedRing>& rings);
+std::vector<MadeFile> surface_files(const std::vector<TargetRing>& rings);
 
 /// face_<name>.csv: traces longer than the face, tilted, with noise.
-std::vector<MadeFile> face_files(const std::vector<WantedRing>& rings);
+std::vector<MadeFile> face_files(const std::vector<TargetRing>& rings);
 
 /// loops_silicon.csv and loops_<name>.csv: friction loops at several loads, with noise.
-std::vector<MadeFile> loop_files(const std::vector<WantedRing>& rings);
+std::vector<MadeFile> loop_files(const std::vector<TargetRing>& rings);
 
 /// All of them.
 std::vector<MadeFile> all_files(const std::string& cases);

@@ -6,7 +6,7 @@
 #include "ringfilm/instrument/formats/digital_surf_file.hpp"
 #include "ringfilm/instrument/formats/x3p_writer.hpp"
 #include "ringfilm/surface/synthetic/random_numbers.hpp"
-#include "ringfilm/surface/synthetic/wanted_surface.hpp"
+#include "ringfilm/surface/synthetic/target_surface.hpp"
 
 namespace ringfilm::measured_files {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kTiltX = 1.2e-3, kTiltY = -0.8e-3;
 constexpr int kMissingPoints = 40;
 
 /// What the liner brings into all three pairs: well below the smoothest of them, the embedded ring's.
-const surface::WantedSurface kLiner{surface::SigmaRule::ra, 0.2e-6, 0.015, 0.5e11};
+const surface::TargetSurface kLiner{surface::SigmaRule::ra, 0.2e-6, 0.015, 0.5e11};
 constexpr std::uint64_t kLinerSeed = 20140;
 
 /// Points where light did not come back.
@@ -73,8 +73,8 @@ MadeFile liner_file() {
           instrument::digital_surf_bytes(map, kResolution_m, "SYNTHETIC liner", maker_text("liner", kLinerSeed))};
 }
 
-MadeFile ring_file(const WantedRing& ring, std::uint64_t seed) {
-  const surface::WantedSurface wanted = counterpart({ring.density_per_m2, ring.beta_m, ring.sigma_m}, kLiner);
+MadeFile ring_file(const TargetRing& ring, std::uint64_t seed) {
+  const surface::TargetSurface wanted = counterpart({ring.density_per_m2, ring.beta_m, ring.sigma_m}, kLiner);
   HeightMap map = surface_with(wanted, kGrid, seed, [seed](const HeightMap& whole) {
     HeightMap with_holes = whole;
     lose_points(with_holes, seed);
@@ -91,10 +91,10 @@ MadeFile ring_file(const WantedRing& ring, std::uint64_t seed) {
 
 }  // namespace
 
-std::vector<MadeFile> surface_files(const std::vector<WantedRing>& rings) {
+std::vector<MadeFile> surface_files(const std::vector<TargetRing>& rings) {
   std::vector<MadeFile> files = {liner_file()};
   std::uint64_t seed = kLinerSeed;
-  for (const WantedRing& ring : rings) files.push_back(ring_file(ring, ++seed));
+  for (const TargetRing& ring : rings) files.push_back(ring_file(ring, ++seed));
   return files;
 }
 

@@ -92,14 +92,14 @@ void bind_face(py::module_& module) {
       .with("rms_m", &FaceResidual::rms_m, "Rms [m].")
       .with("largest_m", &FaceResidual::largest_m, "The largest [m].")
       .with("largest_at_m", &FaceResidual::largest_at_m, "Where it is [m].");
-  Record<InventedShape> invented(part, "InventedShape", "Where the polynomial has what the trace has not.");
-  invented.with("from_m", &InventedShape::from_m, "Begin [m].")
-      .with("to_m", &InventedShape::to_m, "End [m].")
+  Record<FitArtifact> invented(part, "FitArtifact", "Where the polynomial has what the trace has not.");
+  invented.with("from_m", &FitArtifact::from_m, "Begin [m].")
+      .with("to_m", &FitArtifact::to_m, "End [m].")
       .with_word(
-          "reason", &InventedShape::reason, [](InventionReason r) { return word_of(r, kReasons); },
+          "reason", &FitArtifact::reason, [](InventionReason r) { return word_of(r, kReasons); },
           "What gives it away: \"departs\" from the trace, \"turn-not-in-trace\", \"falls-towards-the-edge\".")
-      .with("size_m", &InventedShape::size_m, "Largest distance, or fall [m].");
-  invented.type().def("words", &InventedShape::words, "The same as a sentence.");
+      .with("size_m", &FitArtifact::size_m, "Largest distance, or fall [m].");
+  invented.type().def("words", &FitArtifact::words, "The same as a sentence.");
   Record<FaceFit> fit(part, "FaceFit",
                       "The shape of a ring face; its arrays are read-only. Source: docs/theory/face.md.");
   fit.with("x_m", &FaceFit::x_m, "Places from 0 to the width, shape (x,) [m].")
@@ -117,7 +117,7 @@ void bind_face(py::module_& module) {
       .with("spline_minimum_m", &FaceFit::spline_minimum_m, "Least gap of the spline, as gap_m counts [m].")
       .with("spline_minimum_at_m", &FaceFit::spline_minimum_at_m, "Lowest place of the spline [m].")
       .with("noise_m", &FaceFit::noise_m, "Rms of what neither follows [m].")
-      .with("invented", &FaceFit::invented, "A list of InventedShape.")
+      .with("invented", &FaceFit::invented, "A list of FitArtifact.")
       .with("pore_share", &FaceFit::pore_share, "Share of the points left out as pores [-].")
       .with("averaged", &FaceFit::averaged, "Neighbouring points of the trace that were averaged into one.");
   keep_ends(fit, "polynomial_end_m", &FaceFit::polynomial_end_m,

@@ -406,7 +406,7 @@ class Result:
         ...
     @property
     def complete(self) -> object:
-        """False where the march stopped, or never began; the curves then hold what it had passed."""
+        """False where the integration stopped, or never began; the curves then hold what it had passed."""
         ...
     @property
     def compression_stroke_energy(self) -> object:

@@ -32,7 +32,7 @@ class FaceFit:
         ...
     @property
     def invented(self) -> object:
-        """A list of InventedShape."""
+        """A list of FitArtifact."""
         ...
     @property
     def land_from_m(self) -> object:
@@ -130,7 +130,7 @@ class FaceResidual:
         """All members, {name: value}."""
         ...
 
-class InventedShape:
+class FitArtifact:
     """Where the polynomial has what the trace has not."""
     def __eq__(self, other: object) -> object:
         """Are all members the same? A NaN is not."""

@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 
 namespace ringfilm::cycle {
 namespace {
 
-/// The march starts here, from a steady film: mid exhaust stroke, high speed and low load.
+/// The integration starts here, from a steady film: mid exhaust stroke, high speed and low load.
 constexpr double kStartAngleDeg = 270;
 /// States are compared with those of one cycle before at this spacing, over the first stroke.
 constexpr double kCheckSpacingDeg = 15;
@@ -32,11 +32,11 @@ CycleRun::CycleRun(Setup setup)
       n_steps_(steps_per_cycle(setup_.input.solver)),
       step_deg_(kCycleDeg / n_steps_),
       check_every_(std::max(1, static_cast<int>(std::lround(kCheckSpacingDeg / step_deg_)))),
-      march_(setup_),
+      integration_(setup_),
       recorder_(setup_),
       k_(static_cast<int>(std::lround(kStartAngleDeg / step_deg_)) % n_steps_),
       distance_(std::numeric_limits<double>::infinity()) {
-  attempt([this] { march_.start(k_); });
+  attempt([this] { integration_.start(k_); });
 }
 
 template <class Part>
@@ -52,20 +52,20 @@ void CycleRun::attempt(const Part& part) {
 
 void CycleRun::conclude(const film::FilmReport& report) {
   attempt([&] {
-    march_.conclude(report, recorder_);
-    if (march_.at_base_angle()) arrived();
+    integration_.conclude(report, recorder_);
+    if (integration_.at_base_angle()) arrived();
   });
 }
 
 void CycleRun::arrived() {
   k_ = (k_ + 1) % n_steps_;
-  ++steps_marched_;
-  const int since_start = steps_marched_ % n_steps_;
+  ++steps_integrated_;
+  const int since_start = steps_integrated_ % n_steps_;
   if (k_ % check_every_ == 0 && since_start * step_deg_ <= kCheckedDeg) {
     const auto before = one_cycle_ago_.find(k_);
-    if (before != one_cycle_ago_.end()) distance_ = march_.distance(before->second);
+    if (before != one_cycle_ago_.end()) distance_ = integration_.distance(before->second);
     done_ = distance_ <= kPeriodicityFactor * setup_.input.solver.tolerance;
-    if (!done_) one_cycle_ago_[k_] = march_.state();
+    if (!done_) one_cycle_ago_[k_] = integration_.state();
   }
   if (!done_ && since_start == 0) check_approach();
 }
@@ -105,7 +105,8 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
 }
 
 CycleResult CycleRun::result() const {
-  return recorder_.result(march_, distance_, steps_marched_, stop_ ? Completeness::kStopped : Completeness::kComplete);
+  return recorder_.result(integration_, distance_, steps_integrated_,
+                          stop_ ? Completeness::kStopped : Completeness::kComplete);
 }
 
 }  // namespace ringfilm::cycle

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/march/march.hpp"
-#include "ringfilm/cycle/march/recorder.hpp"
-#include "ringfilm/cycle/march/side_by_side.hpp"
+#include "ringfilm/cycle/integration/recorder.hpp"
+#include "ringfilm/cycle/integration/side_by_side.hpp"
+#include "ringfilm/cycle/integration/time_integration.hpp"
 
 namespace ringfilm::cycle {
 
-/// Why a march stopped before its state repeated.
+/// Why an integration stopped before its state repeated.
 struct Stop {
   std::string message;
   std::optional<double> crank_angle_deg;
@@ -28,20 +28,20 @@ inline constexpr const char* kCellsGraded = "cells-graded";
 std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop);
 
 /// One scenario on its way from a steady film to a cycle that repeats itself.
-class CycleRun final : public Marching {
+class CycleRun final : public BatchMember {
  public:
-  /// Starts the march; a start without an answer is a stop like any other.
+  /// Starts the integration; a start without an answer is a stop like any other.
   explicit CycleRun(Setup setup);
 
-  March& march() override { return march_; }
+  TimeIntegration& integration() override { return integration_; }
   void conclude(const film::FilmReport& report) override;
   bool done() const override { return done_; }
 
   const Setup& setup() const { return setup_; }
-  int steps_marched() const { return steps_marched_; }
+  int steps_integrated() const { return steps_integrated_; }
   double crank_angle_deg() const { return k_ * step_deg_; }  ///< of the last base angle
 
-  /// Once done: what was found, and why no more if the march stopped.
+  /// Once done: what was found, and why no more if the integration stopped.
   CycleResult result() const;
   const std::optional<Stop>& stop() const { return stop_; }
 
@@ -50,7 +50,7 @@ class CycleRun final : public Marching {
   /// At the end of a cycle. Throws ConvergenceError where its state approaches that of the one before no longer.
   void check_approach();
   void stopped(const ConvergenceError& error, std::optional<film::Failure> failure);
-  /// Does a part of the march; what it throws stops it.
+  /// Does a part of the integration; what it throws stops it.
   template <class Part>
   void attempt(const Part& part);
 
@@ -58,11 +58,11 @@ class CycleRun final : public Marching {
   int n_steps_;  ///< of a cycle
   double step_deg_;
   int check_every_;
-  March march_;
+  TimeIntegration integration_;
   Recorder recorder_;
   std::map<int, film::FilmState> one_cycle_ago_;  ///< by base angle
   int k_ = 0;                                     ///< base angle
-  int steps_marched_ = 0;
+  int steps_integrated_ = 0;
   double distance_;
   std::vector<double> distances_;  ///< at the end of each cycle
   bool done_ = false;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 
 namespace ringfilm::cycle {

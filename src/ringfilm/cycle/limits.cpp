@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/solver/load_balance.hpp"
 
 namespace ringfilm::cycle {
 

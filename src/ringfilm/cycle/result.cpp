@@ -249,7 +249,7 @@ const std::vector<UnrolledField>& unrolled_fields() {
   using F = UnrolledFields;
   static const std::vector<UnrolledField> table = {
       {{"film_thickness", "m", "um", "film thickness", "h", "eq-film-thickness"}, &F::film_thickness},
-      {{"film_pressure", "Pa", "bar", "film pressure, absolute", "p", "eq-sheet-reynolds"}, &F::film_pressure},
+      {{"film_pressure", "Pa", "bar", "film pressure, absolute", "p", "eq-film-2d-reynolds"}, &F::film_pressure},
       {{"fill", "1", "1", "liquid share of the film", "theta", "eq-fill"}, &F::fill},
       {{"asperity_pressure", "Pa", "bar", "asperity contact pressure", "p_a", "eq-asperity-load"},
        &F::asperity_pressure},
@@ -267,7 +267,7 @@ const std::vector<UnrolledField>& strip_fields() {
         "eq-asperity-load"},
        &F::strip_asperity_load},
       {{"strip_peak_film_pressure", "Pa", "bar", "peak film pressure across the face, absolute", "p_max",
-        "eq-sheet-reynolds"},
+        "eq-film-2d-reynolds"},
        &F::strip_peak_film_pressure},
       {{"strip_cavitated_fraction", "1", "%", "cavitated share of the face", "x_c", "eq-complementarity"},
        &F::strip_cavitated_fraction},

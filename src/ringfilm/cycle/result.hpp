@@ -219,11 +219,11 @@ struct Note {
   long count = 1;       ///< crank steps or evaluations concerned
 };
 
-/// What the march cost, and how well it kept its tolerances.
+/// What the integration cost, and how well it kept its tolerances.
 struct Effort {
-  double cycles_marched = 0;     ///< until periodic
+  double cycles_integrated = 0;  ///< until periodic
   double periodicity_error = 0;  ///< largest relative difference of the state one cycle apart [-]
-  long crank_steps = 0;          ///< taken in all cycles marched, shortened ones among them
+  long crank_steps = 0;          ///< taken in all cycles integrated, shortened ones among them
   long newton_iterations = 0;    ///< of all films that were sought, those of steps that were taken again shorter too
   long sub_steps = 0;            ///< of the crank steps: shorter than solver.crank_step
   long fallback_secant = 0;      ///< films that a bracketed search found because Newton's method failed
@@ -235,22 +235,22 @@ struct Effort {
   long relaxation_sweeps = 0;  ///< of solver.method = "point-relaxation"
 };
 
-/// All that a march gives. Plain data: what files, pages and other programs are made of.
+/// All that an integration gives. Plain data: what files, pages and other programs are made of.
 struct CycleResult {
   std::vector<Sample> samples;                   ///< at the crank angles asked for
-  CycleValues values;                            ///< from the whole march, whatever was asked for
+  CycleValues values;                            ///< from the whole integration, whatever was asked for
   FaceFields fields;                             ///< where output.fields asks for them; x and face_height always
   std::vector<UnrolledSample> unrolled_samples;  ///< beside `samples`; empty without an unrolled film
-  UnrolledValues unrolled_values;                ///< NaN where the march stopped
+  UnrolledValues unrolled_values;                ///< NaN where the integration stopped
   UnrolledFields unrolled;                       ///< without an unrolled film not even y
-  StrokeProfile stroke;                          ///< empty where the march stopped
+  StrokeProfile stroke;                          ///< empty where the integration stopped
   std::map<std::string, double> derived;  ///< composite_modulus, elastic_pressure, ... [SI]; see derived_quantities()
   std::vector<Note> notes;  ///< laws outside their range, remedies that were used; empty: nothing to be known
-  Effort effort;            ///< of the whole march, the cycles before the last one too
-  bool complete = true;     ///< false: the march stopped; `samples` are those that it had passed
+  Effort effort;            ///< of the whole integration, the cycles before the last one too
+  bool complete = true;     ///< false: the integration stopped; `samples` are those that it had passed
 };
 
-/// Constants that follow from the case before anything is marched (keys of CycleResult::derived).
+/// Constants that follow from the case before anything is integrated (keys of CycleResult::derived).
 const std::vector<Quantity>& derived_quantities();
 
 }  // namespace ringfilm::cycle

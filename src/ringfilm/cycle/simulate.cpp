@@ -9,9 +9,9 @@ CycleResult simulate(const Setup& setup, Observer* observer) {
   const int n_steps = steps_per_cycle(setup.input.solver);
   int before = 0;
   integrate_alone(run, [&] {
-    const int marched = run.steps_marched();
-    if (observer != nullptr && marched > before) observer->advanced(1 + before / n_steps, run.crank_angle_deg());
-    before = marched;
+    const int integrated = run.steps_integrated();
+    if (observer != nullptr && integrated > before) observer->advanced(1 + before / n_steps, run.crank_angle_deg());
+    before = integrated;
   });
   if (!run.stop()) return run.result();
   if (const std::optional<Setup> graded = second_attempt(setup, *run.stop())) return simulate(*graded, observer);

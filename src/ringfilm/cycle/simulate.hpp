@@ -1,6 +1,6 @@
 #pragma once
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/result.hpp"
 
 namespace ringfilm::cycle {
@@ -16,7 +16,8 @@ class Observer {
   virtual void advanced(int cycle, double crank_angle_deg) = 0;
 };
 
-/// The march stopped at a crank angle where nothing balances the load; `result` holds all up to the last good one.
+/// The integration stopped at a crank angle where nothing balances the load; `result` holds all up to the last good
+/// one.
 class StoppedCycle : public ConvergenceError {
  public:
   /// What was solved goes with it.
@@ -25,7 +26,7 @@ class StoppedCycle : public ConvergenceError {
   CycleResult result;  ///< complete is false, values of the cycle are NaN
 };
 
-/// Marches the engine cycle until its state repeats and returns every quantity at the angles asked for.
+/// Integrates the engine cycle until its state repeats and returns every quantity at the angles asked for.
 /// Where uniform cells find no film, once more on graded ones, with a note. Same setup, same bits. Throws StoppedCycle.
 CycleResult simulate(const Setup& setup, Observer* observer = nullptr);
 

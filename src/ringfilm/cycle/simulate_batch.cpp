@@ -7,17 +7,17 @@ namespace ringfilm::cycle {
 
 LaneEffort simulate_batch(const SetupSource& next, const std::function<void(BatchOutcome)>& finished,
                           const std::function<void()>& pulse) {
-  std::map<const Marching*, std::size_t> index;
+  std::map<const BatchMember*, std::size_t> index;
   std::size_t n_given = 0;
-  const auto start = [&]() -> std::unique_ptr<Marching> {
+  const auto start = [&]() -> std::unique_ptr<BatchMember> {
     std::optional<Setup> setup = next();
     if (!setup) return nullptr;
     auto run = std::make_unique<CycleRun>(std::move(*setup));
     index[run.get()] = n_given++;
     return run;
   };
-  const auto end = [&](std::unique_ptr<Marching> marching) {
-    const auto& run = static_cast<const CycleRun&>(*marching);
+  const auto end = [&](std::unique_ptr<BatchMember> integrating) {
+    const auto& run = static_cast<const CycleRun&>(*integrating);
     const auto number = index.extract(&run).mapped();
     std::optional<Setup> again = run.stop() ? second_attempt(run.setup(), *run.stop()) : std::nullopt;
     if (!again) return finished({number, run.result(), run.stop()});
@@ -25,7 +25,7 @@ LaneEffort simulate_batch(const SetupSource& next, const std::function<void(Batc
     integrate_alone(graded, pulse);
     finished({number, graded.result(), graded.stop()});
   };
-  return march_side_by_side(start, end, pulse);
+  return integrate_side_by_side(start, end, pulse);
 }
 
 }  // namespace ringfilm::cycle

@@ -10,7 +10,7 @@ namespace ringfilm::cycle {
 /// A scenario of a batch that has come to its end.
 struct BatchOutcome {
   std::size_t index;         ///< in the order in which the scenarios were given, from 0
-  CycleResult result;        ///< all up to the last good angle if the march stopped
+  CycleResult result;        ///< all up to the last good angle if the integration stopped
   std::optional<Stop> stop;  ///< why it did
 };
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "ringfilm/cycle/limits.hpp"
-#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/solver/load_balance.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -253,15 +253,15 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   }
 }
 
-void append_effort_notes(const Effort& effort, const March::Totals& totals, std::vector<Note>& notes) {
+void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& totals, std::vector<Note>& notes) {
   const long uncontrolled_steps = totals.uncontrolled_steps;
   if (uncontrolled_steps > 0) {
     notes.push_back({"step-control-at-its-limit",
                      text("steps of 1/%d of the crank step with an error in time of more than %.3g %% of the film or "
                           "%.3g %% of the oil on the face, beyond what solver.step_error allows: take a shorter "
                           "solver.crank_step",
-                          March::kTicksPerBaseStep, 100 * March::kUncontrolledError,
-                          100 * March::kUncontrolledError * March::kContentShare),
+                          TimeIntegration::kTicksPerBaseStep, 100 * TimeIntegration::kUncontrolledError,
+                          100 * TimeIntegration::kUncontrolledError * TimeIntegration::kContentShare),
                      uncontrolled_steps});
   }
   if (effort.fallback_secant > 0) {

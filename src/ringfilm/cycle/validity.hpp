@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "ringfilm/cycle/march/march.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/integration/time_integration.hpp"
 #include "ringfilm/cycle/result.hpp"
 
 namespace ringfilm::cycle {
@@ -19,6 +19,6 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
                            const PolynomialUse& polynomial, std::vector<Note>& notes);
 
 /// Notes on remedies that the solver had to use.
-void append_effort_notes(const Effort& effort, const March::Totals& totals, std::vector<Note>& notes);
+void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& totals, std::vector<Note>& notes);
 
 }  // namespace ringfilm::cycle

@@ -11,7 +11,7 @@ namespace ringfilm::film {
 inline constexpr double kBeyondKink = 1e-10;
 
 /// A node with no larger deficit was left just beyond the kink: it is full, at p_c.
-inline constexpr double kHardlyCavity = 10 * kBeyondKink;
+inline constexpr double kCavityThreshold = 10 * kBeyondKink;
 
 inline constexpr double kLargestPressureRise = 20;  // scales in one step: the viscosity is exponential in it
 

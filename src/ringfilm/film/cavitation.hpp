@@ -20,6 +20,6 @@ inline double edge_z(const EdgeState& edge, double p_cavitation, double fill_sca
 inline double edge_deficit(const EdgeState& edge) { return edge.fluid == EdgeFluid::kGas ? 1 - edge.film_content : 0; }
 
 /// Is the node part of a cavity?
-inline bool is_cavity(double deficit) { return deficit > kHardlyCavity; }
+inline bool is_cavity(double deficit) { return deficit > kCavityThreshold; }
 
 }  // namespace ringfilm::film

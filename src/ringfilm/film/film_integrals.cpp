@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "ringfilm/film/cavitation.hpp"
-#include "ringfilm/film/load_balance.hpp"
-#include "ringfilm/film/reynolds.hpp"
+#include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/film/solver/reynolds.hpp"
 
 namespace ringfilm::film {
 namespace {
@@ -55,7 +55,7 @@ class FlowFaces {
     face_ = {0, i, i + 1, n - 1};
     share_ = (middle - place(i)) / (place(i + 1) - place(i));
   }
-  FluxesWanted wanted() { return {face_.data(), flux_.data(), static_cast<int>(face_.size())}; }
+  FluxRequest wanted() { return {face_.data(), flux_.data(), static_cast<int>(face_.size())}; }
   double left() const { return flux_[0]; }
   double middle() const { return flux_[1] + share_ * (flux_[2] - flux_[1]); }
   double right() const { return flux_[3]; }
@@ -127,7 +127,7 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
 }
 
 FilmSums sums_of_film(const FilmProblem& problem, const FilmState& state, const FilmView& film, const StepView& step,
-                      const FluxesWanted& fluxes) {
+                      const FluxRequest& fluxes) {
   if (state.laws == LaneLaws::kFitted) return problem.kernels->sums(film, fitted_oil_view(problem), step, fluxes);
   NodalOil oil;
   oil.update(*problem.oil, state.p);

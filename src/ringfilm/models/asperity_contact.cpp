@@ -50,7 +50,7 @@ constexpr Numbers horner(const Series& c, double x) {
 }
 
 /// Series of F_n for all pieces, piece by piece from the far end: F_n is the solution that decays with lambda, so the
-/// march towards lambda = 0 damps whatever rounding adds of the other one.
+/// integration towards lambda = 0 damps whatever rounding adds of the other one.
 /// @param F at kReach
 constexpr Pieces exact_pieces(double n, Numbers F) {
   Pieces pieces{};

@@ -11,7 +11,7 @@ namespace ringfilm::pad {
 namespace {
 
 constexpr int kCellsOfScan = 200;   // at the most: enough to see where the load is crossed
-constexpr int kCellsOfSheet = 50;   // likewise, in each direction of a film of two
+constexpr int kCellsOfFilm2d = 50;  // likewise, in each direction of a film of two
 constexpr double kStep = 1.3;       // from one film of the scan to the next
 constexpr double kThinnest = 1e-9;  // of the scan [m]: molecules
 constexpr int kMostEvaluations = 80;
@@ -43,8 +43,8 @@ class Search {
  private:
   std::vector<Bracket> scan() {
     const cycle::Solver& solver = setup_.input.solver;
-    const int along = std::min(solver.cells, setup_.surface ? kCellsOfSheet : kCellsOfScan);
-    const auto coarse = pad_film(setup_, {along, std::min(solver.cells_y, kCellsOfSheet)});
+    const int along = std::min(solver.cells, setup_.surface ? kCellsOfFilm2d : kCellsOfScan);
+    const auto coarse = pad_film(setup_, {along, std::min(solver.cells_y, kCellsOfFilm2d)});
     const film::FilmInputs inputs = setup_.steady_inputs();
     std::vector<Bracket> brackets;
     std::optional<double> before;  // excess of the load at the film before, where there is one

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ringfilm/pad/sheet_film.hpp"
+#include "ringfilm/pad/pad_film_2d.hpp"
 #include "ringfilm/pad/wide_film.hpp"
 
 namespace ringfilm::pad {
@@ -73,7 +73,7 @@ film::FilmState PadFilm::guess_from(const PadFilm& coarse, const film::FilmState
 }
 
 std::unique_ptr<PadFilm> pad_film(const PadSetup& setup, Cells cells) {
-  if (setup.surface) return std::make_unique<SheetFilm>(setup, cells);
+  if (setup.surface) return std::make_unique<PadFilm2d>(setup, cells);
   return std::make_unique<WideFilm>(setup, cells.along);
 }
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "ringfilm/film/film_state.hpp"
+#include "ringfilm/pad/pad_grid_2d.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
-#include "ringfilm/pad/pad_sheet.hpp"
 
 namespace ringfilm::pad {
 

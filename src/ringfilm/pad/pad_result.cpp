@@ -56,7 +56,7 @@ const std::vector<PadQuantity>& width_quantities() {
        &S::mass_flow_front},
       {{"mass_flow_back", "kg/s", "mg/s", "mass flow through y = width, positive in +y", "M_B", "eq-pad-side-flow"},
        &S::mass_flow_back},
-      {{"peak_position_y", "m", "mm", "where across the pad the film pressure peaks", "y_max", "eq-sheet-reynolds"},
+      {{"peak_position_y", "m", "mm", "where across the pad the film pressure peaks", "y_max", "eq-film-2d-reynolds"},
        &S::peak_position_y},
   };
   return table;

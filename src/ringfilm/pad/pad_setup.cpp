@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ringfilm/base/table.hpp"
-#include "ringfilm/cycle/march/oil.hpp"
+#include "ringfilm/cycle/integration/oil.hpp"
 
 namespace ringfilm::pad {
 namespace {

@@ -57,9 +57,9 @@ void append_instant(const PadFilm& film, const film::FilmInputs& inputs, const f
 }
 
 /// The film through time, one whole step after the other.
-class March {
+class TimeIntegration {
  public:
-  March(PadFilm& film, film::FilmState start, PadResult& result)
+  TimeIntegration(PadFilm& film, film::FilmState start, PadResult& result)
       : film_(film), setup_(film.setup()), state_(std::move(start)), result_(result) {}
 
   void run(Observer* observer) {
@@ -228,7 +228,7 @@ PadResult solve_pad(const cycle::Case& c, Observer* observer) {
   const double begin = result.is_history ? c.pad.history_time.front() : 0.0;
   append_instant(film, setup.steady_inputs(), start, start, begin, result);
   if (result.is_history) {
-    March(film, start, result).run(observer);
+    TimeIntegration(film, start, result).run(observer);
   } else {
     append_grid_note(setup, start, result.samples.back(), result);
   }

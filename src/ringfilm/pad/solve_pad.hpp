@@ -23,7 +23,7 @@ class Observer {
 };
 
 /// The pad problem of a checked case (Problem::kPad): a steady film at a stated separation or under a stated load, or
-/// the march in time through a history of separations, backward Euler from the steady film at its first one.
+/// the integration in time through a history of separations, backward Euler from the steady film at its first one.
 /// Same case, same bits. Throws StoppedPad.
 PadResult solve_pad(const cycle::Case& c, Observer* observer = nullptr);
 

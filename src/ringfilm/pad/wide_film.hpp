@@ -1,5 +1,5 @@
 #pragma once
-#include "ringfilm/film/film_solver.hpp"
+#include "ringfilm/film/solver/film_solver.hpp"
 #include "ringfilm/pad/pad_film.hpp"
 
 namespace ringfilm::pad {

@@ -39,7 +39,7 @@ enum class Method { kGrid, kOneAtATime, kLatinHypercube, kSobol, kList, kMorris 
 enum class Indices { kNone, kFirstAndTotal };
 
 /// A study goes on until the confidence interval of a statistic is this narrow.
-struct Until {
+struct StoppingRule {
   std::string value;               ///< one of cycle_quantities()
   std::optional<double> quantile;  ///< its share; absent: the mean
   double width = 0;                ///< of the interval [unit of the value]
@@ -53,7 +53,7 @@ struct Sampling {
   /// more for each group of factors.
   std::uint64_t scenarios = 1024;
   Indices indices = Indices::kNone;
-  std::optional<Until> until;
+  std::optional<StoppingRule> until;
   std::vector<std::vector<double>> list;  ///< values of all factors, point by point [SI]; the index of a choice
   std::uint64_t trajectories = 20;        ///< of Morris
   std::size_t levels = 4;                 ///< of Morris, even
@@ -62,7 +62,7 @@ struct Sampling {
 enum class Curves { kNone, kAll, kQuantiles };
 
 /// What stays of a scenario beside the values of its cycle.
-struct Keep {
+struct OutputSelection {
   Curves curves = Curves::kNone;
   /// Names of cycle::curve_quantities(), without the crank angle.
   std::vector<std::string> quantities = {"min_film_thickness", "total_friction", "friction_on_liner", "power_loss"};
@@ -79,7 +79,7 @@ struct Study {
   std::vector<FileReading> readings;  ///< of all factors that decide what is read from files
   std::vector<Correlation> correlations;
   Sampling sampling;
-  Keep keep;
+  OutputSelection keep;
 };
 
 }  // namespace ringfilm::study

@@ -19,7 +19,7 @@ struct Stopped {};
 /// The curves of a chunk [bytes].
 constexpr std::size_t kLargestCurves = std::size_t{1} << 24;
 
-ScenarioRow row_of(const cycle::CycleResult& result, const Keep& keep) {
+ScenarioRow row_of(const cycle::CycleResult& result, const OutputSelection& keep) {
   ScenarioRow row;
   for (const auto& quantity : cycle::cycle_quantities()) row.values.push_back(result.values.*quantity.value);
   row.curves = kept_numbers(keep, result.samples);
@@ -30,13 +30,13 @@ ScenarioRow row_of(const cycle::CycleResult& result, const Keep& keep) {
   return row;
 }
 
-ScenarioRow unsolved_row(std::string reason, const Keep& keep) {
+ScenarioRow unsolved_row(std::string reason, const OutputSelection& keep) {
   while (!reason.empty() && reason.back() == '\n') reason.pop_back();
   return {std::vector<double>(cycle::cycle_quantities().size(), std::numeric_limits<double>::quiet_NaN()),
           reason.empty() ? "not solved" : std::move(reason), no_kept_numbers(keep)};
 }
 
-std::uint64_t rows_in_chunk(const Keep& keep, std::uint64_t most_rows) {
+std::uint64_t rows_in_chunk(const OutputSelection& keep, std::uint64_t most_rows) {
   const std::size_t row = sizeof(float) * kept_quantities(keep).size() * kept_angles(keep).size();
   return row == 0 ? most_rows : std::min<std::uint64_t>(most_rows, std::max<std::size_t>(kLargestCurves / row, 1));
 }
@@ -67,11 +67,11 @@ class Collector {
       ScenarioChunk chunk{next_, {}};
       for (const std::uint64_t n = std::min(n_ready_, options_.most_rows); chunk.rows.size() < n;)
         chunk.rows.push_back(std::move(rows_.extract(next_ + chunk.rows.size()).mapped()));
-      const GoOn go_on = finished_(chunk);
+      const GoOn continue_from_last_step = finished_(chunk);
       next_ += chunk.rows.size();
       n_ready_ -= chunk.rows.size();
       last_ = Clock::now();
-      if (go_on == GoOn::kNo) throw Stopped{};
+      if (continue_from_last_step == GoOn::kNo) throw Stopped{};
     }
   }
 
@@ -102,7 +102,7 @@ ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::ui
 
 std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
                             const std::function<GoOn(const ScenarioChunk&)>& finished, const StudyRunOptions& options) {
-  const Keep& keep = plan.study().keep;
+  const OutputSelection& keep = plan.study().keep;
   StudyRunOptions in_chunks = options;
   in_chunks.most_rows = rows_in_chunk(keep, options.most_rows);
   Collector collector(range.first, finished, in_chunks);

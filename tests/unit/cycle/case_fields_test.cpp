@@ -222,7 +222,7 @@ TEST(CaseRules, AskForStepsThatMakeACycle) {
 
 TEST(CaseRules, RefuseFieldsThatWouldFillTheMemory) {
   Case c = sound_case();
-  c.output.fields = FieldsWanted::kAll;
+  c.output.fields = FieldOutput::kAll;
   EXPECT_THAT(blamed(c), IsEmpty());
   c.output.crank_angle_step_deg = 0.01;
   EXPECT_THAT(blamed(c), Contains("output.fields"));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/validity.hpp"
 #include "styles_case.hpp"
 

@@ -29,14 +29,14 @@ Case cold_flat_ring(double crown_height, double speed_rpm) {
 TEST(CycleRun, FollowsASlowFilmUntilItRepeats) {
   const CycleResult result = simulated(cold_flat_ring(0.2e-6, 3000));
   EXPECT_TRUE(result.complete);
-  EXPECT_GT(result.effort.cycles_marched, 20);
+  EXPECT_GT(result.effort.cycles_integrated, 20);
   EXPECT_LE(result.effort.periodicity_error, 1e-7);
   // The state that it repeats is that of a film followed for longer. A difference of 1e-7 from one cycle to the next,
   // which falls by a third in each, leaves 3e-7 to go.
   Case further = cold_flat_ring(0.2e-6, 3000);
   further.solver.tolerance = 1e-11;
   const CycleResult limit = simulated(further);
-  EXPECT_GT(limit.effort.cycles_marched, result.effort.cycles_marched + 5);
+  EXPECT_GT(limit.effort.cycles_integrated, result.effort.cycles_integrated + 5);
   EXPECT_NEAR(result.values.min_film_thickness / limit.values.min_film_thickness, 1, 1e-6);
 }
 
@@ -50,7 +50,7 @@ TEST(CycleRun, SaysHowFarFromRepeatingACycleStopped) {
   } catch (const StoppedCycle& stop) {
     EXPECT_THAT(stop.what(), AllOf(HasSubstr("the cycle does not repeat itself: after "),
                                    HasSubstr(" 1e-13 is allowed"), HasSubstr("larger solver.tolerance")));
-    EXPECT_GT(stop.result.effort.cycles_marched, 50);
+    EXPECT_GT(stop.result.effort.cycles_integrated, 50);
     EXPECT_LT(stop.result.effort.periodicity_error, 1e-9);
     EXPECT_FALSE(stop.result.complete);
   }

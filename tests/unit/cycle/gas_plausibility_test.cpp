@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle {

@@ -37,7 +37,7 @@ TEST(StylesIndependentModel, FaceFieldsAgreeAtPeakPressure) {
   const Columns reference = read_columns("verification/styles2014_independent_model/new_1500_reynolds_x_phi020.csv");
   Case c = styles_new_ring();
   c.solver.cells = 480;
-  c.output.fields = FieldsWanted::kListed;
+  c.output.fields = FieldOutput::kListed;
   c.output.field_angles_deg = {20};
   const FaceFields fields = simulated(c).fields;
   ASSERT_EQ(fields.x.size(), reference.at("x_m").size());

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 #include "styles_case.hpp"
 

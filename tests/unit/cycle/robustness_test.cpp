@@ -8,7 +8,7 @@
 
 #include "../../scenarios/engine_scenario.hpp"
 #include "batch_cases.hpp"
-#include "ringfilm/cycle/march/march.hpp"
+#include "ringfilm/cycle/integration/time_integration.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {
@@ -18,7 +18,7 @@ constexpr std::uint64_t kSeed = 1;
 /// Costs grow with it; benchmarks/robustness goes up to 1600.
 constexpr int kMostCells = 200;
 
-/// What may end a march: the load is beyond film and asperities, the gas under the ring beyond the load, or the
+/// What may end an integration: the load is beyond film and asperities, the gas under the ring beyond the load, or the
 /// viscosity without limit.
 bool has_no_answer(const std::string& message) {
   return message.find("neither the film nor the asperities carry") != std::string::npos ||
@@ -33,7 +33,7 @@ bool all_finite(const CycleResult& result) {
   });
 }
 
-// The first members of the sample of benchmarks/robustness, marched until they repeat. What has no
+// The first members of the sample of benchmarks/robustness, integrated until they repeat. What has no
 // answer is told as such, with all up to there kept; everything else must be solved.
 TEST(Robustness, EveryStepOfSeededScenariosIsSolvedOrToldToHaveNoAnswer) {
   int stops = 0;
@@ -114,13 +114,13 @@ TEST(Robustness, AStopAtTheLimitOfBarusLawSaysSo) {
   }
 }
 
-/// Message of the stop when the march of a member starts, at its own angle; empty if a film is found there.
+/// Message of the stop when the integration of a member starts, at its own angle; empty if a film is found there.
 std::string stop_at_start(int index) {
   const EngineScenario scenario = engine_scenario(kSeed, index);
   const Setup setup = prepare(scenario.input);
-  March march(setup);
+  TimeIntegration integration(setup);
   try {
-    march.start(static_cast<int>(std::lround(scenario.start_angle_deg / scenario.input.solver.crank_step_deg)));
+    integration.start(static_cast<int>(std::lround(scenario.start_angle_deg / scenario.input.solver.crank_step_deg)));
   } catch (const ConvergenceError& stop) {
     return stop.what();
   }

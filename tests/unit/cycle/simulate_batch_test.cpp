@@ -18,7 +18,7 @@ constexpr int kEngines = 60;
 /// spoilt each other's film.
 std::vector<Case> mixed_engines() {
   std::vector<Case> cases = {ring_on_its_edge(0.05), ring_on_its_edge(0.95)};
-  constexpr int kGraded = 41;  // marched on graded cells in a hundred times the time of the others
+  constexpr int kGraded = 41;  // integrated on graded cells in a hundred times the time of the others
   for (int index = 0; static_cast<int>(cases.size()) < kEngines; ++index) {
     if (index != kGraded) cases.push_back(small_engine(index));
   }
@@ -138,7 +138,7 @@ TEST(SimulateBatch, AgreesMoreCloselyAtTheStrictStop) {
   expect_agreement(cases, 1e-8);
 }
 
-TEST(SimulateBatch, OtherMethodsAreMarchedOneByOneWithTheBitsOfSimulate) {
+TEST(SimulateBatch, OtherMethodsAreIntegratedOneByOneWithTheBitsOfSimulate) {
   std::vector<Case> cases = {small_engine(0), small_engine(1), small_engine(0)};
   cases[0].solver.method = Method::kNestedSecant;
   for (Case& c : cases) c.solver.crank_step_deg = 5;

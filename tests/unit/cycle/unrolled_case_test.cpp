@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/march/march_film.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/cycle_film.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "unrolled_cases.hpp"
 
 /// Keys and rules of a film on the unrolled ring.
@@ -45,7 +45,7 @@ TEST(UnrolledCase, KeysCountOnlyWithTheUnrolledFilm) {
   EXPECT_FALSE(active("solver.end_cell", closed));
   Case with_fields = ring;
   EXPECT_FALSE(active("output.reduction", with_fields));
-  with_fields.output.fields = FieldsWanted::kAll;
+  with_fields.output.fields = FieldOutput::kAll;
   EXPECT_TRUE(active("output.reduction", with_fields));
 }
 
@@ -94,7 +94,7 @@ TEST(UnrolledCase, RefusesEndCellsLongerThanTheFaceIsWideAndTellsHowManyWouldDo)
   EXPECT_GT(strips_of(c).spacing.front(), 1.1 * c.end_cell());
 }
 
-TEST(UnrolledCase, TellsLongEndCellsBeforeItIsMarched) {
+TEST(UnrolledCase, TellsLongEndCellsBeforeItIsIntegrated) {
   Case c = unrolled_ring();
   c.solver.cells_y = 40;
   ASSERT_THAT(blamed(c), IsEmpty());
@@ -103,14 +103,14 @@ TEST(UnrolledCase, TellsLongEndCellsBeforeItIsMarched) {
 
 TEST(UnrolledCase, RefusesWhatWouldFillTheMemoryAndStatesTheMemory) {
   Case c = unrolled_ring();
-  c.output.fields = FieldsWanted::kAll;
+  c.output.fields = FieldOutput::kAll;
   // 720 angles of 201 x 181 nodes, 16 bytes each
   EXPECT_THAT(message(c, "output.fields"), HasSubstr("419.109 MB"));
   EXPECT_THAT(message(c, "output.fields"), HasSubstr("along-face"));
   c.output.reduction = FieldReduction::kAlongFace;
   EXPECT_THAT(blamed(c), IsEmpty());
   c.output.reduction = FieldReduction::kNone;
-  c.output.fields = FieldsWanted::kListed;
+  c.output.fields = FieldOutput::kListed;
   c.output.field_angles_deg = {0, 20, 90};
   EXPECT_THAT(blamed(c), IsEmpty());
   c.solver.cells = 100000;
@@ -121,14 +121,14 @@ TEST(UnrolledCase, RefusesWhatWouldFillTheMemoryAndStatesTheMemory) {
 TEST(UnrolledCase, EndsItsRingAtTheGapAndRefinesTheCellsThere) {
   Case c = unrolled_ring();
   EXPECT_DOUBLE_EQ(c.ring_length(), std::numbers::pi * 0.089 - 0.3e-3);
-  const sheet::Around open = strips_of(c);
-  EXPECT_EQ(open.ends, sheet::Ends::kOpen);
+  const film::CircumferentialGrid open = strips_of(c);
+  EXPECT_EQ(open.ends, film::Ends::kOpen);
   EXPECT_EQ(open.n_strips(), 181);
   EXPECT_EQ(open.y.back(), c.ring_length());
   EXPECT_NEAR(open.spacing.front() / (c.ring.face_width / 50), 1, 0.1);  // the grid is fitted to the length
   c.ring.end_gap.reset();
-  const sheet::Around joined = strips_of(c);
-  EXPECT_EQ(joined.ends, sheet::Ends::kJoined);
+  const film::CircumferentialGrid joined = strips_of(c);
+  EXPECT_EQ(joined.ends, film::Ends::kJoined);
   EXPECT_EQ(joined.n_strips(), 180);
   EXPECT_DOUBLE_EQ(joined.length, std::numbers::pi * 0.089);
 }
@@ -137,9 +137,9 @@ TEST(UnrolledCase, ItsEndsHaveTheMeanOfThePressuresAtTheEdges) {
   film::FilmInputs inputs;
   inputs.left.pressure = 40e5;
   inputs.right.pressure = 1e5;
-  const sheet::SheetInputs sheet = sheet_inputs(inputs);
-  EXPECT_EQ(sheet.p_low, 20.5e5);
-  EXPECT_EQ(sheet.p_high, 20.5e5);
+  const film::Film2dInputs film2d = film2d_inputs(inputs);
+  EXPECT_EQ(film2d.p_low, 20.5e5);
+  EXPECT_EQ(film2d.p_high, 20.5e5);
 }
 
 }  // namespace

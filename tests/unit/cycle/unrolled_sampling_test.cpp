@@ -1,10 +1,10 @@
-#include "ringfilm/cycle/march/unrolled_sampling.hpp"
+#include "ringfilm/cycle/integration/unrolled_sampling.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ringfilm/cycle/march/sampling.hpp"
+#include "ringfilm/cycle/integration/sampling.hpp"
 #include "unrolled_cases.hpp"
 
 /// Figures of the gap's ends from integrals that are made up.
@@ -19,9 +19,9 @@ Case small_ring() {
 }
 
 /// Nine strips that differ from the one halfway only at the ends.
-sheet::SheetIntegrals made_up() {
-  sheet::SheetIntegrals integrals;
-  sheet::StripIntegrals strip;
+film::Film2dIntegrals made_up() {
+  film::Film2dIntegrals integrals;
+  film::StripIntegrals strip;
   strip.hydrodynamic_load = 900;
   strip.asperity_load = 100;
   strip.shear_couette = 20;
@@ -42,7 +42,7 @@ sheet::SheetIntegrals made_up() {
 
 TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
   const cycle::Setup setup = prepare(small_ring());
-  const March march(setup);
+  const TimeIntegration integration(setup);
   film::FilmState state;
   state.h_m = 1e-6;
   Instant instant;
@@ -50,13 +50,13 @@ TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
   instant.inputs.U = -5;
   instant.inputs.load = 980;
   instant.state = &state;
-  const sheet::SheetIntegrals integrals = made_up();
-  const Sample whole = sample(setup, march, instant, integrals.mean);
+  const film::Film2dIntegrals integrals = made_up();
+  const Sample whole = sample(setup, integration, instant, integrals.mean);
   const double L = setup.input.ring_length();
   EXPECT_DOUBLE_EQ(whole.applied_load, 980 * L);  // of what there is of the ring
   EXPECT_DOUBLE_EQ(whole.oil_flow_middle, 1.9e-4 * L);
 
-  const UnrolledSample ends = unrolled_sample(setup, march, instant, integrals, whole);
+  const UnrolledSample ends = unrolled_sample(setup, integration, instant, integrals, whole);
   EXPECT_DOUBLE_EQ(ends.gap_leakage, 2e-7);
   EXPECT_EQ(ends.gap_leakage_low_end, 3e-7);
   EXPECT_EQ(ends.gap_leakage_high_end, -1e-7);
@@ -68,50 +68,51 @@ TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
 
   // A ring that was turned over has its x from the crankcase.
   instant.axis = Axis::kFromCrankcase;
-  const Sample turned = sample(setup, march, instant, integrals.mean);
+  const Sample turned = sample(setup, integration, instant, integrals.mean);
   EXPECT_DOUBLE_EQ(turned.oil_flow_middle, -1.9e-4 * L);
-  EXPECT_DOUBLE_EQ(unrolled_sample(setup, march, instant, integrals, turned).oil_flow_without_ends, -2e-4 * L);
+  EXPECT_DOUBLE_EQ(unrolled_sample(setup, integration, instant, integrals, turned).oil_flow_without_ends, -2e-4 * L);
 }
 
 TEST(UnrolledSampling, AShareOfNoFlowIsNone) {
   const cycle::Setup setup = prepare(small_ring());
-  const March march(setup);
+  const TimeIntegration integration(setup);
   film::FilmState state;
   state.h_m = 1e-6;
   Instant instant;
   instant.inputs.load = 980;
   instant.state = &state;
-  sheet::SheetIntegrals integrals = made_up();
+  film::Film2dIntegrals integrals = made_up();
   integrals.mean.flow_middle = 0;
-  const Sample whole = sample(setup, march, instant, integrals.mean);
-  EXPECT_TRUE(std::isnan(unrolled_sample(setup, march, instant, integrals, whole).ends_share_flow));
+  const Sample whole = sample(setup, integration, instant, integrals.mean);
+  EXPECT_TRUE(std::isnan(unrolled_sample(setup, integration, instant, integrals, whole).ends_share_flow));
 }
 
 // An odd number of cells has no strip at its middle, and rounding decides which is next to it: both the fields along
-// the face and the shares take the one that the sheet names.
-TEST(UnrolledSampling, TheStripHalfwayIsThatOfTheSheet) {
+// the face and the shares take the one that the two-dimensional film names.
+TEST(UnrolledSampling, TheStripHalfwayIsThatOfTheFilm2d) {
   Case c = small_ring();
   c.solver.cells_y = 9;
   const cycle::Setup setup = prepare(c);
-  const March march(setup);
-  const auto halfway = static_cast<std::size_t>(march.sheet()->around.halfway());
+  const TimeIntegration integration(setup);
+  const auto halfway = static_cast<std::size_t>(integration.film2d()->around.halfway());
   film::FilmState state;
   state.h_m = 1e-6;
-  const std::size_t n = march.sheet()->n_nodes(), n_across = static_cast<std::size_t>(march.sheet()->n_across());
+  const std::size_t n = integration.film2d()->n_nodes(),
+                    n_across = static_cast<std::size_t>(integration.film2d()->n_across());
   state.p.assign(n, 0.0);
   state.deficit.assign(n, 0.0);
   state.p[halfway * n_across + 3] = 5e5;
   Instant instant;
   instant.inputs.load = 980;
   instant.state = &state;
-  sheet::SheetIntegrals integrals = made_up();
+  film::Film2dIntegrals integrals = made_up();
   integrals.strips.push_back(integrals.strips.front());  // nine cells have ten strips
   integrals.strips[halfway].flow_middle = 3e-4;
-  const Sample whole = sample(setup, march, instant, integrals.mean);
-  const UnrolledSample ends = unrolled_sample(setup, march, instant, integrals, whole);
+  const Sample whole = sample(setup, integration, instant, integrals.mean);
+  const UnrolledSample ends = unrolled_sample(setup, integration, instant, integrals, whole);
   EXPECT_DOUBLE_EQ(ends.oil_flow_without_ends, 3e-4 * setup.input.ring_length());
-  FaceFields fields = empty_fields(setup, march);
-  append_fields(setup, march, instant, fields);
+  FaceFields fields = empty_fields(setup, integration);
+  append_fields(setup, integration, instant, fields);
   EXPECT_EQ(fields.film_pressure[3], 5e5);
 }
 

@@ -99,7 +99,7 @@ TEST(Validity, NotesOfASetupAreInOrderOfSeverity) {
 }
 
 TEST(Validity, TheNoteOnStepControlHasTheLimitsOfTheTimeIntegration) {
-  March::Totals totals;
+  TimeIntegration::Totals totals;
   totals.uncontrolled_steps = 3;
   std::vector<Note> notes;
   append_effort_notes({}, totals, notes);

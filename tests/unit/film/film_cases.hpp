@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "ringfilm/film/film_integrals.hpp"
-#include "ringfilm/film/film_solver.hpp"
-#include "ringfilm/film/first_guess.hpp"
+#include "ringfilm/film/solver/film_solver.hpp"
+#include "ringfilm/film/solver/first_guess.hpp"
 
 /// Films of constant oil between smooth surfaces, for which books have answers.
 namespace ringfilm::film::testing {

@@ -2,7 +2,7 @@
 
 #include "film_cases.hpp"
 #include "gas_edge_cases.hpp"
-#include "ringfilm/film/lane_newton.hpp"
+#include "ringfilm/film/solver/lane_newton.hpp"
 
 namespace ringfilm::film::testing {
 namespace {

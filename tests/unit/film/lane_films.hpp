@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "ringfilm/film/film_solver.hpp"
-#include "ringfilm/film/first_guess.hpp"
+#include "ringfilm/film/solver/film_solver.hpp"
+#include "ringfilm/film/solver/first_guess.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 
 /// Films as unlike as those that may meet in the lanes of a register.

@@ -1,4 +1,4 @@
-#include "ringfilm/film/lane_newton.hpp"
+#include "ringfilm/film/solver/lane_newton.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "../../traps/floating_point_traps.hpp"
 #include "lane_films.hpp"
 #include "ringfilm/film/cavitation.hpp"
-#include "ringfilm/film/reynolds.hpp"
+#include "ringfilm/film/solver/reynolds.hpp"
 
 namespace ringfilm::film::testing {
 namespace {
@@ -80,7 +80,7 @@ std::map<int, Passage> taken_through(const BlockKind& kind, const std::vector<La
       passages[worker.film] = std::move(passage);
       return take(lane);
     }
-    newton.go_on(lane, film.steps[worker.step], worker.before, worker.before.h_m);
+    newton.continue_from_last_step(lane, film.steps[worker.step], worker.before, worker.before.h_m);
   };
   for (const int lane : lanes) take(lane);
   while (std::any_of(workers.begin(), workers.end(), [](const Worker& worker) { return worker.film >= 0; })) {
@@ -220,11 +220,12 @@ TEST_P(LaneNewtonOf, GoingOnIsStartingFromWhatTheLaneHolds) {
       return solved();
     };
     const FilmState first = start(0, film.first);
-    newton.go_on(lane, film.steps[1], first, first.h_m);
+    newton.continue_from_last_step(lane, film.steps[1], first, first.h_m);
     const FilmState gone_on = solved();
     EXPECT_LT(difference(film, gone_on, start(1, first)), kBothConverged);
     const FilmState second = start(1, first);
-    newton.go_on(lane, film.steps[2], second, second.h_m);  // another cavitation pressure: z has another zero
+    newton.continue_from_last_step(lane, film.steps[2], second,
+                                   second.h_m);  // another cavitation pressure: z has another zero
     const FilmState other_zero = solved();
     EXPECT_LT(difference(film, other_zero, start(2, second)), kBothConverged);
   }

@@ -138,7 +138,7 @@ struct TransientError {
 
 enum class Prescribed { kSeparation, kLoad };
 
-/// A third of a period marched; errors at its end, relative.
+/// A third of a period integrated; errors at its end, relative.
 TransientError transient_error(int n_cells, int n_steps, Prescribed prescribed) {
   const Manufactured film(n_cells);
   const double end = 2 / kOmega;

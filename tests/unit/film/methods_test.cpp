@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "film_cases.hpp"
-#include "ringfilm/film/method.hpp"
+#include "ringfilm/film/solver/method.hpp"
 
 namespace ringfilm::film::testing {
 namespace methods {

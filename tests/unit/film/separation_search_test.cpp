@@ -1,4 +1,4 @@
-#include "ringfilm/film/separation_search.hpp"
+#include "ringfilm/film/solver/separation_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ constexpr double kLoad = 100;
 constexpr SearchLimits kLimits{0.1, kLoad, 1e-8};
 
 /// Carries `a`/h^2, as a film does; cannot be solved below `unsolved`.
-class Inverse : public SoughtFilm {
+class Inverse : public FilmAtSeparation {
  public:
   Inverse(double a, double unsolved) : a_(a), unsolved_(unsolved) {}
   bool solve_at(double h_m) override {

@@ -170,7 +170,7 @@ io::ResultDocument document(const std::string& title, double friction) {
       {"operating.speed", "157.07963267948966", "1500 rpm", false, "engine speed"},
       {"operating.oil_temperature", "393.15", "120 degC", false, "temperature of the oil film"},
       {"gas.cylinder_pressure", "\"/somewhere/trace.csv\"", "/somewhere/trace.csv", false, "CSV file"},
-      {"solver.crank_step", "\"1 degree\"", "1 degree", false, "crank step of the march"},
+      {"solver.crank_step", "\"1 degree\"", "1 degree", false, "crank step of the integration"},
       {"gas.trace_origin", "\"synthetic\"", "\"synthetic\"", false, "measured, computed or synthetic"},
       {"ring.face_width", "0.0012", "1.2 mm", false, "axial width of the face, b"},
       {"contact.boundary_shear_strength_coefficient", friction == 1.0 ? "0.3581" : "0.29",
@@ -192,7 +192,7 @@ io::ResultDocument document(const std::string& title, double friction) {
   d.result.notes = {
       {"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1},
       {"shear-rate-high", "shear rate U/h up to 3.1e+06 1/s (at 75 degree) while the oil is taken as Newtonian", 412}};
-  d.result.effort = {.cycles_marched = 3,
+  d.result.effort = {.cycles_integrated = 3,
                      .periodicity_error = 2e-10,
                      .crank_steps = 2160,
                      .newton_iterations = 8123,
@@ -253,13 +253,13 @@ void add_node(cycle::UnrolledFields& f, double angle, double x, double y) {
 
 }  // namespace
 
-void add_unrolled_film(io::ResultDocument& document, Around wanted) {
+void add_unrolled_film(io::ResultDocument& document, CircumferentialGrid wanted) {
   cycle::UnrolledFields& f = document.result.unrolled;
   f.circumference = pi * kBore;
   f.end_gap = kEndGap;
   f.gap_position = pi / 3;
   f.y = strips();
-  const bool is_full = wanted == Around::kFields;
+  const bool is_full = wanted == CircumferentialGrid::kFields;
   for (int i = 0; is_full && i <= 120; ++i) f.x.push_back(kFace * i / 120);
   for (int k = 0; k < (is_full ? 24 : 240); ++k) {
     const double angle = k * 720.0 / (is_full ? 24 : 240) + (is_full ? 20 : 0);

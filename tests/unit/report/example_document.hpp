@@ -9,10 +9,10 @@ namespace example {
 /// @param friction scales boundary friction, so that several cases differ
 ringfilm::io::ResultDocument document(const std::string& title, double friction = 1.0);
 
-enum class Around { kFields, kStripsOnly };
+enum class CircumferentialGrid { kFields, kStripsOnly };
 
 /// Gives the document an unrolled film with a gap of 0.3 mm: thinner pressure towards the ends, a cavity that ends
 /// before them. 24 angles in full or 240 of strips.
-void add_unrolled_film(ringfilm::io::ResultDocument& document, Around wanted);
+void add_unrolled_film(ringfilm::io::ResultDocument& document, CircumferentialGrid wanted);
 
 }  // namespace example

@@ -144,7 +144,7 @@ TEST(ReportPage, ThinsOutFieldsThatAPageCannotCarry) {
 
 TEST(ReportPage, TellsAtWhichPressureAFilmWithoutFillIsRuptured) {
   auto document = example::document("around");
-  example::add_unrolled_film(document, example::Around::kFields);
+  example::add_unrolled_film(document, example::CircumferentialGrid::kFields);
   const auto rupture_pressure = [&document](const std::string& cavitation, const std::string& pressure) {
     document.inputs = {{"film.cavitation", "", cavitation, false, ""},
                        {"film.cavitation_pressure", "", pressure, true, ""}};
@@ -158,7 +158,7 @@ TEST(ReportPage, TellsAtWhichPressureAFilmWithoutFillIsRuptured) {
 TEST(ReportPage, CarriesTheUnrolledFilmWithinBounds) {
   auto document = example::document("around");
   EXPECT_TRUE(example::data_of(report::report_page({document}, {}))["cases"][0]["unrolled"].is_null());
-  example::add_unrolled_film(document, example::Around::kFields);
+  example::add_unrolled_film(document, example::CircumferentialGrid::kFields);
   const std::string page = report::report_page({document}, {});
   const json data = example::data_of(page);
   const json& unrolled = data["cases"][0]["unrolled"];

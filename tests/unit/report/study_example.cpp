@@ -60,7 +60,7 @@ std::string study_page(const std::string& lines, const MadeUp& made_up,
   for (const auto& [name, text] : files) folder.write(name, text);
   const io::StudyFile file = io::read_study(folder.write("study.toml", lines));
   const study::Plan plan(file.study);
-  const study::Keep& keep = plan.study().keep;
+  const study::OutputSelection& keep = plan.study().keep;
   const auto& quantities = cycle::cycle_quantities();
   const std::vector<double> angles = study::kept_angles(keep);
   const auto kept = study::kept_quantities(keep);

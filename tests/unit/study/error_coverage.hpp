@@ -11,7 +11,7 @@
 #include "../cycle/styles_case.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
 
-/// Do the error bands hold what they promise? Seeded cases, each against a march on a much finer grid.
+/// Do the error bands hold what they promise? Seeded cases, each against an integration on a much finer grid.
 namespace ringfilm::study::testing {
 
 /// Engines and rings as people compute them, on grids that are rather too coarse: 800-6000 rpm, oil at 60-150 degC,
@@ -86,7 +86,7 @@ inline Coverage together(const std::map<std::string, Coverage>& parts) {
   return all;
 }
 
-/// Compares the estimate of `c` with a march on `finer` times the cells and steps. Exact inputs do not count.
+/// Compares the estimate of `c` with an integration on `finer` times the cells and steps. Exact inputs do not count.
 inline void add_case(const cycle::Case& c, int finer, CoverageTable& table) {
   cycle::Case fine = c;
   fine.solver.cells *= finer;

@@ -13,7 +13,8 @@
 /// Studies of which no case is ever run.
 namespace ringfilm::study::testing {
 
-inline Factor factor(const std::string& name, Variation variation, How how = How::kSet, const std::string& key = {}) {
+inline Factor factor(const std::string& name, Variation variation, FactorMode how = FactorMode::kSet,
+                     const std::string& key = {}) {
   return {name, {{std::nullopt, key.empty() ? name : key, 1.0}}, how, std::move(variation), {}, {}, {}};
 }
 
@@ -37,7 +38,7 @@ inline Study formula_study(const std::vector<Variation>& variations, std::uint64
   Study study = study_of({}, Method::kSobol, rows);
   for (std::size_t j = 0; j < variations.size(); ++j)
     study.factors.push_back(
-        factor(std::string("x").append(std::to_string(j + 1)), variations[j], How::kAdd, some_keys().at(j)));
+        factor(std::string("x").append(std::to_string(j + 1)), variations[j], FactorMode::kAdd, some_keys().at(j)));
   study.seed = seed;
   return study;
 }

@@ -17,7 +17,7 @@ using testing::study_of;
 
 /// Speeds of which those above 0 can be run.
 Plan speeds(std::vector<double> values) {
-  return Plan(study_of({factor("operating.speed", Levels{std::move(values)}, How::kScale)}, Method::kGrid));
+  return Plan(study_of({factor("operating.speed", Levels{std::move(values)}, FactorMode::kScale)}, Method::kGrid));
 }
 
 struct Collected {

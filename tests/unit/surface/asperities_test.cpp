@@ -8,7 +8,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/surface/asperity/summits.hpp"
 #include "ringfilm/surface/synthetic/synthetic.hpp"
-#include "ringfilm/surface/synthetic/wanted_surface.hpp"
+#include "ringfilm/surface/synthetic/target_surface.hpp"
 #include "ringfilm/surface/topography/form.hpp"
 #include "surface_maps.hpp"
 
@@ -136,11 +136,11 @@ const Row kTable[] = {{"new", {0.097e12, 1.56e-6, 0.48e-6}},
                       {"run-in", {0.100e12, 1.34e-6, 0.50e-6}},
                       {"embedded", {0.101e12, 1.82e-6, 0.35e-6}}};
 
-TEST(WantedSurface, RingsAndALinerGiveTheTableOfThePaperBack) {
+TEST(TargetSurface, RingsAndALinerGiveTheTableOfThePaperBack) {
   const SurfaceGrid grid{256, 256, 0.2e-6, 0.2e-6};
   for (const SigmaRule rule : {SigmaRule::ra, SigmaRule::rq}) {
     // The liner has its own Ra of 0.26 um; the moments of all pairs leave it half of the smallest.
-    const WantedSurface liner{rule, 0.26e-6, 0.02, 0.66e11};
+    const TargetSurface liner{rule, 0.26e-6, 0.02, 0.66e11};
     const auto measuring = [](const HeightMap& made) {
       HeightMap map = made;
       remove_form(map, {FormKind::tilt, 1});
@@ -157,7 +157,7 @@ TEST(WantedSurface, RingsAndALinerGiveTheTableOfThePaperBack) {
   }
 }
 
-TEST(WantedSurface, WhatNoSpectrumHasIsRefused) {
+TEST(TargetSurface, WhatNoSpectrumHasIsRefused) {
   const SurfaceGrid grid{64, 64, 0.2e-6, 0.2e-6};
   // rms^2 m4/m2^2 = 2: narrower than any self-affine band.
   EXPECT_THAT(

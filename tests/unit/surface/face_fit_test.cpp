@@ -114,7 +114,7 @@ TEST(FaceFit, TellsWhereABumpIsTooNarrowForThePolynomial) {
   rule.spline_cutoff_m = 0.08e-3;
   const FaceFit fit = fit_face(trace, rule);
   bool there = false;
-  for (const InventedShape& shape : fit.invented) {
+  for (const FitArtifact& shape : fit.invented) {
     there |= shape.reason == InventionReason::kDeparts && shape.from_m < 0.3e-3 && shape.to_m > 0.3e-3;
   }
   EXPECT_TRUE(there);

@@ -178,7 +178,7 @@ enum class Properties {
 };
 
 /// `output.fields`: at which crank angles pressure and film along the face are kept.
-enum class FieldsWanted {
+enum class FieldOutput {
   kNone,    ///< at none
   kListed,  ///< at Output::field_angles_deg
   kAll      ///< at all of the result
@@ -239,12 +239,12 @@ struct Gas {
 
 /// Where a face came from; recorded, and not used by any model.
 struct MeasuredFace {
-  std::optional<std::string> trace;           ///< file of the trace
-  std::optional<double> width;                ///< that the face was fitted over; the ring must have it [m]
-  std::optional<std::string> levelling;       ///< how its tilt was taken off
-  std::optional<double> residual_rms;         ///< rms distance of trace and face [m]
-  std::optional<double> largest_residual;     ///< largest distance of trace and face [m]
-  std::optional<std::string> invented_shape;  ///< where the face has what the trace has not
+  std::optional<std::string> trace;         ///< file of the trace
+  std::optional<double> width;              ///< that the face was fitted over; the ring must have it [m]
+  std::optional<std::string> levelling;     ///< how its tilt was taken off
+  std::optional<double> residual_rms;       ///< rms distance of trace and face [m]
+  std::optional<double> largest_residual;   ///< largest distance of trace and face [m]
+  std::optional<std::string> fit_artifact;  ///< where the face has what the trace has not
 };
 
 /// The keys under `ring.face`, with the points that they name.
@@ -379,7 +379,7 @@ struct Solver {
   int cells_y = 180;                            ///< of a film in two dimensions: around the ring, or across the pad
   std::optional<double> end_cell;               ///< length of the cells at the ends of the gap [m]
   static constexpr double kEndCell = 1.0 / 50;  ///< where it is not stated, of the face width [-]
-  double crank_step_deg = 1.0;                  ///< of the march; whole steps make 720 [degree]
+  double crank_step_deg = 1.0;                  ///< of the integration; whole steps make 720 [degree]
   StepControl crank_step_control = StepControl::kAdaptive;  ///< refine that step where the film needs it?
   double step_error = 1e-3;  ///< error in time let through per step, adaptive: in ln h_m; half of it in the oil [-]
   double tolerance = 1e-8;   ///< relative error left by the Newton iteration in film and pressure [-]
@@ -391,7 +391,7 @@ struct Solver {
 struct Output {
   double crank_angle_step_deg = 1.0;                 ///< used where the list is empty [degree]
   std::vector<double> crank_angles_deg;              ///< explicit list, increasing, within [0, 720)
-  FieldsWanted fields = FieldsWanted::kNone;         ///< at which angles pressure and film along the face are kept
+  FieldOutput fields = FieldOutput::kNone;           ///< at which angles pressure and film along the face are kept
   std::vector<double> field_angles_deg;              ///< where kListed: explicit list, increasing [degree]
   FieldReduction reduction = FieldReduction::kNone;  ///< of the fields of an unrolled film
 };
@@ -420,13 +420,13 @@ struct Pad {
   std::vector<double> history_time;                    ///< [s], increasing
   std::vector<double> history_separation;              ///< at these times, straight between them [m]
   // separation_history
-  double time_step = 0;               ///< of the march [s]
+  double time_step = 0;               ///< of the integration [s]
   std::optional<double> end_time;     ///< absent: end of the history [s]
   std::optional<double> output_step;  ///< absent: every time step is kept [s]
 
   bool has_sides_at_pressures() const { return width && sides == Sides::kOpen; }  ///< of width alone
 
-  /// Where the march ends [s].
+  /// Where the integration ends [s].
   double last_time() const { return end_time.value_or(history_time.empty() ? 0.0 : history_time.back()); }
 };
 
@@ -450,7 +450,7 @@ struct Case {
   Lubricant lubricant;                ///< the oil by its laws, or by a table
   Film film;                          ///< in one dimension or two, and how it ruptures
   Solver solver;                      ///< grid, steps, tolerances
-  Output output;                      ///< what is kept of the march
+  Output output;                      ///< what is kept of the integration
   Pad pad;                            ///< of Problem::kPad alone
 
   /// Around the ring, too?

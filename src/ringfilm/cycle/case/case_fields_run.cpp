@@ -8,7 +8,7 @@ constexpr When kTwoDimensions{
     "film.dimension = \"unrolled\", or pad.width is given"};
 constexpr When kGapEnds{[](const Case& c) { return c.is_unrolled() && c.ring.end_gap.has_value(); },
                         "ring.end_gap is stated"};
-constexpr When kUnrolledFields{[](const Case& c) { return c.is_unrolled() && c.output.fields != FieldsWanted::kNone; },
+constexpr When kUnrolledFields{[](const Case& c) { return c.is_unrolled() && c.output.fields != FieldOutput::kNone; },
                                "film.dimension = \"unrolled\" and output.fields are asked for"};
 
 }  // namespace
@@ -40,10 +40,12 @@ void append_run_fields(std::vector<Field>& fields) {
                 {"length around the ring of the cells at the ends of its gap; if left out, 1/50 of the face width",
                  "\"24 um\""}),
           field("solver.crank_step", NumberKind{member<&Case::solver, &Solver::crank_step_deg>}, degree, above(0, 10),
-                Need::kDefault, {}, {"crank step of the march; whole steps must make 720 degrees", "\"1 degree\""}),
+                Need::kDefault, {},
+                {"crank step of the integration; whole steps must make 720 degrees", "\"1 degree\""}),
           field("solver.crank_step_control", choice<&Case::solver, &Solver::crank_step_control>({"adaptive", "fixed"}),
                 kNoUnit, {}, Need::kDefault, {},
-                {"refine the crank step where the film needs it, or march with the stated step alone", "\"adaptive\""}),
+                {"refine the crank step where the film needs it, or integrate with the stated step alone",
+                 "\"adaptive\""}),
           field(
               "solver.step_error", NumberKind{member<&Case::solver, &Solver::step_error>}, kPlainNumber,
               between(1e-8, 0.1), Need::kDefault,

@@ -7,9 +7,9 @@
 #include "ringfilm/cycle/case/case_rules_pad.hpp"
 #include "ringfilm/cycle/case/case_rules_unrolled.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
-#include "ringfilm/cycle/march/kinematics.hpp"
-#include "ringfilm/cycle/march/oil.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/integration/oil.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/gas/trace_span.hpp"
 
@@ -29,10 +29,10 @@ constexpr double kMostFieldValues = 1e7;
 
 void check_field_size(const Case& c, Breaches& breaches) {
   const Output& output = c.output;
-  if (output.fields == FieldsWanted::kNone) return;
+  if (output.fields == FieldOutput::kNone) return;
   const double all = output.crank_angles_deg.empty() ? kCycleDeg / output.crank_angle_step_deg
                                                      : static_cast<double>(output.crank_angles_deg.size());
-  const double angles = output.fields == FieldsWanted::kAll ? all : static_cast<double>(output.field_angles_deg.size());
+  const double angles = output.fields == FieldOutput::kAll ? all : static_cast<double>(output.field_angles_deg.size());
   if (angles * c.solver.cells <= kMostFieldValues) return;
   breaches.push_back({"output.fields",
                       "output.fields asks for " + number_text(angles) + " angles on " + number_text(c.solver.cells) +

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/case/case_rules_sheet.hpp"
+#include "ringfilm/cycle/case/case_rules_film2d.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -134,10 +134,10 @@ double most_nodes(const Case& c) {
 }
 
 void check_nodes(const Case& c, Breaches& breaches) {
-  if (!c.pad.width || most_nodes(c) <= kMostSheetNodes) return;
+  if (!c.pad.width || most_nodes(c) <= kMostFilm2dNodes) return;
   breaches.push_back({"solver.cells_y",
                       "solver.cells and solver.cells_y, with the steps of the gap, make a grid of " +
-                          number_text(most_nodes(c)) + " nodes, more than " + number_text(kMostSheetNodes),
+                          number_text(most_nodes(c)) + " nodes, more than " + number_text(kMostFilm2dNodes),
                       "take fewer cells in one direction or both"});
 }
 
@@ -154,7 +154,7 @@ void check_times(const Case& c, Breaches& breaches) {
   const double steps = std::ceil((end - begin) / pad.time_step);
   if (steps > kMostSteps) {
     breaches.push_back({"pad.time_step", "pad.time_step asks for " + number_text(steps) + " steps",
-                        "at the most " + number_text(kMostSteps) + " are marched; take a longer step"});
+                        "at the most " + number_text(kMostSteps) + " are integrated; take a longer step"});
     return;
   }
   const double every = pad.output_step ? *pad.output_step / pad.time_step : 1;

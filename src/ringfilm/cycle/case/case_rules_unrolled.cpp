@@ -4,9 +4,9 @@
 #include <string>
 
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/case/case_rules_sheet.hpp"
-#include "ringfilm/cycle/march/kinematics.hpp"
-#include "ringfilm/cycle/march/march_film.hpp"
+#include "ringfilm/cycle/case/case_rules_film2d.hpp"
+#include "ringfilm/cycle/integration/cycle_film.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using Breaches = std::vector<RuleBreach>;
 
 /// Four fields of four bytes each are kept at every node: 320 MB, and while the result is written two copies more.
-constexpr double kMostSheetFieldValues = 2e7;
+constexpr double kMostFilm2dFieldValues = 2e7;
 constexpr double kBytesOfFields = 4 * 4;
 /// Sums of a strip that are kept at every angle with output.reduction = "along-face".
 constexpr double kMostStripValues = 1e7;
@@ -43,7 +43,7 @@ bool check_gap(const Case& c, Breaches& breaches) {
 }
 
 double length_of_end_cell(const Case& c, int cells_y) {
-  return sheet::refined_around(cells_y, c.ring_length(), c.end_cell()).spacing.front();
+  return film::refined_around(cells_y, c.ring_length(), c.end_cell()).spacing.front();
 }
 
 /// The fewest cells around, above those of the case, whose end cell is no longer than asked for, up to a tenth.
@@ -86,23 +86,23 @@ void check_end_cell(const Case& c, Breaches& breaches) {
 }
 
 /// @returns whether they are few enough
-bool sheet_is_small_enough(const Case& c, Breaches& breaches) {
+bool film2d_is_small_enough(const Case& c, Breaches& breaches) {
   const double nodes = (c.solver.cells + 1.0) * strips(c);
-  if (nodes <= kMostSheetNodes) return true;
+  if (nodes <= kMostFilm2dNodes) return true;
   breaches.push_back({"solver.cells_y",
                       "solver.cells = " + number_text(c.solver.cells) + " and solver.cells_y = " +
                           number_text(c.solver.cells_y) + " make " + number_text(nodes) + " nodes, more than " +
-                          number_text(kMostSheetNodes) + ", of which each takes about a kilobyte",
+                          number_text(kMostFilm2dNodes) + ", of which each takes about a kilobyte",
                       "take fewer cells; 200 by 180 are usual"});
   return false;
 }
 
-void check_sheet_fields(const Case& c, Breaches& breaches) {
+void check_film2d_fields(const Case& c, Breaches& breaches) {
   const Output& output = c.output;
-  if (output.fields == FieldsWanted::kNone) return;
+  if (output.fields == FieldOutput::kNone) return;
   const double all = output.crank_angles_deg.empty() ? kCycleDeg / output.crank_angle_step_deg
                                                      : static_cast<double>(output.crank_angles_deg.size());
-  const double angles = output.fields == FieldsWanted::kAll ? all : static_cast<double>(output.field_angles_deg.size());
+  const double angles = output.fields == FieldOutput::kAll ? all : static_cast<double>(output.field_angles_deg.size());
   if (output.reduction == FieldReduction::kAlongFace) {
     if (angles * strips(c) <= kMostStripValues) return;
     breaches.push_back({"output.fields",
@@ -112,12 +112,12 @@ void check_sheet_fields(const Case& c, Breaches& breaches) {
     return;
   }
   const double values = angles * (c.solver.cells + 1.0) * strips(c);
-  if (values <= kMostSheetFieldValues) return;
+  if (values <= kMostFilm2dFieldValues) return;
   breaches.push_back({"output.fields",
                       "output.fields asks for " + number_text(angles) + " angles of " +
                           number_text(c.solver.cells + 1) + " x " + number_text(strips(c)) + " nodes, which take " +
                           number_text(values * kBytesOfFields / 1e6) + " MB of memory; allowed are " +
-                          number_text(kMostSheetFieldValues * kBytesOfFields / 1e6) + " MB",
+                          number_text(kMostFilm2dFieldValues * kBytesOfFields / 1e6) + " MB",
                       "list the angles that matter, for example [\"0 degree\", \"20 degree\"], or keep what each "
                       "strip sums up to: output.reduction = \"along-face\""});
 }
@@ -128,8 +128,8 @@ void append_unrolled_breaches(const Case& c, std::vector<RuleBreach>& breaches) 
   if (!c.is_unrolled()) return;
   check_method(c, breaches);
   const bool is_on_ring = check_gap(c, breaches);
-  if (sheet_is_small_enough(c, breaches) && is_on_ring) check_end_cell(c, breaches);
-  check_sheet_fields(c, breaches);
+  if (film2d_is_small_enough(c, breaches) && is_on_ring) check_end_cell(c, breaches);
+  check_film2d_fields(c, breaches);
 }
 
 }  // namespace ringfilm::cycle

@@ -8,7 +8,7 @@
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/models/crank_slider.hpp"
 
 namespace ringfilm::cycle {

@@ -45,7 +45,7 @@ struct NodalOilView {
 };
 
 /// Faces through which the flux is required, in rising order, and where it goes [kg/(m s)].
-struct FluxesWanted {
+struct FluxRequest {
   const int* face;
   double* flux;
   int count;
@@ -107,16 +107,16 @@ class AlongFace {
   RINGFILM_INLINE static int next_node(const double* deficit, int i, int end, bool cavity) {
     const double sign = cavity ? 1 : -1;
     while (i + Real::kWidth <= end &&
-           !Real::any(Real(sign) * (Real::load(deficit + i) - Real(kHardlyCavity)) > Real(0))) {
+           !Real::any(Real(sign) * (Real::load(deficit + i) - Real(kCavityThreshold)) > Real(0))) {
       i += Real::kWidth;
     }
-    while (i < end && (deficit[i] > kHardlyCavity) != cavity) ++i;
+    while (i < end && (deficit[i] > kCavityThreshold) != cavity) ++i;
     return i;
   }
 
   /// With oil that is given.
   RINGFILM_INLINE static FilmSums sums(const FilmView& film, const NodalOilView& oil, const StepView& step,
-                                       const FluxesWanted& fluxes) {
+                                       const FluxRequest& fluxes) {
     Sums<Real> packs(film, step);
     Sums<One> rest(film, step);
     visit_nodes<1>(0, film.n_cells, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
@@ -134,7 +134,7 @@ class AlongFace {
 
   /// With oil from the fits.
   RINGFILM_INLINE static FilmSums sums(const FilmView& film, const FittedOilView& oil, const StepView& step,
-                                       const FluxesWanted& fluxes) {
+                                       const FluxRequest& fluxes) {
     Sums<Real> packs(film, step);
     Sums<One> rest(film, step);
     double rho[kStretch], K[kStretch];  // of the nodes from `begin` on

@@ -15,8 +15,8 @@ struct FilmKernels {
   void (*single_sweep)(LaneBlock&);  ///< one film
   void (*content)(const FilmView&, const FittedOilView&, double* to);
   void (*read)(const LaneView&, int n_nodes, const FilmPressure&);
-  FilmSums (*sums)(const FilmView&, const FittedOilView&, const StepView&, const FluxesWanted&);
-  FilmSums (*sums_of_given_oil)(const FilmView&, const NodalOilView&, const StepView&, const FluxesWanted&);
+  FilmSums (*sums)(const FilmView&, const FittedOilView&, const StepView&, const FluxRequest&);
+  FilmSums (*sums_of_given_oil)(const FilmView&, const NodalOilView&, const StepView&, const FluxRequest&);
   int (*next_node)(const double* deficit, int i, int end, bool cavity);
   ContactSums (*contact)(const FilmView&, const FittedContactView&);
 };

@@ -43,7 +43,7 @@ void read_lane(const LaneView& lane, int n_nodes, const FilmPressure& to) {
 }
 
 template <class Real, class One, class Oil>
-FilmSums sums(const FilmView& film, const Oil& oil, const StepView& step, const FluxesWanted& fluxes) {
+FilmSums sums(const FilmView& film, const Oil& oil, const StepView& step, const FluxRequest& fluxes) {
   return AlongFace<Real, One>::sums(film, oil, step, fluxes);
 }
 

@@ -8,7 +8,7 @@ namespace ringfilm::film {
 
 inline constexpr double kLargestFall = -0.916290731874155;  // ln 0.4: trust region in ln h_m
 inline constexpr double kLargestRise = 0.916290731874155;   // ln 2.5
-inline constexpr double kBlindStep = 0.2;                   // in ln h_m, where the load seems to rise with the film
+inline constexpr double kSignOnlyStep = 0.2;                // in ln h_m, where the load seems to rise with the film
 
 template <bool kFirst, class A, class B>
 struct Choice {
@@ -255,7 +255,7 @@ class NewtonSweep {
     const Real corner = slope * h_m_ - by_column;
     check_ = corner + by_rhs + at(b_.z, 0) + at(b_.z, n);
     const Real newton = (-excess - by_rhs) / select(corner < Real(0), corner, Real(-1));
-    const Real blind = select(excess < Real(0), Real(-kBlindStep), Real(kBlindStep));
+    const Real blind = select(excess < Real(0), Real(-kSignOnlyStep), Real(kSignOnlyStep));
     const Real step = select(corner < Real(0), newton, blind);
     const Real limited = min(max(step, Real(kLargestFall)), Real(kLargestRise));
     return select(Real::load(b_.movable) > Real(0), limited, Real(0));

@@ -212,13 +212,13 @@ io::MeasuredGroup coefficient_group(const FaceFit& fit) {
 
 io::MeasuredTable invention_table(const FaceFit& fit) {
   io::MeasuredTable table;
-  table.name = "invented_shape";
+  table.name = "fit_artifact";
   table.title = "Where the polynomial invents shape";
   table.columns = {value_of("invented_from", "from", "from", "m", "mm", 0, ""),
                    value_of("invented_to", "to", "to", "m", "mm", 0, ""),
                    value_of("invented_size", "largest distance, or fall", "size", "m", "um", 0, "")};
   table.values.resize(table.columns.size());
-  for (const surface::InventedShape& shape : fit.invented) {
+  for (const surface::FitArtifact& shape : fit.invented) {
     table.values[0].push_back(shape.from_m);
     table.values[1].push_back(shape.to_m);
     table.values[2].push_back(shape.size_m);
@@ -276,7 +276,7 @@ io::MeasuredCurve residual_curve(const FaceFit& fit) {
   }
   curve.series = {series("polynomial_residual", "trace less polynomial", std::move(of_polynomial)),
                   series("spline_residual", "trace less spline", std::move(of_spline))};
-  for (const surface::InventedShape& shape : fit.invented) {
+  for (const surface::FitArtifact& shape : fit.invented) {
     curve.marks.push_back({shape.from_m, "invented from"});
     curve.marks.push_back({shape.to_m, "to"});
   }
@@ -302,7 +302,7 @@ std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, co
                     millimetres(land_m)));
   }
   bool of_its_own = false;
-  for (const surface::InventedShape& shape : fit.invented) {
+  for (const surface::FitArtifact& shape : fit.invented) {
     const bool with_trace = shape.reason == surface::InventionReason::kFallsTowardsTheEdge;
     notes.push_back("polynomial, " + shape.words() +
                     (with_trace ? "; wear against a straight liner does not do that" : ""));

@@ -68,8 +68,8 @@ class Writer {
   }
   std::string operator()(const cycle::FieldAnglesKind&) {
     const cycle::Output& output = case_.output;
-    if (output.fields == cycle::FieldsWanted::kListed) return angles(output.field_angles_deg);
-    return output.fields == cycle::FieldsWanted::kAll ? "\"all\"" : "\"none\"";
+    if (output.fields == cycle::FieldOutput::kListed) return angles(output.field_angles_deg);
+    return output.fields == cycle::FieldOutput::kAll ? "\"all\"" : "\"none\"";
   }
 
  private:

@@ -137,11 +137,11 @@ class Setter {
   }
   void operator()(const cycle::FieldAnglesKind&) {
     if (value_.kind == Kind::kText && (value_.text == "none" || value_.text == "all")) {
-      case_.output.fields = value_.text == "all" ? cycle::FieldsWanted::kAll : cycle::FieldsWanted::kNone;
+      case_.output.fields = value_.text == "all" ? cycle::FieldOutput::kAll : cycle::FieldOutput::kNone;
     } else if (value_.kind == Kind::kList) {
       const std::vector<double> listed = angles();
       if (!good_) return;
-      case_.output.fields = cycle::FieldsWanted::kListed;
+      case_.output.fields = cycle::FieldOutput::kListed;
       case_.output.field_angles_deg = listed;
     } else {
       refuse(value_, "is not known",

@@ -95,8 +95,8 @@ std::string face_polynomial_fragment(const surface::FaceFit& fit, const surface:
   face.height_unit = 1e-6;
   face.measured = measured_face(fit, rule, trace_name, fit.polynomial_residual);
   std::string words;
-  for (const surface::InventedShape& shape : fit.invented) words += (words.empty() ? "" : "; ") + shape.words();
-  if (!words.empty()) face.measured.invented_shape = words;
+  for (const surface::FitArtifact& shape : fit.invented) words += (words.empty() ? "" : "; ") + shape.words();
+  if (!words.empty()) face.measured.fit_artifact = words;
   return fragment(c,
                   {"ring.face.form", "ring.face.coefficients", "ring.face.length_unit", "ring.face.height_unit",
                    "ring.face.measured."},

@@ -17,7 +17,7 @@ struct PadDocument {
 };
 
 /// The numbers of the last instant as one flat JSON object, SI: title, every entry of
-/// pad::reported_quantities() and of pad::front_quantities() by its name; for a march in
+/// pad::reported_quantities() and of pad::front_quantities() by its name; for an integration in
 /// time `history` with the same as arrays; then `units`, `notes`, `assumed`, `effort`, `program`, `commit`, `kernels`
 /// and `complete`. JSON knows no NaN: such a value is null.
 std::string pad_json(const PadDocument& document);

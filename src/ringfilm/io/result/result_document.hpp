@@ -5,8 +5,8 @@
 
 namespace ringfilm::io {
 
-/// All that a result file holds of one march by this program: the case key by key, what it was read from, what computed
-/// it, and the result. Ledger, comparison and error estimate remain empty.
+/// All that a result file holds of one integration by this program: the case key by key, what it was read from, what
+/// computed it, and the result. Ledger, comparison and error estimate remain empty.
 ResultDocument result_document(const cycle::Case& c, cycle::CycleResult result);
 
 }  // namespace ringfilm::io

@@ -29,7 +29,7 @@ struct Provenance {
 };
 Provenance this_program();  ///< of this build
 
-/// The same for a run of this program that marches by itself, in one lane.
+/// The same for a run of this program that integrations by itself, in one lane.
 Provenance this_run();
 
 /// All that a result file holds; a report can be drawn again from it alone.
@@ -40,7 +40,7 @@ struct ResultDocument {
   std::vector<cycle::InputFile> files;           ///< everything that was read, with its digest
   std::vector<std::string> input_notes;          ///< Case::notes
   Provenance provenance;                         ///< what computed it
-  cycle::CycleResult result;                     ///< up to the last good angle where the march stopped
+  cycle::CycleResult result;                     ///< up to the last good angle where the integration stopped
   std::vector<study::LedgerEntry> ledger;        ///< what the case takes for granted
   bool ledger_computed = false;                  ///< were the variants run?
   std::vector<study::ComparisonRow> comparison;  ///< with published values; empty where there are none

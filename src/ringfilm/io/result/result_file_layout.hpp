@@ -30,7 +30,7 @@ void exchange_attributes(File& file, Document& document) {
   file.attribute("complete", document.result.complete);
   file.attribute("ledger_computed", document.ledger_computed);
   auto& effort = document.result.effort;
-  file.attribute("effort_cycles_marched", effort.cycles_marched);
+  file.attribute("effort_cycles_integrated", effort.cycles_integrated);
   file.attribute("effort_periodicity_error", effort.periodicity_error);
   file.attribute("effort_crank_steps", effort.crank_steps);
   file.attribute("effort_newton_iterations", effort.newton_iterations);
@@ -68,7 +68,7 @@ void exchange_errors(File& file, Document& document) {
   if (!document.errors) return;
   auto& errors = *document.errors;
   file.rows("grid_run", errors.runs);
-  file.column("grid_run", count("grid_run_cells", "cells across the face of a march for the error estimate"),
+  file.column("grid_run", count("grid_run_cells", "cells across the face of an integration for the error estimate"),
               errors.runs, &GridRun::cells);
   file.column("grid_run", count("grid_run_cells_y", "cells around the ring of an unrolled film, else 0"), errors.runs,
               &GridRun::cells_y);

@@ -8,7 +8,7 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json effort_object(const cycle::Effort& effort) {
-  return {{"cycles_marched", effort.cycles_marched},
+  return {{"cycles_integrated", effort.cycles_integrated},
           {"periodicity_error", effort.periodicity_error},
           {"crank_steps", effort.crank_steps},
           {"newton_iterations", effort.newton_iterations},

@@ -423,7 +423,7 @@ void ShardReader::append_notes(const study::ScenarioRange& range, std::vector<Sh
   }
 }
 
-ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Longer longer, Rows rows)
+ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Extension longer, Rows rows)
     : path_(path), header_(header), next_(header.first) {
   try {
     const std::uint64_t found = open_alone();
@@ -440,7 +440,7 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Lon
       write_anew(*there);
       open_alone();
       there.emplace(path);
-      check(there->header(), Longer::kRefused);
+      check(there->header(), Extension::kRefused);
     }
     next_ = there->next();
     n_unsolved_ = there->n_unsolved();
@@ -477,9 +477,9 @@ std::uint64_t ShardWriter::open_alone() {
   return static_cast<std::uint64_t>(status.st_size);
 }
 
-void ShardWriter::check(const ShardHeader& found, Longer longer) const {
+void ShardWriter::check(const ShardHeader& found, Extension longer) const {
   const std::string differs = difference(found, header_);
-  if (!differs.empty() && !(longer == Longer::kAllowed && is_beginning_of(found, header_))) {
+  if (!differs.empty() && !(longer == Extension::kAllowed && is_beginning_of(found, header_))) {
     throw InputError(fmt::format("{}: these rows are of {}", path_, differs),
                      "results of both must not be mixed: name another output, or replace it with --overwrite");
   }

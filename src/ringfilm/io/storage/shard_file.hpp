@@ -115,7 +115,7 @@ class ShardReader {
 void check_not_being_written(const std::string& path);
 
 /// May a study that is there become longer?
-enum class Longer { kRefused, kAllowed };
+enum class Extension { kRefused, kAllowed };
 
 /// What becomes of rows that are there.
 enum class Rows { kContinued, kReplaced };
@@ -127,7 +127,7 @@ class ShardWriter {
   /// is_beginning_of the one wanted, it is written anew aside, with its rows. Throws InputError if that one belongs to
   /// another study, program, input or other kernels, or if another process appends to it; OutputError. Rows that are to
   /// be replaced are removed once the file is locked, whatever they belong to.
-  ShardWriter(const std::string& path, const ShardHeader& header, Longer longer = Longer::kRefused,
+  ShardWriter(const std::string& path, const ShardHeader& header, Extension longer = Extension::kRefused,
               Rows rows = Rows::kContinued);
   ShardWriter(const ShardWriter&) = delete;
   ShardWriter& operator=(const ShardWriter&) = delete;
@@ -144,7 +144,7 @@ class ShardWriter {
   /// Opens the file for this process alone. @returns its size
   std::uint64_t open_alone();
   /// Throws InputError unless the rows that are there can be gone on with.
-  void check(const ShardHeader& found, Longer longer) const;
+  void check(const ShardHeader& found, Extension longer) const;
   /// Puts a file with our header and these rows in the place of theirs.
   void write_anew(const ShardReader& there);
   void write(const std::string& bytes);

@@ -80,7 +80,7 @@ class BandReader {
   }
 
   const StudyRows& rows_;
-  const study::Keep& keep_;
+  const study::OutputSelection& keep_;
   std::size_t n_angles_;
   std::vector<std::vector<std::uint64_t>> samples_;  ///< scenarios of each base from which quantiles are taken
   std::vector<float> of_base_;

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = TomlValue::Kind;
 using study::Factor;
-using study::How;
+using study::FactorMode;
 
 const std::vector<std::string> kFactorKeys = {
     "name",  "source", "key",     "keys",         "bases",         "how",       "values",
@@ -37,16 +37,17 @@ class FactorReader {
   std::optional<Factor> read() {
     factor_.mark = table_.mark();
     read_targets();
-    const auto how = table_.chosen<How>("how", {{"set", How::kSet}, {"scale", How::kScale}, {"add", How::kAdd}});
-    factor_.how = how.value_or(How::kSet);
+    const auto how = table_.chosen<FactorMode>(
+        "how", {{"set", FactorMode::kSet}, {"scale", FactorMode::kScale}, {"add", FactorMode::kAdd}});
+    factor_.how = how.value_or(FactorMode::kSet);
     if (field_ == nullptr || faults_.size() > n_before_) return std::nullopt;
     factor_.name = table_.text("name").value_or(factor_.targets.front().key);
     factor_.source = table_.text("source").value_or("");
     const bool is_text = study::entry_of(*field_) == study::Entry::kText;
-    factor_.unit = is_text ? "" : factor_.how == How::kScale ? "1" : field_->unit;
-    factor_.display_unit = is_text ? "" : factor_.how == How::kScale ? "1" : field_->display_unit;
+    factor_.unit = is_text ? "" : factor_.how == FactorMode::kScale ? "1" : field_->unit;
+    factor_.display_unit = is_text ? "" : factor_.how == FactorMode::kScale ? "1" : field_->display_unit;
     // A difference of temperatures is read in kelvin.
-    if (factor_.how == How::kAdd && factor_.unit == "K") factor_.display_unit = factor_.unit;
+    if (factor_.how == FactorMode::kAdd && factor_.unit == "K") factor_.display_unit = factor_.unit;
     read_variation(is_text);
     if (faults_.size() > n_before_) return std::nullopt;
     return std::move(factor_);
@@ -146,7 +147,7 @@ class FactorReader {
     }
   }
 
-  Meaning meaning() const { return factor_.how == How::kAdd ? Meaning::kDifference : Meaning::kValue; }
+  Meaning meaning() const { return factor_.how == FactorMode::kAdd ? Meaning::kDifference : Meaning::kValue; }
 
   std::vector<double> quantities(const std::string& key) {
     std::vector<double> all;

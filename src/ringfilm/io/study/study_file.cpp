@@ -189,7 +189,7 @@ class StudyReader {
     if (value == nullptr) return;
     const std::size_t n_before = faults_.size();
     StudyTable table(*value, "plan.until", {"value", "quantile", "width", "most"}, faults_);
-    study::Until until;
+    study::StoppingRule until;
     until.value = table.needed_text("value", "\"fmep\"");
     until.quantile = table.number("quantile");
     const auto most = table.count("most");
@@ -280,7 +280,7 @@ class StudyReader {
     const TomlValue* value = root.find("keep");
     if (value == nullptr) return;
     StudyTable table(*value, "[keep]", {"curves", "quantities", "crank_step"}, faults_);
-    study::Keep& keep = study_.keep;
+    study::OutputSelection& keep = study_.keep;
     keep.curves = table
                       .chosen<study::Curves>("curves", {{"none", study::Curves::kNone},
                                                         {"all", study::Curves::kAll},

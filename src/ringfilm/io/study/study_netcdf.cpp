@@ -32,7 +32,7 @@ std::uint64_t padded(std::uint64_t n, std::uint64_t piece) { return n < piece ? 
 
 /// More than the file can become: its numbers not compressed, texts, and what the library needs to find them.
 std::uint64_t most_bytes(const StudyRows& rows, const std::vector<StudyRows::ScenarioNotes>& notes) {
-  const study::Keep& keep = rows.plan.study().keep;
+  const study::OutputSelection& keep = rows.plan.study().keep;
   const bool is_full = keep.curves == study::Curves::kAll;
   const std::uint64_t n_curves = study::kept_quantities(keep).size(), n_angles = kept_angles(keep).size();
   const std::uint64_t n = padded(rows.plan.size(), kRowsAtATime),
@@ -272,7 +272,7 @@ class BlockWriter {
   std::uint64_t n_unsolved_ = 0;  ///< written
 };
 
-void write_axes(ResultFileWriter& file, const study::Keep& keep) {
+void write_axes(ResultFileWriter& file, const study::OutputSelection& keep) {
   file.numbers({kCrankAngle}, {kCrankAngle, "degree", "degree", "crank angle, 0 at firing TDC", "phi", ""},
                kept_angles(keep));
   file.numbers({kRing}, {kRing, "1", "", "ring, counted from the chamber", "", ""}, std::vector<double>{1});
@@ -298,7 +298,7 @@ void write_bands(ResultFileWriter& file, const StudyRows& rows) {
 }  // namespace
 
 void write_study_result(const std::string& path, const StudyRows& rows) {
-  const study::Keep& keep = rows.plan.study().keep;
+  const study::OutputSelection& keep = rows.plan.study().keep;
   AsideFile aside(path);
   const std::vector<StudyRows::ScenarioNotes>& notes = rows.scenario_notes();
   ResultFileWriter file(path, aside, most_bytes(rows, notes));

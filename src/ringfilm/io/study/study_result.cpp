@@ -15,7 +15,7 @@
 
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
-#include "ringfilm/io/study/study_until.hpp"
+#include "ringfilm/io/study/study_stopping_rule.hpp"
 #include "ringfilm/study/design/idle_factors.hpp"
 
 namespace ringfilm::io {
@@ -148,7 +148,7 @@ std::optional<double> StudyRows::badness(const std::string& topic, std::uint64_t
 }
 
 StudyRows::Notes StudyRows::read_notes() const {
-  const std::optional<study::Until>& until = plan.study().sampling.until;
+  const std::optional<study::StoppingRule>& until = plan.study().sampling.until;
   const std::size_t n_values = cycle::cycle_quantities().size();
   study::IdleFactors idle(plan);
   NotesByTopic by_topic(plan);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
 
 namespace ringfilm::io {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/text/csv_quantity.hpp"
 #include "ringfilm/io/text/suggestion.hpp"

@@ -104,7 +104,7 @@ ordered_json face_fields(const cycle::FaceFields& fields) {
 }
 
 ordered_json effort(const cycle::Effort& e) {
-  return {{"cycles_marched", exact(e.cycles_marched)},
+  return {{"cycles_integrated", exact(e.cycles_integrated)},
           {"periodicity_error", exact(e.periodicity_error)},
           {"crank_steps", e.crank_steps},
           {"newton_iterations", e.newton_iterations},

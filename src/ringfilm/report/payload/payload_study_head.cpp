@@ -84,13 +84,13 @@ class VariationWords {
   const io::Units& units_;
 };
 
-const char* how_word(study::How how) {
+const char* how_word(study::FactorMode how) {
   switch (how) {
-    case study::How::kSet:
+    case study::FactorMode::kSet:
       return "set";
-    case study::How::kScale:
+    case study::FactorMode::kScale:
       return "scale";
-    case study::How::kAdd:
+    case study::FactorMode::kAdd:
       return "add";
   }
   return "";

@@ -13,7 +13,7 @@
 namespace ringfilm::study {
 
 /// How a factor's number x enters a key that has the number b in the base: x, b x, or b + x.
-enum class How { kSet, kScale, kAdd };
+enum class FactorMode { kSet, kScale, kAdd };
 
 /// A key that a factor moves.
 struct Target {
@@ -54,7 +54,7 @@ using Variation = std::variant<Levels, Choices, Span, Distribution, Listed>;
 struct Factor {
   std::string name;
   std::vector<Target> targets;
-  How how = How::kSet;
+  FactorMode how = FactorMode::kSet;
   Variation variation;
   std::string unit;          ///< SI; "1" for a dimensionless number and for scale, "" for choices
   std::string display_unit;  ///< the unit in which people read it

@@ -44,7 +44,7 @@ class MeasuredFactors {
     ++n_errors_;
     const std::string name = key.substr(key.find('.') + 1) + " of " + study_.bases[b].name;
     study_.factors.push_back(
-        {name, {{b, key, 1.0}}, How::kSet, positive(mean, *deviation), unit, display_unit, {}, kSource});
+        {name, {{b, key, 1.0}}, FactorMode::kSet, positive(mean, *deviation), unit, display_unit, {}, kSource});
     return study_.factors.size() - 1;
   }
 
@@ -84,7 +84,8 @@ class MeasuredFactors {
     const auto [found, is_first] = scales_.try_emplace({kind, owner}, study_.factors.size());
     if (is_first) {
       const std::string name = kind + " of " + owner;
-      study_.factors.push_back({name, {{b, kZeta, 1.0}}, How::kScale, positive(1, relative), "1", "1", {}, kSource});
+      study_.factors.push_back(
+          {name, {{b, kZeta, 1.0}}, FactorMode::kScale, positive(1, relative), "1", "1", {}, kSource});
       return;
     }
     Factor& common = study_.factors[found->second];

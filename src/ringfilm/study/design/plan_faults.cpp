@@ -78,7 +78,7 @@ class FactorCheck {
     for (const Choice& choice : choices.values) {
       if (!seen.insert(choice.text).second) refuse("has \"" + choice.text + "\" twice", "keep one of them");
     }
-    if (factor_.how != How::kSet) refuse("scales or adds to a choice", "a choice can only be set");
+    if (factor_.how != FactorMode::kSet) refuse("scales or adds to a choice", "a choice can only be set");
   }
 
   void check_target(const Target& target) {
@@ -117,7 +117,7 @@ class FactorCheck {
         if (drawn) refuse("draws " + field.key + ", which is a whole number", "list whole numbers as values");
         break;
       case Entry::kScaleOnly:
-        if (factor_.how != How::kScale) {
+        if (factor_.how != FactorMode::kScale) {
           refuse("sets or adds to " + field.key + ", which is a list", "it can be scaled: how = \"scale\"");
           return;
         }
@@ -125,7 +125,7 @@ class FactorCheck {
       case Entry::kAnyNumber:
         break;
     }
-    if (factor_.how == How::kSet) check_range(target, field);
+    if (factor_.how == FactorMode::kSet) check_range(target, field);
   }
 
   /// What is set must lie where the key allows; of a distribution its ends, or its median where it has none.
@@ -242,7 +242,7 @@ void check_one_file_a_table(const Study& study, Faults& faults) {
 void check_set_once(const Study& study, Faults& faults) {
   std::map<std::pair<std::size_t, std::string>, std::string> by;
   for (const Factor& factor : study.factors) {
-    if (factor.how != How::kSet) continue;
+    if (factor.how != FactorMode::kSet) continue;
     for (const Target& target : factor.targets) {
       bool reported = false;
       for (std::size_t b = 0; b < study.bases.size(); ++b) {
@@ -328,7 +328,7 @@ double grid_points(const Study& study) {
 void check_until(const Study& study, Faults& faults) {
   const Sampling& sampling = study.sampling;
   if (!sampling.until) return;
-  const Until& until = *sampling.until;
+  const StoppingRule& until = *sampling.until;
   const auto refuse = [&](const std::string& message, const std::string& remedy) {
     faults.push_back({until.mark, message, remedy});
   };

@@ -46,7 +46,7 @@ class NumberWriter {
     }
   }
   void operator()(const ConstantOrTemperatureValuesKind& kind) {
-    if (factor_.how == How::kSet) {
+    if (factor_.how == FactorMode::kSet) {
       kind.constant(case_) = changed(0);
       kind.ref(case_).clear();
     } else if (kind.constant(case_)) {
@@ -76,9 +76,9 @@ class NumberWriter {
 
  private:
   double changed(double base) {
-    const double value = factor_.how == How::kSet     ? number_
-                         : factor_.how == How::kScale ? base * number_
-                                                      : base + number_;
+    const double value = factor_.how == FactorMode::kSet     ? number_
+                         : factor_.how == FactorMode::kScale ? base * number_
+                                                             : base + number_;
     if (!std::isfinite(value)) {
       refuse("is not finite", "check the distribution and the gain of the factor");
     } else if (field_.range && !is_inside(value, *field_.range)) {
@@ -88,7 +88,7 @@ class NumberWriter {
   }
 
   void change_optional(std::optional<double>& value) {
-    if (factor_.how == How::kSet) {
+    if (factor_.how == FactorMode::kSet) {
       value = changed(0);
     } else if (value) {
       value = changed(*value);
@@ -133,7 +133,7 @@ void put_readings(const Study& study, const Point& point, Case& c) {
 /// added.
 int turn(const Factor& factor) {
   if (std::holds_alternative<Choices>(factor.variation)) return 1;
-  return factor.how == How::kSet ? 2 : factor.how == How::kScale ? 3 : 4;
+  return factor.how == FactorMode::kSet ? 2 : factor.how == FactorMode::kScale ? 3 : 4;
 }
 
 struct ValueText {

@@ -10,7 +10,7 @@
 
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/study/ensemble/threads.hpp"
 #include "ringfilm/study/statistics/shares.hpp"
@@ -28,9 +28,9 @@ struct Numbered {
 };
 
 /// Where threads take their cases and hand in what became of them; one at a time.
-class Desk {
+class WorkQueue {
  public:
-  Desk(const CaseSource& next, const std::function<void(Ending)>& ended) : next_(next), ended_(ended) {}
+  WorkQueue(const CaseSource& next, const std::function<void(Ending)>& ended) : next_(next), ended_(ended) {}
 
   /// Reads ahead; a batch that ends within is shared out. @returns threads that have something to do
   int open(int n_threads, int width) {
@@ -85,7 +85,7 @@ class Desk {
     has_failed_ = true;
   }
 
-  /// Throws what ended the batch, for a thread that is in the midst of its marches.
+  /// Throws what ended the batch, for a thread that is in the midst of its integrations.
   void look() {
     if (!has_failed_) return;
     const std::lock_guard lock(mutex_);
@@ -133,7 +133,7 @@ void check_rules(const cycle::Case& c) {
 }
 
 /// All that one thread does.
-cycle::LaneEffort serve(Desk& desk, int thread, const BatchOptions& options) {
+cycle::LaneEffort serve(WorkQueue& desk, int thread, const BatchOptions& options) {
   std::map<std::size_t, std::size_t> index;  // in the batch, of scenarios on their way, by their number on this thread
   std::size_t n_begun = 0;
   const auto setup = [&]() -> std::optional<cycle::Setup> {
@@ -182,7 +182,7 @@ void add(const cycle::LaneEffort& part, cycle::LaneEffort& all) {
 
 BatchEffort simulate_cases(const CaseSource& next, const std::function<void(Ending)>& ended,
                            const BatchOptions& options) {
-  Desk desk(next, ended);
+  WorkQueue desk(next, ended);
   const int n = desk.open(n_threads(options.threads), film::kernels().width);
   std::vector<cycle::LaneEffort> parts(n);
   on_threads(n, [&](int thread) {

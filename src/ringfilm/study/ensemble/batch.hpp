@@ -18,7 +18,7 @@ struct BatchOptions {
   /// How a case is made ready: empty, by cycle::prepare. One's own may bring another oil (cycle::OwnOil); it is called
   /// from several threads at a time, and an InputError that it throws refuses the case.
   std::function<cycle::Setup(const cycle::Case&)> prepare = {};
-  /// Called by every thread now and then from within its marches, from several at a time. What it throws ends the
+  /// Called by every thread now and then from within its integrations, from several at a time. What it throws ends the
   /// batch.
   std::function<void()> pulse = {};
 };
@@ -26,9 +26,10 @@ struct BatchOptions {
 /// How a scenario of a batch ended.
 struct Ending {
   std::size_t index = 0;  ///< in the order in which the cases were given, from 0
-  /// All up to the last good angle if the march stopped, nothing if the case was refused; both with every value NaN.
+  /// All up to the last good angle if the integration stopped, nothing if the case was refused; both with every value
+  /// NaN.
   cycle::CycleResult result;
-  std::optional<cycle::Stop> stop;    ///< why the march stopped
+  std::optional<cycle::Stop> stop;    ///< why the integration stopped
   std::optional<InputError> refusal;  ///< why the case could not be prepared, or which rules it breaks
 
   bool is_solved() const { return !stop && !refusal; }  ///< neither stopped nor refused

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ringfilm/cycle/cycle_values.hpp"
-#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 
 namespace ringfilm::study {
@@ -103,7 +103,7 @@ Case on_grid(Case c, int cells, double crank_step_deg) {
   c.solver.cells = cells;
   c.solver.crank_step_deg = crank_step_deg;
   c.solver.step_error *= ratio * ratio;  // the error of a step goes with its square
-  c.output.fields = cycle::FieldsWanted::kNone;
+  c.output.fields = cycle::FieldOutput::kNone;
   return c;
 }
 
@@ -269,7 +269,7 @@ ErrorEstimate error_estimate(const Case& c, const CycleResult& result, const Pro
 
 namespace {
 
-/// The other march of the pair, of cells or of steps, that run `i` belongs to.
+/// The other integration of the pair, of cells or of steps, that run `i` belongs to.
 std::size_t partner(std::size_t i) { return i % 2 == 1 ? i + 1 : i - 1; }
 
 bool is_missing(const ErrorEstimate& estimate, std::size_t i) {

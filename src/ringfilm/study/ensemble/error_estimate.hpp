@@ -10,12 +10,12 @@
 /// How far a result may be from the one of ever finer cells and crank steps (docs/theory/error-estimate.md).
 namespace ringfilm::study {
 
-/// One march of the same case, on its own grid or on another.
+/// One integration of the same case, on its own grid or on another.
 struct GridRun {
   long cells = 0;             ///< across the face
-  double crank_step_deg = 0;  ///< of the march [degree]
+  double crank_step_deg = 0;  ///< of the integration [degree]
   double step_error = 0;      ///< of adaptive control [-]
-  bool solved = true;         ///< did its march reach its end?
+  bool solved = true;         ///< did its integration reach its end?
   std::string reason;         ///< why not, if not solved
   long cells_y = 0;           ///< around the ring; 0: a film across the face
 };
@@ -30,7 +30,8 @@ struct ErrorEstimate {
   cycle::CycleValues order_in_step;  ///< the same in the crank step [-]
 };
 
-/// Is there an error of any value? Not where both marches of one pair of grids, in cells or in steps, cannot be used.
+/// Is there an error of any value? Not where both integrations of one pair of grids, in cells or in steps, cannot be
+/// used.
 bool has_values(const ErrorEstimate& estimate);
 
 /// Can a curve have a discretisation error? Not the crank angle itself and not the effort that was spent.
@@ -41,15 +42,15 @@ bool has_error(const cycle::CurveQuantity& quantity);
 std::vector<cycle::Case> other_grids(const cycle::Case& c);
 
 /// The errors of `result`, a complete result of `c`, from how its `other_grids` ended. One that was not solved, be it
-/// that its march stopped or that it breaks a rule of cases (too many nodes), leaves the one on its other side to go
-/// by, and both no estimate. Throws std::logic_error if there are not as many endings as grids.
+/// that its integration stopped or that it breaks a rule of cases (too many nodes), leaves the one on its other side to
+/// go by, and both no estimate. Throws std::logic_error if there are not as many endings as grids.
 ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, std::span<const Ending> others);
 
-/// The same, marching them; costs about five times what `c` cost.
+/// The same, integrating them; costs about five times what `c` cost.
 ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, const Progress& progress = {},
                              const BatchOptions& options = {});
 
-/// What the user must know about the marches that stopped; empty if none did.
+/// What the user must know about the integrations that stopped; empty if none did.
 std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate);
 
 /// No error at all: what `values` and `samples` of a result start from.

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ringfilm/cycle/march/setup.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/study/ensemble/assumptions.hpp"
 
 namespace ringfilm::study {
@@ -11,7 +11,7 @@ namespace {
 
 cycle::Case values_alone(cycle::Case c) {
   c.output.crank_angles_deg.clear();
-  c.output.fields = cycle::FieldsWanted::kNone;
+  c.output.fields = cycle::FieldOutput::kNone;
   return c;
 }
 

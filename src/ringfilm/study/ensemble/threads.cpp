@@ -40,7 +40,7 @@ void on_threads(int n, const std::function<void(int)>& work) {
   if (first != nullptr) std::rethrow_exception(first);
 }
 
-void look_after(const std::function<void()>& work, const std::function<void()>& look) {
+void run_while_polling(const std::function<void()>& work, const std::function<void()>& look) {
   std::mutex mutex;
   std::condition_variable ended;
   bool has_ended = false;

@@ -14,6 +14,6 @@ void on_threads(int n, const std::function<void(int)>& work);
 /// Does `work` on a thread of its own and calls `look` on that of the caller, every 50 ms until the work has ended. If
 /// `look` throws, it is not called again, and its exception is rethrown when the work has ended, which is the caller's
 /// to bring about; otherwise that of the work is.
-void look_after(const std::function<void()>& work, const std::function<void()>& look);
+void run_while_polling(const std::function<void()>& work, const std::function<void()>& look);
 
 }  // namespace ringfilm::study

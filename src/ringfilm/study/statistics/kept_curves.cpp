@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/study/wording.hpp"
 
 namespace ringfilm::study {
@@ -22,7 +22,7 @@ const cycle::CurveQuantity* find_curve(const std::string& name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-std::size_t n_angles(const Keep& keep) {
+std::size_t n_angles(const OutputSelection& keep) {
   return static_cast<std::size_t>(std::lround(cycle::kCycleDeg / keep.crank_step_deg));
 }
 
@@ -35,7 +35,7 @@ bool divides(double step_deg, double whole_deg) {
 
 }  // namespace
 
-std::vector<const cycle::CurveQuantity*> kept_quantities(const Keep& keep) {
+std::vector<const cycle::CurveQuantity*> kept_quantities(const OutputSelection& keep) {
   std::vector<const cycle::CurveQuantity*> kept;
   if (keep.curves == Curves::kNone) return kept;
   for (const std::string& name : keep.quantities) {
@@ -45,7 +45,7 @@ std::vector<const cycle::CurveQuantity*> kept_quantities(const Keep& keep) {
   return kept;
 }
 
-std::vector<double> kept_angles(const Keep& keep) {
+std::vector<double> kept_angles(const OutputSelection& keep) {
   std::vector<double> angles;
   if (keep.curves == Curves::kNone) return angles;
   const std::size_t n = n_angles(keep);
@@ -57,7 +57,7 @@ std::vector<double> kept_angles(const Keep& keep) {
   return angles;
 }
 
-void ask_for_kept(const Keep& keep, cycle::Case& c) {
+void ask_for_kept(const OutputSelection& keep, cycle::Case& c) {
   c.output = {};
   if (keep.curves == Curves::kNone) {
     c.output.crank_angles_deg = {0};
@@ -66,7 +66,7 @@ void ask_for_kept(const Keep& keep, cycle::Case& c) {
   }
 }
 
-std::vector<float> kept_numbers(const Keep& keep, const std::vector<cycle::Sample>& samples) {
+std::vector<float> kept_numbers(const OutputSelection& keep, const std::vector<cycle::Sample>& samples) {
   std::vector<float> numbers;
   const auto kept = kept_quantities(keep);
   if (kept.empty()) return numbers;
@@ -80,14 +80,14 @@ std::vector<float> kept_numbers(const Keep& keep, const std::vector<cycle::Sampl
   return numbers;
 }
 
-std::vector<float> no_kept_numbers(const Keep& keep) {
+std::vector<float> no_kept_numbers(const OutputSelection& keep) {
   if (keep.curves == Curves::kNone) return {};
   return std::vector<float>(keep.quantities.size() * n_angles(keep), std::numeric_limits<float>::quiet_NaN());
 }
 
 std::vector<Fault> faults_of_keep(const Study& study) {
   std::vector<Fault> faults;
-  const Keep& keep = study.keep;
+  const OutputSelection& keep = study.keep;
   if (keep.curves == Curves::kNone) return faults;
   const std::string step = "keep.crank_step = " + shown(keep.crank_step_deg) + " degree ";
   if (keep.quantities.empty()) {
@@ -114,12 +114,12 @@ std::vector<Fault> faults_of_keep(const Study& study) {
          "keep fewer quantities, or a larger keep.crank_step"});
   } else {
     for (const Base& base : study.bases) {
-      const double march = base.input.solver.crank_step_deg;
-      if (divides(march, keep.crank_step_deg)) continue;
-      faults.push_back(
-          {keep.crank_step_mark,
-           step + "is no multiple of solver.crank_step = " + shown(march) + " degree of base \"" + base.name + "\"",
-           "take a multiple that divides 720"});
+      const double integration = base.input.solver.crank_step_deg;
+      if (divides(integration, keep.crank_step_deg)) continue;
+      faults.push_back({keep.crank_step_mark,
+                        step + "is no multiple of solver.crank_step = " + shown(integration) + " degree of base \"" +
+                            base.name + "\"",
+                        "take a multiple that divides 720"});
     }
   }
   return faults;

@@ -13,24 +13,24 @@ namespace ringfilm::study {
 inline constexpr std::size_t kMostCurveNumbers = std::size_t{1} << 15;
 
 /// In the order in which the study names them; empty where no curves are kept.
-std::vector<const cycle::CurveQuantity*> kept_quantities(const Keep& keep);
+std::vector<const cycle::CurveQuantity*> kept_quantities(const OutputSelection& keep);
 
 /// The common axis, from -360 to below 360 [degree]; empty where no curves are kept.
-std::vector<double> kept_angles(const Keep& keep);
+std::vector<double> kept_angles(const OutputSelection& keep);
 
-/// Makes a case give its samples at the angles that are kept, and nothing that is not. The march is the same whatever
-/// is asked for, and so are the values of the cycle.
-void ask_for_kept(const Keep& keep, cycle::Case& c);
+/// Makes a case give its samples at the angles that are kept, and nothing that is not. The integration is the same
+/// whatever is asked for, and so are the values of the cycle.
+void ask_for_kept(const OutputSelection& keep, cycle::Case& c);
 
 /// Quantity by quantity over the axis [SI]; `samples` are those of a case that was asked for them. Not finite where a
 /// sample is not.
-std::vector<float> kept_numbers(const Keep& keep, const std::vector<cycle::Sample>& samples);
+std::vector<float> kept_numbers(const OutputSelection& keep, const std::vector<cycle::Sample>& samples);
 
 /// The same of a scenario that was not solved: all NaN.
-std::vector<float> no_kept_numbers(const Keep& keep);
+std::vector<float> no_kept_numbers(const OutputSelection& keep);
 
 /// What is wrong with what is to be kept: no quantity, unknown ones, a step that does not divide the cycle or that
-/// parts the steps of a base's march, more than kMostCurveNumbers.
+/// parts the steps of a base's integration, more than kMostCurveNumbers.
 std::vector<Fault> faults_of_keep(const Study& study);
 
 }  // namespace ringfilm::study

@@ -5,27 +5,27 @@
 #include <numeric>
 #include <tuple>
 
-#include "ringfilm/cycle/march/kinematics.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
 
 namespace ringfilm::study {
 namespace {
 
-/// Cases of one kind march side by side.
+/// Cases of one kind, integrated side by side.
 using Kind = std::tuple<bool, cycle::Method, cycle::Cavitation, cycle::Properties, unsigned>;
 
 Kind kind_of(const cycle::Case& c) {
-  // A block of lanes (cycle/march/side_by_side.cpp) has room for a power of two in cells, too.
+  // A block of lanes (cycle/integration/side_by_side.cpp) has room for a power of two in cells, too.
   return {c.is_unrolled(), c.solver.method, c.film.cavitation, c.solver.properties,
           std::bit_ceil(static_cast<unsigned>(c.solver.cells))};
 }
 
-/// Nodes that its march visits, to a factor.
+/// Nodes that its integration visits, to a factor.
 double work(const cycle::Case& c) {
   const double around = c.is_unrolled() ? c.solver.cells_y : 1;
   return around * c.solver.cells * cycle::steps_per_cycle(c.solver);
 }
 
-/// Cases that march side by side on one thread.
+/// Cases that integrate side by side on one thread.
 struct Pack {
   std::vector<std::size_t> members;
   double time = 0;  ///< that of the longest, and of each what is done lane by lane

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/film/film_solver.hpp"
+#include "ringfilm/film/solver/film_solver.hpp"
+#include "ringfilm/study/verification/manufactured_film2d.hpp"
 #include "ringfilm/study/verification/manufactured_laws.hpp"
-#include "ringfilm/study/verification/manufactured_sheet.hpp"
 
 namespace ringfilm::study {
 namespace {
@@ -109,8 +109,8 @@ const std::vector<std::string>& manufactured_films() {
 }
 
 double manufactured_error(const std::string& film, int n_cells, int n_steps) {
-  if (film == "steady in two dimensions") return manufactured_sheet_error(n_cells, 0);
-  if (film == "transient in two dimensions") return manufactured_sheet_error(n_cells, n_steps);
+  if (film == "steady in two dimensions") return manufactured_film2d_error(n_cells, 0);
+  if (film == "transient in two dimensions") return manufactured_film2d_error(n_cells, n_steps);
   if (film == "steady") {
     const Film steady(n_cells, 0.0);
     const film::FilmState exact = steady.prescribed(0);

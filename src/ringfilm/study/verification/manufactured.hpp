@@ -10,7 +10,8 @@ namespace ringfilm::study {
 /// two dimensions" as well, with as many cells in y as in x.
 const std::vector<std::string>& manufactured_films();
 
-/// Largest error of pressure at the nodes (at the end of the march), relative to the peak of the prescribed one [-].
+/// Largest error of pressure at the nodes (at the end of the integration), relative to the peak of the prescribed one
+/// [-].
 /// @param n_steps of backward Euler through a quarter of a period; without meaning for those that are steady
 double manufactured_error(const std::string& film, int n_cells, int n_steps);
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "ringfilm/film/film_solver.hpp"
+#include "ringfilm/film/solver/film_solver.hpp"
 
 /// The oil and the scales of the manufactured films, written out without the program's own laws.
 namespace ringfilm::study::manufactured {

@@ -40,7 +40,7 @@ struct OrderCheck : Check {
   Probe probe;
   double exact = 0;  ///< [SI]
   Refinement refinement = Refinement::kCells;
-  std::vector<double> levels;  ///< numbers of cells, or time steps [s] (steps of the march, if manufactured)
+  std::vector<double> levels;  ///< numbers of cells, or time steps [s] (steps of the integration, if manufactured)
   std::optional<int> cells;    ///< held while time is refined; nothing: as in the run, and a must if manufactured
   double order = 0;            ///< expected slope of the error [-]
   double tolerance = 0;        ///< of the order [-]

@@ -112,7 +112,7 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
 
 }  // namespace
 
-std::string InventedShape::words() const {
+std::string FitArtifact::words() const {
   char text[200];
   const char* what = reason == InventionReason::kDeparts ? "the polynomial lies %.3g um off the trace"
                      : reason == InventionReason::kTurnNotInTrace

@@ -66,7 +66,7 @@ enum class InventionReason {
 };
 
 /// A stretch where the polynomial has a shape that the trace has not.
-struct InventedShape {
+struct FitArtifact {
   double from_m = 0;         ///< x where it begins [m]
   double to_m = 0;           ///< x where it ends [m]
   InventionReason reason{};  ///< what gives it away
@@ -95,7 +95,7 @@ struct FaceFit {
   double polynomial_end_m[2] = {0, 0};  ///< polynomial at x = 0 and b, above its minimum [m]
   double spline_end_m[2] = {0, 0};      ///< spline at x = 0 and b, above its minimum [m]
   double noise_m = 0;                   ///< rms of what neither polynomial nor spline follows [m]
-  std::vector<InventedShape> invented;  ///< from x = 0 on; empty: the polynomial has nothing that the trace has not
+  std::vector<FitArtifact> invented;    ///< from x = 0 on; empty: the polynomial has nothing that the trace has not
   double pore_share = 0;                ///< of the points, left out as pores [-]
   int averaged = 1;                     ///< neighbouring points of the trace that were averaged into one
 };

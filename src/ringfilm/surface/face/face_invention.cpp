@@ -40,10 +40,10 @@ Departure::Departure(const Trace& gap, const FacePolynomial& polynomial, double 
 
 double Departure::error_m(double x) const { return noise_m_ * std::sqrt(memory_) * spline_.error_share(x); }
 
-void Departure::append_departures(std::vector<InventedShape>& all) const {
+void Departure::append_departures(std::vector<FitArtifact>& all) const {
   const auto& x = spline_.x_m();
   const auto& apart = spline_.height_m();
-  InventedShape* open = nullptr;
+  FitArtifact* open = nullptr;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double size = std::abs(apart[i]);
     if (size <= std::max(kSmallest, kSure * std::hypot(error_m(x[i]), polynomial_m_))) {
@@ -59,7 +59,7 @@ void Departure::append_departures(std::vector<InventedShape>& all) const {
   }
 }
 
-void Departure::append_turns(std::vector<InventedShape>& all) const {
+void Departure::append_turns(std::vector<FitArtifact>& all) const {
   const double width = polynomial_.width_m();
   std::vector<double> turns = polynomial_.turning_points_m();
   turns.insert(turns.begin(), 0.0);
@@ -83,12 +83,12 @@ void Departure::append_turns(std::vector<InventedShape>& all) const {
   }
 }
 
-std::vector<InventedShape> Departure::invented() const {
-  std::vector<InventedShape> all;
+std::vector<FitArtifact> Departure::invented() const {
+  std::vector<FitArtifact> all;
   append_departures(all);
   append_turns(all);
   std::stable_sort(all.begin(), all.end(),
-                   [](const InventedShape& a, const InventedShape& b) { return a.from_m < b.from_m; });
+                   [](const FitArtifact& a, const FitArtifact& b) { return a.from_m < b.from_m; });
   return all;
 }
 

@@ -11,14 +11,14 @@ class Departure {
  public:
   Departure(const Trace& gap, const FacePolynomial& polynomial, double cutoff_m);
 
-  double noise_m() const { return noise_m_; }   ///< rms of what neither follows [m]
-  std::vector<InventedShape> invented() const;  ///< from x = 0 on
+  double noise_m() const { return noise_m_; }  ///< rms of what neither follows [m]
+  std::vector<FitArtifact> invented() const;   ///< from x = 0 on
 
  private:
   double error_m(double x) const;  ///< standard error of the smoothed difference [m]
   double traced_m(double x) const { return polynomial_.height_m(x) + spline_.height_m(x); }
-  void append_departures(std::vector<InventedShape>& all) const;
-  void append_turns(std::vector<InventedShape>& all) const;
+  void append_departures(std::vector<FitArtifact>& all) const;
+  void append_turns(std::vector<FitArtifact>& all) const;
 
   const FacePolynomial& polynomial_;
   SmoothingSpline spline_;

@@ -332,7 +332,7 @@ TEST(CaseFile, WrapsAnglesIntoTheCycleAndTakesBareOnesInListsAsDegrees) {
   const cycle::Case c = CaseFolder(text).read();
   EXPECT_THAT(c.output.crank_angles_deg, ::testing::ElementsAre(0, 20, 700));
   EXPECT_THAT(c.output.field_angles_deg, ::testing::ElementsAre(630));
-  EXPECT_EQ(c.output.fields, cycle::FieldsWanted::kListed);
+  EXPECT_EQ(c.output.fields, cycle::FieldOutput::kListed);
 }
 
 }  // namespace

@@ -157,10 +157,10 @@ TEST(ContactFragment, HoldsForTheWidthThatWasFittedOnly) {
 
 TEST(ContactFragment, TellsWhereThePolynomialInventsShape) {
   surface::FaceFit fit = surface::fit_face(face_trace(), face_rule());
-  EXPECT_THAT(face_polynomial_fragment(fit, face_rule(), "a.csv", {}), Not(HasSubstr("invented_shape")));
+  EXPECT_THAT(face_polynomial_fragment(fit, face_rule(), "a.csv", {}), Not(HasSubstr("fit_artifact")));
   fit.invented.push_back({1.14e-3, 1.2e-3, surface::InventionReason::kFallsTowardsTheEdge, 0.3e-6});
   EXPECT_THAT(face_polynomial_fragment(fit, face_rule(), "a.csv", {}),
-              HasSubstr("invented_shape = \"x = 1.14 to 1.2 mm: the gap falls by 0.3 um towards the edge"));
+              HasSubstr("fit_artifact = \"x = 1.14 to 1.2 mm: the gap falls by 0.3 um towards the edge"));
 }
 
 TEST(ContactFragment, AKeyInFragmentAndCaseNamesBothPlaces) {

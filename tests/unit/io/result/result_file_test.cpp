@@ -61,7 +61,7 @@ void expect_same(const cycle::CycleResult& a, const cycle::CycleResult& b) {
     EXPECT_EQ(a.notes[i].message, b.notes[i].message);
     EXPECT_EQ(a.notes[i].count, b.notes[i].count);
   }
-  EXPECT_EQ(a.effort.cycles_marched, b.effort.cycles_marched);
+  EXPECT_EQ(a.effort.cycles_integrated, b.effort.cycles_integrated);
   EXPECT_EQ(a.effort.periodicity_error, b.effort.periodicity_error);
   EXPECT_EQ(a.effort.crank_steps, b.effort.crank_steps);
   EXPECT_EQ(a.effort.newton_iterations, b.effort.newton_iterations);

@@ -61,7 +61,7 @@ TEST(UnrolledResultFile, AFilmAcrossTheFaceHasNothingOfIt) {
   EXPECT_TRUE(read_result(folder / "a.nc").result.unrolled.is_absent());
 }
 
-TEST(UnrolledResultFile, AStoppedMarchWithoutSamplesComesBackAsSuch) {
+TEST(UnrolledResultFile, AStoppedIntegrationWithoutSamplesComesBackAsSuch) {
   const ScratchFolder folder;
   ResultDocument document = unrolled_document(KeptFields::kNone, 0);
   document.result.samples.clear();

@@ -229,10 +229,10 @@ TEST(ShardFile, BecomesLongerWithTheBytesOfTheLongOne) {
   }
   const std::string before = bytes_of_shard(path);
   EXPECT_THROW(ShardWriter(path, alone(1016)), InputError);
-  EXPECT_THROW(ShardWriter(path, alone(12), Longer::kAllowed), InputError);
+  EXPECT_THROW(ShardWriter(path, alone(12), Extension::kAllowed), InputError);
   EXPECT_EQ(bytes_of_shard(path), before);
   {
-    ShardWriter writer(path, alone(1016), Longer::kAllowed);
+    ShardWriter writer(path, alone(1016), Extension::kAllowed);
     EXPECT_EQ(writer.next(), 13u);
     EXPECT_EQ(writer.n_unsolved(), 1u);
     EXPECT_THROW(ShardWriter(path, alone(1016)), InputError) << "somebody else may write to it";
@@ -258,10 +258,10 @@ TEST(ShardFile, IsReplacedOnceNobodyElseWritesToIt) {
   other.plan = std::string(64, 'f');
   {
     const ShardWriter first(path, header());
-    EXPECT_THROW(ShardWriter(path, other, Longer::kRefused, Rows::kReplaced), InputError);
+    EXPECT_THROW(ShardWriter(path, other, Extension::kRefused, Rows::kReplaced), InputError);
     EXPECT_TRUE(ShardReader(path).is_complete()) << "rows that somebody writes to are not removed";
   }
-  const ShardWriter second(path, other, Longer::kRefused, Rows::kReplaced);
+  const ShardWriter second(path, other, Extension::kRefused, Rows::kReplaced);
   EXPECT_EQ(second.next(), other.first);
   second.rename(folder / "finished");
   EXPECT_EQ(ShardReader(folder / "finished").header().plan, other.plan);

@@ -12,7 +12,7 @@ using namespace testing;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-Study with(Variation variation, std::string key = "operating.speed", How how = How::kSet,
+Study with(Variation variation, std::string key = "operating.speed", FactorMode how = FactorMode::kSet,
            Method method = Method::kSobol) {
   return study_of({factor("x", std::move(variation), how, std::move(key))}, method);
 }
@@ -46,8 +46,8 @@ TEST(PlanFaults, OfKeys) {
   EXPECT_THAT(told(with(uniform(1, 2), "lubricant.file")), HasSubstr("which is no number"));
   EXPECT_THAT(told(with(uniform(1, 2), "output.crank_angles")), HasSubstr("which is no number"));
   EXPECT_THAT(told(with(uniform(1, 2), "solver.cells")), HasSubstr("draws solver.cells, which is a whole number"));
-  EXPECT_THAT(told(with(uniform(1, 2), "ring.face.coefficients", How::kAdd)), HasSubstr("it can be scaled"));
-  EXPECT_THAT(told(with(uniform(0.9, 1.1), "ring.face.coefficients", How::kScale)), IsEmpty());
+  EXPECT_THAT(told(with(uniform(1, 2), "ring.face.coefficients", FactorMode::kAdd)), HasSubstr("it can be scaled"));
+  EXPECT_THAT(told(with(uniform(0.9, 1.1), "ring.face.coefficients", FactorMode::kScale)), IsEmpty());
   EXPECT_THAT(told(with(uniform(1e-9, 2e-9), "lubricant.dh_a")), IsEmpty());
   Study unused = with(uniform(1e-9, 2e-9), "lubricant.dh_a");
   unused.bases[0].input.lubricant.compressibility = cycle::Compressibility::kNone;
@@ -89,7 +89,7 @@ TEST(PlanFaults, OfValues) {
   EXPECT_THAT(told(with(Levels{{100, std::numeric_limits<double>::quiet_NaN()}})), HasSubstr("not finite"));
   EXPECT_THAT(told(with(Span{200, 100, 3, Spacing::kLinear})), HasSubstr("the first must be below the second"));
   EXPECT_THAT(told(with(Span{100, 200, 1, Spacing::kLinear})), HasSubstr("a range of 1 points"));
-  EXPECT_THAT(told(with(Span{-1, 200, 5, Spacing::kLogarithmic}, "gas.crankcase_pressure", How::kAdd)),
+  EXPECT_THAT(told(with(Span{-1, 200, 5, Spacing::kLogarithmic}, "gas.crankcase_pressure", FactorMode::kAdd)),
               HasSubstr("both ends must be above 0"));
   EXPECT_THAT(told(with(Listed{})), HasSubstr("only a list of scenarios brings its own"));
   EXPECT_THAT(told(with(Choices{{{"mass-conserving", {}}, {"perfect", {}}}}, "film.cavitation")),
@@ -101,12 +101,12 @@ TEST(PlanFaults, OfValues) {
 }
 
 TEST(PlanFaults, OfNamesAndOfKeysThatAreSetTwice) {
-  Study study = study_of({factor("x", uniform(100, 200), How::kSet, "operating.speed"),
-                          factor("x", uniform(0.9, 1.1), How::kScale, "contact.roughness")});
+  Study study = study_of({factor("x", uniform(100, 200), FactorMode::kSet, "operating.speed"),
+                          factor("x", uniform(0.9, 1.1), FactorMode::kScale, "contact.roughness")});
   EXPECT_THAT(told(study), HasSubstr("factor \"x\" stands twice"));
-  study.factors[1] = factor("y", uniform(100, 200), How::kSet, "operating.speed");
+  study.factors[1] = factor("y", uniform(100, 200), FactorMode::kSet, "operating.speed");
   EXPECT_THAT(told(study), HasSubstr("factor \"y\" sets operating.speed, as factor \"x\" does"));
-  study.factors[1].how = How::kScale;
+  study.factors[1].how = FactorMode::kScale;
   EXPECT_THAT(told(study), IsEmpty());
   study.bases.clear();
   study.factors.clear();
@@ -168,13 +168,22 @@ TEST(PlanFaults, OfPlans) {
               HasSubstr("scenario 2 of the list has 2 values"));
   EXPECT_THAT(of([](Study& s) {
                 s.sampling.method = Method::kLatinHypercube;
-                s.sampling.until = Until{"fmep", {}, 1, 10000};
+                s.sampling.until = StoppingRule{"fmep", {}, 1, 10000};
               }),
               HasSubstr("this plan cannot go on"));
-  EXPECT_THAT(of([](Study& s) { s.sampling.until = Until{"fmeep", {}, 1, 10000}; }), HasSubstr("no value fmeep"));
-  EXPECT_THAT(of([](Study& s) { s.sampling.until = Until{"fmep", 1.5, 1, 10000}; }), HasSubstr("the quantile is 1.5"));
-  EXPECT_THAT(of([](Study& s) { s.sampling.until = Until{"fmep", {}, 0, 10000}; }), HasSubstr("the width is 0"));
-  EXPECT_THAT(of([](Study& s) { s.sampling.until = Until{"fmep", {}, 1, 3}; }), HasSubstr("below plan.scenarios"));
+  EXPECT_THAT(of([](Study& s) {
+                s.sampling.until = StoppingRule{"fmeep", {}, 1, 10000};
+              }),
+              HasSubstr("no value fmeep"));
+  EXPECT_THAT(of([](Study& s) {
+                s.sampling.until = StoppingRule{"fmep", 1.5, 1, 10000};
+              }),
+              HasSubstr("the quantile is 1.5"));
+  EXPECT_THAT(of([](Study& s) { s.sampling.until = StoppingRule{"fmep", {}, 0, 10000}; }), HasSubstr("the width is 0"));
+  EXPECT_THAT(of([](Study& s) {
+                s.sampling.until = StoppingRule{"fmep", {}, 1, 3};
+              }),
+              HasSubstr("below plan.scenarios"));
   EXPECT_THAT(of([](Study& s) {
                 const Choices files{{{"a", {}}, {"b", {}}}};
                 s.factors = {factor("lubricant.file", files), factor("lubricant.table", files)};
@@ -184,13 +193,13 @@ TEST(PlanFaults, OfPlans) {
   EXPECT_THAT(of([](Study& s) { s.kind = StudyKind::kScreening; }), HasSubstr("without trajectories"));
   Study vast = study_of({}, Method::kGrid);
   for (const std::string& key : some_keys())
-    vast.factors.push_back(factor(key, Span{1, 2, 1000, Spacing::kLinear}, How::kScale));
+    vast.factors.push_back(factor(key, Span{1, 2, 1000, Spacing::kLinear}, FactorMode::kScale));
   EXPECT_THAT(told(vast), HasSubstr("the grid has 1e+18 points"));
 }
 
 TEST(PlanFaults, AllAreToldAtOnceWithTheirPlaces) {
-  Study study = study_of({factor("a", normal(100, -1), How::kSet, "operating.speed"),
-                          factor("b", uniform(1, 2), How::kSet, "no.such_key")});
+  Study study = study_of({factor("a", normal(100, -1), FactorMode::kSet, "operating.speed"),
+                          factor("b", uniform(1, 2), FactorMode::kSet, "no.such_key")});
   study.factors[0].mark = {"study.toml", 7, 1, "deviation = -1"};
   try {
     const Plan plan(study);

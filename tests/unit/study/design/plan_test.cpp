@@ -216,7 +216,7 @@ TEST(Plan, CorrelatedFactorsChangeMatrixTogether) {
 TEST(Plan, GoesOnNoFurtherThanAllowed) {
   Study study = sampled(Method::kSobol, 16);
   study.bases.push_back({"run-in", coarse_case()});
-  study.sampling.until = Until{"fmep", 0.95, 100, 64};
+  study.sampling.until = StoppingRule{"fmep", 0.95, 100, 64};
   const Plan plan(study);
   EXPECT_EQ(plan.size(), 32u);
   EXPECT_EQ(plan.most(), 128u);
@@ -238,7 +238,7 @@ TEST(Plan, DigestTextTellsEverythingThatMovesANumber) {
   expect_other("indices", [](Study& s) { s.sampling.indices = Indices::kFirstAndTotal; });
   expect_other("base", [](Study& s) { s.bases[0].input.engine.bore *= 1.01; });
   expect_other("name of base", [](Study& s) { s.bases[0].name = "old"; });
-  expect_other("how", [](Study& s) { s.factors[1].how = How::kAdd; });
+  expect_other("how", [](Study& s) { s.factors[1].how = FactorMode::kAdd; });
   expect_other("gain", [](Study& s) { s.factors[1].targets[0].gain = 1.5; });
   expect_other("key", [](Study& s) { s.factors[1].targets[0].key = "contact.asperity_radius"; });
   expect_other("bases of factor", [](Study& s) { s.factors[1].targets[0].base = 0; });

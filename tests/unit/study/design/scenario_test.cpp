@@ -23,8 +23,8 @@ Outcome outcome(const Study& study, const std::vector<std::optional<double>>& va
 
 TEST(Scenario, NumbersAreSetScaledAndAdded) {
   const Study study =
-      study_of({factor("operating.speed", Levels{{100}}), factor("contact.roughness", Levels{{1}}, How::kScale),
-                factor("operating.oil_temperature", Levels{{1}}, How::kAdd)});
+      study_of({factor("operating.speed", Levels{{100}}), factor("contact.roughness", Levels{{1}}, FactorMode::kScale),
+                factor("operating.oil_temperature", Levels{{1}}, FactorMode::kAdd)});
   const cycle::Case& base = study.bases[0].input;
   const auto made = outcome(study, {200, 1.5, -10}).c;
   ASSERT_TRUE(made);
@@ -37,7 +37,7 @@ TEST(Scenario, NumbersAreSetScaledAndAdded) {
 }
 
 TEST(Scenario, OneNumberMovesSeveralKeysEachByItsGain) {
-  Study study = study_of({factor("calibration", normal(0, 1), How::kAdd)});
+  Study study = study_of({factor("calibration", normal(0, 1), FactorMode::kAdd)});
   study.bases.push_back({"run-in", coarse_case()});
   study.bases.push_back({"embedded", coarse_case()});
   const std::string key = "contact.boundary_shear_strength_coefficient";
@@ -51,9 +51,9 @@ TEST(Scenario, OneNumberMovesSeveralKeysEachByItsGain) {
 }
 
 TEST(Scenario, ListsAreScaledAsAWhole) {
-  const Study study = study_of({factor("lubricant.kinematic_viscosity", Levels{{1}}, How::kScale),
-                                factor("lubricant.density", Levels{{1}}, How::kScale),
-                                factor("ring.face.coefficients", Levels{{1}}, How::kScale)});
+  const Study study = study_of({factor("lubricant.kinematic_viscosity", Levels{{1}}, FactorMode::kScale),
+                                factor("lubricant.density", Levels{{1}}, FactorMode::kScale),
+                                factor("ring.face.coefficients", Levels{{1}}, FactorMode::kScale)});
   const cycle::Case& base = study.bases[0].input;
   const auto made = outcome(study, {1.1, 0.9, 2}).c;
   ASSERT_TRUE(made);
@@ -77,7 +77,7 @@ TEST(Scenario, ANumberTakesThePlaceOfAListWhereTheKeyAllowsBoth) {
 }
 
 TEST(Scenario, ChoicesComeFirstWhateverTheirPlace) {
-  Study study = study_of({factor("lubricant.kinematic_viscosity", Levels{{1}}, How::kScale),
+  Study study = study_of({factor("lubricant.kinematic_viscosity", Levels{{1}}, FactorMode::kScale),
                           factor("lubricant.file", Choices{{{"thin.toml", {}}}}),
                           factor("film.cavitation", Choices{{{"mass-conserving", {}}, {"reynolds-exit", {}}}})});
   study.readings.push_back({{1}, [](cycle::Case& c, std::size_t, const auto&) {
@@ -93,9 +93,9 @@ TEST(Scenario, ChoicesComeFirstWhateverTheirPlace) {
 }
 
 TEST(Scenario, WhatIsSetIsThenScaledAndAddedTo) {
-  const Study study = study_of({factor("offset", Levels{{1}}, How::kAdd, "operating.speed"),
-                                factor("error", Levels{{1}}, How::kScale, "operating.speed"),
-                                factor("speed", Levels{{1}}, How::kSet, "operating.speed")});
+  const Study study = study_of({factor("offset", Levels{{1}}, FactorMode::kAdd, "operating.speed"),
+                                factor("error", Levels{{1}}, FactorMode::kScale, "operating.speed"),
+                                factor("speed", Levels{{1}}, FactorMode::kSet, "operating.speed")});
   EXPECT_DOUBLE_EQ(outcome(study, {7, 1.1, 100}).c->operating.speed, 117);
 }
 
@@ -106,9 +106,9 @@ TEST(Scenario, WholeNumbersStayWhole) {
 }
 
 TEST(Scenario, ARefusalNamesFactorKeyAndRange) {
-  Study study = study_of({factor("speed", normal(1, 1), How::kSet, "operating.speed"),
-                          factor("modulus", normal(1, 1), How::kScale, "contact.composite_modulus"),
-                          factor("rough", normal(1, 1), How::kAdd, "contact.roughness")});
+  Study study = study_of({factor("speed", normal(1, 1), FactorMode::kSet, "operating.speed"),
+                          factor("modulus", normal(1, 1), FactorMode::kScale, "contact.composite_modulus"),
+                          factor("rough", normal(1, 1), FactorMode::kAdd, "contact.roughness")});
   study.bases[0].input.contact.composite_modulus.reset();
   const std::string refusal = outcome(study, {-3, 1.1, -1}).refusal;
   EXPECT_NE(refusal.find("factor \"speed\": operating.speed = -3 rad/s is out of range"), std::string::npos) << refusal;
@@ -127,7 +127,7 @@ TEST(Scenario, RulesThatJoinKeysHoldForEachScenario) {
 }
 
 TEST(Scenario, ATraceIsNotReplacedByANumber) {
-  Study study = study_of({factor("gas.crankcase_pressure", Levels{{1e5}}, How::kScale)});
+  Study study = study_of({factor("gas.crankcase_pressure", Levels{{1e5}}, FactorMode::kScale)});
   study.bases[0].input.gas.crankcase_pressure_file = "crankcase.csv";
   EXPECT_NE(outcome(study, {1.1}).refusal.find("is read from a file"), std::string::npos);
 }
@@ -142,13 +142,13 @@ TEST(Scenario, APlanOfWhichNothingCanRunIsRefusedBeforehand) {
     EXPECT_NE(std::string(error.what()).find("no scenario of base \"new\" can be run, of 16 tried"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("the tension of the ring is stated twice"), std::string::npos);
   }
-  const Plan absent(study_of({factor("ring.tangential_force", uniform(0.9, 1.1), How::kScale)}));
+  const Plan absent(study_of({factor("ring.tangential_force", uniform(0.9, 1.1), FactorMode::kScale)}));
   EXPECT_THROW(check_scenarios(absent), InputError);
   // Some speeds below zero are rows with a reason.
   EXPECT_NO_THROW(check_scenarios(Plan(study_of({factor("operating.speed", normal(100, 90))}))));
   // The only good one is the last.
   EXPECT_NO_THROW(check_scenarios(
-      Plan(study_of({factor("operating.speed", Levels{{-900, -800, -700, 100}}, How::kAdd)}, Method::kGrid))));
+      Plan(study_of({factor("operating.speed", Levels{{-900, -800, -700, 100}}, FactorMode::kAdd)}, Method::kGrid))));
 }
 
 TEST(Scenario, EveryKeySaysHowItTakesANumber) {

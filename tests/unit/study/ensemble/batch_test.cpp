@@ -17,7 +17,7 @@ namespace {
 
 using cycle::Case;
 
-/// Cases of several kinds, the march of one of which stops, while another cannot be prepared.
+/// Cases of several kinds, the integration of one of which stops, while another cannot be prepared.
 constexpr std::size_t kStops = 4, kRefused = 7;
 
 Case outside_its_table(Case c) {
@@ -198,7 +198,7 @@ TEST(Batch, NobodyIsCalledAgainAfterAnException) {
   }
 }
 
-TEST(Batch, APulseThatThrowsEndsItInTheMidstOfAMarch) {
+TEST(Batch, APulseThatThrowsEndsItInTheMidstOfAnIntegration) {
   std::vector<Case> cases(3, testing::coarse_case());
   std::size_t n_given = 0;
   std::atomic<int> pulses = 0;

@@ -43,7 +43,7 @@ TEST(ErrorEstimate, EffortHasNoneAndInputsHaveTheErrorZero) {
   EXPECT_GE(errors.values.min_film_thickness_angle, 0.5 * c.solver.crank_step_deg);
 }
 
-TEST(ErrorEstimate, MarchesTheCaseOnGridsTwiceAndHalfAsFine) {
+TEST(ErrorEstimate, IntegratesTheCaseOnGridsTwiceAndHalfAsFine) {
   cycle::Case c = coarse_case();
   c.solver.cells = 41;
   c.solver.crank_step_control = cycle::StepControl::kAdaptive;
@@ -146,7 +146,7 @@ TEST(ErrorEstimate, NeedsAnEndingOnEachOtherGrid) {
   EXPECT_THROW(study::error_estimate(c, cycle::CycleResult(), std::span(ended).first(3)), std::logic_error);
 }
 
-TEST(ErrorEstimate, TellsWhichMarchStoppedAndWhetherAnythingIsLeft) {
+TEST(ErrorEstimate, TellsWhichIntegrationStoppedAndWhetherAnythingIsLeft) {
   ErrorEstimate errors = study::no_estimate(1);
   errors.runs = {{100, 1, 1e-3, true, ""},
                  {200, 1, 1e-3, false, "no balance at 12 degree"},

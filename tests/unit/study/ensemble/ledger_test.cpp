@@ -122,7 +122,7 @@ TEST(Ledger, AVariantThatCannotBeSolvedIsKeptWithItsReason) {
 TEST(Ledger, OutputThatTheCaseAsksForDoesNotMoveAVariant) {
   Case c = coarse_case();
   c.solver.cells = 20;
-  c.output.fields = cycle::FieldsWanted::kAll;
+  c.output.fields = cycle::FieldOutput::kAll;
   c.output.crank_angles_deg = {10};
   Case plain = coarse_case();
   plain.solver.cells = 20;

@@ -40,7 +40,7 @@ TEST(Threads, AnExceptionIsRethrownWhenAllHaveEnded) {
 TEST(Threads, WorkIsLookedAfterFromTheThreadOfTheCaller) {
   const std::thread::id here = std::this_thread::get_id();
   std::atomic<int> looked = 0;
-  look_after(
+  run_while_polling(
       [&] {
         EXPECT_NE(std::this_thread::get_id(), here);
         while (looked < 2) std::this_thread::yield();
@@ -63,12 +63,12 @@ TEST(Threads, WhatLookingAfterWorkFindsOutIsRethrownWhenTheWorkHasEnded) {
     is_to_end = true;
     throw std::runtime_error("of the look");
   };
-  EXPECT_THROW(look_after(work, look), std::runtime_error);
+  EXPECT_THROW(run_while_polling(work, look), std::runtime_error);
   EXPECT_TRUE(has_ended);
 }
 
 TEST(Threads, WhatWorkThrowsThatIsLookedAfterIsRethrown) {
-  EXPECT_THROW(look_after([] { throw std::runtime_error("from the work"); }, [] {}), std::runtime_error);
+  EXPECT_THROW(run_while_polling([] { throw std::runtime_error("from the work"); }, [] {}), std::runtime_error);
 }
 
 TEST(Threads, AsManyAsWantedAndAtLeastOne) {

@@ -15,15 +15,15 @@ using testing::factor;
 using testing::study_of;
 using testing::told;
 
-Keep all_curves(double crank_step_deg) {
-  Keep keep;
+OutputSelection all_curves(double crank_step_deg) {
+  OutputSelection keep;
   keep.curves = Curves::kAll;
   keep.crank_step_deg = crank_step_deg;
   return keep;
 }
 
-Study small_study(const Keep& keep) {
-  Study study = study_of({factor("operating.speed", Levels{{1.0, 1.5, -1.0}}, How::kScale)}, Method::kGrid);
+Study small_study(const OutputSelection& keep) {
+  Study study = study_of({factor("operating.speed", Levels{{1.0, 1.5, -1.0}}, FactorMode::kScale)}, Method::kGrid);
   study.keep = keep;
   return study;
 }
@@ -46,11 +46,11 @@ TEST(KeptCurves, AxisRunsFromGasExchangeToGasExchangeWithFiringInTheMiddle) {
   EXPECT_EQ(angles.back(), 356);
   // Of an odd number of angles none is -360.
   EXPECT_EQ(kept_angles(all_curves(144)), (std::vector<double>{-288, -144, 0, 144, 288}));
-  EXPECT_TRUE(kept_angles(Keep{}).empty());
+  EXPECT_TRUE(kept_angles(OutputSelection{}).empty());
 }
 
 TEST(KeptCurves, NumbersAreThoseOfTheSampleAtTheAngle) {
-  Keep keep = all_curves(144);
+  OutputSelection keep = all_curves(144);
   keep.quantities = {"power_loss", "min_film_thickness"};
   std::vector<cycle::Sample> samples;
   for (int k = 0; k < 5; ++k) {
@@ -84,7 +84,7 @@ TEST(KeptCurves, LeaveTheValuesOfTheCycleAsTheyAre) {
 }
 
 TEST(KeptCurves, MinimumOfTheCurveIsThatOfTheCycle) {
-  Keep keep = all_curves(4);  // every step of the march
+  OutputSelection keep = all_curves(4);  // every step of the integration
   keep.quantities = {"min_film_thickness"};
   const ScenarioRow row = rows_of(small_study(keep)).front();
   const auto& quantities = cycle::cycle_quantities();
@@ -100,7 +100,7 @@ TEST(KeptCurves, WhatCannotBeKeptIsRefused) {
   EXPECT_NE(told(small_study(all_curves(7))).find("does not divide the cycle"), std::string::npos);
   EXPECT_NE(told(small_study(all_curves(0))).find("does not divide the cycle"), std::string::npos);
   EXPECT_NE(told(small_study(all_curves(2))).find("no multiple of solver.crank_step = 4 degree"), std::string::npos);
-  Keep keep = all_curves(4);
+  OutputSelection keep = all_curves(4);
   keep.quantities = {"min_film_thickness", "crank_angle", "min_film_thickness"};
   EXPECT_NE(told(small_study(keep)).find("no curve crank_angle"), std::string::npos);
   EXPECT_NE(told(small_study(keep)).find("min_film_thickness twice"), std::string::npos);

@@ -92,7 +92,7 @@ TEST(Shares, LikeAreThoseWithTheSameNextPowerOfTwo) {
   }
 }
 
-TEST(Shares, TheLongestMarchKeepsAThreadToItself) {
+TEST(Shares, TheLongestIntegrationKeepsAThreadToItself) {
   std::vector<cycle::Case> cases(4, of_cells(100));
   cases.push_back(of_cells(1600));
   const Shares two = shares(cases, 2, 8);

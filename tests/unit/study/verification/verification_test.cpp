@@ -104,13 +104,13 @@ TEST(Verification, BoundHoldsOnEveryGridOrFails) {
 }
 
 TEST(Verification, TimeBeyondHalfAStepOfAnyInstantHasNoNumber) {
-  Measurement march;
-  march.instants = {0, 1, 2};
-  march.values["load"] = {5, 6, 7};
-  EXPECT_EQ(value(march, {"load", 1.4}), 6);
-  EXPECT_EQ(value(march, {"load", 2.4}), 7);
-  EXPECT_TRUE(std::isnan(value(march, {"load", 2.6})));
-  EXPECT_TRUE(std::isnan(value(march, {"load", -0.6})));
+  Measurement integration;
+  integration.instants = {0, 1, 2};
+  integration.values["load"] = {5, 6, 7};
+  EXPECT_EQ(value(integration, {"load", 1.4}), 6);
+  EXPECT_EQ(value(integration, {"load", 2.4}), 7);
+  EXPECT_TRUE(std::isnan(value(integration, {"load", 2.6})));
+  EXPECT_TRUE(std::isnan(value(integration, {"load", -0.6})));
 }
 
 TEST(Manufactured, ErrorInTimeHalvesWithTheStep) {

@@ -49,7 +49,7 @@ export function withShortPaths(oneCase, text) {
 }
 
 /**
- * The last crank angle of a march that stopped in its first cycle: that before the gap in the samples.
+ * The last crank angle of an integration that stopped in its first cycle: that before the gap in the samples.
  * Null where samples stand all around the cycle or too unevenly to tell.
  */
 export function stoppedAt(angles) {
@@ -73,7 +73,7 @@ export class Model {
     this.several = payload.cases.length > 1;
     this.cases = payload.cases.map((c, index) => ({
       ...c, index, series: this.several ? index : kOnlyCase, name: names[index],
-      // Sums and extremes of a march that stopped early stand for no cycle: better none than wrong ones.
+      // Sums and extremes of an integration that stopped early stand for no cycle: better none than wrong ones.
       values: c.complete ? { ...c.values, ...c.unrolled_values } : {},
     }));
     this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;

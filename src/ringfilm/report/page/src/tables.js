@@ -51,7 +51,7 @@ function gridSentence(model) {
   const estimated = model.cases.filter((c) => c.errors?.has_values);
   if (estimated.length === 0) return model.cases.some((c) => c.errors) ? ' The values have no error estimate; a note gives the reason.' : '';
   const grids = estimated[0].errors.runs.map((run) => `${run.cells} cells at ${number(run.crank_step, 3)}°`);
-  return ` After ±: how far cells and crank steps may have moved the value, from marches on other grids (${grids.join(', ')}); it says nothing of models and inputs.`;
+  return ` After ±: how far cells and crank steps may have moved the value, from integrations on other grids (${grids.join(', ')}); it says nothing of models and inputs.`;
 }
 
 export function cycleValuesSection(model) {
@@ -61,7 +61,7 @@ export function cycleValuesSection(model) {
     ...model.cases.map((c) => { const { value, unit } = model.value(c, q.name); return figure(withError(value, model.error(c, q.name), unit)); }),
   ]);
   if (model.cases.every((c) => !c.complete)) {
-    return section('cycle-values', 'Values of the whole cycle', element('p', {}, 'None: the march stopped before the cycle repeated itself.'));
+    return section('cycle-values', 'Values of the whole cycle', element('p', {}, 'None: the integration stopped before the cycle repeated itself.'));
   }
   return section('cycle-values', 'Values of the whole cycle',
     element('p', {}, 'Loads, friction and flow are those of the whole circumference. Angles count from firing TDC, negative before it.', gridSentence(model)),
@@ -155,7 +155,7 @@ export function inputsSection(model) {
 }
 
 const kEffort = [
-  ['cycles_marched', 'cycles marched until periodic'],
+  ['cycles_integrated', 'cycles integrated until periodic'],
   ['periodicity_error', 'change of the state from one cycle to the next, relative'],
   ['crank_steps', 'crank steps'],
   ['sub_steps', 'of these, from subdivided steps'],

@@ -93,7 +93,7 @@ export function forEachCase(model, sentence) {
 
 /** The same for the values of a whole cycle. */
 export function ofEachCycle(model, sentence) {
-  return forEachCase(model, (c) => (c.complete ? sentence(c) : 'none, the march stopped early'));
+  return forEachCase(model, (c) => (c.complete ? sentence(c) : 'none, the integration stopped early'));
 }
 
 export function valueWithUnit(model, c, name, digits = 3) {

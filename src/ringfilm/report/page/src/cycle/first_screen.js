@@ -45,10 +45,10 @@ function warnings(model) {
   return list;
 }
 
-/** Where the march of a case stopped, in words. */
+/** Where the integration of a case stopped, in words. */
 function stop(c) {
-  const at = c.effort.cycles_marched >= 1 ? null : stoppedAt(c.curves.crank_angle);
-  const after = c.effort.cycles_marched > 0 ? ` after ${number(c.effort.cycles_marched, 3)} cycles` : '';
+  const at = c.effort.cycles_integrated >= 1 ? null : stoppedAt(c.curves.crank_angle);
+  const after = c.effort.cycles_integrated > 0 ? ` after ${number(c.effort.cycles_integrated, 3)} cycles` : '';
   if (c.curves.crank_angle.length === 0) return 'before the first crank angle was solved';
   return at === null ? after.trim() || 'at an angle that the stored samples do not contain' : `in its first cycle, last solved ${angleInWords(at).replace(/^(?=\d)/, 'at ')}${after && `,${after}`}`;
 }
@@ -59,7 +59,7 @@ function stopped(model) {
   if (broken.length === 0) return null;
   return element('div', { class: 'warning stopped', role: 'alert' },
     element('p', {}, element('strong', {}, 'INCOMPLETE: '), model.several
-      ? `${broken.length} of ${model.cases.length} cases did not come to a cycle that repeats itself.` : 'the march did not come to a cycle that repeats itself.'),
+      ? `${broken.length} of ${model.cases.length} cases did not come to a cycle that repeats itself.` : 'the integration did not come to a cycle that repeats itself.'),
     broken.map((c) => element('p', {}, `${model.several ? `${c.name}: s` : 'S'}topped ${stop(c)}.`)),
     element('p', {}, 'No values of a whole cycle exist: no power, no FMEP, no thinnest film, no shares. The curves show what was solved until then.'));
 }

@@ -1,8 +1,0 @@
-#pragma once
-
-namespace ringfilm::cycle {
-
-/// Nodes of a film in two dimensions at the most: its solver needs about a kilobyte for each.
-inline constexpr double kMostSheetNodes = 2e6;
-
-}  // namespace ringfilm::cycle

@@ -1,0 +1,104 @@
+#include "ringfilm/cycle/integration/cycle_film.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ringfilm/film/solver/first_guess.hpp"
+#include "ringfilm/film/solver/load_balance.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// Cells before grading: fewer than usual may be why no film was found.
+constexpr int kFewestGraded = 200;
+
+film::FilmProblem film_across(const Setup& setup) {
+  const auto& input = setup.input;
+  film::FilmProblem problem;
+  problem.grid = face_grid(setup);
+  problem.oil = setup.oil.get();
+  problem.contact = &setup.contact;
+  problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving
+                                                                            : film::Cavitation::kReynoldsExit;
+  problem.contact_spread = input.contact.film_parameter == FilmParameter::kLocal ? film::ContactSpread::kLocal
+                                                                                 : film::ContactSpread::kNominal;
+  problem.tolerance = input.solver.tolerance;
+  problem.kernels = setup.kernels;
+  return problem;
+}
+
+std::optional<film::Film2dProblem> film_on_ring(const Setup& setup, const film::FilmProblem& across) {
+  if (!setup.input.is_unrolled()) return std::nullopt;
+  film::Film2dProblem problem;
+  problem.strip = across;
+  problem.around = strips_of(setup.input);
+  problem.gap = film::gap_of_strips(across.grid, problem.around);
+  return problem;
+}
+
+film::Method film_method(Method method) {
+  switch (method) {
+    case Method::kPointRelaxation:
+      return film::Method::kPointRelaxation;
+    case Method::kNestedSecant:
+      return film::Method::kNestedSecant;
+    case Method::kCoupledNewton:
+      break;
+  }
+  return film::Method::kCoupledNewton;
+}
+
+}  // namespace
+
+film::FilmGrid face_grid(const Setup& setup) {
+  const Solver& solver = setup.input.solver;
+  const Ring& ring = setup.input.ring;
+  const models::RingFace face = ring.face.orientation == Orientation::kX0Crankcase ? setup.face.turned() : setup.face;
+  const double lowest = face.minimum().height;  // so that h_m is the true minimum film
+  const auto height = [&](double x) { return face.height(x) - lowest; };
+  if (setup.cells == CellsOfFace::kUniform) return film::uniform_grid(solver.cells, ring.face_width, height);
+  const bool turns = ring.face.orientation == Orientation::kLeadingEdge;
+  return film::graded_grid(std::max(solver.cells, kFewestGraded), ring.face_width, height, film::kAtom,
+                           turns ? film::Turning::kPossible : film::Turning::kNever);
+}
+
+film::CircumferentialGrid strips_of(const Case& c) {
+  const double length = c.ring_length();
+  return c.ring.end_gap ? film::refined_around(c.solver.cells_y, length, c.end_cell())
+                        : film::uniform_around(c.solver.cells_y, length, film::Ends::kJoined);
+}
+
+film::Film2dInputs film2d_inputs(const film::FilmInputs& inputs) {
+  const double p_end = 0.5 * (inputs.left.pressure + inputs.right.pressure);
+  return {inputs, p_end, p_end, {}};
+}
+
+CycleFilm::Workspace CycleFilm::workspace_of(const Setup& setup, const CycleFilm& film) {
+  if (film.film2d_) return film::Film2dWorkspace(*film.film2d_);
+  return film::workspace_of(film_method(setup.input.solver.method), film.across_);
+}
+
+CycleFilm::CycleFilm(const Setup& setup)
+    : across_(film_across(setup)), film2d_(film_on_ring(setup, across_)), workspace_(workspace_of(setup, *this)) {}
+
+film::FilmReport CycleFilm::solve(const film::FilmInputs& inputs, const film::FilmState& previous,
+                                  film::FilmState& state) {
+  if (!film2d_) return film::solve_film(across_, inputs, previous, state, std::get<film::MethodWorkspace>(workspace_));
+  return film::solve_film2d(*film2d_, film2d_inputs(inputs), previous, state,
+                            std::get<film::Film2dWorkspace>(workspace_));
+}
+
+film::FilmReport CycleFilm::solve_steady(const film::FilmInputs& inputs, film::FilmState& before,
+                                         film::FilmState& state) {
+  state = film::first_guess(across(), inputs);
+  if (film2d_) {
+    film::FilmWorkspace workspace(across());
+    film::FilmState strip = state;
+    if (film::solve_film(across(), inputs, state, strip, workspace).converged) state = std::move(strip);
+    state = film::of_strips(*film2d_, state);
+  }
+  before = state;
+  return solve(inputs, before, state);
+}
+
+}  // namespace ringfilm::cycle

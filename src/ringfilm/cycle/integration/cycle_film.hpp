@@ -1,0 +1,53 @@
+#pragma once
+#include <optional>
+#include <variant>
+
+#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/film/solver/method.hpp"
+#include "ringfilm/film/solver2d/film2d_solver.hpp"
+
+namespace ringfilm::cycle {
+
+/// Cells across the face, heights above its lowest point.
+film::FilmGrid face_grid(const Setup& setup);
+
+/// The film of an integration: across the face alone, or on the unrolled ring (film.dimension).
+class CycleFilm {
+ public:
+  explicit CycleFilm(const Setup& setup);
+  CycleFilm(const CycleFilm&) = delete;  // its workspace may refer to its problem
+
+  /// Across the face: that of each strip of an unrolled film.
+  const film::FilmProblem& across() const { return across_; }
+  /// nullptr: the film is that across the face.
+  const film::Film2dProblem* film2d() const { return film2d_ ? &*film2d_ : nullptr; }
+
+  /// A steady film from nothing. @param before what it was solved from; only its `content` enters
+  film::FilmReport solve_steady(const film::FilmInputs& inputs, film::FilmState& before, film::FilmState& state);
+
+  /// By the method of the case; parameters as of film::solve_film.
+  film::FilmReport solve(const film::FilmInputs& inputs, const film::FilmState& previous, film::FilmState& state);
+
+  /// How much of the ring stands behind the content of node `i` of a state, to a factor common to all.
+  double weight(std::size_t i) const { return film2d_ ? film2d_->around.share[i / film2d_->n_across()] : 1; }
+
+ private:
+  using Workspace = std::variant<film::MethodWorkspace, film::Film2dWorkspace>;
+  static Workspace workspace_of(const Setup& setup, const CycleFilm& film);
+
+  film::FilmProblem across_;
+  std::optional<film::Film2dProblem> film2d_;  ///< of an unrolled film
+  Workspace workspace_;
+};
+
+/// What acts on the unrolled ring: at both ends of its gap stands the mean of the pressures at the edges
+/// (eq-film-2d-ends).
+film::Film2dInputs film2d_inputs(const film::FilmInputs& inputs);
+
+/// How finely the unrolled ring of a case is cut.
+film::CircumferentialGrid strips_of(const Case& c);
+
+/// Longer than asked for by as much, the cells at the ends of the ring are reported.
+inline constexpr double kEndCellMissed = 1.1;
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,175 @@
+#include "ringfilm/cycle/integration/oil.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/models/oil/oil_fit.hpp"
+#include "ringfilm/models/oil/oil_of_functions.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+constexpr double kZeroCelsius = 273.15;
+
+std::string celsius(double temperature) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f degC", temperature - kZeroCelsius);
+  return text;
+}
+
+std::vector<double> temperatures(const std::vector<TemperatureValue>& points) {
+  std::vector<double> out;
+  for (const auto& point : points) out.push_back(point.temperature);
+  return out;
+}
+
+std::vector<double> values(const std::vector<TemperatureValue>& points) {
+  std::vector<double> out;
+  for (const auto& point : points) out.push_back(point.value);
+  return out;
+}
+
+models::OilLaws oil_laws(const Lubricant& oil, double temperature) {
+  if (!oil.constant_density && oil.density.empty()) {
+    throw InputError("lubricant.density has no value", "state one, or values at temperatures");
+  }
+  models::OilLaws laws;
+  laws.viscosity_temperature = temperatures(oil.kinematic_viscosity);
+  laws.kinematic_viscosity = values(oil.kinematic_viscosity);
+  laws.density = {temperatures(oil.density), values(oil.density),
+                  oil.density_temperature == DensityTemperature::kTable
+                      ? models::DensityTemperatureLaw::kTable
+                      : models::DensityTemperatureLaw::kThermalExpansivity,
+                  oil.thermal_expansivity, oil.reference_temperature};
+  if (oil.constant_density) laws.density = {{temperature}, {*oil.constant_density}};
+  laws.viscosity_temperature_law = oil.viscosity_temperature == ViscosityTemperature::kWalther
+                                       ? models::ViscosityTemperatureLaw::kWalther
+                                       : models::ViscosityTemperatureLaw::kHoupert;
+  laws.viscosity_pressure_law = oil.viscosity_pressure;
+  laws.parameters = oil.law_parameters;
+  laws.beta_0 = oil.temperature_viscosity_coefficient;
+  laws.theta_0 = oil.reference_temperature;
+  if (oil.compressibility == Compressibility::kDowsonHigginson)
+    laws.compression = models::DowsonHigginson{oil.dh_a, oil.dh_b};
+  return laws;
+}
+
+std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaws& laws, double temperature) {
+  std::vector<Note> notes;
+  if (oil.density_temperature == DensityTemperature::kTable && laws.density.extrapolates(temperature)) {
+    const auto [low, high] = std::minmax_element(laws.density.temperature.begin(), laws.density.temperature.end());
+    notes.push_back({"density-extrapolated",
+                     "oil density is asked for at " + celsius(temperature) + ", outside its measured points (" +
+                         celsius(*low) + " to " + celsius(*high) + "): the straight line through them is continued",
+                     1});
+  }
+  const auto& measured = laws.viscosity_temperature;
+  const auto [low, high] = std::minmax_element(measured.begin(), measured.end());
+  if (temperature < *low || temperature > *high) {
+    notes.push_back({"viscosity-extrapolated",
+                     "oil viscosity is asked for at " + celsius(temperature) + ", outside its measured points (" +
+                         celsius(*low) + " to " + celsius(*high) + "): the temperature law is continued",
+                     1});
+  }
+  return notes;
+}
+
+/// Two points of the line (ASTM D341) of an oil [m2/s].
+struct GradeLine {
+  const char* name;
+  double at_40, at_100;
+};
+/// The thickest and the thinnest grade of SAE J300: the bounds at 100 degC are those of the standard, the values at
+/// 40 degC those of oils with a viscosity index of about 100.
+constexpr GradeLine kThickest{"SAE 60", 350e-6, 26.1e-6}, kThinnest{"SAE 8", 16e-6, 4e-6};
+/// Oils of other use, from gear and cylinder oils to fuels, stay within this factor of the grades.
+constexpr double kOtherOils = 5;
+
+double viscosity_of_grade(const GradeLine& grade, double temperature, double density) {
+  models::OilLaws laws;
+  laws.viscosity_temperature = {kZeroCelsius + 40, kZeroCelsius + 100};
+  laws.kinematic_viscosity = {grade.at_40, grade.at_100};
+  laws.density = {{temperature}, {density}};
+  return models::oil_state(laws, temperature).eta_T;
+}
+
+/// Up to where the polynomials should serve [Pa].
+double range_of_fits(double largest_mean_pressure) {
+  constexpr double kLeastRange = 20e6;  // [Pa]
+  return std::max(4 * largest_mean_pressure, kLeastRange);
+}
+
+}  // namespace
+
+PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
+  if (lubricant.table_file) {
+    const OilTable& t = *lubricant.table;
+    auto oil = models::tabulated_oil({t.temperature, t.pressure, t.viscosity, t.density}, temperature);
+    return {oil, oil->viscosity(base::kAtmosphere), oil->density(base::kAtmosphere), {}};
+  }
+  const models::OilLaws laws = oil_laws(lubricant, temperature);
+  const models::OilState at = models::oil_state(laws, temperature);
+  return {models::closed_form_oil(laws, temperature), at.eta_T, at.rho_T,
+          extrapolation_notes(lubricant, laws, temperature)};
+}
+
+void append_viscosity_notes(const PreparedOil& oil, double temperature, std::vector<Note>& notes) {
+  const double highest = kOtherOils * viscosity_of_grade(kThickest, temperature, oil.density);
+  const double lowest = viscosity_of_grade(kThinnest, temperature, oil.density) / kOtherOils;
+  if (oil.viscosity >= lowest && oil.viscosity <= highest) return;
+  const bool high = oil.viscosity > highest;
+  char text[256];
+  std::snprintf(text, sizeof text, "the oil has %.4g mPa s at %s, %s %.3g mPa s, %s %s at this temperature: %s",
+                oil.viscosity * 1e3, celsius(temperature).c_str(), high ? "above" : "below",
+                (high ? highest : lowest) * 1e3, high ? "5 times that of" : "a fifth of that of",
+                high ? kThickest.name : kThinnest.name, "is the unit of its viscosity right?");
+  notes.push_back({high ? "viscosity-high" : "viscosity-low", text, 1});
+}
+
+PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAtTemperature> law,
+                    double largest_mean_pressure) {
+  if (!law) throw InputError("an own oil has no law", "give one, for example models::oil_of_functions");
+  models::check_oil(*law, 0, range_of_fits(largest_mean_pressure));
+  const double viscosity = law->viscosity(base::kAtmosphere), density = law->density(base::kAtmosphere);
+  const std::string called = name.empty() ? "an oil without a name" : "\"" + name + "\"";
+  return {std::move(law),
+          viscosity,
+          density,
+          {{"own-oil",
+            "density and viscosity follow a law of the caller's own, " + called +
+                ": the keys under lubricant in the case were not used, and the case alone does not give this result",
+            1}}};
+}
+
+void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
+  const double high = range_of_fits(largest_mean_pressure);
+  for (const double range : {high, high / 2}) {
+    oil.oil = models::fitted_oil(oil.oil, 0, range);
+    if (oil.oil->fit()) return;
+  }
+  char wanted[32];
+  std::snprintf(wanted, sizeof wanted, "%.0e", models::kFitError);
+  oil.notes.push_back(
+      {"properties-exact",
+       "no polynomials follow the oil's laws within a relative " + std::string(wanted) +
+           ", as solver.properties = \"fitted\" requires: the laws themselves are used, which takes longer",
+       1});
+}
+
+std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant) {
+  models::DowsonHigginson compression{0, 0};
+  if (lubricant.compressibility == Compressibility::kDowsonHigginson) {
+    compression = {lubricant.dh_a, lubricant.dh_b};
+  }
+  compression.reference_pressure = 0;
+  const double eta = lubricant.viscosity;
+  return models::closed_form_oil(models::viscosity_law(lubricant.viscosity_pressure),
+                                 {eta, eta, lubricant.law_parameters}, lubricant.constant_density.value(), compression);
+}
+
+}  // namespace ringfilm::cycle

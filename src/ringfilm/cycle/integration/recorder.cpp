@@ -1,0 +1,165 @@
+#include "ringfilm/cycle/integration/recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "ringfilm/cycle/cycle_values.hpp"
+#include "ringfilm/cycle/integration/sampling.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/cycle/validity.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// Angles closer than this are the same [degree].
+constexpr double kSameAngle = 1e-9;
+
+std::vector<double> wanted_angles(const Output& output) {
+  if (!output.crank_angles_deg.empty()) return output.crank_angles_deg;
+  std::vector<double> angles;
+  const int n = static_cast<int>(std::lround(kCycleDeg / output.crank_angle_step_deg));
+  for (int i = 0; i < n; ++i) angles.push_back(kCycleDeg * i / n);
+  return angles;
+}
+
+bool is_multiple(double angle, double step) { return std::abs(std::remainder(angle, step)) < kSameAngle; }
+
+}  // namespace
+
+Recorder::Recorder(const Setup& setup)
+    : setup_(setup),
+      step_deg_(setup.input.solver.crank_step_deg),
+      base_(steps_per_cycle(setup.input.solver)),
+      is_passed_(base_.size(), false),
+      wanted_deg_(wanted_angles(setup.input.output)) {
+  if (setup.input.is_unrolled()) unrolled_.emplace(setup);
+  if (setup.input.output.fields == FieldOutput::kAll) field_deg_ = wanted_deg_;
+  if (setup.input.output.fields == FieldOutput::kListed) field_deg_ = setup.input.output.field_angles_deg;
+  for (const auto& angles : {wanted_deg_, field_deg_}) {
+    for (const double angle : angles) {
+      if (!is_multiple(angle, step_deg_)) between_[angle] = std::nullopt;
+    }
+  }
+}
+
+bool Recorder::wants_fields(double crank_angle_deg) const {
+  const auto next = std::lower_bound(field_deg_.begin(), field_deg_.end(), crank_angle_deg - kSameAngle);
+  return next != field_deg_.end() && *next < crank_angle_deg + kSameAngle;
+}
+
+void Recorder::keep(const TimeIntegration& integration, const Instant& instant, Sample& slot) {
+  film::Film2dIntegrals of_film2d;
+  film::FilmIntegrals& integrals = of_film2d.mean;
+  if (unrolled_) {
+    of_film2d =
+        film::film2d_integrals(*integration.film2d(), film2d_inputs(instant.inputs), *instant.previous, *instant.state);
+  } else {
+    integrals = film::film_integrals(integration.problem(), instant.inputs, *instant.previous, *instant.state);
+  }
+  slot = sample(setup_, integration, instant, integrals);
+  if (unrolled_) unrolled_->keep(integration, instant, of_film2d, slot);
+  max_load_residual_ = std::max(max_load_residual_, slot.load_residual);
+  largest_flow_ = std::max(largest_flow_, std::abs(integrals.flow_middle));
+  if (integration.problem().cavitation == film::Cavitation::kMassConserving) {
+    largest_mass_defect_ = std::max(largest_mass_defect_, std::abs(integrals.mass_defect));
+  }
+  const double beyond = integrals.asperity_load_beyond_polynomial;
+  if (setup_.input.contact.integrals == ContactIntegrals::kPolynomialAsPrinted && beyond > 0) {
+    ++polynomial_steps_;
+    polynomial_share_ = std::max(polynomial_share_, beyond / integrals.asperity_load);
+  }
+  if (wants_fields(instant.crank_angle_deg)) {
+    FaceFields fields;
+    append_fields(setup_, integration, instant, fields);
+    if (unrolled_) unrolled_->keep_fields(integration, instant, of_film2d);
+    fields_[instant.crank_angle_deg] = std::move(fields);
+  }
+}
+
+void Recorder::before_step(TimeIntegration& integration, double from_deg, double to_deg) {
+  const double turn = kCycleDeg * std::floor(from_deg / kCycleDeg);
+  const double end = to_deg - turn - kSameAngle;
+  for (auto it = between_.upper_bound(from_deg - turn + kSameAngle); it != between_.end() && it->first < end; ++it) {
+    film::FilmState state;
+    Instant instant = integration.side_step(turn + it->first, state);
+    instant.crank_angle_deg = it->first;
+    keep(integration, instant, it->second.emplace());
+  }
+}
+
+void Recorder::after_step(const TimeIntegration& integration) {
+  Instant instant = integration.instant();
+  if (integration.at_base_angle()) {
+    const auto k = static_cast<std::size_t>(std::lround(instant.crank_angle_deg / step_deg_)) % base_.size();
+    instant.crank_angle_deg = static_cast<double>(k) * step_deg_;
+    keep(integration, instant, base_[k]);
+    is_passed_[k] = true;
+    return;
+  }
+  const auto asked = between_.lower_bound(instant.crank_angle_deg - kSameAngle);
+  if (asked == between_.end() || asked->first > instant.crank_angle_deg + kSameAngle) return;
+  instant.crank_angle_deg = asked->first;
+  keep(integration, instant, asked->second.emplace());
+}
+
+CycleResult Recorder::result(const TimeIntegration& integration, double periodicity_error, int steps_integrated,
+                             Completeness completeness) const {
+  CycleResult result;
+  result.complete = completeness == Completeness::kComplete;
+  result.samples.reserve(wanted_deg_.size());
+  for (const double angle : wanted_deg_) {
+    const auto between = between_.find(angle);
+    const auto k = static_cast<std::size_t>(std::lround(angle / step_deg_)) % base_.size();
+    const bool is_between = between != between_.end();
+    if (is_between ? between->second.has_value() : is_passed_[k]) {
+      result.samples.push_back(is_between ? *between->second : base_[k]);
+    } else if (result.complete) {
+      throw std::logic_error("an angle asked for was never passed");
+    }
+  }
+  result.fields = empty_fields(setup_, integration);
+  for (const auto& [angle, f] : fields_) {
+    const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    result.fields.crank_angle_deg.push_back(angle);
+    append(result.fields.film_thickness, f.film_thickness);
+    append(result.fields.film_pressure, f.film_pressure);
+    append(result.fields.fill, f.fill);
+    append(result.fields.film_parameter, f.film_parameter);
+    append(result.fields.asperity_pressure, f.asperity_pressure);
+  }
+  std::vector<Sample> passed;  // only of an integration that stopped: else all of them
+  if (!result.complete) {
+    for (std::size_t k = 0; k < base_.size(); ++k) {
+      if (is_passed_[k]) passed.push_back(base_[k]);
+    }
+  }
+  const std::vector<Sample>& base = result.complete ? base_ : passed;
+  result.values = result.complete ? cycle_values(setup_, base) : no_cycle_values();
+  if (result.complete) result.stroke = stroke_profile(setup_, base);
+  if (unrolled_) unrolled_->add_to(result, integration, base);
+  result.derived = derived_values(setup_, integration.problem().grid);
+
+  const TimeIntegration::Totals& totals = integration.totals();
+  result.effort = {static_cast<double>(steps_integrated) / static_cast<double>(base_.size()),
+                   periodicity_error,
+                   totals.crank_steps,
+                   totals.newton_iterations,
+                   totals.sub_steps,
+                   totals.fallback_secant,
+                   totals.fallback_sub_step,
+                   max_load_residual_,
+                   totals.max_newton_step,
+                   largest_flow_ > 0 ? largest_mass_defect_ / largest_flow_ : 0.0,
+                   totals.relaxation_sweeps};
+  result.notes = setup_.notes;
+  append_validity_notes(setup_, integration.problem().grid, base, result.complete ? result.values.fmep : 0.0,
+                        {polynomial_steps_, polynomial_share_}, result.notes);
+  append_effort_notes(result.effort, totals, result.notes);
+  sort_notes(result.notes);
+  return result;
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,117 @@
+#include "ringfilm/cycle/integration/sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ringfilm/film/cavitation.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// Quantities that turn with the film's axis, brought to x from the chamber edge.
+struct FromChamber {
+  double shear_couette, shear_poiseuille;
+  double flow_chamber, flow_middle, flow_crankcase;
+  double cavity_begin, cavity_end;
+};
+
+FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) {
+  constexpr double kFull = std::numeric_limits<double>::quiet_NaN();  // documented: no cavity
+  const double begin = f.cavities.empty() ? kFull : f.cavities.front().begin;
+  const double end = f.cavities.empty() ? kFull : f.cavities.back().end;
+  if (axis == Axis::kFromChamber) {
+    return {f.shear_couette, f.shear_poiseuille, f.flow_left, f.flow_middle, f.flow_right, begin, end};
+  }
+  return {-f.shear_couette, -f.shear_poiseuille, -f.flow_right, -f.flow_middle,
+          -f.flow_left,     width - end,         width - begin};
+}
+
+}  // namespace
+
+double boundary_friction(const Contact& contact, double load, double area) {
+  return contact.eyring_shear_stress * area + contact.boundary_shear_strength_coefficient * load;
+}
+
+Sample sample(const Setup& setup, const TimeIntegration& integration, const Instant& instant,
+              const film::FilmIntegrals& integrals) {
+  const double length = setup.input.ring_length();
+  const double angle = instant.crank_angle_deg;
+  const film::FilmInputs& in = instant.inputs;
+  const FromChamber f = from_chamber(integrals, instant.axis, integration.problem().grid.width);
+  const Motion sense = motion(angle);
+  const double sign = sense == Motion::kTowardsTdc ? 1 : -1;
+  const double mean_pressure = in.mean_pressure(integration.problem().grid);
+
+  Sample s;
+  s.crank_angle_deg = angle;
+  s.piston_position = setup.crank.position(radians(angle));
+  const bool from_chamber_edge = instant.axis == Axis::kFromChamber;
+  s.piston_velocity = from_chamber_edge ? in.U : -in.U;
+  s.sliding_distance = sliding_distance(setup.crank, angle, s.piston_position);
+  s.gas_pressure = from_chamber_edge ? in.left.pressure : in.right.pressure;
+  s.crankcase_pressure = from_chamber_edge ? in.right.pressure : in.left.pressure;
+  s.applied_load = in.load * length;
+  s.hydrodynamic_load = integrals.hydrodynamic_load * length;
+  s.asperity_load = integrals.asperity_load * length;
+  s.min_film_thickness = instant.state->h_m;
+  s.film_parameter = instant.state->h_m / setup.sigma;
+  s.asperity_contact_area = integrals.asperity_area * length;
+  s.boundary_friction =
+      boundary_friction(setup.input.contact, integrals.asperity_load, integrals.asperity_area) * length;
+  s.viscous_friction_liner = (f.shear_couette + f.shear_poiseuille) * length;
+  s.viscous_friction_ring = (f.shear_couette - f.shear_poiseuille) * length;
+  s.viscous_friction = std::abs(s.viscous_friction_liner);
+  s.total_friction = s.boundary_friction + s.viscous_friction;
+  s.friction_on_liner = sign * s.boundary_friction + s.viscous_friction_liner;
+  s.friction_coefficient = s.total_friction / s.applied_load;
+  const double speed = std::abs(s.piston_velocity);
+  s.power_loss = s.total_friction * speed;
+  s.wear_drive = s.asperity_load * speed;
+  s.oil_flow_middle = f.flow_middle * length;
+  s.oil_flow_chamber_edge = f.flow_chamber * length;
+  s.oil_flow_crankcase_edge = f.flow_crankcase * length;
+  s.stribeck_number = setup.oil_viscosity * speed / (mean_pressure * setup.sigma);
+  s.peak_film_pressure = integrals.peak_pressure;
+  s.cavitated_fraction = integrals.cavitated_fraction;
+  s.rupture_position = sense == Motion::kTowardsTdc ? f.cavity_begin : f.cavity_end;
+  s.reformation_position = sense == Motion::kTowardsTdc ? f.cavity_end : f.cavity_begin;
+  s.newton_iterations = instant.effort.newton_iterations;
+  s.crank_sub_steps = instant.effort.steps;
+  s.fallbacks = instant.effort.fallbacks;
+  s.load_residual = std::abs(integrals.hydrodynamic_load + integrals.asperity_load - in.load) / in.load;
+  return s;
+}
+
+FaceFields empty_fields(const Setup& setup, const TimeIntegration& integration) {
+  const film::FilmGrid& grid = integration.problem().grid;
+  FaceFields fields;
+  fields.x = grid.x;
+  fields.face_height = grid.node_height;
+  if (setup.input.ring.face.height_zero == HeightZero::kAsGiven) {
+    for (double& height : fields.face_height) height += setup.face.minimum().height;
+  }
+  return fields;
+}
+
+void append_fields(const Setup& setup, const TimeIntegration& integration, const Instant& instant, FaceFields& fields) {
+  const film::FilmProblem& problem = integration.problem();
+  const film::FilmState& state = *instant.state;
+  const int n = problem.grid.n_cells();
+  const int strip = integration.film2d() == nullptr ? 0 : integration.film2d()->around.halfway();
+  fields.crank_angle_deg.push_back(instant.crank_angle_deg);
+  for (int k = 0; k <= n; ++k) {
+    const int i = instant.axis == Axis::kFromChamber ? k : n - k;
+    const double h = state.h_m + problem.grid.node_height[i];
+    const bool local = problem.contact_spread == film::ContactSpread::kLocal;
+    fields.film_thickness.push_back(h);
+    const std::size_t at = static_cast<std::size_t>(strip) * (n + 1) + i;
+    fields.film_pressure.push_back(state.p[at]);
+    fields.fill.push_back(film::fill(problem.cavitation, state.deficit[at]));
+    fields.film_parameter.push_back(h / setup.sigma);
+    fields.asperity_pressure.push_back(setup.contact.contact(local ? h : state.h_m).pressure);
+  }
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,168 @@
+#include "ringfilm/cycle/integration/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <utility>
+
+#include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/case/contact_plausibility.hpp"
+#include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/integration/cycle_film.hpp"
+#include "ringfilm/cycle/integration/oil.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// Rq/Ra of a Gaussian surface, sqrt(pi/2).
+const double kRqOverRa = std::sqrt(std::numbers::pi / 2);
+
+models::CyclePressure absolute_trace(const Case& c, SampledTrace trace) {
+  const double turn = c.gas.angle_zero == AngleZero::kGasExchangeTdc ? 360.0 : 0.0;
+  const double rise = c.gas.pressure_reference == PressureReference::kGauge ? base::kAtmosphere : 0.0;
+  for (double& angle : trace.crank_angle_deg) angle += turn;
+  for (double& p : trace.value) p += rise;
+  if (models::covers_cycle(trace.crank_angle_deg)) return {std::move(trace.crank_angle_deg), std::move(trace.value)};
+  if (!c.gas.intake_pressure || !c.gas.exhaust_pressure) {
+    throw InputError("the pressure trace covers only a part of the cycle",
+                     "state gas.intake_pressure and gas.exhaust_pressure; the rest is then joined smoothly");
+  }
+  return models::join_partial_trace(trace.crank_angle_deg, trace.value, *c.gas.intake_pressure,
+                                    *c.gas.exhaust_pressure);
+}
+
+models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c.engine.connecting_rod_length}; }
+
+models::CyclePressure cylinder_pressure(const Case& c) {
+  if (c.gas.model == GasModel::kTrace) return absolute_trace(c, *c.gas.cylinder_pressure);
+  const Gas& g = c.gas;
+  return models::wiebe_pressure({crank_slider(c), g.compression_ratio, g.peak_pressure, g.peak_angle_deg,
+                                 g.burn_duration_deg, g.intake_pressure.value_or(Gas::kWiebeIntakePressure),
+                                 g.exhaust_pressure.value_or(Gas::kWiebeExhaustPressure), g.exhaust_valve_opening_deg,
+                                 g.exhaust_valve_closing_deg, g.intake_valve_opening_deg, g.intake_valve_closing_deg});
+}
+
+models::RingFace ring_face(const Case& c) {
+  const RingFace& f = c.ring.face;
+  switch (f.form) {
+    case FaceForm::kPolynomial:
+      return models::RingFace::polynomial(f.coefficients, f.length_unit, f.height_unit, c.ring.face_width);
+    case FaceForm::kParabola:
+      return models::RingFace::parabola(f.crown_height, f.apex, c.ring.face_width);
+    case FaceForm::kPoints:
+      return models::RingFace::points(f.x, f.height, c.ring.face_width);
+  }
+  throw std::logic_error("face form without a model");
+}
+
+/// On the face [Pa].
+double largest_mean_pressure(const Case& c, const models::CyclePressure& cylinder) {
+  return elastic_pressure(c) + c.gas.pressure_behind_ring * cylinder.peak();
+}
+
+double composite_modulus(const Case& c) {
+  if (c.contact.composite_modulus) return *c.contact.composite_modulus;
+  const Coating& coating = c.ring.coating;
+  const bool of_coating = coating.youngs_modulus && coating.contact_modulus == ContactModulus::kCoating;
+  const double E_1 = of_coating ? *coating.youngs_modulus : c.ring.youngs_modulus;
+  const double nu_1 = of_coating ? coating.poissons_ratio : c.ring.poissons_ratio;
+  return models::composite_modulus(E_1, nu_1, c.liner.youngs_modulus, c.liner.poissons_ratio);
+}
+
+double roughness(const Case& c) {
+  return c.contact.roughness * (c.contact.roughness_measure == RoughnessMeasure::kRaToRq ? kRqOverRa : 1.0);
+}
+
+models::GreenwoodTripp asperity_contact(const Case& c) {
+  using Form = models::ContactIntegralForm;
+  const Form form = c.contact.integrals == ContactIntegrals::kExact              ? Form::kExact
+                    : c.contact.integrals == ContactIntegrals::kPolynomial4Digit ? Form::kPolynomial4Digit
+                                                                                 : Form::kPolynomialAsPrinted;
+  return models::GreenwoodTripp(
+      {c.contact.asperity_density, c.contact.asperity_radius, roughness(c), composite_modulus(c), form});
+}
+
+void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
+  if (!c.is_unrolled() || !c.ring.end_gap) return;
+  const double reached = strips_of(c).spacing.front();
+  if (reached <= kEndCellMissed * c.end_cell()) return;
+  char text[512];
+  std::snprintf(
+      text, sizeof text,
+      "the cells at the ends of the gap are %.3g um long, not %.3g um: %d around the ring are too few to grow "
+      "from there by %.1f times each; take more solver.cells_y",
+      reached * 1e6, c.end_cell() * 1e6, c.solver.cells_y, film::kSteepestGrowth);
+  notes.push_back({"end-cells-long", text, 1});
+}
+
+/// Bending breaks a ring that is more tense than 1 MPa; on the narrow lands of oil rings, with a spring behind them, it
+/// is up to 2 MPa (docs/manual/robustness.md) [Pa].
+constexpr double kHighestTension = 3e6;
+
+void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
+  if (elastic_pressure <= kHighestTension) return;
+  notes.push_back({"ring-tension-high",
+                   "the tension of the ring makes an elastic pressure of " + number_text(elastic_pressure / 1e6) +
+                       " MPa: " + usual_tension(),
+                   1});
+}
+
+Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
+  append_end_cell_note(c, oil.notes);
+  append_gas_notes(c, cylinder, oil.notes);
+  append_viscosity_notes(oil, c.operating.oil_temperature, oil.notes);
+  append_contact_notes(c, roughness(c), oil.notes);
+  const double p_e = elastic_pressure(c);
+  append_tension_note(p_e, oil.notes);
+  if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, cylinder));
+  sort_notes(oil.notes);
+  models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
+                                                          : models::CyclePressure(c.gas.crankcase_pressure);
+  return {c,
+          crank_slider(c),
+          std::move(cylinder),
+          std::move(crankcase),
+          ring_face(c),
+          p_e,
+          composite_modulus(c),
+          roughness(c),
+          asperity_contact(c),
+          std::move(oil.oil),
+          oil.viscosity,
+          oil.density,
+          std::move(oil.notes)};
+}
+
+}  // namespace
+
+std::string usual_tension() {
+  return "compression rings press with 0.05 to 0.5 MPa, oil rings with up to 2 MPa; check the units of the tension, "
+         "ring.face_width and engine.bore";
+}
+
+double elastic_pressure(const Case& c) {
+  const Ring& r = c.ring;
+  if (r.elastic_pressure) return *r.elastic_pressure;
+  if (r.tangential_force) {
+    return models::elastic_pressure_from_tangential_force(*r.tangential_force, r.face_width, c.engine.bore);
+  }
+  return models::elastic_pressure_from_free_gap(r.free_gap.value(), r.radial_thickness.value(), r.youngs_modulus,
+                                                c.engine.bore);
+}
+
+Setup prepare(const Case& c) {
+  PreparedOil oil = oil_at_temperature(c.lubricant, c.operating.oil_temperature);
+  return with_oil(c, std::move(oil), cylinder_pressure(c));
+}
+
+Setup prepare(const Case& c, const OwnOil& oil) {
+  models::CyclePressure cylinder = cylinder_pressure(c);
+  PreparedOil prepared = own_oil(oil.name, oil.law, largest_mean_pressure(c, cylinder));
+  return with_oil(c, std::move(prepared), std::move(cylinder));
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,193 @@
+#include "ringfilm/cycle/integration/side_by_side.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <deque>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "ringfilm/film/solver/lane_newton.hpp"
+#include "ringfilm/film/solver/reynolds.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+using Owned = std::unique_ptr<BatchMember>;
+
+/// Marches that wait for a lane of their kind, at the most.
+constexpr std::size_t kMostWaiting = 64;
+/// Marches of one kind may share a block, which sweeps as far as the longest film in it.
+struct LaneKind {
+  unsigned cells;  ///< room for so many: a power of two
+  const film::FilmKernels* kernels;
+  film::LaneLaws laws;
+  film::LaneCavity cavity;
+  film::Bounds bounds;
+  friend auto operator<=>(const LaneKind&, const LaneKind&) = default;
+};
+
+LaneKind kind_of(const film::FilmProblem& problem) {
+  return {
+      std::bit_ceil(static_cast<unsigned>(problem.grid.n_cells())), problem.kernels, film::best_laws(problem),
+      problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFill : film::LaneCavity::kMultiplier,
+      problem.bounds};
+}
+
+/// The lanes of one kind.
+class Block {
+ public:
+  explicit Block(const LaneKind& kind)
+      : newton_(*kind.kernels, kind.kernels->width, static_cast<int>(kind.cells)), integrations_(kind.kernels->width) {}
+
+  bool has_room() const { return n_busy_ < newton_.width(); }
+  bool is_empty() const { return n_busy_ == 0; }
+
+  void take(Owned integration) {
+    const auto lane =
+        static_cast<int>(std::find(integrations_.begin(), integrations_.end(), nullptr) - integrations_.begin());
+    integrations_[lane] = std::move(integration);
+    ++n_busy_;
+    newton_.bind(lane, integrations_[lane]->integration().problem());
+    propose(lane, Film::kElsewhere);
+  }
+
+  /// One iteration of all lanes; integrations that are done leave.
+  void iterate(const std::function<void(Owned)>& finished, LaneEffort& effort) {
+    newton_.iterate();
+    ++effort.sweeps;
+    effort.lane_sweeps += n_busy_;
+    effort.node_sweeps += newton_.nodes_swept();
+    for (int lane = 0; lane < newton_.width(); ++lane) {
+      if (integrations_[lane] == nullptr || newton_.phase(lane) == film::LaneNewton::Phase::kRunning) continue;
+      const Found found = find(lane, effort);
+      const long steps = integrations_[lane]->integration().totals().crank_steps;
+      integrations_[lane]->conclude(found.report);
+      if (!integrations_[lane]->done()) {
+        const bool taken = integrations_[lane]->integration().totals().crank_steps > steps;
+        propose(lane, taken ? found.where : Film::kElsewhere);
+        continue;
+      }
+      newton_.clear(lane);
+      --n_busy_;
+      finished(std::exchange(integrations_[lane], nullptr));
+    }
+  }
+
+ private:
+  /// Where the film is from which the next step starts.
+  enum class Film { kInLane, kElsewhere };
+
+  void propose(int lane, Film where) {
+    TimeIntegration& integration = integrations_[lane]->integration();
+    integration.propose();
+    const bool is_in_lane = where == Film::kInLane && !integration.state_was_turned();
+    if (is_in_lane)
+      return newton_.continue_from_last_step(lane, integration.proposed(), integration.state(),
+                                             integration.guessed_h_m());
+    newton_.start(lane, integration.proposed(), integration.state(), integration.state(), integration.guessed_h_m(),
+                  film::Unknowns::kFilmAndSeparation, film::best_laws(integration.problem()));
+  }
+
+  /// The candidate as the lane leaves it, or found one by one where a lane is not enough.
+  struct Found {
+    film::FilmReport report;
+    Film where;
+  };
+  Found find(int lane, LaneEffort& effort) {
+    TimeIntegration& integration = integrations_[lane]->integration();
+    const film::FilmProblem& problem = integration.problem();
+    const film::LaneLaws laws = film::best_laws(problem);
+    film::FilmReport report;
+    report.iterations = newton_.iterations(lane);
+    report.last_step = newton_.last_step(lane);
+    if (newton_.phase(lane) == film::LaneNewton::Phase::kSolved) {
+      const double peak = newton_.peak_pressure(lane);
+      const bool holds = laws == film::LaneLaws::kGiven
+                             ? !film::is_glass(*problem.oil, integration.proposed().p_cavitation, peak)
+                             : peak <= problem.oil->fit()->high;
+      if (holds) {
+        newton_.read(lane, integration.candidate());
+        film::complete_state(problem, laws, integration.candidate());
+        report.converged = true;
+        report.failure = film::Failure::kNone;
+        return {report, Film::kInLane};
+      }
+    }
+    ++effort.single_solves;
+    film::FilmReport alone = integration.solve();
+    alone.iterations += report.iterations;
+    return {alone, Film::kElsewhere};
+  }
+
+  film::LaneNewton newton_;
+  std::vector<Owned> integrations_;
+  int n_busy_ = 0;
+};
+
+}  // namespace
+
+void integrate_alone(BatchMember& integrating, const std::function<void()>& pulse) {
+  while (!integrating.done()) {
+    integrating.integration().propose();
+    integrating.conclude(integrating.integration().solve());
+    if (pulse) pulse();
+  }
+}
+
+LaneEffort integrate_side_by_side(const std::function<Owned()>& next, const std::function<void(Owned)>& finished,
+                                  const std::function<void()>& pulse) {
+  LaneEffort effort;
+  std::map<LaneKind, Block> blocks;
+  std::map<LaneKind, std::deque<Owned>> waiting;
+  std::size_t n_waiting = 0;
+  bool more = true;
+  const auto fetch = [&] {
+    Owned integration = next();
+    more = integration != nullptr;
+    if (!more) return;
+    if (integration->done()) return finished(std::move(integration));
+    const film::FilmProblem& problem = integration->integration().problem();
+    if (!integration->integration().fits_a_lane()) {
+      integrate_alone(*integration, pulse);
+      return finished(std::move(integration));
+    }
+    const LaneKind kind = kind_of(problem);
+    Block& block = blocks.try_emplace(kind, kind).first->second;
+    if (block.has_room() && waiting[kind].empty()) return block.take(std::move(integration));
+    waiting[kind].push_back(std::move(integration));
+    ++n_waiting;
+  };
+  const auto refill = [&](const LaneKind& kind, Block& block) {
+    auto& queue = waiting[kind];
+    while (block.has_room()) {
+      if (!queue.empty()) {
+        block.take(std::move(queue.front()));
+        queue.pop_front();
+        --n_waiting;
+      } else if (more && n_waiting < kMostWaiting) {
+        fetch();
+      } else {
+        return;
+      }
+    }
+  };
+  while (more && blocks.empty()) fetch();
+  while (!blocks.empty()) {
+    for (auto at = blocks.begin(); at != blocks.end();) {
+      refill(at->first, at->second);
+      if (at->second.is_empty()) {
+        at = blocks.erase(at);
+      } else {
+        at->second.iterate(finished, effort);
+        if (pulse) pulse();
+        ++at;
+      }
+    }
+    while (more && blocks.empty()) fetch();
+  }
+  return effort;
+}
+
+}  // namespace ringfilm::cycle

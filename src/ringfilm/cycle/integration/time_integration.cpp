@@ -1,0 +1,257 @@
+#include "ringfilm/cycle/integration/time_integration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/models/oil/viscosity_laws.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+constexpr int kTicks = TimeIntegration::kTicksPerBaseStep;
+constexpr int kFinestLevel = 6;
+static_assert(kTicks == 1 << kFinestLevel);
+/// A step twice as long makes four times the error; it is tried only with something to spare.
+constexpr double kCoarsenBelow = 0.15;
+
+/// What has no answer at a crank angle, with the figures that show it.
+std::string reason(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
+                   const film::FilmReport& report) {
+  const film::FilmGrid& grid = problem.grid;
+  const double gas = 0.5 * (inputs.left.pressure + inputs.right.pressure), pressing = inputs.mean_pressure(grid);
+  const double load = inputs.load / 1e3;
+  const double smallest_cell = *std::min_element(grid.spacing.begin(), grid.spacing.end());
+  char text[320];
+  switch (report.failure) {
+    case film::Failure::kOverloaded:
+      std::snprintf(text, sizeof text,
+                    "neither the film nor the asperities carry the load of %.4g N per mm of circumference, at any "
+                    "separation (computed on %d cells, the shortest %.3g um long; solver.cells = %d)",
+                    load, grid.n_cells(), smallest_cell * 1e6, setup.input.solver.cells);
+      return text;
+    case film::Failure::kLiftedOff:
+      if (gas > pressing) {
+        std::snprintf(
+            text, sizeof text,
+            "the gas lifts the ring off: %.4g and %.4g bar at the edges of its face press it away with %.3g bar "
+            "more than the %.4g bar that press it on",
+            inputs.left.pressure / 1e5, inputs.right.pressure / 1e5, (gas - pressing) / 1e5, pressing / 1e5);
+      } else {
+        std::snprintf(text, sizeof text,
+                      "the film carries more than the load of %.4g N per mm of circumference up to a thickness of "
+                      "%.3g mm: face, speed, oil and load are not those of a ring",
+                      load, film::thickest(problem) * 1e3);
+      }
+      return text;
+    case film::Failure::kRunsAway:
+      std::snprintf(text, sizeof text,
+                    "no film carries the load of %.4g N per mm of circumference: at about %.3g um viscosity rises with "
+                    "pressure until the oil is solid, and Reynolds' equation has no solution "
+                    "(lubricant.viscosity_pressure = \"%s\")",
+                    load, report.thinnest_film * 1e6,
+                    models::viscosity_law(setup.input.lubricant.viscosity_pressure).name.c_str());
+      return text;
+    default:
+      break;
+  }
+  std::snprintf(text, sizeof text, "film, contact and load do not balance, with 1/%d of the crank step either", kTicks);
+  return text;
+}
+
+NoBalance no_balance(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
+                     const film::FilmReport& report, double crank_angle_deg) {
+  char place[64];
+  std::snprintf(place, sizeof place, "at %.6g degree ", wrapped(crank_angle_deg));
+  return {place + reason(setup, problem, inputs, report), wrapped(crank_angle_deg), report.failure};
+}
+
+}  // namespace
+
+TimeIntegration::TimeIntegration(const Setup& setup) : setup_(setup), film_(setup) {}
+
+TimeIntegration::Boundary TimeIntegration::boundary(double crank_angle_deg, double time_step) const {
+  const double angle = wrapped(crank_angle_deg);
+  const double p_ic = setup_.cylinder_pressure.pressure(angle);
+  const double p_cc = setup_.crankcase_pressure.pressure(angle);
+  const double U = setup_.crank.velocity(radians(angle), setup_.input.operating.speed);
+  const bool turned =
+      setup_.input.ring.face.orientation == Orientation::kLeadingEdge && motion(angle) == Motion::kTowardsCrankcase;
+
+  Boundary b;
+  b.axis = turned ? Axis::kFromCrankcase : Axis::kFromChamber;
+  b.inputs.U = turned ? -U : U;
+  b.inputs.left.pressure = turned ? p_cc : p_ic;
+  b.inputs.right.pressure = turned ? p_ic : p_cc;
+  b.inputs.p_cavitation = std::min({setup_.input.film.cavitation_pressure, p_ic, p_cc});
+  b.inputs.load = (setup_.elastic_pressure + setup_.input.gas.pressure_behind_ring * p_ic) * problem().grid.width;
+  b.inputs.time_step = time_step;
+  return b;
+}
+
+void TimeIntegration::count(const film::FilmReport& report) {
+  totals_.newton_iterations += report.iterations;
+  totals_.exact_law_solves += report.converged && report.exact_laws && problem().oil->fit() != nullptr;
+  effort_.newton_iterations += report.iterations;
+  totals_.relaxation_sweeps += report.sweeps;
+  if (report.converged && report.route == film::Route::kSecant) {
+    ++totals_.fallback_secant;
+    ++effort_.fallbacks;
+  }
+}
+
+double TimeIntegration::time_error(const film::FilmState& to, double time_step) const {
+  if (time_step_before_ == 0) return 0;
+  // Backward Euler errs by half the second difference in time (docs/theory/film.md, "step control").
+  const double ratio = time_step / time_step_before_;
+  const double share = time_step / (time_step + time_step_before_);
+  const double film = std::abs(std::log(to.h_m / state_.h_m) - ratio * std::log(state_.h_m / before_.h_m));
+  double content = 0;
+  double total = 0;
+  for (std::size_t i = 0; i < to.content.size(); ++i) {
+    const double predicted = state_.content[i] + ratio * (state_.content[i] - before_.content[i]);
+    content += film_.weight(i) * std::abs(to.content[i] - predicted);
+    total += film_.weight(i) * to.content[i];
+  }
+  const double error = share * std::max(film, content / total / kContentShare) / setup_.input.solver.step_error;
+  return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
+}
+
+/// The face turns over at a reversal. The share of the gap that is full of oil stays where it is, and so does the
+/// pressure. Where the face is not symmetric, the gap changes and its oil with it: as much oil in a smaller gap would
+/// have to leave at once, at a pressure that rises without limit as the step is cut.
+void TimeIntegration::turn(film::FilmState& state) const {
+  const std::vector<double>& rise = film_.film2d() ? film_.film2d()->gap.node : problem().grid.node_height;
+  const auto gap = [&](std::size_t i) { return state.h_m + rise[i]; };
+  const std::size_t n_across = problem().grid.x.size();
+  for (std::size_t i = 0; i < state.content.size(); ++i) state.content[i] /= gap(i);
+  for (std::vector<double>* nodal : {&state.p, &state.deficit, &state.content}) {
+    for (auto strip = nodal->begin(); strip < nodal->end(); strip += static_cast<std::ptrdiff_t>(n_across)) {
+      std::reverse(strip, strip + static_cast<std::ptrdiff_t>(n_across));
+    }
+  }
+  for (std::size_t i = 0; i < state.content.size(); ++i) state.content[i] *= gap(i);
+}
+
+void TimeIntegration::start(int k) {
+  k_ = k;
+  angle_deg_ = k * setup_.input.solver.crank_step_deg;
+  time_step_before_ = 0;
+  level_ = 0;
+  tick_ = kTicks;
+  const Boundary at = boundary(angle_deg_, film::kSteady);
+  const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
+  count(report);
+  if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
+  axis_ = at.axis;
+  instant_ = {wrapped(angle_deg_), at.axis, at.inputs, &before_, &state_, effort_};
+}
+
+void TimeIntegration::propose() {
+  if (tick_ == kTicks) {
+    tick_ = 0;
+    effort_ = {};
+    if (!adaptive()) level_ = 0;
+  }
+  const double base_deg = setup_.input.solver.crank_step_deg;
+  const int ticks = kTicks >> level_;
+  step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
+  step_.time_step = radians(base_deg * ticks / kTicks) / setup_.input.operating.speed;
+  step_.at = boundary(step_.to_deg, step_.time_step);
+  step_.state_was_turned = step_.at.axis != axis_;
+  if (step_.state_was_turned) {
+    turn(state_);
+    turn(before_);
+    axis_ = step_.at.axis;
+  }
+  step_.h_m = state_.h_m;
+  if (time_step_before_ > 0) {
+    const double growth = std::log(state_.h_m / before_.h_m) * step_.time_step / time_step_before_;
+    step_.h_m *= std::exp(std::clamp(growth, -0.5, 0.5));
+  }
+}
+
+film::FilmReport TimeIntegration::solve() {
+  candidate_ = state_;
+  candidate_.h_m = step_.h_m;
+  return film_.solve(step_.at.inputs, state_, candidate_);
+}
+
+void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& waypoints) {
+  count(report);
+  const int ticks = kTicks >> level_;
+  const double error = report.converged && adaptive() ? time_error(candidate_, step_.time_step) : 0;
+  const bool too_coarse = adaptive() && error > 1 && level_ < kFinestLevel;
+  if (!report.converged || too_coarse) {
+    if (level_ == kFinestLevel) throw no_balance(setup_, problem(), step_.at.inputs, report, step_.to_deg);
+    if (!report.converged) {
+      ++totals_.fallback_sub_step;
+      ++effort_.fallbacks;
+    }
+    ++level_;
+    return;
+  }
+  waypoints.before_step(*this, angle_deg_, step_.to_deg);
+  std::swap(before_, state_);
+  std::swap(state_, candidate_);
+  time_step_before_ = step_.time_step;
+  angle_deg_ = step_.to_deg;
+  tick_ += ticks;
+  ++effort_.steps;
+  ++totals_.crank_steps;
+  totals_.sub_steps += ticks < kTicks;
+  totals_.uncontrolled_steps +=
+      adaptive() && error > std::max(1.0, kUncontrolledError / setup_.input.solver.step_error);
+  totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
+  instant_ = {wrapped(angle_deg_), step_.at.axis, step_.at.inputs, &before_, &state_, effort_};
+  waypoints.after_step(*this);
+  if (adaptive() && level_ > 0 && error < kCoarsenBelow && tick_ % (2 * ticks) == 0) --level_;
+  if (tick_ == kTicks) {
+    k_ = (k_ + 1) % steps_per_cycle(setup_.input.solver);
+    angle_deg_ = k_ * setup_.input.solver.crank_step_deg;
+  }
+}
+
+void TimeIntegration::advance(StepObserver& waypoints) {
+  do {
+    propose();
+    conclude(solve(), waypoints);
+  } while (!at_base_angle());
+}
+
+Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) {
+  film::FilmReport report;
+  Boundary at;
+  for (int parts = 1; parts <= kTicks && !report.converged; parts *= 4) {
+    const double part_deg = (crank_angle_deg - angle_deg_) / parts;
+    to = state_;
+    Axis axis = axis_;
+    for (int part = 1; part <= parts; ++part) {
+      at = boundary(angle_deg_ + part * part_deg, radians(part_deg) / setup_.input.operating.speed);
+      if (at.axis != axis) turn(to);
+      axis = at.axis;
+      side_before_ = to;
+      report = film_.solve(at.inputs, side_before_, to);
+      if (!report.converged) break;
+    }
+  }
+  if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, crank_angle_deg);
+  return {wrapped(crank_angle_deg), at.axis, at.inputs, &side_before_, &to, {1, report.iterations, 0}};
+}
+
+double TimeIntegration::distance(const film::FilmState& other) const {
+  const double scale = instant_.inputs.mean_pressure(problem().grid);
+  double largest = std::abs(std::log(state_.h_m / other.h_m));
+  for (std::size_t i = 0; i < state_.p.size(); ++i) {
+    largest = std::max(largest, std::abs(state_.p[i] - other.p[i]) / scale);
+    if (problem().cavitation == film::Cavitation::kMassConserving) {
+      largest = std::max(largest, std::abs(state_.deficit[i] - other.deficit[i]));
+    }
+  }
+  return largest;
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,84 @@
+#include "ringfilm/film/film2d.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringfilm::film {
+
+int CircumferentialGrid::halfway() const {
+  const double middle = 0.5 * length;
+  const auto nearest = std::min_element(
+      y.begin(), y.end(), [middle](double a, double b) { return std::abs(a - middle) < std::abs(b - middle); });
+  return static_cast<int>(nearest - y.begin());
+}
+
+CircumferentialGrid around_at(std::vector<double> y, double length, Ends ends) {
+  CircumferentialGrid around;
+  around.ends = ends;
+  around.length = length;
+  around.y = std::move(y);
+  const int n = around.n_strips();
+  for (int j = 0; j + 1 < n; ++j) around.spacing.push_back(around.y[j + 1] - around.y[j]);
+  if (ends == Ends::kJoined) around.spacing.push_back(length - around.y.back());
+  around.share.assign(n, 0.0);
+  for (int c = 0; c < around.n_cells(); ++c) {
+    around.share[c] += 0.5 * around.spacing[c];
+    around.share[(c + 1) % n] += 0.5 * around.spacing[c];
+  }
+  return around;
+}
+
+CircumferentialGrid uniform_around(int n_cells, double length, Ends ends) {
+  std::vector<double> y;
+  const int n_strips = ends == Ends::kJoined ? n_cells : n_cells + 1;
+  for (int j = 0; j < n_strips; ++j) y.push_back(length * j / n_cells);
+  return around_at(std::move(y), length, ends);
+}
+
+CircumferentialGrid refined_around(int n_cells, double length, double end_cell) {
+  if (end_cell * n_cells >= length) return uniform_around(n_cells, length, Ends::kOpen);
+  // Cells grow by `factor` up to `middle`; the more they may grow, the smaller the middle's can be.
+  const auto cells = [&](double factor, double middle) {
+    std::vector<double> spacing(n_cells, middle);
+    double cell = end_cell;
+    for (int c = 0; 2 * c < n_cells && cell < middle; ++c, cell *= factor) spacing[c] = spacing[n_cells - 1 - c] = cell;
+    return spacing;
+  };
+  const auto reached = [&](double factor, double middle) {
+    double sum = 0;
+    for (const double cell : cells(factor, middle)) sum += cell;
+    return sum;
+  };
+  double low = end_cell, high = length;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    (reached(kSteepestGrowth, middle) < length ? low : high) = middle;
+  }
+  // A few cells more may be given to the ends: grow as gently as keeps the middle's cells within a tenth of the least.
+  constexpr double kWider = 1.1;
+  const double middle = std::min(kWider * high, length);
+  double gentle = 1, steep = kSteepestGrowth;
+  for (int k = 0; k < 200; ++k) {
+    const double factor = 0.5 * (gentle + steep);
+    (reached(factor, middle) < length ? gentle : steep) = factor;
+  }
+  std::vector<double> spacing = cells(steep, middle);
+  const double scale = length / reached(steep, middle);
+  std::vector<double> y = {0};
+  for (int c = 0; c < n_cells; ++c) y.push_back(y.back() + scale * spacing[c]);
+  y.back() = length;
+  return around_at(std::move(y), length, Ends::kOpen);
+}
+
+Film2dGap gap_of_strips(const FilmGrid& across, const CircumferentialGrid& around) {
+  Film2dGap gap;
+  const auto append = [](std::vector<double>& to, const std::vector<double>& strip) {
+    to.insert(to.end(), strip.begin(), strip.end());
+  };
+  for (int j = 0; j < around.n_strips(); ++j) append(gap.node, across.node_height);
+  for (int j = 0; j < around.n_strips(); ++j) append(gap.face_x, across.face_height);
+  for (int c = 0; c < around.n_cells(); ++c) append(gap.face_y, across.node_height);
+  return gap;
+}
+
+}  // namespace ringfilm::film

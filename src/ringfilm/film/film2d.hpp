@@ -1,0 +1,80 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/film/film_state.hpp"
+
+/// A film in two dimensions: x across the face, in the direction of motion, y around the ring or across a pad. A strip
+/// is what lies along x at one y; its film is that of film/, and strips exchange oil through the gradient of pressure
+/// in y (eq-film-2d-reynolds). docs/theory/two-dimensional-film.md.
+///
+/// Nodal numbers stand strip after strip: node i across of strip j at [j * n_across + i]. A FilmState of a
+/// two-dimensional film holds them in that order.
+namespace ringfilm::film {
+
+/// What the two-dimensional film ends at in y.
+enum class Ends {
+  kOpen,    ///< at two given pressures, which the first and the last strip have
+  kJoined,  ///< at each other: the last strip is followed by the first
+  kClosed,  ///< at walls, or at planes of symmetry: nothing flows through
+};
+
+/// Strips at nodes in y. Open and closed: n cells between n+1 strips; joined: n cells, the last of which leads from the
+/// last of n strips to the first.
+struct CircumferentialGrid {
+  Ends ends = Ends::kOpen;
+  double length = 0;            ///< [m]
+  std::vector<double> y;        ///< of the strips, from 0 [m]
+  std::vector<double> spacing;  ///< of the cells [m]
+  std::vector<double> share;    ///< half of each neighbouring cell, for each strip [m]
+
+  int n_strips() const { return static_cast<int>(y.size()); }
+  int n_cells() const { return static_cast<int>(spacing.size()); }
+  /// The strip next to the middle of the length.
+  int halfway() const;
+};
+
+/// @param y of the strips: from 0 to the length, but for a joined two-dimensional film, whose strips end before it [m]
+CircumferentialGrid around_at(std::vector<double> y, double length, Ends ends);
+
+CircumferentialGrid uniform_around(int n_cells, double length, Ends ends);
+
+/// Open at both ends, where the cells are `end_cell` long; they grow inwards by the same factor, at the most
+/// `kSteepestGrowth`, up to those of the middle, which are all alike. Where there are too few for that growth all are
+/// longer by one factor, the end cells too. A larger end cell than length / n_cells is cut to that: then all are alike.
+CircumferentialGrid refined_around(int n_cells, double length, double end_cell);
+inline constexpr double kSteepestGrowth = 1.3;
+
+/// Heights above the lowest point of the whole gap [m], where the balance of mass needs them. Faces stand as nodes do:
+/// those in x at [j * n_cells_across + i] lie midway between nodes i and i+1 of strip j, those in y at
+/// [j * n_across + i] between strips j and j+1 (the last with the first where joined).
+struct Film2dGap {
+  std::vector<double> node;    ///< mean over what belongs to the node
+  std::vector<double> face_x;  ///< mean over the share of the strip in y
+  std::vector<double> face_y;  ///< mean over the share of the node in x
+  /// Where the gap jumps within a face: second and third moments about the mean; all four empty if it never does
+  std::vector<double> face_x_second, face_x_third, face_y_second, face_y_third;  ///< [m2], [m3]
+};
+
+/// The same in each strip, that of the grid across.
+Film2dGap gap_of_strips(const FilmGrid& across, const CircumferentialGrid& around);
+
+/// What does not change over a cycle.
+struct Film2dProblem {
+  FilmProblem strip;  ///< grid across, oil, contact, cavitation, tolerance; heights of its grid: of contact alone
+  CircumferentialGrid around;
+  Film2dGap gap;
+
+  int n_across() const { return strip.grid.n_cells() + 1; }
+  std::size_t n_nodes() const { return static_cast<std::size_t>(n_across()) * around.n_strips(); }
+};
+
+/// What acts on the film during one step. `strip.load` is the mean per length in y; `strip.source` has a value for each
+/// node of the two-dimensional film.
+struct Film2dInputs {
+  FilmInputs strip;
+  double p_low = 0, p_high = 0;  ///< at y = 0 and at y = length, where open; not below p_c [Pa]
+  /// By how much the ring stands further off at each strip than `h_m`: for a ring that bends. Empty: not at all [m].
+  std::vector<double> rise;
+};
+
+}  // namespace ringfilm::film

@@ -1,0 +1,407 @@
+#pragma once
+#include "ringfilm/base/pack.hpp"
+#include "ringfilm/film/kernels/film2d_kernels.hpp"
+#include "ringfilm/film/kernels/newton_sweep.hpp"
+
+/// One iteration of Newton's method on a two-dimensional film, pack by pack: a lane is a strip.
+/// docs/theory/two-dimensional-film.md.
+namespace ringfilm::film {
+
+/// Calls body(colour, k): packs that start at slot k, of both colours.
+template <class Real, class Body>
+RINGFILM_INLINE void for_packs(const ZebraShape& shape, const Body& body) {
+  for (int colour = 0; colour < 2; ++colour) {
+    for (int k = 0; k < shape.slots(colour); k += Real::kWidth) body(colour, k);
+  }
+}
+
+template <class Real, LaneCavity kCavity, bool kSteps, Bounds kBounds>
+class Film2dBalance {
+  using Mask = typename Real::Mask;
+  static constexpr bool kFill = kCavity == LaneCavity::kFill;
+
+ public:
+  RINGFILM_INLINE explicit Film2dBalance(Film2dBlock& block)
+      : b_(block),
+        shape_(block.system.shape),
+        inverse_fill_scale_(1 / block.fill_scale),
+        motion_(Real(block.quarter_U), inverse_fill_scale_),
+        ln_h_scale_(block.ln_h_scale) {}
+
+  RINGFILM_INLINE void run() {
+    for (int colour = 0; colour < 2; ++colour) {
+      for (int i = 0; i < shape_.n_across - 1; ++i) row(colour, i);
+    }
+    b_.load = mean_load();
+  }
+
+ private:
+  using Node = film::Node<Real>;
+  using Flux = film::Flux<Real>;
+
+  RINGFILM_INLINE Node node(std::size_t place) const {
+    const Real z = Real::load(b_.z + place);
+    Real p = max(Real(0), z);  // over p_c: gradients alone count
+    if constexpr (kBounds == Bounds::kOwn) p += Real::load(b_.bound + place);
+    return {p,
+            kFill ? Real(1) + min(Real(0), z) * inverse_fill_scale_ : Real(1),
+            Real::load(b_.rho + place),
+            Real::load(b_.drho_dp + place),
+            Real::load(b_.K + place),
+            Real::load(b_.dK_dp + place),
+            z > Real(0)};
+  }
+
+  /// Mean of h^3 over a face, and a third of its slope in h_m.
+  struct Cube {
+    Real value, square;
+  };
+  RINGFILM_INLINE Cube cube(Real h, const double* second, const double* third, std::size_t place) const {
+    const Real square = h * h;
+    if constexpr (kSteps) {
+      const Real variance = Real::load(second + place);
+      return {h * (square + Real(3) * variance) + Real::load(third + place), square + variance};
+    } else {
+      return {square * h, square};
+    }
+  }
+
+  RINGFILM_INLINE static Flux cross_flux(Cube cubed, Real conductance, const Node& low, const Node& high) {
+    return film::cross_flux(conductance * cubed.value, conductance * cubed.square, low, high);
+  }
+
+  RINGFILM_INLINE Flux flux_after(int i, std::size_t place, Real h_m, const Node& left, const Node& right) const {
+    const Real h = h_m + Real::load(b_.face_x + place);
+    const Cube cubed = cube(h, b_.face_x_second, b_.face_x_third, place);
+    const Real conductance(b_.conductance[i]);
+    return film::flux(motion_, h, conductance * cubed.value, conductance * cubed.square, left, right);
+  }
+
+  /// Flux on from node i, and the balance of node i if it is not an edge.
+  RINGFILM_INLINE void row(int colour, int i) {
+    const std::size_t begin = static_cast<std::size_t>(colour * shape_.n_across + i) * shape_.stride + kPackRoom;
+    const std::size_t strips = static_cast<std::size_t>(colour) * shape_.stride + kPackRoom;
+    const std::ptrdiff_t other = static_cast<std::ptrdiff_t>(shape_.colour_size()) * (1 - 2 * colour);
+    for (int k = 0; k < shape_.slots(colour); k += Real::kWidth) {
+      const std::size_t place = begin + k, strip = strips + k;
+      const Node here = node(place);
+      Flux out = flux_after(i, place, Real::load(b_.h_m + strip), here, node(place + shape_.stride));
+      if (i == shape_.n_across - 2) out.by_right = Real(0);  // the edges are given
+      if (i == 0) out.by_left = Real(0);
+      if (i > 0)
+        balance(i, place, strip, here, node(place + other + low_shift(colour)),
+                node(place + other + high_shift(colour)), taken(strip), out);
+      give(strip, out);
+    }
+  }
+
+  /// The flux that the row before has left, of each strip.
+  RINGFILM_INLINE Flux taken(std::size_t strip) const {
+    return {Real::load(b_.flux + strip), Real::load(b_.flux_by_left + strip), Real::load(b_.flux_by_right + strip),
+            Real::load(b_.flux_by_h + strip)};
+  }
+  RINGFILM_INLINE void give(std::size_t strip, const Flux& flux) {
+    flux.value.store(b_.flux + strip);
+    flux.by_left.store(b_.flux_by_left + strip);
+    flux.by_right.store(b_.flux_by_right + strip);
+    flux.by_h.store(b_.flux_by_h + strip);
+  }
+
+  RINGFILM_INLINE void balance(int i, std::size_t place, std::size_t strip, const Node& here, const Node& low,
+                               const Node& high, const Flux& in, const Flux& out) {
+    const StripSystem& to = b_.system;
+    const Real h_m = Real::load(b_.h_m + strip);
+    const Mask inside = Real::load(b_.is_strip + strip) > Real(0);
+    const Real share(b_.share[i]);
+    const Cube low_cube =
+        cube(Real::load(b_.low_h_m + strip) + Real::load(b_.low_face + place), b_.low_second, b_.low_third, place);
+    const Cube high_cube =
+        cube(Real::load(b_.high_h_m + strip) + Real::load(b_.high_face + place), b_.high_second, b_.high_third, place);
+    const Flux from = cross_flux(low_cube, share * Real::load(b_.low_conductance + strip), low, here);
+    const Flux on = cross_flux(high_cube, share * Real::load(b_.high_conductance + strip), here, high);
+
+    const Real height = Real::load(b_.node_height + place);
+    const Real volume = share * Real(b_.rate);
+    const Real stored = volume * (h_m + height);  // times rho theta
+    const Real filled = filled_density<kFill>(here);
+    Real residual = stored * filled - Real::load(b_.inflow + place) + (out.value - in.value) + (on.value - from.value);
+    Real diagonal = (out.by_left - in.by_right) + (on.by_left - from.by_right);
+    if constexpr (kFill) {
+      diagonal += stored * filled_density_slope(here, inverse_fill_scale_);
+    } else {
+      const Real gap = Real(b_.start_h) + height;
+      const Real multiplier =
+          multiplier_weight(Real(b_.conductance[i - 1] + b_.conductance[i]), gap, Real(b_.cavity_K));
+      diagonal = select(here.is_film, diagonal + stored * here.drho, multiplier);
+      residual += multiplier * min(Real(0), Real::load(b_.z + place));
+    }
+    const Real by_h = (volume * filled + (out.by_h - in.by_h) + (on.by_h - from.by_h)) * ln_h_scale_;
+    // Rows of the system in units of z: what is left of them can be compared.
+    const Real per_diagonal = select(inside, Real(1) / select(inside, diagonal, Real(1)), Real(0));
+    (-(in.by_left * per_diagonal)).store(to.west + place);
+    (out.by_right * per_diagonal).store(to.east + place);
+    (-(from.by_left * per_diagonal)).store(to.low + place);
+    (on.by_right * per_diagonal).store(to.high + place);
+    (by_h * per_diagonal).store(b_.column + place);
+    (-(residual * per_diagonal)).store(b_.rhs + place);
+    select(here.is_film, share * Real::load(b_.weight + strip), Real(0)).store(b_.load_row + place);
+    diagonal.store(to.diagonal + place);
+  }
+
+  /// Over all nodes, of strips that are given too.
+  RINGFILM_INLINE double mean_load() const {
+    Real load(0);
+    for (int colour = 0; colour < 2; ++colour) {
+      for (int i = 0; i < shape_.n_across; ++i) {
+        const std::size_t row = static_cast<std::size_t>(colour * shape_.n_across + i) * shape_.stride;
+        Real along(0);
+        for (int k = 0; k + Real::kWidth <= shape_.stride; k += Real::kWidth) {
+          const Real weight = Real::load(b_.weight + static_cast<std::size_t>(colour) * shape_.stride + k);
+          Real over = max(Real(0), Real::load(b_.z + row + k));
+          if constexpr (kBounds == Bounds::kOwn) over += Real::load(b_.bound + row + k);
+          along += weight * (Real(b_.p_cavitation) + over);
+        }
+        load += Real(b_.share[i]) * along;
+      }
+    }
+    return load.sum();
+  }
+
+  Film2dBlock& b_;
+  const ZebraShape shape_;
+  Real inverse_fill_scale_;
+  Motion<Real, kFill, kBounds> motion_;
+  Real ln_h_scale_;
+};
+
+template <class Real>
+void oil(Film2dBlock& b) {
+  constexpr int kAbreast = 2;
+  static_assert(kPackRoom % (Real::kWidth) == 0);
+  const std::size_t n = b.system.shape.size();
+  for (std::size_t place = 0; place < n; place += kAbreast * Real::kWidth) {
+    Real t[kAbreast], value[kAbreast];
+    const auto store = [&](double* to) RINGFILM_INLINE_BODY {
+      for (int a = 0; a < kAbreast; ++a) value[a].store(to + place + a * Real::kWidth);
+    };
+    for (int a = 0; a < kAbreast; ++a) {
+      Real p = Real(b.p_cavitation) + max(Real(0), Real::load(b.z + place + a * Real::kWidth));
+      if (b.bounds == Bounds::kOwn) p += Real::load(b.bound + place + a * Real::kWidth);
+      t[a] = min(Real(1), (p - Real(b.fit_centre)) * Real(b.fit_inverse_half_width));
+    }
+    base::sum_of_powers<kFluidityTerms, kAbreast>(b.fit_K, t, value);
+    store(b.K);
+    base::sum_of_powers<kFluiditySlopeTerms, kAbreast>(b.fit_dK, t, value);
+    store(b.dK_dp);
+    base::sum_of_powers<kDensityTerms, kAbreast>(b.fit_rho, t, value);
+    store(b.rho);
+    base::sum_of_powers<kDensitySlopeTerms, kAbreast>(b.fit_drho, t, value);
+    store(b.drho_dp);
+  }
+}
+
+template <class Real, LaneCavity kCavity, Bounds kBounds>
+void balance_of(Film2dBlock& b) {
+  if (b.has_steps) {
+    Film2dBalance<Real, kCavity, true, kBounds>(b).run();
+  } else {
+    Film2dBalance<Real, kCavity, false, kBounds>(b).run();
+  }
+}
+
+template <class Real>
+void balance(Film2dBlock& b) {
+  using enum LaneCavity;
+  using enum Bounds;
+  if (b.cavity == kFill) {
+    b.bounds == kOne ? balance_of<Real, kFill, kOne>(b) : balance_of<Real, kFill, kOwn>(b);
+  } else {
+    b.bounds == kOne ? balance_of<Real, kMultiplier, kOne>(b) : balance_of<Real, kMultiplier, kOwn>(b);
+  }
+}
+
+template <class Real, bool kFill, Bounds kBounds>
+void update_nodes(Film2dBlock& b, const double* step) {
+  const ZebraShape& shape = b.system.shape;
+  KinkStep<Real> kink{Real(b.scale), Real(1 / b.scale), Real(b.fill_scale), Real(1 / b.fill_scale)};
+  Real peak(0), check(0);
+  for_packs<Real>(shape, [&](int colour, int k) RINGFILM_INLINE_BODY {
+    const auto inside =
+        Real::load(b.is_strip + static_cast<std::size_t>(colour) * shape.stride + kPackRoom + k) > Real(0);
+    for (int i = 1; i < shape.n_across - 1; ++i) {
+      const std::size_t place = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackRoom + k;
+      const Real move = select(inside, Real::load(step + place), Real(0));
+      const Real after = kink.template take<kFill>(Real::load(b.z + place), move);
+      check += select(inside, after, Real(0));
+      Real over = after;
+      if constexpr (kBounds == Bounds::kOwn) over = max(Real(0), after) + Real::load(b.bound + place);
+      peak = max(peak, select(inside, over, Real(0)));
+      after.store(b.z + place);
+    }
+  });
+  double lanes[Real::kWidth];
+  const auto highest = [&](Real of) RINGFILM_INLINE_BODY {
+    of.store(lanes);
+    double most_of_all = lanes[0];
+    for (const double lane : lanes) most_of_all = lane > most_of_all ? lane : most_of_all;
+    return most_of_all;
+  };
+  b.largest = highest(kink.largest);
+  b.peak = highest(peak);
+  b.check = check.sum();
+  b.to_film = highest(kink.to_film) > 0;
+  b.to_cavity = highest(kink.to_cavity) > 0;
+}
+
+template <class Real>
+void update(Film2dBlock& b, const double* step) {
+  using enum Bounds;
+  if (b.cavity == LaneCavity::kFill) {
+    b.bounds == kOne ? update_nodes<Real, true, kOne>(b, step) : update_nodes<Real, true, kOwn>(b, step);
+  } else {
+    b.bounds == kOne ? update_nodes<Real, false, kOne>(b, step) : update_nodes<Real, false, kOwn>(b, step);
+  }
+}
+
+/// Calls body(place) for the packs of a row that hold strips: node i across, strips of one colour. Rows are worked on
+/// one after the other, as they lie in memory.
+template <class Real, class Body>
+RINGFILM_INLINE void for_row(const ZebraShape& shape, int colour, int i, const Body& body) {
+  const std::size_t row = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackRoom;
+  const int slots = shape.slots(colour);
+  for (int k = 0; k < slots; k += Real::kWidth) body(row + k);
+}
+
+/// The system's diagonal is 1: what is left of it after the elimination of the node before is inverted.
+template <class Real>
+void factor(const StripSystem& s) {
+  const std::size_t stride = s.shape.stride;
+  for (int colour = 0; colour < 2; ++colour) {
+    for (int i = 1; i < s.shape.n_across - 1; ++i) {
+      for_row<Real>(s.shape, colour, i, [&](std::size_t place) RINGFILM_INLINE_BODY {
+        const Real inverse = Real(1) / (Real(1) - Real::load(s.west + place) * Real::load(s.upper + place - stride));
+        inverse.store(s.inverse + place);
+        (Real::load(s.east + place) * inverse).store(s.upper + place);
+      });
+    }
+  }
+}
+
+template <class Real>
+void relax(const StripSystem& s, int colour, const double* rhs, double* x) {
+  const int n = s.shape.n_across - 1;
+  const std::size_t stride = s.shape.stride;
+  // From a place to the same slot of the other colour.
+  const std::ptrdiff_t other = static_cast<std::ptrdiff_t>(s.shape.colour_size()) * (1 - 2 * colour);
+  for (int i = 1; i < n; ++i) {
+    for_row<Real>(s.shape, colour, i, [&](std::size_t place) RINGFILM_INLINE_BODY {
+      const double* beside = x + place + other;
+      const Real given = Real::load(rhs + place) - Real::load(s.low + place) * Real::load(beside + low_shift(colour)) -
+                         Real::load(s.high + place) * Real::load(beside + high_shift(colour));
+      const Real before = Real::load(x + place - stride);
+      ((given - Real::load(s.west + place) * before) * Real::load(s.inverse + place)).store(x + place);
+    });
+  }
+  for (int i = n - 2; i > 0; --i) {
+    for_row<Real>(s.shape, colour, i, [&](std::size_t place) RINGFILM_INLINE_BODY {
+      (Real::load(x + place) - Real::load(s.upper + place) * Real::load(x + place + stride)).store(x + place);
+    });
+  }
+}
+
+template <class Real>
+void product(const StripSystem& s, const double* x, double* y) {
+  const std::size_t stride = s.shape.stride;
+  for (int colour = 0; colour < 2; ++colour) {
+    const std::ptrdiff_t other = static_cast<std::ptrdiff_t>(s.shape.colour_size()) * (1 - 2 * colour);
+    for (int i = 1; i < s.shape.n_across - 1; ++i) {
+      for_row<Real>(s.shape, colour, i, [&](std::size_t place) RINGFILM_INLINE_BODY {
+        const double* beside = x + place + other;
+        const Real sum = Real::load(x + place) + Real::load(s.west + place) * Real::load(x + place - stride) +
+                         Real::load(s.east + place) * Real::load(x + place + stride) +
+                         Real::load(s.low + place) * Real::load(beside + low_shift(colour)) +
+                         Real::load(s.high + place) * Real::load(beside + high_shift(colour));
+        sum.store(y + place);
+      });
+    }
+  }
+}
+
+/// Strips that are worked on at a time between a two-dimensional film and a coarser one.
+inline constexpr int kTransfer = 64;
+
+template <class Real>
+void to_coarse(const ZebraShape& fine, const double* weight, const double* rhs, const ZebraShape& coarse, double* to) {
+  const int n = coarse.n_strips;
+  for (int i = 1; i < fine.n_across - 1; ++i) {
+    const std::size_t even = fine.at(i, 0), odd = fine.at(i, 1);
+    double* to_even = to + coarse.at(i, 0);
+    double* to_odd = to + coarse.at(i, 1);
+    for (int begin = 0; begin < n; begin += kTransfer) {
+      alignas(64) double sum[kTransfer];
+      for (int k = 0; k < kTransfer && begin + k < n; k += Real::kWidth) {
+        const std::size_t a = even + begin + k, b = odd + begin + k;
+        (Real::load(weight + a) * Real::load(rhs + a) + Real::load(weight + b) * Real::load(rhs + b)).store(sum + k);
+      }
+      const int count = n - begin < kTransfer ? n - begin : kTransfer;
+      for (int k = 0; k < count; k += 2) to_even[(begin + k) / 2] = sum[k];
+      for (int k = 1; k < count; k += 2) to_odd[(begin + k) / 2] = sum[k];
+    }
+  }
+}
+
+/// Of the odd strips alone: the even ones are relaxed first, whatever they are.
+template <class Real>
+void from_coarse(const ZebraShape& coarse, const double* x, const ZebraShape& fine, const double* own,
+                 const double* beside, double* to) {
+  const int n = fine.slots(1);
+  for (int i = 1; i < fine.n_across - 1; ++i) {
+    const double* from_even = x + coarse.at(i, 0);
+    const double* from_odd = x + coarse.at(i, 1);
+    const std::size_t odd = fine.at(i, 1);
+    for (int begin = 0; begin < n; begin += kTransfer) {
+      alignas(64) double strip[kTransfer + kPackRoom] = {};
+      const int count = n - begin < kTransfer ? n - begin : kTransfer;
+      for (int k = 0; k <= count; k += 2) strip[k] = from_even[(begin + k) / 2];
+      for (int k = 1; k <= count; k += 2) strip[k] = from_odd[(begin + k) / 2];
+      for (int k = 0; k < count; k += Real::kWidth) {
+        const std::size_t place = odd + begin + k;
+        (Real::load(own + place) * Real::load(strip + k) + Real::load(beside + place) * Real::load(strip + k + 1))
+            .store(to + place);
+      }
+    }
+  }
+}
+
+template <class Real>
+double dot(const double* a, const double* b, std::size_t n) {
+  Real sum[4] = {Real(0), Real(0), Real(0), Real(0)};
+  std::size_t i = 0;
+  for (; i + 4 * Real::kWidth <= n; i += 4 * Real::kWidth) {
+    for (int s = 0; s < 4; ++s) {
+      const std::size_t at = i + static_cast<std::size_t>(s) * Real::kWidth;
+      sum[s] += Real::load(a + at) * Real::load(b + at);
+    }
+  }
+  double total = ((sum[0] + sum[1]) + (sum[2] + sum[3])).sum();
+  for (; i < n; ++i) total += a[i] * b[i];
+  return total;
+}
+
+template <class Real>
+void add(double c, const double* x, double* y, std::size_t n) {
+  std::size_t i = 0;
+  for (; i + Real::kWidth <= n; i += Real::kWidth) {
+    (Real::load(y + i) + Real(c) * Real::load(x + i)).store(y + i);
+  }
+  for (; i < n; ++i) y[i] += c * x[i];
+}
+
+template <int kWidth, base::InstructionSet kSet>
+constexpr Film2dKernels film2d_kernels_of(std::string_view name) {
+  using Real = base::Pack<kWidth, kSet>;
+  return {name,          oil<Real>,       balance<Real>,     update<Real>, factor<Real>, relax<Real>,
+          product<Real>, to_coarse<Real>, from_coarse<Real>, dot<Real>,    add<Real>};
+}
+
+}  // namespace ringfilm::film

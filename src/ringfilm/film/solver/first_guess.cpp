@@ -1,0 +1,76 @@
+#include "ringfilm/film/solver/first_guess.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ringfilm/film/solver/film_solver.hpp"
+
+namespace ringfilm::film {
+namespace {
+
+constexpr double kSliderLoad = 0.16;       // W h^2/(eta U b^2) of the best plane slider
+constexpr int kCoarsest = 16;              // cells of the grid on which a first guess starts
+constexpr double kCoarseTolerance = 1e-4;  // of films that are only started from
+
+/// Edge pressures joined linearly, h_m as a plane slider or the asperities would have it.
+FilmState coarse_guess(const FilmProblem& problem, const FilmInputs& inputs) {
+  const int n = problem.grid.n_cells();
+  const double p_mean = inputs.mean_pressure(problem.grid);
+  const double eta = problem.oil->viscosity(std::max(inputs.left.pressure, inputs.right.pressure));
+  FilmState state;
+  const double rough = problem.contact == nullptr ? 0.0 : 2 * problem.contact->parameters().sigma;
+  state.h_m = std::max(rough, std::sqrt(kSliderLoad * eta * std::abs(inputs.U) * problem.grid.width / p_mean));
+  for (const double x : problem.grid.x) {
+    const double share = x / problem.grid.width;
+    state.p.push_back(
+        std::max(inputs.left.pressure + (inputs.right.pressure - inputs.left.pressure) * share, inputs.p_cavitation));
+  }
+  state.deficit.assign(n + 1, 0.0);
+  state.content.assign(n + 1, 0.0);
+  return state;
+}
+
+/// Every second node. A jump may be lost: good enough to start from.
+FilmProblem coarsened(const FilmProblem& problem) {
+  const FilmGrid& fine = problem.grid;
+  FilmProblem coarse = problem;
+  FilmGrid& grid = coarse.grid;
+  const int n = fine.n_cells() / 2;
+  grid = {};
+  grid.width = fine.width;
+  for (int i = 0; i <= n; ++i) {
+    grid.x.push_back(fine.x[2 * i]);
+    grid.node_height.push_back(fine.node_height[2 * i]);
+  }
+  for (int i = 0; i < n; ++i) {
+    grid.spacing.push_back(grid.x[i + 1] - grid.x[i]);
+    grid.face_height.push_back(fine.node_height[2 * i + 1]);
+  }
+  complete_grid(grid);
+  return coarse;
+}
+
+}  // namespace
+
+FilmState first_guess(const FilmProblem& problem, const FilmInputs& inputs) {
+  FilmState state = coarse_guess(problem, inputs);
+  const int n = problem.grid.n_cells();
+  if (n % 2 == 1 || n < 2 * kCoarsest) return state;
+  FilmProblem coarse = coarsened(problem);
+  coarse.tolerance = std::max(problem.tolerance, kCoarseTolerance);
+  FilmWorkspace workspace(coarse);
+  FilmState solved = first_guess(coarse, inputs);
+  const FilmState before = solved;
+  if (!solve_film(coarse, inputs, before, solved, workspace).converged) return state;
+  state.h_m = solved.h_m;
+  for (int i = 0; i <= n; ++i) {
+    const int low = i / 2;
+    const int high = (i + 1) / 2;
+    state.p[i] = 0.5 * (solved.p[low] + solved.p[high]);
+    state.deficit[i] =
+        solved.deficit[low] > 0 && solved.deficit[high] > 0 ? 0.5 * (solved.deficit[low] + solved.deficit[high]) : 0.0;
+  }
+  return state;
+}
+
+}  // namespace ringfilm::film

@@ -1,0 +1,305 @@
+#include "ringfilm/film/solver/lane_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "ringfilm/base/aligned.hpp"
+#include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/solver/load_balance.hpp"
+
+namespace ringfilm::film {
+namespace {
+
+constexpr int kMostIterations = 40;  // of the coupled Newton
+constexpr double kNowhere = -1;      // a reach of contact that no gap is within
+
+constexpr int kNodalArrays = 14;
+
+/// Nothing moves and nothing changes: no equation holds the fill, and a node that the iteration put below p_c is held
+/// there by the multiplier, as in Reynolds' exit, until its pressure comes back.
+bool at_rest(const FilmInputs& inputs) { return inputs.U == 0 && inputs.time_step == kSteady; }
+
+}  // namespace
+
+LaneLaws best_laws(const FilmProblem& problem) {
+  return problem.oil->fit() != nullptr ? LaneLaws::kFitted : LaneLaws::kGiven;
+}
+
+LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
+    : kernels_(&kernels), width_(width), most_cells_(most_cells), lanes_(width), block_{} {
+  const std::size_t nodes = static_cast<std::size_t>(most_cells) + 1 + kPadding;
+  const std::size_t stride =
+      (nodes * width + base::kNumbersPerLine - 1) / base::kNumbersPerLine * base::kNumbersPerLine;
+  double* array = base::aligned_zeros(memory_, kNodalArrays * stride);
+  for (double** nodal : {&block_.z, &block_.bound, &block_.inflow, &block_.node_height, &block_.share,
+                         &block_.face_height, &block_.conductance, &block_.upper, &block_.column, &block_.rhs,
+                         &block_.rho, &block_.drho_dp, &block_.K, &block_.dK_dp}) {
+    *nodal = array;
+    array += stride;
+  }
+  for (int lane = 0; lane < width; ++lane) clear(lane);
+}
+
+void LaneNewton::clear(int lane) {
+  lanes_[lane] = {};
+  block_.h_m[lane] = block_.start_h[lane] = 1;
+  block_.scale[lane] = block_.inverse_scale[lane] = 1;
+  block_.fill_scale[lane] = block_.inverse_fill_scale[lane] = 1;
+  block_.fit_K[0][lane] = block_.fit_rho[0][lane] = 1;
+  block_.contact_reach[lane] = kNowhere;
+  block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
+  block_.quarter_U[lane] = block_.rate[lane] = block_.load[lane] = block_.movable[lane] = 0;
+  block_.goes_on[lane] = block_.left_h[lane] = 0;
+  block_.contact_load[lane] = block_.contact_slope[lane] = 0;
+  clear_from(lane, 0);
+  fit_block();
+}
+
+void LaneNewton::clear_from(int lane, int node) {
+  for (int i = node; i < most_cells_ + 1 + kPadding; ++i) {
+    for (double* array : {block_.bound, block_.inflow, block_.node_height, block_.share, block_.face_height,
+                          block_.conductance, block_.drho_dp, block_.dK_dp}) {
+      nodal(array, i, lane) = 0;
+    }
+    for (double* array : {block_.z, block_.rho, block_.K}) nodal(array, i, lane) = 1;
+  }
+}
+
+void LaneNewton::fit_block() {
+  block_.n_cells = 2;
+  for (const Lane& lane : lanes_) block_.n_cells = std::max(block_.n_cells, lane.n_cells);
+}
+
+void LaneNewton::bind(int lane, const FilmProblem& problem) {
+  const FilmGrid& grid = problem.grid;
+  const int n = grid.n_cells();
+  lanes_[lane] = {};
+  lanes_[lane].problem = &problem;
+  lanes_[lane].n_cells = n;
+  fit_block();
+  clear_from(lane, n);
+  for (int i = 0; i <= n; ++i) {
+    nodal(block_.bound, i, lane) = 0;
+    nodal(block_.node_height, i, lane) = grid.node_height[i];
+    nodal(block_.share, i, lane) = grid.share[i];
+  }
+  for (int i = 0; i < n; ++i) {
+    nodal(block_.face_height, i, lane) = grid.face_height[i];
+    nodal(block_.conductance, i, lane) = conductance(1, grid.spacing[i]);
+  }
+  block_.contact_reach[lane] = kNowhere;
+  block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
+  const models::OilFit* oil = problem.oil->fit();
+  if (oil == nullptr) return;
+  block_.fit_centre[lane] = oil->centre;
+  block_.fit_inverse_half_width[lane] = 1 / oil->half_width;
+  for (int k = 0; k < kFluidityTerms; ++k) block_.fit_K[k][lane] = oil->K[k];
+  for (int k = 0; k < kFluiditySlopeTerms; ++k) block_.fit_dK[k][lane] = oil->dK_dp[k];
+  for (int k = 0; k < kDensityTerms; ++k) block_.fit_rho[k][lane] = oil->rho[k];
+  for (int k = 0; k < kDensitySlopeTerms; ++k) block_.fit_drho[k][lane] = oil->drho_dp[k];
+  if (problem.contact == nullptr || problem.contact->fit() == nullptr) return;
+  const models::GreenwoodTripp& contact = *problem.contact;
+  const double reach = models::ContactFit::kEnd * contact.parameters().sigma;
+  block_.contact_spread[lane] = problem.contact_spread == ContactSpread::kLocal ? 1 : 0;
+  block_.contact_reach[lane] = reach;
+  block_.contact_scale[lane] = contact.pressure_scale();
+  block_.contact_per_gap[lane] = 2 / reach;
+  for (int k = 0; k < kContactTerms; ++k) block_.contact[k] = contact.fit()->P52[k];
+  for (int k = 0; k < kContactSlopeTerms; ++k) block_.contact_slope_of[k] = contact.fit()->P52_slope[k];
+}
+
+void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess,
+                       double h_m, Unknowns unknowns, LaneLaws laws) {
+  Lane& at = lanes_[lane];
+  if (at.inputs == nullptr) {
+    block_.fill_scale[lane] = inputs.mean_pressure(at.problem->grid);
+    block_.inverse_fill_scale[lane] = 1 / block_.fill_scale[lane];
+  }
+  set_step(lane, inputs, previous, h_m, unknowns, laws, Inflow::kOfTheState);
+  const double *p = guess.p.data(), *deficit = guess.deficit.data();
+  const double p_c = inputs.p_cavitation, fill_scale = block_.fill_scale[lane];
+  const double beyond = kBeyondKink * block_.scale[lane];
+  double* z = block_.z + lane;
+  for (int i = 0; i <= at.n_cells; ++i) {
+    const double over = p[i] - p_c - nodal(block_.bound, i, lane);
+    const double film = over < beyond ? beyond : over;  // a NaN stays
+    z[i * width_] = deficit[i] > 0 ? -deficit[i] * fill_scale : film;
+  }
+  set_edges(lane);
+}
+
+void LaneNewton::limit_search_effort(int lane) {
+  constexpr int kMostOfSearch = 200;
+  constexpr double kFarTooMuch = 3;  // loads
+  Lane& at = lanes_[lane];
+  at.most_iterations = std::min(at.most_iterations, kMostOfSearch);
+  at.far_too_much = kFarTooMuch * at.inputs->load;
+}
+
+void LaneNewton::continue_from_last_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m) {
+  const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane] && block_.bounds == Bounds::kOne;
+  const Unknowns unknowns = Unknowns::kFilmAndSeparation;
+  if (!same_zero) return start(lane, inputs, previous, previous, h_m, unknowns, block_.laws);
+  set_step(lane, inputs, previous, h_m, unknowns, block_.laws, Inflow::kOfTheLane);
+  set_edges(lane);
+}
+
+void LaneNewton::set_edges(int lane) {
+  const Lane& at = lanes_[lane];
+  const auto z_of = [&](const EdgeState& edge) {
+    return edge_z(edge, at.inputs->p_cavitation, block_.fill_scale[lane]);
+  };
+  nodal(block_.z, 0, lane) = z_of(at.inputs->left);
+  nodal(block_.z, at.n_cells, lane) = z_of(at.inputs->right);
+}
+
+void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
+                          LaneLaws laws, Inflow inflow_is) {
+  Lane& at = lanes_[lane];
+  const FilmProblem& problem = *at.problem;
+  const FilmGrid& grid = problem.grid;
+  block_.laws = laws;
+  block_.cavity = problem.cavitation == Cavitation::kMassConserving && !at_rest(inputs) ? LaneCavity::kFill
+                                                                                        : LaneCavity::kMultiplier;
+  at.inputs = &inputs;
+  at.phase = Phase::kRunning;
+  at.iterations = 0;
+  at.last_step = 0;
+  at.most_iterations = unknowns == Unknowns::kFilmAndSeparation
+                           ? kMostIterations
+                           : kMostIterations + at.n_cells;  // a front may have to cross the face
+  at.far_too_much = 0;
+  at.fronts.restart();
+
+  const double scale = inputs.mean_pressure(grid);
+  const double rate = 1 / inputs.time_step;  // 0 when steady
+  block_.h_m[lane] = block_.start_h[lane] = h_m;
+  block_.quarter_U[lane] = 0.25 * inputs.U;
+  block_.rate[lane] = rate;
+  block_.p_cavitation[lane] = inputs.p_cavitation;
+  block_.scale[lane] = scale;
+  block_.inverse_scale[lane] = 1 / scale;
+  block_.load[lane] = inputs.load;
+  block_.contact_load[lane] = block_.contact_slope[lane] = 0;
+  block_.movable[lane] = unknowns == Unknowns::kFilmAndSeparation ? 1 : 0;
+  if (block_.cavity == LaneCavity::kMultiplier) {
+    block_.cavity_K[lane] = problem.oil->density(inputs.p_cavitation) / problem.oil->viscosity(inputs.p_cavitation);
+  }
+  set_bounds(lane, inputs);
+  block_.goes_on[lane] = inflow_is == Inflow::kOfTheLane && inputs.source.empty() ? 1 : 0;
+  block_.left_h[lane] = previous.h_m;
+  if (block_.goes_on[lane] > 0) return;
+  const double *content = previous.content.data(), *share = grid.share.data();
+  double* inflow = block_.inflow + lane;
+  for (int i = 0; i <= at.n_cells; ++i) inflow[i * width_] = share[i] * rate * content[i];
+  for (std::size_t i = 0; i < inputs.source.size(); ++i) {
+    nodal(block_.inflow, static_cast<int>(i), lane) += grid.share[i] * inputs.source[i];
+  }
+}
+
+void LaneNewton::set_bounds(int lane, const FilmInputs& inputs) {
+  const Lane& at = lanes_[lane];
+  block_.bounds = at.problem->bounds;
+  if (block_.bounds == Bounds::kOne) {
+    if (inputs.has_gas()) throw std::invalid_argument("a film between edges of oil has gas at an edge");
+    return;
+  }
+  for (int i = 0; i <= at.n_cells; ++i) {
+    nodal(block_.bound, i, lane) = inputs.pressure_bound(at.problem->grid, i) - inputs.p_cavitation;
+  }
+}
+
+void LaneNewton::evaluate_properties(int lane) {
+  const FilmProblem& problem = *lanes_[lane].problem;
+  if (problem.contact != nullptr && (block_.laws == LaneLaws::kGiven || block_.contact_reach[lane] == kNowhere)) {
+    block_.contact_load[lane] = asperity_load(problem, block_.h_m[lane], &block_.contact_slope[lane]);
+  }
+  if (block_.laws == LaneLaws::kFitted) return;
+  if (lanes_[lane].iterations > 0 && runs_away(*problem.oil, block_.p_cavitation[lane], peak_pressure(lane))) {
+    lanes_[lane].phase = Phase::kFailed;
+    return;
+  }
+  p_.resize(problem.grid.x.size());
+  for (std::size_t i = 0; i < p_.size(); ++i) {
+    const int node = static_cast<int>(i);
+    p_[i] = block_.p_cavitation[lane] + nodal(block_.bound, node, lane) + std::max(nodal(block_.z, node, lane), 0.0);
+  }
+  oil_.update(*problem.oil, p_);
+  for (int i = 0; i <= lanes_[lane].n_cells; ++i) {
+    nodal(block_.rho, i, lane) = oil_.rho[i];
+    nodal(block_.drho_dp, i, lane) = oil_.drho_dp[i];
+    nodal(block_.K, i, lane) = oil_.K[i];
+    nodal(block_.dK_dp, i, lane) = oil_.dK_dp[i];
+  }
+}
+
+void LaneNewton::iterate() {
+  for (int lane = 0; lane < width_; ++lane) {
+    if (lanes_[lane].phase == Phase::kRunning) evaluate_properties(lane);
+  }
+  (width_ == 1 ? kernels_->single_sweep : kernels_->sweep)(block_);
+  for (int lane = 0; lane < width_; ++lane) {
+    if (lanes_[lane].phase == Phase::kRunning) conclude(lane);
+  }
+}
+
+void LaneNewton::conclude(int lane) {
+  Lane& at = lanes_[lane];
+  const double d_ln_h = block_.d_ln_h[lane];
+  const double largest = block_.largest[lane];
+  ++at.iterations;
+  block_.goes_on[lane] = 0;
+  const bool sound = std::isfinite(block_.check[lane]) && std::isfinite(block_.excess[lane]) &&
+                     std::isfinite(largest) && std::isfinite(d_ln_h);
+  at.phase = Phase::kFailed;
+  if (!sound) return;
+  at.last_step = std::max(largest, std::abs(d_ln_h));
+  if (d_ln_h != 0) {
+    block_.h_m[lane] *= std::exp(d_ln_h);
+    const double h_m = block_.h_m[lane];
+    if (h_m < kThinnest || h_m > thickest(*at.problem)) return;
+  }
+  const bool to_film = block_.to_film[lane] != 0;
+  const bool to_cavity = block_.to_cavity[lane] != 0;
+  if (!to_film && !to_cavity && at.last_step <= enough_of_newton(*at.problem)) {
+    at.phase = Phase::kSolved;
+    return;
+  }
+  const bool too_thin = at.far_too_much > 0 && at.iterations > kMostIterations && block_.excess[lane] > at.far_too_much;
+  if (too_thin || at.iterations == at.most_iterations) return;
+  advance_fronts(lane, to_film && !to_cavity);
+  at.phase = Phase::kRunning;
+}
+
+void LaneNewton::advance_fronts(int lane, bool only_advanced) {
+  Lane& at = lanes_[lane];
+  const int reach = at.fronts.cells(only_advanced);
+  if (reach == 0) return;
+  const auto z = [&](int i) -> double& { return nodal(block_.z, i, lane); };
+  advance_fronts_of_strip(z, at.n_cells, kBeyondKink * block_.scale[lane], reach);
+}
+
+double LaneNewton::peak_pressure(int lane) const {
+  const FilmInputs& inputs = *lanes_[lane].inputs;
+  return std::max({inputs.p_cavitation + block_.peak[lane], inputs.left.pressure, inputs.right.pressure});
+}
+
+void LaneNewton::read(int lane, FilmState& state) const {
+  const FilmInputs& inputs = *lanes_[lane].inputs;
+  const std::size_t n_nodes = lanes_[lane].problem->grid.x.size();
+  state.h_m = block_.h_m[lane];
+  state.p.resize(n_nodes);
+  state.deficit.resize(n_nodes);
+  kernels_->read({block_.z + lane, width_, inputs.p_cavitation, block_.inverse_fill_scale[lane]},
+                 static_cast<int>(n_nodes), {state.p.data(), state.deficit.data()});
+  if (block_.bounds == Bounds::kOwn) {
+    for (std::size_t i = 0; i < n_nodes; ++i) state.p[i] += nodal(block_.bound, static_cast<int>(i), lane);
+  }
+  state.p.front() = inputs.left.pressure;
+  state.p.back() = inputs.right.pressure;
+  state.deficit.front() = edge_deficit(inputs.left);
+  state.deficit.back() = edge_deficit(inputs.right);
+}
+
+}  // namespace ringfilm::film

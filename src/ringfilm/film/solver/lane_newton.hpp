@@ -1,0 +1,102 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/film/film_state.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
+#include "ringfilm/film/solver/front_advance.hpp"
+#include "ringfilm/film/solver/reynolds.hpp"
+
+namespace ringfilm::film {
+
+/// The fits if the oil has them.
+LaneLaws best_laws(const FilmProblem& problem);
+
+enum class Unknowns { kFilmAndSeparation, kFilmAlone };
+
+/// The coupled Newton method for as many films as there are lanes, each at its own iteration of its own step. What
+/// happens in one lane depends on no other.
+///
+/// Method, eqs eq-discrete-balance, eq-load-balance: Newton on (z, ln h_m) with one bordered tridiagonal solve an
+/// iteration; a node that would cross the cavitation kink stops at it; a front that only advances is helped along; h_m
+/// moves by at most -60 % or +150 % an iteration. A lane has solved its film when an iteration moves nothing across the
+/// kink and changes film and pressure by less than sqrt(tolerance): what is left is then of the order of the tolerance,
+/// by quadratic convergence.
+class LaneNewton {
+ public:
+  /// @param width 1, or `kernels.width`; @param most_cells of any film in a lane
+  LaneNewton(const FilmKernels& kernels, int width, int most_cells);
+  LaneNewton(LaneNewton&&) = default;
+  LaneNewton& operator=(LaneNewton&&) = default;
+
+  int width() const { return width_; }
+
+  /// The film of `problem` takes the lane; the problem must outlive it there.
+  void bind(int lane, const FilmProblem& problem);
+
+  /// Leaves the lane empty.
+  void clear(int lane);
+
+  /// A new solve in a bound lane, from `guess`; of `previous` only the `content` enters; `inputs` must outlive the
+  /// solve. All running lanes must have the same laws and the same way of closing a cavity.
+  /// @param h_m where to start from, instead of the guess's [m]; @param laws kGiven: oil and contact as they are, not
+  /// their fits
+  void start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess, double h_m,
+             Unknowns unknowns, LaneLaws laws);
+
+  /// The solve just started is one of many in a search for the separation: it ends after fewer iterations, since the
+  /// search then tries a film nearer to one that was found, and where it carries far more than the load.
+  void limit_search_effort(int lane);
+
+  /// A new solve from what the last one in this lane left, which must be the film of `previous`; film and h_m are
+  /// sought, with the laws of the last solve.
+  void continue_from_last_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m);
+
+  /// One iteration of all running lanes.
+  void iterate();
+
+  /// Nodes that an iteration visits in each lane: those of the longest film.
+  int nodes_swept() const { return block_.n_cells + 1; }
+
+  enum class Phase { kIdle, kRunning, kSolved, kFailed };
+  Phase phase(int lane) const { return lanes_[lane].phase; }
+  int iterations(int lane) const { return lanes_[lane].iterations; }
+  double last_step(int lane) const { return lanes_[lane].last_step; }
+  /// Largest pressure of the film, edges included [Pa].
+  double peak_pressure(int lane) const;
+
+  /// Writes h_m, pressure and deficit of a lane, solved or not.
+  void read(int lane, FilmState& state) const;
+
+ private:
+  struct Lane {
+    const FilmProblem* problem = nullptr;
+    const FilmInputs* inputs = nullptr;
+    Phase phase = Phase::kIdle;
+    int n_cells = 0;
+    int iterations = 0, most_iterations = 0;
+    double last_step = 0;
+    double far_too_much = 0;  ///< excess of the load at which a search has seen enough; 0: none [N/m]
+    FrontAdvance fronts;
+  };
+  double& nodal(double* array, int i, int lane) const { return array[i * width_ + lane]; }
+  void clear_from(int lane, int node);
+  enum class Inflow { kOfTheState, kOfTheLane };  ///< where the oil is that the step before left
+  void set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
+                LaneLaws laws, Inflow inflow_is);
+  void set_edges(int lane);
+  void set_bounds(int lane, const FilmInputs& inputs);
+  void fit_block();
+  void evaluate_properties(int lane);
+  void conclude(int lane);
+  void advance_fronts(int lane, bool only_advanced);
+
+  const FilmKernels* kernels_;
+  int width_, most_cells_;
+  std::vector<double> memory_;
+  std::vector<Lane> lanes_;
+  std::vector<double> p_;  ///< of one lane, for laws that are given
+  NodalOil oil_;           ///< at these pressures
+  LaneBlock block_;
+};
+
+}  // namespace ringfilm::film

@@ -1,0 +1,138 @@
+#include "ringfilm/film/solver/reynolds.hpp"
+
+#include <algorithm>
+
+#include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/solver/load_balance.hpp"
+
+namespace ringfilm::film {
+
+void NodalOil::update(const models::OilAtTemperature& oil, const std::vector<double>& p) {
+  rho.resize(p.size());
+  drho_dp.resize(p.size());
+  eta.resize(p.size());
+  deta_dp.resize(p.size());
+  oil.properties(p, {rho, drho_dp, eta, deta_dp});
+  K.resize(p.size());
+  dK_dp.resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double fluidity = 1 / eta[i];
+    K[i] = rho[i] * fluidity;
+    dK_dp[i] = (drho_dp[i] - K[i] * deta_dp[i]) * fluidity;
+  }
+}
+
+bool runs_away(const models::OilAtTemperature& oil, double p_low, double p_high) {
+  constexpr double kRatio =
+      1e60;  // of viscosities: 44 decades beyond what the balance of a node sees in double precision
+  return !(oil.viscosity(p_high) < kRatio * oil.viscosity(p_low));
+}
+
+namespace {
+
+double viscosity_ratio(const models::OilAtTemperature& oil, double p_low, double p_high) {
+  return oil.viscosity(p_high) / oil.viscosity(p_low);
+}
+
+/// Oils are a glass at 1e12 Pa s, some 1e14 times their usual viscosity. Films at the limit of Barus' law show 1e28 and
+/// more, others below 1e3.
+constexpr double kGlass = 1e10;
+
+/// With Barus' law (1 - e^(-alpha p))/alpha is then within 1 in 1000 of the most that it can be.
+constexpr double kNearLimit = 1e3;
+
+}  // namespace
+
+bool is_glass(const models::OilAtTemperature& oil, double p_low, double p_high) {
+  return viscosity_ratio(oil, p_low, p_high) > kGlass;
+}
+
+bool accept(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& solved, FilmReport& report) {
+  const double peak = *std::max_element(solved.p.begin(), solved.p.end());
+  report.converged = solved.laws == LaneLaws::kFitted || !is_glass(oil, p_cavitation, peak);
+  report.failure = report.converged ? Failure::kNone : Failure::kRunsAway;
+  if (!report.converged) report.thinnest_film = solved.h_m;
+  return report.converged;
+}
+
+void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& found,
+                     Patience patience, FilmReport& report) {
+  if (report.failure == Failure::kOverloaded || report.failure == Failure::kLiftedOff) return;
+  if (found.h_m < kAtom) {
+    report.failure = Failure::kOverloaded;
+    return;
+  }
+  const double ratio = viscosity_ratio(oil, p_cavitation, *std::max_element(found.p.begin(), found.p.end()));
+  const bool is_cause = ratio > (patience == Patience::kLittle ? kGlass : kNearLimit);
+  report.failure = is_cause ? Failure::kRunsAway : Failure::kNotConverged;
+  report.thinnest_film = found.h_m;
+}
+
+namespace {
+
+struct OilHere {
+  double rho, K;
+};
+
+OilHere oil_at(const FilmProblem& problem, const FilmState& state, int i) {
+  const double p = state.p[i];
+  if (state.laws == LaneLaws::kFitted) {
+    const auto fitted = problem.oil->fit()->at(p);
+    return {fitted.rho, fitted.K};
+  }
+  const double rho = problem.oil->density(p);
+  return {rho, rho / problem.oil->viscosity(p)};
+}
+
+}  // namespace
+
+double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i) {
+  const OilHere left = oil_at(problem, state, i), right = oil_at(problem, state, i + 1);
+  const double rho[] = {left.rho, right.rho}, K[] = {left.K, right.K};
+  return flux_through(film_view(problem, state), inputs.U, rho, K, i);
+}
+
+void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const NodalOil& oil,
+                       std::vector<double>& multiplier) {
+  const FilmGrid& grid = problem.grid;
+  multiplier.assign(state.p.size(), 0.0);
+  for (int i = 1; i < grid.n_cells(); ++i) {
+    const double conductances = conductance(1, grid.spacing[i - 1]) + conductance(1, grid.spacing[i]);
+    multiplier[i] = multiplier_weight(conductances, state.h_m + grid.node_height[i], oil.K[i]);
+  }
+}
+
+void complete_state(const FilmProblem& problem, LaneLaws laws, FilmState& state) {
+  const std::size_t n_nodes = state.p.size();
+  state.content.resize(n_nodes);
+  state.laws = laws;
+  if (laws == LaneLaws::kFitted) {
+    problem.kernels->content(film_view(problem, state), fitted_oil_view(problem), state.content.data());
+    return;
+  }
+  for (std::size_t i = 0; i < n_nodes; ++i) {
+    state.content[i] = problem.oil->density(state.p[i]) * fill(problem.cavitation, state.deficit[i]) *
+                       (state.h_m + problem.grid.node_height[i]);
+  }
+}
+
+FilmView film_view(const FilmProblem& problem, const FilmState& state) {
+  const FilmGrid& grid = problem.grid;
+  return {grid.n_cells(),
+          grid.node_height.data(),
+          grid.face_height.data(),
+          grid.share.data(),
+          grid.spacing.data(),
+          state.p.data(),
+          state.deficit.data(),
+          state.content.data(),
+          state.h_m,
+          problem.cavitation == Cavitation::kMassConserving ? 1.0 : 0.0};
+}
+
+FittedOilView fitted_oil_view(const FilmProblem& problem) {
+  const models::OilFit& fit = *problem.oil->fit();
+  return {fit.K.data(), fit.rho.data(), fit.centre, 1 / fit.half_width};
+}
+
+}  // namespace ringfilm::film
