@@ -240,7 +240,7 @@ std::string as_json(std::uint64_t seed, int index, const EngineScenario& scenari
       {"roughness_um", c.contact.roughness * 1e6},
       {"asperity_radius_um", c.contact.asperity_radius * 1e6},
       {"asperity_density_per_um2", c.contact.asperity_density * 1e-12},
-      {"film_parameter", c.contact.film_parameter == FilmParameter::kLocal ? "local" : "nominal"},
+      {"lambda_ratio", c.contact.lambda_ratio == LambdaRatio::kLocal ? "local" : "nominal"},
       {"integrals", c.contact.integrals == ContactIntegrals::kExact ? "exact" : "polynomial-4-digit"},
       {"viscosity_pressure", models::viscosity_law(c.lubricant.viscosity_pressure).name},
       {"pressure_viscosity_coefficient", c.lubricant.law_parameters.at("pressure_viscosity_coefficient")},

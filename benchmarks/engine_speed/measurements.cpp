@@ -174,8 +174,8 @@ void register_sizes(const Extent& extent) {
 }  // namespace
 
 const std::string& name_of(cycle::Cavitation cavitation) {
-  static const std::string reynolds = "reynolds-exit", fill = "mass-conserving";
-  return cavitation == cycle::Cavitation::kReynoldsExit ? reynolds : fill;
+  static const std::string reynolds = "reynolds-exit", film_content = "mass-conserving";
+  return cavitation == cycle::Cavitation::kReynoldsExit ? reynolds : film_content;
 }
 
 std::string name_of(const std::string& what, cycle::Cavitation cavitation, int cells) {

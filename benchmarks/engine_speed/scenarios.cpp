@@ -8,7 +8,7 @@
 namespace ringfilm::benchmarks {
 namespace {
 
-/// The i-th of numbers that fill -1 ... 1 evenly, 0 the first: multiples of an irrational number.
+/// The i-th of numbers that film content -1 ... 1 evenly, 0 the first: multiples of an irrational number.
 double spread(std::size_t i, double irrational) {
   const double x = 0.5 + static_cast<double>(i) * irrational;
   return 2 * (x - std::floor(x)) - 1;

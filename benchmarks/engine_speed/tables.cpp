@@ -11,7 +11,7 @@ namespace {
 
 using cycle::Cavitation;
 using Cells = std::vector<std::string>;
-constexpr auto kReynolds = Cavitation::kReynoldsExit, kFill = Cavitation::kMassConserving;
+constexpr auto kReynolds = Cavitation::kReynoldsExit, kFilmContent = Cavitation::kMassConserving;
 
 class Printer {
  public:
@@ -22,7 +22,7 @@ class Printer {
     const Cells methods = {"point-relaxation", "nested-secant", "coupled-newton", "batched", "batched-all-threads"};
     MarkdownTable table({"model", "cells", "point relaxation", "nested secant", "coupled Newton", "batched",
                          "batched, " + threads_, "cycles/s, core", "made ready"});
-    for (const auto model : {kReynolds, kFill}) {
+    for (const auto model : {kReynolds, kFilmContent}) {
       for (const int cells : kCells) {
         Cells values;
         for (const auto& method : methods) values.push_back(text("%.3f", Value(1e3) * time(method, model, cells)));
@@ -49,11 +49,11 @@ class Printer {
       table.row({std::to_string(cells)},
                 {text("%.0f", faster("point-relaxation", kReynolds, "coupled-newton", kReynolds)),
                  text("%.0f", faster("point-relaxation", kReynolds, "batched", kReynolds)),
-                 text("%.0f", faster("point-relaxation", kReynolds, "batched", kFill)),
+                 text("%.0f", faster("point-relaxation", kReynolds, "batched", kFilmContent)),
                  text("%.2f", faster("coupled-newton", kReynolds, "batched", kReynolds)),
-                 text("%.2f", faster("coupled-newton", kFill, "batched", kFill)),
+                 text("%.2f", faster("coupled-newton", kFilmContent, "batched", kFilmContent)),
                  text("%.2f", faster("batched", kReynolds, "batched-all-threads", kReynolds)),
-                 text("%.2f", faster("batched", kFill, "batched-all-threads", kFill))});
+                 text("%.2f", faster("batched", kFilmContent, "batched-all-threads", kFilmContent))});
     }
     table.print(
         "Times as fast (yardstick: point relaxation; RE: reynolds-exit, as the yardstick; MC: mass-conserving)");
@@ -63,7 +63,7 @@ class Printer {
     MarkdownTable table({"model", "cells", "best factor", "sweeps/step", "failed", "secant: iter./step", "films/step",
                          "failed", "coupled: iter./step", "batched: iter./step", "lanes occupied", "found alone",
                          "stopped", "cycles/scenario"});
-    for (const auto model : {kReynolds, kFill}) {
+    for (const auto model : {kReynolds, kFilmContent}) {
       for (const int cells : kCells) {
         const auto told = [&](const char* format, const char* what, const char* counter) {
           return text(format, of(what, model, cells, counter));
@@ -85,7 +85,7 @@ class Printer {
   void operations() const {
     MarkdownTable table({"model", "cells", "flop/node, iteration", "flop/node, step", "sweep alone: Gflop/s", "of peak",
                          "batch, its sweeps: Gflop/s", "of peak", "batch, all: Gflop/s", "of peak"});
-    for (const auto model : {kReynolds, kFill}) {
+    for (const auto model : {kReynolds, kFilmContent}) {
       for (const int cells : kCells) {
         const Value per_iteration = of("newton-sweep", model, cells, "operations_per_node_and_iteration");
         const Value per_step = of("newton-sweep", model, cells, "operations_per_node_and_step");
@@ -114,10 +114,10 @@ class Printer {
   void memory() const {
     MarkdownTable table({"cells", "block: byte/cell", "byte/cell and lane", "scenario in flight: kB"});
     for (const int cells : kCells) {
-      const Value block = of("newton-sweep", kFill, cells, "block_bytes_per_cell");
+      const Value block = of("newton-sweep", kFilmContent, cells, "block_bytes_per_cell");
       table.row({std::to_string(cells)},
                 {text("%.0f", block), text("%.0f", block / Value(film::kernels().width)),
-                 text("%.0f", Value(1e-3) * of("batched", kFill, cells, "heap_per_scenario"))});
+                 text("%.0f", Value(1e-3) * of("batched", kFilmContent, cells, "heap_per_scenario"))});
     }
     table.print("Memory of a block of lanes, and of a scenario on its way with its share of the block");
   }

@@ -52,11 +52,11 @@ plt.show()
 # *Minimum film thickness and total friction of the three rings over one cycle. All three films are thinnest about 20 degrees after firing TDC, where the gas presses the ring hardest, and friction peaks there. As the coating wears in, that peak falls: the shear strength falls, and the asperities with it.*
 #
 # ## The numbers beside those of the paper
-# The paper gives the film parameter $\lambda=h_m/\sigma$ of the new ring at peak pressure as 1.41, and the highest friction coefficient near firing TDC as 0.17.
+# The paper gives the lambda ratio $\lambda=h_m/\sigma$ of the new ring at peak pressure as 1.41, and the highest friction coefficient near firing TDC as 0.17.
 
 # %%
 table = pandas.DataFrame({life: {
-    "film parameter at peak pressure": result.film_parameter_at_peak_pressure,
+    "lambda ratio at peak pressure": result.lambda_ratio_at_peak_pressure,
     "highest friction coefficient at firing": result.peak_friction_coefficient_firing,
     "minimum film thickness [um]": result.cycle_min_film_thickness * 1e6,
     "FMEP [kPa]": result.fmep / 1e3,
@@ -66,4 +66,4 @@ table.insert(0, "paper, new", [1.41, 0.17, 1.41 * 0.48, np.nan, np.nan])
 table.round(3)
 
 # %% [markdown]
-# The film parameter is 9 % below the published one, the friction coefficient 9 % above. An effective modulus near 190 GPa, which the paper does not state, would meet it. `ringfilm reproduce styles2014` makes the whole comparison, with every statement of the paper and what decides it.
+# The lambda ratio is 9 % below the published one, the friction coefficient 9 % above. An effective modulus near 190 GPa, which the paper does not state, would meet it. `ringfilm reproduce styles2014` makes the whole comparison, with every statement of the paper and what decides it.

@@ -118,13 +118,13 @@ N [1/m2], beta [m], sigma [m], E_prime [Pa] of 2/E_prime = sum (1 - nu^2)/E. Sou
       [](const GivenNumber& order, const GivenNumbers& lambda) {
         const double n = number_of("n", order.value, "");
         if (!(std::isfinite(n) && n >= 1)) throw InputError("n must be 1 or more", "contact requires 3/2, 2 and 5/2");
-        return mapped("film_parameter", lambda, [n](double at) {
+        return mapped("lambda_ratio", lambda, [n](double at) {
           if (!(at >= 0 && at <= 30)) throw InputError("lambda must lie between 0 and 30");
           return gaussian_integral(n, at);
         });
       },
-      py::arg("n"), py::arg("film_parameter"),
-      "F_n of the film parameter lambda, any shape, 0 to 30 [-]. Raises InputError. Source: eq-gaussian-integral.");
+      py::arg("n"), py::arg("lambda_ratio"),
+      "F_n of the lambda ratio lambda, any shape, 0 to 30 [-]. Raises InputError. Source: eq-gaussian-integral.");
   part.def(
       "composite_modulus",
       [](const GivenNumbers& E_1, const GivenNumbers& nu_1, const GivenNumbers& E_2, const GivenNumbers& nu_2) {

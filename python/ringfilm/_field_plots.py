@@ -4,7 +4,7 @@ import numpy
 
 from ._drawing import BY_ANGLE, crank_axis, dotted_line, from_intake, from_zero, label_of
 
-FIELDS = ("film_thickness", "film_pressure", "fill", "local_film_parameter", "asperity_pressure")
+FIELDS = ("film_thickness", "film_pressure", "film_content", "local_lambda_ratio", "asperity_pressure")
 
 _FEW_ANGLES = 8
 _HIGH = 60  # letters along the axis of a figure of one large panel
@@ -40,7 +40,7 @@ def _draw_profiles(axes, x, angles, values, words, style, strokes):
         line, = axes.plot(x, along, **{"linewidth": 1.3, **look}, label=f"{whose}, {label}" if whose else label)
         if along.min() >= 0:
             from_zero(axes, line)
-    if name == "fill":
+    if name == "film_content":
         axes.set_ylim(0, 1.05)
     axes.set_xlabel(_BY_PLACE, fontsize=8)
     axes.set_ylabel(label_of(long_name, unit, _HIGH), fontsize=8)
@@ -73,10 +73,10 @@ def _limits(name, values):
     """The scale of a colour bar: from zero, and logarithmic where the wide gap at the edges would hide the film."""
     from matplotlib.colors import LogNorm
 
-    if name == "fill":
+    if name == "film_content":
         return {"vmin": 0.0, "vmax": 1.0}
     low, high = numpy.nanmin(values), numpy.nanmax(values)
-    if name in ("film_thickness", "local_film_parameter") and 0 < 20 * low < high:
+    if name in ("film_thickness", "local_lambda_ratio") and 0 < 20 * low < high:
         return {"norm": LogNorm(low, high)}
     return {"vmin": min(low, 0.0), "vmax": high if high > 0 else 1.0}
 

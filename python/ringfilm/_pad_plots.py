@@ -5,7 +5,7 @@ import numpy
 from ._drawing import TOTAL, caption, fitting_unit, from_zero, label_of, new_figure, plain
 from ._ringfilm import quantities, version
 
-_ALONG = ("film_thickness", "pressure", "fill")
+_ALONG = ("film_thickness", "pressure", "film_content")
 
 
 def plot_pad(result, what="film", axes=None, label=None, **style):
@@ -16,7 +16,7 @@ def plot_pad(result, what="film", axes=None, label=None, **style):
         raise ValueError(f"{what!r} cannot be drawn; one of {known}, or a number of the pad over time")
     if what == "film" and (axes is not None or label is not None or style):
         raise ValueError("'film' is a figure of two panels: axes, label and style are for film_thickness, pressure, "
-                         "fill or a number of the pad")
+                         "film_content or a number of the pad")
     if not len(result.time):
         raise ValueError("this pad has no film to draw: it was not solved at any instant")
     draw = _draw_along if what in _ALONG else _draw_over_time

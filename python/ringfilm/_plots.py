@@ -25,11 +25,11 @@ from ._ringfilm import quantities
 __all__ = ["plot_pad", "plot_result"]
 
 _PANELS = {
-    "film": ("min_film_thickness", "film_parameter", "cavitated_fraction"),
+    "film": ("min_film_thickness", "lambda_ratio", "cavitated_fraction"),
     "friction": ("friction", "friction_coefficient", "power_loss"),
     "overview": ("gas_pressure", "min_film_thickness", "friction"),
 }
-_FROM_ZERO = ("min_film_thickness", "film_parameter", "friction_coefficient", "gas_pressure")
+_FROM_ZERO = ("min_film_thickness", "lambda_ratio", "friction_coefficient", "gas_pressure")
 
 
 def _curves():

@@ -76,7 +76,7 @@ class Numbers(Film2dTest):
     def test_csv_is_the_film_at_mid_width(self):
         self.run_well("run", "pad.toml", "--csv", "film.csv")
         rows = self.rows("film.csv")
-        self.assertEqual(rows[0], ["time [s]", "x [m]", "film_thickness [m]", "pressure [Pa]", "fill"])
+        self.assertEqual(rows[0], ["time [s]", "x [m]", "film_thickness [m]", "pressure [Pa]", "film_content"])
         self.assertEqual(len(rows), 1 + 25)
         self.assertGreater(float(rows[13][3]), 1e5)
 
@@ -86,7 +86,7 @@ class Numbers(Film2dTest):
         self.assertIn("pad of 10 x 20 mm", told)
         film = (self.folder / "film.nc").read_bytes()
         self.assertEqual(film[:4], b"\x89HDF")
-        for name in (b"film_thickness", b"pressure", b"fill", b"total_load", b"ringfilm_pad_schema"):
+        for name in (b"film_thickness", b"pressure", b"film_content", b"total_load", b"ringfilm_pad_schema"):
             self.assertIn(name, film)
         self.assert_refused(self.run_program("report", "film.nc", "--output", "film.html"), "the film of a pad")
 

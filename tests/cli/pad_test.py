@@ -50,16 +50,16 @@ class Numbers(PadTest):
         self.run_well("run", "pad.toml", "--json", "--csv")
         self.assertEqual(self.rows("pad.csv")[0][:2], ["time [s]", "x [m]"])
 
-    def test_fill_has_two_values_at_a_step_inside_a_cavity(self):
+    def test_film_content_has_two_values_at_a_step_inside_a_cavity(self):
         """The same oil flows through both gaps: theta h is one number at a step where no pressure drives any."""
         (self.folder / "gap.csv").write_text("x [mm],h [um]\n0,10\n3,10\n3,14\n6,14\n6,20\n10,20\n")
         self.run_well("run", "pad.toml", "--csv", "film.csv")
         rows = [[float(word) for word in row] for row in self.rows("film.csv")[1:]]
         at = [row for row in rows if abs(row[1] - 6e-3) < 1e-9]
         self.assertEqual(len(at), 2)
-        (_, _, h_left, _, fill_left), (_, _, h_right, _, fill_right) = at
-        self.assertAlmostEqual(fill_left * h_left, fill_right * h_right, delta=1e-12)
-        self.assertLess(fill_right, fill_left)
+        (_, _, h_left, _, content_left), (_, _, h_right, _, content_right) = at
+        self.assertAlmostEqual(content_left * h_left, content_right * h_right, delta=1e-12)
+        self.assertLess(content_right, content_left)
         at = [row for row in rows if abs(row[1] - 3e-3) < 1e-9]
         self.assertEqual(at[0][4], 1, "the film is full up to where it ruptures")
 
@@ -80,7 +80,7 @@ class Numbers(PadTest):
     def test_csv_has_a_row_for_each_node(self):
         self.run_well("run", "pad.toml", "--csv", "out.csv")
         rows = self.rows("out.csv")
-        self.assertEqual(rows[0], ["time [s]", "x [m]", "film_thickness [m]", "pressure [Pa]", "fill"])
+        self.assertEqual(rows[0], ["time [s]", "x [m]", "film_thickness [m]", "pressure [Pa]", "film_content"])
         self.assertEqual(len(rows), 1 + 101)
         self.assertEqual([float(v) for v in rows[1]], [0, 0, 20e-6, 0, 1])
         self.assertEqual([float(v) for v in rows[-1]], [0, 0.01, 10e-6, 0, 1])
@@ -96,7 +96,7 @@ class Numbers(PadTest):
         self.run_well("run", "pad.toml", "--output", "film.nc")
         film = (self.folder / "film.nc").read_bytes()
         self.assertEqual(film[:4], b"\x89HDF")
-        for name in (b"film_thickness", b"pressure", b"fill", b"load", b"ringfilm_pad_schema"):
+        for name in (b"film_thickness", b"pressure", b"film_content", b"load", b"ringfilm_pad_schema"):
             self.assertIn(name, film)
 
     def test_a_load_finds_its_separation(self):

@@ -12,7 +12,7 @@ import program
 
 CONTRACT_COLUMNS = (
     "crank_angle [degree],piston_velocity [m/s],gas_pressure [Pa],applied_load [N],min_film_thickness [m],"
-    "film_parameter,hydrodynamic_load [N],asperity_load [N],asperity_contact_area [m2],boundary_friction [N],"
+    "lambda_ratio,hydrodynamic_load [N],asperity_load [N],asperity_contact_area [m2],boundary_friction [N],"
     "viscous_friction [N],viscous_friction_ring [N],total_friction [N],friction_on_liner [N],friction_coefficient,"
     "power_loss [W],oil_flow_middle [kg/s],peak_film_pressure [Pa],cavitated_fraction,sliding_distance [m]"
 )

@@ -52,7 +52,7 @@ def test_a_curve_in_the_unit_of_engineers_with_firing_tdc_in_the_middle(result):
     assert at[-100] == pytest.approx(result.min_film_thickness[620] * 1e6)
 
 
-@pytest.mark.parametrize("what", [*PANELS, "stribeck", "film_pressure", "fill", "power_loss"])
+@pytest.mark.parametrize("what", [*PANELS, "stribeck", "film_pressure", "film_content", "power_loss"])
 def test_every_kind_can_be_drawn_and_has_a_caption(result, what, tmp_path):
     figure = result.plot(what)
     figure.savefig(tmp_path / "x.png")
@@ -144,7 +144,7 @@ def test_few_fields_are_curves_along_the_face(result):
     axes = result.plot("film_pressure").axes[0]
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["0 degree", "20 degree", "350 degree"]
     numpy.testing.assert_allclose(axes.lines[1].get_ydata() * 1e5, result["film_pressure"][1])
-    low, high = result.plot("fill").axes[0].get_ylim()
+    low, high = result.plot("film_content").axes[0].get_ylim()
     assert low == 0 and high == pytest.approx(1.05)
 
 
@@ -158,7 +158,7 @@ def test_many_fields_are_a_map_that_is_blank_between(case):
     assert there.sum() == 22 and widths[there] == pytest.approx(2.0)
     assert "white where none was computed" in words_of(figure)
     case["output.fields"] = "all"
-    figure = case.run().plot("fill")
+    figure = case.run().plot("film_content")
     assert figure.axes[0].collections[0].get_clim() == (0, 1)
     assert "white" not in words_of(figure)
 

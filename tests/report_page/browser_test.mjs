@@ -96,7 +96,7 @@ for (const width of [390, 1400]) {
 
   test(`curves are drawn and cycle charts stand under each other at ${width} px`, async () => {
     const { page, faults } = await opened('three.html', width);
-    for (const id of ['total-friction', 'friction-on-liner', 'friction-firing', 'stribeck', 'wear-drive-stroke', 'ring-faces', 'along-the-face']) {
+    for (const id of ['total-friction', 'friction-on-liner', 'friction-firing', 'stribeck', 'archard-wear-load-stroke', 'ring-faces', 'along-the-face']) {
       assert.ok(await colouredPixels(page, `#${id}`) > 200, `${id} shows no curve`);
     }
     const edges = await plotEdges(page);
@@ -110,7 +110,7 @@ for (const width of [390, 1400]) {
 for (const width of [390, 1400]) {
   test(`a light band lies about every cycle curve that has an error at ${width} px`, async () => {
     const alone = await opened('coarse.html', width);
-    for (const figure of ['min-film-thickness', 'film-parameter']) {
+    for (const figure of ['min-film-thickness', 'lambda-ratio']) {
       assert.ok((await bandPixels(alone.page, `#${figure}`)) > 1000, `no band in ${figure}`);
     }
     assert.ok((await bandPixels(alone.page, '#cylinder-pressure')) < 200, 'an input has no band, only the soft edges of its curve');
@@ -218,8 +218,8 @@ test('sums of strips are drawn over the cycle, and a case without an unrolled fi
 test('every part of the report is there, in order', async () => {
   const { page } = await opened('three.html', 1400);
   const ids = await page.$$eval('main figure, main section[id]', (nodes) => nodes.map((n) => n.id));
-  assert.deepEqual(ids, ['cycle', 'cylinder-pressure', 'min-film-thickness', 'film-parameter', 'total-friction', 'friction-on-liner', 'oil-flow-middle', 'other-quantity',
-    'friction', 'friction-firing', 'stribeck', 'wear-drive-stroke', 'energy-by-stroke', 'face', 'ring-faces', 'along-the-face',
+  assert.deepEqual(ids, ['cycle', 'cylinder-pressure', 'min-film-thickness', 'lambda-ratio', 'total-friction', 'friction-on-liner', 'oil-flow-middle', 'other-quantity',
+    'friction', 'friction-firing', 'stribeck', 'archard-wear-load-stroke', 'energy-by-stroke', 'face', 'ring-faces', 'along-the-face',
     'cycle-values', 'comparison', 'ledger', 'influences', 'validity', 'inputs', 'provenance']);
   assert.match(await page.textContent('.warning'), /SYNTHETIC/);
   assert.match(await page.textContent('#cylinder-pressure'), /SYNTHETIC/);
@@ -241,7 +241,7 @@ test('no width of the window upsets the page', async () => {
 
 test('on a phone every button of the bar can be reached', async () => {
   const { page } = await opened('three.html', 390);
-  await page.$eval('#film-parameter', (node) => node.scrollIntoView());
+  await page.$eval('#lambda-ratio', (node) => node.scrollIntoView());
   const outside = await page.$$eval('.toolbar button', (buttons) => buttons.filter((b) => {
     const box = b.getBoundingClientRect();
     return box.left < 0 || box.right > window.innerWidth || document.elementFromPoint((box.left + box.right) / 2, (box.top + box.bottom) / 2)?.closest('button') !== b;

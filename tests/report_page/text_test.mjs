@@ -243,22 +243,22 @@ function smallRing(endGap, more = {}) {
   const quantity = (name, displayUnit) => ({ name, unit: displayUnit === 'bar' ? 'Pa' : '1', display_unit: displayUnit, long_name: name });
   return new Unrolled({
     circumference: 0.1, end_gap: endGap, gap_position: Math.PI / 2, stored: { angles: 1, y: 3, x: 2 }, crank_angle: [20], x: [0, 1e-3], y: [0, 0.04, endGap ? 0.1 - endGap : 0.09],
-    fields: { film_pressure: { low: 0, high: 5e5, data: words(0, 13107, 26214, 39320, 52427, 65534) }, fill: { low: 0.5, high: 1, data: words(65534, 65534, 0, 65534, 65535, 65534) } },
-    highest_pressure: [{ x: 1e-3, y: 0.09, value: 5e5 }], lowest_fill: [{ x: 0, y: 0.04, value: 0.5 }], strips: { crank_angle: [], y: [], fields: {} }, ...more,
-  }, { fields: [quantity('film_pressure', 'bar'), quantity('fill', '1')], strips: [] });
+    fields: { film_pressure: { low: 0, high: 5e5, data: words(0, 13107, 26214, 39320, 52427, 65534) }, film_content: { low: 0.5, high: 1, data: words(65534, 65534, 0, 65534, 65535, 65534) } },
+    highest_pressure: [{ x: 1e-3, y: 0.09, value: 5e5 }], lowest_film_content: [{ x: 0, y: 0.04, value: 0.5 }], strips: { crank_angle: [], y: [], fields: {} }, ...more,
+  }, { fields: [quantity('film_pressure', 'bar'), quantity('film_content', '1')], strips: [] });
 }
 
 test('fields around the ring come back from their words', () => {
   const ring = smallRing(0.01);
   // Half a step of 5 bar in 65534.
   [[0, 0, 0], [1, 0, 2], [2, 1, 5]].forEach(([j, i, bar]) => assert.ok(Math.abs(ring.value('film_pressure', 0, j, i) - bar) < 5e-5));
-  assert.equal(ring.value('fill', 0, 2, 0), null);
+  assert.equal(ring.value('film_content', 0, 2, 0), null);
   assert.deepEqual([ring.isCavity(0, 0, 0), ring.isCavity(0, 1, 0), ring.isCavity(0, 2, 0)], [false, true, false]);
 });
 
-test('a model without a fill has cavities where the pressure is theirs', () => {
-  const ring = smallRing(0.01, { rupture_pressure: 0, lowest_fill: [{ x: 0, y: 0, value: 1 }] });
-  assert.equal(ring.fields.fill, undefined);
+test('a model without a film content has cavities where the pressure is theirs', () => {
+  const ring = smallRing(0.01, { rupture_pressure: 0, lowest_film_content: [{ x: 0, y: 0, value: 1 }] });
+  assert.equal(ring.fields.film_content, undefined);
   assert.deepEqual([ring.isCavity(0, 0, 0), ring.hasCavity(0)], [false, false], 'edges are full');
   ring.x = [-1, ...ring.x.slice(0, 1), 1];
   ring.value = (name, k, j, i) => (j === 1 && i === 1 ? 0 : 2);

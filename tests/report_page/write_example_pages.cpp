@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   io::ResultDocument coarse = example::document("coarse grid");
   for (cycle::Sample& error : coarse.errors->samples) {
     error.min_film_thickness *= 20;
-    error.film_parameter *= 20;
+    error.lambda_ratio *= 20;
   }
   const bool coarse_written = write("coarse.html", report::report_page({coarse}, {}));
 

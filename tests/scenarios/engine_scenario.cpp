@@ -189,7 +189,7 @@ EngineScenario engine_scenario(std::uint64_t seed, int index) {
   c.contact.roughness = at.log_between(0.03e-6, 2e-6);
   c.contact.asperity_radius = at.log_between(0.3e-6, 10e-6);
   c.contact.asperity_density = at.between(0.03, 0.08) / (c.contact.asperity_radius * c.contact.roughness);
-  c.contact.film_parameter = at.one_of(8) == 0 ? FilmParameter::kNominal : FilmParameter::kLocal;
+  c.contact.lambda_ratio = at.one_of(8) == 0 ? LambdaRatio::kNominal : LambdaRatio::kLocal;
   c.contact.integrals = at.one_of(8) == 0 ? ContactIntegrals::kPolynomial4Digit : ContactIntegrals::kExact;
   c.lubricant.compressibility = at.one_of(4) == 0 ? Compressibility::kNone : Compressibility::kDowsonHigginson;
   c.ring.face.orientation = static_cast<Orientation>(at.one_of(3));

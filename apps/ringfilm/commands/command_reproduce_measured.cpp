@@ -210,7 +210,7 @@ std::string cycles_table(const std::vector<io::ResultDocument>& measured,
   std::string text = fmt::format("{:<34}{:<12}", "the three rings", "");
   for (const std::string ring : chain::kRings) text += fmt::format("{:>24}", word_of(ring));
   text += "\n";
-  for (const char* name : {"min_film_thickness", "film_parameter_at_peak_pressure", "peak_friction_coefficient_firing",
+  for (const char* name : {"min_film_thickness", "lambda_ratio_at_peak_pressure", "peak_friction_coefficient_firing",
                            "mean_power_loss", "mean_boundary_power", "mean_absolute_oil_flow"}) {
     const auto line = [&](const char* first, const char* which, const std::vector<io::ResultDocument>& of) {
       text += fmt::format("{:<34}{:<12}", first, which);

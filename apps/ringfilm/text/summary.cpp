@@ -88,12 +88,12 @@ std::string values_table(const CycleValues& values, const std::optional<study::E
                                              "; within 60 degree of firing TDC " +
                                              table.shown("peak_friction_coefficient_firing"));
   table.add("min_film_thickness", table.at("min_film_thickness_angle"));
-  table.add("film_parameter_at_peak_pressure", "lowest of the cycle " + table.shown("min_film_parameter"));
+  table.add("lambda_ratio_at_peak_pressure", "lowest of the cycle " + table.shown("min_lambda_ratio"));
   table.add("mixed_share");
   table.add("mean_absolute_oil_flow", "net " + table.shown("net_oil_flow") + ", positive to the crankcase");
   table.add("peak_film_pressure",
             "peak gas pressure " + table.shown("peak_gas_pressure") + " " + table.at("peak_gas_pressure_angle"));
-  table.add("wear_drive_energy");
+  table.add("archard_wear_load");
   return table.text();
 }
 

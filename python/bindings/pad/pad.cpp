@@ -65,7 +65,7 @@ void bind_numbers(py::class_<PadObject>& type) {
   };
   field("film_thickness", "Film thickness [m]", &pad::Profile::film_thickness);
   field("pressure", "Film pressure [Pa], counted from the zero of the case", &pad::Profile::pressure);
-  field("fill", "Liquid share of the gap [-]", &pad::Profile::fill);
+  field("film_content", "Liquid share of the gap [-]", &pad::Profile::film_content);
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ Source: docs/theory/pad.md.)");
       py::arg("what") = "film", py::arg("axes") = py::none(), py::arg("label") = py::none(),
       R"(Draws the pad with matplotlib, in units that go by the size of the numbers.
 
-what: "film" (gap and pressure of the last instant), "film_thickness", "pressure", "fill", or a number over time
+what: "film" (gap and pressure of the last instant), "film_thickness", "pressure", "film_content", or a number over time
     ("load").
 axes, label, style: as in Result.plot; not for "film", which is two panels.
 Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn.)");

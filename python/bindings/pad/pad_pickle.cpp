@@ -47,7 +47,8 @@ std::vector<pad::Sample> samples_of(const py::dict& columns) {
 py::list stored(const std::vector<pad::Profile>& profiles) {
   py::list list;
   for (const pad::Profile& one : profiles)
-    list.append(py::make_tuple(one.time, array_of(one.film_thickness), array_of(one.pressure), array_of(one.fill)));
+    list.append(
+        py::make_tuple(one.time, array_of(one.film_thickness), array_of(one.pressure), array_of(one.film_content)));
   return list;
 }
 

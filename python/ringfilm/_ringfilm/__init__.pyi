@@ -181,7 +181,7 @@ class PadResult:
         """False where the film could not be solved to the end."""
         ...
     @property
-    def fill(self) -> object:
+    def film_content(self) -> object:
         """Liquid share of the gap [-], shape (time, x), with a width (time, y, x); a copy."""
         ...
     @property
@@ -267,7 +267,7 @@ class PadResult:
     def plot(self, what: str = 'film', axes: object = None, label: object = None, **kwargs) -> object:
         """Draws the pad with matplotlib, in units that go by the size of the numbers.
 
-        what: "film" (gap and pressure of the last instant), "film_thickness", "pressure", "fill", or a number over time
+        what: "film" (gap and pressure of the last instant), "film_thickness", "pressure", "film_content", or a number over time
             ("load").
         axes, label, style: as in Result.plot; not for "film", which is two panels.
         Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn."""
@@ -385,6 +385,14 @@ class Result:
         """Load that presses the ring on the liner [N], shape (crank_angle,). Source: docs/theory, eq-applied-load."""
         ...
     @property
+    def archard_wear_load(self) -> object:
+        """Asperity load times sliding distance, per cycle [J], a float; NaN where the cycle was not finished. Source: docs/theory, eq-archard-wear-load."""
+        ...
+    @property
+    def archard_wear_load_rate(self) -> object:
+        """Asperity load times sliding speed, the Archard wear load [W], shape (crank_angle,). Source: docs/theory, eq-archard-wear-load."""
+        ...
+    @property
     def asperity_contact_area(self) -> object:
         """Real area of asperity contact [m2], shape (crank_angle,). Source: docs/theory, eq-asperity-area."""
         ...
@@ -477,14 +485,6 @@ class Result:
         """Steps that needed the bracketed search or a shorter step [1], shape (crank_angle,). Source: docs/theory, eq-load-balance."""
         ...
     @property
-    def film_parameter(self) -> object:
-        """Film parameter, minimum film over composite roughness [1], shape (crank_angle,). Source: docs/theory, eq-film-parameter."""
-        ...
-    @property
-    def film_parameter_at_peak_pressure(self) -> object:
-        """Film parameter at peak cylinder pressure [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-film-parameter."""
-        ...
-    @property
     def fmep(self) -> object:
         """Friction mean effective pressure [Pa], a float; NaN where the cycle was not finished. Source: docs/theory, eq-fmep."""
         ...
@@ -532,6 +532,14 @@ class Result:
         """Names of all that [] gives, as in the result file, in its order."""
         ...
     @property
+    def lambda_ratio(self) -> object:
+        """Lambda ratio, minimum film over composite roughness [1], shape (crank_angle,). Source: docs/theory, eq-lambda-ratio."""
+        ...
+    @property
+    def lambda_ratio_at_peak_pressure(self) -> object:
+        """Lambda ratio at peak cylinder pressure [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-lambda-ratio."""
+        ...
+    @property
     def ledger(self) -> object:
         """What it would change to lift an assumption, if run(ledger=True) was asked to find out.
 
@@ -568,16 +576,16 @@ class Result:
         """Mean cavitated share of the face [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-complementarity."""
         ...
     @property
-    def mean_film_parameter(self) -> object:
-        """Mean film parameter, weighted with the load [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-load-mean."""
-        ...
-    @property
     def mean_friction_coefficient(self) -> object:
         """Mean friction coefficient, weighted with the load [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-load-mean."""
         ...
     @property
     def mean_gap_leakage(self) -> object:
         """Mean oil flow out of the film into the ring's gap [kg/s], a float; NaN unless the film is unrolled. Source: docs/theory, eq-gap-leakage."""
+        ...
+    @property
+    def mean_lambda_ratio(self) -> object:
+        """Mean lambda ratio, weighted with the load [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-load-mean."""
         ...
     @property
     def mean_power_loss(self) -> object:
@@ -600,10 +608,6 @@ class Result:
         """Mean viscous friction power [W], a float; NaN where the cycle was not finished. Source: docs/theory, eq-mean."""
         ...
     @property
-    def min_film_parameter(self) -> object:
-        """Lowest film parameter [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-film-parameter."""
-        ...
-    @property
     def min_film_thickness(self) -> object:
         """Minimum film thickness [m], shape (crank_angle,). Source: docs/theory, eq-film-thickness."""
         ...
@@ -612,8 +616,12 @@ class Result:
         """Crank angle of the minimum film thickness [degree], a float; NaN where the cycle was not finished. Source: docs/theory, eq-film-thickness."""
         ...
     @property
+    def min_lambda_ratio(self) -> object:
+        """Lowest lambda ratio [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-lambda-ratio."""
+        ...
+    @property
     def mixed_share(self) -> object:
-        """Share of the cycle in mixed lubrication (film parameter below 3) [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-mixed-share."""
+        """Share of the cycle in mixed lubrication (lambda ratio below 3) [1], a float; NaN where the cycle was not finished. Source: docs/theory, eq-mixed-share."""
         ...
     @property
     def net_oil_flow(self) -> object:
@@ -791,14 +799,6 @@ class Result:
     @property
     def viscous_friction_ring(self) -> object:
         """Viscous friction on the ring, signed [N], shape (crank_angle,). Source: docs/theory, eq-viscous-friction."""
-        ...
-    @property
-    def wear_drive(self) -> object:
-        """Asperity load times sliding speed, the drive of wear [W], shape (crank_angle,). Source: docs/theory, eq-wear-drive."""
-        ...
-    @property
-    def wear_drive_energy(self) -> object:
-        """Asperity load times sliding distance, per cycle [J], a float; NaN where the cycle was not finished. Source: docs/theory, eq-wear-drive."""
         ...
     def write(self, path: object) -> None:
         """Writes the same NetCDF file as `ringfilm run --output`, byte by byte, aside first. Raises OutputError."""

@@ -103,8 +103,8 @@ def composite_modulus(E_1: numpy.ndarray, nu_1: numpy.ndarray, E_2: numpy.ndarra
     Numbers or arrays of shapes that fit together. Raises InputError. Source: eq-composite-modulus."""
     ...
 
-def gaussian_integral(n: float, film_parameter: numpy.ndarray) -> object:
-    """F_n of the film parameter lambda, any shape, 0 to 30 [-]. Raises InputError. Source: eq-gaussian-integral."""
+def gaussian_integral(n: float, lambda_ratio: numpy.ndarray) -> object:
+    """F_n of the lambda ratio lambda, any shape, 0 to 30 [-]. Raises InputError. Source: eq-gaussian-integral."""
     ...
 
 def oil(case: Case) -> Oil:

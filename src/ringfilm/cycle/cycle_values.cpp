@@ -11,7 +11,7 @@
 namespace ringfilm::cycle {
 namespace {
 
-/// Below this film parameter lubrication counts as mixed.
+/// Below this lambda ratio lubrication counts as mixed.
 constexpr double kMixedBelow = 3;
 constexpr double kFiringWindowDeg = 60;
 constexpr int kStrokeBins = 100;
@@ -68,17 +68,19 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.fmep = v.energy_per_cycle / swept_volume(setup.input.engine);
   v.mean_boundary_power = mean(base, [](const Sample& s) { return s.boundary_friction * std::abs(s.piston_velocity); });
   v.mean_viscous_power = mean(base, [](const Sample& s) { return s.viscous_friction * std::abs(s.piston_velocity); });
-  v.wear_drive_energy = mean(base, [](const Sample& s) { return s.wear_drive; }) * duration;
+  v.archard_wear_load = mean(base, [](const Sample& s) { return s.archard_wear_load_rate; }) * duration;
 
-  const auto fill = [&](double Sample::*part, double& average, double& peak, double& angle) {
+  const auto mean_and_peak = [&](double Sample::*part, double& average, double& peak, double& angle) {
     average = mean(base, [&](const Sample& s) { return s.*part; });
     const Peak p = largest(base, part);
     peak = p.value;
     angle = p.angle_deg;
   };
-  fill(&Sample::boundary_friction, v.mean_boundary_friction, v.peak_boundary_friction, v.peak_boundary_friction_angle);
-  fill(&Sample::viscous_friction, v.mean_viscous_friction, v.peak_viscous_friction, v.peak_viscous_friction_angle);
-  fill(&Sample::total_friction, v.mean_total_friction, v.peak_total_friction, v.peak_total_friction_angle);
+  mean_and_peak(&Sample::boundary_friction, v.mean_boundary_friction, v.peak_boundary_friction,
+                v.peak_boundary_friction_angle);
+  mean_and_peak(&Sample::viscous_friction, v.mean_viscous_friction, v.peak_viscous_friction,
+                v.peak_viscous_friction_angle);
+  mean_and_peak(&Sample::total_friction, v.mean_total_friction, v.peak_total_friction, v.peak_total_friction_angle);
 
   const Peak mu = largest(base, &Sample::friction_coefficient);
   v.peak_friction_coefficient = mu.value;
@@ -93,12 +95,12 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.min_film_thickness = thinnest.value;
   v.min_film_thickness_angle = thinnest.angle_deg;
   v.max_film_thickness = largest(base, &Sample::min_film_thickness).value;
-  v.min_film_parameter = smallest(base, &Sample::film_parameter).value;
+  v.min_lambda_ratio = smallest(base, &Sample::lambda_ratio).value;
   const Peak gas = largest(base, &Sample::gas_pressure);
   v.peak_gas_pressure = gas.value;
   v.peak_gas_pressure_angle = gas.angle_deg;
-  v.film_parameter_at_peak_pressure = gas.sample->film_parameter;
-  v.mixed_share = mean(base, [](const Sample& s) { return s.film_parameter < kMixedBelow ? 1.0 : 0.0; });
+  v.lambda_ratio_at_peak_pressure = gas.sample->lambda_ratio;
+  v.mixed_share = mean(base, [](const Sample& s) { return s.lambda_ratio < kMixedBelow ? 1.0 : 0.0; });
 
   const double mean_load = mean(base, [](const Sample& s) { return s.applied_load; });
   const auto load_mean = [&](double Sample::*member) {
@@ -106,7 +108,7 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   };
   v.mean_friction_coefficient = load_mean(&Sample::friction_coefficient);
   v.mean_stribeck_number = load_mean(&Sample::stribeck_number);
-  v.mean_film_parameter = load_mean(&Sample::film_parameter);
+  v.mean_lambda_ratio = load_mean(&Sample::lambda_ratio);
 
   v.net_oil_flow = mean(base, [](const Sample& s) { return s.oil_flow_middle; });
   v.mean_absolute_oil_flow = mean(base, [](const Sample& s) { return std::abs(s.oil_flow_middle); });
@@ -134,19 +136,19 @@ StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base
   const double step_time = cycle_time(setup) / static_cast<double>(base.size());
   StrokeProfile profile;
   for (int b = 0; b < kStrokeBins; ++b) profile.liner_position.push_back((b + 0.5) * bin);
-  profile.wear_drive_density.assign(kStrokeBins, 0.0);
+  profile.archard_wear_load_density.assign(kStrokeBins, 0.0);
   for (std::size_t k = 0; k < base.size(); ++k) {
     const Sample& a = base[k];
     const Sample& b = base[(k + 1) % base.size()];
     const double low = std::min(a.piston_position, b.piston_position);
     const double high = std::max(a.piston_position, b.piston_position);
-    const double work = 0.5 * (a.wear_drive + b.wear_drive) * step_time;
+    const double work = 0.5 * (a.archard_wear_load_rate + b.archard_wear_load_rate) * step_time;
     const int first = std::clamp(static_cast<int>(low / bin), 0, kStrokeBins - 1);
     const int last = std::clamp(static_cast<int>(high / bin), 0, kStrokeBins - 1);
     for (int i = first; i <= last; ++i) {
       const double overlap = std::min(high, (i + 1) * bin) - std::max(low, i * bin);
       const double share = first == last ? 1.0 : std::max(overlap, 0.0) / (high - low);
-      profile.wear_drive_density[i] += work * share / bin;
+      profile.archard_wear_load_density[i] += work * share / bin;
     }
   }
   return profile;

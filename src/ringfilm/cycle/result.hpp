@@ -26,7 +26,7 @@ struct Sample {
   double hydrodynamic_load = 0;        ///< W_h: carried by the film, of absolute pressure [N]
   double asperity_load = 0;            ///< W_a: carried by touching asperities [N]
   double min_film_thickness = 0;       ///< h_m: thinnest place of the film, where the face is lowest [m]
-  double film_parameter = 0;           ///< h_m over composite roughness [-]
+  double lambda_ratio = 0;             ///< h_m over composite roughness [-]
   double asperity_contact_area = 0;    ///< A_a, in real contact [m2]
   double boundary_friction = 0;        ///< f_b = tau_0 A_a + zeta W_a, modulus [N]
   double viscous_friction = 0;         ///< f_v: oil shear on the liner, modulus [N]
@@ -36,7 +36,7 @@ struct Sample {
   double friction_on_liner = 0;        ///< boundary and viscous, positive towards TDC [N]
   double friction_coefficient = 0;     ///< f_t/W [-]
   double power_loss = 0;               ///< f_t |U_p| [W]
-  double wear_drive = 0;               ///< asperity load x speed [W]
+  double archard_wear_load_rate = 0;   ///< asperity load x speed [W]
   double oil_flow_middle = 0;          ///< through the middle of the face, in the frame of the ring [kg/s]
   double oil_flow_chamber_edge = 0;    ///< the same through the edge at the chamber [kg/s]
   double oil_flow_crankcase_edge = 0;  ///< the same through the edge at the crankcase [kg/s]
@@ -94,18 +94,18 @@ struct CycleValues {
   double max_film_thickness = 0;                ///< largest h_m of the cycle [m]
   double peak_gas_pressure = 0;                 ///< of the cylinder, absolute [Pa]
   double peak_gas_pressure_angle = 0;           ///< crank angle of it [degree]
-  double film_parameter_at_peak_pressure = 0;   ///< h_m/sigma at the peak of the cylinder pressure [-]
-  double min_film_parameter = 0;                ///< smallest h_m/sigma of the cycle [-]
+  double lambda_ratio_at_peak_pressure = 0;     ///< h_m/sigma at the peak of the cylinder pressure [-]
+  double min_lambda_ratio = 0;                  ///< smallest h_m/sigma of the cycle [-]
   double mixed_share = 0;                       ///< share of time in mixed lubrication: h_m/sigma below 3 [-]
   /// Weighted with the load, as are the next two: what a scenario is on a Stribeck curve [-].
   double mean_friction_coefficient = 0;
   double mean_stribeck_number = 0;       ///< weighted with the load [-]
-  double mean_film_parameter = 0;        ///< weighted with the load [-]
+  double mean_lambda_ratio = 0;          ///< weighted with the load [-]
   double net_oil_flow = 0;               ///< mean through the middle of the face, positive to the crankcase [kg/s]
   double mean_absolute_oil_flow = 0;     ///< mean of its modulus [kg/s]
   double peak_film_pressure = 0;         ///< largest along the face and over the cycle, absolute [Pa]
   double mean_cavitated_fraction = 0;    ///< share of the face that is a cavity [-]
-  double wear_drive_energy = 0;          ///< integral of asperity load x speed over the cycle [J]
+  double archard_wear_load = 0;          ///< integral of asperity load x speed over the cycle [J]
   double power_stroke_energy = 0;        ///< part of E from 0 to 180 degree [J]
   double exhaust_stroke_energy = 0;      ///< part of E from 180 to 360 degree [J]
   double intake_stroke_energy = 0;       ///< part of E from 360 to 540 degree [J]
@@ -129,8 +129,8 @@ struct FaceFields {
   std::vector<double> crank_angle_deg;    ///< may be empty
   std::vector<double> film_thickness;     ///< [m]
   std::vector<double> film_pressure;      ///< [Pa] absolute
-  std::vector<double> fill;               ///< theta, liquid share of the gap [-]
-  std::vector<double> film_parameter;     ///< h(x)/sigma [-]
+  std::vector<double> film_content;       ///< theta, liquid share of the gap [-]
+  std::vector<double> lambda_ratio;       ///< h(x)/sigma [-]
   std::vector<double> asperity_pressure;  ///< [Pa]
 };
 
@@ -184,7 +184,7 @@ struct UnrolledFields {
   std::vector<double> crank_angle_deg;          ///< may be empty
   std::vector<float> film_thickness;            ///< [m], [angle][y][x]
   std::vector<float> film_pressure;             ///< [Pa] absolute
-  std::vector<float> fill;                      ///< theta, liquid share of the gap [-]
+  std::vector<float> film_content;              ///< theta, liquid share of the gap [-]
   std::vector<float> asperity_pressure;         ///< [Pa]
   std::vector<float> strip_hydrodynamic_load;   ///< carried by the film, per length in y [N/m], [angle][y]
   std::vector<float> strip_asperity_load;       ///< carried by asperities, per length in y [N/m]
@@ -208,8 +208,9 @@ const std::vector<UnrolledField>& strip_fields();  ///< those reduced along the 
 
 /// Where on the stroke asperities rub: contact work per liner length over one cycle.
 struct StrokeProfile {
-  std::vector<double> liner_position;      ///< distance below the ring's TDC position, bin centres [m]
-  std::vector<double> wear_drive_density;  ///< contact work per length of liner [J/m] (= N summed over the passes)
+  std::vector<double> liner_position;  ///< distance below the ring's TDC position, bin centres [m]
+  std::vector<double>
+      archard_wear_load_density;  ///< contact work per length of liner [J/m] (= N summed over the passes)
 };
 
 /// Something the user must know about this result: a law outside its range, a remedy that was used.

@@ -12,7 +12,7 @@
 namespace ringfilm::cycle {
 namespace {
 
-/// Below this film parameter asperities carry most of the load, their contact spots grow together and the flow between
+/// Below this lambda ratio asperities carry most of the load, their contact spots grow together and the flow between
 /// them is no longer that of a smooth gap: Greenwood-Tripp and Reynolds are both outside what they were made for.
 constexpr double kContactModelNeeds = 0.5;
 /// Below this one the smooth-gap Reynolds equation is off by flow factors that are not in the model.
@@ -102,14 +102,14 @@ void append_grid_note(const Setup& setup, std::vector<Note>& notes) {
 /// From this share on the modulus below the coating moves E' by about as much as moduli are known.
 constexpr double kCoatingFelt = 0.1;
 
-void append_coating_note(const Setup& setup, double lowest_film_parameter, std::vector<Note>& notes) {
+void append_coating_note(const Setup& setup, double lowest_lambda_ratio, std::vector<Note>& notes) {
   const Case& c = setup.input;
   const Coating& coating = c.ring.coating;
   const bool acts = coating.youngs_modulus && coating.thickness && !c.contact.composite_modulus &&
                     coating.contact_modulus == ContactModulus::kCoating;
   if (!acts) return;
   // Spots are largest where the film is thinnest.
-  const double lambda = std::clamp(lowest_film_parameter, 0.0, 8.0);
+  const double lambda = std::clamp(lowest_lambda_ratio, 0.0, 8.0);
   const double radius = models::contact_spot_radius(c.contact.asperity_radius, setup.sigma, lambda);
   const double share = models::share_below_coating(radius, *coating.thickness, coating.poissons_ratio);
   if (share <= kCoatingFelt) return;
@@ -208,21 +208,19 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
                            const PolynomialUse& polynomial, std::vector<Note>& notes) {
   if (base.empty()) return;
   const auto lowest = std::min_element(
-      base.begin(), base.end(), [](const Sample& a, const Sample& b) { return a.film_parameter < b.film_parameter; });
-  const auto below = [&](double limit) {
-    return count(base, [&](const Sample& s) { return s.film_parameter < limit; });
-  };
-  if (lowest->film_parameter < kContactModelNeeds) {
-    notes.push_back({"film-parameter-too-low",
-                     text("film parameter down to %.2f (at %.0f degree): below %.1f neither the contact model nor the "
+      base.begin(), base.end(), [](const Sample& a, const Sample& b) { return a.lambda_ratio < b.lambda_ratio; });
+  const auto below = [&](double limit) { return count(base, [&](const Sample& s) { return s.lambda_ratio < limit; }); };
+  if (lowest->lambda_ratio < kContactModelNeeds) {
+    notes.push_back({"lambda-ratio-too-low",
+                     text("lambda ratio down to %.2f (at %.0f degree): below %.1f neither the contact model nor the "
                           "smooth-gap film holds",
-                          lowest->film_parameter, lowest->crank_angle_deg, kContactModelNeeds),
+                          lowest->lambda_ratio, lowest->crank_angle_deg, kContactModelNeeds),
                      below(kContactModelNeeds)});
-  } else if (lowest->film_parameter < kSmoothGapNeeds) {
-    notes.push_back({"film-parameter-low",
-                     text("film parameter down to %.2f (at %.0f degree): below %.1f the flow through the roughness "
+  } else if (lowest->lambda_ratio < kSmoothGapNeeds) {
+    notes.push_back({"lambda-ratio-low",
+                     text("lambda ratio down to %.2f (at %.0f degree): below %.1f the flow through the roughness "
                           "differs from that of a smooth gap",
-                          lowest->film_parameter, lowest->crank_angle_deg, kSmoothGapNeeds),
+                          lowest->lambda_ratio, lowest->crank_angle_deg, kSmoothGapNeeds),
                      below(kSmoothGapNeeds)});
   }
   const auto fastest = std::max_element(base.begin(), base.end(),
@@ -242,11 +240,11 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   append_face_note(setup, notes);
   append_points_note(setup, lowest->min_film_thickness, notes);
   append_gap_leakage_note(setup.input, notes);
-  append_coating_note(setup, lowest->film_parameter, notes);
+  append_coating_note(setup, lowest->lambda_ratio, notes);
   append_oil_table_note(setup, base, notes);
   if (polynomial.steps > 0) {
     notes.push_back({"polynomial-beyond-range",
-                     text("the F5/2 polynomial as printed rises again beyond a film parameter of 1.911: up to %.0f %% "
+                     text("the F5/2 polynomial as printed rises again beyond a lambda ratio of 1.911: up to %.0f %% "
                           "of the asperity load comes from there",
                           100 * polynomial.largest_share),
                      polynomial.steps});

@@ -7,7 +7,7 @@
 namespace ringfilm::film {
 
 /// How far beyond the kink a node is put, and below which a change of sides does not count; relative to the scale of
-/// its side: of pressure in the film, of the fill in the cavity.
+/// its side: of pressure in the film, of the film content in the cavity.
 inline constexpr double kBeyondKink = 1e-10;
 
 /// A node with no larger deficit was left just beyond the kink: it is full, at p_c.
@@ -17,8 +17,8 @@ inline constexpr double kLargestPressureRise = 20;  // scales in one step: the v
 
 /// Mass flow of the moving wall through a face, per sum of the densities of its two nodes [m2/s].
 template <class Real>
-RINGFILM_INLINE Real entrainment(Real quarter_U, Real fill_upstream, Real h) {
-  return quarter_U * fill_upstream * h;
+RINGFILM_INLINE Real entrainment(Real quarter_U, Real content_upstream, Real h) {
+  return quarter_U * content_upstream * h;
 }
 
 /// Mass flow through a face per sum of K of its two nodes and their difference of pressure, h^3/(24 dx) [m2].
@@ -57,20 +57,20 @@ enum class Bounds {
   kOwn,  ///< each node has its own (eq-pressure-bound): pressure drives out of a node the oil that it has
 };
 
-/// The walls as the faces see them. @tparam kFill the cavity carries theta of its upstream node
-template <class Real, bool kFill, Bounds kBounds>
+/// The walls as the faces see them. @tparam kFilmContent the cavity carries theta of its upstream node
+template <class Real, bool kFilmContent, Bounds kBounds>
 struct Motion {
-  Real quarter_U, fill_from_left, fill_from_right;  ///< U/4; slopes in z of what a cavity on this side carries
-  Real inverse_fill_scale;
+  Real quarter_U, content_from_left, content_from_right;  ///< U/4; slopes in z of what a cavity on this side carries
+  Real inverse_content_scale;
 
-  RINGFILM_INLINE Motion(Real quarter_U_, Real inverse_fill_scale_)
-      : quarter_U(quarter_U_), inverse_fill_scale(inverse_fill_scale_) {
+  RINGFILM_INLINE Motion(Real quarter_U_, Real inverse_content_scale_)
+      : quarter_U(quarter_U_), inverse_content_scale(inverse_content_scale_) {
     const Real to_right = select(quarter_U >= Real(0), Real(1), Real(0));
-    fill_from_left = to_right * quarter_U * inverse_fill_scale;
-    fill_from_right = (Real(1) - to_right) * quarter_U * inverse_fill_scale;
+    content_from_left = to_right * quarter_U * inverse_content_scale;
+    content_from_right = (Real(1) - to_right) * quarter_U * inverse_content_scale;
   }
   RINGFILM_INLINE Real upwind(const Node<Real>& left, const Node<Real>& right) const {
-    if constexpr (kFill) {
+    if constexpr (kFilmContent) {
       return quarter_U * select(quarter_U >= Real(0), left.theta, right.theta);
     } else {
       return quarter_U;
@@ -80,8 +80,8 @@ struct Motion {
 
 /// @param h mean height of the face  @param conductance of the mean of h^3
 /// @param third a third of the slope of `conductance` in h
-template <class Real, bool kFill, Bounds kBounds>
-RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFill, kBounds>& motion, Real h, Real conductance, Real third,
+template <class Real, bool kFilmContent, Bounds kBounds>
+RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kBounds>& motion, Real h, Real conductance, Real third,
                                 const Node<Real>& left, const Node<Real>& right) {
   const Real K = left.K + right.K;
   const Real rho = left.rho + right.rho;
@@ -89,10 +89,10 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFill, kBounds>& motion, Real
   const Real upwind = motion.upwind(left, right);
   const Real couette = upwind * h;
   [[maybe_unused]] Real drained_left(0), drained_right(0);
-  if constexpr (kFill && kBounds == Bounds::kOwn) {
+  if constexpr (kFilmContent && kBounds == Bounds::kOwn) {
     const auto to_left = dp > Real(0);
     const Real theta = select(to_left, right.theta, left.theta);
-    const Real drained = pressure_flux(conductance, K, dp) * motion.inverse_fill_scale;
+    const Real drained = pressure_flux(conductance, K, dp) * motion.inverse_content_scale;
     drained_left = select(to_left, Real(0), drained);
     drained_right = select(to_left, drained, Real(0));
     conductance = theta * conductance;
@@ -102,14 +102,14 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFill, kBounds>& motion, Real
   flux.value = face_flux(couette, rho, conductance, K, dp);
   const Real film_left = couette * left.drho + conductance * (K - left.dK * dp);
   const Real film_right = couette * right.drho - conductance * (K + right.dK * dp);
-  if constexpr (kFill) {
+  if constexpr (kFilmContent) {
     const Real stream = h * rho;
     if constexpr (kBounds == Bounds::kOwn) {
-      flux.by_left = select(left.is_film, film_left, motion.fill_from_left * stream + drained_left);
-      flux.by_right = select(right.is_film, film_right, motion.fill_from_right * stream + drained_right);
+      flux.by_left = select(left.is_film, film_left, motion.content_from_left * stream + drained_left);
+      flux.by_right = select(right.is_film, film_right, motion.content_from_right * stream + drained_right);
     } else {
-      flux.by_left = select(left.is_film, film_left, motion.fill_from_left * stream);
-      flux.by_right = select(right.is_film, film_right, motion.fill_from_right * stream);
+      flux.by_left = select(left.is_film, film_left, motion.content_from_left * stream);
+      flux.by_right = select(right.is_film, film_right, motion.content_from_right * stream);
     }
   } else {
     flux.by_left = select(left.is_film, film_left, Real(0));
@@ -133,9 +133,9 @@ RINGFILM_INLINE Flux<Real> cross_flux(Real conductance, Real third, const Node<R
 }
 
 /// rho theta of a node.
-template <bool kFill, class Real>
+template <bool kFilmContent, class Real>
 RINGFILM_INLINE Real filled_density(const Node<Real>& node) {
-  if constexpr (kFill) {
+  if constexpr (kFilmContent) {
     return node.rho * node.theta;
   } else {
     return node.rho;
@@ -144,8 +144,8 @@ RINGFILM_INLINE Real filled_density(const Node<Real>& node) {
 
 /// d(rho theta)/dz of a node whose cavity is filled in part.
 template <class Real>
-RINGFILM_INLINE Real filled_density_slope(const Node<Real>& node, Real inverse_fill_scale) {
-  return select(node.is_film, node.drho, node.rho * inverse_fill_scale);
+RINGFILM_INLINE Real filled_density_slope(const Node<Real>& node, Real inverse_content_scale) {
+  return select(node.is_film, node.drho, node.rho * inverse_content_scale);
 }
 
 /// The weight of z in the cavity of Reynolds exit: the Poiseuille conductance of the node, so that z is a pressure.
@@ -159,13 +159,13 @@ RINGFILM_INLINE Real multiplier_weight(Real conductances, Real gap, Real K) {
 /// the linearisation is that of the other side.
 template <class Real>
 struct KinkStep {
-  Real scale, inverse_scale;            ///< of pressures
-  Real fill_scale, inverse_fill_scale;  ///< of z in a cavity
-  Real to_film{0}, to_cavity{0};        ///< not 0 once a node has changed sides
-  Real largest{0};                      ///< relative change so far; a NaN is not seen
+  Real scale, inverse_scale;                  ///< of pressures
+  Real content_scale, inverse_content_scale;  ///< of z in a cavity
+  Real to_film{0}, to_cavity{0};              ///< not 0 once a node has changed sides
+  Real largest{0};                            ///< relative change so far; a NaN is not seen
 
   /// @returns z after the step
-  template <bool kFill>
+  template <bool kFilmContent>
   RINGFILM_INLINE Real take(Real before, Real step) {
     using Mask = typename Real::Mask;
     const Mask was_film = before > Real(0);
@@ -173,15 +173,16 @@ struct KinkStep {
     const Mask is_film = after > Real(0);
     if (Real::any(Real::differ(is_film, was_film))) {
       const Real beyond = Real(kBeyondKink) * scale;
-      const Real hardly_empty = Real(kBeyondKink) * fill_scale;
+      const Real hardly_empty = Real(kBeyondKink) * content_scale;
       const Mask entered = Real::only(is_film, was_film);
       const Mask left = Real::only(was_film, is_film);
       to_film = select(Real::both(entered, after > beyond), Real(1), to_film);
       to_cavity = select(Real::both(left, after < -hardly_empty), Real(1), to_cavity);
       after = select(entered, beyond, select(left, -hardly_empty, after));
     }
-    Real change = abs(after - before) * (kFill ? select(was_film, inverse_scale, inverse_fill_scale) : inverse_scale);
-    if constexpr (!kFill) {
+    Real change =
+        abs(after - before) * (kFilmContent ? select(was_film, inverse_scale, inverse_content_scale) : inverse_scale);
+    if constexpr (!kFilmContent) {
       const Mask above = -after > scale;
       if (Real::any(above)) change = select(above, abs(after - before) / max(-after, scale), change);
     }
@@ -191,13 +192,13 @@ struct KinkStep {
 };
 
 /// Shear force of one cell by the motion of the walls, times 4/U [N s/m2]. @param h height of its face
-/// @param rho_left,... of its nodes: viscosity is their mean  @param fill upstream [-]
+/// @param rho_left,... of its nodes: viscosity is their mean  @param film content upstream [-]
 template <class Real>
-RINGFILM_INLINE Real cell_shear(Real spacing, Real fill, Real h, Real rho_left, Real K_left, Real rho_right,
+RINGFILM_INLINE Real cell_shear(Real spacing, Real film_content, Real h, Real rho_left, Real K_left, Real rho_right,
                                 Real K_right) {
   // Twice the mean viscosity, times K of both: one division serves viscosity and gap.
   const Real eta = rho_left * K_right + rho_right * K_left;
-  return spacing * (Real(2) * fill) * eta / (h * K_left * K_right);
+  return spacing * (Real(2) * film_content) * eta / (h * K_left * K_right);
 }
 
 }  // namespace ringfilm::film

@@ -1,19 +1,20 @@
 #pragma once
 #include "ringfilm/film/film_state.hpp"
 
-/// Complementarity of pressure and fill by one number z per node [Pa]: z > 0 is a full film with p = p_c + z; z <= 0 is
-/// a cavity at p_c whose fill is theta = 1 + z/scale (mass-conserving), or where z balances the broken conservation of
-/// mass (Reynolds exit). eqs eq-complementarity, eq-fill. A state keeps -z/scale as its deficit.
+/// Complementarity of pressure and film content by one number z per node [Pa]: z > 0 is a full film with p = p_c + z; z
+/// <= 0 is a cavity at p_c whose film content is theta = 1 + z/scale (mass-conserving), or where z balances the broken
+/// conservation of mass (Reynolds exit). eqs eq-complementarity, eq-film-content. A state keeps -z/scale as its
+/// deficit.
 namespace ringfilm::film {
 
 /// theta at a node.
-inline double fill(Cavitation cavitation, double deficit) {
+inline double film_content(Cavitation cavitation, double deficit) {
   return cavitation == Cavitation::kMassConserving ? 1 - deficit : 1.0;
 }
 
-/// z of the node at an edge [Pa]. @param fill_scale what z of a cavity is divided by for its fill [Pa]
-inline double edge_z(const EdgeState& edge, double p_cavitation, double fill_scale) {
-  return edge.fluid == EdgeFluid::kGas ? (edge.film_content - 1) * fill_scale : edge.pressure - p_cavitation;
+/// z of the node at an edge [Pa]. @param content_scale what z of a cavity is divided by for its film content [Pa]
+inline double edge_z(const EdgeState& edge, double p_cavitation, double content_scale) {
+  return edge.fluid == EdgeFluid::kGas ? (edge.film_content - 1) * content_scale : edge.pressure - p_cavitation;
 }
 
 /// The deficit of the node at an edge [-].

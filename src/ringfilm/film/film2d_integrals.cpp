@@ -26,8 +26,8 @@ class Strips {
     now_.laws = state_.laws;
     now_.p = row(state_.p, n_across);
     now_.deficit = row(state_.deficit, n_across);
-    now_.content = row(state_.content, n_across);
-    before_.content = row(previous_.content, n_across);
+    now_.mass_per_area = row(state_.mass_per_area, n_across);
+    before_.mass_per_area = row(previous_.mass_per_area, n_across);
     FilmIntegrals sums = film_integrals(strip_, inputs_.strip, before_, now_);
     if (!problem_.gap.face_x_second.empty()) add_steps(j, sums);
     return sums;
@@ -82,12 +82,12 @@ class Strips {
                            fluidity(now_.p[i]) + fluidity(now_.p[i + 1]), now_.p[i + 1] - now_.p[i]);
     };
     const int upstream = inputs_.strip.U >= 0 ? 0 : 1;  // of the two nodes of a face
-    const auto fill = [&](int i) { return film::fill(strip_.cavitation, now_.deficit[i + upstream]); };
+    const auto film_content = [&](int i) { return film::film_content(strip_.cavitation, now_.deficit[i + upstream]); };
     for (int i = 0; i < n; ++i) {
       if (!(second[i] > 0)) continue;
       const double h = height(i), q = third[i] / second[i];
       const double beyond = (h + q) / (h * h + h * q - second[i]) - 1 / h;
-      sums.shear_couette += 0.5 * inputs_.strip.U * grid.spacing[i] * fill(i) *
+      sums.shear_couette += 0.5 * inputs_.strip.U * grid.spacing[i] * film_content(i) *
                             (viscosity(now_.p[i]) + viscosity(now_.p[i + 1])) * beyond;
     }
     const auto middle = std::upper_bound(grid.x.begin(), grid.x.end() - 1, 0.5 * grid.width) - grid.x.begin();

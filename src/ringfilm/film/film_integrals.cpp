@@ -11,7 +11,7 @@
 namespace ringfilm::film {
 namespace {
 
-/// From this film parameter on, the F5/2 polynomial as printed rises again (docs/theory/paper-errata.md).
+/// From this lambda ratio on, the F5/2 polynomial as printed rises again (docs/theory/paper-errata.md).
 constexpr double kPolynomialTurns = 1.911;
 
 void add_contact(const FilmProblem& problem, const FilmState& state, FilmIntegrals& sums) {
@@ -70,7 +70,7 @@ void add_flow(const FilmProblem& problem, const FilmInputs& inputs, const FilmSt
               const FlowFaces& flow, FilmIntegrals& sums) {
   const int n = problem.grid.n_cells();
   const auto storage = [&](int i) {
-    return problem.grid.share[i] / inputs.time_step * (state.content[i] - previous.content[i]);
+    return problem.grid.share[i] / inputs.time_step * (state.mass_per_area[i] - previous.mass_per_area[i]);
   };
   sums.flow_left = flow.left() + storage(0);
   sums.flow_right = flow.right() - storage(n);
@@ -141,8 +141,8 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   FilmIntegrals sums;
   const FilmView film = film_view(problem, state);
   FlowFaces flow(problem.grid);
-  const FilmSums of_film =
-      sums_of_film(problem, state, film, {inputs.U, 1 / inputs.time_step, previous.content.data()}, flow.wanted());
+  const FilmSums of_film = sums_of_film(problem, state, film,
+                                        {inputs.U, 1 / inputs.time_step, previous.mass_per_area.data()}, flow.wanted());
   sums.hydrodynamic_load = of_film.hydrodynamic_load;
   sums.shear_couette = of_film.shear_couette;
   sums.shear_poiseuille = of_film.shear_poiseuille;

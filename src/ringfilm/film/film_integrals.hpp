@@ -5,8 +5,8 @@
 
 namespace ringfilm::film {
 
-/// A stretch of the gap that the film does not fill. Its ends lie between nodes, where the pressure of the film beside
-/// them extrapolates to p_c; a cavity that is open to an edge ends there.
+/// A stretch of the gap that the film does not fill. Its ends lie between nodes, where the pressure of the film
+/// beside them extrapolates to p_c; a cavity that is open to an edge ends there.
 struct Cavity {
   double begin = 0, end = 0;  ///< [m]
 };

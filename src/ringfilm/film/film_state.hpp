@@ -13,10 +13,10 @@ namespace ringfilm::film {
 
 enum class Cavitation {
   kReynoldsExit,    ///< p >= p_c, balance of mass holds where p > p_c (eq-complementarity)
-  kMassConserving,  ///< p >= p_c, 0 <= theta <= 1, (p - p_c)(1 - theta) = 0 (eq-fill)
+  kMassConserving,  ///< p >= p_c, 0 <= theta <= 1, (p - p_c)(1 - theta) = 0 (eq-film-content)
 };
 
-/// Over which film parameter asperity contact is summed.
+/// Over which lambda ratio asperity contact is summed.
 enum class ContactSpread {
   kLocal,    ///< lambda(x) = h(x)/sigma
   kNominal,  ///< lambda = h_m/sigma on the whole face
@@ -117,8 +117,8 @@ struct FilmState {
   double h_m = 0;               ///< minimum film thickness [m]
   std::vector<double> p;        ///< pressure at the nodes, absolute [Pa]
   std::vector<double> deficit;  ///< 0 where the film is full; 1 - theta, or the scaled multiplier of Reynolds exit [-]
-  std::vector<double> content;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
-  LaneLaws laws = LaneLaws::kGiven;  ///< whose oil a solved film holds: kGiven, that of the laws themselves
+  std::vector<double> mass_per_area;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
+  LaneLaws laws = LaneLaws::kGiven;   ///< whose oil a solved film holds: kGiven, that of the laws themselves
 };
 
 enum class Route { kNewton, kSecant };

@@ -76,7 +76,7 @@ class GreenwoodTripp {
   std::optional<Quintics> quintics_;
 };
 
-/// Radius of the mean contact spot at the film parameter lambda, eq-contact-spot [m].
+/// Radius of the mean contact spot at the lambda ratio lambda, eq-contact-spot [m].
 double contact_spot_radius(double beta, double sigma, double lambda);
 
 /// Share of a contact spot's approach that comes from below a coating of this thickness, eq-share-below-coating [-];

@@ -68,7 +68,7 @@ film::FilmState PadFilm::guess_from(const PadFilm& coarse, const film::FilmState
       guess.deficit.push_back(in_cavity(y.low) && in_cavity(y.high) ? at(solved.deficit) : 0.0);
     }
   }
-  guess.content.assign(guess.p.size(), 0.0);
+  guess.mass_per_area.assign(guess.p.size(), 0.0);
   return guess;
 }
 

@@ -58,7 +58,7 @@ film::FilmState PadFilm2d::full(double h_m) const {
     std::fill(state.p.end() - n, state.p.end(), setup().input.pad.back_pressure);
   }
   state.deficit.assign(state.p.size(), 0.0);
-  state.content.assign(state.p.size(), 0.0);
+  state.mass_per_area.assign(state.p.size(), 0.0);
   return state;
 }
 
@@ -167,11 +167,11 @@ void PadFilm2d::append_row(const film::FilmState& state, const Row& row, Profile
   };
   for (int i = 0; i <= grid.n_cells(); ++i) {
     const std::size_t node = static_cast<std::size_t>(row.strip) * problem_.n_across() + i;
-    const double fill = film::fill(problem_.strip.cavitation, state.deficit[node]);
+    const double film_content = film::film_content(problem_.strip.cavitation, state.deficit[node]);
     if (contains(grid_.steps_x, i)) {
-      append_step(setup(), to, thickness(i, i - 1), thickness(i, i), state.p[node], fill);
+      append_step(setup(), to, thickness(i, i - 1), thickness(i, i), state.p[node], film_content);
     } else {
-      append_node(to, {thickness(i, std::min(i, grid.n_cells() - 1)), state.p[node], fill});
+      append_node(to, {thickness(i, std::min(i, grid.n_cells() - 1)), state.p[node], film_content});
     }
   }
 }

@@ -78,7 +78,7 @@ const std::vector<cycle::Quantity>& profile_quantities() {
       {"x", "m", "mm", "place along the pad", "x", "eq-pad-gap"},
       {"film_thickness", "m", "um", "film thickness", "h", "eq-pad-gap"},
       {"pressure", "Pa", "MPa", "film pressure", "p", "eq-reynolds"},
-      {"fill", "1", "1", "share of the gap that is oil", "theta", "eq-fill"},
+      {"film_content", "1", "1", "share of the gap that is oil", "theta", "eq-film-content"},
   };
   return table;
 }

@@ -48,7 +48,7 @@ struct Profile {
   double time = 0;                     ///< [s]
   std::vector<double> film_thickness;  ///< [m]
   std::vector<double> pressure;        ///< [Pa]
-  std::vector<double> fill;            ///< theta [-]
+  std::vector<double> film_content;    ///< theta [-]
 };
 
 /// Time and the columns of a profile, named as in result files.

@@ -84,14 +84,17 @@ std::vector<double> places_with_steps(const std::vector<double>& nodes, const st
 void append_node(Profile& along, const ProfilePoint& point) {
   along.film_thickness.push_back(point.film_thickness);
   along.pressure.push_back(point.pressure);
-  along.fill.push_back(point.fill);
+  along.film_content.push_back(point.film_content);
 }
 
-void append_step(const PadSetup& setup, Profile& along, double left, double right, double pressure, double fill) {
+void append_step(const PadSetup& setup, Profile& along, double left, double right, double pressure,
+                 double film_content) {
   // In a cavity the liner carries the same oil past both heights; a full film fills both.
-  const bool is_cavity = film::is_cavity(1 - fill);
-  append_node(along, {left, pressure, is_cavity && setup.U > 0 ? std::min(1.0, fill * right / left) : fill});
-  append_node(along, {right, pressure, is_cavity && setup.U < 0 ? std::min(1.0, fill * left / right) : fill});
+  const bool is_cavity = film::is_cavity(1 - film_content);
+  append_node(along,
+              {left, pressure, is_cavity && setup.U > 0 ? std::min(1.0, film_content * right / left) : film_content});
+  append_node(along,
+              {right, pressure, is_cavity && setup.U < 0 ? std::min(1.0, film_content * left / right) : film_content});
 }
 
 }  // namespace ringfilm::pad

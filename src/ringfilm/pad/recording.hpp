@@ -37,12 +37,13 @@ std::vector<double> places_with_steps(const std::vector<double>& nodes, const st
                                       std::optional<double> last);
 
 struct ProfilePoint {
-  double film_thickness, pressure, fill;  ///< [m], [Pa], [-]
+  double film_thickness, pressure, film_content;  ///< [m], [Pa], [-]
 };
 void append_node(Profile& along, const ProfilePoint& point);
 
-/// Both sides of a step of the gap along x. The fill of the node is that of its downstream side; upstream the same oil
-/// flows through the other gap. @param left, right film thickness [m]
-void append_step(const PadSetup& setup, Profile& along, double left, double right, double pressure, double fill);
+/// Both sides of a step of the gap along x. The film content of the node is that of its downstream side; upstream the
+/// same oil flows through the other gap. @param left, right film thickness [m]
+void append_step(const PadSetup& setup, Profile& along, double left, double right, double pressure,
+                 double film_content);
 
 }  // namespace ringfilm::pad

@@ -58,7 +58,7 @@ film::FilmState WideFilm::full(double h_m) const {
   state.h_m = h_m;
   state.p = pressures_between_edges(setup(), problem_.grid);
   state.deficit.assign(state.p.size(), 0.0);
-  state.content.assign(state.p.size(), 0.0);
+  state.mass_per_area.assign(state.p.size(), 0.0);
   return state;
 }
 
@@ -88,12 +88,13 @@ Profile WideFilm::profile(const film::FilmState& state, double time) const {
   along.time = time;
   auto jump = problem_.grid.jumps.begin();
   for (int i = 0; i <= problem_.grid.n_cells(); ++i) {
-    const double fill = film::fill(problem_.cavitation, state.deficit[i]);
+    const double film_content = film::film_content(problem_.cavitation, state.deficit[i]);
     if (jump == problem_.grid.jumps.end() || jump->node != i) {
-      append_node(along, {state.h_m + problem_.grid.node_height[i], state.p[i], fill});
+      append_node(along, {state.h_m + problem_.grid.node_height[i], state.p[i], film_content});
       continue;
     }
-    append_step(setup(), along, state.h_m + jump->height_left, state.h_m + jump->height_right, state.p[i], fill);
+    append_step(setup(), along, state.h_m + jump->height_left, state.h_m + jump->height_right, state.p[i],
+                film_content);
     ++jump;
   }
   return along;

@@ -89,7 +89,7 @@ UnrolledPicture unrolled_picture(const cycle::UnrolledFields& fields, const Pict
   picture.x = picked(fields.x, nodes);
   picture.y = picked(fields.y, strips);
   picture.crank_angle_deg = picked(fields.crank_angle_deg, angles);
-  for (const char* name : {"film_pressure", "fill", "film_thickness"}) {
+  for (const char* name : {"film_pressure", "film_content", "film_thickness"}) {
     const auto& known = cycle::unrolled_fields();
     const auto field = std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
     const std::vector<float>& values = fields.*field->values;
@@ -98,8 +98,8 @@ UnrolledPicture unrolled_picture(const cycle::UnrolledFields& fields, const Pict
   }
   for (const std::size_t k : angles) {
     picture.highest_pressure.push_back(extreme(fields.film_pressure, k, fields, std::greater<float>()));
-    if (fields.fill.size() == n_values)
-      picture.lowest_fill.push_back(extreme(fields.fill, k, fields, std::less<float>()));
+    if (fields.film_content.size() == n_values)
+      picture.lowest_film_content.push_back(extreme(fields.film_content, k, fields, std::less<float>()));
   }
   return picture;
 }

@@ -26,9 +26,9 @@ struct PictureLimits {
 /// first and the last always, and the angle of the highest pressure.
 struct UnrolledPicture {
   std::vector<double> x, y, crank_angle_deg;
-  std::vector<PackedField> fields;  ///< [angle][y][x]; fill, film pressure and film thickness
+  std::vector<PackedField> fields;  ///< [angle][y][x]; film content, film pressure and film thickness
   /// Of each angle, among all that is stored
-  std::vector<MapPoint> highest_pressure, lowest_fill;
+  std::vector<MapPoint> highest_pressure, lowest_film_content;
 };
 UnrolledPicture unrolled_picture(const cycle::UnrolledFields& fields, const PictureLimits& limits = {});
 

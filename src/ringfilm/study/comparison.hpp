@@ -13,7 +13,7 @@ namespace ringfilm::study {
 struct PublishedValue {
   std::string source;      ///< "paper, section 4" or "independent model"
   std::string quantity;    ///< name from cycle_quantities()
-  std::string statement;   ///< in words, e.g. "film parameter at peak cylinder pressure"
+  std::string statement;   ///< in words, e.g. "lambda ratio at peak cylinder pressure"
   double value = 0;        ///< [SI]
   std::string decided_by;  ///< inputs that the source leaves open and that move this value
 };

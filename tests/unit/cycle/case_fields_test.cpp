@@ -92,7 +92,7 @@ TEST(CaseFields, HaveEveryKeyOfTheContract) {
                           "contact.eyring_shear_stress",
                           "contact.composite_modulus",
                           "contact.integrals",
-                          "contact.film_parameter",
+                          "contact.lambda_ratio",
                           "lubricant.file",
                           "lubricant.kinematic_viscosity",
                           "lubricant.density",

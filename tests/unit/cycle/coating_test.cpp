@@ -27,9 +27,9 @@ TEST(Coating, EntersTheCompositeModulusInPlaceOfTheRing) {
   EXPECT_EQ(prepare(c).E_prime, 190e9);
 }
 
-std::vector<Note> notes_of(const Case& c, double film_parameter) {
+std::vector<Note> notes_of(const Case& c, double lambda_ratio) {
   Sample sample;
-  sample.film_parameter = film_parameter;
+  sample.lambda_ratio = lambda_ratio;
   sample.min_film_thickness = 1e-6;
   const Setup setup = prepare(c);
   std::vector<Note> notes;

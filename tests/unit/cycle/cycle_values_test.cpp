@@ -18,12 +18,12 @@ TEST(CycleValues, MeansWeightedWithTheLoadAreThoseOfTheSums) {
     samples[k].total_friction = friction[k];
     samples[k].friction_coefficient = friction[k] / load[k];
     samples[k].stribeck_number = stribeck[k];
-    samples[k].film_parameter = film[k];
+    samples[k].lambda_ratio = film[k];
   }
   const CycleValues values = cycle_values(setup, samples);
   EXPECT_DOUBLE_EQ(values.mean_friction_coefficient, 75.0 / 2000);
   EXPECT_DOUBLE_EQ(values.mean_stribeck_number, (900.0 + 900 + 1600 + 1200) / 2000);
-  EXPECT_DOUBLE_EQ(values.mean_film_parameter, (800.0 + 900 + 1200 + 1200) / 2000);
+  EXPECT_DOUBLE_EQ(values.mean_lambda_ratio, (800.0 + 900 + 1200 + 1200) / 2000);
 }
 
 }  // namespace

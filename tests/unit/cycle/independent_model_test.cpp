@@ -22,7 +22,7 @@ TEST(StylesIndependentModel, FilmFrictionAndFlowAgreeAtEveryDegree) {
     const double h = reference.at("hmin_m")[k];
     ASSERT_EQ(s.crank_angle_deg, reference.at("phi_deg")[k]);
     EXPECT_NEAR(s.min_film_thickness / h, 1, near_dead_centre(s.crank_angle_deg) ? 0.01 : 0.003) << s.crank_angle_deg;
-    EXPECT_NEAR(s.film_parameter / s.min_film_thickness, reference.at("lambda")[k] / h, 1e-6 / h) << s.crank_angle_deg;
+    EXPECT_NEAR(s.lambda_ratio / s.min_film_thickness, reference.at("lambda")[k] / h, 1e-6 / h) << s.crank_angle_deg;
     EXPECT_NEAR(s.friction_coefficient, reference.at("mu")[k], 0.001) << s.crank_angle_deg;
     EXPECT_NEAR(s.oil_flow_middle, reference.at("mdot_mid_kg_s")[k], 0.003 * peak_flow) << s.crank_angle_deg;
     // Seen at 200 cells: loads 3e-4, viscous friction on the ring 3e-3 N.
@@ -70,13 +70,13 @@ TEST(StylesIndependentModel, CavitiesLieWithinACellOfItsNodes) {
 }
 
 // Figures of the same independent model at the defaults for the other rings (docs/theory/paper-errata.md).
-TEST(StylesIndependentModel, OtherRingsAgreeInFilmParameterFrictionAndPower) {
+TEST(StylesIndependentModel, OtherRingsAgreeInLambdaRatioFrictionAndPower) {
   const CycleResult run_in = simulated(styles_run_in_ring());
-  EXPECT_NEAR(run_in.values.film_parameter_at_peak_pressure, 1.390, 0.0042);  // 0.3 %
+  EXPECT_NEAR(run_in.values.lambda_ratio_at_peak_pressure, 1.390, 0.0042);  // 0.3 %
   EXPECT_NEAR(run_in.values.peak_friction_coefficient_firing, 0.1441, 0.001);
   EXPECT_NEAR(run_in.values.mean_power_loss / 84.9, 1, 0.005);
   const CycleResult embedded = simulated(styles_embedded_ring());
-  EXPECT_NEAR(embedded.values.film_parameter_at_peak_pressure, 1.072, 0.0033);
+  EXPECT_NEAR(embedded.values.lambda_ratio_at_peak_pressure, 1.072, 0.0033);
   EXPECT_NEAR(embedded.values.peak_friction_coefficient_firing, 0.0775, 0.001);
   EXPECT_NEAR(embedded.values.mean_power_loss / 43.3, 1, 0.005);
   Case turned = styles_embedded_ring();

@@ -127,8 +127,9 @@ std::string stop_at_start(int index) {
   return "";
 }
 
-// Members of the sample at whose start no film was found once: from standstill, where nothing tells the fill of a node
-// that the iteration takes below p_c (41, 136, 488); and where the coarsest grid suggests a film far too thin (13204).
+// Members of the sample at whose start no film was found once: from standstill, where nothing tells the film content of
+// a node that the iteration takes below p_c (41, 136, 488); and where the coarsest grid suggests a film far too thin
+// (13204).
 TEST(Robustness, StartsThatOnceFoundNoFilmFindOneOrTellWhy) {
   for (const int index : {41, 488}) EXPECT_TRUE(has_no_answer(stop_at_start(index))) << index;
   for (const int index : {136, 13204}) EXPECT_EQ(stop_at_start(index), "") << index;

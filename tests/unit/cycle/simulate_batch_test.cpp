@@ -39,8 +39,9 @@ bool same_bits(const std::vector<Number>& a, const std::vector<Number>& b) {
 bool same_bits(const CycleResult& a, const CycleResult& b) {
   static_assert(sizeof(CycleValues) % sizeof(double) == 0 && sizeof(Sample) % sizeof(double) == 0);  // no gaps
   return std::memcmp(&a.values, &b.values, sizeof a.values) == 0 && same_bits(a.samples, b.samples) &&
-         same_bits(a.fields.film_pressure, b.fields.film_pressure) && same_bits(a.fields.fill, b.fields.fill) &&
-         same_bits(a.stroke.wear_drive_density, b.stroke.wear_drive_density) && a.derived == b.derived &&
+         same_bits(a.fields.film_pressure, b.fields.film_pressure) &&
+         same_bits(a.fields.film_content, b.fields.film_content) &&
+         same_bits(a.stroke.archard_wear_load_density, b.stroke.archard_wear_load_density) && a.derived == b.derived &&
          a.complete == b.complete && a.notes.size() == b.notes.size() &&
          std::memcmp(&a.effort, &b.effort, sizeof a.effort) == 0;
 }

@@ -131,7 +131,7 @@ TEST(UnrolledIntegration, FieldsAreKeptInFullOrByStripsAndTheFaceHasTheStripHalf
   for (std::size_t k = 0; k < 2; ++k) {
     for (std::size_t i = 0; i < 41; ++i) {
       EXPECT_EQ(fields.film_pressure[(k * 13 + 6) * 41 + i], static_cast<float>(full.fields.film_pressure[k * 41 + i]));
-      EXPECT_EQ(fields.fill[(k * 13 + 6) * 41 + i], static_cast<float>(full.fields.fill[k * 41 + i]));
+      EXPECT_EQ(fields.film_content[(k * 13 + 6) * 41 + i], static_cast<float>(full.fields.film_content[k * 41 + i]));
     }
     // At the end of the ring the mean of the pressures at its edges.
     const float middle = fields.film_pressure[k * 13 * 41 + 20];

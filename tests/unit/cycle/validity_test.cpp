@@ -20,7 +20,7 @@ Sample usual_sample() {
   s.crank_angle_deg = 90;
   s.piston_velocity = -10;
   s.min_film_thickness = 2e-6;
-  s.film_parameter = 4;
+  s.lambda_ratio = 4;
   s.peak_film_pressure = 20e6;
   s.viscous_friction_liner = -20;
   s.viscous_friction_ring = -20;

@@ -209,7 +209,7 @@ TEST(MassConserving, SteadyFlowIsTheSameThroughBothEdges) {
 }
 
 // Nothing moves: the pressure falls from edge to edge, nearly all of it in the narrowest place, q = dp/(12 eta int
-// dx/h^3). No equation holds the fill of a node that the iteration takes below p_c on the way.
+// dx/h^3). No equation holds the film content of a node that the iteration takes below p_c on the way.
 TEST(MassConserving, FilmAtRestIsFullHoweverThinItIs) {
   constexpr double b = 1e-3, rise = 50e-6, apex = 0.64e-3, p_left = 110e5, p_right = 1e5;
   const auto height = [](double x) { return rise * std::pow((x - apex) / apex, 2); };

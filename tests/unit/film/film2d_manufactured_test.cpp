@@ -136,7 +136,7 @@ class ManufacturedFilm2d {
     state.h_m = separation(t);
     state.p = at_nodes([&](double x, double y) { return prescribed_.pressure(x, y, t); });
     state.deficit.assign(state.p.size(), 0.0);
-    state.content = at_nodes([&](double x, double y) { return prescribed_.content(x, y, t); });
+    state.mass_per_area = at_nodes([&](double x, double y) { return prescribed_.content(x, y, t); });
     return state;
   }
 

@@ -154,7 +154,7 @@ TEST_P(LaneNewtonOf, AFilmNeverFeelsANeighbourThatIsNoNumber) {
   std::vector<LaneFilm> films = lane_films(kind());
   films.resize(4);
   LaneFilm broken = films[1];
-  broken.first.content[5] = std::numeric_limits<double>::quiet_NaN();
+  broken.first.mass_per_area[5] = std::numeric_limits<double>::quiet_NaN();
   films.insert(films.begin() + 1, broken);
   EXPECT_TRUE(taken_through(kind(), films, {1}, {0}).at(1).failed);
   expect_lanes_apart(kind(), films);

@@ -10,9 +10,9 @@ namespace ringfilm::film::testing {
 namespace manufactured_films {
 namespace {
 
-// Manufactured solutions of the transient, compressible, piezoviscous equation (eq-reynolds): pressure (or fill) and
-// separation are prescribed functions of place and time, the mass source that makes them a solution is worked out
-// here, with laws and derivatives of this file's own, and the solver must find them again.
+// Manufactured solutions of the transient, compressible, piezoviscous equation (eq-reynolds): pressure (or film
+// content) and separation are prescribed functions of place and time, the mass source that makes them a solution is
+// worked out here, with laws and derivatives of this file's own, and the solver must find them again.
 constexpr double kWidth = 1.2e-3, kVelocity = 9, kOmega = 400;  // [m], [m/s], [1/s]
 constexpr double kEta = 0.006, kRho = 790, kZ = 0.6;            // [Pa s], [kg/m3], [-]
 constexpr double kA = 6.0e-10, kB = 1.7e-9;                     // Dowson-Higginson [1/Pa]
@@ -42,7 +42,7 @@ double slope(const Function& f, double at, double step) {
          (60 * step);
 }
 
-/// d(rho theta h)/dt + dq/dx of a prescribed pressure and fill.
+/// d(rho theta h)/dt + dq/dx of a prescribed pressure and film content.
 template <typename Pressure, typename Fill>
 double mass_source(const Pressure& p, const Fill& theta, double x, double t, double d_dt_wanted) {
   const auto content = [&](double time) { return density(p(x, time)) * theta(x, time) * gap(x, time); };
@@ -98,7 +98,7 @@ struct Manufactured {
     for (const double x : problem.grid.x) {
       state.p.push_back(p(x, t));
       state.deficit.push_back(1 - theta(x, t));
-      state.content.push_back(density(p(x, t)) * theta(x, t) * gap(x, t));
+      state.mass_per_area.push_back(density(p(x, t)) * theta(x, t) * gap(x, t));
     }
     return state;
   }
@@ -185,7 +185,7 @@ TEST(Manufactured, SeparationUnderLoadConvergesWithFirstOrderInTime) {
   EXPECT_LT(coarse, 0.01);
 }
 
-/// Largest error of the fill in a cavity that the liner moves through while the gap opens and closes.
+/// Largest error of the film content in a cavity that the liner moves through while the gap opens and closes.
 double cavity_error(int n_cells, int n_steps) {
   const auto pressure = [](double, double) -> double { return 1e5; };
   const auto theta = [](double x, double t) {

@@ -31,7 +31,7 @@ TEST(FilmSolver, NotANumberIsNeverASolution) {
   ASSERT_TRUE(converges(sound, start, start));
 
   FilmState broken = start;
-  broken.content[10] = nan;
+  broken.mass_per_area[10] = nan;
   EXPECT_FALSE(converges(sound, broken, start));
   broken = start;
   broken.p[10] = nan;

@@ -29,7 +29,7 @@ Oscillation oscillating_squeeze(int n_cells, int n_steps) {
   in.time_step = 1.0 / n_steps;
   FilmWorkspace workspace(film.problem);
   FilmState previous = first_guess(film.problem, in);
-  previous.content.assign(n_cells + 1, 0.5);  // H(0), theta = 1
+  previous.mass_per_area.assign(n_cells + 1, 0.5);  // H(0), theta = 1
   Oscillation seen;
   bool was_cavitated = false;
   for (int k = 1; k <= n_steps; ++k) {
@@ -72,7 +72,7 @@ TEST(Reynolds, SqueezedPlatesCarryTheClosedFormPressure) {
     in.time_step = dt;
     in.load = eta * V * b * b * b / (h * h * h);
     FilmState previous = first_guess(film.problem, in);
-    previous.content.assign(101, h + V * dt);
+    previous.mass_per_area.assign(101, h + V * dt);
     FilmState state = previous;
     state.h_m = h;
     FilmWorkspace workspace(film.problem);

@@ -37,12 +37,12 @@ inline ResultDocument example_document(int n_samples = 5) {
   for (int i = 0; i < 6; ++i) {
     result.fields.film_thickness.push_back(number());
     result.fields.film_pressure.push_back(number());
-    result.fields.fill.push_back(number());
-    result.fields.film_parameter.push_back(number());
+    result.fields.film_content.push_back(number());
+    result.fields.lambda_ratio.push_back(number());
     result.fields.asperity_pressure.push_back(number());
   }
   result.stroke.liner_position = {1e-3, 2e-3};
-  result.stroke.wear_drive_density = {number(), number()};
+  result.stroke.archard_wear_load_density = {number(), number()};
   for (const auto& quantity : cycle::derived_quantities()) result.derived[quantity.name] = number();
   result.derived["not_in_the_table"] = number();
   result.notes = {{"density-extrapolated", "the density table ends at 40 degC", 1}, {"lambda-low", "below 0.5", 17}};

@@ -315,9 +315,9 @@ TEST(Pad2d, MassIsKeptWithACavityInAPocket) {
   EXPECT_NEAR(s.flow_front, -s.flow_back, 1e-9 * s.flow_right);
   ASSERT_FALSE(s.rupture_positions.empty());
   EXPECT_NEAR(s.rupture_positions.front(), kLength / 4, kLength / 48);
-  for (const double fill : result.fields.back().fill) {
-    EXPECT_GE(fill, 0);
-    EXPECT_LE(fill, 1);
+  for (const double film_content : result.fields.back().film_content) {
+    EXPECT_GE(film_content, 0);
+    EXPECT_LE(film_content, 1);
   }
 }
 

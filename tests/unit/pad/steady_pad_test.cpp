@@ -175,7 +175,8 @@ TEST(PadStep, IsExactOnAnyGrid) {
     const auto i = step - result.x.begin();
     EXPECT_NEAR(result.profiles[0].film_thickness[i] / result.profiles[0].film_thickness[i + 1], ratio, 1e-12);
     EXPECT_EQ(result.profiles[0].pressure[i], result.profiles[0].pressure[i + 1]);
-    for (const double fill : result.profiles[0].fill) EXPECT_EQ(fill, 1);  // on the thick side of the step, too
+    for (const double film_content : result.profiles[0].film_content)
+      EXPECT_EQ(film_content, 1);  // on the thick side of the step, too
   }
 }
 

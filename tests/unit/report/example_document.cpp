@@ -32,8 +32,8 @@ cycle::Sample sample(double angle, double friction) {
   s.crankcase_pressure = 101325;
   s.applied_load = 335.5e-6 * (s.gas_pressure + 2e5);
   s.min_film_thickness = (0.55e-6 + 0.75e-6 * std::sqrt(speed)) * std::pow(1e6 / (s.gas_pressure + 9e5), 0.25);
-  s.film_parameter = s.min_film_thickness / 0.48e-6;
-  s.asperity_load = s.applied_load * friction * std::exp(-1.3 * (s.film_parameter - 0.7));
+  s.lambda_ratio = s.min_film_thickness / 0.48e-6;
+  s.asperity_load = s.applied_load * friction * std::exp(-1.3 * (s.lambda_ratio - 0.7));
   s.hydrodynamic_load = s.applied_load - s.asperity_load;
   s.asperity_contact_area = s.asperity_load * 6e-11;
   s.boundary_friction = 0.358 * s.asperity_load;
@@ -44,7 +44,7 @@ cycle::Sample sample(double angle, double friction) {
   s.friction_on_liner = s.piston_velocity > 0 ? s.total_friction : -s.total_friction;
   s.friction_coefficient = s.total_friction / s.applied_load;
   s.power_loss = s.total_friction * speed;
-  s.wear_drive = s.asperity_load * speed;
+  s.archard_wear_load_rate = s.asperity_load * speed;
   s.oil_flow_middle = -3e-4 * s.piston_velocity * s.min_film_thickness / 1e-6;
   s.stribeck_number = 5e-3 * speed / ((s.gas_pressure + 2e5) * 0.48e-6);
   s.peak_film_pressure = s.gas_pressure * 1.02;
@@ -77,13 +77,13 @@ cycle::CycleValues values(double friction) {
   v.max_film_thickness = 2.42e-6;
   v.peak_gas_pressure = 62e5;
   v.peak_gas_pressure_angle = 20;
-  v.film_parameter_at_peak_pressure = 1.286;
-  v.min_film_parameter = 1.286;
+  v.lambda_ratio_at_peak_pressure = 1.286;
+  v.min_lambda_ratio = 1.286;
   v.mixed_share = 0.561;
   v.net_oil_flow = 92.65e-6;
   v.mean_absolute_oil_flow = 868.7e-6;
   v.peak_film_pressure = 62e5;
-  v.wear_drive_energy = 23.7 * friction;
+  v.archard_wear_load = 23.7 * friction;
   v.power_stroke_energy = 5.1 * friction;
   v.exhaust_stroke_energy = 0.9;
   v.intake_stroke_energy = 1.0;
@@ -106,8 +106,8 @@ cycle::FaceFields fields() {
       const double u = static_cast<double>(i) / (kNodes - 1);
       f.film_thickness.push_back(f.face_height[i] + 0.7e-6);
       f.film_pressure.push_back(u < 0.7 ? top * (1 - u * u) + 1e5 : 101325);
-      f.fill.push_back(u < 0.7 ? 1 : 1 - 0.8 * (u - 0.7));
-      f.film_parameter.push_back(f.film_thickness.back() / 0.48e-6);
+      f.film_content.push_back(u < 0.7 ? 1 : 1 - 0.8 * (u - 0.7));
+      f.lambda_ratio.push_back(f.film_thickness.back() / 0.48e-6);
       f.asperity_pressure.push_back(8e6 * std::exp(-f.face_height[i] / 0.4e-6));
     }
   }
@@ -119,7 +119,7 @@ std::vector<study::LedgerEntry> ledger(double friction) {
   other.fmep *= 0.91;
   other.mean_power_loss *= 0.91;
   other.min_film_thickness *= 1.06;
-  other.film_parameter_at_peak_pressure *= 1.06;
+  other.lambda_ratio_at_peak_pressure *= 1.06;
   other.mean_absolute_oil_flow *= 0.42;
   study::LedgerEntry lifted{
       .topic = "reynolds-exit-cavitation",
@@ -186,7 +186,7 @@ io::ResultDocument document(const std::string& title, double friction) {
   d.result.fields = fields();
   for (int k = 0; k < 80; ++k) {
     d.result.stroke.liner_position.push_back(0.0005 + 0.001 * k);
-    d.result.stroke.wear_drive_density.push_back(friction * 2800 * std::exp(-std::pow((k - 7) / 9.0, 2)) + 90);
+    d.result.stroke.archard_wear_load_density.push_back(friction * 2800 * std::exp(-std::pow((k - 7) / 9.0, 2)) + 90);
   }
   d.result.derived = {{"elastic_pressure", 0.2e6}, {"composite_modulus", 134.8e9}, {"oil_viscosity", 5.0633e-3}};
   d.result.notes = {
@@ -203,8 +203,8 @@ io::ResultDocument document(const std::string& title, double friction) {
   d.ledger = ledger(friction);
   d.ledger_computed = true;
   d.comparison = {{.published = {.source = "paper, section 4",
-                                 .quantity = "film_parameter_at_peak_pressure",
-                                 .statement = "film parameter at peak cylinder pressure",
+                                 .quantity = "lambda_ratio_at_peak_pressure",
+                                 .statement = "lambda ratio at peak cylinder pressure",
                                  .value = 1.41,
                                  .decided_by = "contact.composite_modulus, ring tension"},
                    .computed = 1.286,
@@ -246,7 +246,7 @@ void add_node(cycle::UnrolledFields& f, double angle, double x, double y) {
   const bool is_cavity = s > 0.68 && s < 0.9 && along > 0.35;
   const double wedge = s < 0.62 ? std::sin(pi * s / 0.62) * along * (3e5 + 1.1 * gas) : 0;
   f.film_pressure.push_back(static_cast<float>(is_cavity ? 1e5 : 1e5 + (gas - 1e5) * (1 - s) + wedge));
-  f.fill.push_back(static_cast<float>(is_cavity ? 1 - 0.45 * std::sin(pi * (s - 0.68) / 0.22) * along : 1));
+  f.film_content.push_back(static_cast<float>(is_cavity ? 1 - 0.45 * std::sin(pi * (s - 0.68) / 0.22) * along : 1));
   f.film_thickness.push_back(static_cast<float>(0.7e-6 + 56e-6 * std::pow(s - 0.45, 2)));
   f.asperity_pressure.push_back(0);
 }

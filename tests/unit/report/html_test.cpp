@@ -129,7 +129,7 @@ TEST(ReportPage, ThinsOutFieldsThatAPageCannotCarry) {
   auto& f = document.result.fields;
   const std::size_t n_nodes = f.x.size();
   f.crank_angle_deg.clear();
-  for (auto* field : {&f.film_thickness, &f.film_pressure, &f.asperity_pressure, &f.fill})
+  for (auto* field : {&f.film_thickness, &f.film_pressure, &f.asperity_pressure, &f.film_content})
     field->assign(720 * n_nodes, 1e-6);
   for (int k = 0; k < 720; ++k) f.crank_angle_deg.push_back(k);
   f.film_thickness[2 * n_nodes] = 7e-6;  // first node of the angle 2 degree
@@ -168,7 +168,7 @@ TEST(ReportPage, CarriesTheUnrolledFilmWithinBounds) {
   EXPECT_EQ(unrolled["crank_angle"].size(), 24u);
   EXPECT_EQ(unrolled["end_gap"].get<double>(), 0.3e-3);
   const std::size_t n_words = 24 * 61 * document.result.unrolled.y.size();
-  EXPECT_EQ(unrolled["fields"]["fill"]["data"].get<std::string>().size(), (2 * n_words + 2) / 3 * 4);
+  EXPECT_EQ(unrolled["fields"]["film_content"]["data"].get<std::string>().size(), (2 * n_words + 2) / 3 * 4);
   for (const auto& q : cycle::unrolled_quantities()) {
     EXPECT_EQ(data["cases"][0]["curves"][q.name].size(), 720u) << q.name;
   }

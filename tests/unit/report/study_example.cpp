@@ -28,7 +28,7 @@ double value(const std::string& name, double speed, double warmth, double roughn
   const double lambda = film / (0.48e-6 * roughness);
   const double friction = 10 + 60 * std::exp(-lambda) + 0.02 * speed;
   if (name == "min_film_thickness") return film;
-  if (name == "mean_film_parameter" || name == "min_film_parameter") return lambda;
+  if (name == "mean_lambda_ratio" || name == "min_lambda_ratio") return lambda;
   if (name == "mixed_share") return 1 / (1 + lambda * lambda / 4);
   if (name == "mean_stribeck_number") return 1e-6 * speed / 200 * std::exp(-0.02 * warmth);
   if (name == "mean_friction_coefficient") return friction / 900;

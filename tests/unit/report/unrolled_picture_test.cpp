@@ -22,7 +22,7 @@ cycle::UnrolledFields fields(int n_angles, int n_strips, int n_nodes) {
       for (int i = 0; i < n_nodes; ++i) f.film_pressure.push_back(static_cast<float>(100 * k + 10 * j + i));
     }
   }
-  f.fill.assign(f.film_pressure.size(), 1);
+  f.film_content.assign(f.film_pressure.size(), 1);
   f.film_thickness.assign(f.film_pressure.size(), 1e-6F);
   return f;
 }
@@ -60,13 +60,13 @@ TEST(UnrolledPicture, TakesNodesAndNotMeans) {
 TEST(UnrolledPicture, KeepsTheAngleOfTheHighestPressureAndTellsItsTruePlace) {
   auto all = fields(9, 7, 9);
   all.film_pressure[(3 * 7 + 5) * 9 + 7] = 5000;
-  all.fill[(3 * 7 + 1) * 9 + 1] = 0.25F;
+  all.film_content[(3 * 7 + 1) * 9 + 1] = 0.25F;
   const auto picture = report::unrolled_picture(all, {.angles = 3, .strips = 3, .nodes = 3, .strip_angles = 2});
   EXPECT_EQ(picture.crank_angle_deg, (std::vector<double>{0, 30, 40, 80}));
   EXPECT_EQ(picture.highest_pressure[1].value, 5000);
   EXPECT_DOUBLE_EQ(picture.highest_pressure[1].y, 0.5);
   EXPECT_DOUBLE_EQ(picture.highest_pressure[1].x, 0.07);
-  EXPECT_EQ(picture.lowest_fill[1].value, 0.25);
+  EXPECT_EQ(picture.lowest_film_content[1].value, 0.25);
 }
 
 TEST(UnrolledPicture, CarriesNoNumberWhereThereIsNone) {

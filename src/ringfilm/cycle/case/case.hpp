@@ -120,8 +120,8 @@ enum class ContactIntegrals {
   kPolynomialAsPrinted  ///< the same as styles2014 has it, digits cut off: rises again beyond 1.911
 };
 
-/// `contact.film_parameter`: what the contact pressure follows.
-enum class FilmParameter {
+/// `contact.lambda_ratio`: what the contact pressure follows.
+enum class LambdaRatio {
   kLocal,   ///< h(x)/sigma along the face
   kNominal  ///< h_m/sigma, on the whole face
 };
@@ -339,7 +339,7 @@ struct Contact {
   double eyring_shear_stress = 2e6;                ///< tau_0, of the boundary film [Pa]
   std::optional<double> composite_modulus;         ///< E' of 2/E' = sum (1 - nu^2)/E; absent: of ring and liner [Pa]
   ContactIntegrals integrals = ContactIntegrals::kExact;  ///< of the heights, F_2 and F_5/2
-  FilmParameter film_parameter = FilmParameter::kLocal;   ///< contact pressure from h(x)/sigma, or h_m/sigma all over
+  LambdaRatio lambda_ratio = LambdaRatio::kLocal;         ///< contact pressure from h(x)/sigma, or h_m/sigma all over
   MeasuredContact measured;                               ///< where N, beta, sigma and zeta come from
 };
 

@@ -43,8 +43,8 @@ void append_contact_fields(std::vector<Field>& fields) {
                 choice<&Case::contact, &Contact::integrals>({"exact", "polynomial-4-digit", "polynomial-as-printed"}),
                 kNoUnit, {}, Need::kDefault, {},
                 {"Gaussian height integrals F_2 and F_5/2: exact, or one of two published fits", "\"exact\""}),
-          field("contact.film_parameter", choice<&Case::contact, &Contact::film_parameter>({"local", "nominal"}),
-                kNoUnit, {}, Need::kDefault, {},
+          field("contact.lambda_ratio", choice<&Case::contact, &Contact::lambda_ratio>({"local", "nominal"}), kNoUnit,
+                {}, Need::kDefault, {},
                 {"contact pressure from h(x)/sigma over the face, or from h_m/sigma on the whole face", "\"local\""}),
       });
 }

@@ -20,8 +20,8 @@ film::FilmProblem film_across(const Setup& setup) {
   problem.contact = &setup.contact;
   problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving
                                                                             : film::Cavitation::kReynoldsExit;
-  problem.contact_spread = input.contact.film_parameter == FilmParameter::kLocal ? film::ContactSpread::kLocal
-                                                                                 : film::ContactSpread::kNominal;
+  problem.contact_spread =
+      input.contact.lambda_ratio == LambdaRatio::kLocal ? film::ContactSpread::kLocal : film::ContactSpread::kNominal;
   problem.tolerance = input.solver.tolerance;
   problem.kernels = setup.kernels;
   return problem;

@@ -22,7 +22,7 @@ class CycleFilm {
   /// nullptr: the film is that across the face.
   const film::Film2dProblem* film2d() const { return film2d_ ? &*film2d_ : nullptr; }
 
-  /// A steady film from nothing. @param before what it was solved from; only its `content` enters
+  /// A steady film from nothing. @param before what it was solved from; only its `mass_per_area` enters
   film::FilmReport solve_steady(const film::FilmInputs& inputs, film::FilmState& before, film::FilmState& state);
 
   /// By the method of the case; parameters as of film::solve_film.

@@ -126,8 +126,8 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
     result.fields.crank_angle_deg.push_back(angle);
     append(result.fields.film_thickness, f.film_thickness);
     append(result.fields.film_pressure, f.film_pressure);
-    append(result.fields.fill, f.fill);
-    append(result.fields.film_parameter, f.film_parameter);
+    append(result.fields.film_content, f.film_content);
+    append(result.fields.lambda_ratio, f.lambda_ratio);
     append(result.fields.asperity_pressure, f.asperity_pressure);
   }
   std::vector<Sample> passed;  // only of an integration that stopped: else all of them

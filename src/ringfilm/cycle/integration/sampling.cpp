@@ -56,7 +56,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.hydrodynamic_load = integrals.hydrodynamic_load * length;
   s.asperity_load = integrals.asperity_load * length;
   s.min_film_thickness = instant.state->h_m;
-  s.film_parameter = instant.state->h_m / setup.sigma;
+  s.lambda_ratio = instant.state->h_m / setup.sigma;
   s.asperity_contact_area = integrals.asperity_area * length;
   s.boundary_friction =
       boundary_friction(setup.input.contact, integrals.asperity_load, integrals.asperity_area) * length;
@@ -68,7 +68,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.friction_coefficient = s.total_friction / s.applied_load;
   const double speed = std::abs(s.piston_velocity);
   s.power_loss = s.total_friction * speed;
-  s.wear_drive = s.asperity_load * speed;
+  s.archard_wear_load_rate = s.asperity_load * speed;
   s.oil_flow_middle = f.flow_middle * length;
   s.oil_flow_chamber_edge = f.flow_chamber * length;
   s.oil_flow_crankcase_edge = f.flow_crankcase * length;
@@ -108,8 +108,8 @@ void append_fields(const Setup& setup, const TimeIntegration& integration, const
     fields.film_thickness.push_back(h);
     const std::size_t at = static_cast<std::size_t>(strip) * (n + 1) + i;
     fields.film_pressure.push_back(state.p[at]);
-    fields.fill.push_back(film::fill(problem.cavitation, state.deficit[at]));
-    fields.film_parameter.push_back(h / setup.sigma);
+    fields.film_content.push_back(film::film_content(problem.cavitation, state.deficit[at]));
+    fields.lambda_ratio.push_back(h / setup.sigma);
     fields.asperity_pressure.push_back(setup.contact.contact(local ? h : state.h_m).pressure);
   }
 }

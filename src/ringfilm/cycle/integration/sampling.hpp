@@ -14,7 +14,7 @@ double boundary_friction(const Contact& contact, double load, double area);
 Sample sample(const Setup& setup, const TimeIntegration& integration, const Instant& instant,
               const film::FilmIntegrals& integrals);
 
-/// Film, pressure, fill, film parameter and asperity pressure along the face (of an unrolled film along the strip
+/// Film, pressure, film content, lambda ratio and asperity pressure along the face (of an unrolled film along the strip
 /// halfway), x from the chamber edge; appended to `fields`.
 void append_fields(const Setup& setup, const TimeIntegration& integration, const Instant& instant, FaceFields& fields);
 

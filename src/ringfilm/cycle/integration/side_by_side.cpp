@@ -29,10 +29,10 @@ struct LaneKind {
 };
 
 LaneKind kind_of(const film::FilmProblem& problem) {
-  return {
-      std::bit_ceil(static_cast<unsigned>(problem.grid.n_cells())), problem.kernels, film::best_laws(problem),
-      problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFill : film::LaneCavity::kMultiplier,
-      problem.bounds};
+  return {std::bit_ceil(static_cast<unsigned>(problem.grid.n_cells())), problem.kernels, film::best_laws(problem),
+          problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFilmContent
+                                                                  : film::LaneCavity::kMultiplier,
+          problem.bounds};
 }
 
 /// The lanes of one kind.

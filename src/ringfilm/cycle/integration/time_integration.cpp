@@ -111,10 +111,10 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
   const double film = std::abs(std::log(to.h_m / state_.h_m) - ratio * std::log(state_.h_m / before_.h_m));
   double content = 0;
   double total = 0;
-  for (std::size_t i = 0; i < to.content.size(); ++i) {
-    const double predicted = state_.content[i] + ratio * (state_.content[i] - before_.content[i]);
-    content += film_.weight(i) * std::abs(to.content[i] - predicted);
-    total += film_.weight(i) * to.content[i];
+  for (std::size_t i = 0; i < to.mass_per_area.size(); ++i) {
+    const double predicted = state_.mass_per_area[i] + ratio * (state_.mass_per_area[i] - before_.mass_per_area[i]);
+    content += film_.weight(i) * std::abs(to.mass_per_area[i] - predicted);
+    total += film_.weight(i) * to.mass_per_area[i];
   }
   const double error = share * std::max(film, content / total / kContentShare) / setup_.input.solver.step_error;
   return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
@@ -127,13 +127,13 @@ void TimeIntegration::turn(film::FilmState& state) const {
   const std::vector<double>& rise = film_.film2d() ? film_.film2d()->gap.node : problem().grid.node_height;
   const auto gap = [&](std::size_t i) { return state.h_m + rise[i]; };
   const std::size_t n_across = problem().grid.x.size();
-  for (std::size_t i = 0; i < state.content.size(); ++i) state.content[i] /= gap(i);
-  for (std::vector<double>* nodal : {&state.p, &state.deficit, &state.content}) {
+  for (std::size_t i = 0; i < state.mass_per_area.size(); ++i) state.mass_per_area[i] /= gap(i);
+  for (std::vector<double>* nodal : {&state.p, &state.deficit, &state.mass_per_area}) {
     for (auto strip = nodal->begin(); strip < nodal->end(); strip += static_cast<std::ptrdiff_t>(n_across)) {
       std::reverse(strip, strip + static_cast<std::ptrdiff_t>(n_across));
     }
   }
-  for (std::size_t i = 0; i < state.content.size(); ++i) state.content[i] *= gap(i);
+  for (std::size_t i = 0; i < state.mass_per_area.size(); ++i) state.mass_per_area[i] *= gap(i);
 }
 
 void TimeIntegration::start(int k) {

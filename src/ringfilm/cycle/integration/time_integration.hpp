@@ -109,7 +109,7 @@ class TimeIntegration {
   /// Of an unrolled film, else nullptr.
   const film::Film2dProblem* film2d() const { return film_.film2d(); }
 
-  /// Largest relative difference of film, pressure and fill from another state [-].
+  /// Largest relative difference of film, pressure and film content from another state [-].
   double distance(const film::FilmState& other) const;
 
   struct Totals {

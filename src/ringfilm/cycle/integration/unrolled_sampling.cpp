@@ -112,7 +112,7 @@ void UnrolledRecorder::keep_fields(const TimeIntegration& integration, const Ins
       const double h = state.h_m + problem.gap.node[at];
       keep(kept.film_thickness, h);
       keep(kept.film_pressure, state.p[at]);
-      keep(kept.fill, film::fill(problem.strip.cavitation, state.deficit[at]));
+      keep(kept.film_content, film::film_content(problem.strip.cavitation, state.deficit[at]));
       keep(kept.asperity_pressure, setup_.contact.contact(local ? h : state.h_m).pressure);
     }
   }

@@ -24,7 +24,7 @@ struct Film2dBlock {
   bool has_steps;  ///< the gap jumps within faces
 
   // Of nodes
-  double* z;                              ///< eq-fill, "one number per node" [Pa]
+  double* z;                              ///< eq-film-content, "one number per node" [Pa]
   double* bound;                          ///< lowest pressure over p_c; 0 with Bounds::kOne [Pa]
   double* inflow;                         ///< what the step before left and what sources add [kg/(m s)]
   double* node_height;                    ///< [m]
@@ -47,7 +47,7 @@ struct Film2dBlock {
   const double* share;        ///< [m]
   const double* conductance;  ///< 1/(24 dx) [1/m]
 
-  double quarter_U, rate, p_cavitation, scale, fill_scale;
+  double quarter_U, rate, p_cavitation, scale, content_scale;
   double ln_h_scale;  ///< dh/d ln h_m: h_m, the lowest separation [m]
   double start_h;     ///< h_m that weighs the multiplier [m]
   double cavity_K;

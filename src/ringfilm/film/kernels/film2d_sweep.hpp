@@ -18,14 +18,14 @@ RINGFILM_INLINE void for_packs(const ZebraShape& shape, const Body& body) {
 template <class Real, LaneCavity kCavity, bool kSteps, Bounds kBounds>
 class Film2dBalance {
   using Mask = typename Real::Mask;
-  static constexpr bool kFill = kCavity == LaneCavity::kFill;
+  static constexpr bool kFilmContent = kCavity == LaneCavity::kFilmContent;
 
  public:
   RINGFILM_INLINE explicit Film2dBalance(Film2dBlock& block)
       : b_(block),
         shape_(block.system.shape),
-        inverse_fill_scale_(1 / block.fill_scale),
-        motion_(Real(block.quarter_U), inverse_fill_scale_),
+        inverse_content_scale_(1 / block.content_scale),
+        motion_(Real(block.quarter_U), inverse_content_scale_),
         ln_h_scale_(block.ln_h_scale) {}
 
   RINGFILM_INLINE void run() {
@@ -44,7 +44,7 @@ class Film2dBalance {
     Real p = max(Real(0), z);  // over p_c: gradients alone count
     if constexpr (kBounds == Bounds::kOwn) p += Real::load(b_.bound + place);
     return {p,
-            kFill ? Real(1) + min(Real(0), z) * inverse_fill_scale_ : Real(1),
+            kFilmContent ? Real(1) + min(Real(0), z) * inverse_content_scale_ : Real(1),
             Real::load(b_.rho + place),
             Real::load(b_.drho_dp + place),
             Real::load(b_.K + place),
@@ -123,11 +123,11 @@ class Film2dBalance {
     const Real height = Real::load(b_.node_height + place);
     const Real volume = share * Real(b_.rate);
     const Real stored = volume * (h_m + height);  // times rho theta
-    const Real filled = filled_density<kFill>(here);
+    const Real filled = filled_density<kFilmContent>(here);
     Real residual = stored * filled - Real::load(b_.inflow + place) + (out.value - in.value) + (on.value - from.value);
     Real diagonal = (out.by_left - in.by_right) + (on.by_left - from.by_right);
-    if constexpr (kFill) {
-      diagonal += stored * filled_density_slope(here, inverse_fill_scale_);
+    if constexpr (kFilmContent) {
+      diagonal += stored * filled_density_slope(here, inverse_content_scale_);
     } else {
       const Real gap = Real(b_.start_h) + height;
       const Real multiplier =
@@ -169,8 +169,8 @@ class Film2dBalance {
 
   Film2dBlock& b_;
   const ZebraShape shape_;
-  Real inverse_fill_scale_;
-  Motion<Real, kFill, kBounds> motion_;
+  Real inverse_content_scale_;
+  Motion<Real, kFilmContent, kBounds> motion_;
   Real ln_h_scale_;
 };
 
@@ -213,17 +213,17 @@ template <class Real>
 void balance(Film2dBlock& b) {
   using enum LaneCavity;
   using enum Bounds;
-  if (b.cavity == kFill) {
-    b.bounds == kOne ? balance_of<Real, kFill, kOne>(b) : balance_of<Real, kFill, kOwn>(b);
+  if (b.cavity == kFilmContent) {
+    b.bounds == kOne ? balance_of<Real, kFilmContent, kOne>(b) : balance_of<Real, kFilmContent, kOwn>(b);
   } else {
     b.bounds == kOne ? balance_of<Real, kMultiplier, kOne>(b) : balance_of<Real, kMultiplier, kOwn>(b);
   }
 }
 
-template <class Real, bool kFill, Bounds kBounds>
+template <class Real, bool kFilmContent, Bounds kBounds>
 void update_nodes(Film2dBlock& b, const double* step) {
   const ZebraShape& shape = b.system.shape;
-  KinkStep<Real> kink{Real(b.scale), Real(1 / b.scale), Real(b.fill_scale), Real(1 / b.fill_scale)};
+  KinkStep<Real> kink{Real(b.scale), Real(1 / b.scale), Real(b.content_scale), Real(1 / b.content_scale)};
   Real peak(0), check(0);
   for_packs<Real>(shape, [&](int colour, int k) RINGFILM_INLINE_BODY {
     const auto inside =
@@ -231,7 +231,7 @@ void update_nodes(Film2dBlock& b, const double* step) {
     for (int i = 1; i < shape.n_across - 1; ++i) {
       const std::size_t place = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackRoom + k;
       const Real move = select(inside, Real::load(step + place), Real(0));
-      const Real after = kink.template take<kFill>(Real::load(b.z + place), move);
+      const Real after = kink.template take<kFilmContent>(Real::load(b.z + place), move);
       check += select(inside, after, Real(0));
       Real over = after;
       if constexpr (kBounds == Bounds::kOwn) over = max(Real(0), after) + Real::load(b.bound + place);
@@ -256,7 +256,7 @@ void update_nodes(Film2dBlock& b, const double* step) {
 template <class Real>
 void update(Film2dBlock& b, const double* step) {
   using enum Bounds;
-  if (b.cavity == LaneCavity::kFill) {
+  if (b.cavity == LaneCavity::kFilmContent) {
     b.bounds == kOne ? update_nodes<Real, true, kOne>(b, step) : update_nodes<Real, true, kOwn>(b, step);
   } else {
     b.bounds == kOne ? update_nodes<Real, false, kOne>(b, step) : update_nodes<Real, false, kOwn>(b, step);

@@ -9,7 +9,7 @@ namespace ringfilm::film {
 struct FilmView {
   int n_cells;
   const double *node_height, *face_height, *share, *spacing;
-  const double *p, *deficit, *content;
+  const double *p, *deficit, *mass_per_area;
   double h_m;         ///< [m]
   double fill_share;  ///< 1: theta = 1 - deficit; 0: theta = 1
 };
@@ -18,7 +18,7 @@ struct FilmView {
 struct LaneView {
   const double* z;
   int stride;
-  double p_cavitation, inverse_fill_scale;
+  double p_cavitation, inverse_content_scale;
 };
 
 /// Where pressure and deficit of a film go.
@@ -28,9 +28,9 @@ struct FilmPressure {
 
 /// The step that led to a film.
 struct StepView {
-  double U;                      ///< [m/s]
-  double rate;                   ///< 1/dt [1/s]
-  const double* content_before;  ///< [kg/m2]
+  double U;                            ///< [m/s]
+  double rate;                         ///< 1/dt [1/s]
+  const double* mass_per_area_before;  ///< [kg/m2]
 };
 
 /// Fits of an oil's laws (models/oil/oil_fit.hpp).
@@ -76,9 +76,9 @@ struct ContactSums {
 RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double* rho, const double* K, int i) {
   const double h = film.h_m + film.face_height[i];
   const double dp = film.p[i + 1] - film.p[i];
-  const auto fill = [&](bool from_left) { return 1 - film.fill_share * film.deficit[from_left ? i : i + 1]; };
-  return face_flux(entrainment(0.25 * U, fill(U >= 0), h), rho[0] + rho[1],
-                   fill(dp <= 0) * conductance(h * h * h, film.spacing[i]), K[0] + K[1], dp);
+  const auto film_content = [&](bool from_left) { return 1 - film.fill_share * film.deficit[from_left ? i : i + 1]; };
+  return face_flux(entrainment(0.25 * U, film_content(U >= 0), h), rho[0] + rho[1],
+                   film_content(dp <= 0) * conductance(h * h * h, film.spacing[i]), K[0] + K[1], dp);
 }
 
 /// Sums along the face with packs of Real, and what is left over one by one.
@@ -86,7 +86,7 @@ template <class Real, class One>
 class AlongFace {
  public:
   /// What each node holds, its oil from the fits.
-  RINGFILM_INLINE static void content(const FilmView& film, const FittedOilView& oil, double* to) {
+  RINGFILM_INLINE static void mass_per_area(const FilmView& film, const FittedOilView& oil, double* to) {
     visit_nodes<kAbreast>(0, film.n_cells + 1, [&]<class Some, int kPacks>(int begin) RINGFILM_INLINE_BODY {
       Some t[kPacks], rho[kPacks];
       for (int a = 0; a < kPacks; ++a) t[a] = fit_place<Some>(film, oil, begin + a * Some::kWidth);
@@ -205,7 +205,7 @@ class AlongFace {
   RINGFILM_INLINE static void read_at(const LaneView& lane, const FilmPressure& to, int i) {
     const Some z = Some::gather(lane.z + i * lane.stride, lane.stride);
     (Some(lane.p_cavitation) + max(Some(0), z)).store(to.p + i);
-    max(Some(0), -z * Some(lane.inverse_fill_scale)).store(to.deficit + i);
+    max(Some(0), -z * Some(lane.inverse_content_scale)).store(to.deficit + i);
   }
 
   template <class Some>
@@ -219,7 +219,7 @@ class AlongFace {
       const Some p = Some::load(film.p + i);
       const Some share = Some::load(film.share + i);
       load += share * p;
-      storage += share * (Some::load(film.content + i) - Some::load(step.content_before + i));
+      storage += share * (Some::load(film.mass_per_area + i) - Some::load(step.mass_per_area_before + i));
       peak = max(peak, p);
     }
     /// @param rho,K of node i and the one after it

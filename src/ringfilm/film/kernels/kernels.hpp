@@ -13,7 +13,7 @@ struct FilmKernels {
   int width;                         ///< lanes of `sweep`
   void (*sweep)(LaneBlock&);         ///< Newton's iteration, `width` films
   void (*single_sweep)(LaneBlock&);  ///< one film
-  void (*content)(const FilmView&, const FittedOilView&, double* to);
+  void (*mass_per_area)(const FilmView&, const FittedOilView&, double* to);
   void (*read)(const LaneView&, int n_nodes, const FilmPressure&);
   FilmSums (*sums)(const FilmView&, const FittedOilView&, const StepView&, const FluxRequest&);
   FilmSums (*sums_of_given_oil)(const FilmView&, const NodalOilView&, const StepView&, const FluxRequest&);

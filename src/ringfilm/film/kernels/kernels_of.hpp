@@ -16,16 +16,16 @@ void sweep_with_bounds(LaneBlock& block) {
 
 template <class Real, class Wide>
 void sweep(LaneBlock& block) {
-  const bool fill = block.cavity == LaneCavity::kFill;
+  const bool film_content = block.cavity == LaneCavity::kFilmContent;
   if (block.laws == LaneLaws::kFitted) {
-    if (fill) {
-      sweep_with_bounds<Real, Wide, LaneLaws::kFitted, LaneCavity::kFill>(block);
+    if (film_content) {
+      sweep_with_bounds<Real, Wide, LaneLaws::kFitted, LaneCavity::kFilmContent>(block);
     } else {
       sweep_with_bounds<Real, Wide, LaneLaws::kFitted, LaneCavity::kMultiplier>(block);
     }
   } else {
-    if (fill) {
-      sweep_with_bounds<Real, Wide, LaneLaws::kGiven, LaneCavity::kFill>(block);
+    if (film_content) {
+      sweep_with_bounds<Real, Wide, LaneLaws::kGiven, LaneCavity::kFilmContent>(block);
     } else {
       sweep_with_bounds<Real, Wide, LaneLaws::kGiven, LaneCavity::kMultiplier>(block);
     }
@@ -33,8 +33,8 @@ void sweep(LaneBlock& block) {
 }
 
 template <class Real, class One>
-void content(const FilmView& film, const FittedOilView& oil, double* to) {
-  AlongFace<Real, One>::content(film, oil, to);
+void mass_per_area(const FilmView& film, const FittedOilView& oil, double* to) {
+  AlongFace<Real, One>::mass_per_area(film, oil, to);
 }
 
 template <class Real, class One>
@@ -65,7 +65,7 @@ constexpr FilmKernels kernels_of(std::string_view name) {
           kWidth,
           sweep<Real, Real>,
           sweep<One, Real>,
-          content<Real, One>,
+          mass_per_area<Real, One>,
           read_lane<Real, One>,
           sums<Real, One, FittedOilView>,
           sums<Real, One, NodalOilView>,

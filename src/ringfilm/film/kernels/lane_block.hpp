@@ -23,7 +23,7 @@ enum class LaneLaws {
 };
 
 /// How the cavity of a block is closed; one choice for all lanes.
-enum class LaneCavity { kFill, kMultiplier };
+enum class LaneCavity { kFilmContent, kMultiplier };
 
 /// A number for each lane.
 using Lanes = double[kMostLanes];
@@ -39,7 +39,7 @@ struct LaneBlock {
   Bounds bounds;
 
   // Over nodes 0..n
-  double* z;                          ///< eq-fill, "one number per node" [Pa]
+  double* z;                          ///< eq-film-content, "one number per node" [Pa]
   double* bound;                      ///< lowest pressure over p_c; only with Bounds::kOwn [Pa]
   double* inflow;                     ///< what the step before left and what sources add [kg/(m s)]
   double* node_height;                ///< h_s [m]
@@ -57,9 +57,9 @@ struct LaneBlock {
   alignas(64) Lanes rate;                  ///< 1/dt, 0 when steady [1/s]
   alignas(64) Lanes p_cavitation;          ///< [Pa]
   alignas(64) Lanes scale, inverse_scale;  ///< of pressures [Pa], [1/Pa]
-  alignas(64) Lanes fill_scale;            ///< by which z of a cavity is its fill; stays from step to step [Pa]
-  alignas(64) Lanes inverse_fill_scale;    ///< [1/Pa]
-  alignas(64) Lanes load;                  ///< [N/m]
+  alignas(64) Lanes content_scale;         ///< by which z of a cavity is its film content; stays from step to step [Pa]
+  alignas(64) Lanes inverse_content_scale;  ///< [1/Pa]
+  alignas(64) Lanes load;                   ///< [N/m]
   alignas(64) Lanes goes_on;   ///< 1: the film in z is what the step before left, at h_m = `left_h`: inflow is its own
   alignas(64) Lanes left_h;    ///< [m]
   alignas(64) Lanes movable;   ///< 1: h_m is unknown; 0: it is given

@@ -32,14 +32,14 @@ class NewtonSweep {
   static constexpr int kNodesAbreast = kAbreast * Visitor::kWidth / kWidth;
   static_assert(kNodesAbreast <= kPadding);
   using Mask = typename Real::Mask;
-  static constexpr bool kFill = kCavity == LaneCavity::kFill;
+  static constexpr bool kFilmContent = kCavity == LaneCavity::kFilmContent;
 
  public:
   RINGFILM_INLINE explicit NewtonSweep(LaneBlock& block)
       : b_(block),
         h_m_(Real::load(block.h_m)),
-        inverse_fill_scale_(Real::load(block.inverse_fill_scale)),
-        motion_(Real::load(block.quarter_U), inverse_fill_scale_) {}
+        inverse_content_scale_(Real::load(block.inverse_content_scale)),
+        motion_(Real::load(block.quarter_U), inverse_content_scale_) {}
 
   RINGFILM_INLINE void run() {
     const Real d_ln_h = forward();
@@ -62,7 +62,7 @@ class NewtonSweep {
     Stretch p, theta, rho, drho, K, dK;
     RINGFILM_INLINE void next() {
       p.next();
-      if constexpr (kFill) theta.next();
+      if constexpr (kFilmContent) theta.next();
       rho.next();
       drho.next();
       K.next();
@@ -103,9 +103,9 @@ class NewtonSweep {
     for (int a = 0; a < kAbreast; ++a) put(value[a], to, slot, a);
   }
 
-  /// Pressure, fill, oil and load at the nodes abreast from i on, of which those beyond the edge have no share.
+  /// Pressure, film content, oil and load at the nodes abreast from i on, of which those beyond the edge have no share.
   RINGFILM_INLINE void visit(int i, int slot, Film& film) {
-    const Visitor p_c = of_lanes(b_.p_cavitation), inverse_fill_scale = of_lanes(b_.inverse_fill_scale);
+    const Visitor p_c = of_lanes(b_.p_cavitation), inverse_content_scale = of_lanes(b_.inverse_content_scale);
     const Visitor centre = of_lanes(b_.fit_centre), per_pressure = of_lanes(b_.fit_inverse_half_width);
     Visitor t[kAbreast];
     for (int a = 0; a < kAbreast; ++a) {
@@ -113,7 +113,7 @@ class NewtonSweep {
       Visitor p = p_c + max(Visitor(0), z);
       if constexpr (kBounds == Bounds::kOwn) p += seen(b_.bound, i, a);
       put(p, film.p, slot, a);
-      if constexpr (kFill) put(Visitor(1) + min(Visitor(0), z) * inverse_fill_scale, film.theta, slot, a);
+      if constexpr (kFilmContent) put(Visitor(1) + min(Visitor(0), z) * inverse_content_scale, film.theta, slot, a);
       load_ += seen(b_.share, i, a) * p;
       t[a] = min(Visitor(1), (p - centre) * per_pressure);
     }
@@ -165,7 +165,7 @@ class NewtonSweep {
 
   /// Node `i`, in slot `k` of its stretch.
   RINGFILM_INLINE Node node(const Film& film, int i, int k) const {
-    return {film.p.at(k),         kFill ? film.theta.at(k) : Real(1),
+    return {film.p.at(k),         kFilmContent ? film.theta.at(k) : Real(1),
             film.rho.at(k),       film.drho.at(k),
             film.K.at(k),         film.dK.at(k),
             at(b_.z, i) > Real(0)};
@@ -205,7 +205,7 @@ class NewtonSweep {
         const Real h = h_m_ + height;
         const Real volume = share * rate;
         const Real stored = volume * h;  // times rho theta
-        const Real filled = filled_density<kFill>(here);
+        const Real filled = filled_density<kFilmContent>(here);
         Real inflow = at(b_.inflow, i);
         if (some_go_on) {
           inflow = select(goes_on, volume * (filled * (left_h + height)), inflow);
@@ -213,8 +213,8 @@ class NewtonSweep {
         }
         Real residual = stored * filled - inflow + (out.value - in.value);
         Real diagonal = out.by_left - in.by_right;
-        if constexpr (kFill) {
-          diagonal += stored * filled_density_slope(here, inverse_fill_scale_);
+        if constexpr (kFilmContent) {
+          diagonal += stored * filled_density_slope(here, inverse_content_scale_);
         } else {
           const Real gap = Real::load(b_.start_h) + height;
           const Real weight =
@@ -262,12 +262,12 @@ class NewtonSweep {
   }
 
   RINGFILM_INLINE void backward(Real d_ln_h) {
-    KinkStep<Real> kink{Real::load(b_.scale), Real::load(b_.inverse_scale), Real::load(b_.fill_scale),
-                        inverse_fill_scale_};
+    KinkStep<Real> kink{Real::load(b_.scale), Real::load(b_.inverse_scale), Real::load(b_.content_scale),
+                        inverse_content_scale_};
     Real peak(0), step(0);
     for (int i = b_.n_cells - 1; i > 0; --i) {
       step = at(b_.rhs, i) - at(b_.column, i) * d_ln_h - at(b_.upper, i) * step;
-      const Real after = kink.template take<kFill>(at(b_.z, i), step);
+      const Real after = kink.template take<kFilmContent>(at(b_.z, i), step);
       check_ += after;  // a NaN of `largest` is one here as well
       if constexpr (kBounds == Bounds::kOwn) {
         peak = max(peak, max(Real(0), after) + at(b_.bound, i));
@@ -284,8 +284,8 @@ class NewtonSweep {
   }
 
   LaneBlock& b_;
-  Real h_m_, inverse_fill_scale_;
-  Motion<Real, kFill, kBounds> motion_;
+  Real h_m_, inverse_content_scale_;
+  Motion<Real, kFilmContent, kBounds> motion_;
   Visitor load_, slope_;  ///< W_h + W_a, and the slope of W_a in h_m, as far as visited
   Real check_;
 };

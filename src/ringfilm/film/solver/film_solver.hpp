@@ -17,19 +17,19 @@ class FilmWorkspace {
   LaneNewton newton_;
 };
 
-/// Finds pressure, fill and h_m together such that mass, cavitation and load balance (eq-load-balance).
+/// Finds pressure, film content and h_m together such that mass, cavitation and load balance (eq-load-balance).
 ///
 /// By LaneNewton in one lane, with the fitted laws if the oil has them; a film whose pressure leaves their range is
 /// solved again with the laws themselves. If Newton's method fails: a bracketed search on ln h_m around Newton solves
 /// of the film alone, with the laws themselves (the load carried falls with h_m).
 ///
-/// @param previous the state one time step ago; only its `content` enters
+/// @param previous the state one time step ago; only its `mass_per_area` enters
 /// @param state in: first guess; out: the solution if `converged`, else unusable
 FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous, FilmState& state,
                       FilmWorkspace& workspace);
 
-/// The same at the h_m of `state`, which stays: finds pressure and fill for a separation that is given. `inputs.load`
-/// is only the scale of pressures.
+/// The same at the h_m of `state`, which stays: finds pressure and film content for a separation that is given.
+/// `inputs.load` is only the scale of pressures.
 FilmReport solve_film_at_separation(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                                     FilmState& state, FilmWorkspace& workspace);
 

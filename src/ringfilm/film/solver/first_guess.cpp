@@ -26,7 +26,7 @@ FilmState coarse_guess(const FilmProblem& problem, const FilmInputs& inputs) {
         std::max(inputs.left.pressure + (inputs.right.pressure - inputs.left.pressure) * share, inputs.p_cavitation));
   }
   state.deficit.assign(n + 1, 0.0);
-  state.content.assign(n + 1, 0.0);
+  state.mass_per_area.assign(n + 1, 0.0);
   return state;
 }
 

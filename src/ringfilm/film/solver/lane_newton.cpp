@@ -16,8 +16,8 @@ constexpr double kNowhere = -1;      // a reach of contact that no gap is within
 
 constexpr int kNodalArrays = 14;
 
-/// Nothing moves and nothing changes: no equation holds the fill, and a node that the iteration put below p_c is held
-/// there by the multiplier, as in Reynolds' exit, until its pressure comes back.
+/// Nothing moves and nothing changes: no equation holds the film content, and a node that the iteration put below p_c
+/// is held there by the multiplier, as in Reynolds' exit, until its pressure comes back.
 bool at_rest(const FilmInputs& inputs) { return inputs.U == 0 && inputs.time_step == kSteady; }
 
 }  // namespace
@@ -45,7 +45,7 @@ void LaneNewton::clear(int lane) {
   lanes_[lane] = {};
   block_.h_m[lane] = block_.start_h[lane] = 1;
   block_.scale[lane] = block_.inverse_scale[lane] = 1;
-  block_.fill_scale[lane] = block_.inverse_fill_scale[lane] = 1;
+  block_.content_scale[lane] = block_.inverse_content_scale[lane] = 1;
   block_.fit_K[0][lane] = block_.fit_rho[0][lane] = 1;
   block_.contact_reach[lane] = kNowhere;
   block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
@@ -113,18 +113,18 @@ void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& prev
                        double h_m, Unknowns unknowns, LaneLaws laws) {
   Lane& at = lanes_[lane];
   if (at.inputs == nullptr) {
-    block_.fill_scale[lane] = inputs.mean_pressure(at.problem->grid);
-    block_.inverse_fill_scale[lane] = 1 / block_.fill_scale[lane];
+    block_.content_scale[lane] = inputs.mean_pressure(at.problem->grid);
+    block_.inverse_content_scale[lane] = 1 / block_.content_scale[lane];
   }
   set_step(lane, inputs, previous, h_m, unknowns, laws, Inflow::kOfTheState);
   const double *p = guess.p.data(), *deficit = guess.deficit.data();
-  const double p_c = inputs.p_cavitation, fill_scale = block_.fill_scale[lane];
+  const double p_c = inputs.p_cavitation, content_scale = block_.content_scale[lane];
   const double beyond = kBeyondKink * block_.scale[lane];
   double* z = block_.z + lane;
   for (int i = 0; i <= at.n_cells; ++i) {
     const double over = p[i] - p_c - nodal(block_.bound, i, lane);
     const double film = over < beyond ? beyond : over;  // a NaN stays
-    z[i * width_] = deficit[i] > 0 ? -deficit[i] * fill_scale : film;
+    z[i * width_] = deficit[i] > 0 ? -deficit[i] * content_scale : film;
   }
   set_edges(lane);
 }
@@ -148,7 +148,7 @@ void LaneNewton::continue_from_last_step(int lane, const FilmInputs& inputs, con
 void LaneNewton::set_edges(int lane) {
   const Lane& at = lanes_[lane];
   const auto z_of = [&](const EdgeState& edge) {
-    return edge_z(edge, at.inputs->p_cavitation, block_.fill_scale[lane]);
+    return edge_z(edge, at.inputs->p_cavitation, block_.content_scale[lane]);
   };
   nodal(block_.z, 0, lane) = z_of(at.inputs->left);
   nodal(block_.z, at.n_cells, lane) = z_of(at.inputs->right);
@@ -160,7 +160,7 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   const FilmProblem& problem = *at.problem;
   const FilmGrid& grid = problem.grid;
   block_.laws = laws;
-  block_.cavity = problem.cavitation == Cavitation::kMassConserving && !at_rest(inputs) ? LaneCavity::kFill
+  block_.cavity = problem.cavitation == Cavitation::kMassConserving && !at_rest(inputs) ? LaneCavity::kFilmContent
                                                                                         : LaneCavity::kMultiplier;
   at.inputs = &inputs;
   at.phase = Phase::kRunning;
@@ -190,7 +190,7 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   block_.goes_on[lane] = inflow_is == Inflow::kOfTheLane && inputs.source.empty() ? 1 : 0;
   block_.left_h[lane] = previous.h_m;
   if (block_.goes_on[lane] > 0) return;
-  const double *content = previous.content.data(), *share = grid.share.data();
+  const double *content = previous.mass_per_area.data(), *share = grid.share.data();
   double* inflow = block_.inflow + lane;
   for (int i = 0; i <= at.n_cells; ++i) inflow[i * width_] = share[i] * rate * content[i];
   for (std::size_t i = 0; i < inputs.source.size(); ++i) {
@@ -291,7 +291,7 @@ void LaneNewton::read(int lane, FilmState& state) const {
   state.h_m = block_.h_m[lane];
   state.p.resize(n_nodes);
   state.deficit.resize(n_nodes);
-  kernels_->read({block_.z + lane, width_, inputs.p_cavitation, block_.inverse_fill_scale[lane]},
+  kernels_->read({block_.z + lane, width_, inputs.p_cavitation, block_.inverse_content_scale[lane]},
                  static_cast<int>(n_nodes), {state.p.data(), state.deficit.data()});
   if (block_.bounds == Bounds::kOwn) {
     for (std::size_t i = 0; i < n_nodes; ++i) state.p[i] += nodal(block_.bound, static_cast<int>(i), lane);

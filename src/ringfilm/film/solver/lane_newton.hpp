@@ -36,8 +36,8 @@ class LaneNewton {
   /// Leaves the lane empty.
   void clear(int lane);
 
-  /// A new solve in a bound lane, from `guess`; of `previous` only the `content` enters; `inputs` must outlive the
-  /// solve. All running lanes must have the same laws and the same way of closing a cavity.
+  /// A new solve in a bound lane, from `guess`; of `previous` only the `mass_per_area` enters; `inputs` must outlive
+  /// the solve. All running lanes must have the same laws and the same way of closing a cavity.
   /// @param h_m where to start from, instead of the guess's [m]; @param laws kGiven: oil and contact as they are, not
   /// their fits
   void start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess, double h_m,

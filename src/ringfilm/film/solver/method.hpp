@@ -18,7 +18,7 @@ enum class Method {
 using MethodWorkspace = std::variant<FilmWorkspace, RelaxationWorkspace, SecantWorkspace>;
 MethodWorkspace workspace_of(Method method, const FilmProblem& problem);
 
-/// Finds pressure, fill and h_m by the method that the workspace belongs to; parameters as of `solve_film`.
+/// Finds pressure, film content and h_m by the method that the workspace belongs to; parameters as of `solve_film`.
 FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous, FilmState& state,
                       MethodWorkspace& workspace);
 

@@ -17,13 +17,13 @@ class SecantWorkspace {
   LaneNewton newton_;
 };
 
-/// Finds pressure, fill and h_m together such that mass, cavitation and load balance.
+/// Finds pressure, film content and h_m together such that mass, cavitation and load balance.
 ///
 /// Stops when the load is met to `tolerance`, with films of which the last Newton step was below sqrt(tolerance) and
 /// crossed no kink. Once the load is bracketed it stays so (Illinois). A report that is not `converged` comes after a
 /// bounded number of iterations.
 ///
-/// @param previous the state one time step ago; only its `content` enters
+/// @param previous the state one time step ago; only its `mass_per_area` enters
 /// @param state in: first guess; out: the solution if `converged`, else unusable
 FilmReport solve_by_nested_secant(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                                   FilmState& state, SecantWorkspace& workspace);

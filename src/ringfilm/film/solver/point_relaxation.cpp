@@ -74,7 +74,7 @@ class PointRelaxation {
   void linearise();
   double jacobi_radius() const;
   void choose_factor();
-  double sweep();  ///< largest relative change of pressure or fill
+  double sweep();  ///< largest relative change of pressure or film content
   double sweep_reynolds_exit();
   double sweep_mass_conserving();
   void finish();
@@ -197,7 +197,7 @@ void PointRelaxation::linearise() {
     const double compliance = 1 / std::max(slope, 0.5 * (conductance_in + conductance_out));
     const double source = inputs_.source.empty() ? 0.0 : inputs_.source[i];
     work_.compliance_[i] = compliance;
-    work_.gain_[i] = rate * (oil.rho[i] * h - previous_.content[i]) - grid.share[i] * source;
+    work_.gain_[i] = rate * (oil.rho[i] * h - previous_.mass_per_area[i]) - grid.share[i] * source;
     work_.kept_[i] = p[i] - compliance * (work_.gain_[i] + (conductance_in + conductance_out) * p[i]);
     work_.from_left_[i] = compliance * conductance_in;
     work_.from_right_[i] = compliance * conductance_out;
@@ -229,7 +229,7 @@ double PointRelaxation::sweep_reynolds_exit() {
   return std::isfinite(left) ? largest / scale_ : left;
 }
 
-/// Downstream, each node takes the pressure, or else the fill, that balances it.
+/// Downstream, each node takes the pressure, or else the film content, that balances it.
 double PointRelaxation::sweep_mass_conserving() {
   const int n = problem_.grid.n_cells();
   const double p_c = inputs_.p_cavitation;
@@ -244,7 +244,7 @@ double PointRelaxation::sweep_mass_conserving() {
     const double balanced = work_.kept_[i] + work_.from_left_[i] * p[i - 1] + work_.from_right_[i] * p[i + 1] -
                             work_.compliance_[i] * (out - in);  // of a full film
     const double before = p[i];
-    double fill = 1;
+    double film_content = 1;
     if (balanced > p_c) {
       p[i] = std::max(p_c, before + factor_ * (balanced - before));
     } else {
@@ -253,10 +253,10 @@ double PointRelaxation::sweep_mass_conserving() {
       const double carried =
           problem_.grid.share[i] / inputs_.time_step * work_.oil_.rho[i] * (state_.h_m + problem_.grid.node_height[i]) +
           std::abs(work_.couette_[step > 0 ? i : i - 1]);
-      fill = carried > 0 ? std::max(1 - (p_c - balanced) / (work_.compliance_[i] * carried), 0.0) : theta[i];
+      film_content = carried > 0 ? std::max(1 - (p_c - balanced) / (work_.compliance_[i] * carried), 0.0) : theta[i];
     }
-    largest_theta = std::max(std::abs(fill - theta[i]), largest_theta);
-    theta[i] = fill;
+    largest_theta = std::max(std::abs(film_content - theta[i]), largest_theta);
+    theta[i] = film_content;
     largest_p = std::max(std::abs(p[i] - before), largest_p);
   }
   return std::max(largest_p / scale_, largest_theta);

@@ -33,14 +33,14 @@ class RelaxationWorkspace {
   std::vector<double> from_left_, from_right_;  ///< [-]
 };
 
-/// Finds pressure, fill and h_m together such that mass, cavitation and load balance.
+/// Finds pressure, film content and h_m together such that mass, cavitation and load balance.
 ///
 /// Stops when a sweep changes no pressure by more than `tolerance` times the mean pressure that is to be carried, no
-/// fill by more than `tolerance`, and the load is met to `tolerance`. A change per sweep is not an error: what is left
-/// is larger by 1/(1 - rate of convergence), about the number of cells over 2 pi at the best factor.
-/// The sweeps are counted and bounded; a report that is not `converged` comes within that bound.
+/// film content by more than `tolerance`, and the load is met to `tolerance`. A change per sweep is not an error: what
+/// is left is larger by 1/(1 - rate of convergence), about the number of cells over 2 pi at the best factor. The sweeps
+/// are counted and bounded; a report that is not `converged` comes within that bound.
 ///
-/// @param previous the state one time step ago; only its `content` enters
+/// @param previous the state one time step ago; only its `mass_per_area` enters
 /// @param state in: first guess; out: the solution if `converged`, else unusable
 FilmReport solve_by_point_relaxation(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                                      FilmState& state, RelaxationWorkspace& workspace);

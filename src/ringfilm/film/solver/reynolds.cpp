@@ -104,15 +104,15 @@ void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const
 
 void complete_state(const FilmProblem& problem, LaneLaws laws, FilmState& state) {
   const std::size_t n_nodes = state.p.size();
-  state.content.resize(n_nodes);
+  state.mass_per_area.resize(n_nodes);
   state.laws = laws;
   if (laws == LaneLaws::kFitted) {
-    problem.kernels->content(film_view(problem, state), fitted_oil_view(problem), state.content.data());
+    problem.kernels->mass_per_area(film_view(problem, state), fitted_oil_view(problem), state.mass_per_area.data());
     return;
   }
   for (std::size_t i = 0; i < n_nodes; ++i) {
-    state.content[i] = problem.oil->density(state.p[i]) * fill(problem.cavitation, state.deficit[i]) *
-                       (state.h_m + problem.grid.node_height[i]);
+    state.mass_per_area[i] = problem.oil->density(state.p[i]) * film_content(problem.cavitation, state.deficit[i]) *
+                             (state.h_m + problem.grid.node_height[i]);
   }
 }
 
@@ -125,7 +125,7 @@ FilmView film_view(const FilmProblem& problem, const FilmState& state) {
           grid.spacing.data(),
           state.p.data(),
           state.deficit.data(),
-          state.content.data(),
+          state.mass_per_area.data(),
           state.h_m,
           problem.cavitation == Cavitation::kMassConserving ? 1.0 : 0.0};
 }

@@ -38,7 +38,7 @@ double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const Fil
 void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const NodalOil& oil,
                        std::vector<double>& multiplier);
 
-/// rho theta h at every node of a state whose pressure, fill and h_m are solved.
+/// rho theta h at every node of a state whose pressure, film content and h_m are solved.
 /// @param laws kFitted: by the fits that the oil must have
 void complete_state(const FilmProblem& problem, LaneLaws laws, FilmState& state);
 

@@ -144,7 +144,9 @@ void Film2dNewton::set_given(const Film2dInputs& inputs) {
   const auto put = [&](int s, double p) {
     for (int i = 0; i <= last; ++i) block_.z[shape_.at(i, s)] = p - inputs.strip.p_cavitation;
   };
-  const auto z_of = [&](const EdgeState& edge) { return edge_z(edge, inputs.strip.p_cavitation, block_.fill_scale); };
+  const auto z_of = [&](const EdgeState& edge) {
+    return edge_z(edge, inputs.strip.p_cavitation, block_.content_scale);
+  };
   if (ends_ == Ends::kOpen) {
     put(-1, inputs.p_low);
     put(shape_.n_strips, inputs.p_high);
@@ -160,13 +162,13 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   const FilmInputs& strip = inputs.strip;
   const bool at_rest = strip.U == 0 && strip.time_step == kSteady;
   block_.laws = laws;
-  block_.cavity =
-      problem.strip.cavitation == Cavitation::kMassConserving && !at_rest ? LaneCavity::kFill : LaneCavity::kMultiplier;
+  block_.cavity = problem.strip.cavitation == Cavitation::kMassConserving && !at_rest ? LaneCavity::kFilmContent
+                                                                                      : LaneCavity::kMultiplier;
   block_.quarter_U = 0.25 * strip.U;
   block_.rate = 1 / strip.time_step;
   block_.p_cavitation = strip.p_cavitation;
   block_.bounds = problem.strip.bounds;
-  block_.scale = block_.fill_scale = strip.mean_pressure(problem.strip.grid);
+  block_.scale = block_.content_scale = strip.mean_pressure(problem.strip.grid);
   block_.start_h = guess.h_m;
   block_.cavity_K = problem.strip.oil->density(strip.p_cavitation) / problem.strip.oil->viscosity(strip.p_cavitation);
   if (const models::OilFit* fit = problem.strip.oil->fit()) {
@@ -188,9 +190,9 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
       block_.bound[place] = strip.pressure_bound(problem.strip.grid, i) - strip.p_cavitation;
       const double over = guess.p[from + i] - strip.p_cavitation - block_.bound[place];
       const double film = over < beyond ? beyond : over;  // a NaN stays
-      block_.z[place] = guess.deficit[from + i] > 0 ? -guess.deficit[from + i] * block_.fill_scale : film;
+      block_.z[place] = guess.deficit[from + i] > 0 ? -guess.deficit[from + i] * block_.content_scale : film;
       const double source = strip.source.empty() ? 0.0 : strip.source[from + i];
-      block_.inflow[place] = block_.share[i] * (block_.rate * previous.content[from + i] + source);
+      block_.inflow[place] = block_.share[i] * (block_.rate * previous.mass_per_area[from + i] + source);
     }
   }
   if (ends_ == Ends::kJoined) StripMultigrid::join_ends(shape_, ends_, block_.bound);
@@ -350,7 +352,7 @@ void Film2dNewton::read(const Film2dProblem& problem, const Film2dInputs& inputs
       const auto node = static_cast<std::size_t>(j) * shape_.n_across + i;
       const double z = block_.z[shape_.at(i, strip_of(j))];
       state.p[node] = strip.p_cavitation + block_.bound[shape_.at(i, strip_of(j))] + std::max(0.0, z);
-      state.deficit[node] = std::max(0.0, -z / block_.fill_scale);
+      state.deficit[node] = std::max(0.0, -z / block_.content_scale);
     }
     const auto first = static_cast<std::size_t>(j) * shape_.n_across;
     const bool is_given = ends_ == Ends::kOpen && (j == 0 || j == n_strips - 1);

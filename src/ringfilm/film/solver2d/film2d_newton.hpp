@@ -11,7 +11,7 @@
 
 namespace ringfilm::film {
 
-/// Newton's method on pressure and fill of all nodes of a two-dimensional film, and on ln h_m
+/// Newton's method on pressure and film content of all nodes of a two-dimensional film, and on ln h_m
 /// (docs/theory/two-dimensional-film.md, "the solver"). Nodes stop at the kink, fronts that only advance are helped
 /// along each strip, h_m moves by at most -60 % or +150 % an iteration, as in LaneNewton.
 class Film2dNewton {

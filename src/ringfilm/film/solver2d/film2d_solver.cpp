@@ -122,7 +122,7 @@ film::FilmState of_strips(const Film2dProblem& problem, const FilmState& strip) 
   };
   film2d.p = repeat(strip.p);
   film2d.deficit = repeat(strip.deficit);
-  film2d.content = repeat(strip.content);
+  film2d.mass_per_area = repeat(strip.mass_per_area);
   return film2d;
 }
 
@@ -130,14 +130,15 @@ void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, Fi
   const int n_across = problem.n_across();
   const models::OilAtTemperature& oil = *problem.strip.oil;
   const bool fitted = state.laws == LaneLaws::kFitted;
-  state.content.resize(problem.n_nodes());
+  state.mass_per_area.resize(problem.n_nodes());
   for (int j = 0; j < problem.around.n_strips(); ++j) {
     const double h_m = state.h_m + (inputs.rise.empty() ? 0.0 : inputs.rise[j]);
     for (int i = 0; i < n_across; ++i) {
       const auto node = static_cast<std::size_t>(j) * n_across + i;
       const double p = state.p[node];
       const double rho = fitted ? oil.fit()->at(p).rho : oil.density(p);
-      state.content[node] = rho * fill(problem.strip.cavitation, state.deficit[node]) * (h_m + problem.gap.node[node]);
+      state.mass_per_area[node] =
+          rho * film_content(problem.strip.cavitation, state.deficit[node]) * (h_m + problem.gap.node[node]);
     }
   }
 }

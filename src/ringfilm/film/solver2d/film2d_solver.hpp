@@ -19,15 +19,15 @@ class Film2dWorkspace {
   std::unique_ptr<Memory> memory_;
 };
 
-/// Finds pressure, fill and the one separation of the whole two-dimensional film such that mass, cavitation and load
-/// balance (eq-film-2d-balance).
+/// Finds pressure, film content and the one separation of the whole two-dimensional film such that mass, cavitation and
+/// load balance (eq-film-2d-balance).
 ///
 /// By Newton's method on all nodes and ln h_m; its linear systems by GMRES, preconditioned by strips: each solved as in
 /// film/, the slow changes in y on coarser two-dimensional films (docs/theory/two-dimensional-film.md, "the solver"). A
 /// film whose pressure leaves the range of the fitted laws is solved again with the laws themselves. If Newton's method
 /// fails: a bracketed search on ln h_m, as in film/.
 ///
-/// @param previous the state one time step ago; only its `content` enters
+/// @param previous the state one time step ago; only its `mass_per_area` enters
 /// @param state in: first guess; out: the solution if `converged`, else unusable
 film::FilmReport solve_film2d(const Film2dProblem& problem, const Film2dInputs& inputs, const FilmState& previous,
                               FilmState& state, Film2dWorkspace& workspace);

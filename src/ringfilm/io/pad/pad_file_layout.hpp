@@ -34,7 +34,7 @@ void put_pad_fields(File& file, const pad::PadResult& result) {
   };
   put("film_thickness", &pad::Profile::film_thickness);
   put("pressure", &pad::Profile::pressure);
-  put("fill", &pad::Profile::fill);
+  put("film_content", &pad::Profile::film_content);
 }
 
 template <class File>

@@ -88,7 +88,7 @@ std::string pad_csv(const pad::PadResult& result) {
   for (const pad::Profile& along : result.profiles) {
     for (std::size_t i = 0; i < result.x.size(); ++i) {
       fmt::format_to(std::back_inserter(csv), "{},{},{},{},{}\n", unsigned_zero(along.time), result.x[i],
-                     along.film_thickness[i], unsigned_zero(along.pressure[i]), along.fill[i]);
+                     along.film_thickness[i], unsigned_zero(along.pressure[i]), along.film_content[i]);
     }
   }
   return csv;

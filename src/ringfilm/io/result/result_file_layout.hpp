@@ -104,10 +104,10 @@ void exchange_fields(File& file, Result& result) {
                fields.film_thickness);
   file.numbers(grid, described("film_pressure", "Pa", "absolute film pressure along the face", "p", "eq-reynolds"),
                fields.film_pressure);
-  file.numbers(grid, described("fill", "1", "liquid share of the gap", "theta", "eq-fill"), fields.fill);
-  file.numbers(grid,
-               described("local_film_parameter", "1", "film parameter along the face", "lambda", "eq-film-parameter"),
-               fields.film_parameter);
+  file.numbers(grid, described("film_content", "1", "liquid share of the gap", "theta", "eq-film-content"),
+               fields.film_content);
+  file.numbers(grid, described("local_lambda_ratio", "1", "lambda ratio along the face", "lambda", "eq-lambda-ratio"),
+               fields.lambda_ratio);
   file.numbers(
       grid, described("asperity_pressure", "Pa", "asperity contact pressure along the face", "p_a", "eq-asperity-load"),
       fields.asperity_pressure);
@@ -116,9 +116,9 @@ void exchange_fields(File& file, Result& result) {
                described("liner_position", "m", "distance below the position of the ring at TDC", "s"),
                stroke.liner_position);
   file.numbers({"liner_position"},
-               described("wear_drive_density", "J m-1", "work of asperity contact per length of liner and cycle", "w",
-                         "eq-wear-drive"),
-               stroke.wear_drive_density);
+               described("archard_wear_load_density", "J m-1", "work of asperity contact per length of liner and cycle",
+                         "w", "eq-archard-wear-load"),
+               stroke.archard_wear_load_density);
 }
 
 template <class File, class Document>

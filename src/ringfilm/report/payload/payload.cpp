@@ -100,7 +100,7 @@ ordered_json face_fields(const cycle::FaceFields& fields) {
           {"film_thickness", field(fields.film_thickness, n_nodes, kept)},
           {"film_pressure", field(fields.film_pressure, n_nodes, kept)},
           {"asperity_pressure", field(fields.asperity_pressure, n_nodes, kept)},
-          {"fill", field(fields.fill, n_nodes, kept)}};
+          {"film_content", field(fields.film_content, n_nodes, kept)}};
 }
 
 ordered_json effort(const cycle::Effort& e) {
@@ -151,7 +151,7 @@ ordered_json comparison(const std::vector<study::ComparisonRow>& rows) {
   return list;
 }
 
-/// At which a film ruptures whose model knows no fill [Pa]; nothing for other models, or if it is not reported.
+/// At which a film ruptures whose model knows no film content [Pa]; nothing for other models, or if it is not reported.
 std::optional<double> rupture_pressure(const std::vector<io::CaseEntry>& inputs) {
   const auto shown = [&inputs](const char* key) {
     const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& entry) { return entry.key == key; });
@@ -208,7 +208,7 @@ ordered_json document(const io::ResultDocument& d) {
           {"unrolled", unrolled_payload(d.result.unrolled, rupture_pressure(d.inputs))},
           {"stroke",
            {{"liner_position", rounded_list(d.result.stroke.liner_position, kCurveDigits)},
-            {"wear_drive_density", rounded_list(d.result.stroke.wear_drive_density, kCurveDigits)}}},
+            {"archard_wear_load_density", rounded_list(d.result.stroke.archard_wear_load_density, kCurveDigits)}}},
           {"derived", std::move(derived)},
           {"notes", std::move(notes)},
           {"input_notes", d.input_notes},

@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 
 constexpr int kPointDigits = 5;
 const std::vector<std::string> kMapped = {"mean_total_friction", "fmep", "min_film_thickness", "mixed_share"};
-const std::vector<std::string> kStribeck = {"mean_stribeck_number", "mean_friction_coefficient", "mean_film_parameter"};
+const std::vector<std::string> kStribeck = {"mean_stribeck_number", "mean_friction_coefficient", "mean_lambda_ratio"};
 
 /// A factor of the grid of one base, and which of its levels the page carries.
 struct Axis {

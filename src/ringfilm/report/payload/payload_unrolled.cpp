@@ -44,7 +44,7 @@ ordered_json unrolled_payload(const cycle::UnrolledFields& fields, std::optional
           {"x", rounded_list(picture.x, kPlaceDigits)},
           {"fields", packed_fields(picture.fields)},
           {"highest_pressure", points(picture.highest_pressure)},
-          {"lowest_fill", points(picture.lowest_fill)},
+          {"lowest_film_content", points(picture.lowest_film_content)},
           {"rupture_pressure", rupture_pressure ? exact(*rupture_pressure) : ordered_json(nullptr)},
           {"strips",
            {{"crank_angle", rounded_list(strips.crank_angle_deg, kPlaceDigits)},

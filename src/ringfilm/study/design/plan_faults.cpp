@@ -160,7 +160,7 @@ class FactorCheck {
     const auto* names = std::get_if<cycle::ChoiceKind>(&field.kind);
     if (decides_reading(field) && !is_read()) {
       refuse("varies " + field.key + ", which decides what is read from a file, and no file was read for it",
-             "read the study from its own file, or fill Study::readings");
+             "read the study from its own file, or film content Study::readings");
     }
     for (const Choice& choice : std::get<Choices>(factor_.variation).values) {
       if (names && std::find(names->names.begin(), names->names.end(), choice.text) == names->names.end()) {

@@ -48,13 +48,12 @@ Assumption orientation(const Case& c) {
 Assumption contact_integrals(const Case& c) {
   const char* key = "contact.integrals";
   return assumption("contact-integrals", "the integrals of the contact model are taken as \"" + chosen(key, c) + "\"",
-                    "the polynomial as printed rises again beyond a film parameter of 1.9", other_choices(key, c));
+                    "the polynomial as printed rises again beyond a lambda ratio of 1.9", other_choices(key, c));
 }
 
-Assumption film_parameter(const Case& c) {
-  const char* key = "contact.film_parameter";
-  return assumption("film-parameter",
-                    "contact is summed over the face with the \"" + chosen(key, c) + "\" film parameter",
+Assumption lambda_ratio(const Case& c) {
+  const char* key = "contact.lambda_ratio";
+  return assumption("lambda-ratio", "contact is summed over the face with the \"" + chosen(key, c) + "\" lambda ratio",
                     "nominal puts the whole face at the minimum film", other_choices(key, c));
 }
 
@@ -254,7 +253,7 @@ std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
                                  cavitation(c),
                                  cavitation_pressure(c),
                                  contact_integrals(c),
-                                 film_parameter(c),
+                                 lambda_ratio(c),
                                  roughness_measure(c),
                                  oil_laws(c)};
   if (c.gas.model == cycle::GasModel::kTrace && c.gas.trace_origin == cycle::TraceOrigin::kSynthetic) {

@@ -71,7 +71,7 @@ class Film {
       const double p = pressure(x, t, swing_).value;
       state.p.push_back(p);
       state.deficit.push_back(0);
-      state.content.push_back(density(p).value * gap(x, t, swing_).value);
+      state.mass_per_area.push_back(density(p).value * gap(x, t, swing_).value);
     }
     return state;
   }

@@ -119,7 +119,7 @@ class Film2d {
       for (const double x : problem_.strip.grid.x) {
         const double p = pressure(x, y, t, swing_).value;
         state.p.push_back(p);
-        state.content.push_back(density(p).value * gap(x, y, t, swing_).value);
+        state.mass_per_area.push_back(density(p).value * gap(x, y, t, swing_).value);
       }
     }
     state.deficit.assign(state.p.size(), 0.0);

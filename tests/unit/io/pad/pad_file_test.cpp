@@ -71,7 +71,7 @@ TEST(PadOutput, WritesAllRowsOfAllInstants) {
     result.profiles.push_back({time, {2, 2, 1, 1}, {0, -0.0, 3, 0}, {1, 0.5, 1, 1}});
   }
   EXPECT_EQ(pad_csv(result),
-            "time [s],x [m],film_thickness [m],pressure [Pa],fill\n"
+            "time [s],x [m],film_thickness [m],pressure [Pa],film_content\n"
             "0,0,2,0,1\n0,0.5,2,0,0.5\n0,0.5,1,3,1\n0,1,1,0,1\n"
             "0.25,0,2,0,1\n0.25,0.5,2,0,0.5\n0.25,0.5,1,3,1\n0.25,1,1,0,1\n");
 }

@@ -90,7 +90,7 @@ TEST(PadNetcdf, HoldsTheFieldsOfAPadWithAWidth) {
   write_pad(folder / "film.nc", document);
   const OpenedPad file(folder / "film.nc");
   EXPECT_EQ(file.dimensions("film_thickness"), "time,y,x");
-  EXPECT_EQ(file.dimensions("fill"), "time,y,x");
+  EXPECT_EQ(file.dimensions("film_content"), "time,y,x");
   EXPECT_EQ(file.values("y", 2), (std::vector<double>{0, 2}));
   EXPECT_EQ(file.values("film_thickness", 16)[12], 4);
   EXPECT_EQ(file.values("pressure", 16)[15], 0.25);

@@ -49,11 +49,11 @@ void expect_same(const cycle::CycleResult& a, const cycle::CycleResult& b) {
   expect_same(a.fields.crank_angle_deg, b.fields.crank_angle_deg, "field_crank_angle");
   expect_same(a.fields.film_thickness, b.fields.film_thickness, "film_thickness");
   expect_same(a.fields.film_pressure, b.fields.film_pressure, "film_pressure");
-  expect_same(a.fields.fill, b.fields.fill, "fill");
-  expect_same(a.fields.film_parameter, b.fields.film_parameter, "film_parameter");
+  expect_same(a.fields.film_content, b.fields.film_content, "film_content");
+  expect_same(a.fields.lambda_ratio, b.fields.lambda_ratio, "lambda_ratio");
   expect_same(a.fields.asperity_pressure, b.fields.asperity_pressure, "asperity_pressure");
   expect_same(a.stroke.liner_position, b.stroke.liner_position, "liner_position");
-  expect_same(a.stroke.wear_drive_density, b.stroke.wear_drive_density, "wear_drive_density");
+  expect_same(a.stroke.archard_wear_load_density, b.stroke.archard_wear_load_density, "archard_wear_load_density");
   EXPECT_EQ(a.derived, b.derived);
   ASSERT_EQ(a.notes.size(), b.notes.size());
   for (std::size_t i = 0; i < a.notes.size(); ++i) {
@@ -398,8 +398,8 @@ TEST(ResultFile, EveryNumberHasAUnitAndFieldsTheirEquation) {
     if (type == NC_STRING || mixed.contains(name)) continue;
     EXPECT_EQ(nc_inq_att(file, i, "units", nullptr, nullptr), NC_NOERR) << name;
   }
-  for (const char* field : {"face_height", "film_thickness", "film_pressure", "fill", "local_film_parameter",
-                            "asperity_pressure", "wear_drive_density"}) {
+  for (const char* field : {"face_height", "film_thickness", "film_pressure", "film_content", "local_lambda_ratio",
+                            "asperity_pressure", "archard_wear_load_density"}) {
     int variable = 0;
     ASSERT_EQ(nc_inq_varid(file, field, &variable), NC_NOERR) << field;
     EXPECT_EQ(nc_inq_att(file, variable, "symbol", nullptr, nullptr), NC_NOERR) << field;

@@ -83,7 +83,7 @@ TEST(UnrolledResultFile, FieldsAreOverAngleStripAndNodeInPiecesOfOneAngle) {
   int file = 0, variable = 0, type = 0, n_dimensions = 0, storage = 0, shuffled = 0, deflated = 0, level = 0;
   ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
   for (const char* name :
-       {"unrolled_film_thickness", "unrolled_film_pressure", "unrolled_fill", "unrolled_asperity_pressure"}) {
+       {"unrolled_film_thickness", "unrolled_film_pressure", "unrolled_film_content", "unrolled_asperity_pressure"}) {
     ASSERT_EQ(nc_inq_varid(file, name, &variable), NC_NOERR) << name;
     int dimensions[3] = {};
     ASSERT_EQ(nc_inq_varndims(file, variable, &n_dimensions), NC_NOERR);

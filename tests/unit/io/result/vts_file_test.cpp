@@ -33,8 +33,8 @@ cycle::UnrolledFields fields(double end_gap) {
       for (int i = 0; i < 2; ++i) f.film_pressure.push_back(static_cast<float>(100 * k + 10 * j + i));
     }
   }
-  f.film_thickness = f.fill = f.asperity_pressure = f.film_pressure;
-  for (float& value : f.fill) value /= 1000;
+  f.film_thickness = f.film_content = f.asperity_pressure = f.film_pressure;
+  for (float& value : f.film_content) value /= 1000;
   return f;
 }
 
@@ -92,7 +92,7 @@ TEST(VtsFile, HoldsTheFieldsOfItsAngleWithXRunningFastest) {
   for (const char* name : {"film_pressure", "film_thickness", "asperity_pressure"}) {
     EXPECT_EQ(grid.field(name), expected) << name;
   }
-  EXPECT_NEAR(grid.field("fill")[3], 0.111, 1e-8);  // single precision
+  EXPECT_NEAR(grid.field("film_content")[3], 0.111, 1e-8);  // single precision
   EXPECT_EQ(grid.points(),
             (std::vector<double>{0, 0, 0, 0.0012, 0, 0, 0, 0.1, 0, 0.0012, 0.1, 0, 0, 0.2797, 0, 0.0012, 0.2797, 0}));
 }
@@ -173,12 +173,12 @@ TEST(VtsFile, RefusesWhatHasNoFieldsOrNoFolder) {
   EXPECT_THROW(io::write_vts_series(folder / "fields", "a", {}, io::VtsShape::kPlane), InputError);
   EXPECT_FALSE(std::filesystem::exists(folder / "fields"));
   cycle::UnrolledFields short_of_one = fields(0.0003);
-  short_of_one.fill.pop_back();
+  short_of_one.film_content.pop_back();
   try {
     io::write_vts_series(folder / "fields", "a", short_of_one, io::VtsShape::kPlane);
     FAIL() << "a field with a value missing was written";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("fill has 11 values"));
+    EXPECT_THAT(error.what(), HasSubstr("film_content has 11 values"));
   }
   const std::string file = folder.write("file", "");
   EXPECT_THROW(io::check_can_write_series(file), InputError);

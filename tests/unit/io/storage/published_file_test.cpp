@@ -24,8 +24,8 @@ decided_by = ""
 [[published]]
 case = "worn"
 source = "paper"
-quantity = "film_parameter_at_peak_pressure"
-statement = "film parameter"
+quantity = "lambda_ratio_at_peak_pressure"
+statement = "lambda ratio"
 value = 1.18
 decided_by = "E'"
 )";

@@ -40,14 +40,14 @@ const kStrokesAbove = { title: '', marks: () => kStrokeBands.map(({ from, to, na
  */
 export function fieldMaps(data, k, { ends, own }) {
   const columns = ringAxis(data, { ends, face: data.face });
-  const { film_pressure: pressure, fill } = data.fields;
+  const { film_pressure: pressure, film_content: content } = data.fields;
   const range = (name) => (own ? data.rangeAt(name, k) : data.fields[name].range);
   const upToFull = ([low]) => (low < 1 ? [low, 1] : [0, 1]);
   const maps = [{
     title: pressure.longName, unit: pressure.unit, range: spread(range('film_pressure')),
-    value: (j, i) => data.value('film_pressure', k, j, i), hatched: (j, i) => data.isCavity(k, j, i), hatchLabel: fill || data.hasNoFill ? 'cavity' : '',
+    value: (j, i) => data.value('film_pressure', k, j, i), hatched: (j, i) => data.isCavity(k, j, i), hatchLabel: content || data.hasNoFilmContent ? 'cavity' : '',
   }];
-  if (fill) maps.push({ title: fill.longName, unit: '', range: upToFull(range('fill')), value: (j, i) => data.value('fill', k, j, i) });
+  if (content) maps.push({ title: content.longName, unit: '', range: upToFull(range('film_content')), value: (j, i) => data.value('film_content', k, j, i) });
   const shown = columns.to - columns.from;
   return new FieldMaps({
     title: `Around the ring ${angleInWords(data.angles[k])}`, columns, rows: faceAxis(data), maps,
@@ -78,11 +78,11 @@ export function fieldCaption(data, name) {
   const { value, x, y } = data.highestPressure[best];
   const reach = data.endReach(best);
   const cavities = data.angles.filter((_, k) => data.hasCavity(k)).length;
-  const inCavities = data.hasNoFill ? 'where the pressure is that of a cavity; the model, Reynolds\' exit, does not define how much oil is there' : 'where oil fills less than the whole space';
+  const inCavities = data.hasNoFilmContent ? 'where the pressure is that of a cavity; the model, Reynolds\' exit, does not define how much oil is there' : 'where oil fills less than the whole space';
   const alike = reach !== null && Math.min(y, data.length - y) > reach;
   const felt = reach === null ? ''
     : ` At that angle the gap changes the pressure by more than 1 % of the highest up to ${withUnit(reach, 'mm', 2)} from its ends (${number(reach / data.face, 2)} face widths); further on the strips are alike.`;
-  return `${name ? `${name}: a` : 'A'}bsolute pressure of the oil${data.hasNoFill ? '' : ' and liquid share of the space between ring and liner'}, ${data.closed ? 'around a ring without a gap' : `from one end of the ring's gap of ${withUnit(data.gap, 'mm', 2)} around to the other`}; in the view of the whole ring the face is drawn much wider than it is.
+  return `${name ? `${name}: a` : 'A'}bsolute pressure of the oil${data.hasNoFilmContent ? '' : ' and liquid share of the space between ring and liner'}, ${data.closed ? 'around a ring without a gap' : `from one end of the ring's gap of ${withUnit(data.gap, 'mm', 2)} around to the other`}; in the view of the whole ring the face is drawn much wider than it is.
     Highest: ${withUnit(value, 'bar', 3)} ${angleInWords(data.angles[best])}, at x = ${withUnit(x, 'mm', 3)}${alike ? '' : `, y = ${withUnit(y, 'mm', 4)}`}.${felt}
     ${cavities ? `Hatched: cavities, ${inCavities} (at ${cavities} of the ${data.angles.length} angles).` : 'No angle has a cavity.'}${thinning(data)}`;
 }

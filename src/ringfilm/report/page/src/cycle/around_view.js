@@ -124,7 +124,7 @@ export class AroundView {
     const value = (name) => data.value(name, this.k, j, row);
     return [`x ${withUnit(data.x[row], 'mm', 3)}, ${place}: `,
       ...nameAndValue('p', withUnit(value('film_pressure'), fields.film_pressure.unit, 4)),
-      ...(fields.fill ? [', ', ...nameAndValue('θ', number(value('fill'), 3))] : []),
+      ...(fields.film_content ? [', ', ...nameAndValue('θ', number(value('film_content'), 3))] : []),
       ...(fields.film_thickness ? [', ', ...nameAndValue('h', withUnit(value('film_thickness'), fields.film_thickness.unit, 3))] : [])];
   }
 

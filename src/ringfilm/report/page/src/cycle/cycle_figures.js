@@ -142,11 +142,11 @@ function filmFigure(model) {
   };
 }
 
-function filmParameterFigure(model) {
+function lambdaRatioFigure(model) {
   return {
-    id: 'film-parameter',
-    title: 'Film parameter',
-    panels: [cyclePanel(model, 'film_parameter', { yMarks: [{ at: 3, label: 'mixed below 3' }] })],
+    id: 'lambda-ratio',
+    title: 'Lambda ratio',
+    panels: [cyclePanel(model, 'lambda_ratio', { yMarks: [{ at: 3, label: 'mixed below 3' }] })],
     caption: `Minimum film over the composite roughness of the two surfaces. Under 3 the asperities touch, lubrication is mixed. Share of the cycle: ${ofEachCycle(model, (c) => valueWithUnit(model, c, 'mixed_share'))}.`,
   };
 }
@@ -198,7 +198,7 @@ function flowFigure(model) {
 }
 
 export function cycleFigures(model) {
-  const wanted = [pressureFigure, filmFigure, filmParameterFigure, frictionFigure, linerFrictionFigure, flowFigure];
+  const wanted = [pressureFigure, filmFigure, lambdaRatioFigure, frictionFigure, linerFrictionFigure, flowFigure];
   return wanted.map((make) => withBandTold({ ...make(model), group: 'cycle' }));
 }
 
@@ -224,7 +224,7 @@ export function otherQuantityFigure(model, name) {
 }
 
 export function shownElsewhere() {
-  return ['crank_angle', 'gas_pressure', 'min_film_thickness', 'film_parameter', 'total_friction', 'friction_on_liner', 'oil_flow_middle'];
+  return ['crank_angle', 'gas_pressure', 'min_film_thickness', 'lambda_ratio', 'total_friction', 'friction_on_liner', 'oil_flow_middle'];
 }
 
 /** Text for people who cannot see the chart: what it spans. */

@@ -1,4 +1,4 @@
-// Pressure, film and fill along the face at the crank angle that the reader picks.
+// Pressure, film and film content along the face at the crank angle that the reader picks.
 import { FigureView } from './figure_view.js';
 import { element } from '../dom.js';
 import { fieldAngles, fieldFigure } from './other_figures.js';

@@ -9,7 +9,7 @@ const kReported = [
   ['fmep', 'FMEP'],
   ['mean_power_loss', 'mean power'],
   ['min_film_thickness', 'min film'],
-  ['film_parameter_at_peak_pressure', 'λ at peak'],
+  ['lambda_ratio_at_peak_pressure', 'λ at peak'],
   ['mean_absolute_oil_flow', 'oil flow'],
 ];
 

@@ -52,14 +52,14 @@ export function faceFigure(model) {
 export function wearFigure(model) {
   const series = model.cases
     .filter((c) => c.stroke.liner_position.length > 1)
-    .map((c) => ({ caseIndex: c.series, part: null, label: c.name, x: c.stroke.liner_position.map((v) => v * 1e3), y: [...c.stroke.wear_drive_density] }));
+    .map((c) => ({ caseIndex: c.series, part: null, label: c.name, x: c.stroke.liner_position.map((v) => v * 1e3), y: [...c.stroke.archard_wear_load_density] }));
   if (series.length === 0) return null;
   const worst = (s) => {
     const k = s.y.reduce((best, v, i) => (v > s.y[best] ? i : best), 0);
     return `${number(s.y[k], 3)} J/m at ${number(s.x[k], 3)} mm`;
   };
   return {
-    id: 'wear-drive-stroke',
+    id: 'archard-wear-load-stroke',
     title: 'Drive of wear along the stroke',
     panels: [{
       id: 'wear', fromZero: true, yLabel: 'asperity load times sliding, per length of liner', yUnit: 'J/m',
@@ -128,7 +128,7 @@ export function fieldFigure(model, angle) {
       { ...common, id: 'film', yScale: 'log', yLabel: 'film thickness', yUnit: 'µm', series: series('film_thickness', 1e-6) },
       { ...common, id: 'asperities', fromZero: true, yLabel: 'asperity pressure', yUnit: 'bar', series: series('asperity_pressure', 1e5, 'boundary') },
       // Where every gap is full at every angle the picture would say nothing.
-      shown.some(([c]) => c.fields.fill.some((list) => list.some((v) => v !== null && v < 1))) && { ...common, id: 'fill', yRange: [0, 1.05], yLabel: 'liquid share of the gap', yUnit: '', series: series('fill', 1) },
+      shown.some(([c]) => c.fields.film_content.some((list) => list.some((v) => v !== null && v < 1))) && { ...common, id: 'film_content', yRange: [0, 1.05], yLabel: 'liquid share of the gap', yUnit: '', series: series('film_content', 1) },
     ].filter((panel) => panel && panel.series.length > 0),
     caption: `${thinned(model)}Absolute pressure of the oil, film thickness (logarithmic), asperity contact pressure and, where the model knows gaps that are not full, the liquid share; chamber edge on the left.
       Where the oil pressure lies flat at the cavitation pressure the film has ruptured.`,

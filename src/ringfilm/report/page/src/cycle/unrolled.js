@@ -64,14 +64,14 @@ export class Unrolled {
     this.face = this.x.length ? this.x[this.x.length - 1] : 0;
     const inMm = (point) => ({ x: point.x * 1e3, y: point.y * 1e3, value: point.value });
     this.highestPressure = payload.highest_pressure.map((p) => ({ ...inMm(p), value: this.fields.film_pressure ? p.value / 1e5 : null }));
-    this.lowestFill = payload.lowest_fill.map(inMm);
-    // Reynolds' exit knows no fill: what is stored of it is 1 everywhere, and cavities are where the pressure is theirs.
+    this.lowestFilmContent = payload.lowest_film_content.map(inMm);
+    // Reynolds' exit knows no film content: what is stored of it is 1 everywhere, and cavities are where the pressure is theirs.
     const pressure = payload.fields.film_pressure;
     const isStated = payload.rupture_pressure !== undefined && payload.rupture_pressure !== null;
-    this.hasNoFill = isStated;
+    this.hasNoFilmContent = isStated;
     // Half a step of what was rounded.
     this.ruptureBelow = isStated && pressure ? (payload.rupture_pressure + ((0.5 + 1e-6) * (pressure.high - pressure.low)) / (kMissing - 1)) / 1e5 : null;
-    if (isStated) delete this.fields.fill;
+    if (isStated) delete this.fields.film_content;
     // A closed ring: what is nearer to the joint than to the last strip belongs to the first again.
     this.yEdges = cellEdges(this.closed ? [...this.y, this.circumference] : this.y, 0, this.length);
     this.xEdges = cellEdges(this.x, 0, this.face);
@@ -87,18 +87,18 @@ export class Unrolled {
   }
 
   isCavity(k, j, i) {
-    if (this.hasNoFill) {
+    if (this.hasNoFilmContent) {
       const pressure = this.value('film_pressure', k, j, i);
       // At the edges of the face the film is full, whatever its pressure.
       return i > 0 && i + 1 < this.x.length && pressure !== null && pressure <= this.ruptureBelow;
     }
-    const fill = this.value('fill', k, j, i);
+    const fill = this.value('film_content', k, j, i);
     return fill !== null && fill < kFull;
   }
 
   hasCavity(k) {
-    if (this.hasNoFill) return this.y.some((_, j) => this.x.some((__, i) => this.isCavity(k, j, i)));
-    return this.lowestFill[k]?.value < kFull;
+    if (this.hasNoFilmContent) return this.y.some((_, j) => this.x.some((__, i) => this.isCavity(k, j, i)));
+    return this.lowestFilmContent[k]?.value < kFull;
   }
 
   /** Place around the bore [degree] of a place along the ring. */
