@@ -16,7 +16,6 @@ film::FilmProblem film_across(const Setup& setup) {
   const auto& input = setup.input;
   film::FilmProblem problem;
   problem.grid = face_grid(setup);
-  problem.oil = setup.oil.get();
   problem.contact = &setup.contact;
   problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving
                                                                             : film::Cavitation::kReynoldsExit;

@@ -82,6 +82,7 @@ TimeIntegration::Boundary TimeIntegration::boundary(double crank_angle_deg, doub
       setup_.input.ring.face.orientation == Orientation::kLeadingEdge && motion(angle) == Motion::kTowardsCrankcase;
 
   Boundary b;
+  b.inputs.oil = setup_.oil;
   b.axis = turned ? Axis::kFromCrankcase : Axis::kFromChamber;
   b.inputs.U = turned ? -U : U;
   b.inputs.left.pressure = turned ? p_cc : p_ic;
@@ -94,7 +95,7 @@ TimeIntegration::Boundary TimeIntegration::boundary(double crank_angle_deg, doub
 
 void TimeIntegration::count(const film::FilmReport& report) {
   totals_.newton_iterations += report.iterations;
-  totals_.exact_law_solves += report.converged && report.exact_laws && problem().oil->fit() != nullptr;
+  totals_.exact_law_solves += report.converged && report.exact_laws && setup_.oil->fit() != nullptr;
   effort_.newton_iterations += report.iterations;
   totals_.relaxation_sweeps += report.sweeps;
   if (report.converged && report.route == film::Route::kSecant) {
