@@ -79,9 +79,9 @@ struct Broken {
 
 void check_film(const TimeIntegration& integration, const Instant& instant) {
   if (!is_finite(*instant.state)) throw Broken{End::kNotFinite, instant.crank_angle_deg};
-  const auto sums = film::film_integrals(integration.problem(), instant.inputs, *instant.previous, *instant.state);
+  const auto sums = film::film_integrals(integration.problem(), instant.at.inputs, *instant.previous, *instant.state);
   const double carried = sums.hydrodynamic_load + sums.asperity_load;
-  if (!(std::abs(carried - instant.inputs.load) <= kLoadError * instant.inputs.load)) {
+  if (!(std::abs(carried - instant.at.inputs.load) <= kLoadError * instant.at.inputs.load)) {
     throw Broken{End::kOutOfBalance, instant.crank_angle_deg};
   }
 }
@@ -119,8 +119,8 @@ double asperity_capacity(const film::FilmProblem& problem) {
 
 /// The load that the integration could not balance, per length [N/m].
 double load_at(const Setup& setup, double crank_angle_deg) {
-  const double p = setup.cylinder_pressure.pressure(wrapped(crank_angle_deg));
-  return (setup.elastic_pressure + setup.input.gas.pressure_behind_ring * p) * setup.input.ring.face_width;
+  const double p = setup.ring.lands.above.pressure(wrapped(crank_angle_deg));
+  return (setup.ring.elastic_pressure + setup.input.gas.pressure_behind_ring * p) * setup.input.ring.face_width;
 }
 
 /// One cycle of a scenario. All that it throws is its outcome.

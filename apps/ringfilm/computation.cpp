@@ -69,15 +69,8 @@ class LineWatch : public ComputationWatch {
   std::optional<IntegrationProgress> integration_;
 };
 
-}  // namespace
-
-std::vector<Computation> computations(const std::vector<RunRequest>& wanted, const study::BatchOptions& options) {
-  LineWatch watch;
-  return computations(wanted, options, watch);
-}
-
-std::vector<Computation> computations(const std::vector<RunRequest>& wanted, const study::BatchOptions& options,
-                                      ComputationWatch& watch) {
+std::vector<Computation> of_single_rings(const std::vector<RunRequest>& wanted, const study::BatchOptions& options,
+                                         ComputationWatch& watch) {
   std::vector<Computation> all;
   for (const RunRequest& one : wanted) all.push_back(integrated(one, watch));
 
@@ -109,6 +102,55 @@ std::vector<Computation> computations(const std::vector<RunRequest>& wanted, con
       document.ledger = study::ledger(std::move(inquiries[i].ledger), variants, document.result.values);
     } else {
       document.ledger = study::assumptions(wanted[i].input);
+    }
+  }
+  return all;
+}
+
+/// The rings of a pack as requests of their own; of others the request as it is.
+void append_rings(const RunRequest& wanted, std::vector<RunRequest>& requests) {
+  if (!wanted.input.is_pack()) return requests.push_back(wanted);
+  for (std::size_t i = 0; i < wanted.input.rings.size(); ++i) {
+    requests.push_back(wanted);
+    requests.back().input = wanted.input.rings[i];
+    requests.back().name += fmt::format(", ring {}", i + 1);
+  }
+}
+
+Computation pack_of(const std::string& title, std::vector<Computation> rings) {
+  Computation pack;
+  std::vector<io::ResultDocument> documents;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    documents.push_back(std::move(rings[i].document));
+    if (!rings[i].stopped || pack.stopped) continue;
+    pack.stopped = ConvergenceError(fmt::format("ring {}: {}", i + 1, rings[i].stopped->what()),
+                                    rings[i].stopped->crank_angle_deg());
+  }
+  pack.document = io::pack_document(title, std::move(documents));
+  return pack;
+}
+
+}  // namespace
+
+std::vector<Computation> computations(const std::vector<RunRequest>& wanted, const study::BatchOptions& options) {
+  LineWatch watch;
+  return computations(wanted, options, watch);
+}
+
+std::vector<Computation> computations(const std::vector<RunRequest>& wanted, const study::BatchOptions& options,
+                                      ComputationWatch& watch) {
+  std::vector<RunRequest> requests;
+  for (const RunRequest& one : wanted) append_rings(one, requests);
+  std::vector<Computation> singles = of_single_rings(requests, options, watch);
+  std::vector<Computation> all;
+  auto next = std::make_move_iterator(singles.begin());
+  for (const RunRequest& one : wanted) {
+    const auto n = static_cast<std::ptrdiff_t>(one.input.rings.size());
+    if (n == 0) {
+      all.push_back(*next++);
+    } else {
+      all.push_back(pack_of(one.input.title, {next, next + n}));
+      next += n;
     }
   }
   return all;

@@ -29,7 +29,7 @@ Scenarios::Scenarios(int cells, cycle::Cavitation cavitation)
   base_.solver.crank_step_control = cycle::StepControl::kFixed;
   base_.film.cavitation = cavitation;
   base_.output.fields = cycle::FieldOutput::kNone;
-  elastic_pressure_ = cycle::prepare(base_).elastic_pressure;
+  elastic_pressure_ = cycle::prepare(base_).ring.elastic_pressure;
 }
 
 cycle::Setup Scenarios::setup(std::size_t i) const {

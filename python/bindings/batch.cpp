@@ -83,6 +83,9 @@ class Batch {
     if (one.value().problem == cycle::Problem::kPad) {
       throw InputError("this is a pad, which has no engine cycle", "run it by itself: case.run()");
     }
+    if (one.value().is_pack()) {
+      throw InputError("this is a ring pack; a batch takes cases of one ring", "give case.rings, or run it by itself");
+    }
     one.check();
   }
 

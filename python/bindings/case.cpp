@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <functional>
 
 #include "arguments.hpp"
@@ -29,12 +30,18 @@ constexpr const char* kKeyExample = "engine.bore";
 std::string key_of(const GivenText& given) { return text_of("key", given.value, kKeyExample); }
 
 /// @param name of a key in messages
+/// The field of a key, of one ring of a pack as well.
+const Field& field_of(const std::string& key) {
+  const auto of_ring = cycle::ring_key(key);
+  return known_field(of_ring ? of_ring->key : key);
+}
+
 std::vector<io::Change> changes_of(const char* name, const py::dict& values) {
   std::vector<io::Change> changes;
   std::vector<Fault> faults;
   for (const auto& [given, value] : values) {
     const std::string key = text_of(name, given, kKeyExample);
-    const Field& field = known_field(key);
+    const Field& field = field_of(key);
     try {
       changes.push_back({key, toml_value(value, field)});
     } catch (const InputError& refusal) {
@@ -56,10 +63,19 @@ CaseObject read_case(const py::object& path, const std::optional<py::dict>& over
   return {io::read_case(name, stated, *units), units};
 }
 
+/// Those of a ring pack: of the engine, then of each ring.
 std::vector<std::string> keys_in_use(const CaseObject& self) {
   std::vector<std::string> keys;
-  for (const Field& field : cycle::case_fields()) {
-    if (cycle::belongs(field, self.value()) && cycle::is_active(field, self.value())) keys.push_back(field.key);
+  const Case& c = self.value();
+  const std::size_t n_rings = c.rings.size();
+  for (std::size_t ring = 0; ring <= n_rings; ++ring) {
+    const Case& of = n_rings == 0 ? c : c.rings[ring == 0 ? 0 : ring - 1];
+    for (const Field& field : cycle::case_fields()) {
+      const bool is_listed = n_rings == 0 || cycle::is_of_ring(field.key) == (ring > 0);
+      const bool is_implied = ring > 1 && field.key == "ring.pressure_above";
+      if (!is_listed || is_implied || !cycle::belongs(field, of) || !cycle::is_active(field, of)) continue;
+      keys.push_back(ring > 0 ? cycle::pack_key(ring, field.key) : field.key);
+    }
   }
   return keys;
 }
@@ -71,14 +87,16 @@ std::vector<std::string> check(CaseObject& self) {
   if (c.problem == cycle::Problem::kPad) {
     pad::prepare_pad(c);
   } else {
-    for (const cycle::Note& note : cycle::prepare(c).notes) notes.push_back(note.message);
+    for (const Case& one : c.is_pack() ? c.rings : std::vector<Case>{c}) {
+      for (const cycle::Note& note : cycle::prepare(one).notes) notes.push_back(note.message);
+    }
   }
   return notes;
 }
 
 std::string key_text(const CaseObject& self, const std::string& key) {
-  const Field& field = known_field(key);
-  return is_missing(field, self.value()) ? "" : io::written_value(field, self.value(), self.units());
+  const auto [field, of] = io::located_key(self.value(), key);
+  return is_missing(field, of) ? "" : io::written_value(field, of, self.units());
 }
 
 py::dict assumed(const CaseObject& self) {
@@ -94,19 +112,24 @@ py::dict assumed(const CaseObject& self) {
 std::vector<std::string> assumptions(CaseObject& self) {
   self.check();
   std::vector<std::string> statements;
-  for (const study::LedgerEntry& entry : study::assumptions(self.value())) statements.push_back(entry.statement);
+  const Case& c = self.value();
+  for (const study::LedgerEntry& entry : study::assumptions(c.is_pack() ? c.rings.front() : c)) {
+    statements.push_back(entry.statement);
+  }
   return statements;
 }
 
 std::string case_words(const CaseObject& self) {
   const Case& c = self.value();
-  std::string text = c.problem == cycle::Problem::kPad ? "<ringfilm.Case of a pad" : "<ringfilm.Case";
+  std::string text = c.problem == cycle::Problem::kPad ? "<ringfilm.Case of a pad"
+                     : c.is_pack() ? "<ringfilm.Case of " + std::to_string(c.rings.size()) + " rings"
+                                   : "<ringfilm.Case";
   if (!c.title.empty()) text += " \"" + c.title + "\"";
   if (!c.files.empty()) text += " from " + c.files.front().path;
   return text + ": " + std::to_string(c.stated.size()) + " keys stated>";
 }
 
-constexpr int kCaseStateVersion = 1;
+constexpr int kCaseStateVersion = 2;
 
 /// The samples that files gave, in the order of a pickle; those that copies of a case share stand beside it.
 auto samples(Case& c, cycle::SampledTrace& cylinder, cycle::OilTable& oil) {
@@ -117,6 +140,11 @@ auto samples(Case& c, cycle::SampledTrace& cylinder, cycle::OilTable& oil) {
 
 py::tuple case_state(const CaseObject& self) {
   Case c = self.value();
+  if (c.is_pack()) {
+    py::list rings;
+    for (const Case& ring : c.rings) rings.append(case_state(CaseObject(ring)));
+    return py::make_tuple(kCaseStateVersion, rings);
+  }
   py::dict values;
   for (const Field& field : cycle::case_fields()) {
     if (cycle::belongs(field, c)) values[py::str(field.key)] = stored_value(field, c);
@@ -137,6 +165,11 @@ py::tuple case_state(const CaseObject& self) {
 }
 
 CaseObject from_state(const py::tuple& state) {
+  if (state.size() == 2 && py::cast<int>(state[0]) == kCaseStateVersion) {
+    std::vector<Case> rings;
+    for (const py::handle ring : state[1]) rings.push_back(from_state(py::cast<py::tuple>(ring)).value());
+    return CaseObject(io::ring_pack(std::move(rings)));
+  }
   if (state.size() != 8 || py::cast<int>(state[0]) != kCaseStateVersion)
     throw py::value_error("this is a pickle of a case of another version of ringfilm");
   Case c = cycle::blank_case(static_cast<cycle::Problem>(py::cast<int>(state[1])));
@@ -191,14 +224,14 @@ void change_alone(const std::function<void()>& change) {
 }  // namespace
 
 void CaseObject::set(const std::string& key, const py::handle& value) {
-  const std::optional<io::TomlValue> stated = toml_value(value, known_field(key));
+  const std::optional<io::TomlValue> stated = toml_value(value, field_of(key));
   if (!stated) return remove(key);
   is_checked_ = false;
   change_alone([&] { io::state(value_, key, *stated, units()); });
 }
 
 void CaseObject::remove(const std::string& key) {
-  known_field(key);
+  io::located_key(value_, key);
   is_checked_ = false;
   change_alone([&] { io::retract(value_, key, units()); });
 }
@@ -225,7 +258,10 @@ Raises InputError with every fault of every file, in the words of the program.
 Source: docs/manual/case-file.md.)");
   type.def(
       "__getitem__",
-      [](const CaseObject& self, const GivenText& key) { return si_value(known_field(key_of(key)), self.value()); },
+      [](const CaseObject& self, const GivenText& key) {
+        const auto [field, of] = io::located_key(self.value(), key_of(key));
+        return si_value(field, of);
+      },
       py::arg("key"),
       R"(The value of a key: a float in SI, an int, a str, a list; of values at temperatures a list of pairs
 (temperature [K], value [SI]); of crank angles [degree]; None where the case has none.
@@ -258,8 +294,10 @@ Raises as case[key] = value; InputError with the faults of all values.)");
       "items",
       [](const CaseObject& self) {
         py::list items;
-        for (const std::string& key : keys_in_use(self))
-          items.append(py::make_tuple(key, si_value(known_field(key), self.value())));
+        for (const std::string& key : keys_in_use(self)) {
+          const auto [field, of] = io::located_key(self.value(), key);
+          items.append(py::make_tuple(key, si_value(field, of)));
+        }
         return items;
       },
       "The keys in use with their values, a list of tuples (key, value).");
@@ -291,7 +329,7 @@ ledger: also run the other choice for every assumption that can be lifted; see R
 error_estimate: also run finer and coarser cells and crank steps, about four times the work; the errors stand beside
     their quantities: result["cycle_fmep_error"], result["min_film_thickness_error"]. Rings only.
 threads: for these others, 1 to 1024; None: as many as the machine runs at once. The numbers do not depend on it.
-Returns a Result, of a pad a PadResult. Other threads go on meanwhile; Ctrl-C ends the run with KeyboardInterrupt.
+Returns a Result, of a ring pack a PackResult, of a pad a PadResult. Other threads go on meanwhile; Ctrl-C ends the run with KeyboardInterrupt.
 Raises InputError, and ConvergenceError with all up to the last good crank angle in its attribute `result`.
 Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`.)");
   type.def(
@@ -302,6 +340,14 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
   type.def_property_readonly(
       "is_pad", [](const CaseObject& self) { return self.value().problem == cycle::Problem::kPad; },
       "Is it a film without engine and ring?");
+  type.def_property_readonly(
+      "rings",
+      [](const CaseObject& self) {
+        py::list rings;
+        for (const Case& ring : self.value().rings) rings.append(CaseObject(ring));
+        return rings;
+      },
+      "Of a ring pack ([[ring]]) the case of each ring alone, from the chamber down, a list of Case; else empty.");
   type.def_property_readonly(
       "files",
       [](const CaseObject& self) {
@@ -322,8 +368,11 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
       [](const CaseObject& self, const py::object& other) -> py::object {
         if (!py::isinstance<CaseObject>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
         const auto& that = other.cast<const CaseObject&>().value();
-        return py::bool_(self.value().problem == that.problem &&
-                         study::digest_text(self.value()) == study::digest_text(that));
+        const auto same = [](const Case& a, const Case& b) {
+          return a.problem == b.problem && study::digest_text(a) == study::digest_text(b);
+        };
+        return py::bool_(same(self.value(), that) && std::equal(self.value().rings.begin(), self.value().rings.end(),
+                                                                that.rings.begin(), that.rings.end(), same));
       },
       py::arg("other"), "Have both cases the same values, from files with the same bytes?");
   type.attr("__hash__") = py::none();

@@ -51,12 +51,23 @@ class SiValue {
     if (const auto& file = kind.file(case_)) return py::str(*file);
     return py::float_(kind.number(case_));
   }
+  py::object operator()(const cycle::OptionalNumberOrFileKind& kind) const {
+    const cycle::LandPressure& pressure = kind.ref(case_);
+    return pressure.file ? py::str(*pressure.file) : optional_object(pressure.constant);
+  }
   py::object operator()(const cycle::UnitNameKind& kind) const { return py::float_(kind.ref(case_)); }
   py::object operator()(const cycle::NumberListKind& kind) const { return py::cast(kind.ref(case_)); }
   py::object operator()(const cycle::TemperatureValuesKind& kind) const { return pairs(kind.ref(case_)); }
   py::object operator()(const cycle::ConstantOrTemperatureValuesKind& kind) const {
     if (const auto& constant = kind.constant(case_)) return py::float_(*constant);
     return pairs(kind.ref(case_));
+  }
+  py::object operator()(const cycle::DistanceTemperaturesKind& kind) const {
+    const auto& points = kind.ref(case_);
+    if (points.size() == 1) return py::float_(points.front().temperature);
+    py::list list;
+    for (const auto& [distance, temperature] : points) list.append(py::make_tuple(distance, temperature));
+    return list;
   }
   py::object operator()(const cycle::AnglesKind&) const {
     const cycle::Output& output = case_.output;
@@ -81,8 +92,22 @@ class Stored {
   py::object operator()(const cycle::NumberOrFileKind& kind) const {
     return py::make_tuple(kind.number(case_), kind.file(case_));
   }
+  py::object operator()(const cycle::OptionalNumberOrFileKind& kind) const {
+    const cycle::LandPressure& pressure = kind.ref(case_);
+    py::object trace = py::none();
+    if (pressure.trace) {
+      const cycle::SampledTrace& samples = **pressure.trace;
+      trace = py::make_tuple(samples.crank_angle_deg, samples.value);
+    }
+    return py::make_tuple(pressure.constant, pressure.file, trace);
+  }
   py::object operator()(const cycle::ConstantOrTemperatureValuesKind& kind) const {
     return py::make_tuple(kind.constant(case_), pairs(kind.ref(case_)));
+  }
+  py::object operator()(const cycle::DistanceTemperaturesKind& kind) const {
+    py::list list;
+    for (const auto& [distance, temperature] : kind.ref(case_)) list.append(py::make_tuple(distance, temperature));
+    return list;
   }
   py::object operator()(const cycle::AnglesKind&) const {
     return py::make_tuple(case_.output.crank_angle_step_deg, case_.output.crank_angles_deg);
@@ -115,11 +140,25 @@ class Restore {
     kind.number(case_) = number;
     kind.file(case_) = file;
   }
+  void operator()(const cycle::OptionalNumberOrFileKind& kind) const {
+    const auto all = py::cast<py::tuple>(value_);
+    cycle::LandPressure& pressure = kind.ref(case_);
+    pressure = {py::cast<std::optional<double>>(all[0]), py::cast<std::optional<std::string>>(all[1]), std::nullopt};
+    if (all[2].is_none()) return;
+    const auto [angles, values] = py::cast<std::pair<std::vector<double>, std::vector<double>>>(all[2]);
+    pressure.trace = cycle::SampledTrace{angles, values};
+  }
   void operator()(const cycle::TemperatureValuesKind& kind) const { kind.ref(case_) = from_pairs(value_); }
   void operator()(const cycle::ConstantOrTemperatureValuesKind& kind) const {
     const auto both = py::cast<py::tuple>(value_);
     kind.constant(case_) = py::cast<std::optional<double>>(both[0]);
     kind.ref(case_) = from_pairs(both[1]);
+  }
+  void operator()(const cycle::DistanceTemperaturesKind& kind) const {
+    kind.ref(case_).clear();
+    for (const auto& [distance, temperature] : py::cast<std::vector<std::pair<double, double>>>(value_)) {
+      kind.ref(case_).push_back({distance, temperature});
+    }
   }
   void operator()(const cycle::AnglesKind&) const {
     const auto [step, angles] = py::cast<std::pair<double, std::vector<double>>>(value_);
@@ -231,7 +270,9 @@ class Toml {
     const bool has_temperatures = std::holds_alternative<cycle::TemperatureValuesKind>(field_.kind) ||
                                   std::holds_alternative<cycle::ConstantOrTemperatureValuesKind>(field_.kind);
     for (const py::handle item : py::iter(value_)) {
-      if (has_temperatures) {
+      if (std::holds_alternative<cycle::DistanceTemperaturesKind>(field_.kind)) {
+        list.items.push_back(distance_temperature(item));
+      } else if (has_temperatures) {
         list.items.push_back(temperature_value(item));
       } else if (py::isinstance<py::str>(item)) {
         list.items.push_back(words(item));
@@ -240,6 +281,16 @@ class Toml {
       }
     }
     return list;
+  }
+
+  TomlValue distance_temperature(const py::handle& item) const {
+    if (!py::hasattr(item, "__len__") || py::isinstance<py::str>(item) || py::len(item) != 2) refuse();
+    const py::object distance = item.attr("__getitem__")(0), temperature = item.attr("__getitem__")(1);
+    TomlValue pair;
+    pair.kind = TomlValue::Kind::kList;
+    pair.items = {part(distance, {"m", "mm", "\"79.5 mm\""}),
+                  part(temperature, {field_.unit, field_.display_unit, "\"110 degC\""})};
+    return pair;
   }
 
   TomlValue temperature_value(const py::handle& item) const {

@@ -71,6 +71,26 @@ class DatasetWriter {
       put(dimensions, quantity, py::array_t<double>(*shape, values.data()));
   }
 
+  void dimension(const char* name, std::size_t size) {
+    if (size > 0) sizes_[name] = size;
+  }
+  /// A copy over dimensions that exist; nothing where one of them is empty.
+  template <class Value>
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<Value>& values) {
+    std::vector<py::ssize_t> shape;
+    for (const char* dimension : dimensions) {
+      if (!sizes_.contains(dimension)) return;
+      shape.push_back(static_cast<py::ssize_t>(sizes_[dimension]));
+    }
+    if constexpr (std::is_same_v<Value, std::string>) {
+      put(dimensions, quantity, objects(py::cast(values)).attr("reshape")(shape));
+    } else {
+      using Stored = std::conditional_t<std::is_same_v<Value, long>, std::int64_t, Value>;
+      put(dimensions, quantity, py::array_t<Stored>(shape, std::vector<Stored>(values.begin(), values.end()).data()));
+    }
+  }
+
   void scalar(const cycle::Quantity& quantity, double value) { put({}, quantity, py::float_(value)); }
   void scalar(const cycle::Quantity& quantity, const std::string& text) { put({}, quantity, py::str(text)); }
 

@@ -33,7 +33,8 @@ Oil oil_of(const GivenOne<CaseObject>& given) {
   self.check();
   const cycle::Case& c = self.value();
   if (c.problem == cycle::Problem::kPad) return {pad::prepare_pad(c).oil, c.operating.oil_temperature, 0};
-  return {cycle::prepare(c).oil, c.operating.oil_temperature, base::kAtmosphere};
+  const cycle::OilSetup oil = cycle::prepare(c).ring.oil;
+  return {oil.range->at(oil.temperature), oil.temperature, base::kAtmosphere};
 }
 
 GreenwoodTripp contact_of(const GivenNumber& N, const GivenNumber& beta, const GivenNumber& sigma,

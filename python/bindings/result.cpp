@@ -241,8 +241,10 @@ not solved, with NaN for values). Empty where it was not asked for.)");
 
 void bind_outputs(py::class_<ResultObject>& type) {
   type.def_static(
-      "read", [](const py::object& path) { return ResultObject(io::read_result(path_of("path", path))); },
-      py::arg("path"), "A result from a NetCDF file that this module or `ringfilm run` wrote. Raises InputError.");
+      "read", [](const py::object& path) { return result_object(io::read_result(path_of("path", path))); },
+      py::arg("path"),
+      "A result from a NetCDF file that this module or `ringfilm run` wrote; of a ring pack a PackResult. Raises "
+      "InputError.");
   type.def(
       "write",
       [](const ResultObject& self, const py::object& path) {
@@ -257,8 +259,7 @@ void bind_outputs(py::class_<ResultObject>& type) {
       "write_csv",
       [](const ResultObject& self, const py::object& path) {
         const io::ResultDocument& document = self.document();
-        io::write_atomically(path_of("path", path), io::result_csv(document.result.samples, document.errors,
-                                                                   document.result.unrolled_samples));
+        io::write_atomically(path_of("path", path), io::result_csv(document));
       },
       py::arg("path"), "Writes the curves as `ringfilm run --csv`. Raises OutputError.");
   type.def(
@@ -322,7 +323,112 @@ Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn
       }));
 }
 
+constexpr const char* kPackDoc =
+    R"(What one engine cycle of a ring pack gave: a Result for each ring, and their sums.
+
+pack.rings[0] is the ring next to the chamber. Every variable of the result file is an item by its name there, with the
+dimension ring in front: pack["min_film_thickness"] has the shape (ring, crank_angle). Values are SI.)";
+
+DatasetWriter pack_dataset(const py::object& self) {
+  DatasetWriter writer(self);
+  io::put_document(writer, self.cast<const PackObject&>().document());
+  return writer;
+}
+
+py::object pack_item(const py::object& self, const GivenText& given) {
+  const std::string name = text_of("name", given.value, kNameExample);
+  const DatasetWriter writer = pack_dataset(self);
+  if (const auto spelling = spelling_of(name, writer.variables())) {
+    return writer.variables()[py::str(*spelling)].cast<py::tuple>()[1];
+  }
+  throw py::key_error("this result has no " + name);
+}
+
+void bind_pack(py::module_& module) {
+  py::class_<PackObject> type(module, "PackResult", kPackDoc);
+  type.def_property_readonly(
+      "rings",
+      [](const PackObject& self) {
+        py::list rings;
+        for (const io::ResultDocument& ring : self.document().rings) {
+          rings.append(py::cast(std::make_unique<ResultObject>(ring)));
+        }
+        return rings;
+      },
+      "The Result of each ring, from the chamber to the crankcase, a list.");
+  type.def_property_readonly(
+      "title", [](const PackObject& self) { return self.document().title; }, "Title of the case, a str.");
+  type.def_property_readonly(
+      "values",
+      [](const PackObject& self) {
+        const cycle::CycleValues& sum = self.document().result.values;
+        py::dict values;
+        values["fmep"] = sum.fmep;
+        values["energy_per_cycle"] = sum.energy_per_cycle;
+        values["mean_power_loss"] = sum.mean_power_loss;
+        return values;
+      },
+      "What the friction of all rings adds up to, {name: float in SI}: fmep, energy_per_cycle, mean_power_loss.");
+  type.def_property_readonly(
+      "complete", [](const PackObject& self) { return self.document().result.complete; },
+      "False where the integration of one ring stopped.");
+  type.def_property_readonly(
+      "resolved_case", [](const PackObject& self) { return self.document().resolved_case; },
+      "A complete case file of the pack in SI that gives the same bits again, a str.");
+  type.def(
+      "write",
+      [](const PackObject& self, const py::object& path) { io::write_result(path_of("path", path), self.document()); },
+      py::arg("path"), "Writes the same NetCDF file as `ringfilm run --output`. Raises OutputError.");
+  type.def(
+      "write_csv",
+      [](const PackObject& self, const py::object& path) {
+        io::write_atomically(path_of("path", path), io::result_csv(self.document()));
+      },
+      py::arg("path"), "Writes the curves as `ringfilm run --csv`, with the column ring. Raises OutputError.");
+  type.def(
+      "write_report",
+      [](const PackObject& self, const py::object& path) {
+        io::write_atomically(path_of("path", path), report::report_page({self.document()}, {}));
+      },
+      py::arg("path"), "Writes all rings as one self-contained web page, as `ringfilm report`. Raises OutputError.");
+  type.def(
+      "to_json", [](const PackObject& self) { return io::result_json(self.document()); },
+      "The values of the cycle as `ringfilm run --json` prints them, a str.");
+  type.def(
+      "_dataset",
+      [](const py::object& self) {
+        const DatasetWriter writer = pack_dataset(self);
+        return py::make_tuple(writer.variables(), writer.attributes());
+      },
+      "Variables and attributes of the result file, for to_xarray.");
+  type.def(
+      "to_xarray", [](const py::object& self) { return plain_layer("ringfilm._frames", "result_to_xarray")(self); },
+      "The result as an xarray.Dataset with the dimensions, variables and attributes of its file, in SI.");
+  type.def("__getitem__", &pack_item, py::arg("name"),
+           R"(A variable of the result file by its name: "min_film_thickness" has the shape (ring, crank_angle),
+"cycle_fmep" or "fmep" the shape (ring,). Raises KeyError.)");
+  type.def(
+      "__len__", [](const PackObject& self) { return self.document().rings.size(); }, "How many rings.");
+  type.def(
+      "__repr__",
+      [](const PackObject& self) {
+        return "<ringfilm.PackResult \"" + self.document().title +
+               "\": " + std::to_string(self.document().rings.size()) + " rings>";
+      },
+      "Title and number of rings.");
+  type.def(
+      py::pickle([](const PackObject& self) { return py::make_tuple(py::bytes(io::result_bytes(self.document()))); },
+                 [](const py::tuple& state) {
+                   return PackObject(io::result_of_bytes("a pickle", py::cast<std::string>(state[0])));
+                 }));
+}
+
 }  // namespace
+
+py::object result_object(io::ResultDocument document) {
+  if (document.is_pack()) return py::cast(std::make_unique<PackObject>(std::move(document)));
+  return py::cast(std::make_unique<ResultObject>(std::move(document)));
+}
 
 ResultObject::ResultObject(cycle::Case input, cycle::CycleResult result, io::Provenance provenance, std::string reason)
     : input_(std::move(input)), reason_(std::move(reason)) {
@@ -349,6 +455,7 @@ void bind_result(py::module_& module) {
   bind_values(type);
   bind_words(type);
   bind_outputs(type);
+  bind_pack(module);
 }
 
 }  // namespace ringfilm::python

@@ -27,4 +27,17 @@ class ResultObject {
   std::string reason_;                        ///< why a scenario of a batch was not solved
 };
 
+/// `ringfilm.PackResult`: the cycle of a ring pack.
+class PackObject {
+ public:
+  explicit PackObject(io::ResultDocument document) : document_(std::move(document)) {}
+  const io::ResultDocument& document() const { return document_; }
+
+ private:
+  io::ResultDocument document_;
+};
+
+/// A Result, or of a pack a PackResult.
+py::object result_object(io::ResultDocument document);
+
 }  // namespace ringfilm::python

@@ -72,7 +72,7 @@ py::object inquire(const cycle::Case& input, CycleWatch& watch, const RunWishes&
     const py::gil_scoped_release others_go_on;
     done = std::move(app::computations({wanted}, {wishes.threads}, watch).front());
   }
-  py::object result = py::cast(std::make_unique<ResultObject>(std::move(done.document)));
+  py::object result = result_object(std::move(done.document));
   if (done.stopped) raise_convergence(*done.stopped, result);
   return result;
 }
@@ -84,7 +84,7 @@ py::object run_case(CaseObject& self, const py::object& progress, const RunWishe
   const cycle::Case input = self.value();  // another thread may change the case meanwhile
   if (input.problem == cycle::Problem::kPad) return run_pad(input, progress, wishes);
   CycleWatch watch(progress);
-  if (wishes.ledger || wishes.error_estimate) return inquire(input, watch, wishes);
+  if (wishes.ledger || wishes.error_estimate || input.is_pack()) return inquire(input, watch, wishes);
   try {
     cycle::CycleResult result;
     {

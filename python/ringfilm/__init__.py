@@ -16,6 +16,7 @@ from ._batch import BatchResult, simulate_many
 from ._ringfilm import (
     Case,
     Field,
+    PackResult,
     PadResult,
     Quantity,
     Result,
@@ -40,6 +41,7 @@ __all__ = [
     "Field",
     "InputError",
     "OutputError",
+    "PackResult",
     "PadResult",
     "Quantity",
     "Result",

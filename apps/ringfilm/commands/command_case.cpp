@@ -16,7 +16,14 @@ void check(const CheckOptions& options) {
   const cycle::Case input = io::read_case(options.case_path, options.overrides);
   const bool is_pad = input.problem == cycle::Problem::kPad;
   if (is_pad) pad::prepare_pad(input);
-  const std::vector<cycle::Note> notes = is_pad ? std::vector<cycle::Note>{} : cycle::prepare(input).notes;
+  std::vector<cycle::Note> notes;
+  if (!is_pad && !input.is_pack()) notes = cycle::prepare(input).notes;
+  for (std::size_t i = 0; i < input.rings.size(); ++i) {
+    for (cycle::Note note : cycle::prepare(input.rings[i]).notes) {
+      note.message = fmt::format("ring {}: {}", i + 1, note.message);
+      notes.push_back(std::move(note));
+    }
+  }
   int n_stated = 0, n_assumed = 0;
   for (const io::CaseEntry& entry : io::case_entries(input)) ++(entry.assumed ? n_assumed : n_stated);
   std::cout << options.case_path << ": no errors; " << n_stated << " keys stated, " << n_assumed << " assumed\n";

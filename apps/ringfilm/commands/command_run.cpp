@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 
@@ -7,6 +8,7 @@
 #include "computation.hpp"
 #include "output_names.hpp"
 #include "ringfilm/io/result/result_csv.hpp"
+#include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "text/summary.hpp"
@@ -61,12 +63,13 @@ cycle::Case checked_case(const RunOptions& options) {
 
 /// Why the integration stopped, and what there is of it now.
 ConvergenceError named_stop(const RunOptions& options, const Computation& done) {
-  const auto& samples = done.document.result.samples;
+  std::size_t n_solved = 0;
+  for (const io::ResultDocument& ring : io::single_rings({done.document})) n_solved += ring.result.samples.size();
   std::string text = done.stopped->what();
-  if (samples.empty()) {
+  if (n_solved == 0) {
     text += "\nno crank angle of those asked for was finished; nothing was written, files that exist are unchanged";
   } else if (options.output || options.csv) {
-    text += fmt::format("\nwhat was written holds the {} crank angles that were solved before", samples.size());
+    text += fmt::format("\nwhat was written holds the {} crank angles that were solved before", n_solved);
   }
   return {text, done.stopped->crank_angle_deg()};
 }
@@ -78,17 +81,19 @@ void run(const RunOptions& options) {
   if (input.problem == cycle::Problem::kPad) return run_pad(options, input);
   const Computation done =
       computations({{input, options.ledger, options.errors, options.case_path}}, {options.jobs}).front();
-  const bool is_worth_writing = !done.document.result.samples.empty();
+  const std::vector<io::ResultDocument> rings = io::single_rings({done.document});
+  const bool is_worth_writing =
+      std::any_of(rings.begin(), rings.end(), [](const auto& ring) { return !ring.result.samples.empty(); });
   if (options.output && is_worth_writing) io::write_result(*options.output, done.document);
-  if (options.csv && is_worth_writing) {
-    const cycle::CycleResult& result = done.document.result;
-    io::write_atomically(*options.csv, io::result_csv(result.samples, done.document.errors, result.unrolled_samples));
-  }
+  if (options.csv && is_worth_writing) io::write_atomically(*options.csv, io::result_csv(done.document));
   if (options.summary == SummaryForm::kJson) {
     std::cout << io::result_json(done.document);
   } else {
-    std::cout << summary(input, done.document);
-    if (done.document.ledger_computed) std::cout << "\n" << ledger_table(done.document);
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      std::cout << (i > 0 ? "\n" : "") << summary(input.is_pack() ? input.rings[i] : input, rings[i]);
+      if (rings[i].ledger_computed) std::cout << "\n" << ledger_table(rings[i]);
+    }
+    if (input.is_pack()) std::cout << "\n" << pack_summary(done.document);
     if (options.output && is_worth_writing) std::cout << "wrote " << *options.output << "\n";
     if (options.csv && is_worth_writing) std::cout << "wrote " << *options.csv << "\n";
   }

@@ -177,14 +177,33 @@ std::string note_lines(const io::ResultDocument& document) {
   return text;
 }
 
+std::string oil_temperature(const cycle::Case& c) {
+  constexpr double kFreezing = 273.15;  // [K]
+  if (!c.thermal.is_stated()) return fmt::format("oil at {:.6g} degC", c.operating.oil_temperature - kFreezing);
+  return fmt::format("oil film at the temperature of {}", c.thermal.film == cycle::FilmTemperature::kRing ? "the ring"
+                                                          : c.thermal.film == cycle::FilmTemperature::kLiner
+                                                              ? "the liner"
+                                                              : "its walls (their mean)");
+}
+
 }  // namespace
 
+std::string pack_summary(const io::ResultDocument& pack) {
+  const EngineeringText in_words;
+  const auto shown = [&](const char* name) {
+    const cycle::CycleQuantity& quantity = cycle::cycle_quantities().at(cycle::cycle_quantity_index(name).value());
+    return in_words(quantity, pack.result.values.*quantity.value);
+  };
+  if (!pack.result.complete) return "all rings: no sums, since one stopped\n";
+  return wrapped(
+      words(fmt::format("all {} rings: friction mean effective pressure {}, mean power loss {}, {} per cycle",
+                        pack.rings.size(), shown("fmep"), shown("mean_power_loss"), shown("energy_per_cycle"))));
+}
+
 std::string summary(const cycle::Case& input, const io::ResultDocument& document) {
-  constexpr double kFreezing = 273.15;  // [K]
   std::string text = document.title + "\n";
-  text += fmt::format("{:.6g} rpm, oil at {:.6g} degC; cylinder pressure: {}\n\n",
-                      input.operating.speed * 30 / std::numbers::pi, input.operating.oil_temperature - kFreezing,
-                      pressure_origin(input.gas));
+  text += fmt::format("{:.6g} rpm, {}; cylinder pressure: {}\n\n", input.operating.speed * 30 / std::numbers::pi,
+                      oil_temperature(input), pressure_origin(input.gas));
   const cycle::CycleResult& result = document.result;
   if (!result.complete) {
     text += fmt::format(

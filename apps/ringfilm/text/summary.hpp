@@ -10,6 +10,9 @@ namespace ringfilm::app {
 /// assumed and what must be known about it.
 std::string summary(const cycle::Case& input, const io::ResultDocument& document);
 
+/// What the friction of all rings of a pack adds up to, in a line.
+std::string pack_summary(const io::ResultDocument& pack);
+
 /// The ledger with the change of minimum film, mean power and oil flow for each choice that was run.
 std::string ledger_table(const io::ResultDocument& document);
 

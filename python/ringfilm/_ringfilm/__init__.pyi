@@ -88,6 +88,10 @@ class Case:
     def resolved(self) -> str:
         """The case as a complete case file in SI, which gives the same bits again."""
         ...
+    @property
+    def rings(self) -> object:
+        """Of a ring pack ([[ring]]) the case of each ring alone, from the chamber down, a list of Case; else empty."""
+        ...
     def run(self, progress: object = None, ledger: bool = False, error_estimate: bool = False, threads: object = None) -> object:
         """Computes the cycle, or the film of a pad.
 
@@ -97,7 +101,7 @@ class Case:
         error_estimate: also run finer and coarser cells and crank steps, about four times the work; the errors stand beside
             their quantities: result["cycle_fmep_error"], result["min_film_thickness_error"]. Rings only.
         threads: for these others, 1 to 1024; None: as many as the machine runs at once. The numbers do not depend on it.
-        Returns a Result, of a pad a PadResult. Other threads go on meanwhile; Ctrl-C ends the run with KeyboardInterrupt.
+        Returns a Result, of a ring pack a PackResult, of a pad a PadResult. Other threads go on meanwhile; Ctrl-C ends the run with KeyboardInterrupt.
         Raises InputError, and ConvergenceError with all up to the last good crank angle in its attribute `result`.
         Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`."""
         ...
@@ -161,6 +165,57 @@ class Field:
     @property
     def unit(self) -> object:
         """SI unit; 1 for a plain number, empty for words."""
+        ...
+
+class PackResult:
+    """What one engine cycle of a ring pack gave: a Result for each ring, and their sums.
+
+    pack.rings[0] is the ring next to the chamber. Every variable of the result file is an item by its name there, with the
+    dimension ring in front: pack["min_film_thickness"] has the shape (ring, crank_angle). Values are SI."""
+    def __getitem__(self, name: str) -> object:
+        """A variable of the result file by its name: "min_film_thickness" has the shape (ring, crank_angle),
+        "cycle_fmep" or "fmep" the shape (ring,). Raises KeyError."""
+        ...
+    def __len__(self) -> int:
+        """How many rings."""
+        ...
+    def __repr__(self) -> str:
+        """Title and number of rings."""
+        ...
+    @property
+    def complete(self) -> object:
+        """False where the integration of one ring stopped."""
+        ...
+    @property
+    def resolved_case(self) -> object:
+        """A complete case file of the pack in SI that gives the same bits again, a str."""
+        ...
+    @property
+    def rings(self) -> object:
+        """The Result of each ring, from the chamber to the crankcase, a list."""
+        ...
+    @property
+    def title(self) -> object:
+        """Title of the case, a str."""
+        ...
+    def to_json(self) -> str:
+        """The values of the cycle as `ringfilm run --json` prints them, a str."""
+        ...
+    def to_xarray(self) -> object:
+        """The result as an xarray.Dataset with the dimensions, variables and attributes of its file, in SI."""
+        ...
+    @property
+    def values(self) -> object:
+        """What the friction of all rings adds up to, {name: float in SI}: fmep, energy_per_cycle, mean_power_loss."""
+        ...
+    def write(self, path: object) -> None:
+        """Writes the same NetCDF file as `ringfilm run --output`. Raises OutputError."""
+        ...
+    def write_csv(self, path: object) -> None:
+        """Writes the curves as `ringfilm run --csv`, with the column ring. Raises OutputError."""
+        ...
+    def write_report(self, path: object) -> None:
+        """Writes all rings as one self-contained web page, as `ringfilm report`. Raises OutputError."""
         ...
 
 class PadResult:
@@ -485,6 +540,10 @@ class Result:
         """Steps that needed the bracketed search or a shorter step [1], shape (crank_angle,). Source: docs/theory, eq-load-balance."""
         ...
     @property
+    def film_temperature(self) -> object:
+        """Temperature of the oil film [K], shape (crank_angle,). Source: docs/theory, eq-film-temperature."""
+        ...
+    @property
     def fmep(self) -> object:
         """Friction mean effective pressure [Pa], a float; NaN where the cycle was not finished. Source: docs/theory, eq-fmep."""
         ...
@@ -739,8 +798,8 @@ class Result:
         """What computed the result: program, commit, compiler, kernels."""
         ...
     @staticmethod
-    def read(path: object) -> Result:
-        """A result from a NetCDF file that this module or `ringfilm run` wrote. Raises InputError."""
+    def read(path: object) -> object:
+        """A result from a NetCDF file that this module or `ringfilm run` wrote; of a ring pack a PackResult. Raises InputError."""
         ...
     @property
     def reason(self) -> object:

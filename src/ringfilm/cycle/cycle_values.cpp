@@ -131,7 +131,7 @@ CycleValues no_cycle_values() {
 }
 
 StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base) {
-  const double stroke = setup.crank.stroke();
+  const double stroke = setup.engine.crank.stroke();
   const double bin = stroke / kStrokeBins;
   const double step_time = cycle_time(setup) / static_cast<double>(base.size());
   StrokeProfile profile;
@@ -157,22 +157,22 @@ StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base
 std::map<std::string, double> derived_values(const Setup& setup, const film::FilmGrid& grid) {
   const Case& c = setup.input;
   std::map<std::string, double> values = {
-      {"elastic_pressure", setup.elastic_pressure},
+      {"elastic_pressure", setup.ring.elastic_pressure},
       {"tangential_force",
-       models::tangential_force_from_elastic_pressure(setup.elastic_pressure, c.ring.face_width, c.engine.bore)},
-      {"composite_modulus", setup.E_prime},
-      {"roughness", setup.sigma},
-      {"roughness_parameter", c.contact.asperity_density * c.contact.asperity_radius * setup.sigma},
-      {"oil_viscosity", setup.oil_viscosity},
-      {"oil_density", setup.oil_density},
-      {"face_height_minimum", setup.face.minimum().height},
+       models::tangential_force_from_elastic_pressure(setup.ring.elastic_pressure, c.ring.face_width, c.engine.bore)},
+      {"composite_modulus", setup.ring.E_prime},
+      {"roughness", setup.ring.sigma},
+      {"roughness_parameter", c.contact.asperity_density * c.contact.asperity_radius * setup.ring.sigma},
+      {"oil_viscosity", setup.ring.oil.viscosity},
+      {"oil_density", setup.ring.oil.density},
+      {"face_height_minimum", setup.ring.face.minimum().height},
       {"face_height_chamber_edge", grid.node_height.front()},
       {"face_height_crankcase_edge", grid.node_height.back()},
       {"nominal_contact_area", c.ring_length() * c.ring.face_width},
       {"swept_volume", swept_volume(c.engine)},
       {"mean_piston_speed", 2 * c.engine.stroke * c.operating.speed / (2 * std::numbers::pi)},
   };
-  if (const models::OilFit* fit = setup.oil->fit()) {
+  if (const models::OilFit* fit = setup.ring.oil.range->at(setup.ring.oil.temperature)->fit()) {
     values["property_fit_error"] = fit->error;
     values["property_fit_pressure"] = fit->high;
   }

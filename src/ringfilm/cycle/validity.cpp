@@ -37,7 +37,8 @@ constexpr double kSteepestFace = 0.1;  // height over width
 
 void append_face_note(const Setup& setup, std::vector<Note>& notes) {
   const double width = setup.input.ring.face_width;
-  const double rise = std::max(setup.face.height(0), setup.face.height(width)) - setup.face.minimum().height;
+  const double rise =
+      std::max(setup.ring.face.height(0), setup.ring.face.height(width)) - setup.ring.face.minimum().height;
   if (rise <= kSteepestFace * width) return;
   notes.push_back({"face-too-steep",
                    text("the face rises to %.4g mm on a width of %.4g mm: is it used beyond the width to which it was "
@@ -75,7 +76,7 @@ void append_points_note(const Setup& setup, double thinnest_film, std::vector<No
                      1});
     return;
   }
-  const double error = error_between_points(face), film = std::max(thinnest_film, setup.sigma);
+  const double error = error_between_points(face), film = std::max(thinnest_film, setup.ring.sigma);
   if (error <= kCoarsePoints * film) return;
   notes.push_back({"face-points-few",
                    text("the straight lines between the points next to the lowest place of the face are %.2g um away "
@@ -110,7 +111,7 @@ void append_coating_note(const Setup& setup, double lowest_lambda_ratio, std::ve
   if (!acts) return;
   // Spots are largest where the film is thinnest.
   const double lambda = std::clamp(lowest_lambda_ratio, 0.0, 8.0);
-  const double radius = models::contact_spot_radius(c.contact.asperity_radius, setup.sigma, lambda);
+  const double radius = models::contact_spot_radius(c.contact.asperity_radius, setup.ring.sigma, lambda);
   const double share = models::share_below_coating(radius, *coating.thickness, coating.poissons_ratio);
   if (share <= kCoatingFelt) return;
   notes.push_back({"coating-thin",

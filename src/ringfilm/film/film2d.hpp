@@ -60,7 +60,7 @@ Film2dGap gap_of_strips(const FilmGrid& across, const CircumferentialGrid& aroun
 
 /// What does not change over a cycle.
 struct Film2dProblem {
-  FilmProblem strip;  ///< grid across, oil, contact, cavitation, tolerance; heights of its grid: of contact alone
+  FilmProblem strip;  ///< grid across, contact, cavitation, tolerance; heights of its grid: of contact alone
   CircumferentialGrid around;
   Film2dGap gap;
 

@@ -60,11 +60,11 @@ class Strips {
 
  private:
   double fluidity(double p) const {
-    const models::OilAtTemperature& oil = *problem_.strip.oil;
+    const models::OilAtTemperature& oil = *inputs_.strip.oil;
     return state_.laws == LaneLaws::kFitted ? oil.fit()->at(p).K : oil.density(p) / oil.viscosity(p);
   }
   double viscosity(double p) const {
-    const models::OilAtTemperature& oil = *problem_.strip.oil;
+    const models::OilAtTemperature& oil = *inputs_.strip.oil;
     return state_.laws == LaneLaws::kFitted ? oil.fit()->at(p).rho / oil.fit()->at(p).K : oil.viscosity(p);
   }
 

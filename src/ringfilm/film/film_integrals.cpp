@@ -126,12 +126,12 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   }
 }
 
-FilmSums sums_of_film(const FilmProblem& problem, const FilmState& state, const FilmView& film, const StepView& step,
-                      const FluxRequest& fluxes) {
-  if (state.laws == LaneLaws::kFitted) return problem.kernels->sums(film, fitted_oil_view(problem), step, fluxes);
-  NodalOil oil;
-  oil.update(*problem.oil, state.p);
-  return problem.kernels->sums_of_given_oil(film, {oil.rho.data(), oil.K.data()}, step, fluxes);
+FilmSums sums_of_film(const FilmProblem& problem, const models::OilAtTemperature& oil, const FilmState& state,
+                      const FilmView& film, const StepView& step, const FluxRequest& fluxes) {
+  if (state.laws == LaneLaws::kFitted) return problem.kernels->sums(film, fitted_oil_view(oil), step, fluxes);
+  NodalOil nodal;
+  nodal.update(oil, state.p);
+  return problem.kernels->sums_of_given_oil(film, {nodal.rho.data(), nodal.K.data()}, step, fluxes);
 }
 
 }  // namespace
@@ -141,14 +141,14 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   FilmIntegrals sums;
   const FilmView film = film_view(problem, state);
   FlowFaces flow(problem.grid);
-  const FilmSums of_film = sums_of_film(problem, state, film,
+  const FilmSums of_film = sums_of_film(problem, *inputs.oil, state, film,
                                         {inputs.U, 1 / inputs.time_step, previous.mass_per_area.data()}, flow.wanted());
   sums.hydrodynamic_load = of_film.hydrodynamic_load;
   sums.shear_couette = of_film.shear_couette;
   sums.shear_poiseuille = of_film.shear_poiseuille;
   sums.mass_defect = of_film.storage;
   sums.peak_pressure = of_film.peak_pressure;
-  if (problem.contact != nullptr && problem.contact->fit() != nullptr && problem.oil->fit() != nullptr) {
+  if (problem.contact != nullptr && problem.contact->fit() != nullptr && inputs.oil->fit() != nullptr) {
     add_fitted_contact(problem, film, sums);
   } else if (problem.contact != nullptr) {
     add_contact(problem, state, sums);

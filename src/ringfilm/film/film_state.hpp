@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "ringfilm/film/kernels/kernels.hpp"
@@ -69,7 +70,6 @@ FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces);
 /// What does not change over a cycle. Referenced objects must outlive the problem.
 struct FilmProblem {
   FilmGrid grid;
-  const models::OilAtTemperature* oil = nullptr;
   const models::GreenwoodTripp* contact = nullptr;  ///< nullptr: surfaces so smooth that they never touch
   Cavitation cavitation = Cavitation::kMassConserving;
   ContactSpread contact_spread = ContactSpread::kLocal;
@@ -93,6 +93,7 @@ struct EdgeState {
 
 /// What acts on the film during one step.
 struct FilmInputs {
+  std::shared_ptr<const models::OilAtTemperature> oil;  ///< of this step
   double U = 0;                ///< velocity of the liner against the ring, positive in +x [m/s]
   EdgeState left, right;       ///< at x = 0 and x = b
   double p_cavitation = 0;     ///< not above either edge pressure [Pa]

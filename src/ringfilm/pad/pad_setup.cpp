@@ -45,7 +45,6 @@ GapSurface gap_surface(const cycle::Pad& pad, double lowest) {
 film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
   film::FilmProblem problem;
   problem.grid = std::move(grid);
-  problem.oil = oil.get();
   problem.cavitation = input.film.cavitation == cycle::Cavitation::kMassConserving ? film::Cavitation::kMassConserving
                                                                                    : film::Cavitation::kReynoldsExit;
   // A ring carries on from step to step and has the load to hold it; a pad is solved once, with stiff squeeze and
@@ -58,6 +57,7 @@ film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
 
 film::FilmInputs PadSetup::steady_inputs() const {
   film::FilmInputs inputs;
+  inputs.oil = oil;
   inputs.U = U;
   inputs.left.pressure = input.pad.left_pressure;
   inputs.right.pressure = input.pad.right_pressure;

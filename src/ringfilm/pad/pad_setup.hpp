@@ -19,7 +19,7 @@ struct PadSetup {
   double U;                            ///< velocity of the flat surface, positive in +x [m/s]
   double p_cavitation;                 ///< p_c, not above the pressure of any edge [Pa]
 
-  /// The film across a grid; refers to this setup.
+  /// The film across a grid.
   film::FilmProblem problem(film::FilmGrid grid) const;
   /// What acts on a steady film, but for load and scale.
   film::FilmInputs steady_inputs() const;

@@ -130,7 +130,6 @@ TEST(CaseFields, RequireOnlyWhatNoDefaultCanStandFor) {
                                        "engine.stroke",
                                        "engine.connecting_rod_length",
                                        "operating.speed",
-                                       "operating.oil_temperature",
                                        "ring.face_width",
                                        "ring.face.form",
                                        "contact.asperity_density",

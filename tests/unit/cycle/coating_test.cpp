@@ -19,12 +19,12 @@ Case coated_case() {
 TEST(Coating, EntersTheCompositeModulusInPlaceOfTheRing) {
   Case c = coated_case();
   const double expected = 2 / ((1 - 0.25 * 0.25) / 280e9 + (1 - 0.211 * 0.211) / 92.3e9);
-  EXPECT_NEAR(prepare(c).E_prime / expected, 1, 1e-14);
+  EXPECT_NEAR(prepare(c).ring.E_prime / expected, 1, 1e-14);
   c.ring.coating.contact_modulus = ContactModulus::kBase;
-  EXPECT_EQ(prepare(c).E_prime, prepare(testing::styles_new_ring()).E_prime);
+  EXPECT_EQ(prepare(c).ring.E_prime, prepare(testing::styles_new_ring()).ring.E_prime);
   c.ring.coating.contact_modulus = ContactModulus::kCoating;
   c.contact.composite_modulus = 190e9;
-  EXPECT_EQ(prepare(c).E_prime, 190e9);
+  EXPECT_EQ(prepare(c).ring.E_prime, 190e9);
 }
 
 std::vector<Note> notes_of(const Case& c, double lambda_ratio) {

@@ -29,7 +29,8 @@ TEST(OwnOil, ThatIsTheOilOfTheCaseGivesItsBits) {
   const Case c = coarse_ring();
   Case without = c;  // what the case says of its oil is not looked at
   without.lubricant = {};
-  const auto law = oil_at_temperature(c.lubricant, c.operating.oil_temperature).oil;
+  const auto law = prepared_oil(c.lubricant, {}, {c.operating.oil_temperature, c.engine.stroke})
+                       .range->at(c.operating.oil_temperature);
   const CycleResult own = simulate(prepare(without, {"the same", law}));
   const CycleResult stated = simulated(c);
   ASSERT_EQ(own.samples.size(), stated.samples.size());
@@ -45,12 +46,12 @@ TEST(OwnOil, OfFunctionsFindsTheFilmOfTheLawsTheyState) {
   Case c = coarse_ring();
   c.lubricant.viscosity_pressure = ViscosityPressure::kNone;
   c.lubricant.compressibility = Compressibility::kNone;
-  const PreparedOil oil = oil_at_temperature(c.lubricant, c.operating.oil_temperature);
+  const OilSetup oil = prepared_oil(c.lubricant, {}, {c.operating.oil_temperature, c.engine.stroke}).setup;
   const auto law = models::oil_of_functions([&](double) { return oil.viscosity; }, [&](double) { return oil.density; });
   const CycleResult own = simulate(prepare(c, {"even", law}));
   // What the iteration may leave in film and pressure, solver.tolerance = 1e-8, along 180 steps.
   EXPECT_NEAR(own.values.mean_power_loss / simulated(c).values.mean_power_loss, 1, 1e-6);
-  EXPECT_NE(prepare(c, {"even", law}).oil->fit(), nullptr);
+  EXPECT_TRUE(prepare(c, {"even", law}).ring.oil.range->has_fit());
 }
 
 TEST(OwnOil, IsNotedInTheResult) {

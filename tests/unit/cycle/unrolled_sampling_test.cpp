@@ -47,8 +47,8 @@ TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
   state.h_m = 1e-6;
   Instant instant;
   instant.crank_angle_deg = 400;
-  instant.inputs.U = -5;
-  instant.inputs.load = 980;
+  instant.at.inputs.U = -5;
+  instant.at.inputs.load = 980;
   instant.state = &state;
   const film::Film2dIntegrals integrals = made_up();
   const Sample whole = sample(setup, integration, instant, integrals.mean);
@@ -67,7 +67,7 @@ TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
   EXPECT_DOUBLE_EQ(ends.ends_share_friction, 1 - (boundary + 15) / (boundary + 14));
 
   // A ring that was turned over has its x from the crankcase.
-  instant.axis = Axis::kFromCrankcase;
+  instant.at.axis = Axis::kFromCrankcase;
   const Sample turned = sample(setup, integration, instant, integrals.mean);
   EXPECT_DOUBLE_EQ(turned.oil_flow_middle, -1.9e-4 * L);
   EXPECT_DOUBLE_EQ(unrolled_sample(setup, integration, instant, integrals, turned).oil_flow_without_ends, -2e-4 * L);
@@ -79,7 +79,7 @@ TEST(UnrolledSampling, AShareOfNoFlowIsNone) {
   film::FilmState state;
   state.h_m = 1e-6;
   Instant instant;
-  instant.inputs.load = 980;
+  instant.at.inputs.load = 980;
   instant.state = &state;
   film::Film2dIntegrals integrals = made_up();
   integrals.mean.flow_middle = 0;
@@ -103,7 +103,7 @@ TEST(UnrolledSampling, TheStripHalfwayIsThatOfTheFilm2d) {
   state.deficit.assign(n, 0.0);
   state.p[halfway * n_across + 3] = 5e5;
   Instant instant;
-  instant.inputs.load = 980;
+  instant.at.inputs.load = 980;
   instant.state = &state;
   film::Film2dIntegrals integrals = made_up();
   integrals.strips.push_back(integrals.strips.front());  // nine cells have ten strips

@@ -16,8 +16,8 @@ double slider_load(double K) {
   return 6 * (std::log1p(K) / (K * K) - 2 / (K * (2 + K))) * kEta * kU * kLength * kLength / (kOutlet * kOutlet);
 }
 
-FilmInputs slider_inputs(double load) {
-  FilmInputs in;
+FilmInputs slider_inputs(const SmoothFilm& film, double load) {
+  FilmInputs in = film.inputs();
   in.U = kU;
   in.load = load;
   in.p_cavitation = -1e12;  // the closed form knows no cavity
@@ -27,7 +27,7 @@ FilmInputs slider_inputs(double load) {
 double slider_error(int n_cells, double K) {
   SmoothFilm film(
       n_cells, kLength, [&](double x) { return K * kOutlet * (1 - x / kLength); }, kEta, Cavitation::kReynoldsExit);
-  const Solved solved = steady_at(film.problem, slider_inputs(slider_load(K)), kOutlet);
+  const Solved solved = steady_at(film.problem, slider_inputs(film, slider_load(K)), kOutlet);
   EXPECT_TRUE(solved.report.converged);
   return std::abs(solved.integrals.hydrodynamic_load / slider_load(K) - 1);
 }
@@ -45,7 +45,7 @@ TEST(Reynolds, LinearSliderConvergesWithSecondOrder) {
 TEST(Reynolds, SliderUnderItsClosedFormLoadFloatsAtItsOutletFilm) {
   SmoothFilm film(
       400, kLength, [](double x) { return kOutlet * (1 - x / kLength); }, kEta, Cavitation::kReynoldsExit);
-  const Solved solved = steady_under_load(film.problem, slider_inputs(slider_load(1.0)), 3e-6);
+  const Solved solved = steady_under_load(film.problem, slider_inputs(film, slider_load(1.0)), 3e-6);
   ASSERT_TRUE(solved.report.converged);
   // Here h_s does not scale with h_m: the outlet film itself is the unknown.
   EXPECT_NEAR(solved.state.h_m / kOutlet, 1, 2e-5);
@@ -63,7 +63,7 @@ TEST(Reynolds, MartinParabolaMatchesHalfSommerfeldWithReynoldsExit) {
   SmoothFilm film(
       12000, width, [&](double x) { return (x - 0.9 * width) * (x - 0.9 * width) / (2 * R); }, eta,
       Cavitation::kReynoldsExit);
-  FilmInputs in;
+  FilmInputs in = film.inputs();
   in.U = 2 * u;
   in.load = 4.894968 * eta * u * R / h0;
   const Solved solved = steady_at(film.problem, in, h0);
@@ -84,7 +84,7 @@ Pad parabolic_pad(int n_cells) {
   constexpr double L = 0.0762, h_min = 25.4e-6, rise = 25.4e-6;
   SmoothFilm film(
       n_cells, L, [&](double x) { return rise * std::pow(2 * x / L - 1, 2); }, 0.039, Cavitation::kMassConserving);
-  FilmInputs in;
+  FilmInputs in = film.inputs();
   in.U = 4.57;
   in.load = 1e5;
   const Solved solved = steady_at(film.problem, in, h_min);
@@ -145,7 +145,7 @@ TEST(Reynolds, RayleighStepIsExactOnAnyGridBecauseTheJumpIsANode) {
     film.problem.grid = grid_of_pieces(n_cells, {{0, share * kLength, [](double) { return (ratio - 1) * kOutlet; }},
                                                  {share * kLength, kLength, [](double) { return 0.0; }}});
     ASSERT_EQ(film.problem.grid.jumps.size(), 1u);
-    FilmInputs in;
+    FilmInputs in = film.inputs();
     in.U = kU;
     in.load = load * kEta * kU * kLength * kLength / (kOutlet * kOutlet);
     const Solved solved = steady_at(film.problem, in, kOutlet);
@@ -179,7 +179,7 @@ struct TwoPads {
     const double lowest = right(kLength);
     film.problem.grid = grid_of_pieces(n_cells, {{0, kStep, [=](double x) { return left(x) - lowest; }},
                                                  {kStep, kLength, [=](double x) { return right(x) - lowest; }}});
-    const Solved solved = steady_at(film.problem, slider_inputs(1e4), lowest);
+    const Solved solved = steady_at(film.problem, slider_inputs(film, 1e4), lowest);
     EXPECT_TRUE(solved.report.converged);
     return std::abs(solved.state.p[film.problem.grid.jumps.front().node] / pressure_at_step() - 1);
   }
@@ -199,7 +199,7 @@ TEST(MassConserving, SteadyFlowIsTheSameThroughBothEdges) {
   constexpr double L = 0.0762;
   SmoothFilm film(
       200, L, [&](double x) { return 25.4e-6 * std::pow(2 * x / L - 1, 2); }, 0.039, Cavitation::kMassConserving);
-  FilmInputs in;
+  FilmInputs in = film.inputs();
   in.U = 4.57;
   in.load = 1e5;
   const Solved solved = steady_at(film.problem, in, 25.4e-6);
@@ -215,7 +215,7 @@ TEST(MassConserving, FilmAtRestIsFullHoweverThinItIs) {
   const auto height = [](double x) { return rise * std::pow((x - apex) / apex, 2); };
   for (const double h_m : {1e-9, 1e-7, 1e-5}) {
     SmoothFilm film(400, b, height, 0.005, Cavitation::kMassConserving);
-    FilmInputs in;
+    FilmInputs in = film.inputs();
     in.left.pressure = p_left;
     in.right.pressure = p_right;
     in.p_cavitation = 1e4;
@@ -235,7 +235,7 @@ TEST(MassConserving, FilmAtRestClosesTheCavityOfItsGuess) {
   // Nothing flows but what the edges drive: between parallel plates the pressure falls in a straight line.
   SmoothFilm film(
       50, kLength, [](double) { return 0.0; }, kEta, Cavitation::kMassConserving);
-  FilmInputs in;
+  FilmInputs in = film.inputs();
   in.left.pressure = 2e5;
   in.right.pressure = 1e5;
   in.p_cavitation = 2e4;
@@ -259,7 +259,7 @@ TEST(MassConserving, FilmAtRestClosesTheCavityOfItsGuess) {
 TEST(FilmSolver, SaysThatTheGasLiftsOffWhatIsPressedOnTooLittle) {
   SmoothFilm film(
       64, kLength, [](double x) { return kOutlet * (1 - x / kLength); }, kEta, Cavitation::kMassConserving);
-  FilmInputs in;
+  FilmInputs in = film.inputs();
   in.U = 0.1;
   in.left.pressure = in.right.pressure = in.p_cavitation = 1e5;
   in.load = 0.5e5 * kLength;
@@ -275,7 +275,7 @@ TEST(ReynoldsExit, CavityHoldsTheCavitationPressureAndNoNodeLiesBelow) {
   constexpr double L = 0.0762;
   SmoothFilm film(
       200, L, [&](double x) { return 25.4e-6 * std::pow(2 * x / L - 1, 2); }, 0.039, Cavitation::kReynoldsExit);
-  FilmInputs in;
+  FilmInputs in = film.inputs();
   in.U = 4.57;
   in.load = 1e5;
   in.left.pressure = in.right.pressure = in.p_cavitation = 1e5;
@@ -296,12 +296,13 @@ TEST(Reynolds, TurningTheFaceAndTheMotionMirrorsTheFilm) {
     SmoothFilm film(100, b, height, 0.005, cavitation);
     SmoothFilm mirrored(
         100, b, [&](double x) { return height(b - x); }, 0.005, cavitation);
-    FilmInputs in;
+    FilmInputs in = film.inputs();
     in.U = 6;
     in.left.pressure = 8e5;
     in.right.pressure = in.p_cavitation = 1e5;
     in.load = 9e5 * b;
     FilmInputs back = in;
+    back.oil = mirrored.oil;
     back.U = -in.U;
     std::swap(back.left.pressure, back.right.pressure);
     const Solved a = steady_under_load(film.problem, in, 1e-6);

@@ -25,12 +25,12 @@ Film2dIntegrals at_rest(int n_across, const std::function<double(double)>& heigh
   const auto oil = models::closed_form_oil(kEta, kRho, 0.0, {0.0, 0.0});
   Film2dProblem problem;
   problem.strip.grid = uniform_grid(n_across, kWidth, heights);
-  problem.strip.oil = oil.get();
   problem.strip.cavitation = Cavitation::kMassConserving;
   problem.strip.tolerance = 1e-10;
   problem.around = refined_around(200, kLength, kWidth / n_across);
   problem.gap = gap_of_strips(problem.strip.grid, problem.around);
   Film2dInputs inputs;
+  inputs.strip.oil = oil;
   inputs.strip.left.pressure = pressures.left;
   inputs.strip.right.pressure = pressures.right;
   inputs.p_low = inputs.p_high = pressures.ends;

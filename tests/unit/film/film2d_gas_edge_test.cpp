@@ -17,7 +17,7 @@ TEST(GasEdge, StripsHoldTwentyBarAtTheExitOfAStarvedFilm) {
   for (const Ends ends : {Ends::kClosed, Ends::kJoined}) {
     const Film2dProblem problem = film2d_of(film.problem, uniform_around(7, 0.01, ends));
     Film2dInputs inputs;
-    inputs.strip = testing::inputs_of(form, film.problem.grid);
+    inputs.strip = testing::inputs_of(form, film);
     const FilmState strip = first_guess(film.problem, inputs.strip);
     FilmState film2d = of_strips(problem, strip);
     const FilmState before = film2d;

@@ -104,7 +104,6 @@ class ManufacturedFilm2d {
   ManufacturedFilm2d(const Prescribed& prescribed, int n_across, int n_around)
       : prescribed_(prescribed), oil_(models::closed_form_oil(kEta, kRho, kZ, {kA, kB})) {
     problem_.strip.grid = uniform_grid(n_across, kWidth, [](double) { return 0.0; });
-    problem_.strip.oil = oil_.get();
     problem_.strip.cavitation = Cavitation::kMassConserving;
     problem_.strip.tolerance = 1e-11;
     problem_.around = uneven_around(n_around, prescribed.ends);
@@ -142,6 +141,7 @@ class ManufacturedFilm2d {
 
   FilmState solved(double t, double time_step, const FilmState& previous, FilmState guess) const {
     Film2dInputs inputs;
+    inputs.strip.oil = oil_;
     inputs.strip.U = kVelocity;
     inputs.strip.left.pressure = inputs.strip.right.pressure = inputs.p_low = inputs.p_high = kEdge;
     inputs.strip.load = kTop / 2 * kWidth;

@@ -74,6 +74,21 @@ TEST_P(WithoutEnds, AJoinedFilm2dOfOneStripIsIt) {
   }
 }
 
+TEST_P(WithoutEnds, TheOilMayChangeFromStepToStep) {
+  const testing::BlockKind block = kind(GetParam());
+  const testing::LaneFilm film = testing::with_changing_oil(block, testing::lane_films(block).front(), 403);
+  const auto strips = strip_states(film);
+  Passage film2d(film, film2d_of(film.problem, uniform_around(5, 0.05, Ends::kJoined)));
+  for (std::size_t k = 0; k < film.steps.size(); ++k) {
+    ASSERT_TRUE(film2d.step(inputs_of(film.steps[k])).converged);
+    EXPECT_NEAR(std::log(film2d.state.h_m / strips[k].h_m), 0, 1e-10);
+    const FilmIntegrals& mean = film2d.integrals.mean;
+    if (GetParam() == Cavitation::kMassConserving) {
+      EXPECT_NEAR(mean.mass_defect / mean.flow_middle, 0, 1e-9);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cavitation, WithoutEnds,
                          ::testing::Values(Cavitation::kMassConserving, Cavitation::kReynoldsExit));
 

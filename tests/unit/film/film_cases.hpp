@@ -18,10 +18,16 @@ struct SmoothFilm {
   SmoothFilm(int n_cells, double width, const std::function<double(double)>& height, double eta, Cavitation cavitation)
       : oil(models::closed_form_oil(eta, 1.0, 0.0, {0.0, 0.0})), no_contact({1.0, 1e-9, 1e-12, 1.0}) {
     problem.grid = uniform_grid(n_cells, width, height);
-    problem.oil = oil.get();
     problem.contact = &no_contact;
     problem.cavitation = cavitation;
     problem.tolerance = 1e-10;
+  }
+
+  /// At rest and without load.
+  FilmInputs inputs() const {
+    FilmInputs inputs;
+    inputs.oil = oil;
+    return inputs;
   }
 };
 

@@ -2,7 +2,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
-#include "ringfilm/film/film_state.hpp"
+#include "film_cases.hpp"
 
 /// Steady films between gas, or between oil and gas, by quadrature of Reynolds' equation on its full film: it begins at
 /// x_1 with the pressure of the entry, and ends at x_2, where the gap is h* = 2 q/U, without a slope of pressure (eq.
@@ -72,8 +72,9 @@ inline GasFilm flooded() {
   return film;
 }
 
-inline FilmInputs inputs_of(const GasFilm& film, const FilmGrid& grid) {
-  FilmInputs inputs;
+inline FilmInputs inputs_of(const GasFilm& film, const SmoothFilm& smooth) {
+  const FilmGrid& grid = smooth.problem.grid;
+  FilmInputs inputs = smooth.inputs();
   inputs.U = film.U;
   inputs.load = film.load();
   inputs.p_cavitation = film.p_in;

@@ -20,7 +20,7 @@ struct Errors {
 };
 Errors errors_of(const GasFilm& form, int n_cells) {
   const SmoothFilm film = film_of(form, n_cells);
-  const Solved solved = steady_under_load(film.problem, inputs_of(form, film.problem.grid), 1.3 * form.h_m);
+  const Solved solved = steady_under_load(film.problem, inputs_of(form, film), 1.3 * form.h_m);
   EXPECT_TRUE(solved.report.converged);
   EXPECT_EQ(solved.report.route, Route::kNewton);
   if (solved.integrals.cavities.empty()) return {1, 1};
@@ -46,7 +46,7 @@ TEST(GasEdge, AStarvedFilmHoldsTwentyBarAtItsExit) {
 TEST(GasEdge, EntryAndExitMayBeExchanged) {
   const GasFilm form = starved(0.58e-6);
   const SmoothFilm film = film_of(form, 240);
-  const FilmInputs inputs = inputs_of(form, film.problem.grid);
+  const FilmInputs inputs = inputs_of(form, film);
   const Solved there = steady_under_load(film.problem, inputs, 1.3e-6);
   const Solved back = steady_under_load(film.problem, mirrored(inputs), 1.3e-6);
   ASSERT_TRUE(there.report.converged && back.report.converged);
@@ -56,7 +56,7 @@ TEST(GasEdge, EntryAndExitMayBeExchanged) {
 TEST(GasEdge, OilThatEntersLeavesAgain) {
   const GasFilm form = starved(0.58e-6);
   const SmoothFilm film = film_of(form, 240);
-  const FilmInputs inputs = inputs_of(form, film.problem.grid);
+  const FilmInputs inputs = inputs_of(form, film);
   const Solved solved = steady_under_load(film.problem, inputs, 1.3e-6);
   ASSERT_TRUE(solved.report.converged);
   const double h = solved.state.h_m + film.problem.grid.face_height.front();
@@ -69,7 +69,7 @@ TEST(GasEdge, OilThatEntersLeavesAgain) {
 TEST(GasEdge, ALaneFindsWhatTheFilmAloneFinds) {
   const GasFilm form = starved(0.58e-6);
   const SmoothFilm film = film_of(form, 120);
-  const FilmInputs inputs = inputs_of(form, film.problem.grid);
+  const FilmInputs inputs = inputs_of(form, film);
   const Solved alone = steady_under_load(film.problem, inputs, 1.3e-6);
   ASSERT_TRUE(alone.report.converged);
   const int width = film.problem.kernels->width;
@@ -94,7 +94,7 @@ TEST(GasEdge, GasAtCavitationPressureIsTheCavity) {
   const SmoothFilm own = film_of(form, 120);
   SmoothFilm one = film_of(form, 120);
   one.problem.bounds = Bounds::kOne;
-  FilmInputs gas = inputs_of(form, own.problem.grid);
+  FilmInputs gas = inputs_of(form, own);
   gas.left = {form.p_in, EdgeFluid::kGas};
   gas.right = gas.left;
   FilmInputs oil = gas;
@@ -108,7 +108,7 @@ TEST(GasEdge, AProblemBetweenEdgesOfOilTakesNoGas) {
   const GasFilm form = flooded();
   SmoothFilm film = film_of(form, 60);
   film.problem.bounds = Bounds::kOne;
-  EXPECT_THROW(steady_under_load(film.problem, inputs_of(form, film.problem.grid), 1e-6), std::invalid_argument);
+  EXPECT_THROW(steady_under_load(film.problem, inputs_of(form, film), 1e-6), std::invalid_argument);
 }
 
 }  // namespace

@@ -36,26 +36,30 @@ struct LaneFilmForm {
   ContactSpread spread = ContactSpread::kLocal;
 };
 
-inline LaneFilm lane_film(const BlockKind& kind, const LaneFilmForm& form) {
-  constexpr double kWidth = 1.2e-3;  // [m]
+/// @param temperature [K]; @param density as a multiple of the usual one [-]
+inline std::shared_ptr<const models::OilAtTemperature> lane_oil(LaneLaws lane_laws, double temperature,
+                                                                double density = 1) {
   models::OilLaws laws;
   laws.viscosity_temperature = {313.15, 373.15};
   laws.kinematic_viscosity = {60e-6, 9.6e-6};
   laws.density.temperature = {288.15, 313.15};
-  laws.density.value = {850, 834};
+  laws.density.value = {850 * density, 834 * density};
   laws.parameters["pressure_viscosity_coefficient"] = 1e-8;
   laws.compression = models::DowsonHigginson{};
+  const auto oil = models::closed_form_oil(laws, temperature);
+  return lane_laws == LaneLaws::kFitted ? models::fitted_oil(oil, 0, 60e6) : oil;
+}
 
+inline LaneFilm lane_film(const BlockKind& kind, const LaneFilmForm& form) {
+  constexpr double kWidth = 1.2e-3;  // [m]
   LaneFilm film;
-  film.oil = models::closed_form_oil(laws, form.oil_temperature);
-  if (kind.laws == LaneLaws::kFitted) film.oil = models::fitted_oil(film.oil, 0, 60e6);
+  film.oil = lane_oil(kind.laws, form.oil_temperature);
   constexpr double kRadius = 1.5e-6;  // of the summits [m]
   film.contact = std::make_shared<models::GreenwoodTripp>(
       models::GreenwoodTripp::Parameters{0.05 / (kRadius * form.sigma), kRadius, form.sigma, 2.3e11});
   film.problem.grid = uniform_grid(form.cells, kWidth, [&](double x) {
     return form.crown * std::pow((x / kWidth - form.apex) / std::max(form.apex, 1 - form.apex), 2);
   });
-  film.problem.oil = film.oil.get();
   film.problem.contact = film.contact.get();
   film.problem.cavitation = kind.cavitation;
   film.problem.contact_spread = form.spread;
@@ -63,6 +67,7 @@ inline LaneFilm lane_film(const BlockKind& kind, const LaneFilmForm& form) {
   film.problem.kernels = kind.kernels;
 
   FilmInputs inputs;
+  inputs.oil = film.oil;
   inputs.U = form.U;
   inputs.left.pressure = 0.3 * form.mean_pressure + 1e5;
   inputs.right.pressure = 1.1e5;
@@ -102,6 +107,14 @@ inline std::vector<LaneFilm> lane_films(const BlockKind& kind) {
     films.push_back(lane_film(kind, form));
   }
   return films;
+}
+
+/// The same film with a thinner and heavier oil in its second and third step, to a finer tolerance.
+inline LaneFilm with_changing_oil(const BlockKind& kind, LaneFilm film, double temperature) {
+  const auto other = lane_oil(kind.laws, temperature, 1.05);
+  film.steps.at(1).oil = film.steps.at(2).oil = other;
+  film.problem.tolerance = 1e-14;
+  return film;
 }
 
 /// The same film with a load in its third step that nothing carries.

@@ -13,6 +13,7 @@
 #include "../../traps/floating_point_traps.hpp"
 #include "lane_films.hpp"
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/film_integrals.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
 
 namespace ringfilm::film::testing {
@@ -68,7 +69,7 @@ std::map<int, Passage> taken_through(const BlockKind& kind, const std::vector<La
     passage.failed = newton.phase(lane) == Phase::kFailed;
     if (!passage.failed) {
       newton.read(lane, worker.before);
-      complete_state(film.problem, kind.laws, worker.before);
+      complete_state(film.problem, film.steps[worker.step], kind.laws, worker.before);
       passage.states.push_back(worker.before);
       passage.numbers.insert(passage.numbers.end(),
                              {worker.before.h_m, newton.last_step(lane), newton.peak_pressure(lane)});
@@ -202,31 +203,62 @@ TEST_P(LaneNewtonOf, FindsTheFilmsThatTheSingleSolverFinds) {
   }
 }
 
+// Oils of other viscosity and density: what a step stores is weighed with the oil of each end of it.
+TEST_P(LaneNewtonOf, TheOilMayChangeFromStepToStep) {
+  std::vector<LaneFilm> films = lane_films(kind());
+  films = {with_changing_oil(kind(), films[0], 403), with_changing_oil(kind(), films[4], 320)};
+  for (const auto& [i, passage] : taken_through(kind(), films, {0, 1}, {0, 1})) {
+    const LaneFilm& film = films[i];
+    FilmWorkspace workspace(film.problem);
+    FilmState before = film.first;
+    ASSERT_EQ(passage.states.size(), film.steps.size()) << "film " << i;
+    for (std::size_t step = 0; step < film.steps.size(); ++step) {
+      const FilmInputs& inputs = film.steps[step];
+      FilmState alone = before;
+      ASSERT_TRUE(solve_film(film.problem, inputs, before, alone, workspace).converged);
+      const FilmState& state = passage.states[step];
+      EXPECT_LT(difference(film, state, alone), 1e-11) << "film " << i << ", step " << step;
+      double stored = 0;
+      for (std::size_t k = 0; k < state.p.size(); ++k) {
+        const double mass = inputs.oil->density(state.p[k]) * film_content(kind().cavitation, state.deficit[k]) *
+                            (state.h_m + film.problem.grid.node_height[k]);
+        EXPECT_NEAR(state.mass_per_area[k] / mass, 1, 1e-9);  // of fits
+        stored += film.problem.grid.share[k] * (state.mass_per_area[k] - before.mass_per_area[k]) / inputs.time_step;
+      }
+      if (kind().cavitation == Cavitation::kMassConserving) {
+        const FilmIntegrals sums = film_integrals(film.problem, inputs, before, state);
+        EXPECT_NEAR((sums.flow_left - sums.flow_right - stored) / sums.flow_middle, 0, 1e-9);
+      }
+      before = state;
+    }
+  }
+}
+
 TEST_P(LaneNewtonOf, GoingOnIsStartingFromWhatTheLaneHolds) {
   for (const LaneFilm& film : lane_films(kind())) {
     const int lane = kind().kernels->width - 1;
     LaneNewton newton(*kind().kernels, kind().kernels->width, film.problem.grid.n_cells());
     newton.bind(lane, film.problem);
-    const auto solved = [&] {
+    const auto solved = [&](int step) {
       while (newton.phase(lane) == Phase::kRunning) newton.iterate();
       EXPECT_EQ(newton.phase(lane), Phase::kSolved);
       FilmState state;
       newton.read(lane, state);
-      complete_state(film.problem, kind().laws, state);
+      complete_state(film.problem, film.steps[step], kind().laws, state);
       return state;
     };
     const auto start = [&](int step, const FilmState& from) {
       newton.start(lane, film.steps[step], from, from, from.h_m, Unknowns::kFilmAndSeparation, kind().laws);
-      return solved();
+      return solved(step);
     };
     const FilmState first = start(0, film.first);
     newton.continue_from_last_step(lane, film.steps[1], first, first.h_m);
-    const FilmState gone_on = solved();
+    const FilmState gone_on = solved(1);
     EXPECT_LT(difference(film, gone_on, start(1, first)), kBothConverged);
     const FilmState second = start(1, first);
     newton.continue_from_last_step(lane, film.steps[2], second,
                                    second.h_m);  // another cavitation pressure: z has another zero
-    const FilmState other_zero = solved();
+    const FilmState other_zero = solved(2);
     EXPECT_LT(difference(film, other_zero, start(2, second)), kBothConverged);
   }
 }

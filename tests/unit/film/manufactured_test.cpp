@@ -66,7 +66,6 @@ struct Manufactured {
   explicit Manufactured(int n_cells) {
     const double lowest = lowest_face();
     problem.grid = uniform_grid(n_cells, kWidth, [=](double x) { return face(x) - lowest; });
-    problem.oil = oil.get();
     problem.cavitation = Cavitation::kMassConserving;
     problem.tolerance = 1e-13;
   }
@@ -80,6 +79,7 @@ struct Manufactured {
   template <typename Pressure, typename Fill>
   FilmInputs inputs(const Pressure& p, const Fill& theta, double t, double transient) const {
     FilmInputs in;
+    in.oil = oil;
     in.U = kVelocity;
     in.left.pressure = p(0, t);
     in.right.pressure = p(kWidth, t);

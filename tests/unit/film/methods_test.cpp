@@ -12,15 +12,17 @@ namespace {
 constexpr double kWidth = 0.01;     // [m]
 constexpr double kRise = 30e-6;     // over the width [m]
 constexpr double kViscosity = 0.1;  // [Pa s]
+constexpr double kSpeed = 1;        // [m/s]
+constexpr double kLoad = 2e4;       // [N/m]
 
 SmoothFilm inclined_slider(int n_cells) {
   return {n_cells, kWidth, [](double x) { return kRise * (1 - x / kWidth); }, kViscosity, Cavitation::kMassConserving};
 }
 
-FilmInputs sliding() {
-  FilmInputs inputs;
-  inputs.U = 1;
-  inputs.load = 2e4;
+FilmInputs sliding(const SmoothFilm& slider) {
+  FilmInputs inputs = slider.inputs();
+  inputs.U = kSpeed;
+  inputs.load = kLoad;
   return inputs;
 }
 
@@ -28,32 +30,32 @@ FilmInputs sliding() {
 double closed_form_load(double h_0) {
   const double K = kRise / h_0;
   const double W = 6 * (std::log1p(K) / (K * K) - 2 / (K * (2 + K)));
-  return W * kViscosity * sliding().U * kWidth * kWidth / (h_0 * h_0);
+  return W * kViscosity * kSpeed * kWidth * kWidth / (h_0 * h_0);
 }
 
 TEST(Methods, EveryOneFindsTheFilmOfTheInclinedSlider) {
   const SmoothFilm slider = inclined_slider(128);
-  const FilmState previous = first_guess(slider.problem, sliding());
+  const FilmState previous = first_guess(slider.problem, sliding(slider));
   for (const Method method : {Method::kCoupledNewton, Method::kPointRelaxation, Method::kNestedSecant}) {
     MethodWorkspace workspace = workspace_of(method, slider.problem);
     FilmState state = previous;
     state.h_m *= 1.5;
     state.p.assign(state.p.size(), 0.0);
-    const FilmReport report = solve_film(slider.problem, sliding(), previous, state, workspace);
+    const FilmReport report = solve_film(slider.problem, sliding(slider), previous, state, workspace);
     ASSERT_TRUE(report.converged);
     EXPECT_EQ(report.failure, Failure::kNone);
     // Second order: a few times the square of a cell. Seen 7 times.
-    EXPECT_NEAR(closed_form_load(state.h_m) / sliding().load, 1, 10.0 / (128 * 128));
+    EXPECT_NEAR(closed_form_load(state.h_m) / kLoad, 1, 10.0 / (128 * 128));
   }
 }
 
 TEST(Methods, ARelaxationThatDoesNotConvergeSaysSoInBoundedTime) {
   const SmoothFilm slider = inclined_slider(64);
-  const FilmState previous = first_guess(slider.problem, sliding());
+  const FilmState previous = first_guess(slider.problem, sliding(slider));
   FilmState state = previous;
   state.h_m *= 1.5;
   RelaxationWorkspace crawling({0.001});
-  const FilmReport report = solve_by_point_relaxation(slider.problem, sliding(), previous, state, crawling);
+  const FilmReport report = solve_by_point_relaxation(slider.problem, sliding(slider), previous, state, crawling);
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.failure, Failure::kNotConverged);
   EXPECT_LE(report.sweeps, 1000 + 100 * 64);
@@ -62,12 +64,12 @@ TEST(Methods, ARelaxationThatDoesNotConvergeSaysSoInBoundedTime) {
 // Scratch memory carries nothing from one solve to the next: the same film, to the last bit, whatever came before.
 TEST(Methods, AUsedWorkspaceGivesTheSameBits) {
   const SmoothFilm slider = inclined_slider(64);
-  const FilmState previous = first_guess(slider.problem, sliding());
+  const FilmState previous = first_guess(slider.problem, sliding(slider));
   for (const Method method : {Method::kCoupledNewton, Method::kPointRelaxation, Method::kNestedSecant}) {
     const auto solved = [&](MethodWorkspace& workspace) {
       FilmState state = previous;
       state.h_m *= 1.5;
-      EXPECT_TRUE(solve_film(slider.problem, sliding(), previous, state, workspace).converged);
+      EXPECT_TRUE(solve_film(slider.problem, sliding(slider), previous, state, workspace).converged);
       return state;
     };
     MethodWorkspace fresh = workspace_of(method, slider.problem);
@@ -80,12 +82,12 @@ TEST(Methods, AUsedWorkspaceGivesTheSameBits) {
 
 TEST(Methods, TheChosenFactorIsCloseToTheBest) {
   const SmoothFilm slider = inclined_slider(64);
-  const FilmState previous = first_guess(slider.problem, sliding());
+  const FilmState previous = first_guess(slider.problem, sliding(slider));
   const auto sweeps = [&](RelaxationFactor factor) {
     RelaxationWorkspace workspace(factor);
     FilmState state = previous;
     state.h_m *= 1.5;
-    const FilmReport report = solve_by_point_relaxation(slider.problem, sliding(), previous, state, workspace);
+    const FilmReport report = solve_by_point_relaxation(slider.problem, sliding(slider), previous, state, workspace);
     EXPECT_TRUE(report.converged);
     return report.sweeps;
   };

@@ -15,7 +15,7 @@ TEST(FilmSolver, NotANumberIsNeverASolution) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   SmoothFilm film(
       50, b, [](double x) { return 8e-6 * std::pow(x / b - 0.4, 2); }, 0.005, Cavitation::kMassConserving);
-  FilmInputs sound;
+  FilmInputs sound = film.inputs();
   sound.U = 6;
   sound.left.pressure = sound.right.pressure = sound.p_cavitation = 1e5;
   sound.load = 9e5 * b;

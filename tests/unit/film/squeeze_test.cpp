@@ -23,7 +23,7 @@ struct Oscillation {
 Oscillation oscillating_squeeze(int n_cells, int n_steps) {
   SmoothFilm film(
       n_cells, 1.0, [](double) { return 0.0; }, 1.0 / 6.0, Cavitation::kMassConserving);
-  FilmInputs in;
+  FilmInputs in = film.inputs();
   in.left.pressure = in.right.pressure = 0.025;
   in.load = 0.025;
   in.time_step = 1.0 / n_steps;
@@ -68,7 +68,7 @@ TEST(Reynolds, SqueezedPlatesCarryTheClosedFormPressure) {
   for (const auto cavitation : {Cavitation::kReynoldsExit, Cavitation::kMassConserving}) {
     SmoothFilm film(
         100, b, [](double) { return 0.0; }, eta, cavitation);
-    FilmInputs in;
+    FilmInputs in = film.inputs();
     in.time_step = dt;
     in.load = eta * V * b * b * b / (h * h * h);
     FilmState previous = first_guess(film.problem, in);

@@ -7,6 +7,7 @@
 
 #include "ringfilm/base/shared.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
+#include "ringfilm/models/wall_temperature.hpp"
 
 /// The input of one engine cycle, or of a pad, as one plain value: SI units, complete, checked. Angles alone are in
 /// degrees (suffix `_deg`; of the crank 0 = firing TDC), because that is the grid on which everything is asked for and
@@ -22,19 +23,19 @@ struct TemperatureValue {
   double value = 0;        ///< [SI unit of the quantity]
 };
 
+/// A temperature of the liner.
+struct LinerTemperature {
+  double distance = 0;     ///< of the ring from its TDC position when it is there [m]
+  double temperature = 0;  ///< [K]
+};
+
 /// A quantity sampled over crank angle, as its file gives it (any range within one cycle, any spacing, increasing).
 struct SampledTrace {
   std::vector<double> crank_angle_deg;  ///< [degree], zero as its file has it
   std::vector<double> value;            ///< [SI]
 };
 
-/// Viscosity and density of an oil of one's own on a rectangular grid; index [i_temperature * n_pressure + i_pressure].
-struct OilTable {
-  std::vector<double> temperature;  ///< [K], increasing
-  std::vector<double> pressure;     ///< [Pa] absolute, increasing
-  std::vector<double> viscosity;    ///< [Pa s]
-  std::vector<double> density;      ///< [kg/m3]
-};
+using OilTable = models::OilTable;  ///< viscosity and density of an oil of one's own
 
 /// An engine cycle, or a pad: a pad where any key of `pad` is stated.
 enum class Problem {
@@ -200,7 +201,18 @@ struct Engine {
 /// The keys under `operating`.
 struct Operating {
   double speed = 0;            ///< omega, of the crankshaft [rad/s]
-  double oil_temperature = 0;  ///< of the film, one value for the whole stroke [K]
+  double oil_temperature = 0;  ///< of the film, one value for the whole stroke; not used with [thermal] [K]
+};
+
+using FilmTemperature = models::FilmTemperature;  ///< `thermal.film`
+
+/// The keys under `thermal`, in place of one oil temperature.
+struct Thermal {
+  std::optional<double> ring;                            ///< of the face of the ring [K]
+  std::vector<LinerTemperature> liner;                   ///< by distance, increasing; one point: the same everywhere
+  FilmTemperature film = FilmTemperature::kMeanOfWalls;  ///< whose temperature the oil film has
+
+  bool is_stated() const { return ring || !liner.empty(); }  ///< of a case: else one oil temperature
 };
 
 /// The keys under `gas`, with the traces that they name.
@@ -235,6 +247,15 @@ struct Gas {
   std::optional<std::string> crankcase_pressure_file;         ///< CSV like that of the cylinder, as named
   std::optional<base::Shared<SampledTrace>> crankcase_trace;  ///< [Pa] as that file gives it
   double pressure_behind_ring = 1.0;  ///< share of the absolute gas pressure that acts behind the ring [-]
+};
+
+/// A gas pressure next to a ring that is not that of the cylinder or of the crankcase: one value, or a trace.
+struct LandPressure {
+  std::optional<double> constant;                   ///< absolute [Pa]
+  std::optional<std::string> file;                  ///< CSV like that of the cylinder, as named
+  std::optional<base::Shared<SampledTrace>> trace;  ///< [Pa] as that file gives it
+
+  bool is_stated() const { return constant || file; }
 };
 
 /// Where a face came from; recorded, and not used by any model.
@@ -276,6 +297,7 @@ struct Coating {
 
 /// The keys under `ring`.
 struct Ring {
+  std::string name;               ///< for people; empty: its number
   double face_width = 0;          ///< b, along the cylinder's axis [m]
   double youngs_modulus = 203e9;  ///< E_1 [Pa]
   double poissons_ratio = 0.3;    ///< nu_1 [-]
@@ -284,6 +306,8 @@ struct Ring {
   std::optional<double> tangential_force;  ///< F_t = p_e b B/2, that closes the ring at its gap [N]
   std::optional<double> free_gap;          ///< of the free ring less that of the closed one [m]
   std::optional<double> radial_thickness;  ///< of the ring, t; goes with free_gap [m]
+  LandPressure pressure_above;             ///< of the land above; not stated: that of the cylinder
+  LandPressure pressure_below;             ///< of the land below; not stated: that of the crankcase
   // film.dimension = "unrolled"
   std::optional<double> end_gap;  ///< between the ends of the ring in the bore; absent: a closed ring [m]
   double gap_position_deg = 0;    ///< of the gap's middle around the bore [degree]
@@ -443,6 +467,7 @@ struct Case {
   std::string title;                  ///< for people; names pages and figures
   Engine engine;                      ///< bore and crank
   Operating operating;                ///< speed and oil temperature
+  Thermal thermal;                    ///< temperatures of ring and liner, if the film has them
   Gas gas;                            ///< pressure above, below and behind the ring
   Ring ring;                          ///< size, tension, face, coating, gap
   Liner liner;                        ///< what the bore is made of
@@ -452,7 +477,11 @@ struct Case {
   Solver solver;                      ///< grid, steps, tolerances
   Output output;                      ///< what is kept of the integration
   Pad pad;                            ///< of Problem::kPad alone
+  /// Of a ring pack ([[ring]]) the case of each ring, from the chamber to the crankcase, complete and without rings of
+  /// its own; `ring` and `contact` of the pack itself are those of the first. Empty: a case of one ring.
+  std::vector<Case> rings;
 
+  bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
   /// Around the bore; of an unrolled film without the gap [m].

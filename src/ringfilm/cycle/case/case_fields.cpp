@@ -50,9 +50,11 @@ std::vector<Field> all_fields() {
       field("operating.speed", NumberKind{member<&Case::operating, &Operating::speed>}, {"rad/s", "rpm"},
             above(0, 2094.39510239320), Need::kRequired, {}, {"speed of the crankshaft, omega", "\"1500 rpm\""}),
       field("operating.oil_temperature", NumberKind{member<&Case::operating, &Operating::oil_temperature>},
-            {"K", "degC"}, strictly_between(models::kColdestOil, models::kHottestOil), Need::kRequired, {},
+            {"K", "degC"}, strictly_between(models::kColdestOil, models::kHottestOil), Need::kRequired,
+            {[](const Case& c) { return !c.thermal.is_stated(); }, "no thermal.ring or thermal.liner is stated"},
             {"temperature of the oil film, T; one value for the whole stroke", "\"120 degC\""}),
   };
+  append_thermal_fields(fields);
   append_gas_fields(fields);
   append_ring_fields(fields);
   append_contact_fields(fields);
@@ -78,6 +80,26 @@ const Field* find_field(const std::string& key) {
   return nullptr;
 }
 
+std::optional<RingKey> ring_key(const std::string& key) {
+  const std::string section = "ring.";
+  if (key.rfind(section, 0) != 0) return std::nullopt;
+  std::size_t at = section.size(), ring = 0;
+  for (; at < key.size() && key[at] >= '0' && key[at] <= '9' && at < section.size() + 3; ++at) {
+    ring = 10 * ring + static_cast<std::size_t>(key[at] - '0');
+  }
+  if (at == section.size() || at + 1 >= key.size() || key[at] != '.' || ring == 0) return std::nullopt;
+  const std::string rest = key.substr(at + 1);
+  return RingKey{ring, rest.rfind("contact.", 0) == 0 ? rest : section + rest};
+}
+
+std::string pack_key(std::size_t ring, const std::string& key) {
+  if (!is_of_ring(key)) return key;
+  const std::string rest = key.rfind("ring.", 0) == 0 ? key.substr(5) : key;
+  return "ring." + std::to_string(ring) + "." + rest;
+}
+
+bool is_of_ring(const std::string& key) { return key.rfind("ring.", 0) == 0 || key.rfind("contact.", 0) == 0; }
+
 bool belongs(const Field& field, const Case& c) { return !field.problem || *field.problem == c.problem; }
 
 bool is_active(const Field& field, const Case& c) {
@@ -85,7 +107,7 @@ bool is_active(const Field& field, const Case& c) {
 }
 
 bool is_for_record(const Field& field) {
-  static const std::set<std::string> alone = {"title", "lubricant.name", "gas.trace_origin"};
+  static const std::set<std::string> alone = {"title", "lubricant.name", "gas.trace_origin", "ring.name"};
   return alone.contains(field.key) || field.key.rfind("output.", 0) == 0 ||
          field.key.find(".measured.") != std::string::npos;
 }

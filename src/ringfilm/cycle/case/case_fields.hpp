@@ -51,6 +51,10 @@ struct NumberOrFileKind {
   NumberRef number;
   OptionalTextRef file;
 };
+/// The same, absent by default (`ring.pressure_below`).
+struct OptionalNumberOrFileKind {
+  LandPressure& (*ref)(Case&);
+};
 /// A unit written as text, kept as its size in SI (`ring.face.length_unit = "mm"` is 1e-3).
 struct UnitNameKind {
   NumberRef ref;
@@ -68,14 +72,19 @@ struct ConstantOrTemperatureValuesKind {
   OptionalNumberRef constant;
   std::vector<TemperatureValue>& (*ref)(Case&);
 };
+/// One temperature, or an array of [distance, temperature] (`thermal.liner`).
+struct DistanceTemperaturesKind {
+  std::vector<LinerTemperature>& (*ref)(Case&);
+};
 /// `output.crank_angles`: a step or a list of angles.
 struct AnglesKind {};
 /// `output.fields`: "none", "all" or a list of angles.
 struct FieldAnglesKind {};
 
 using Kind = std::variant<NumberKind, OptionalNumberKind, CountKind, ChoiceKind, TextKind, OptionalTextKind, FileKind,
-                          OptionalFileKind, NumberOrFileKind, UnitNameKind, NumberListKind, TemperatureValuesKind,
-                          ConstantOrTemperatureValuesKind, AnglesKind, FieldAnglesKind>;
+                          OptionalFileKind, NumberOrFileKind, OptionalNumberOrFileKind, UnitNameKind, NumberListKind,
+                          TemperatureValuesKind, ConstantOrTemperatureValuesKind, DistanceTemperaturesKind, AnglesKind,
+                          FieldAnglesKind>;
 
 /// Must the user state it, is there a default in case.hpp, or may it be absent altogether?
 enum class Need {
@@ -109,6 +118,18 @@ struct Field {
 
 /// All keys, in the order of a case file.
 const std::vector<Field>& case_fields();
+
+/// A key of one ring of a pack, `ring.2.face_width` or `ring.2.contact.roughness`.
+struct RingKey {
+  std::size_t ring;  ///< from 1, the one next to the chamber
+  std::string key;   ///< that of a case of one ring, "ring.face_width" or "contact.roughness"
+};
+/// Nothing for a key of another form.
+std::optional<RingKey> ring_key(const std::string& key);
+/// The key of a pack for a key of the case of its ring; of the others as it is.
+std::string pack_key(std::size_t ring, const std::string& key);
+/// Does the key belong to a ring of its own, and not to the engine?
+bool is_of_ring(const std::string& key);
 
 /// The field of that key, nullptr if there is none.
 const Field* find_field(const std::string& key);

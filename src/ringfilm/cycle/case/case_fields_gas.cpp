@@ -12,8 +12,11 @@ bool partial_trace(const Case& c) {
 constexpr When kTrace{[](const Case& c) { return c.gas.model == GasModel::kTrace; }, "gas.model = \"trace\""};
 constexpr When kWiebe{[](const Case& c) { return c.gas.model == GasModel::kWiebe; }, "gas.model = \"wiebe\""};
 constexpr When kAnyTrace{
-    [](const Case& c) { return c.gas.model == GasModel::kTrace || c.gas.crankcase_pressure_file.has_value(); },
-    "gas.model = \"trace\" or gas.crankcase_pressure is a trace"};
+    [](const Case& c) {
+      return c.gas.model == GasModel::kTrace || c.gas.crankcase_pressure_file || c.ring.pressure_above.file ||
+             c.ring.pressure_below.file;
+    },
+    "gas.model = \"trace\", or gas.crankcase_pressure, ring.pressure_above or ring.pressure_below is a trace"};
 constexpr When kWiebeOrPartial{[](const Case& c) { return c.gas.model == GasModel::kWiebe || partial_trace(c); },
                                "gas.model = \"wiebe\" or a trace over a part of the cycle"};
 

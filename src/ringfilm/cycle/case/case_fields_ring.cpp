@@ -31,6 +31,8 @@ void append_ring_fields(std::vector<Field>& fields) {
   fields.insert(
       fields.end(),
       {
+          field("ring.name", TextKind{member<&Case::ring, &Ring::name>}, kNoUnit, {}, Need::kDefault, {},
+                {"what the ring is called, for people", "\"top compression ring\""}),
           field("ring.face_width", NumberKind{member<&Case::ring, &Ring::face_width>}, kLength, above(0, 0.05),
                 Need::kRequired, {}, {"axial width of the ring face, b", "\"1.2 mm\""}),
           field("ring.youngs_modulus", NumberKind{member<&Case::ring, &Ring::youngs_modulus>}, kModulus,
@@ -53,6 +55,16 @@ void append_ring_fields(std::vector<Field>& fields) {
           field("ring.radial_thickness", OptionalNumberKind{member<&Case::ring, &Ring::radial_thickness>}, kLength,
                 above(0, 0.2), Need::kOptional, {},
                 {"radial thickness of the ring, t; with ring.free_gap one of the three ways", "\"3.5 mm\""}),
+          field("ring.pressure_above", OptionalNumberOrFileKind{member<&Case::ring, &Ring::pressure_above>},
+                {"Pa", "bar"}, above(0, 1e8), Need::kOptional, {},
+                {"gas pressure above the ring, absolute, or a CSV file like that of the cylinder; if omitted, that of "
+                 "the cylinder, in a pack that below the ring above",
+                 "\"land_2.csv\""}),
+          field("ring.pressure_below", OptionalNumberOrFileKind{member<&Case::ring, &Ring::pressure_below>},
+                {"Pa", "bar"}, above(0, 1e8), Need::kOptional, {},
+                {"gas pressure below the ring, absolute, or a CSV file like that of the cylinder; if omitted, that of "
+                 "the crankcase",
+                 "\"1.4 bar\""}),
           field("ring.end_gap", OptionalNumberKind{member<&Case::ring, &Ring::end_gap>}, kLength, above(0, 1),
                 Need::kOptional, kUnrolled,
                 {"gap between the ends of the ring in the bore, g; if left out, the ring is closed", "\"0.3 mm\""}),

@@ -59,6 +59,7 @@ inline Field field(std::string key, Kind kind, Unit unit, std::optional<Range> r
           when.holds,     when.words,      text.help, text.example, std::nullopt};
 }
 
+void append_thermal_fields(std::vector<Field>& fields);
 void append_gas_fields(std::vector<Field>& fields);
 void append_ring_fields(std::vector<Field>& fields);
 void append_contact_fields(std::vector<Field>& fields);

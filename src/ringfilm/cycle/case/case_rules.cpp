@@ -63,6 +63,31 @@ void check_engine(const Case& c, Breaches& breaches) {
                       "the crank could not turn; check engine.stroke and engine.connecting_rod_length"});
 }
 
+void check_thermal(const Thermal& thermal, Breaches& breaches) {
+  if (!thermal.is_stated()) return;
+  const std::string film = find_field("thermal.film")->key;
+  const bool takes_ring = thermal.film != FilmTemperature::kLiner;
+  const bool takes_liner = thermal.film != FilmTemperature::kRing;
+  const std::string both = thermal.film == FilmTemperature::kMeanOfWalls ? "the mean of ring and liner" : "that wall's";
+  if (takes_ring && !thermal.ring) {
+    breaches.push_back({"thermal.ring", "the film has " + both + " temperature, and thermal.ring is not stated",
+                        "state it, for example ring = \"190 degC\" in [thermal], or " + film + " = \"liner\""});
+  }
+  if (takes_liner && thermal.liner.empty()) {
+    breaches.push_back({"thermal.liner", "the film has " + both + " temperature, and thermal.liner is not stated",
+                        "state it, for example liner = \"150 degC\" in [thermal], or " + film + " = \"ring\""});
+  }
+  for (std::size_t i = 0; i < thermal.liner.size(); ++i) {
+    const double distance = thermal.liner[i].distance;
+    if (distance >= 0 && (i == 0 || distance > thermal.liner[i - 1].distance)) continue;
+    breaches.push_back({"thermal.liner",
+                        "thermal.liner has the distance " + number_text(distance * 1e3) + " mm " +
+                            (distance < 0 ? "above the TDC position of the ring"
+                                          : "after " + number_text(thermal.liner[i - 1].distance * 1e3) + " mm"),
+                        "distances count downwards from the TDC position of the ring and increase"});
+  }
+}
+
 void check_wiebe(const Gas& gas, Breaches& breaches) {
   if (gas.peak_angle_deg >= gas.exhaust_valve_opening_deg) {
     breaches.push_back({"gas.exhaust_valve_opening", "the exhaust valve opens before the peak of the pressure",
@@ -140,9 +165,9 @@ void check_trace(const Case& c, Breaches& breaches) {
                       "they belong to one engine: check both, the unit of the trace and gas.pressure_reference"});
 }
 
-void check_crankcase(const Gas& gas, Breaches& breaches) {
-  if (!gas.crankcase_trace || models::covers_cycle((*gas.crankcase_trace)->crank_angle_deg)) return;
-  breaches.push_back({"gas.crankcase_pressure", "the crankcase trace covers only a part of the cycle",
+void check_whole_cycle(const char* key, const std::optional<base::Shared<SampledTrace>>& trace, Breaches& breaches) {
+  if (!trace || models::covers_cycle((*trace)->crank_angle_deg)) return;
+  breaches.push_back({key, std::string("the trace of ") + key + " covers only a part of the cycle",
                       "give samples over the whole cycle, none more than " +
                           number_text(models::kLargestSampleDistanceDeg) + " degrees apart, or one pressure"});
 }
@@ -282,12 +307,15 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   Breaches breaches;
   check_cavitation_pressure(c.film, breaches);
   check_engine(c, breaches);
+  check_thermal(c.thermal, breaches);
   if (c.gas.model == GasModel::kWiebe) {
     check_wiebe(c.gas, breaches);
   } else {
     check_trace(c, breaches);
   }
-  check_crankcase(c.gas, breaches);
+  check_whole_cycle("gas.crankcase_pressure", c.gas.crankcase_trace, breaches);
+  check_whole_cycle("ring.pressure_above", c.ring.pressure_above.trace, breaches);
+  check_whole_cycle("ring.pressure_below", c.ring.pressure_below.trace, breaches);
   check_tension(c, breaches);
   if (c.ring.face.form == FaceForm::kPoints) check_face_points(c.ring, breaches);
   check_measured_width(c.ring, breaches);

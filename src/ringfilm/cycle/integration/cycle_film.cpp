@@ -16,8 +16,7 @@ film::FilmProblem film_across(const Setup& setup) {
   const auto& input = setup.input;
   film::FilmProblem problem;
   problem.grid = face_grid(setup);
-  problem.oil = setup.oil.get();
-  problem.contact = &setup.contact;
+  problem.contact = &setup.ring.contact;
   problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving
                                                                             : film::Cavitation::kReynoldsExit;
   problem.contact_spread =
@@ -53,7 +52,8 @@ film::Method film_method(Method method) {
 film::FilmGrid face_grid(const Setup& setup) {
   const Solver& solver = setup.input.solver;
   const Ring& ring = setup.input.ring;
-  const models::RingFace face = ring.face.orientation == Orientation::kX0Crankcase ? setup.face.turned() : setup.face;
+  const models::RingFace face =
+      ring.face.orientation == Orientation::kX0Crankcase ? setup.ring.face.turned() : setup.ring.face;
   const double lowest = face.minimum().height;  // so that h_m is the true minimum film
   const auto height = [&](double x) { return face.height(x) - lowest; };
   if (setup.cells == CellsOfFace::kUniform) return film::uniform_grid(solver.cells, ring.face_width, height);

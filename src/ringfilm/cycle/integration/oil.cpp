@@ -59,9 +59,17 @@ models::OilLaws oil_laws(const Lubricant& oil, double temperature) {
   return laws;
 }
 
-std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaws& laws, double temperature) {
+std::shared_ptr<const models::OilAtTemperature> oil_at_temperature(const Lubricant& lubricant, double temperature) {
+  if (lubricant.table_file) return models::tabulated_oil(*lubricant.table, temperature);
+  return models::closed_form_oil(oil_laws(lubricant, temperature), temperature);
+}
+
+std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaws& laws,
+                                      const models::WallTemperatures::Range& range) {
   std::vector<Note> notes;
-  if (oil.density_temperature == DensityTemperature::kTable && laws.density.extrapolates(temperature)) {
+  const bool of_density = laws.density.extrapolates(range.low) || laws.density.extrapolates(range.high);
+  if (oil.density_temperature == DensityTemperature::kTable && of_density) {
+    const double temperature = laws.density.extrapolates(range.low) ? range.low : range.high;
     const auto [low, high] = std::minmax_element(laws.density.temperature.begin(), laws.density.temperature.end());
     notes.push_back({"density-extrapolated",
                      "oil density is asked for at " + celsius(temperature) + ", outside its measured points (" +
@@ -70,7 +78,8 @@ std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaw
   }
   const auto& measured = laws.viscosity_temperature;
   const auto [low, high] = std::minmax_element(measured.begin(), measured.end());
-  if (temperature < *low || temperature > *high) {
+  if (range.low < *low || range.high > *high) {
+    const double temperature = range.low < *low ? range.low : range.high;
     notes.push_back({"viscosity-extrapolated",
                      "oil viscosity is asked for at " + celsius(temperature) + ", outside its measured points (" +
                          celsius(*low) + " to " + celsius(*high) + "): the temperature law is continued",
@@ -106,40 +115,54 @@ double range_of_fits(double largest_mean_pressure) {
 
 }  // namespace
 
-PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature) {
+PreparedOil prepared_oil(const Lubricant& lubricant, std::optional<models::WallTemperatures> walls,
+                         const OilConditions& conditions) {
+  const double T = walls ? walls->film(0.5 * conditions.stroke) : conditions.temperature;
+  const auto range = walls ? walls->film_range() : models::WallTemperatures::Range{T, T};
+  auto oil = std::make_shared<models::OilOverTemperature>(
+      [lubricant](double at) { return oil_at_temperature(lubricant, at); }, range.low, range.high);
   if (lubricant.table_file) {
-    const OilTable& t = *lubricant.table;
-    auto oil = models::tabulated_oil({t.temperature, t.pressure, t.viscosity, t.density}, temperature);
-    return {oil, oil->viscosity(base::kAtmosphere), oil->density(base::kAtmosphere), {}};
+    oil_at_temperature(lubricant, range.low);  // refused where the table does not reach
+    oil_at_temperature(lubricant, range.high);
+    const auto at = oil->at(T);
+    return {
+        {std::move(walls), oil, T, at->viscosity(base::kAtmosphere), at->density(base::kAtmosphere)}, oil, range, {}};
   }
-  const models::OilLaws laws = oil_laws(lubricant, temperature);
-  const models::OilState at = models::oil_state(laws, temperature);
-  return {models::closed_form_oil(laws, temperature), at.eta_T, at.rho_T,
-          extrapolation_notes(lubricant, laws, temperature)};
+  const models::OilLaws laws = oil_laws(lubricant, T);
+  const models::OilState at = models::oil_state(laws, T);
+  return {{std::move(walls), oil, T, at.eta_T, at.rho_T}, oil, range, extrapolation_notes(lubricant, laws, range)};
 }
 
-void append_viscosity_notes(const PreparedOil& oil, double temperature, std::vector<Note>& notes) {
-  const double highest = kOtherOils * viscosity_of_grade(kThickest, temperature, oil.density);
-  const double lowest = viscosity_of_grade(kThinnest, temperature, oil.density) / kOtherOils;
-  if (oil.viscosity >= lowest && oil.viscosity <= highest) return;
-  const bool high = oil.viscosity > highest;
-  char text[256];
-  std::snprintf(text, sizeof text, "the oil has %.4g mPa s at %s, %s %.3g mPa s, %s %s at this temperature: %s",
-                oil.viscosity * 1e3, celsius(temperature).c_str(), high ? "above" : "below",
-                (high ? highest : lowest) * 1e3, high ? "5 times that of" : "a fifth of that of",
-                high ? kThickest.name : kThinnest.name, "is the unit of its viscosity right?");
-  notes.push_back({high ? "viscosity-high" : "viscosity-low", text, 1});
+void append_viscosity_notes(const PreparedOil& oil, std::vector<Note>& notes) {
+  for (const double T : {oil.temperature.low, oil.temperature.high}) {
+    const bool is_stated = T == oil.setup.temperature;
+    const auto at = oil.range->at(T);
+    const double viscosity = is_stated ? oil.setup.viscosity : at->viscosity(base::kAtmosphere);
+    const double density = is_stated ? oil.setup.density : at->density(base::kAtmosphere);
+    const double highest = kOtherOils * viscosity_of_grade(kThickest, T, density);
+    const double lowest = viscosity_of_grade(kThinnest, T, density) / kOtherOils;
+    if (viscosity >= lowest && viscosity <= highest) continue;
+    const bool high = viscosity > highest;
+    char text[256];
+    std::snprintf(text, sizeof text, "the oil has %.4g mPa s at %s, %s %.3g mPa s, %s %s at this temperature: %s",
+                  viscosity * 1e3, celsius(T).c_str(), high ? "above" : "below", (high ? highest : lowest) * 1e3,
+                  high ? "5 times that of" : "a fifth of that of", high ? kThickest.name : kThinnest.name,
+                  "is the unit of its viscosity right?");
+    notes.push_back({high ? "viscosity-high" : "viscosity-low", text, 1});
+    return;
+  }
 }
 
-PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAtTemperature> law,
+PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAtTemperature> law, double temperature,
                     double largest_mean_pressure) {
   if (!law) throw InputError("an own oil has no law", "give one, for example models::oil_of_functions");
   models::check_oil(*law, 0, range_of_fits(largest_mean_pressure));
   const double viscosity = law->viscosity(base::kAtmosphere), density = law->density(base::kAtmosphere);
   const std::string called = name.empty() ? "an oil without a name" : "\"" + name + "\"";
-  return {std::move(law),
-          viscosity,
-          density,
+  auto oil = std::make_shared<models::OilOverTemperature>(std::move(law));
+  return {{std::nullopt, oil, temperature, viscosity, density},
+          oil,
+          {temperature, temperature},
           {{"own-oil",
             "density and viscosity follow a law of the caller's own, " + called +
                 ": the keys under lubricant in the case were not used, and the case alone does not give this result",
@@ -148,15 +171,12 @@ PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAt
 
 void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
   const double high = range_of_fits(largest_mean_pressure);
-  for (const double range : {high, high / 2}) {
-    oil.oil = models::fitted_oil(oil.oil, 0, range);
-    if (oil.oil->fit()) return;
-  }
-  char wanted[32];
-  std::snprintf(wanted, sizeof wanted, "%.0e", models::kFitError);
+  if (oil.range->fit(high) || oil.range->fit(high / 2)) return;
+  char allowed[32];
+  std::snprintf(allowed, sizeof allowed, "%.0e", models::kFitError);
   oil.notes.push_back(
       {"properties-exact",
-       "no polynomials follow the oil's laws within a relative " + std::string(wanted) +
+       "no polynomials follow the oil's laws within a relative " + std::string(allowed) +
            ", as solver.properties = \"fitted\" requires: the laws themselves are used, which takes longer",
        1});
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 
@@ -15,21 +16,28 @@ inline bool is_oil_density(double density) { return density > 100 && density < 5
 inline constexpr const char* kAllowedOilDensity = "allowed is above 100 to below 5000 kg/m3";
 
 struct PreparedOil {
-  std::shared_ptr<const models::OilAtTemperature> oil;
-  double viscosity;         ///< at 1 atm [Pa s]
-  double density;           ///< at 1 atm [kg/m3]
-  std::vector<Note> notes;  ///< extrapolations, in a reader's units
+  OilSetup setup;                                     ///< without fits until fit_properties
+  std::shared_ptr<models::OilOverTemperature> range;  ///< that of `setup`
+  models::WallTemperatures::Range temperature;        ///< of the film over the stroke [K]
+  std::vector<Note> notes;                            ///< extrapolations, in a reader's units
 };
 
-/// The oil of a case at one temperature [K], by the laws that the case names.
-PreparedOil oil_at_temperature(const Lubricant& lubricant, double temperature);
+/// What decides on the temperature of a film without walls, and where in the stroke one with walls is looked at.
+struct OilConditions {
+  double temperature;  ///< operating.oil_temperature [K]
+  double stroke;       ///< [m]
+};
 
-/// Notes on a viscosity far from those of engine oils at this temperature [K]; docs/theory/oil.md.
-void append_viscosity_notes(const PreparedOil& oil, double temperature, std::vector<Note>& notes);
+/// The oil of a case at the temperatures of its film, by the laws that the case names.
+PreparedOil prepared_oil(const Lubricant& lubricant, std::optional<models::WallTemperatures> walls,
+                         const OilConditions& conditions);
+
+/// Notes on a viscosity far from those of engine oils at the film's temperatures; docs/theory/oil.md.
+void append_viscosity_notes(const PreparedOil& oil, std::vector<Note>& notes);
 
 /// An oil that the caller brings, with the note that says so. Throws InputError without a law, or where it has no value
-/// up to the pressures that its fits are to reach (see fit_properties).
-PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAtTemperature> law,
+/// up to the pressures that its fits are to reach (see fit_properties). @param temperature [K]
+PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAtTemperature> law, double temperature,
                     double largest_mean_pressure);
 
 /// Gives the oil its polynomials for the inner loop, from zero to four times the largest mean pressure on the face [Pa]

@@ -52,10 +52,10 @@ void Recorder::keep(const TimeIntegration& integration, const Instant& instant, 
   film::Film2dIntegrals of_film2d;
   film::FilmIntegrals& integrals = of_film2d.mean;
   if (unrolled_) {
-    of_film2d =
-        film::film2d_integrals(*integration.film2d(), film2d_inputs(instant.inputs), *instant.previous, *instant.state);
+    of_film2d = film::film2d_integrals(*integration.film2d(), film2d_inputs(instant.at.inputs), *instant.previous,
+                                       *instant.state);
   } else {
-    integrals = film::film_integrals(integration.problem(), instant.inputs, *instant.previous, *instant.state);
+    integrals = film::film_integrals(integration.problem(), instant.at.inputs, *instant.previous, *instant.state);
   }
   slot = sample(setup_, integration, instant, integrals);
   if (unrolled_) unrolled_->keep(integration, instant, of_film2d, slot);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/film/cavitation.hpp"
 
 namespace ringfilm::cycle {
@@ -38,25 +39,25 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
               const film::FilmIntegrals& integrals) {
   const double length = setup.input.ring_length();
   const double angle = instant.crank_angle_deg;
-  const film::FilmInputs& in = instant.inputs;
-  const FromChamber f = from_chamber(integrals, instant.axis, integration.problem().grid.width);
+  const film::FilmInputs& in = instant.at.inputs;
+  const FromChamber f = from_chamber(integrals, instant.at.axis, integration.problem().grid.width);
   const Motion sense = motion(angle);
   const double sign = sense == Motion::kTowardsTdc ? 1 : -1;
   const double mean_pressure = in.mean_pressure(integration.problem().grid);
 
   Sample s;
   s.crank_angle_deg = angle;
-  s.piston_position = setup.crank.position(radians(angle));
-  const bool from_chamber_edge = instant.axis == Axis::kFromChamber;
+  s.piston_position = setup.engine.crank.position(radians(angle));
+  const bool from_chamber_edge = instant.at.axis == Axis::kFromChamber;
   s.piston_velocity = from_chamber_edge ? in.U : -in.U;
-  s.sliding_distance = sliding_distance(setup.crank, angle, s.piston_position);
+  s.sliding_distance = sliding_distance(setup.engine.crank, angle, s.piston_position);
   s.gas_pressure = from_chamber_edge ? in.left.pressure : in.right.pressure;
   s.crankcase_pressure = from_chamber_edge ? in.right.pressure : in.left.pressure;
   s.applied_load = in.load * length;
   s.hydrodynamic_load = integrals.hydrodynamic_load * length;
   s.asperity_load = integrals.asperity_load * length;
   s.min_film_thickness = instant.state->h_m;
-  s.lambda_ratio = instant.state->h_m / setup.sigma;
+  s.lambda_ratio = instant.state->h_m / setup.ring.sigma;
   s.asperity_contact_area = integrals.asperity_area * length;
   s.boundary_friction =
       boundary_friction(setup.input.contact, integrals.asperity_load, integrals.asperity_area) * length;
@@ -72,7 +73,10 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.oil_flow_middle = f.flow_middle * length;
   s.oil_flow_chamber_edge = f.flow_chamber * length;
   s.oil_flow_crankcase_edge = f.flow_crankcase * length;
-  s.stribeck_number = setup.oil_viscosity * speed / (mean_pressure * setup.sigma);
+  const OilSetup& oil = setup.ring.oil;
+  const double eta = oil.walls ? in.oil->viscosity(base::kAtmosphere) : oil.viscosity;
+  s.stribeck_number = eta * speed / (mean_pressure * setup.ring.sigma);
+  s.film_temperature = instant.at.film_temperature;
   s.peak_film_pressure = integrals.peak_pressure;
   s.cavitated_fraction = integrals.cavitated_fraction;
   s.rupture_position = sense == Motion::kTowardsTdc ? f.cavity_begin : f.cavity_end;
@@ -90,7 +94,7 @@ FaceFields empty_fields(const Setup& setup, const TimeIntegration& integration) 
   fields.x = grid.x;
   fields.face_height = grid.node_height;
   if (setup.input.ring.face.height_zero == HeightZero::kAsGiven) {
-    for (double& height : fields.face_height) height += setup.face.minimum().height;
+    for (double& height : fields.face_height) height += setup.ring.face.minimum().height;
   }
   return fields;
 }
@@ -102,15 +106,15 @@ void append_fields(const Setup& setup, const TimeIntegration& integration, const
   const int strip = integration.film2d() == nullptr ? 0 : integration.film2d()->around.halfway();
   fields.crank_angle_deg.push_back(instant.crank_angle_deg);
   for (int k = 0; k <= n; ++k) {
-    const int i = instant.axis == Axis::kFromChamber ? k : n - k;
+    const int i = instant.at.axis == Axis::kFromChamber ? k : n - k;
     const double h = state.h_m + problem.grid.node_height[i];
     const bool local = problem.contact_spread == film::ContactSpread::kLocal;
     fields.film_thickness.push_back(h);
     const std::size_t at = static_cast<std::size_t>(strip) * (n + 1) + i;
     fields.film_pressure.push_back(state.p[at]);
     fields.film_content.push_back(film::film_content(problem.cavitation, state.deficit[at]));
-    fields.lambda_ratio.push_back(h / setup.sigma);
-    fields.asperity_pressure.push_back(setup.contact.contact(local ? h : state.h_m).pressure);
+    fields.lambda_ratio.push_back(h / setup.ring.sigma);
+    fields.asperity_pressure.push_back(setup.ring.contact.contact(local ? h : state.h_m).pressure);
   }
 }
 

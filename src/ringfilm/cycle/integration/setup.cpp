@@ -111,29 +111,43 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
                    1});
 }
 
-Setup with_oil(const Case& c, PreparedOil oil, models::CyclePressure cylinder) {
+std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal) {
+  if (!thermal.is_stated()) return std::nullopt;
+  std::vector<double> distance, liner;
+  for (const LinerTemperature& point : thermal.liner) {
+    distance.push_back(point.distance);
+    liner.push_back(point.temperature);
+  }
+  return models::WallTemperatures(thermal.film, thermal.ring, std::move(distance), std::move(liner));
+}
+
+models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
+  return land.trace ? absolute_trace(c, **land.trace) : models::CyclePressure(land.constant.value());
+}
+
+LandPressures land_pressures(const Case& c) {
+  const auto crankcase = [&] {
+    return c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
+                                 : models::CyclePressure(c.gas.crankcase_pressure);
+  };
+  const LandPressure &above = c.ring.pressure_above, &below = c.ring.pressure_below;
+  return {above.is_stated() ? land_pressure(c, above) : cylinder_pressure(c),
+          below.is_stated() ? land_pressure(c, below) : crankcase()};
+}
+
+Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
   append_end_cell_note(c, oil.notes);
-  append_gas_notes(c, cylinder, oil.notes);
-  append_viscosity_notes(oil, c.operating.oil_temperature, oil.notes);
+  if (!c.ring.pressure_above.is_stated()) append_gas_notes(c, lands.above, oil.notes);
+  append_viscosity_notes(oil, oil.notes);
   append_contact_notes(c, roughness(c), oil.notes);
   const double p_e = elastic_pressure(c);
   append_tension_note(p_e, oil.notes);
-  if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, cylinder));
+  if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, lands.above));
   sort_notes(oil.notes);
-  models::CyclePressure crankcase = c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
-                                                          : models::CyclePressure(c.gas.crankcase_pressure);
   return {c,
-          crank_slider(c),
-          std::move(cylinder),
-          std::move(crankcase),
-          ring_face(c),
-          p_e,
-          composite_modulus(c),
-          roughness(c),
-          asperity_contact(c),
-          std::move(oil.oil),
-          oil.viscosity,
-          oil.density,
+          {crank_slider(c), c.operating.speed},
+          {ring_face(c), p_e, composite_modulus(c), roughness(c), asperity_contact(c), std::move(lands),
+           std::move(oil.setup)},
           std::move(oil.notes)};
 }
 
@@ -155,14 +169,19 @@ double elastic_pressure(const Case& c) {
 }
 
 Setup prepare(const Case& c) {
-  PreparedOil oil = oil_at_temperature(c.lubricant, c.operating.oil_temperature);
-  return with_oil(c, std::move(oil), cylinder_pressure(c));
+  PreparedOil oil =
+      prepared_oil(c.lubricant, wall_temperatures(c.thermal), {c.operating.oil_temperature, c.engine.stroke});
+  return with_oil(c, std::move(oil), land_pressures(c));
 }
 
 Setup prepare(const Case& c, const OwnOil& oil) {
-  models::CyclePressure cylinder = cylinder_pressure(c);
-  PreparedOil prepared = own_oil(oil.name, oil.law, largest_mean_pressure(c, cylinder));
-  return with_oil(c, std::move(prepared), std::move(cylinder));
+  if (c.thermal.is_stated()) {
+    throw InputError("an own oil is known at one temperature, and the case has those of ring and liner ([thermal])",
+                     "state operating.oil_temperature in place of [thermal]");
+  }
+  LandPressures lands = land_pressures(c);
+  PreparedOil prepared = own_oil(oil.name, oil.law, c.operating.oil_temperature, largest_mean_pressure(c, lands.above));
+  return with_oil(c, std::move(prepared), std::move(lands));
 }
 
 }  // namespace ringfilm::cycle

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,9 @@
 #include "ringfilm/models/asperity_contact.hpp"
 #include "ringfilm/models/crank_slider.hpp"
 #include "ringfilm/models/gas/gas.hpp"
-#include "ringfilm/models/oil/lubricant.hpp"
+#include "ringfilm/models/oil/oil_over_temperature.hpp"
 #include "ringfilm/models/ring.hpp"
+#include "ringfilm/models/wall_temperature.hpp"
 
 namespace ringfilm::cycle {
 
@@ -20,21 +22,48 @@ enum class CellsOfFace {
   kGraded    ///< the same, and many more near the lowest places of the face: film::graded_grid
 };
 
-/// A case made ready to integrate: models built, trace joined, grid laid. Immutable; may be used from several threads.
+/// What all rings of an engine have in common.
+struct EngineSetup {
+  models::CrankSlider crank;  ///< moves piston and rings
+  double speed;               ///< of the crankshaft [rad/s]
+};
+
+/// Gas pressures at the edges of a ring's face, absolute, 0 = firing TDC.
+struct LandPressures {
+  models::CyclePressure above;  ///< of the top ring that of the cylinder [Pa]
+  models::CyclePressure below;  ///< of the last ring that of the crankcase [Pa]
+};
+
+/// The oil of a ring's film, at the temperatures that it has along the stroke.
+struct OilSetup {
+  std::optional<models::WallTemperatures> walls;            ///< nothing: one temperature, `temperature`
+  std::shared_ptr<const models::OilOverTemperature> range;  ///< with fits where solver.properties asks for them
+  double temperature;                                       ///< of the film; with walls in the middle of the stroke [K]
+  double viscosity;                                         ///< at `temperature` and no pressure [Pa s]
+  double density;                                           ///< likewise [kg/m3]
+
+  /// Of the film at a distance [m] of the ring below its TDC position [K].
+  double film_temperature(double distance) const { return walls ? walls->film(distance) : temperature; }
+};
+
+/// One ring and what it meets.
+struct RingSetup {
+  models::RingFace face;           ///< as given, before turning and before its minimum is subtracted
+  double elastic_pressure;         ///< p_e [Pa]
+  double E_prime;                  ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
+  double sigma;                    ///< composite roughness as the contact model uses it [m]
+  models::GreenwoodTripp contact;  ///< asperity contact of the pair
+  LandPressures lands;             ///< gas above and below
+  OilSetup oil;                    ///< that of its film
+};
+
+/// A case of one ring, set up for time integration: models built, traces joined. Immutable; may be used from several
+/// threads.
 struct Setup {
-  Case input;                                ///< the case that was prepared, as given
-  models::CrankSlider crank;                 ///< moves piston and ring
-  models::CyclePressure cylinder_pressure;   ///< absolute [Pa], 0 = firing TDC
-  models::CyclePressure crankcase_pressure;  ///< absolute [Pa]
-  models::RingFace face;                     ///< as given, before turning and before its minimum is taken off
-  double elastic_pressure;                   ///< p_e [Pa]
-  double E_prime;                            ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
-  double sigma;                              ///< composite roughness as the contact model uses it [m]
-  models::GreenwoodTripp contact;            ///< asperity contact of the pair
-  std::shared_ptr<const models::OilAtTemperature> oil;  ///< with fit() where solver.properties asks for it
-  double oil_viscosity;                                 ///< at the oil temperature, no pressure [Pa s]
-  double oil_density;                                   ///< likewise [kg/m3]
-  std::vector<Note> notes;                              ///< what was found out on the way (extrapolated density, ...)
+  Case input;               ///< the case as given
+  EngineSetup engine;       ///< crank and speed
+  RingSetup ring;           ///< the ring with its contact, gas and oil
+  std::vector<Note> notes;  ///< what was found out on the way (extrapolated density, ...)
 
   const film::FilmKernels* kernels = &film::kernels();  ///< the inner loops that are to find the films
   CellsOfFace cells = CellsOfFace::kUniform;            ///< graded where uniform ones found no film
@@ -57,7 +86,7 @@ struct OwnOil {
 };
 
 /// The same with an oil of the caller's own; lubricant.* of the case is not looked at, and a note in the result says
-/// so. Throws InputError also where the law has no value (check_oil).
+/// so. Throws InputError also where the law has no value (check_oil), and for a case with [thermal].
 Setup prepare(const Case& c, const OwnOil& oil);
 
 }  // namespace ringfilm::cycle

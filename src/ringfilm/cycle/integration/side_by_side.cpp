@@ -28,8 +28,10 @@ struct LaneKind {
   friend auto operator<=>(const LaneKind&, const LaneKind&) = default;
 };
 
-LaneKind kind_of(const film::FilmProblem& problem) {
-  return {std::bit_ceil(static_cast<unsigned>(problem.grid.n_cells())), problem.kernels, film::best_laws(problem),
+LaneKind kind_of(const TimeIntegration& integration) {
+  const film::FilmProblem& problem = integration.problem();
+  return {std::bit_ceil(static_cast<unsigned>(problem.grid.n_cells())), problem.kernels,
+          film::best_laws(integration.instant().at.inputs),
           problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFilmContent
                                                                   : film::LaneCavity::kMultiplier,
           problem.bounds};
@@ -39,7 +41,9 @@ LaneKind kind_of(const film::FilmProblem& problem) {
 class Block {
  public:
   explicit Block(const LaneKind& kind)
-      : newton_(*kind.kernels, kind.kernels->width, static_cast<int>(kind.cells)), integrations_(kind.kernels->width) {}
+      : newton_(*kind.kernels, kind.kernels->width, static_cast<int>(kind.cells)),
+        laws_(kind.laws),
+        integrations_(kind.kernels->width) {}
 
   bool has_room() const { return n_busy_ < newton_.width(); }
   bool is_empty() const { return n_busy_ == 0; }
@@ -87,7 +91,7 @@ class Block {
       return newton_.continue_from_last_step(lane, integration.proposed(), integration.state(),
                                              integration.guessed_h_m());
     newton_.start(lane, integration.proposed(), integration.state(), integration.state(), integration.guessed_h_m(),
-                  film::Unknowns::kFilmAndSeparation, film::best_laws(integration.problem()));
+                  film::Unknowns::kFilmAndSeparation, laws_);
   }
 
   /// The candidate as the lane leaves it, or found one by one where a lane is not enough.
@@ -98,18 +102,17 @@ class Block {
   Found find(int lane, LaneEffort& effort) {
     TimeIntegration& integration = integrations_[lane]->integration();
     const film::FilmProblem& problem = integration.problem();
-    const film::LaneLaws laws = film::best_laws(problem);
+    const film::FilmInputs& inputs = integration.proposed();
     film::FilmReport report;
     report.iterations = newton_.iterations(lane);
     report.last_step = newton_.last_step(lane);
     if (newton_.phase(lane) == film::LaneNewton::Phase::kSolved) {
       const double peak = newton_.peak_pressure(lane);
-      const bool holds = laws == film::LaneLaws::kGiven
-                             ? !film::is_glass(*problem.oil, integration.proposed().p_cavitation, peak)
-                             : peak <= problem.oil->fit()->high;
+      const bool holds = laws_ == film::LaneLaws::kGiven ? !film::is_glass(*inputs.oil, inputs.p_cavitation, peak)
+                                                         : peak <= inputs.oil->fit()->high;
       if (holds) {
         newton_.read(lane, integration.candidate());
-        film::complete_state(problem, laws, integration.candidate());
+        film::complete_state(problem, inputs, laws_, integration.candidate());
         report.converged = true;
         report.failure = film::Failure::kNone;
         return {report, Film::kInLane};
@@ -122,6 +125,7 @@ class Block {
   }
 
   film::LaneNewton newton_;
+  film::LaneLaws laws_;  ///< of all lanes
   std::vector<Owned> integrations_;
   int n_busy_ = 0;
 };
@@ -148,12 +152,11 @@ LaneEffort integrate_side_by_side(const std::function<Owned()>& next, const std:
     more = integration != nullptr;
     if (!more) return;
     if (integration->done()) return finished(std::move(integration));
-    const film::FilmProblem& problem = integration->integration().problem();
     if (!integration->integration().fits_a_lane()) {
       integrate_alone(*integration, pulse);
       return finished(std::move(integration));
     }
-    const LaneKind kind = kind_of(problem);
+    const LaneKind kind = kind_of(integration->integration());
     Block& block = blocks.try_emplace(kind, kind).first->second;
     if (block.has_room() && waiting[kind].empty()) return block.take(std::move(integration));
     waiting[kind].push_back(std::move(integration));

@@ -73,28 +73,9 @@ NoBalance no_balance(const Setup& setup, const film::FilmProblem& problem, const
 
 TimeIntegration::TimeIntegration(const Setup& setup) : setup_(setup), film_(setup) {}
 
-TimeIntegration::Boundary TimeIntegration::boundary(double crank_angle_deg, double time_step) const {
-  const double angle = wrapped(crank_angle_deg);
-  const double p_ic = setup_.cylinder_pressure.pressure(angle);
-  const double p_cc = setup_.crankcase_pressure.pressure(angle);
-  const double U = setup_.crank.velocity(radians(angle), setup_.input.operating.speed);
-  const bool turned =
-      setup_.input.ring.face.orientation == Orientation::kLeadingEdge && motion(angle) == Motion::kTowardsCrankcase;
-
-  Boundary b;
-  b.axis = turned ? Axis::kFromCrankcase : Axis::kFromChamber;
-  b.inputs.U = turned ? -U : U;
-  b.inputs.left.pressure = turned ? p_cc : p_ic;
-  b.inputs.right.pressure = turned ? p_ic : p_cc;
-  b.inputs.p_cavitation = std::min({setup_.input.film.cavitation_pressure, p_ic, p_cc});
-  b.inputs.load = (setup_.elastic_pressure + setup_.input.gas.pressure_behind_ring * p_ic) * problem().grid.width;
-  b.inputs.time_step = time_step;
-  return b;
-}
-
 void TimeIntegration::count(const film::FilmReport& report) {
   totals_.newton_iterations += report.iterations;
-  totals_.exact_law_solves += report.converged && report.exact_laws && problem().oil->fit() != nullptr;
+  totals_.exact_law_solves += report.converged && report.exact_laws && setup_.ring.oil.range->has_fit();
   effort_.newton_iterations += report.iterations;
   totals_.relaxation_sweeps += report.sweeps;
   if (report.converged && report.route == film::Route::kSecant) {
@@ -142,12 +123,12 @@ void TimeIntegration::start(int k) {
   time_step_before_ = 0;
   level_ = 0;
   tick_ = kTicks;
-  const Boundary at = boundary(angle_deg_, film::kSteady);
+  const RingConditions at = ring_conditions(setup_, angle_deg_, film::kSteady);
   const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
   count(report);
   if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
   axis_ = at.axis;
-  instant_ = {wrapped(angle_deg_), at.axis, at.inputs, &before_, &state_, effort_};
+  instant_ = {wrapped(angle_deg_), at, &before_, &state_, effort_};
 }
 
 void TimeIntegration::propose() {
@@ -159,8 +140,8 @@ void TimeIntegration::propose() {
   const double base_deg = setup_.input.solver.crank_step_deg;
   const int ticks = kTicks >> level_;
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
-  step_.time_step = radians(base_deg * ticks / kTicks) / setup_.input.operating.speed;
-  step_.at = boundary(step_.to_deg, step_.time_step);
+  step_.time_step = radians(base_deg * ticks / kTicks) / setup_.engine.speed;
+  step_.at = ring_conditions(setup_, step_.to_deg, step_.time_step);
   step_.state_was_turned = step_.at.axis != axis_;
   if (step_.state_was_turned) {
     turn(state_);
@@ -206,7 +187,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   totals_.uncontrolled_steps +=
       adaptive() && error > std::max(1.0, kUncontrolledError / setup_.input.solver.step_error);
   totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
-  instant_ = {wrapped(angle_deg_), step_.at.axis, step_.at.inputs, &before_, &state_, effort_};
+  instant_ = {wrapped(angle_deg_), step_.at, &before_, &state_, effort_};
   waypoints.after_step(*this);
   if (adaptive() && level_ > 0 && error < kCoarsenBelow && tick_ % (2 * ticks) == 0) --level_;
   if (tick_ == kTicks) {
@@ -224,13 +205,13 @@ void TimeIntegration::advance(StepObserver& waypoints) {
 
 Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) {
   film::FilmReport report;
-  Boundary at;
+  RingConditions at;
   for (int parts = 1; parts <= kTicks && !report.converged; parts *= 4) {
     const double part_deg = (crank_angle_deg - angle_deg_) / parts;
     to = state_;
     Axis axis = axis_;
     for (int part = 1; part <= parts; ++part) {
-      at = boundary(angle_deg_ + part * part_deg, radians(part_deg) / setup_.input.operating.speed);
+      at = ring_conditions(setup_, angle_deg_ + part * part_deg, radians(part_deg) / setup_.engine.speed);
       if (at.axis != axis) turn(to);
       axis = at.axis;
       side_before_ = to;
@@ -239,11 +220,11 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
     }
   }
   if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, crank_angle_deg);
-  return {wrapped(crank_angle_deg), at.axis, at.inputs, &side_before_, &to, {1, report.iterations, 0}};
+  return {wrapped(crank_angle_deg), at, &side_before_, &to, {1, report.iterations, 0}};
 }
 
 double TimeIntegration::distance(const film::FilmState& other) const {
-  const double scale = instant_.inputs.mean_pressure(problem().grid);
+  const double scale = instant_.at.inputs.mean_pressure(problem().grid);
   double largest = std::abs(std::log(state_.h_m / other.h_m));
   for (std::size_t i = 0; i < state_.p.size(); ++i) {
     largest = std::max(largest, std::abs(state_.p[i] - other.p[i]) / scale);

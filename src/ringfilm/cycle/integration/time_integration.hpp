@@ -4,15 +4,10 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 
 namespace ringfilm::cycle {
-
-/// Which way the film's own x points.
-enum class Axis {
-  kFromChamber,   ///< x = 0 at the chamber edge
-  kFromCrankcase  ///< x = 0 at the crankcase edge (only with orientation = "leading-edge", moving down)
-};
 
 /// What was spent since the last base angle.
 struct StepEffort {
@@ -24,8 +19,7 @@ struct StepEffort {
 /// A solved film at one crank angle with all that led to it.
 struct Instant {
   double crank_angle_deg = 0;  ///< in [0, 720)
-  Axis axis = Axis::kFromChamber;
-  film::FilmInputs inputs;
+  RingConditions at;           ///< what acts on the ring there
   const film::FilmState* previous = nullptr;
   const film::FilmState* state = nullptr;
   StepEffort effort;
@@ -123,11 +117,6 @@ class TimeIntegration {
   const Totals& totals() const { return totals_; }
 
  private:
-  struct Boundary {
-    film::FilmInputs inputs;
-    Axis axis;
-  };
-  Boundary boundary(double crank_angle_deg, double time_step) const;
   bool adaptive() const { return setup_.input.solver.crank_step_control == StepControl::kAdaptive; }
   double time_error(const film::FilmState& to, double time_step) const;
   void turn(film::FilmState& state) const;
@@ -144,7 +133,7 @@ class TimeIntegration {
   int tick_ = kTicksPerBaseStep;    ///< of the base step, done
   struct {
     double to_deg = 0, time_step = 0, h_m = 0;
-    Boundary at;
+    RingConditions at;
     bool state_was_turned = false;
   } step_;  ///< proposed
   Instant instant_;

@@ -37,7 +37,7 @@ UnrolledSample unrolled_sample(const Setup& setup, const TimeIntegration& integr
   s.gap_leakage_low_end = integrals.flow_low;
   s.gap_leakage_high_end = integrals.flow_high;
   s.gap_leakage = integrals.flow_low + integrals.flow_high;
-  s.oil_flow_without_ends = flow_from_chamber(strip.flow_middle, instant.axis) * length;
+  s.oil_flow_without_ends = flow_from_chamber(strip.flow_middle, instant.at.axis) * length;
   s.load_without_ends = (strip.hydrodynamic_load + strip.asperity_load) * length;
   s.ends_share_load = share_of_ends(whole.hydrodynamic_load + whole.asperity_load, s.load_without_ends);
   // One separation: spots of contact cover as much of each strip.
@@ -97,7 +97,7 @@ void UnrolledRecorder::keep_fields(const TimeIntegration& integration, const Ins
       keep(kept.strip_peak_film_pressure, strip.peak_pressure);
       keep(kept.strip_cavitated_fraction, strip.cavitated_fraction);
       keep(kept.strip_min_film_thickness, strip.min_film_thickness);
-      keep(kept.strip_oil_flow_middle, flow_from_chamber(strip.flow_middle, instant.axis));
+      keep(kept.strip_oil_flow_middle, flow_from_chamber(strip.flow_middle, instant.at.axis));
     }
     fields_[instant.crank_angle_deg] = std::move(kept);
     return;
@@ -108,12 +108,12 @@ void UnrolledRecorder::keep_fields(const TimeIntegration& integration, const Ins
   const int n = problem.n_across();
   for (int j = 0; j < problem.around.n_strips(); ++j) {
     for (int k = 0; k < n; ++k) {
-      const std::size_t at = static_cast<std::size_t>(j) * n + (instant.axis == Axis::kFromChamber ? k : n - 1 - k);
+      const std::size_t at = static_cast<std::size_t>(j) * n + (instant.at.axis == Axis::kFromChamber ? k : n - 1 - k);
       const double h = state.h_m + problem.gap.node[at];
       keep(kept.film_thickness, h);
       keep(kept.film_pressure, state.p[at]);
       keep(kept.film_content, film::film_content(problem.strip.cavitation, state.deficit[at]));
-      keep(kept.asperity_pressure, setup_.contact.contact(local ? h : state.h_m).pressure);
+      keep(kept.asperity_pressure, setup_.ring.contact.contact(local ? h : state.h_m).pressure);
     }
   }
   fields_[instant.crank_angle_deg] = std::move(kept);

@@ -38,13 +38,13 @@ class FilmSolve {
 
   /// With the fits, and where they do not reach with the laws.
   bool solve(Unknowns unknowns, FilmReport& report) {
-    const LaneLaws laws = best_laws(problem_);
+    const LaneLaws laws = best_laws(inputs_);
     bool solved = solve(unknowns, laws, report);
-    if (solved && laws == LaneLaws::kFitted && newton_.peak_pressure(0) > problem_.oil->fit()->high) {
+    if (solved && laws == LaneLaws::kFitted && newton_.peak_pressure(0) > inputs_.oil->fit()->high) {
       report.exact_laws = true;
       solved = solve(unknowns, LaneLaws::kGiven, report);
     }
-    if (solved) complete_state(problem_, report.exact_laws ? LaneLaws::kGiven : laws, state_);
+    if (solved) complete_state(problem_, inputs_, report.exact_laws ? LaneLaws::kGiven : laws, state_);
     return solved;
   }
 
@@ -57,10 +57,10 @@ class FilmSolve {
       Sought sought(*this, guess, patience, report);
       report.failure = Failure::kNotConverged;
       found = search_separation(sought, guess.h_m, limits, report);
-      if (!found) explain_failure(*problem_.oil, inputs_.p_cavitation, sought.solved(), patience, report);
+      if (!found) explain_failure(*inputs_.oil, inputs_.p_cavitation, sought.solved(), patience, report);
       if (found || report.failure != Failure::kNotConverged) break;
     }
-    if (found) complete_state(problem_, LaneLaws::kGiven, state_);
+    if (found) complete_state(problem_, inputs_, LaneLaws::kGiven, state_);
     return found;
   }
 
@@ -103,7 +103,7 @@ FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, cons
   const FilmState guess = state;
   FilmSolve film(problem, inputs, previous, state, workspace);
   const bool found = film.solve(Unknowns::kFilmAndSeparation, report) || film.solve_by_search(guess, report);
-  if (found) accept(*problem.oil, inputs.p_cavitation, state, report);
+  if (found) accept(*inputs.oil, inputs.p_cavitation, state, report);
   return report;
 }
 

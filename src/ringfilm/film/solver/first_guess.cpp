@@ -16,7 +16,7 @@ constexpr double kCoarseTolerance = 1e-4;  // of films that are only started fro
 FilmState coarse_guess(const FilmProblem& problem, const FilmInputs& inputs) {
   const int n = problem.grid.n_cells();
   const double p_mean = inputs.mean_pressure(problem.grid);
-  const double eta = problem.oil->viscosity(std::max(inputs.left.pressure, inputs.right.pressure));
+  const double eta = inputs.oil->viscosity(std::max(inputs.left.pressure, inputs.right.pressure));
   FilmState state;
   const double rough = problem.contact == nullptr ? 0.0 : 2 * problem.contact->parameters().sigma;
   state.h_m = std::max(rough, std::sqrt(kSliderLoad * eta * std::abs(inputs.U) * problem.grid.width / p_mean));

@@ -22,8 +22,8 @@ bool at_rest(const FilmInputs& inputs) { return inputs.U == 0 && inputs.time_ste
 
 }  // namespace
 
-LaneLaws best_laws(const FilmProblem& problem) {
-  return problem.oil->fit() != nullptr ? LaneLaws::kFitted : LaneLaws::kGiven;
+LaneLaws best_laws(const FilmInputs& inputs) {
+  return inputs.oil->fit() != nullptr ? LaneLaws::kFitted : LaneLaws::kGiven;
 }
 
 LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
@@ -90,14 +90,25 @@ void LaneNewton::bind(int lane, const FilmProblem& problem) {
   }
   block_.contact_reach[lane] = kNowhere;
   block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
-  const models::OilFit* oil = problem.oil->fit();
-  if (oil == nullptr) return;
-  block_.fit_centre[lane] = oil->centre;
-  block_.fit_inverse_half_width[lane] = 1 / oil->half_width;
-  for (int k = 0; k < kFluidityTerms; ++k) block_.fit_K[k][lane] = oil->K[k];
-  for (int k = 0; k < kFluiditySlopeTerms; ++k) block_.fit_dK[k][lane] = oil->dK_dp[k];
-  for (int k = 0; k < kDensityTerms; ++k) block_.fit_rho[k][lane] = oil->rho[k];
-  for (int k = 0; k < kDensitySlopeTerms; ++k) block_.fit_drho[k][lane] = oil->drho_dp[k];
+  set_contact(lane);
+}
+
+void LaneNewton::set_oil(int lane, const FilmInputs& inputs) {
+  Lane& at = lanes_[lane];
+  if (at.oil == inputs.oil) return;
+  at.oil = inputs.oil;
+  const models::OilFit* fit = at.oil->fit();
+  if (fit == nullptr) return;
+  block_.fit_centre[lane] = fit->centre;
+  block_.fit_inverse_half_width[lane] = 1 / fit->half_width;
+  for (int k = 0; k < kFluidityTerms; ++k) block_.fit_K[k][lane] = fit->K[k];
+  for (int k = 0; k < kFluiditySlopeTerms; ++k) block_.fit_dK[k][lane] = fit->dK_dp[k];
+  for (int k = 0; k < kDensityTerms; ++k) block_.fit_rho[k][lane] = fit->rho[k];
+  for (int k = 0; k < kDensitySlopeTerms; ++k) block_.fit_drho[k][lane] = fit->drho_dp[k];
+}
+
+void LaneNewton::set_contact(int lane) {
+  const FilmProblem& problem = *lanes_[lane].problem;
   if (problem.contact == nullptr || problem.contact->fit() == nullptr) return;
   const models::GreenwoodTripp& contact = *problem.contact;
   const double reach = models::ContactFit::kEnd * contact.parameters().sigma;
@@ -141,7 +152,9 @@ void LaneNewton::continue_from_last_step(int lane, const FilmInputs& inputs, con
   const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane] && block_.bounds == Bounds::kOne;
   const Unknowns unknowns = Unknowns::kFilmAndSeparation;
   if (!same_zero) return start(lane, inputs, previous, previous, h_m, unknowns, block_.laws);
-  set_step(lane, inputs, previous, h_m, unknowns, block_.laws, Inflow::kOfTheLane);
+  // The kernel works out what is left of the step before with the fit of this one.
+  const Inflow inflow_is = inputs.oil == lanes_[lane].oil ? Inflow::kOfTheLane : Inflow::kOfTheState;
+  set_step(lane, inputs, previous, h_m, unknowns, block_.laws, inflow_is);
   set_edges(lane);
 }
 
@@ -163,7 +176,8 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   block_.cavity = problem.cavitation == Cavitation::kMassConserving && !at_rest(inputs) ? LaneCavity::kFilmContent
                                                                                         : LaneCavity::kMultiplier;
   at.inputs = &inputs;
-  at.phase = Phase::kRunning;
+  set_oil(lane, inputs);
+  at.phase = laws == LaneLaws::kFitted && at.oil->fit() == nullptr ? Phase::kFailed : Phase::kRunning;
   at.iterations = 0;
   at.last_step = 0;
   at.most_iterations = unknowns == Unknowns::kFilmAndSeparation
@@ -184,7 +198,7 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
   block_.movable[lane] = unknowns == Unknowns::kFilmAndSeparation ? 1 : 0;
   if (block_.cavity == LaneCavity::kMultiplier) {
-    block_.cavity_K[lane] = problem.oil->density(inputs.p_cavitation) / problem.oil->viscosity(inputs.p_cavitation);
+    block_.cavity_K[lane] = at.oil->density(inputs.p_cavitation) / at.oil->viscosity(inputs.p_cavitation);
   }
   set_bounds(lane, inputs);
   block_.goes_on[lane] = inflow_is == Inflow::kOfTheLane && inputs.source.empty() ? 1 : 0;
@@ -216,7 +230,7 @@ void LaneNewton::evaluate_properties(int lane) {
     block_.contact_load[lane] = asperity_load(problem, block_.h_m[lane], &block_.contact_slope[lane]);
   }
   if (block_.laws == LaneLaws::kFitted) return;
-  if (lanes_[lane].iterations > 0 && runs_away(*problem.oil, block_.p_cavitation[lane], peak_pressure(lane))) {
+  if (lanes_[lane].iterations > 0 && runs_away(*lanes_[lane].oil, block_.p_cavitation[lane], peak_pressure(lane))) {
     lanes_[lane].phase = Phase::kFailed;
     return;
   }
@@ -225,7 +239,7 @@ void LaneNewton::evaluate_properties(int lane) {
     const int node = static_cast<int>(i);
     p_[i] = block_.p_cavitation[lane] + nodal(block_.bound, node, lane) + std::max(nodal(block_.z, node, lane), 0.0);
   }
-  oil_.update(*problem.oil, p_);
+  oil_.update(*lanes_[lane].oil, p_);
   for (int i = 0; i <= lanes_[lane].n_cells; ++i) {
     nodal(block_.rho, i, lane) = oil_.rho[i];
     nodal(block_.drho_dp, i, lane) = oil_.drho_dp[i];

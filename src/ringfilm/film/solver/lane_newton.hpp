@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "ringfilm/film/film_state.hpp"
@@ -8,8 +9,8 @@
 
 namespace ringfilm::film {
 
-/// The fits if the oil has them.
-LaneLaws best_laws(const FilmProblem& problem);
+/// The fits if the oil of the step has them.
+LaneLaws best_laws(const FilmInputs& inputs);
 
 enum class Unknowns { kFilmAndSeparation, kFilmAlone };
 
@@ -37,7 +38,8 @@ class LaneNewton {
   void clear(int lane);
 
   /// A new solve in a bound lane, from `guess`; of `previous` only the `mass_per_area` enters; `inputs` must outlive
-  /// the solve. All running lanes must have the same laws and the same way of closing a cavity.
+  /// the solve. All running lanes must have the same laws and the same way of closing a cavity. A solve with fits fails
+  /// at once if the oil of the step has none.
   /// @param h_m where to start from, instead of the guess's [m]; @param laws kGiven: oil and contact as they are, not
   /// their fits
   void start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess, double h_m,
@@ -48,7 +50,7 @@ class LaneNewton {
   void limit_search_effort(int lane);
 
   /// A new solve from what the last one in this lane left, which must be the film of `previous`; film and h_m are
-  /// sought, with the laws of the last solve.
+  /// sought, with the laws of the last solve. The oil may be another one.
   void continue_from_last_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m);
 
   /// One iteration of all running lanes.
@@ -71,6 +73,7 @@ class LaneNewton {
   struct Lane {
     const FilmProblem* problem = nullptr;
     const FilmInputs* inputs = nullptr;
+    std::shared_ptr<const models::OilAtTemperature> oil;  ///< of the last step, whose fit the lane holds
     Phase phase = Phase::kIdle;
     int n_cells = 0;
     int iterations = 0, most_iterations = 0;
@@ -84,6 +87,8 @@ class LaneNewton {
   void set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
                 LaneLaws laws, Inflow inflow_is);
   void set_edges(int lane);
+  void set_oil(int lane, const FilmInputs& inputs);
+  void set_contact(int lane);
   void set_bounds(int lane, const FilmInputs& inputs);
   void fit_block();
   void evaluate_properties(int lane);

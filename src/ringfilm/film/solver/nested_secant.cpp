@@ -25,7 +25,7 @@ class NestedSecant {
         previous_(previous),
         state_(state),
         newton_(workspace.newton_),
-        laws_(best_laws(problem)) {
+        laws_(best_laws(inputs)) {
     newton_.bind(0, problem);
   }
 
@@ -39,14 +39,14 @@ class NestedSecant {
       here.excess = (hydrodynamic_load(problem_, state_) + asperity_load(problem_, state_.h_m)) / inputs_.load - 1;
       if (!std::isfinite(here.excess)) return false;
       if (std::abs(here.excess) <= problem_.tolerance) {
-        if (laws_ == LaneLaws::kFitted && newton_.peak_pressure(0) > problem_.oil->fit()->high) {
+        if (laws_ == LaneLaws::kFitted && newton_.peak_pressure(0) > inputs_.oil->fit()->high) {
           laws_ = LaneLaws::kGiven;
           report.exact_laws = true;
           before.reset();
           opposite.reset();
           continue;
         }
-        complete_state(problem_, laws_, state_);
+        complete_state(problem_, inputs_, laws_, state_);
         return true;
       }
       if (before && before->excess * here.excess < 0) {

@@ -126,7 +126,7 @@ bool PointRelaxation::relax(double enough, double hidden, FilmReport& report) {
   const int n = problem_.grid.n_cells();
   for (; report.sweeps < kFewSweeps + kSweepsPerCell * n; ++report.sweeps) {
     const double highest = *std::max_element(state_.p.begin(), state_.p.end());
-    if (runs_away(*problem_.oil, inputs_.p_cavitation, highest)) return false;
+    if (runs_away(*inputs_.oil, inputs_.p_cavitation, highest)) return false;
     linearise();
     if (report.sweeps % std::max(n / 4, 16) == 0) choose_factor();
     report.last_step = sweep();
@@ -175,7 +175,7 @@ double PointRelaxation::jacobi_radius() const {
 void PointRelaxation::linearise() {
   const FilmGrid& grid = problem_.grid;
   const int n = grid.n_cells();
-  work_.oil_.update(*problem_.oil, state_.p);
+  work_.oil_.update(*inputs_.oil, state_.p);
   const NodalOil& oil = work_.oil_;
   const auto& p = state_.p;
   for (int i = 0; i < n; ++i) {
@@ -278,7 +278,7 @@ void PointRelaxation::finish() {
       state_.deficit[i] = std::max(gained, 0.0) / (work_.multiplier_[i] * scale_);
     }
   }
-  complete_state(problem_, LaneLaws::kGiven, state_);
+  complete_state(problem_, inputs_, LaneLaws::kGiven, state_);
 }
 
 FilmReport solve_by_point_relaxation(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,

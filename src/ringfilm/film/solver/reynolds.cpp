@@ -74,20 +74,20 @@ struct OilHere {
   double rho, K;
 };
 
-OilHere oil_at(const FilmProblem& problem, const FilmState& state, int i) {
+OilHere oil_at(const models::OilAtTemperature& oil, const FilmState& state, int i) {
   const double p = state.p[i];
   if (state.laws == LaneLaws::kFitted) {
-    const auto fitted = problem.oil->fit()->at(p);
+    const auto fitted = oil.fit()->at(p);
     return {fitted.rho, fitted.K};
   }
-  const double rho = problem.oil->density(p);
-  return {rho, rho / problem.oil->viscosity(p)};
+  const double rho = oil.density(p);
+  return {rho, rho / oil.viscosity(p)};
 }
 
 }  // namespace
 
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i) {
-  const OilHere left = oil_at(problem, state, i), right = oil_at(problem, state, i + 1);
+  const OilHere left = oil_at(*inputs.oil, state, i), right = oil_at(*inputs.oil, state, i + 1);
   const double rho[] = {left.rho, right.rho}, K[] = {left.K, right.K};
   return flux_through(film_view(problem, state), inputs.U, rho, K, i);
 }
@@ -102,16 +102,16 @@ void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const
   }
 }
 
-void complete_state(const FilmProblem& problem, LaneLaws laws, FilmState& state) {
+void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLaws laws, FilmState& state) {
   const std::size_t n_nodes = state.p.size();
   state.mass_per_area.resize(n_nodes);
   state.laws = laws;
   if (laws == LaneLaws::kFitted) {
-    problem.kernels->mass_per_area(film_view(problem, state), fitted_oil_view(problem), state.mass_per_area.data());
+    problem.kernels->mass_per_area(film_view(problem, state), fitted_oil_view(*inputs.oil), state.mass_per_area.data());
     return;
   }
   for (std::size_t i = 0; i < n_nodes; ++i) {
-    state.mass_per_area[i] = problem.oil->density(state.p[i]) * film_content(problem.cavitation, state.deficit[i]) *
+    state.mass_per_area[i] = inputs.oil->density(state.p[i]) * film_content(problem.cavitation, state.deficit[i]) *
                              (state.h_m + problem.grid.node_height[i]);
   }
 }
@@ -130,8 +130,8 @@ FilmView film_view(const FilmProblem& problem, const FilmState& state) {
           problem.cavitation == Cavitation::kMassConserving ? 1.0 : 0.0};
 }
 
-FittedOilView fitted_oil_view(const FilmProblem& problem) {
-  const models::OilFit& fit = *problem.oil->fit();
+FittedOilView fitted_oil_view(const models::OilAtTemperature& oil) {
+  const models::OilFit& fit = *oil.fit();
   return {fit.K.data(), fit.rho.data(), fit.centre, 1 / fit.half_width};
 }
 

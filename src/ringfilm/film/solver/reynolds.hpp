@@ -38,13 +38,13 @@ double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const Fil
 void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const NodalOil& oil,
                        std::vector<double>& multiplier);
 
-/// rho theta h at every node of a state whose pressure, film content and h_m are solved.
+/// rho theta h at every node of a state whose pressure, film content and h_m are solved with `inputs`.
 /// @param laws kFitted: by the fits that the oil must have
-void complete_state(const FilmProblem& problem, LaneLaws laws, FilmState& state);
+void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLaws laws, FilmState& state);
 
 /// The state as the kernels see it.
 FilmView film_view(const FilmProblem& problem, const FilmState& state);
 /// Of an oil that has fits.
-FittedOilView fitted_oil_view(const FilmProblem& problem);
+FittedOilView fitted_oil_view(const models::OilAtTemperature& oil);
 
 }  // namespace ringfilm::film

@@ -170,8 +170,8 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   block_.bounds = problem.strip.bounds;
   block_.scale = block_.content_scale = strip.mean_pressure(problem.strip.grid);
   block_.start_h = guess.h_m;
-  block_.cavity_K = problem.strip.oil->density(strip.p_cavitation) / problem.strip.oil->viscosity(strip.p_cavitation);
-  if (const models::OilFit* fit = problem.strip.oil->fit()) {
+  block_.cavity_K = strip.oil->density(strip.p_cavitation) / strip.oil->viscosity(strip.p_cavitation);
+  if (const models::OilFit* fit = strip.oil->fit()) {
     block_.fit_centre = fit->centre;
     block_.fit_inverse_half_width = 1 / fit->half_width;
     block_.fit_K = fit->K.data();
@@ -200,7 +200,7 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   set_separation(inputs, guess.h_m);
 }
 
-void Film2dNewton::give_oil(const Film2dProblem& problem) {
+void Film2dNewton::give_oil(const models::OilAtTemperature& oil) {
   StripMultigrid::join_ends(shape_, ends_, block_.z);
   if (block_.laws == LaneLaws::kFitted) return kernels_->oil(block_);
   p_.resize(shape_.n_across);
@@ -208,7 +208,7 @@ void Film2dNewton::give_oil(const Film2dProblem& problem) {
     for (int i = 0; i < shape_.n_across; ++i) {
       p_[i] = block_.p_cavitation + block_.bound[shape_.at(i, s)] + std::max(block_.z[shape_.at(i, s)], 0.0);
     }
-    oil_.update(*problem.strip.oil, p_);
+    oil_.update(oil, p_);
     for (int i = 0; i < shape_.n_across; ++i) {
       const std::size_t place = shape_.at(i, s);
       block_.rho[place] = oil_.rho[i];
@@ -313,7 +313,7 @@ Film2dNewton::Outcome Film2dNewton::solve(const Film2dProblem& problem, const Fi
   outcome.last_step = 1;
   while (outcome.iterations < most_iterations) {
     ++outcome.iterations;
-    give_oil(problem);
+    give_oil(*inputs.strip.oil);
     kernels_->balance(block_);
     const LoadRow load = load_row(problem, inputs, h_m);
     const double reduction = outcome.last_step > kFarStep ? std::max(kLooseReduction, enough) : enough;

@@ -36,7 +36,7 @@ class Film2dNewton {
                 const FilmState& guess);
   void set_separation(const Film2dInputs& inputs, double h_m);
   void set_given(const Film2dInputs& inputs);
-  void give_oil(const Film2dProblem& problem);
+  void give_oil(const models::OilAtTemperature& oil);
   /// Excess of the load carried, and its slope in ln h_m at fixed pressures.
   struct LoadRow {
     double excess, slope;

@@ -33,9 +33,9 @@ class Film2dSearch : public FilmAtSeparation {
 
   /// With the fits, and where they do not reach with the laws.
   bool solve(Unknowns unknowns) {
-    const LaneLaws laws = best_laws(problem_.strip);
+    const LaneLaws laws = best_laws(inputs_.strip);
     bool solved = solve(unknowns, laws);
-    if (solved && laws == LaneLaws::kFitted && peak_pressure_ > problem_.strip.oil->fit()->high) {
+    if (solved && laws == LaneLaws::kFitted && peak_pressure_ > inputs_.strip.oil->fit()->high) {
       report_.exact_laws = true;
       solved = solve(unknowns, LaneLaws::kGiven);
     }
@@ -47,7 +47,7 @@ class Film2dSearch : public FilmAtSeparation {
     solved_ = guess_;
     const SearchLimits limits{thickest(problem_.strip), inputs_.strip.load, problem_.strip.tolerance};
     const bool found = search_separation(*this, guess_.h_m, limits, report_);
-    if (!found) explain_failure(*problem_.strip.oil, inputs_.strip.p_cavitation, solved_, Patience::kMuch, report_);
+    if (!found) explain_failure(*inputs_.strip.oil, inputs_.strip.p_cavitation, solved_, Patience::kMuch, report_);
     if (found) finish(LaneLaws::kGiven);
     return found;
   }
@@ -59,7 +59,7 @@ class Film2dSearch : public FilmAtSeparation {
   }
   FilmReport balanced() {
     if (solve(Unknowns::kFilmAndSeparation) || solve_by_search()) {
-      accept(*problem_.strip.oil, inputs_.strip.p_cavitation, state_, report_);
+      accept(*inputs_.strip.oil, inputs_.strip.p_cavitation, state_, report_);
     }
     return report_;
   }
@@ -128,7 +128,7 @@ film::FilmState of_strips(const Film2dProblem& problem, const FilmState& strip) 
 
 void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, FilmState& state) {
   const int n_across = problem.n_across();
-  const models::OilAtTemperature& oil = *problem.strip.oil;
+  const models::OilAtTemperature& oil = *inputs.strip.oil;
   const bool fitted = state.laws == LaneLaws::kFitted;
   state.mass_per_area.resize(problem.n_nodes());
   for (int j = 0; j < problem.around.n_strips(); ++j) {

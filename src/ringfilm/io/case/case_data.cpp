@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/io/case/face_file.hpp"
 #include "ringfilm/io/case/oil_file.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
@@ -71,12 +72,29 @@ void append_gas_files(const cycle::Gas& gas, const Units& units, std::vector<Dat
   }
 }
 
+/// A land pressure where it is a file.
+void append_land_file(const std::string& key, cycle::LandPressure& (*land)(Case&), const Case& c, const Units& units,
+                      std::vector<DataFile>& files) {
+  Case copy = c;
+  const std::optional<std::string> name = land(copy).file;
+  if (!name) return;
+  files.push_back({key, *name, [&units, land](const NamedFile& file, Case& to) -> ReadData {
+                     TraceFile trace = read_trace(file, trace_columns(to.gas, TracePlace::kCrankcase), units);
+                     land(to).trace = std::move(trace.samples);
+                     return {trace.sha256, trace.notes};
+                   }});
+}
+
 }  // namespace
 
 std::vector<DataFile> data_files(const Case& c, const Units& units) {
   if (c.problem == cycle::Problem::kPad) return pad_files(c.pad, units);
   std::vector<DataFile> files;
   append_gas_files(c.gas, units, files);
+  for (const char* key : {"ring.pressure_above", "ring.pressure_below"}) {
+    const auto& kind = std::get<cycle::OptionalNumberOrFileKind>(cycle::find_field(key)->kind);
+    append_land_file(key, kind.ref, c, units, files);
+  }
   if (c.ring.face.form == cycle::FaceForm::kPoints && !c.ring.face.points_file.empty()) {
     files.push_back({"ring.face.file", c.ring.face.points_file, [&units](const NamedFile& file, Case& to) -> ReadData {
                        FaceFile points = read_face(file, units);

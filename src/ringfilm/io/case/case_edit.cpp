@@ -8,6 +8,7 @@
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/io/case/case_checks.hpp"
 #include "ringfilm/io/case/case_data.hpp"
+#include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_values.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
@@ -68,8 +69,8 @@ bool moves_files(const Field& field, const Case& c) {
     return field.key == "pad.length" || field.key == "pad.width" || (field.key.rfind("pad.", 0) == 0 && !is_number);
   }
   if (field.key == "ring.face_width") return c.ring.face.form == cycle::FaceForm::kPoints;
-  return !is_number &&
-         (field.key.rfind("gas.", 0) == 0 || field.key.rfind("ring.face.", 0) == 0 || field.key == kOil + "table");
+  return !is_number && (field.key.rfind("gas.", 0) == 0 || field.key.rfind("ring.pressure_", 0) == 0 ||
+                        field.key.rfind("ring.face.", 0) == 0 || field.key == kOil + "table");
 }
 
 bool is_data_role(const std::string& role) { return role != "case" && role != "include" && role != kOil + "file"; }
@@ -109,6 +110,7 @@ void read_oil(Case& c, const std::string& name, const Units& units) {
 
 bool has_two_forms(const Field& field) {
   return std::holds_alternative<cycle::NumberOrFileKind>(field.kind) ||
+         std::holds_alternative<cycle::OptionalNumberOrFileKind>(field.kind) ||
          std::holds_alternative<cycle::AnglesKind>(field.kind) ||
          std::holds_alternative<cycle::FieldAnglesKind>(field.kind);
 }
@@ -154,6 +156,27 @@ void change_alone(Case& c, const Change& change, const Units& units) {
   c = std::move(changed);
 }
 
+/// Each change to the rings that it concerns; the pressure below a ring is that above the next one.
+void update_pack(Case& pack, const std::vector<Change>& changes, const Units& units) {
+  std::vector<Case> rings = pack.rings;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    std::vector<Change> of_ring;
+    for (const Change& change : changes) {
+      const Case& concerned = located_key(pack, change.key).of;  // of the engine's keys the first ring
+      const auto key = cycle::ring_key(change.key);
+      if (!key) {
+        of_ring.push_back(change);
+      } else if (&concerned == &pack.rings[i]) {
+        of_ring.push_back({key->key, change.value});
+      } else if (i > 0 && &concerned == &pack.rings[i - 1] && key->key == "ring.pressure_below") {
+        of_ring.push_back({"ring.pressure_above", change.value});
+      }
+    }
+    update(rings[i], of_ring, units);
+  }
+  pack = ring_pack(std::move(rings));
+}
+
 }  // namespace
 
 const Field& known_field(const std::string& key) {
@@ -165,22 +188,40 @@ const Field& known_field(const std::string& key) {
                         near.empty() ? "`ringfilm fields` lists all keys" : "");
 }
 
+LocatedKey located_key(const Case& c, const std::string& key) {
+  if (!c.is_pack()) return {known_field(key), c};
+  const auto of_ring = cycle::ring_key(key);
+  if (of_ring && of_ring->ring <= c.rings.size()) return {known_field(of_ring->key), c.rings[of_ring->ring - 1]};
+  if (of_ring || cycle::is_of_ring(key)) {
+    throw UnknownKeyError("unknown key " + key + " in a pack of " + std::to_string(c.rings.size()) + " rings",
+                          "a key of one ring is " + cycle::pack_key(1, of_ring ? of_ring->key : key));
+  }
+  return {known_field(key), c.rings.front()};
+}
+
 void state(Case& c, const std::string& key, const TomlValue& value, const Units& units) {
+  if (c.is_pack()) return update(c, {{key, value}}, units);
   const Field& field = known_field(key);
   const bool is_alone = key != kOil + "file" && !has_two_forms(field) && !moves_files(field, c);
   if (is_alone) return put(c, field, {key, value, ""}, units);
   change_alone(c, {key, value}, units);
 }
 
-void retract(Case& c, const std::string& key, const Units& units) { change_alone(c, {key, std::nullopt}, units); }
+void retract(Case& c, const std::string& key, const Units& units) {
+  if (c.is_pack()) return update(c, {{key, std::nullopt}}, units);
+  change_alone(c, {key, std::nullopt}, units);
+}
 
 void update(Case& c, const std::vector<Change>& changes, const Units& units) {
+  if (c.is_pack()) return update_pack(c, changes, units);
   Case changed = c;
   if (apply(changes, changed, units) == Files::kMoved) read_files_again(changed, units);
   c = std::move(changed);
 }
 
 void check_case(const Case& c) {
+  for (const Case& ring : c.rings) check_case(ring);
+  if (c.is_pack()) return;
   StatedKeys stated;
   if (!c.files.empty()) stated.path = c.files.front().path;
   for (const std::string& key : c.stated) {

@@ -14,6 +14,14 @@ namespace ringfilm::io {
 /// The entry of the table of case keys. Throws UnknownKeyError with the key that comes nearest.
 const cycle::Field& known_field(const std::string& key);
 
+/// A key and the case that has it: of a ring pack that of one of its rings.
+struct LocatedKey {
+  const cycle::Field& field;
+  const cycle::Case& of;
+};
+/// Throws UnknownKeyError, also for a key of a ring without its number in a pack.
+LocatedKey located_key(const cycle::Case& c, const std::string& key);
+
 /// States a key: its value is read as in a case file, a file that it names is read at once, and so are those whose
 /// meaning it changes (the unit of a trace, the width that a face must have). File names are relative to the working
 /// folder. An oil file takes the place of all that was stated of the oil. Throws InputError, the case is then as

@@ -19,17 +19,16 @@ class CaseReader {
  public:
   CaseReader(CaseTree tree, const Units& units) : tree_(std::move(tree)), units_(units) {}
 
-  Case read() {
+  /// @param faults receives all that is wrong
+  Case read(std::vector<Fault>& faults) {
     case_ = cycle::blank_case(problem());
     case_.files = tree_.files;
     case_.notes = tree_.notes;
     for (const TomlEntry& entry : tree_.entries) read_value(entry);
     read_data_files();
     if (tree_.complete) check();
-    if (!tree_.faults.empty()) {
-      sort_faults();
-      throw InputError(tree_.faults);
-    }
+    sort_faults();
+    faults = std::move(tree_.faults);
     return std::move(case_);
   }
 
@@ -101,14 +100,51 @@ class CaseReader {
   std::map<std::string, const TomlEntry*> given_;
 };
 
+bool same(const Fault& a, const Fault& b) {
+  return a.mark.file == b.mark.file && a.mark.line == b.mark.line && a.mark.column == b.mark.column &&
+         a.message == b.message;
+}
+
 }  // namespace
+
+cycle::Case ring_pack(std::vector<cycle::Case> rings) {
+  Case pack = rings.front();
+  pack.stated.clear();
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    for (const std::string& key : rings[i].stated) {
+      if (i == 0 || key != "ring.pressure_above") pack.stated.insert(cycle::pack_key(i + 1, key));
+    }
+    for (const cycle::InputFile& file : rings[i].files) {
+      const auto is_same = [&file](const cycle::InputFile& other) { return other.path == file.path; };
+      if (std::none_of(pack.files.begin(), pack.files.end(), is_same)) pack.files.push_back(file);
+    }
+    for (const std::string& note : rings[i].notes) {
+      if (std::find(pack.notes.begin(), pack.notes.end(), note) == pack.notes.end()) pack.notes.push_back(note);
+    }
+  }
+  pack.rings = std::move(rings);
+  return pack;
+}
 
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides) {
   return read_case(path, overrides, Units());
 }
 
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units) {
-  return CaseReader(read_case_tree(path, overrides), units).read();
+  PackTrees pack = pack_trees(read_case_tree(path, overrides));
+  std::vector<Fault> faults = std::move(pack.faults);
+  std::vector<Case> cases;
+  for (std::size_t i = 0; i < pack.trees.size(); ++i) {
+    std::vector<Fault> of_ring;
+    cases.push_back(CaseReader(std::move(pack.trees[i]), units).read(of_ring));
+    for (Fault& fault : of_ring) {
+      if (pack.is_pack && fault.mark.line == 0) fault.message = "ring " + std::to_string(i + 1) + ": " + fault.message;
+      const auto is_same = [&fault](const Fault& other) { return same(fault, other); };
+      if (std::none_of(faults.begin(), faults.end(), is_same)) faults.push_back(std::move(fault));
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return pack.is_pack ? ring_pack(std::move(cases)) : std::move(cases.front());
 }
 
 }  // namespace ringfilm::io

@@ -23,12 +23,21 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 /// The same for who reads many cases, which building the units anew for each would slow down.
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units);
 
+/// The ring pack of these cases, of one engine and one or more rings, from the chamber to the crankcase.
+cycle::Case ring_pack(std::vector<cycle::Case> rings);
+
+/// The keys of a ring pack from those of the cases of its rings: those of the engine once, then those of each ring.
+std::vector<CaseEntry> pack_entries(const std::vector<std::vector<CaseEntry>>& rings);
+
 /// The active keys with the values in use, in table order.
 std::vector<CaseEntry> case_entries(const cycle::Case& c);
 
 /// A complete case file in SI that gives the same bits again: every active key, an oil file written out key by key.
 /// Traces and tables are named by path, as seen from the working folder of the run.
 std::string resolved_case(const cycle::Case& c);
+
+/// The same of entries, those of the rings of a pack (`ring.2.face_width`) in [[ring]] sections.
+std::string case_text(const std::vector<CaseEntry>& entries);
 
 /// The folder of find_shipped_folder(); throws InputError where there is none.
 std::string shipped_folder();

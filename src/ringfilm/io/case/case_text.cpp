@@ -128,7 +128,28 @@ class SectionHeads {
 
 }  // namespace
 
+std::vector<CaseEntry> pack_entries(const std::vector<std::vector<CaseEntry>>& rings) {
+  std::vector<CaseEntry> entries;
+  for (const CaseEntry& entry : rings.front()) {
+    if (!cycle::is_of_ring(entry.key)) entries.push_back(entry);
+  }
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    for (CaseEntry entry : rings[i]) {
+      const bool is_implied = i > 0 && entry.key == "ring.pressure_above";
+      if (!cycle::is_of_ring(entry.key) || is_implied) continue;
+      entry.key = cycle::pack_key(i + 1, entry.key);
+      entries.push_back(std::move(entry));
+    }
+  }
+  return entries;
+}
+
 std::vector<CaseEntry> case_entries(const Case& given) {
+  if (given.is_pack()) {
+    std::vector<std::vector<CaseEntry>> rings;
+    for (const Case& ring : given.rings) rings.push_back(case_entries(ring));
+    return pack_entries(rings);
+  }
   const Units units;
   const Case c = with_optional_defaults(given);
   std::vector<CaseEntry> entries;
@@ -141,15 +162,30 @@ std::vector<CaseEntry> case_entries(const Case& given) {
   return entries;
 }
 
-std::string resolved_case(const Case& given) {
-  const Case c = with_optional_defaults(given);
+std::string resolved_case(const Case& given) { return case_text(case_entries(given)); }
+
+std::string case_text(const std::vector<CaseEntry>& entries) {
   std::string text = "# Every value in use, in SI and exact. File names are as seen from the folder of the run.\n";
-  SectionHeads heads;
-  for (const Field& field : cycle::case_fields()) {
-    // The keys of the oil file are written out below, so the file itself must not be named again.
-    if (field.key == "lubricant.file" || !cycle::is_active(field, c)) continue;
-    const std::string value = exact_value(field, c);
-    if (!value.empty()) text += heads.before(field) + name_of(field) + " = " + value + "\n";
+  std::string last_section;
+  std::size_t last_ring = 0;
+  for (const CaseEntry& entry : entries) {
+    // The keys of the oil file are written out, so the file itself must not be named again.
+    if (entry.key == "lubricant.file") continue;
+    const auto of_ring = cycle::ring_key(entry.key);
+    const std::size_t ring = of_ring ? of_ring->ring : 0;
+    const std::string key = of_ring && of_ring->key.rfind("ring.", 0) != 0 ? "ring." + of_ring->key
+                            : of_ring                                      ? of_ring->key
+                                                                           : entry.key;
+    const std::size_t dot = key.rfind('.');
+    const std::string section = dot == std::string::npos ? "" : key.substr(0, dot);
+    if (ring != last_ring) {
+      text += "\n[[ring]]\n";
+      last_section = "ring";
+    }
+    if (section != last_section) text += fmt::format("\n[{}]\n", section);
+    last_section = section;
+    last_ring = ring;
+    text += fmt::format("{} = {}\n", key.substr(dot == std::string::npos ? 0 : dot + 1), entry.value);
   }
   return text;
 }

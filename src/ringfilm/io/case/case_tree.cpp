@@ -51,6 +51,37 @@ bool lies_in(const std::string& key, const std::set<std::string>& sections) {
   return false;
 }
 
+/// The key of the table behind a key of a case of one ring or of a ring of a pack.
+std::string plain_key(const std::string& key) {
+  const auto of_ring = cycle::ring_key(key);
+  return of_ring ? of_ring->key : key;
+}
+
+const cycle::Field* field_of(const std::string& key) { return cycle::find_field(plain_key(key)); }
+
+/// The same of a section: `ring.2` and `ring.2.contact` are those of a ring of a pack.
+std::string plain_section(const std::string& section) {
+  const std::string key = plain_key(section + ".x");
+  return key.substr(0, key.size() - 2);
+}
+
+/// [[ring]] sections as the sections ring.1, ring.2, ...
+void number_rings(TomlValue& root) {
+  for (auto& [name, value] : root.members) {
+    const auto is_table = [](const TomlValue& item) { return item.kind == TomlValue::Kind::kTable; };
+    if (name != "ring" || value.kind != TomlValue::Kind::kList || value.items.empty() ||
+        !std::all_of(value.items.begin(), value.items.end(), is_table)) {
+      continue;
+    }
+    std::vector<TomlValue> rings = std::move(value.items);
+    value.items.clear();
+    value.kind = TomlValue::Kind::kTable;
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      value.members.push_back({std::to_string(i + 1), std::move(rings[i])});
+    }
+  }
+}
+
 std::string place(const SourceMark& mark) {
   if (mark.line == 0) return mark.file;
   return mark.file + ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column);
@@ -100,7 +131,8 @@ class Gatherer {
     tree_.faults.push_back({mark, message, remedy});
   }
 
-  void add_file(const TomlValue& root, const std::string& path) {
+  void add_file(TomlValue root, const std::string& path) {
+    number_rings(root);
     FlatToml flat = flatten(root, folder_of(path));
     drop_unknown_sections(flat);
     for (const TomlEntry& entry : flat.entries) {
@@ -134,7 +166,7 @@ class Gatherer {
           field != nullptr ? "it requires one value, for example " + field->example : "");
   }
 
-  bool is_section(const std::string& name) const { return words_.all_sections.contains(name); }
+  bool is_section(const std::string& name) const { return words_.all_sections.contains(plain_section(name)); }
 
   std::string nearest(const std::string& word, const std::vector<std::string>& known) const {
     return tree_.faults.size() < kMostSuggestions ? nearest_word(word, known) : "";
@@ -146,14 +178,17 @@ class Gatherer {
 
   /// @returns whether the key is known
   bool check_known(const TomlEntry& entry) {
-    if (cycle::find_field(entry.key) != nullptr) return true;
+    if (field_of(entry.key) != nullptr) return true;
     if (is_section(entry.key)) {
       fault(entry.value.key_mark, entry.key + " is a section, not a key",
             "write [" + entry.key + "] and its keys below");
       tree_.faulty.insert(entry.key + ".");
       return false;
     }
-    const std::string near = nearest(entry.key, words_.keys);
+    std::string near = nearest(plain_key(entry.key), words_.keys);
+    if (const auto of_ring = cycle::ring_key(entry.key); of_ring && !near.empty()) {
+      near = cycle::pack_key(of_ring->ring, near);
+    }
     if (!near.empty()) tree_.faulty.insert(near);
     fault(entry.value.key_mark, "unknown key " + entry.key + did_you_mean(near),
           near.empty() ? "`ringfilm fields` lists all keys" : "");
@@ -285,7 +320,7 @@ class Gatherer {
       } catch (const InputError&) {
         entry.value.kind = TomlValue::Kind::kText;
       }
-      if (is_text_key(*cycle::find_field(key)) && entry.value.kind != TomlValue::Kind::kText) {
+      if (is_text_key(*field_of(key)) && entry.value.kind != TomlValue::Kind::kText) {
         entry.value = {};
         entry.value.kind = TomlValue::Kind::kText;
       }

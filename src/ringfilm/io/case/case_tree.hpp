@@ -25,4 +25,15 @@ struct CaseTree {
 /// Throws InputError if the case file itself cannot be read; all other faults are reported in the tree.
 CaseTree read_case_tree(const std::string& path, const std::vector<Override>& overrides);
 
+/// The keys of the case of each ring, as a file of its own would have them.
+struct PackTrees {
+  std::vector<CaseTree> trees;  ///< one where the case is not a ring pack
+  bool is_pack = false;
+  std::vector<Fault> faults;  ///< of the pack as a whole
+};
+
+/// Cuts the tree of a ring pack ([[ring]] sections, whose keys are "ring.1.face_width", ...) into those of its rings.
+/// The gas pressure below a ring is that above the next one; `contact` in a ring replaces keys of [contact] for it.
+PackTrees pack_trees(CaseTree tree);
+
 }  // namespace ringfilm::io

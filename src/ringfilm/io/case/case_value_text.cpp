@@ -44,6 +44,11 @@ class Writer {
   std::string operator()(const cycle::NumberOrFileKind& kind) {
     return kind.file(case_) ? io::quoted(*kind.file(case_)) : number(kind.number(case_));
   }
+  std::string operator()(const cycle::OptionalNumberOrFileKind& kind) {
+    const cycle::LandPressure& pressure = kind.ref(case_);
+    if (pressure.file) return io::quoted(*pressure.file);
+    return pressure.constant ? number(*pressure.constant) : "";
+  }
   std::string operator()(const cycle::UnitNameKind& kind) { return number(kind.ref(case_)); }
   std::string operator()(const cycle::NumberListKind& kind) {
     std::vector<std::string> parts;
@@ -61,6 +66,15 @@ class Writer {
   std::string operator()(const cycle::ConstantOrTemperatureValuesKind& kind) {
     const auto& constant = kind.constant(case_);
     return constant ? number(*constant) : (*this)(cycle::TemperatureValuesKind{kind.ref});
+  }
+  std::string operator()(const cycle::DistanceTemperaturesKind& kind) {
+    const auto& points = kind.ref(case_);
+    if (points.size() == 1) return number(points.front().temperature);
+    std::vector<std::string> parts;
+    for (const auto& [distance, temperature] : points) {
+      parts.push_back(fmt::format("[{}, {}]", write_(distance, "m", "mm"), number(temperature)));
+    }
+    return parts.empty() ? "" : joined(parts);
   }
   std::string operator()(const cycle::AnglesKind&) {
     const cycle::Output& output = case_.output;
@@ -100,6 +114,7 @@ Case without_samples(const Case& c) {
   lean.title = c.title;
   lean.engine = c.engine;
   lean.operating = c.operating;
+  lean.thermal = c.thermal;
   lean.gas = c.gas;
   lean.ring = c.ring;
   lean.ring.face.x.clear();

@@ -90,6 +90,13 @@ class Setter {
       kind.number(case_) = *x;
     }
   }
+  void operator()(const cycle::OptionalNumberOrFileKind& kind) {
+    if (value_.kind == Kind::kText && !value_.text.empty() && !is_quantity(value_.text)) {
+      if (is_text()) kind.ref(case_) = {std::nullopt, located(), std::nullopt};
+    } else if (const auto x = quantity(value_, field_.unit, field_.example)) {
+      kind.ref(case_) = {*x, std::nullopt, std::nullopt};
+    }
+  }
   void operator()(const cycle::UnitNameKind& kind) {
     if (!is_text()) return;
     try {
@@ -126,6 +133,23 @@ class Setter {
       kind.constant(case_) = *x;
       kind.ref(case_).clear();
     }
+  }
+  void operator()(const cycle::DistanceTemperaturesKind& kind) {
+    std::vector<cycle::LinerTemperature> points;
+    if (value_.kind == Kind::kList) {
+      for (const TomlValue& item : list("a list of distances and temperatures")) {
+        if (item.kind != Kind::kList || item.items.size() != 2) {
+          refuse(item, "is not a distance and a temperature", "for example " + field_.example);
+          continue;
+        }
+        const auto distance = plain_quantity(item.items[0], "m", "\"79.5 mm\"");
+        const auto temperature = quantity(item.items[1], field_.unit, "\"110 degC\"");
+        if (distance && temperature) points.push_back({*distance, *temperature});
+      }
+    } else if (const auto temperature = quantity(value_, field_.unit, "\"150 degC\"")) {
+      points.push_back({0, *temperature});
+    }
+    if (good_) kind.ref(case_) = points;
   }
   void operator()(const cycle::AnglesKind&) {
     if (value_.kind == Kind::kList) {

@@ -49,4 +49,21 @@ std::string result_csv(const std::vector<cycle::Sample>& samples, const std::opt
   return csv;
 }
 
+std::string result_csv(const ResultDocument& document) {
+  const auto of = [](const ResultDocument& one) {
+    return result_csv(one.result.samples, one.errors, one.result.unrolled_samples);
+  };
+  if (!document.is_pack()) return of(document);
+  std::string all;
+  for (std::size_t i = 0; i < document.rings.size(); ++i) {
+    const std::string csv = of(document.rings[i]);
+    std::size_t begin = 0;
+    for (std::size_t end = csv.find('\n'); end != std::string::npos; begin = end + 1, end = csv.find('\n', begin)) {
+      if (begin == 0 && i > 0) continue;  // the header, which all rings have
+      all += (begin == 0 ? "ring," : fmt::format("{},", i + 1)) + csv.substr(begin, end + 1 - begin);
+    }
+  }
+  return all;
+}
+
 }  // namespace ringfilm::io

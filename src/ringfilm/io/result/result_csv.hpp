@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
 
 namespace ringfilm::io {
@@ -17,5 +18,8 @@ namespace ringfilm::io {
 std::string result_csv(const std::vector<cycle::Sample>& samples,
                        const std::optional<study::ErrorEstimate>& errors = {},
                        const std::vector<cycle::UnrolledSample>& unrolled = {});
+
+/// All of a result; of a pack the rows of one ring after the other, with its number in the first column, `ring`.
+std::string result_csv(const ResultDocument& document);
 
 }  // namespace ringfilm::io

@@ -1,10 +1,29 @@
 #include "ringfilm/io/result/result_document.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "ringfilm/io/case/case_file.hpp"
 
 namespace ringfilm::io {
+namespace {
+
+std::string ring_title(const std::string& pack, std::size_t number, const ResultDocument& ring) {
+  std::string title = pack + ": ring " + std::to_string(number);
+  for (const CaseEntry& entry : ring.inputs) {
+    if (entry.key == "ring.name" && !entry.shown.empty()) title += " (" + entry.shown + ")";
+  }
+  return title;
+}
+
+template <class Row, class Same>
+void append_new(std::vector<Row>& all, const std::vector<Row>& rows, const Same& same) {
+  for (const Row& row : rows) {
+    if (std::none_of(all.begin(), all.end(), [&](const Row& other) { return same(row, other); })) all.push_back(row);
+  }
+}
+
+}  // namespace
 
 ResultDocument result_document(const cycle::Case& c, cycle::CycleResult result) {
   ResultDocument document;
@@ -16,6 +35,42 @@ ResultDocument result_document(const cycle::Case& c, cycle::CycleResult result) 
   document.provenance = this_run();
   document.result = std::move(result);
   return document;
+}
+
+ResultDocument pack_document(const std::string& title, std::vector<ResultDocument> rings) {
+  ResultDocument pack;
+  pack.title = title;
+  pack.provenance = rings.front().provenance;
+  std::vector<std::vector<CaseEntry>> inputs;
+  for (const ResultDocument& ring : rings) inputs.push_back(ring.inputs);
+  pack.inputs = pack_entries(inputs);
+  pack.resolved_case = case_text(pack.inputs);
+  pack.ledger_computed = std::any_of(rings.begin(), rings.end(), [](const auto& ring) { return ring.ledger_computed; });
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    ResultDocument& ring = rings[i];
+    ring.title = ring_title(title, i + 1, ring);
+    append_new(pack.files, ring.files, [](const auto& a, const auto& b) { return a.path == b.path; });
+    append_new(pack.input_notes, ring.input_notes, [](const auto& a, const auto& b) { return a == b; });
+    pack.result.complete = pack.result.complete && ring.result.complete;
+    for (double cycle::CycleValues::*sum :
+         {&cycle::CycleValues::fmep, &cycle::CycleValues::energy_per_cycle, &cycle::CycleValues::mean_power_loss}) {
+      pack.result.values.*sum += ring.result.values.*sum;
+    }
+  }
+  pack.rings = std::move(rings);
+  return pack;
+}
+
+std::vector<ResultDocument> single_rings(const std::vector<ResultDocument>& documents) {
+  std::vector<ResultDocument> all;
+  for (const ResultDocument& document : documents) {
+    if (document.is_pack()) {
+      all.insert(all.end(), document.rings.begin(), document.rings.end());
+    } else {
+      all.push_back(document);
+    }
+  }
+  return all;
 }
 
 }  // namespace ringfilm::io

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_file_document.hpp"
 #include "ringfilm/io/result/result_file_reader.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
@@ -80,6 +81,25 @@ void give_back(const std::string& path, const VariantTable& table, std::vector<s
   }
 }
 
+ResultDocument read_ring(const std::string& path, ResultFileReader& file) {
+  ResultDocument document;
+  VariantTable variants;
+  exchange(file, document, variants);
+  give_back(path, variants, document.ledger);
+  return document;
+}
+
+ResultDocument read_pack(const std::string& path, ResultFileReader& file) {
+  ResultDocument pack;
+  exchange_pack(file, pack);
+  std::vector<ResultDocument> rings;
+  for (std::size_t i = 0; i < file.n_rings(); ++i) {
+    file.choose_ring(i);
+    rings.push_back(read_ring(path, file));
+  }
+  return pack_document(pack.title, std::move(rings));
+}
+
 }  // namespace
 
 VariantTable variant_table(const std::vector<study::LedgerEntry>& ledger) {
@@ -115,13 +135,10 @@ ResultDocument result_of_bytes(const std::string& path, const std::string& bytes
   if (!bytes.starts_with("\x89HDF\r\n\x1a\n") && !bytes.starts_with("CDF")) {
     throw InputError(path + ": this is not a NetCDF file", "name a result that ringfilm run --output has written");
   }
-  const ResultFileReader file(path, content_before_trailer(path, bytes));
+  ResultFileReader file(path, content_before_trailer(path, bytes));
   refuse_what_is_not_ours(path, file);
-  ResultDocument document;
-  VariantTable variants;
-  exchange(file, document, variants);
-  give_back(path, variants, document.ledger);
-  return document;
+  if (file.n_rings() > 0) return read_pack(path, file);
+  return read_ring(path, file);
 }
 
 }  // namespace ringfilm::io

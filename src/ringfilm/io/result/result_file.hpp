@@ -45,6 +45,11 @@ struct ResultDocument {
   bool ledger_computed = false;                  ///< were the variants run?
   std::vector<study::ComparisonRow> comparison;  ///< with published values; empty where there are none
   std::optional<study::ErrorEstimate> errors;    ///< absent where they were not asked for
+  /// Of a ring pack the result of each ring, from the chamber down, and in place of `result` the friction of all rings
+  /// (fmep, energy_per_cycle, mean_power_loss) and whether all are complete. Empty: a case of one ring.
+  std::vector<ResultDocument> rings;
+
+  bool is_pack() const { return !rings.empty(); }
 };
 
 /// Writes NetCDF-4 with named dimensions crank_angle, x, ...; aside first, flushed, then renamed, so that a kill or a

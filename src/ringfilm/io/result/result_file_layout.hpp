@@ -212,6 +212,16 @@ void exchange_comparison(File& file, Document& document) {
       rows, &ComparisonRow::with_strongest_setting);
 }
 
+/// What the rings of a pack have in common.
+template <class File, class Document>
+void exchange_pack(File& file, Document& document) {
+  file.attribute("title", document.title);
+  exchange_provenance(file, document.provenance);
+  file.attribute("kernels", document.provenance.kernels);
+  file.scalar(text("pack_case", "a complete case file of the pack in SI that gives the same bits again"),
+              document.resolved_case);
+}
+
 /// Everything, in the order of the file.
 template <class File, class Document, class VariantTable>
 void exchange(File& file, Document& document, VariantTable& variants) {

@@ -1,6 +1,9 @@
 #pragma once
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "ringfilm/cycle/result.hpp"
 
@@ -36,6 +39,27 @@ inline cycle::Quantity order_variable(const cycle::Quantity& quantity, const std
   return described(quantity.name + "_order_in_" + in, "1",
                    "order of convergence in " + in + " of " + quantity.long_name + ", NaN where it is not monotone",
                    "p", "eq-observed-order");
+}
+
+// What a file holds for a value of that type.
+inline const std::string& stored(const std::string& text) { return text; }
+inline signed char stored(const bool& value) { return value ? 1 : 0; }
+inline long stored(const long& value) { return value; }
+inline double stored(const double& value) { return value; }
+inline double stored(const std::optional<double>& value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// Where the i-th entry of an array of `lengths` is in one of the larger `shape`, both row-major.
+inline std::size_t place_in(std::size_t i, const std::vector<std::size_t>& lengths,
+                            const std::vector<std::size_t>& shape) {
+  std::size_t place = 0, stride = 1;
+  for (std::size_t d = lengths.size(); d-- > 0;) {
+    place += i % lengths[d] * stride;
+    i /= lengths[d];
+    stride *= shape[d];
+  }
+  return place;
 }
 
 }  // namespace ringfilm::io

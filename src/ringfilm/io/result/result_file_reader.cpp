@@ -4,6 +4,7 @@
 #include <netcdf_mem.h>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/io/result/result_file_quantities.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -41,6 +42,7 @@ bool ResultFileReader::has_variable(const std::string& name) const {
 }
 
 void ResultFileReader::attribute(const char* name, std::string& text) const {
+  if (ring_ && std::string(name) == "title") return scalar(described("ring_title", "", ""), text);
   nc_type type = 0;
   std::size_t size = 0;
   check(nc_inq_att(file_, NC_GLOBAL, name, &type, &size), name);
@@ -50,6 +52,7 @@ void ResultFileReader::attribute(const char* name, std::string& text) const {
 }
 
 void ResultFileReader::attribute(const char* name, double& value) const {
+  if (ring_) return scalar(described(name, "", ""), value);
   std::size_t size = 0;
   check(nc_inq_attlen(file_, NC_GLOBAL, name, &size), name);
   if (size != 1) refuse(std::string(name) + " is no single number");
@@ -57,6 +60,12 @@ void ResultFileReader::attribute(const char* name, double& value) const {
 }
 
 void ResultFileReader::attribute(const char* name, long& value) const {
+  if (ring_) {
+    std::vector<long> one;
+    read({}, described(name, "", ""), one);
+    value = one.front();
+    return;
+  }
   std::size_t size = 0;
   check(nc_inq_attlen(file_, NC_GLOBAL, name, &size), name);
   if (size != 1) refuse(std::string(name) + " is no single number");
@@ -64,12 +73,18 @@ void ResultFileReader::attribute(const char* name, long& value) const {
 }
 
 void ResultFileReader::attribute(const char* name, bool& value) const {
+  if (ring_) {
+    std::vector<signed char> one;
+    read({}, described(name, "", ""), one);
+    value = one.front() != 0;
+    return;
+  }
   long number = 0;
   attribute(name, number);
   value = number != 0;
 }
 
-std::size_t ResultFileReader::length(const char* dimension) const {
+std::size_t ResultFileReader::length_in_file(const char* dimension) const {
   int number = 0;
   std::size_t size = 0;
   if (nc_inq_dimid(file_, dimension, &number) != NC_NOERR) return 0;
@@ -78,11 +93,24 @@ std::size_t ResultFileReader::length(const char* dimension) const {
   return size;
 }
 
+std::size_t ResultFileReader::length(const char* dimension) const {
+  const std::size_t in_file = length_in_file(dimension);
+  if (!ring_ || in_file == 0) return in_file;
+  const std::string name = std::string("n_") + dimension;
+  std::size_t n_rings = 0;
+  const auto variable = find({"ring"}, name, NC_INT64, n_rings);
+  std::vector<long> lengths(n_rings);
+  if (variable) get(*variable, name, lengths);
+  const long own = lengths.at(*ring_);
+  if (own < 0 || static_cast<std::size_t>(own) > in_file) refuse(name + " has an impossible length");
+  return static_cast<std::size_t>(own);
+}
+
 std::optional<int> ResultFileReader::find(const std::vector<const char*>& dimensions, const std::string& name, int type,
                                           std::size_t& count) const {
   count = 1;
   for (const char* dimension : dimensions) {
-    count *= length(dimension);
+    count *= length_in_file(dimension);
     if (count > kMostValues) refuse(name + " has an impossible size");
   }
   if (count == 0) return std::nullopt;
@@ -104,50 +132,72 @@ std::optional<int> ResultFileReader::find(const std::vector<const char*>& dimens
   return variable;
 }
 
+template <class Value>
 void ResultFileReader::read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-                            std::vector<double>& values) const {
+                            std::vector<Value>& values) const {
+  constexpr int type = std::is_same_v<Value, double>        ? NC_DOUBLE
+                       : std::is_same_v<Value, float>       ? NC_FLOAT
+                       : std::is_same_v<Value, long>        ? NC_INT64
+                       : std::is_same_v<Value, signed char> ? NC_BYTE
+                                                            : NC_STRING;
+  std::vector<const char*> in_file = dimensions;
+  std::string name = quantity.name;
+  // A coordinate that all rings share has no ring (RingGatherer).
+  const bool is_coordinate = dimensions.size() == 1 && name == dimensions.front();
+  const bool is_shared = ring_ && is_coordinate && has_variable(name);
+  if (ring_ && is_coordinate && !is_shared) name += "_of_ring";
+  if (ring_ && !is_shared) in_file.insert(in_file.begin(), "ring");
   std::size_t count = 0;
-  const auto variable = find(dimensions, quantity.name, NC_DOUBLE, count);
-  values.assign(count, 0.0);
-  if (variable) check(nc_get_var_double(file_, *variable, values.data()), quantity.name);
+  const auto variable = find(in_file, name, type, count);
+  values.assign(count, Value{});
+  if (variable) get(*variable, name, values);
+  if (is_shared) values.resize(length(dimensions.front()));
+  if (!ring_ || is_shared || !variable) return;
+  std::vector<std::size_t> lengths, shape;
+  std::size_t n = 1;
+  for (const char* dimension : dimensions) {
+    n *= lengths.emplace_back(length(dimension));
+    shape.push_back(length_in_file(dimension));
+  }
+  const std::size_t of_one = count / n_rings();
+  std::vector<Value> own;
+  for (std::size_t i = 0; i < n; ++i) own.push_back(std::move(values[*ring_ * of_one + place_in(i, lengths, shape)]));
+  values = std::move(own);
 }
 
-void ResultFileReader::read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-                            std::vector<float>& values) const {
-  std::size_t count = 0;
-  const auto variable = find(dimensions, quantity.name, NC_FLOAT, count);
-  values.assign(count, 0.0F);
-  if (variable) check(nc_get_var_float(file_, *variable, values.data()), quantity.name);
+template void ResultFileReader::read(const std::vector<const char*>&, const cycle::Quantity&,
+                                     std::vector<double>&) const;
+template void ResultFileReader::read(const std::vector<const char*>&, const cycle::Quantity&,
+                                     std::vector<float>&) const;
+template void ResultFileReader::read(const std::vector<const char*>&, const cycle::Quantity&, std::vector<long>&) const;
+template void ResultFileReader::read(const std::vector<const char*>&, const cycle::Quantity&,
+                                     std::vector<signed char>&) const;
+template void ResultFileReader::read(const std::vector<const char*>&, const cycle::Quantity&,
+                                     std::vector<std::string>&) const;
+
+void ResultFileReader::get(int variable, const std::string& name, std::vector<double>& values) const {
+  check(nc_get_var_double(file_, variable, values.data()), name);
 }
 
-void ResultFileReader::read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-                            std::vector<long>& values) const {
-  std::size_t count = 0;
-  const auto variable = find(dimensions, quantity.name, NC_INT64, count);
-  values.assign(count, 0);
-  if (variable) check(nc_get_var_long(file_, *variable, values.data()), quantity.name);
+void ResultFileReader::get(int variable, const std::string& name, std::vector<float>& values) const {
+  check(nc_get_var_float(file_, variable, values.data()), name);
 }
 
-void ResultFileReader::read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-                            std::vector<signed char>& values) const {
-  std::size_t count = 0;
-  const auto variable = find(dimensions, quantity.name, NC_BYTE, count);
-  values.assign(count, 0);
-  if (variable) check(nc_get_var_schar(file_, *variable, values.data()), quantity.name);
+void ResultFileReader::get(int variable, const std::string& name, std::vector<long>& values) const {
+  check(nc_get_var_long(file_, variable, values.data()), name);
 }
 
-void ResultFileReader::read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-                            std::vector<std::string>& values) const {
-  std::size_t count = 0;
-  const auto variable = find(dimensions, quantity.name, NC_STRING, count);
-  values.assign(count, "");
-  if (!variable) return;
-  std::vector<char*> texts(count, nullptr);
-  check(nc_get_var_string(file_, *variable, texts.data()), quantity.name);
-  for (std::size_t i = 0; i < count; ++i) {
+void ResultFileReader::get(int variable, const std::string& name, std::vector<signed char>& values) const {
+  check(nc_get_var_schar(file_, variable, values.data()), name);
+}
+
+void ResultFileReader::get(int variable, const std::string& name, std::vector<std::string>& values) const {
+  std::vector<char*> texts(values.size(), nullptr);
+  check(nc_get_var_string(file_, variable, texts.data()), name);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
     if (texts[i] != nullptr) values[i] = texts[i];
   }
-  nc_free_string(count, texts.data());
+  nc_free_string(texts.size(), texts.data());
 }
 
 void ResultFileReader::scalar(const cycle::Quantity& quantity, double& value) const {

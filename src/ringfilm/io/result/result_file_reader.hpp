@@ -24,6 +24,11 @@ class ResultFileReader {
   ResultFileReader& operator=(const ResultFileReader&) = delete;
   ~ResultFileReader();
 
+  /// How many rings a pack has; 0: the result of one ring.
+  std::size_t n_rings() const { return length_in_file("ring"); }
+  /// From now on all that is read is that of one ring of a pack (see RingGatherer), from 0.
+  void choose_ring(std::size_t ring) { ring_ = ring; }
+
   /// Does the file have that global attribute?
   bool has_attribute(const char* name) const;
   /// Does it have that variable?
@@ -79,27 +84,28 @@ class ResultFileReader {
     member = value;
   }
 
-  /// Rows of a dimension, 0 where the file has none of that name.
+  /// Rows of a dimension, 0 where the file has none of that name; of a ring of a pack those that it has.
   std::size_t length(const char* dimension) const;
+  std::size_t length_in_file(const char* dimension) const;
   /// The number of a variable of that type that has as many values as the dimensions say; nothing where there are none.
   std::optional<int> find(const std::vector<const char*>& dimensions, const std::string& name, int type,
                           std::size_t& count) const;
+  template <class Value>
   void read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-            std::vector<double>& values) const;
-  void read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-            std::vector<float>& values) const;
-  void read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-            std::vector<long>& values) const;
-  void read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-            std::vector<signed char>& values) const;
-  void read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-            std::vector<std::string>& values) const;
+            std::vector<Value>& values) const;
+  /// All values of a variable.
+  void get(int variable, const std::string& name, std::vector<double>& values) const;
+  void get(int variable, const std::string& name, std::vector<float>& values) const;
+  void get(int variable, const std::string& name, std::vector<long>& values) const;
+  void get(int variable, const std::string& name, std::vector<signed char>& values) const;
+  void get(int variable, const std::string& name, std::vector<std::string>& values) const;
   [[noreturn]] void refuse(const std::string& what) const;
   void check(int status, const std::string& what) const;
 
   std::string path_;
   NetcdfInUse in_use_;
   int file_ = -1;
+  std::optional<std::size_t> ring_;
 };
 
 }  // namespace ringfilm::io

@@ -14,6 +14,7 @@
 
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/result/result_file_netcdf.hpp"
+#include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 
 namespace ringfilm::io {
@@ -97,21 +98,24 @@ class ResultFileWriter {
   void put_block(int variable, const std::vector<std::size_t>& first, const std::vector<std::size_t>& count,
                  const std::vector<std::string>& values);
 
+  /// A variable over dimensions that exist; nothing where one of them is empty.
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<double>& values);
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<float>& values);
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<long>& values);
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<signed char>& values);
+  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
+           const std::vector<std::string>& values);
+
   /// The whole file with its digest_trailer, without a copy: it lives as long as the writer. Call once, at the end.
   std::string_view bytes();
   /// The same of a file on the disk: closes it and appends its digest_trailer.
   void close();
 
  private:
-  // What stands in the file for a value of that type.
-  static const std::string& stored(const std::string& text) { return text; }
-  static signed char stored(const bool& value) { return value ? 1 : 0; }
-  static long stored(const long& value) { return value; }
-  static double stored(const double& value) { return value; }
-  static double stored(const std::optional<double>& value) {
-    return value.value_or(std::numeric_limits<double>::quiet_NaN());
-  }
-
   /// How a variable is laid out: here, as fits what is written at once, or by whoever defines it.
   enum class Storage { kWhole, kOpen };
 
@@ -123,16 +127,6 @@ class ResultFileWriter {
   /// @returns its number, or nothing where one of the dimensions is empty
   std::optional<int> define_variable(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
                                      int type, Storage storage = Storage::kWhole);
-  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-           const std::vector<double>& values);
-  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-           const std::vector<float>& values);
-  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-           const std::vector<long>& values);
-  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-           const std::vector<signed char>& values);
-  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-           const std::vector<std::string>& values);
   void check(int status, const std::string& what) const;
 
   std::string path_;

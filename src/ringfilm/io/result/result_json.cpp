@@ -75,9 +75,7 @@ ordered_json error_estimate_object(const study::ErrorEstimate& estimate) {
           {"order_in_step", cycle_object(estimate.order_in_step)}};
 }
 
-}  // namespace
-
-std::string result_json(const ResultDocument& document) {
+ordered_json result_object(const ResultDocument& document) {
   const cycle::CycleResult& result = document.result;
   ordered_json units = ordered_json::object();
   ordered_json object = {{"title", document.title}};
@@ -113,6 +111,32 @@ std::string result_json(const ResultDocument& document) {
   object["commit"] = document.provenance.commit;
   object["kernels"] = document.provenance.kernels;
   object["complete"] = result.complete;
+  return object;
+}
+
+/// The rings of a pack, and what their friction adds up to.
+ordered_json pack_object(const ResultDocument& document) {
+  ordered_json object = {{"title", document.title}, {"rings", ordered_json::array()}};
+  for (std::size_t i = 0; i < document.rings.size(); ++i) {
+    ordered_json ring = {{"ring", i + 1}};
+    ring.update(result_object(document.rings[i]));
+    object["rings"].push_back(std::move(ring));
+  }
+  const cycle::CycleValues& sum = document.result.values;
+  object["all_rings"] = {
+      {"fmep", sum.fmep}, {"energy_per_cycle", sum.energy_per_cycle}, {"mean_power_loss", sum.mean_power_loss}};
+  object["units"] = {{"fmep", "Pa"}, {"energy_per_cycle", "J"}, {"mean_power_loss", "W"}};
+  object["program"] = document.provenance.program;
+  object["commit"] = document.provenance.commit;
+  object["kernels"] = document.provenance.kernels;
+  object["complete"] = document.result.complete;
+  return object;
+}
+
+}  // namespace
+
+std::string result_json(const ResultDocument& document) {
+  const ordered_json object = document.is_pack() ? pack_object(document) : result_object(document);
   // A title in another encoding than UTF-8 must not lose the result.
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -67,6 +67,10 @@ class StudyReader {
       if (input.problem == cycle::Problem::kPad) {
         table.refuse(table.find("case")->mark, fmt::format("{} is a pad", path), "a study is about rings over a cycle");
       }
+      if (input.is_pack()) {
+        table.refuse(table.find("case")->mark, fmt::format("{} is a pack of {} rings", path, input.rings.size()),
+                     "a study is about one ring: write it as [ring], with ring.pressure_above and ring.pressure_below");
+      }
       for (const cycle::InputFile& file : input.files) record(file);
       study_.bases.push_back(
           {table.text("name").value_or(std::filesystem::path(path).stem().string()), std::move(input)});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -86,6 +87,18 @@ double largest_slope_error(const Curve& t, const Curve& f, const std::array<doub
   return difference == 0 ? 0.0 : difference / slope;
 }
 
+FitErrors errors_of(const OilFit& fit, const Curve& t, const Curves& law) {
+  return {larger(largest_relative_error(t, law.K, fit.K), largest_relative_error(t, law.rho, fit.rho)),
+          larger(largest_slope_error(t, law.dK_dp, fit.dK_dp), largest_slope_error(t, law.drho_dp, fit.drho_dp))};
+}
+
+/// Pressures of the places.
+Curve pressures(const OilFit& fit, const Curve& t) {
+  Curve p;
+  for (int i = 0; i < kPoints; ++i) p[i] = fit.centre + fit.half_width * t[i];
+  return p;
+}
+
 class FittedOil final : public OilAtTemperature {
  public:
   FittedOil(std::shared_ptr<const OilAtTemperature> exact, const OilFit& fit) : exact_(std::move(exact)), fit_(fit) {}
@@ -107,17 +120,15 @@ std::optional<OilFit> fit_oil(const OilAtTemperature& exact, double low, double 
   fit.centre = (low + high) / 2;
   fit.half_width = (high - low) / 2;
   const Curve t = places();
-  Curve p;
-  for (int i = 0; i < kPoints; ++i) p[i] = fit.centre + fit.half_width * t[i];
-  const auto law = curves(exact, p);
+  const auto law = curves(exact, pressures(fit, t));
   if (!law) return std::nullopt;
   interpolate(t, law->K, fit.K);
   interpolate(t, law->dK_dp, fit.dK_dp);
   interpolate(t, law->rho, fit.rho);
   interpolate(t, law->drho_dp, fit.drho_dp);
-  fit.error = larger(largest_relative_error(t, law->K, fit.K), largest_relative_error(t, law->rho, fit.rho));
-  fit.slope_error =
-      larger(largest_slope_error(t, law->dK_dp, fit.dK_dp), largest_slope_error(t, law->drho_dp, fit.drho_dp));
+  const FitErrors errors = errors_of(fit, t, *law);
+  fit.error = errors.value;
+  fit.slope_error = errors.slope;
   const bool certified = fit.error <= kFitError && fit.slope_error <= kFitSlopeError;
   if (!certified) return std::nullopt;
   return fit;
@@ -126,8 +137,19 @@ std::optional<OilFit> fit_oil(const OilAtTemperature& exact, double low, double 
 std::shared_ptr<const OilAtTemperature> fitted_oil(std::shared_ptr<const OilAtTemperature> exact, double low,
                                                    double high) {
   const auto fit = fit_oil(*exact, low, high);
-  if (!fit) return exact;
-  return std::make_shared<FittedOil>(std::move(exact), *fit);
+  return fit ? with_fit(std::move(exact), *fit) : exact;
+}
+
+std::shared_ptr<const OilAtTemperature> with_fit(std::shared_ptr<const OilAtTemperature> exact, const OilFit& fit) {
+  return std::make_shared<FittedOil>(std::move(exact), fit);
+}
+
+FitErrors fit_errors(const OilFit& fit, const OilAtTemperature& exact) {
+  const Curve t = places();
+  const auto law = curves(exact, pressures(fit, t));
+  if (law) return errors_of(fit, t, *law);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  return {none, none};
 }
 
 }  // namespace ringfilm::models

@@ -51,4 +51,14 @@ std::optional<OilFit> fit_oil(const OilAtTemperature& exact, double low, double 
 std::shared_ptr<const OilAtTemperature> fitted_oil(std::shared_ptr<const OilAtTemperature> exact, double low,
                                                    double high);
 
+/// The same oil with that fit.
+std::shared_ptr<const OilAtTemperature> with_fit(std::shared_ptr<const OilAtTemperature> exact, const OilFit& fit);
+
+/// Largest differences of a fit from the laws at the check points, as in OilFit.
+struct FitErrors {
+  double value, slope;  ///< [-]
+};
+/// NaN where the laws have no finite positive value.
+FitErrors fit_errors(const OilFit& fit, const OilAtTemperature& exact);
+
 }  // namespace ringfilm::models

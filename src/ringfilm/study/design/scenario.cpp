@@ -16,10 +16,12 @@ struct EntryOf {
   Entry operator()(const NumberKind&) const { return Entry::kAnyNumber; }
   Entry operator()(const OptionalNumberKind&) const { return Entry::kAnyNumber; }
   Entry operator()(const NumberOrFileKind&) const { return Entry::kAnyNumber; }
+  Entry operator()(const OptionalNumberOrFileKind&) const { return Entry::kAnyNumber; }
   Entry operator()(const ConstantOrTemperatureValuesKind&) const { return Entry::kAnyNumber; }
   Entry operator()(const CountKind&) const { return Entry::kWholeNumber; }
   Entry operator()(const NumberListKind&) const { return Entry::kScaleOnly; }
   Entry operator()(const TemperatureValuesKind&) const { return Entry::kScaleOnly; }
+  Entry operator()(const DistanceTemperaturesKind&) const { return Entry::kAnyNumber; }
   Entry operator()(const ChoiceKind&) const { return Entry::kText; }
   Entry operator()(const TextKind&) const { return Entry::kText; }
   Entry operator()(const OptionalTextKind&) const { return Entry::kText; }
@@ -45,6 +47,14 @@ class NumberWriter {
       kind.number(case_) = changed(kind.number(case_));
     }
   }
+  void operator()(const OptionalNumberOrFileKind& kind) {
+    LandPressure& pressure = kind.ref(case_);
+    if (pressure.file) {
+      refuse("is read from a file in this base", "a number cannot take its place in a study; state one in the base");
+    } else {
+      change_optional(pressure.constant);
+    }
+  }
   void operator()(const ConstantOrTemperatureValuesKind& kind) {
     if (factor_.how == FactorMode::kSet) {
       kind.constant(case_) = changed(0);
@@ -57,6 +67,13 @@ class NumberWriter {
   }
   void operator()(const TemperatureValuesKind& kind) {
     for (TemperatureValue& point : kind.ref(case_)) point.value = changed(point.value);
+  }
+  void operator()(const DistanceTemperaturesKind& kind) {
+    if (factor_.how == FactorMode::kSet) {
+      kind.ref(case_) = {{0, changed(0)}};
+    } else {
+      for (LinerTemperature& point : kind.ref(case_)) point.temperature = changed(point.temperature);
+    }
   }
   void operator()(const NumberListKind& kind) {
     for (double& value : kind.ref(case_)) value = changed(value);
@@ -149,6 +166,9 @@ struct ValueText {
   std::string operator()(const NumberOrFileKind& kind) const {
     return exact(kind.number(c)) + " " + kind.file(c).value_or("-");
   }
+  std::string operator()(const OptionalNumberOrFileKind& kind) const {
+    return optional(kind.ref(c).constant) + " " + kind.ref(c).file.value_or("-");
+  }
   std::string operator()(const UnitNameKind& kind) const { return exact(kind.ref(c)); }
   std::string operator()(const NumberListKind& kind) const { return listed(kind.ref(c)); }
   std::string operator()(const TemperatureValuesKind& kind) const {
@@ -159,6 +179,13 @@ struct ValueText {
   }
   std::string operator()(const ConstantOrTemperatureValuesKind& kind) const {
     return optional(kind.constant(c)) + " " + (*this)(TemperatureValuesKind{kind.ref});
+  }
+  std::string operator()(const DistanceTemperaturesKind& kind) const {
+    std::string text;
+    for (const auto& [distance, temperature] : kind.ref(c)) {
+      text.append(exact(distance)).append(" ").append(exact(temperature)).append(" ");
+    }
+    return text;
   }
   std::string operator()(const AnglesKind&) const {
     return exact(c.output.crank_angle_step_deg) + " " + listed(c.output.crank_angles_deg);

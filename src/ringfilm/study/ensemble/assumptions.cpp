@@ -114,17 +114,17 @@ Assumption composite_modulus(const cycle::Setup& setup) {
     const char* key = "ring.coating.contact_modulus";
     const bool of_coating = c.ring.coating.contact_modulus == cycle::ContactModulus::kCoating;
     return assumption("composite-modulus",
-                      text("E' is %.1f GPa, with the modulus of the %s", setup.E_prime / 1e9,
+                      text("E' is %.1f GPa, with the modulus of the %s", setup.ring.E_prime / 1e9,
                            of_coating ? "coating" : "ring below its coating"),
                       "contact spots far smaller than the coating is thick feel the coating alone",
                       other_choices(key, c));
   }
-  const double other = other_than(setup.E_prime, 190e9, 135e9);
+  const double other = other_than(setup.ring.E_prime, 190e9, 135e9);
   return assumption(
-      "composite-modulus", text("E' is %.1f GPa; the coating's own modulus is not known", setup.E_prime / 1e9),
+      "composite-modulus", text("E' is %.1f GPa; the coating's own modulus is not known", setup.ring.E_prime / 1e9),
       "contact spots are far smaller than the coating is thick, so that its modulus rules; near 190 GPa both film "
       "parameters of the paper are met",
-      other_numbers("contact.composite_modulus", setup.input, setup.E_prime, kGPa, {other}));
+      other_numbers("contact.composite_modulus", setup.input, setup.ring.E_prime, kGPa, {other}));
 }
 
 /// 20 % to either side of whatever states the tension; the elastic pressure is proportional to each of them.
@@ -139,7 +139,7 @@ std::vector<Alternative> other_tensions(const cycle::Ring& ring, const Case& c) 
 
 Assumption elastic_pressure(const cycle::Setup& setup) {
   return assumption("ring-tension",
-                    text("the ring presses with %.3g MPa by its own tension", setup.elastic_pressure / 1e6), "",
+                    text("the ring presses with %.3g MPa by its own tension", setup.ring.elastic_pressure / 1e6), "",
                     other_tensions(setup.input.ring, setup.input));
 }
 
@@ -170,6 +170,12 @@ Assumption pressure_under_ring(const Case& c) {
 }
 
 Assumption oil_temperature(const Case& c) {
+  if (c.thermal.is_stated()) {
+    return assumption("one-oil-temperature",
+                      "the oil film has the temperature \"" + chosen("thermal.film", c) +
+                          "\" of its walls; it is not heated by shear",
+                      "shear heats the oil by a few kelvin at the most", other_choices("thermal.film", c));
+  }
   const double T = c.operating.oil_temperature;
   return assumption(
       "one-oil-temperature",
@@ -185,7 +191,7 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
   return assumption(
       "flooded-inlet",
       text("both edges are flooded with oil; at the chamber edge it stands at up to %.3g bar",
-           setup.cylinder_pressure.peak() / 1e5),
+           setup.ring.lands.above.peak() / 1e5),
       "physically that is gas: with gas at the chamber edge friction falls by 30 to 45 %, with the oil that earlier "
       "strokes left as supply most of that comes back");
 }

@@ -59,7 +59,6 @@ class Film {
  public:
   Film(int n_cells, double swing) : oil_(models::closed_form_oil(kEta, kRho, kZ, {kA, kB})), swing_(swing) {
     problem_.grid = film::uniform_grid(n_cells, kWidth, wedge);
-    problem_.oil = oil_.get();
     problem_.cavitation = film::Cavitation::kMassConserving;
     problem_.tolerance = 1e-13;
   }
@@ -79,6 +78,7 @@ class Film {
   /// The state at `t`, solved from the one a step before.
   film::FilmState solved(double t, double time_step, const film::FilmState& previous) const {
     film::FilmInputs inputs;
+    inputs.oil = oil_;
     inputs.U = kSpeed;
     inputs.left.pressure = inputs.right.pressure = kEdge;
     inputs.load = kPeak / 2 * kWidth;

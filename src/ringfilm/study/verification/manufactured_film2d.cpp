@@ -97,7 +97,6 @@ class Film2d {
  public:
   Film2d(int n_cells, double swing) : oil_(models::closed_form_oil(kEta, kRho, kZ, {kA, kB})), swing_(swing) {
     problem_.strip.grid = film::uniform_grid(n_cells, kWidth, [](double) { return 0.0; });
-    problem_.strip.oil = oil_.get();
     problem_.strip.cavitation = film::Cavitation::kMassConserving;
     problem_.strip.tolerance = 1e-11;
     problem_.around = crowded_around(n_cells);
@@ -129,6 +128,7 @@ class Film2d {
   /// The state at `t`, solved from the one a step before.
   film::FilmState solved(double t, double time_step, const film::FilmState& previous) const {
     film::Film2dInputs inputs;
+    inputs.strip.oil = oil_;
     inputs.strip.U = kSpeed;
     inputs.strip.left.pressure = inputs.strip.right.pressure = inputs.p_low = inputs.p_high = kEdge;
     inputs.strip.load = kPeak / 2 * kWidth;

@@ -267,7 +267,7 @@ TEST(CrankcaseTrace, SharesReferenceAndZeroWithTheCylinder) {
   folder.write("crankcase.csv", trace);
   ASSERT_TRUE(folder.read().gas.crankcase_trace.has_value());
   folder.write("crankcase.csv", "crank_angle [degree],p [bar]\n0,1\n10,1.1\n");
-  EXPECT_THAT(folder.faults(), HasSubstr("the crankcase trace covers only a part of the cycle"));
+  EXPECT_THAT(folder.faults(), HasSubstr("the trace of gas.crankcase_pressure covers only a part of the cycle"));
 }
 
 TEST(MeasuredHeavyDutyTrace, IsReadByItsColumns) {

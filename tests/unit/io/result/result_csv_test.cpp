@@ -19,7 +19,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 TEST(ResultCsv, HeaderIsTheContractOfNames) {
   // The first columns as scripts of other people rely on them.
-  EXPECT_THAT(result_csv({}),
+  EXPECT_THAT(result_csv(std::vector<cycle::Sample>{}),
               testing::StartsWith(
                   "crank_angle [degree],piston_velocity [m/s],gas_pressure [Pa],applied_load [N],min_film_thickness "
                   "[m],lambda_ratio,hydrodynamic_load [N],asperity_load [N],asperity_contact_area [m2],"

@@ -1,0 +1,31 @@
+#include "ringfilm/cycle/case/case_fields_table.hpp"
+#include "ringfilm/models/oil/oil_temperature.hpp"
+
+namespace ringfilm::cycle::table {
+namespace {
+
+constexpr When kWallTemperatures{[](const Case& c) { return c.thermal.is_stated(); },
+                                 "thermal.ring or thermal.liner is stated"};
+
+}  // namespace
+
+void append_thermal_fields(std::vector<Field>& fields) {
+  const Unit kelvin{"K", "degC"};
+  const Range temperature = strictly_between(models::kColdestOil, models::kHottestOil);
+  fields.insert(
+      fields.end(),
+      {
+          field("thermal.ring", OptionalNumberKind{member<&Case::thermal, &Thermal::ring>}, kelvin, temperature,
+                Need::kOptional, {}, {"temperature of the ring's face", "\"190 degC\""}),
+          field("thermal.liner", DistanceTemperaturesKind{member<&Case::thermal, &Thermal::liner>}, kelvin, temperature,
+                Need::kOptional, {},
+                {"temperature of the liner: one, or [distance of the ring from its TDC position, temperature] at "
+                 "increasing distances, linear between them and constant beyond",
+                 "[[\"0 mm\", \"180 degC\"], [\"79.5 mm\", \"110 degC\"]]"}),
+          field("thermal.film", choice<&Case::thermal, &Thermal::film>({"mean-of-walls", "liner", "ring"}), kNoUnit, {},
+                Need::kDefault, kWallTemperatures,
+                {"whose temperature the oil film has, in place of operating.oil_temperature", "\"mean-of-walls\""}),
+      });
+}
+
+}  // namespace ringfilm::cycle::table

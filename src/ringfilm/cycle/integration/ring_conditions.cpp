@@ -1,0 +1,32 @@
+#include "ringfilm/cycle/integration/ring_conditions.hpp"
+
+#include <algorithm>
+
+#include "ringfilm/cycle/integration/kinematics.hpp"
+
+namespace ringfilm::cycle {
+
+RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, double time_step) {
+  const double angle = wrapped(crank_angle_deg);
+  const RingSetup& ring = setup.ring;
+  const Case& c = setup.input;
+  const double above = ring.lands.above.pressure(angle), below = ring.lands.below.pressure(angle);
+  const double U = setup.engine.crank.velocity(radians(angle), setup.engine.speed);
+  const bool turned =
+      c.ring.face.orientation == Orientation::kLeadingEdge && motion(angle) == Motion::kTowardsCrankcase;
+
+  RingConditions at;
+  at.axis = turned ? Axis::kFromCrankcase : Axis::kFromChamber;
+  at.inputs.U = turned ? -U : U;
+  at.inputs.left.pressure = turned ? below : above;
+  at.inputs.right.pressure = turned ? above : below;
+  at.inputs.p_cavitation = std::min({c.film.cavitation_pressure, above, below});
+  at.inputs.load = (ring.elastic_pressure + c.gas.pressure_behind_ring * above) * c.ring.face_width;
+  at.inputs.time_step = time_step;
+  at.film_temperature = ring.oil.temperature;
+  if (ring.oil.walls) at.film_temperature = ring.oil.walls->film(setup.engine.crank.position(radians(angle)));
+  at.inputs.oil = ring.oil.range->at(at.film_temperature);
+  return at;
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,23 @@
+#pragma once
+#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/film/film_state.hpp"
+
+namespace ringfilm::cycle {
+
+/// Which way the film's own x points.
+enum class Axis {
+  kFromChamber,   ///< x = 0 at the chamber edge
+  kFromCrankcase  ///< x = 0 at the crankcase edge (only with orientation = "leading-edge", moving down)
+};
+
+/// What acts on a ring at one crank angle.
+struct RingConditions {
+  film::FilmInputs inputs;  ///< speed, edges, oil and load of its film
+  Axis axis = Axis::kFromChamber;
+  double film_temperature = 0;  ///< [K]
+};
+
+/// @param crank_angle_deg any [degree] @param time_step that leads there; film::kSteady [s]
+RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, double time_step);
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/case/case_tree.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+constexpr const char* kAbove = "ring.pressure_above";
+constexpr const char* kBelow = "ring.pressure_below";
+/// More rings than any engine has; a larger number is a slip.
+constexpr std::size_t kMostRings = 20;
+
+using Entries = std::map<std::string, TomlEntry>;
+
+/// The entries of one ring, by the keys of a case of one ring.
+struct RingEntries {
+  Entries entries;
+  std::set<std::string> faulty;
+};
+
+std::string number(std::size_t ring) { return std::to_string(ring); }
+
+/// Gives each ring the pressure of the land above it.
+void join_lands(std::map<std::size_t, RingEntries>& rings, const std::string& path, std::vector<Fault>& faults) {
+  for (std::size_t i = 2; i <= rings.size(); ++i) {
+    Entries &upper = rings.at(i - 1).entries, &ring = rings.at(i).entries;
+    if (const auto stated = ring.find(kAbove); stated != ring.end()) {
+      faults.push_back({stated->second.value.key_mark,
+                        cycle::pack_key(i, kAbove) + " is the pressure below ring " + number(i - 1),
+                        "state " + cycle::pack_key(i - 1, kBelow) + " alone"});
+    } else if (const auto land = upper.find(kBelow); land != upper.end()) {
+      TomlEntry above = land->second;
+      above.key = kAbove;
+      ring.emplace(kAbove, std::move(above));
+    } else if (!rings.at(i - 1).faulty.contains(kBelow)) {
+      faults.push_back({{path, 0, 0, ""},
+                        "the key " + cycle::pack_key(i - 1, kBelow) +
+                            " is missing: the gas pressure between the rings " + number(i - 1) + " and " + number(i),
+                        "write, for example, pressure_below = \"1.4 bar\", or a CSV file like that of the cylinder, in "
+                        "that [[ring]]"});
+    }
+  }
+}
+
+}  // namespace
+
+PackTrees pack_trees(CaseTree tree) {
+  std::map<std::size_t, RingEntries> rings;
+  std::vector<TomlEntry> common;
+  const TomlEntry* single = nullptr;
+  for (const TomlEntry& entry : tree.entries) {
+    const auto of_ring = cycle::ring_key(entry.key);
+    if (!of_ring) {
+      if (entry.key.rfind("ring.", 0) == 0) single = &entry;
+      common.push_back(entry);
+      continue;
+    }
+    TomlEntry plain = entry;
+    plain.key = of_ring->key;
+    rings[of_ring->ring].entries.emplace(of_ring->key, std::move(plain));
+  }
+  if (rings.empty()) return {{std::move(tree)}, false, {}};
+
+  PackTrees pack;
+  pack.is_pack = true;
+  const std::size_t n = rings.rbegin()->first;
+  if (n != rings.size() || n > kMostRings) {
+    pack.faults.push_back({rings.rbegin()->second.entries.begin()->second.value.key_mark,
+                           "ring " + number(n) + " is stated, but there are " + number(rings.size()) + " rings",
+                           "rings count from 1, the one next to the chamber"});
+    return pack;
+  }
+  if (single != nullptr) {
+    pack.faults.push_back({single->value.key_mark, single->key + " belongs to no ring of the pack",
+                           "write it into a [[ring]] section, or [ring] for a case of one ring"});
+    std::erase_if(common, [](const TomlEntry& entry) { return entry.key.rfind("ring.", 0) == 0; });
+  }
+  std::set<std::string> faulty;
+  for (const std::string& key : tree.faulty) {
+    const auto of_ring = cycle::ring_key(key);
+    if (of_ring && rings.contains(of_ring->ring)) {
+      rings.at(of_ring->ring).faulty.insert(of_ring->key);
+    } else {
+      faulty.insert(key);
+    }
+  }
+  join_lands(rings, tree.path, pack.faults);
+  for (auto& [i, ring] : rings) {
+    CaseTree one = tree;
+    if (i > 1) one.faults.clear();
+    one.faulty = faulty;
+    one.faulty.merge(ring.faulty);
+    one.entries.clear();
+    for (const TomlEntry& entry : common) {
+      if (!ring.entries.contains(entry.key)) one.entries.push_back(entry);
+    }
+    for (auto& [key, entry] : ring.entries) one.entries.push_back(std::move(entry));
+    pack.trees.push_back(std::move(one));
+  }
+  return pack;
+}
+
+}  // namespace ringfilm::io

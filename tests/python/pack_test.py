@@ -1,0 +1,119 @@
+"""Ring packs: cases with several rings and their results."""
+
+import pickle
+
+import numpy
+import pytest
+
+import ringfilm
+
+FACE = 'face = { form = "parabola", crown_height = "15 um" }\n'
+CASE = """
+title = "pack"
+[engine]
+bore = "89 mm"
+stroke = "79.5 mm"
+connecting_rod_length = "138.1 mm"
+[operating]
+speed = "1500 rpm"
+[thermal]
+ring = "190 degC"
+liner = [["0 mm", "180 degC"], ["79.5 mm", "110 degC"]]
+[gas]
+model = "wiebe"
+[contact]
+asperity_density = "0.097 um-2"
+asperity_radius = "1.56 um"
+roughness = "0.48 um"
+boundary_shear_strength_coefficient = 0.3581
+[lubricant]
+file = "data/lubricants/styles2014.toml"
+[solver]
+cells = 40
+crank_step = "4 degree"
+[output]
+crank_angles = "4 degree"
+fields = ["20 degree"]
+[[ring]]
+face_width = "1.2 mm"
+elastic_pressure = "0.2 MPa"
+pressure_below = "2.5 bar"
+""" + FACE + """
+[[ring]]
+face_width = "1.5 mm"
+elastic_pressure = "0.15 MPa"
+contact = { roughness = "0.6 um" }
+""" + FACE
+
+
+@pytest.fixture
+def pack(tmp_path):
+    path = tmp_path / "pack.toml"
+    path.write_text(CASE)
+    return ringfilm.Case.read(path)
+
+
+def test_rings_are_cases_and_give_their_bits(pack, tmp_path):
+    result = pack.run()
+    assert len(pack.rings) == len(result.rings) == 2
+    for case, ring in zip(pack.rings, result.rings, strict=True):
+        alone = case.run()
+        for quantity in ringfilm.quantities()["curve"]:
+            numpy.testing.assert_array_equal(ring[quantity.name], alone[quantity.name], quantity.name)
+    assert result["min_film_thickness"].shape == (2, 180)
+    assert result["fmep"].shape == (2,)
+    assert result.values["fmep"] == pytest.approx(result["fmep"].sum())
+    assert "film_temperature" in result.rings[0].keys()
+
+
+def test_a_file_gives_it_back(pack, tmp_path):
+    result = pack.run()
+    result.write(tmp_path / "pack.nc")
+    read = ringfilm.Result.read(tmp_path / "pack.nc")
+    assert isinstance(read, ringfilm.PackResult)
+    assert read.to_json() == result.to_json()
+    for a, b in zip(read.rings, result.rings, strict=True):
+        assert a.notes == b.notes and a.inputs == b.inputs and a.effort == b.effort
+        numpy.testing.assert_array_equal(a["film_pressure"], b["film_pressure"])
+    assert pickle.loads(pickle.dumps(result)).to_json() == result.to_json()
+
+
+def test_xarray_opens_the_file_with_the_dimension_ring(pack, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    result = pack.run()
+    result.write(tmp_path / "pack.nc")
+    with xarray.open_dataset(tmp_path / "pack.nc") as read:
+        assert read.min_film_thickness.dims == ("ring", "crank_angle")
+        assert read.sel(ring=2).cycle_fmep == result.rings[1].fmep
+        xarray.testing.assert_identical(read.min_film_thickness, result.to_xarray().min_film_thickness)
+
+
+def test_the_resolved_case_is_the_same_pack(pack, tmp_path):
+    path = tmp_path / "again.toml"
+    path.write_text(pack.resolved())
+    again = ringfilm.Case.read(path)
+    for a, b in zip(again.run().rings, pack.run().rings, strict=True):
+        assert a.values == b.values
+        numpy.testing.assert_array_equal(a.min_film_thickness, b.min_film_thickness)
+
+
+def test_keys_of_one_ring_have_its_number(pack):
+    assert pack["ring.2.face_width"] == pytest.approx(1.5e-3)
+    assert pack["ring.2.contact.roughness"] == pytest.approx(0.6e-6)
+    pack["ring.2.face_width"] = "2 mm"
+    pack["operating.speed"] = "3000 rpm"
+    assert [ring["ring.face_width"] for ring in pack.rings] == pytest.approx([1.2e-3, 2e-3])
+    assert {ring["operating.speed"] for ring in pack.rings} == {pack["operating.speed"]}
+    pack["ring.1.pressure_below"] = "4 bar"
+    assert pack.rings[1]["ring.pressure_above"] == pytest.approx(4e5)
+    with pytest.raises(ringfilm.UnknownKeyError, match="ring.1.face_width"):
+        pack["ring.face_width"]
+    with pytest.raises(ringfilm.UnknownKeyError):
+        pack["ring.3.face_width"] = "1 mm"
+    assert pickle.loads(pickle.dumps(pack)) == pack
+
+
+def test_many_at_once_are_cases_of_one_ring(pack):
+    refused, solved = ringfilm.simulate_many([pack, pack.rings[0]])
+    assert "one ring" in refused.reason
+    assert solved.reason == ""
