@@ -60,7 +60,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                 "-DRINGFILM_TESTS=OFF",
                 f"-DPython3_EXECUTABLE={sys.executable}",
             )
-        _run("cmake", "--build", build, "--target", "ringfilm_python")
+        _run("cmake", "--build", build, "--target", "ringfilm_python_stubs")
     version = _version()
     with tempfile.TemporaryDirectory(prefix="ringfilm-wheel-") as scratch:
         folder = pathlib.Path(scratch)
