@@ -1,4 +1,5 @@
-# ringfilm_report_page(<target>): bundles src/ringfilm/report/page into one HTML template with esbuild and compiles it into
+# ringfilm_report_page(<target>): bundles src/ringfilm/report/page into one HTML template with esbuild and compiles it
+# into
 # <target>. Packages are fetched once, locked, into the build folder; nothing of them is kept in the source tree. Those
 # that format, check and test the page only where tests are built.
 function(ringfilm_report_page target)
