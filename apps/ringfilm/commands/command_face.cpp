@@ -25,7 +25,7 @@ std::string points_path(const FaceCommand& command) {
     throw InputError("--as points: " + fragment.string() + " is no file, nothing can stand beside it",
                      "name a file, for example --fragment face.toml");
   }
-  std::string points = fs::path(fragment).replace_extension(".csv").string();
+  const std::string points = fs::path(fragment).replace_extension(".csv").string();
   io::check_can_write(points, io::Sink::kFile);
   const auto refuse = [&](const std::string& what, const std::string& path) {
     if (is_same_file(points, path)) {

@@ -102,7 +102,7 @@ class OpenFile {
   std::string string_of(int variable, const std::string& name) const {
     char* stored = nullptr;
     check(nc_get_att_string(file_, variable, "units", &stored), name);
-    std::string text = stored == nullptr ? "" : stored;
+    const std::string text = stored == nullptr ? "" : stored;
     if (stored != nullptr) nc_free_string(1, &stored);
     return text;
   }
