@@ -1,5 +1,5 @@
-# What `cmake --install` puts where, in components: program, library (and python, which its own folder adds); portable is
-# the program with the libraries that it needs beside it, made by script/package and by nothing else.
+# What `cmake --install` puts where, in components: program, library (and python, which its own folder adds); portable
+# is the program with the libraries that it needs beside it, made by script/package and by nothing else.
 
 # ringfilm_install_program(): bin/ringfilm, and share/ringfilm with the cases, data and verifications that it finds from
 # its own place.
@@ -16,8 +16,8 @@ function(ringfilm_install_shared_data component)
           DESTINATION "${CMAKE_INSTALL_DATADIR}/ringfilm/matlab" COMPONENT ${component} ${ARGN})
 endfunction()
 
-# ringfilm_install_library(): the static libraries, the headers that ringfilm/ringfilm.hpp leads to, and what finds them:
-# find_package(ringfilm) with the target ringfilm::ringfilm, and pkg-config ringfilm.
+# ringfilm_install_library(): the static libraries, the headers that ringfilm/ringfilm.hpp leads to, and what finds
+# them: find_package(ringfilm) with the target ringfilm::ringfilm, and pkg-config ringfilm.
 function(ringfilm_install_library)
   get_property(libraries GLOBAL PROPERTY RINGFILM_LIBRARIES)
   add_library(ringfilm_public INTERFACE)

@@ -44,8 +44,9 @@ set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
 pkg-config find them, for programs that compute cycles, batches and studies
 themselves, or bring an oil law of their own.")
 # The cases and data that it finds at run time are those of the program.
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
-    "libboost-dev (>= 1.74), libfmt-dev, libnetcdf-dev, libpugixml-dev, libssl-dev, libtomlplusplus-dev, libudunits2-dev, libzip-dev")
+string(CONCAT CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
+    "libboost-dev (>= 1.74), libfmt-dev, libnetcdf-dev, libpugixml-dev, libssl-dev, libtomlplusplus-dev, "
+    "libudunits2-dev, libzip-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "ringfilm (= ${PROJECT_VERSION}-1), cmake, pkg-config")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-ringfilm)
@@ -55,7 +56,8 @@ set(CPACK_COMPONENT_PYTHON_DESCRIPTION
 home in numpy, xarray and pandas; python3 -m ringfilm is the command line.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 # Built for one version of Python, the system's.
-execute_process(COMMAND /usr/bin/python3 -c "import sys; print('python3 (>= 3.%d), python3 (<< 3.%d)' % (sys.version_info[1], sys.version_info[1] + 1))"
+set(print_versions "import sys; n = sys.version_info[1]; print('python3 (>= 3.%d), python3 (<< 3.%d)' % (n, n + 1))")
+execute_process(COMMAND /usr/bin/python3 -c "${print_versions}"
                 OUTPUT_VARIABLE python_versions OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "ringfilm (= ${PROJECT_VERSION}-1), ${python_versions}, python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-xarray, python3-netcdf4, python3-pandas, python3-matplotlib")
@@ -68,7 +70,8 @@ file(WRITE "${papers}/copyright" "${notice}
 On Debian systems the text of the licence is in /usr/share/common-licenses/Apache-2.0.
 ")
 configure_file("${CMAKE_SOURCE_DIR}/CHANGELOG.md" "${papers}/changelog" COPYONLY)
-execute_process(COMMAND "${GZIP}" -9nc "${papers}/changelog" OUTPUT_FILE "${papers}/changelog.gz" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${GZIP}" -9nc "${papers}/changelog" OUTPUT_FILE "${papers}/changelog.gz"
+                COMMAND_ERROR_IS_FATAL ANY)
 foreach(component IN LISTS components)
   string(TOUPPER ${component} upper)
   install(FILES "${papers}/copyright" "${papers}/changelog.gz"
@@ -83,7 +86,8 @@ get_target_property(links ringfilm LINK_LIBRARIES)
 target_link_libraries(ringfilm_portable PRIVATE ${links})
 target_link_options(ringfilm_portable PRIVATE -Wl,--disable-new-dtags)
 set_target_properties(ringfilm_portable PROPERTIES OUTPUT_NAME ringfilm
-  RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/portable" BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "\$ORIGIN/../lib/ringfilm")
+  RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/portable" BUILD_WITH_INSTALL_RPATH ON
+  INSTALL_RPATH "\$ORIGIN/../lib/ringfilm")
 install(TARGETS ringfilm_portable RUNTIME_DEPENDENCY_SET portable DESTINATION bin COMPONENT portable EXCLUDE_FROM_ALL)
 # What belongs to the system and not to a program stays with it: the C library and its loader.
 install(RUNTIME_DEPENDENCY_SET portable DESTINATION lib/ringfilm COMPONENT portable EXCLUDE_FROM_ALL

@@ -2,12 +2,13 @@
 # The commit is looked up at each build, the header is only touched when it changed: one source is compiled again.
 function(ringfilm_stamp target)
   set(folder "${CMAKE_BINARY_DIR}/stamp")
+  set(compiler "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
   set(look_up "${CMAKE_COMMAND}"
       "-DSOURCE_FOLDER=${CMAKE_SOURCE_DIR}"
       "-DTEMPLATE=${CMAKE_SOURCE_DIR}/cmake/ringfilm_stamp.hpp.in"
       "-DHEADER=${folder}/ringfilm_stamp.hpp"
       "-DPROGRAM=${PROJECT_NAME} ${PROJECT_VERSION}"
-      "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, ${CMAKE_SYSTEM_PROCESSOR}, ${CMAKE_BUILD_TYPE}"
+      "-DCOMPILER=${compiler}, ${CMAKE_SYSTEM_PROCESSOR}, ${CMAKE_BUILD_TYPE}"
       -P "${CMAKE_SOURCE_DIR}/cmake/look_up_commit.cmake")
   add_custom_target(${target}_stamp COMMAND ${look_up} BYPRODUCTS "${folder}/ringfilm_stamp.hpp" VERBATIM
                     COMMENT "Looking up the commit")

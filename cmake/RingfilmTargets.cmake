@@ -1,4 +1,5 @@
-# ringfilm_library(<folder> [libraries...]): the static library ringfilm_<folder> of all sources in src/ringfilm/<folder>.
+# ringfilm_library(<folder> [libraries...]): the static library ringfilm_<folder> of all sources in
+# src/ringfilm/<folder>.
 # A name of another folder stands for its library.
 function(ringfilm_library folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/ringfilm/${folder}/*.cpp")
@@ -7,6 +8,7 @@ function(ringfilm_library folder)
     add_library(${target} STATIC ${sources})
     set(scope PUBLIC)
     ringfilm_warnings(${target})
+    ringfilm_by_folder(${target})
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
@@ -42,7 +44,8 @@ function(ringfilm_compiled_fast target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${option}>)
 endfunction()
 
-# ringfilm_unit_tests(<folder> [libraries...]): the program unit_<folder> of tests/unit/<folder>/*.cpp, of which there must be one.
+# ringfilm_unit_tests(<folder> [libraries...]): the program unit_<folder> of tests/unit/<folder>/*.cpp, of which there
+# must be one.
 function(ringfilm_unit_tests folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/unit/${folder}/*.cpp")
   if(NOT sources)
@@ -56,6 +59,7 @@ function(ringfilm_test_program target sources)
   ringfilm_warnings(${target})
   ringfilm_compiled_fast(${target} -Og)  # what is tested is compiled in full
   target_link_libraries(${target} PRIVATE ${ARGN} GTest::gtest_main GTest::gmock)
+  ringfilm_headers(${target} tests <filesystem> <fstream> <sstream> <gtest/gtest.h> <gmock/gmock.h>)
   target_compile_definitions(${target} PRIVATE RINGFILM_SOURCE_FOLDER="${CMAKE_SOURCE_DIR}")
   gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60)
 endfunction()
@@ -71,6 +75,7 @@ endfunction()
 # of machine are always the same.
 function(ringfilm_instruction_sets stem)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+    set_source_files_properties("${stem}_avx2.cpp" "${stem}_avx512.cpp" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     set_source_files_properties("${stem}_avx2.cpp" PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
     set_source_files_properties("${stem}_avx512.cpp" PROPERTIES
       COMPILE_OPTIONS "-mavx2;-mfma;-mavx512f;-mavx512dq;-mavx512vl;-ffp-contract=fast")

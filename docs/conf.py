@@ -28,7 +28,12 @@ myst_update_mathjax = False
 # refuse fonts of pages that are opened as files.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_SVG"
 mathjax2_config = {
-    "tex2jax": {"inlineMath": [["\\(", "\\)"]], "displayMath": [["\\[", "\\]"]], "processRefs": False, "processEnvironments": False},
+    "tex2jax": {
+        "inlineMath": [["\\(", "\\)"]],
+        "displayMath": [["\\[", "\\]"]],
+        "processRefs": False,
+        "processEnvironments": False,
+    },
     "SVG": {"linebreaks": {"automatic": True}},
     "messageStyle": "none",
     "showMathMenu": False,

@@ -1,8 +1,8 @@
-"""Builds the wheel of the Python module by CMake (PEP 517): what `cmake --install --component python` installs, with the
-shipped cases and data inside.
+"""Builds the wheel of the Python module by CMake (PEP 517): what `cmake --install --component python` installs, with
+the shipped cases and data inside.
 
-RINGFILM_WHEEL_BUILD names a folder where the module is built already, which is used as it is; without it, build-wheel is
-configured and built.
+RINGFILM_WHEEL_BUILD names a folder where the module is built already, which is used as it is; without it, build-wheel
+is configured and built.
 """
 
 import os
@@ -49,9 +49,18 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     build = SOURCES / os.environ.get("RINGFILM_WHEEL_BUILD", "build-wheel")
     if "RINGFILM_WHEEL_BUILD" not in os.environ:
         if not (build / "CMakeCache.txt").exists():
-            _run("cmake", "-S", SOURCES, "-B", build, "-GNinja", "-DRINGFILM_PYTHON=ON", "-DRINGFILM_TESTS=OFF",
-                 f"-DPython3_EXECUTABLE={sys.executable}")
-        _run("cmake", "--build", build, "--target", "ringfilm_python")
+            _run(
+                "cmake",
+                "-S",
+                SOURCES,
+                "-B",
+                build,
+                "-GNinja",
+                "-DRINGFILM_PYTHON=ON",
+                "-DRINGFILM_TESTS=OFF",
+                f"-DPython3_EXECUTABLE={sys.executable}",
+            )
+        _run("cmake", "--build", build, "--target", "ringfilm_python_stubs")
     version = _version()
     with tempfile.TemporaryDirectory(prefix="ringfilm-wheel-") as scratch:
         folder = pathlib.Path(scratch)

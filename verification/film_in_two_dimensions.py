@@ -15,8 +15,20 @@ class Film:
     """x, y: edges of the cells. gap(x, y): thickness, called inside cells only, with arrays, so that jumps on edges are
     no question. Sides: pressure, or None where nothing flows through."""
 
-    def __init__(self, x, y, gap, eta, U=0.0, left=None, right=None, front=None, back=None,
-                 viscosity=lambda p: 1.0, density=lambda p: 1.0):
+    def __init__(
+        self,
+        x,
+        y,
+        gap,
+        eta,
+        U=0.0,
+        left=None,
+        right=None,
+        front=None,
+        back=None,
+        viscosity=lambda p: 1.0,
+        density=lambda p: 1.0,
+    ):
         self.x, self.y, self.gap, self.eta, self.U = np.asarray(x), np.asarray(y), gap, eta, U
         self.sides = left, right, front, back
         self.viscosity, self.density = viscosity, density
@@ -93,14 +105,15 @@ class Film:
         left, right, front, back = self.sides
         self.edge = {}
         for name, side, cell, h, half, length, outward in (
-                ("left", left, np.s_[0, :], self.h_west, 0.5 * self.dx[0], self.dy, -1),
-                ("right", right, np.s_[-1, :], self.h_east, 0.5 * self.dx[-1], self.dy, 1),
-                ("front", front, np.s_[:, 0], self.h_south, 0.5 * self.dy[0], self.dx, 0),
-                ("back", back, np.s_[:, -1], self.h_north, 0.5 * self.dy[-1], self.dx, 0)):
+            ("left", left, np.s_[0, :], self.h_west, 0.5 * self.dx[0], self.dy, -1),
+            ("right", right, np.s_[-1, :], self.h_east, 0.5 * self.dx[-1], self.dy, 1),
+            ("front", front, np.s_[:, 0], self.h_south, 0.5 * self.dy[0], self.dx, 0),
+            ("back", back, np.s_[:, -1], self.h_north, 0.5 * self.dy[-1], self.dx, 0),
+        ):
             if side is None:
                 continue
             cells, hs = index[cell], h[cell]
-            k = fluidity[cell] * hs ** 3 / half * length
+            k = fluidity[cell] * hs**3 / half * length
             drag = outward * 0.5 * self.U * self.density(side) * hs * length
             leaves(cells, None, cells, k, "p")
             constant(cells, None, drag - k * side)
@@ -109,12 +122,17 @@ class Film:
             self.edge[name] = (cells, k, drag, side, outward * self.U > 0)
 
         if dt is not None:
-            held = (rho * self.h * self.area / dt)
+            held = rho * self.h * self.area / dt
             leaves(index, None, index, -held, "c")
             b += (content_before * self.area / dt - held).ravel()
         n = nx * ny
-        sparse = lambda rows, cols, vals: csr_matrix(
-            (np.concatenate(vals), (np.concatenate(rows), np.concatenate(cols))), shape=(n, n)) if vals else csr_matrix((n, n))
+        sparse = (
+            lambda rows, cols, vals: csr_matrix(
+                (np.concatenate(vals), (np.concatenate(rows), np.concatenate(cols))), shape=(n, n)
+            )
+            if vals
+            else csr_matrix((n, n))
+        )
         return sparse(rows_p, cols_p, vals_p), sparse(rows_c, cols_c, vals_c), b
 
     def content(self):
@@ -159,7 +177,8 @@ class Film:
 def limit(values, ratio=2.0, order=None):
     """Of three values on grids refined by `ratio` each time: what they run to, and with which order."""
     import math
+
     a, b, c = values[-3:]
     seen = math.log(abs((b - a) / (c - b))) / math.log(ratio) if (b - a) * (c - b) > 0 else float("nan")
     use = order or seen
-    return c + (c - b) / (ratio ** use - 1), seen
+    return c + (c - b) / (ratio**use - 1), seen

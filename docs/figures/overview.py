@@ -52,7 +52,10 @@ def panel(rings, top, title, quantity, scale, highest, tick):
         out.append(f'<path class="{kind}" d="M{x_of(angle):.1f} {top}V{top + PANEL}"/>')
     for ring, colour, dashes in RINGS:
         points = " ".join(f"{x_of(row['angle']):.1f},{y_of(row[quantity] * scale):.1f}" for row in rings[ring])
-        out.append(f'<polyline fill="none" stroke="{colour}" stroke-width="1.7" stroke-dasharray="{dashes}" points="{points}"/>')
+        out.append(
+            f'<polyline fill="none" stroke="{colour}" stroke-width="1.7" stroke-dasharray="{dashes}" '
+            f'points="{points}"/>'
+        )
     return out
 
 
@@ -60,9 +63,11 @@ def drawing(rings):
     second = TOP + PANEL + GAP
     height = second + PANEL + 50
     out = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" font-family="sans-serif" font-size="12">',
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" '
+        'font-family="sans-serif" font-size="12">',
         "<title>Minimum film thickness and total friction of three rings over one engine cycle</title>",
-        "<style>.grid{stroke:#ddd}.dead{stroke:#999}.title{font-weight:bold}.y{text-anchor:end}.x{text-anchor:middle}</style>",
+        "<style>.grid{stroke:#ddd}.dead{stroke:#999}.title{font-weight:bold}"
+        ".y{text-anchor:end}.x{text-anchor:middle}</style>",
         f'<rect width="{WIDTH}" height="{height}" fill="white"/>',
     ]
     for k, (ring, colour, dashes) in enumerate(RINGS):

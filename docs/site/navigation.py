@@ -7,7 +7,10 @@ A name without an ending is a page of docs/manual. Pages of docs/manual that sta
 # (caption, pages)
 SECTIONS = [
     ("Begin here", ["five-minutes", "install", "command-line", "case-file", "report"]),
-    ("From scan to friction", ["measured-chain", "surfaces", "surface-files", "face", "lateral-force", "measurement-files"]),
+    (
+        "From scan to friction",
+        ["measured-chain", "surfaces", "surface-files", "face", "lateral-force", "measurement-files"],
+    ),
     ("Many cases", ["study", "performance"]),
     ("Other films", ["unrolled", "pad"]),
     ("Tutorials", ["docs/tutorials/reproduce-the-paper", "docs/tutorials/*"]),

@@ -21,7 +21,12 @@ def run(*words):
 
 def main(stage, folder):
     # The figure of the first page, drawn by the script that drew the stored one.
-    run(sys.executable, str(ROOT / "docs" / "figures" / "overview.py"), shutil.which("ringfilm"), str(stage / "docs" / "figures" / "overview.svg"))
+    run(
+        sys.executable,
+        str(ROOT / "docs" / "figures" / "overview.py"),
+        shutil.which("ringfilm"),
+        str(stage / "docs" / "figures" / "overview.svg"),
+    )
     examples = folder / "examples"
     shutil.rmtree(examples, ignore_errors=True)
     examples.mkdir(parents=True)
@@ -29,7 +34,13 @@ def main(stage, folder):
         scratch = pathlib.Path(scratch)
         run("ringfilm", "reproduce", "styles2014", "--output", str(scratch / "paper"))
         shutil.copyfile(next((scratch / "paper").glob("*.html")), examples / "report.html")
-        run("ringfilm", "study", str(ROOT / "cases" / "studies" / "new_ring_uncertainty.toml"), "-o", str(scratch / "study.nc"))
+        run(
+            "ringfilm",
+            "study",
+            str(ROOT / "cases" / "studies" / "new_ring_uncertainty.toml"),
+            "-o",
+            str(scratch / "study.nc"),
+        )
         shutil.copyfile(scratch / "study.html", examples / "study.html")
         run("ringfilm", "verify", "--output", str(examples / "verification.html"))
     print(f"docs: {len(list(examples.iterdir()))} example pages")

@@ -33,14 +33,17 @@ def notebook(text):
 
 def page(made, name, folder):
     """The notebook as Markdown with its figures beside it; returns the page's path."""
-    text, resources = MarkdownExporter().from_notebook_node(made, {"unique_key": name, "output_files_dir": f"{name}_figures"})
+    text, resources = MarkdownExporter().from_notebook_node(
+        made, {"unique_key": name, "output_files_dir": f"{name}_figures"}
+    )
     for file, content in resources["outputs"].items():
         (folder / file).parent.mkdir(parents=True, exist_ok=True)
         (folder / file).write_bytes(content)
     # The figure itself is described by the caption in it and by the words around it.
     text = re.sub(r"!\[png\]\(", "![figure](", text)
     text = re.sub(r"<style scoped>.*?</style>", "", text, flags=re.S)
-    text += f"\n\n*This page is a notebook that was run when the site was made: [{name}.ipynb]({name}.ipynb). Its source is `docs/tutorials/{name}.py`.*\n"
+    text += f"\n\n*This page is a notebook that was run when the site was made: [{name}.ipynb]({name}.ipynb). "
+    text += f"Its source is `docs/tutorials/{name}.py`.*\n"
     path = folder / f"{name}.md"
     path.write_text(text, encoding="utf-8")
     return path
@@ -53,8 +56,12 @@ def main(sources, stage):
     for source in sorted(sources.glob("*.py")):
         started = time.monotonic()
         made = notebook(source.read_text(encoding="utf-8"))
-        client = NotebookClient(made, timeout=SECONDS_A_CELL, kernel_name="python3",
-                                resources={"metadata": {"path": str(sources.parent.parent)}})
+        client = NotebookClient(
+            made,
+            timeout=SECONDS_A_CELL,
+            kernel_name="python3",
+            resources={"metadata": {"path": str(sources.parent.parent)}},
+        )
         client.execute()
         for cell in made.cells:
             cell.metadata.pop("execution", None)

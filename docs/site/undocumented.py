@@ -29,7 +29,9 @@ def undescribed(compound):
         name = f"{own}::{member.findtext('name')}"
         if not is_described(member):
             yield name
-        yield from (f"{name}::{value.findtext('name')}" for value in member.findall("enumvalue") if not is_described(value))
+        yield from (
+            f"{name}::{value.findtext('name')}" for value in member.findall("enumvalue") if not is_described(value)
+        )
 
 
 def main(folder):
@@ -37,7 +39,11 @@ def main(folder):
     for path in sorted(folder.glob("*.xml")):
         for compound in ElementTree.parse(path).getroot().findall("compounddef"):
             is_ours = compound.findtext("compoundname").split("::")[0] == "ringfilm"
-            if compound.get("kind") not in ("class", "struct", "namespace") or compound.get("prot") == "private" or not is_ours:
+            if (
+                compound.get("kind") not in ("class", "struct", "namespace")
+                or compound.get("prot") == "private"
+                or not is_ours
+            ):
                 continue
             seen += 1
             missing += undescribed(compound)

@@ -19,8 +19,9 @@ with tempfile.TemporaryDirectory() as folder:
 print("crown as it stands:", base.text("ring.face.crown_height"), " face width:", base.text("ring.face_width"))
 
 # %%
-crowns = np.geomspace(1e-6, 60e-6, 25)   # [m]
+crowns = np.geomspace(1e-6, 60e-6, 25)  # [m]
 speeds = {"1500 rpm": ("#0072B2", "-"), "4000 rpm": ("#E69F00", "--")}
+
 
 def case_of(crown, speed):
     case = base.copy()
@@ -28,13 +29,19 @@ def case_of(crown, speed):
     case["operating.speed"] = speed
     return case
 
-batches = {speed: ringfilm.simulate_many([case_of(crown, speed) for crown in crowns], curves="none") for speed in speeds}
+
+batches = {
+    speed: ringfilm.simulate_many([case_of(crown, speed) for crown in crowns], curves="none") for speed in speeds
+}
 for speed, batch in batches.items():
     assert not batch.unsolved, batch.unsolved
 
 # %%
-shown = [("fmep", 1e-3, "FMEP of this ring [kPa]"), ("min_film_thickness", 1e6, "minimum film thickness [um]"),
-         ("mean_absolute_oil_flow", 1e6, "mean absolute oil flow [mg/s]")]
+shown = [
+    ("fmep", 1e-3, "FMEP of this ring [kPa]"),
+    ("min_film_thickness", 1e6, "minimum film thickness [um]"),
+    ("mean_absolute_oil_flow", 1e6, "mean absolute oil flow [mg/s]"),
+]
 figure, panels = plt.subplots(3, 1, figsize=(7.5, 7), sharex=True, layout="constrained")
 for speed, batch in batches.items():
     colour, line = speeds[speed]
@@ -57,8 +64,10 @@ plt.show()
 for speed, batch in batches.items():
     fmep = batch.to_pandas()["fmep"].to_numpy()
     best, good = fmep.argmin(), crowns[fmep < 1.05 * fmep.min()]
-    print(f"{speed}: least friction {fmep[best] / 1e3:.2f} kPa with {crowns[best] * 1e6:.1f} um; "
-          f"within 5 % of it from {good[0] * 1e6:.1f} to {good[-1] * 1e6:.1f} um")
+    print(
+        f"{speed}: least friction {fmep[best] / 1e3:.2f} kPa with {crowns[best] * 1e6:.1f} um; "
+        f"within 5 % of it from {good[0] * 1e6:.1f} to {good[-1] * 1e6:.1f} um"
+    )
 
 # %% [markdown]
 # The film is thinnest just after firing TDC, where the ring hardly moves and lives on what the squeeze leaves: a flat face is hard to squeeze out. Friction is lost over the whole of the power stroke, and there a wedge helps. So friction has an optimum, and it is broad: choose from its middle, since a crown changes with wear. Weigh it over the operating points that matter, with a [map](../manual/study.md).

@@ -22,10 +22,12 @@ inputs = [
     ("operating.speed", "speed ±20 %", 0.8, 1.2),
 ]
 
+
 def changed(key, step):
     case = base.copy()
     case[key] = ringfilm.SI(base[key] + step if key == "operating.oil_temperature" else base[key] * step)
     return case
+
 
 cases = [base] + [changed(key, step) for key, _, *steps in inputs for step in steps]
 batch = ringfilm.simulate_many(cases)
@@ -40,11 +42,20 @@ highest = np.array([result.peak_friction_coefficient_firing for result in batch]
 
 figure, panels = plt.subplots(1, 2, figsize=(9, 3.6), sharey=True, layout="constrained")
 order = np.argsort(np.abs(at_tdc[2::2] - at_tdc[1::2]))
-for axes, values, title in zip(panels, (at_tdc, highest), ("at firing TDC (0 degree)", "highest within 60 degree of it")):
+for axes, values, title in zip(
+    panels, (at_tdc, highest), ("at firing TDC (0 degree)", "highest within 60 degree of it")
+):
     for row, i in enumerate(order):
         low, high = values[1 + 2 * i], values[2 + 2 * i]
         axes.barh(row, low - values[0], left=values[0], color="#0072B2", label="lowest input" if row == 0 else None)
-        axes.barh(row, high - values[0], left=values[0], color="#E69F00", hatch="//", label="highest input" if row == 0 else None)
+        axes.barh(
+            row,
+            high - values[0],
+            left=values[0],
+            color="#E69F00",
+            hatch="//",
+            label="highest input" if row == 0 else None,
+        )
     axes.axvline(values[0], color="black", linewidth=0.8)
     axes.set_xlabel("friction coefficient [-]")
     axes.set_title(title, fontsize=10)

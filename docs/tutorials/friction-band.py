@@ -27,17 +27,25 @@ plt.show()
 # ## N, beta and sigma of sixteen places
 # Both maps are levelled and filtered as a whole, between cut-offs of 1 and 80 um. Then each is cut into 4 x 4 parts, and each part is a sample of its own.
 
+
 # %%
 def parts(scan, n=4):
     level = ringfilm.surface.prepare(scan.heights, scan.step, form="tilt", short_cutoff=1e-6, long_cutoff=80e-6)
     rows, columns = (size // n for size in level.shape)
-    return [ringfilm.surface.surface_measures(level[i * rows:(i + 1) * rows, j * columns:(j + 1) * columns], scan.step)
-            for i in range(n) for j in range(n)]
+    return [
+        ringfilm.surface.surface_measures(level[i * rows : (i + 1) * rows, j * columns : (j + 1) * columns], scan.step)
+        for i in range(n)
+        for j in range(n)
+    ]
+
 
 pairs = [ringfilm.surface.pair_parameters(one, other) for one, other in zip(parts(ring), parts(liner))]
 samples = np.array([(pair.density_per_m2, pair.beta_m, pair.sigma_m) for pair in pairs])
 for name, values, factor, unit in zip(("N", "beta", "sigma"), samples.T, (1e-12, 1e6, 1e6), ("1/um2", "um", "um")):
-    print(f"{name:6s}{values.mean() * factor:8.4f} {unit:6s} standard deviation {100 * values.std(ddof=1) / values.mean():.1f} %")
+    print(
+        f"{name:6s}{values.mean() * factor:8.4f} {unit:6s} "
+        f"standard deviation {100 * values.std(ddof=1) / values.mean():.1f} %"
+    )
 print("correlations of their logarithms (N, beta, sigma):")
 print(np.corrcoef(np.log(samples.T)).round(2))
 
@@ -49,6 +57,7 @@ random = np.random.default_rng(2014)
 draws = np.exp(random.multivariate_normal(np.log(samples).mean(axis=0), np.cov(np.log(samples.T)), size=200))
 base = ringfilm.Case.read("cases/measured/new.toml")
 
+
 def cases():
     for density, radius, roughness in draws:
         case = base.copy()
@@ -56,6 +65,7 @@ def cases():
         case["contact.asperity_radius"] = ringfilm.SI(radius)
         case["contact.roughness"] = ringfilm.SI(roughness)
         yield case
+
 
 batch = ringfilm.simulate_many(cases())
 assert not batch.unsolved, batch.unsolved
@@ -74,7 +84,10 @@ axes.set_xticks(range(-360, 361, 90))
 axes.legend(fontsize=8)
 plt.show()
 fmep = np.array([result.fmep for result in batch])
-print(f"FMEP {np.median(fmep) / 1e3:.2f} kPa, 90 % between {np.quantile(fmep, 0.05) / 1e3:.2f} and {np.quantile(fmep, 0.95) / 1e3:.2f} kPa")
+print(
+    f"FMEP {np.median(fmep) / 1e3:.2f} kPa, "
+    f"90 % between {np.quantile(fmep, 0.05) / 1e3:.2f} and {np.quantile(fmep, 0.95) / 1e3:.2f} kPa"
+)
 
 # %% [markdown]
 # *Total friction of the new ring over the cycle, with the scatter of N, beta and sigma between sixteen places of the two maps. Each angle has its own quantiles.*

@@ -19,12 +19,18 @@ results = {life: case.run() for life, case in cases.items()}
 # What the three measurements changed: density, radius and height of the asperities, and the coefficient of boundary shear strength from lateral force microscopy. The shape of the face changed with wear, too.
 
 # %%
-keys = ["contact.asperity_density", "contact.asperity_radius", "contact.roughness", "contact.boundary_shear_strength_coefficient"]
+keys = [
+    "contact.asperity_density",
+    "contact.asperity_radius",
+    "contact.roughness",
+    "contact.boundary_shear_strength_coefficient",
+]
 pandas.DataFrame({life: {key.split(".")[1]: case.text(key).strip('"') for key in keys} for life, case in cases.items()})
 
 # %% [markdown]
 # ## Over the cycle
 # Crank angle runs from −360 to 360 degrees with firing top dead centre (TDC) in the middle.
+
 
 # %%
 def over_the_cycle(axes, result, values, life):
@@ -32,6 +38,7 @@ def over_the_cycle(axes, result, values, life):
     order = np.argsort(angle)
     colour, line = lives[life]
     axes.plot(angle[order], values[order], color=colour, linestyle=line, linewidth=1.4, label=life)
+
 
 figure, (film, friction) = plt.subplots(2, 1, figsize=(7.5, 5.5), sharex=True, layout="constrained")
 for life, result in results.items():
@@ -55,13 +62,18 @@ plt.show()
 # The paper gives the lambda ratio $\lambda=h_m/\sigma$ of the new ring at peak pressure as 1.41, and the highest friction coefficient near firing TDC as 0.17.
 
 # %%
-table = pandas.DataFrame({life: {
-    "lambda ratio at peak pressure": result.lambda_ratio_at_peak_pressure,
-    "highest friction coefficient at firing": result.peak_friction_coefficient_firing,
-    "minimum film thickness [um]": result.cycle_min_film_thickness * 1e6,
-    "FMEP [kPa]": result.fmep / 1e3,
-    "share of the cycle in mixed lubrication [%]": result.mixed_share * 100,
-} for life, result in results.items()})
+table = pandas.DataFrame(
+    {
+        life: {
+            "lambda ratio at peak pressure": result.lambda_ratio_at_peak_pressure,
+            "highest friction coefficient at firing": result.peak_friction_coefficient_firing,
+            "minimum film thickness [um]": result.cycle_min_film_thickness * 1e6,
+            "FMEP [kPa]": result.fmep / 1e3,
+            "share of the cycle in mixed lubrication [%]": result.mixed_share * 100,
+        }
+        for life, result in results.items()
+    }
+)
 table.insert(0, "paper, new", [1.41, 0.17, 1.41 * 0.48, np.nan, np.nan])
 table.round(3)
 

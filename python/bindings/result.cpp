@@ -186,9 +186,9 @@ void bind_words(py::class_<ResultObject>& type) {
   type.def_property_readonly("ledger", &ledger,
                              R"(What it would change to lift an assumption, if run(ledger=True) was asked to find out.
 
-Dicts in the order of `assumptions`, of those that were lifted: topic, statement, and variants, a list of dicts: setting
-as one would write it, values {name: float in SI} of the cycle with this setting alone changed, reason (empty; why it was
-not solved, with NaN for values). Empty where it was not asked for.)");
+Dicts in the order of `assumptions`, of those that were lifted: topic, statement, and variants, a list of dicts:
+setting as one would write it, values {name: float in SI} of the cycle with this setting alone changed, reason (empty;
+why it was not solved, with NaN for values). Empty where it was not asked for.)");
   type.def_property_readonly(
       "inputs",
       [](const ResultObject& self) {

@@ -79,7 +79,7 @@ def draw_over_angle(axes, angles, values, **style):
     if alone.size:
         marker = {"--": "x", ":": "+"}.get(style.get("linestyle"), "o")
         look = {"marker": marker, "markersize": 3.5 if marker == "o" else 6, "markevery": list(alone), **look}
-    line, = axes.plot(x, y, **look)
+    (line,) = axes.plot(x, y, **look)
     return line
 
 
@@ -113,8 +113,17 @@ def crank_axis(axes, peak, strokes="above"):
     if strokes == "inside":
         axes.set_ymargin(0.1)  # room for the words
     for angle, stroke in _STROKES if strokes != "none" else ():
-        axes.annotate(stroke, (angle, 1), xycoords=("data", "axes fraction"), xytext=(0, 2 if up else -2),
-                      textcoords="offset points", ha="center", va="bottom" if up else "top", fontsize=7, color="0.45")
+        axes.annotate(
+            stroke,
+            (angle, 1),
+            xycoords=("data", "axes fraction"),
+            xytext=(0, 2 if up else -2),
+            textcoords="offset points",
+            ha="center",
+            va="bottom" if up else "top",
+            fontsize=7,
+            color="0.45",
+        )
 
 
 def dotted_line(result):
@@ -136,5 +145,12 @@ def caption(figure, text):
     lines = textwrap.wrap(text, _CAPTION_WIDTH)
     height = (0.06 + 0.145 * len(lines)) / figure.get_figheight()
     figure.get_layout_engine().set(rect=(0, height, 1, 1 - height))
-    figure.text(0.0133, 0.06 / figure.get_figheight(), plain("\n".join(lines)), fontsize=7, color="0.3", va="bottom",
-                linespacing=1.3)
+    figure.text(
+        0.0133,
+        0.06 / figure.get_figheight(),
+        plain("\n".join(lines)),
+        fontsize=7,
+        color="0.3",
+        va="bottom",
+        linespacing=1.3,
+    )

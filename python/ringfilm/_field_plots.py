@@ -37,7 +37,7 @@ def _draw_profiles(axes, x, angles, values, words, style, strokes):
         look = {"color": colormaps["viridis"](0.85 * i / max(len(angles) - 1, 1)), "linestyle": styles[i % 4]}
         label = f"{angle:g} degree"
         look = style if strokes == "inside" else {**look, **style}
-        line, = axes.plot(x, along, **{"linewidth": 1.3, **look}, label=f"{whose}, {label}" if whose else label)
+        (line,) = axes.plot(x, along, **{"linewidth": 1.3, **look}, label=f"{whose}, {label}" if whose else label)
         if along.min() >= 0:
             from_zero(axes, line)
     if name == "film_content":

@@ -10,8 +10,12 @@ from .errors import InputError
 
 def _attributes(quantity):
     """Of a variable, those that result files have."""
-    words = {"units": quantity.unit, "long_name": quantity.long_name, "symbol": quantity.symbol,
-             "source_equation": quantity.equation}
+    words = {
+        "units": quantity.unit,
+        "long_name": quantity.long_name,
+        "symbol": quantity.symbol,
+        "source_equation": quantity.equation,
+    }
     return {name: word for name, word in words.items() if word}
 
 
@@ -50,8 +54,11 @@ def result_to_pandas(result):
 def _values_by_attribute(tables):
     """{attribute of a Result: quantity} of the values of a cycle: `cycle_...` where a curve has the name."""
     curves = {quantity.name for quantity in tables["curve"]}
-    return {f"cycle_{quantity.name}" if quantity.name in curves else quantity.name: quantity
-            for table in ("cycle", "unrolled_cycle") for quantity in tables[table]}
+    return {
+        f"cycle_{quantity.name}" if quantity.name in curves else quantity.name: quantity
+        for table in ("cycle", "unrolled_cycle")
+        for quantity in tables[table]
+    }
 
 
 def batch_column(batch, name):
@@ -59,7 +66,7 @@ def batch_column(batch, name):
     if name == "reason":
         return _texts(result.reason for result in batch)
     attributes = {name: name for name in _values_by_attribute(quantities())}
-    attributes.update({name[len("cycle_"):]: name for name in attributes if name.startswith("cycle_")})
+    attributes.update({name[len("cycle_") :]: name for name in attributes if name.startswith("cycle_")})
     if name not in attributes:
         near = difflib.get_close_matches(name, attributes, 1)
         raise KeyError(f"a batch has no value {name}" + (f"; did you mean {near[0]}?" if near else ""))
@@ -97,9 +104,14 @@ def batch_to_xarray(batch, curves=None):
 
     tables = quantities()
     results = list(batch)
-    data = {"solved": ("case", numpy.array([not result.reason for result in results], dtype=numpy.int8),
-                       {"units": "1", "long_name": "1 where the case was solved"}),
-            "reason": ("case", _texts(result.reason for result in results), {"long_name": "why it was not solved"})}
+    data = {
+        "solved": (
+            "case",
+            numpy.array([not result.reason for result in results], dtype=numpy.int8),
+            {"units": "1", "long_name": "1 where the case was solved"},
+        ),
+        "reason": ("case", _texts(result.reason for result in results), {"long_name": "why it was not solved"}),
+    }
     for name, quantity in _values_by_attribute(tables).items():
         values = numpy.array([getattr(result, name) for result in results], dtype=float)
         if quantity not in tables["unrolled_cycle"] or numpy.isfinite(values).any():
@@ -112,8 +124,9 @@ def batch_to_xarray(batch, curves=None):
         known += tables["unrolled_curve"]
     unknown = set(curves or ()) - {quantity.name for quantity in known}
     if unknown:
-        raise KeyError(f"this batch has no curve {', '.join(sorted(unknown))}: "
-                       "ringfilm.quantities()[\"curve\"] lists them")
+        raise KeyError(
+            f"this batch has no curve {', '.join(sorted(unknown))}: " 'ringfilm.quantities()["curve"] lists them'
+        )
     if angles.size:
         coordinates["crank_angle"] = ("crank_angle", angles, _attributes(axis))
         places = [numpy.searchsorted(angles, result.crank_angle) for result in results]
@@ -184,14 +197,23 @@ def study_result_to_xarray(result):
     study, tables = result.study, quantities()
     coordinates = {"base": ("scenario", _texts(study.base_of), {"long_name": "base case of the scenario"})}
     for factor, column in _columns(study):
-        words = {"units": factor["unit"], "long_name": factor["name"], "key": factor["keys"][0],
-                 "source": factor.get("source", "")}
+        words = {
+            "units": factor["unit"],
+            "long_name": factor["name"],
+            "key": factor["keys"][0],
+            "source": factor.get("source", ""),
+        }
         attributes = {name: word for name, word in words.items() if word}
         coordinates[factor["variable"]] = ("scenario", column, attributes)
     described = {quantity.name: _attributes(quantity) for quantity in tables["cycle"]}
     reasons = _reasons(result)
-    data = {"solved": ("scenario", (reasons == "").astype(numpy.int8),
-                       {"units": "1", "long_name": "1 where the scenario was solved"})}
+    data = {
+        "solved": (
+            "scenario",
+            (reasons == "").astype(numpy.int8),
+            {"units": "1", "long_name": "1 where the scenario was solved"},
+        )
+    }
     for name, (dimensions, values, attributes) in result._dataset().items():
         data[name] = (dimensions, values, {**attributes, **described.get(name, {})})
     if len(result.crank_angle):

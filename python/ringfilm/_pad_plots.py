@@ -15,8 +15,10 @@ def plot_pad(result, what="film", axes=None, label=None, **style):
         known = ", ".join(("film", *_ALONG))
         raise ValueError(f"{what!r} cannot be drawn; one of {known}, or a number of the pad over time")
     if what == "film" and (axes is not None or label is not None or style):
-        raise ValueError("'film' is a figure of two panels: axes, label and style are for film_thickness, pressure, "
-                         "film_content or a number of the pad")
+        raise ValueError(
+            "'film' is a figure of two panels: axes, label and style are for film_thickness, pressure, "
+            "film_content or a number of the pad"
+        )
     if not len(result.time):
         raise ValueError("this pad has no film to draw: it was not solved at any instant")
     draw = _draw_along if what in _ALONG else _draw_over_time
@@ -43,8 +45,12 @@ def plot_pad(result, what="film", axes=None, label=None, **style):
 
 
 def _described(name):
-    return next(quantity for table in ("pad_film", "pad", "pad_width") for quantity in quantities()[table]
-                if quantity.name == name)
+    return next(
+        quantity
+        for table in ("pad_film", "pad", "pad_width")
+        for quantity in quantities()[table]
+        if quantity.name == name
+    )
 
 
 def _in_reading_unit(axes, which, values, name):
@@ -69,7 +75,7 @@ def _draw_along(axes, result, name, style):
         where += f" at the last instant, t = {result.time[-1]:.4g} s"
     y = _in_reading_unit(axes, "y", values, name)
     x = _in_reading_unit(axes, "x", result.x, "x")
-    line, = axes.plot(x, y, **{"linewidth": 1.3, **style})
+    (line,) = axes.plot(x, y, **{"linewidth": 1.3, **style})
     if numpy.nanmin(y) >= 0:
         from_zero(axes, line)
     return f"{_described(name).long_name.capitalize()} along the pad{where}."

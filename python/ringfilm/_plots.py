@@ -86,8 +86,16 @@ def _draw_curve(axes, result, name, style):
         axes.yaxis.get_major_locator().set_params(integer=True)
     if name == "gas_pressure" and _is_synthetic(result):
         top = numpy.nanargmax(values)
-        axes.annotate("SYNTHETIC", (angles[top], values[top]), xytext=(12, -2), textcoords="offset points",
-                      ha="left", va="top", fontsize=7, color=line.get_color())
+        axes.annotate(
+            "SYNTHETIC",
+            (angles[top], values[top]),
+            xytext=(12, -2),
+            textcoords="offset points",
+            ha="left",
+            va="top",
+            fontsize=7,
+            color=line.get_color(),
+        )
     return line
 
 
@@ -110,7 +118,7 @@ def _refuse_without_curves(result):
         raise ValueError(f"this result has no curves: the case was not solved: {result.reason}")
     if not result.complete:
         raise ValueError("this result has no curves: the integration stopped before the first crank angle that is kept")
-    raise ValueError("this result has no curves: run the batch with curves=\"all\"")
+    raise ValueError('this result has no curves: run the batch with curves="all"')
 
 
 def _without_aliases(style):
@@ -184,7 +192,7 @@ def _draw_stribeck(axes, result, _, style, strokes):
     look = {"linestyle": "none", "marker": ".", "markersize": 3, **_own_look(style, strokes)}
     if "linestyle" not in style:
         look["linestyle"] = "none"
-    line, = axes.plot(number[moves], numpy.asarray(result.friction_coefficient)[moves], **look)
+    (line,) = axes.plot(number[moves], numpy.asarray(result.friction_coefficient)[moves], **look)
     axes.set_xscale("log")
     axes.set_xlabel(label_of(curves["stribeck_number"].long_name, "1"), fontsize=8)
     axes.set_ylabel(label_of(curves["friction_coefficient"].long_name, "1"), fontsize=8)

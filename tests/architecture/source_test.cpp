@@ -16,6 +16,22 @@ TEST(Architecture, NoFileIsLongerThan600Lines) {
   }
 }
 
+/// Number of characters of a text in UTF-8.
+std::size_t width_of(const std::string& line) {
+  return static_cast<std::size_t>(
+      std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+TEST(Architecture, NoLineIsLongerThan120Characters) {
+  const std::vector<TextFile> files = all_scripts_and_sources();
+  ASSERT_GT(files.size(), 500u);
+  for (const TextFile& file : files) {
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      EXPECT_LE(width_of(file.lines[i]), 120u) << file.path << ":" << i + 1;
+    }
+  }
+}
+
 TEST(Architecture, NoFolderHoldsMoreThan25Files) {
   namespace fs = std::filesystem;
   std::map<std::string, int> files;

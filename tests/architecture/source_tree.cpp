@@ -108,6 +108,27 @@ std::vector<SourceFile> product_sources() { return read_below({"src", "apps", "p
 
 std::vector<SourceFile> all_sources() { return read_below({"src", "apps", "python", "tests", "benchmarks"}); }
 
+std::vector<TextFile> all_scripts_and_sources() {
+  static const std::regex written(
+      R"(.*\.(cpp|hpp|py|js|mjs|css|cmake|in|m)|(.*/)?CMakeLists\.txt|script/[^.]*|\.ci/.*)");
+  static const std::regex by_others(R"((.*/)?(build[^/]*|node_modules|shared|\.(?!ci/)[^/]*|__pycache__)/.*)");
+  const fs::path root = RINGFILM_SOURCE_FOLDER;
+  std::vector<TextFile> files;
+  for (auto entry = fs::recursive_directory_iterator(root); entry != fs::recursive_directory_iterator(); ++entry) {
+    const std::string path = entry->path().lexically_relative(root).generic_string();
+    if (entry->is_directory() && std::regex_match(path + "/", by_others)) entry.disable_recursion_pending();
+    if (!entry->is_regular_file() || !std::regex_match(path, written)) continue;
+    TextFile file{path, {}};
+    std::ifstream stream(entry->path());
+    for (std::string line; std::getline(stream, line);) {
+      const bool is_prose = path.rfind("docs/tutorials/", 0) == 0 && line.rfind("# ", 0) == 0;
+      file.lines.push_back(is_prose ? "" : line);
+    }
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
 std::string module_of_include(const std::string& target) {
   if (target.rfind("ringfilm/", 0) != 0) return "";
   const std::string rest = target.substr(9);

@@ -31,6 +31,15 @@ std::vector<SourceFile> product_sources();
 /// All sources including tests and benchmarks.
 std::vector<SourceFile> all_sources();
 
+struct TextFile {
+  std::string path;
+  std::vector<std::string> lines;
+};
+
+/// C++, Python, JavaScript, style sheets, CMake and shell scripts of the whole project. The prose of a tutorial, a
+/// paragraph a line, is omitted.
+std::vector<TextFile> all_scripts_and_sources();
+
 /// The module that an include such as "ringfilm/io/text/units.hpp" names; empty for anything outside the project.
 std::string module_of_include(const std::string& target);
 

@@ -13,19 +13,33 @@ SCRIPT = program.SOURCES / "script" / "bench-compare"
 
 
 def entry(name, time, unit="ms", repeats=2, **more):
-    return {"name": f"{name}/iterations:1/repeats:{repeats}/manual_time", "run_type": "iteration", "iterations": 1,
-            "real_time": time, "cpu_time": time, "time_unit": unit, **more}
+    return {
+        "name": f"{name}/iterations:1/repeats:{repeats}/manual_time",
+        "run_type": "iteration",
+        "iterations": 1,
+        "real_time": time,
+        "cpu_time": time,
+        "time_unit": unit,
+        **more,
+    }
 
 
 def run_of(*entries, **context):
     return json.dumps({"context": {"processor": "one", "kernels": "avx2", **context}, "benchmarks": entries})
 
 
-OLD = run_of(entry("batched/200", 4.0, iterations_per_step=2.5), entry("batched/200", 2.0, iterations_per_step=2.5),
-             entry("steady/200", 1.0), entry("gone/200", 1.0),
-             {**entry("batched/200", 0.1), "run_type": "aggregate", "aggregate_name": "mean"})
-NEW = run_of(entry("batched/200", 2500.0, "us", repeats=1, iterations_per_step=3.0), entry("steady/200", 1.04),
-             entry("fresh/200", 1.0))
+OLD = run_of(
+    entry("batched/200", 4.0, iterations_per_step=2.5),
+    entry("batched/200", 2.0, iterations_per_step=2.5),
+    entry("steady/200", 1.0),
+    entry("gone/200", 1.0),
+    {**entry("batched/200", 0.1), "run_type": "aggregate", "aggregate_name": "mean"},
+)
+NEW = run_of(
+    entry("batched/200", 2500.0, "us", repeats=1, iterations_per_step=3.0),
+    entry("steady/200", 1.04),
+    entry("fresh/200", 1.0),
+)
 
 
 class BenchCompare(unittest.TestCase):
@@ -38,8 +52,13 @@ class BenchCompare(unittest.TestCase):
         for name, text in (("old.json", old), ("new.json", new)):
             if text is not None:
                 (self.folder / name).write_text(text)
-        return subprocess.run([sys.executable, str(SCRIPT), "old.json", "new.json", *words], cwd=self.folder,
-                              capture_output=True, text=True, timeout=60)
+        return subprocess.run(
+            [sys.executable, str(SCRIPT), "old.json", "new.json", *words],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
 
     def row(self, done, name):
         """Old, new, ratio and mark of a benchmark."""
@@ -69,8 +88,10 @@ class BenchCompare(unittest.TestCase):
         self.assertEqual(self.row(self.compare(NEW, OLD), "batched/200")[-1], "faster")
 
     def test_a_slower_machine_is_taken_out_in_a_column_of_its_own(self):
-        done = self.compare(run_of(entry("fma-peak", 1.0), entry("batched/200", 2.0)),
-                            run_of(entry("fma-peak", 1.5), entry("batched/200", 3.0)))
+        done = self.compare(
+            run_of(entry("fma-peak", 1.0), entry("batched/200", 2.0)),
+            run_of(entry("fma-peak", 1.5), entry("batched/200", 3.0)),
+        )
         self.assertEqual(self.row(done, "batched/200")[-3:], ["1.500", "1.000", "SLOWER"])
 
     def test_counts_that_differ_and_benchmarks_of_one_file_alone_are_told(self):

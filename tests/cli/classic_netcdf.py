@@ -35,7 +35,9 @@ def classic(dimensions, variables):
         out = b""
         for name, (over, attributes, values) in variables.items():
             size = 8 * len(values)
-            out += _name(name) + struct.pack(">i", len(over)) + struct.pack(f">{len(over)}i", *(numbers[d] for d in over))
+            out += (
+                _name(name) + struct.pack(">i", len(over)) + struct.pack(f">{len(over)}i", *(numbers[d] for d in over))
+            )
             out += _attributes(attributes) + struct.pack(">iii", 6, size, begin)
             begin += size
         return out

@@ -49,8 +49,10 @@ class Numbers(FaceTest):
     def test_the_run_in_face_of_table_4_comes_back(self):
         told = self.json_of(*PLACED)
         self.assertEqual(told["kind"], "face")
-        fitted = [told[f"coefficient_{letter}"] * 1e6 * 1e-3**power
-                  for letter, power in zip("abcdef", range(6, 0, -1), strict=True)]
+        fitted = [
+            told[f"coefficient_{letter}"] * 1e6 * 1e-3**power
+            for letter, power in zip("abcdef", range(6, 0, -1), strict=True)
+        ]
         for x in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.15):
             # Shapes agree but for a constant. 2401 points of 50 nm fix a fit of 7 numbers to 3 nm inside.
             got = polynomial((*fitted, 0), x) - polynomial((*fitted, 0), 0.6)
@@ -104,8 +106,14 @@ class Numbers(FaceTest):
 
     def test_the_table_for_people(self):
         told = self.run_well("face", "trace_of_face.csv", *PLACED)
-        for words in ("the stated tilt of -3 mrad was taken off", "residual rms", "land", "edge x = b",
-                      "Where the polynomial invents shape", "ring.face_width = \"1.2 mm\""):
+        for words in (
+            "the stated tilt of -3 mrad was taken off",
+            "residual rms",
+            "land",
+            "edge x = b",
+            "Where the polynomial invents shape",
+            'ring.face_width = "1.2 mm"',
+        ):
             self.assertIn(words, told)
 
 
@@ -141,20 +149,36 @@ class Fragments(FaceTest):
         self.assertAlmostEqual(self.least_film() / of_polynomial, 1, delta=0.02)
 
     def test_points_want_a_fragment(self):
-        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--as", "points"),
-                            "beside the fragment", "--fragment face.toml")
+        self.assert_refused(
+            self.run_program("face", "trace_of_face.csv", *PLACED, "--as", "points"),
+            "beside the fragment",
+            "--fragment face.toml",
+        )
 
     def test_points_do_not_replace_the_trace(self):
         before = (self.folder / "trace_of_face.csv").read_bytes()
-        done = self.run_program("face", "trace_of_face.csv", *PLACED, "--as", "points", "--fragment", "trace_of_face.toml")
+        done = self.run_program(
+            "face", "trace_of_face.csv", *PLACED, "--as", "points", "--fragment", "trace_of_face.toml"
+        )
         self.assert_refused(done, "which is the trace")
         self.assertEqual((self.folder / "trace_of_face.csv").read_bytes(), before)
 
 
 class Outputs(FaceTest):
     def test_all_are_written(self):
-        told = self.run_well("face", "trace_of_face.csv", *PLACED, "--output", "face.nc", "--html", "face.html",
-                             "--fragment", "face.toml", "--as", "points")
+        told = self.run_well(
+            "face",
+            "trace_of_face.csv",
+            *PLACED,
+            "--output",
+            "face.nc",
+            "--html",
+            "face.html",
+            "--fragment",
+            "face.toml",
+            "--as",
+            "points",
+        )
         for name in OUTPUTS:
             self.assertIn(name, self.names())
         self.assertIn("wrote face.nc", told)
@@ -163,17 +187,35 @@ class Outputs(FaceTest):
     def test_a_refusal_leaves_what_stood_there(self):
         for name in OUTPUTS:
             (self.folder / name).write_text("kept")
-        done = self.run_program("face", "trace_of_face.csv", "--heights", "material", "--width", "5 mm", "--output",
-                                "face.nc", "--html", "face.html", "--fragment", "face.toml", "--as", "points")
+        done = self.run_program(
+            "face",
+            "trace_of_face.csv",
+            "--heights",
+            "material",
+            "--width",
+            "5 mm",
+            "--output",
+            "face.nc",
+            "--html",
+            "face.html",
+            "--fragment",
+            "face.toml",
+            "--as",
+            "points",
+        )
         self.assert_refused(done, "does not cover the face")
         for name in OUTPUTS:
             self.assertEqual((self.folder / name).read_text(), "kept")
 
     def test_outputs_are_apart(self):
-        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--html", "trace_of_face.csv"),
-                            "would replace what is read")
-        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--fragment", "a", "--html", "a"),
-                            "--fragment and --html name the same file a")
+        self.assert_refused(
+            self.run_program("face", "trace_of_face.csv", *PLACED, "--html", "trace_of_face.csv"),
+            "would replace what is read",
+        )
+        self.assert_refused(
+            self.run_program("face", "trace_of_face.csv", *PLACED, "--fragment", "a", "--html", "a"),
+            "--fragment and --html name the same file a",
+        )
 
 
 class Refusals(FaceTest):
@@ -182,8 +224,15 @@ class Refusals(FaceTest):
         self.assertEqual(self.names(), self.inputs, "something was written")
 
     def test_everything_that_is_not_said_is_told_at_once(self):
-        self.refuse("--heights is missing", "--width is missing", "--land-height", "has no unit", "one of: land, none",
-                    "4 errors", words=("--land-height", "1", "--levelling", "flat"))
+        self.refuse(
+            "--heights is missing",
+            "--width is missing",
+            "--land-height",
+            "has no unit",
+            "one of: land, none",
+            "4 errors",
+            words=("--land-height", "1", "--levelling", "flat"),
+        )
 
     def test_values(self):
         self.refuse("is no length above zero", words=(*STATED[:3], "-1 mm"))

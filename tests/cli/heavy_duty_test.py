@@ -58,9 +58,16 @@ class HeavyDuty(program.ProgramTest):
 
     def check_run(self, load, length_unit, cavitation):
         pressures = [float(row[f"p_Pa_load{load}"]) for row in self.rows]
-        (self.folder / "case.toml").write_text(CASE.format(
-            load=load, traces=TRACES, intake=pressures[0], exhaust=1.2 * pressures[0], length_unit=length_unit,
-            cavitation=cavitation))
+        (self.folder / "case.toml").write_text(
+            CASE.format(
+                load=load,
+                traces=TRACES,
+                intake=pressures[0],
+                exhaust=1.2 * pressures[0],
+                length_unit=length_unit,
+                cavitation=cavitation,
+            )
+        )
         values = json.loads(self.run_well("run", "case.toml", "--json"))
         self.assertIs(values["complete"], True)
         self.assertAlmostEqual(values["peak_gas_pressure"], max(pressures), delta=1e-9 * max(pressures))

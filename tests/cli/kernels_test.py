@@ -20,8 +20,14 @@ ROUNDING = 1e-9
 class Kernels(program.ProgramTest):
     def run_with(self, kernels, *before):
         environment = {**os.environ, "RINGFILM_KERNELS": kernels}
-        return subprocess.run([*before, program.PROGRAM, *RUN], cwd=self.folder, capture_output=True, text=True,
-                              timeout=120, env=environment)
+        return subprocess.run(
+            [*before, program.PROGRAM, *RUN],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            env=environment,
+        )
 
     def values_of(self, done):
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -1,4 +1,4 @@
-"""From instrument files to the cycle: `ringfilm reproduce measured`, and the same by the single commands of the manual."""
+"""From instrument files to the cycle: `ringfilm reproduce measured`, and the same with the commands of the manual."""
 
 import json
 import os
@@ -37,12 +37,14 @@ def number(text):
 
 def fragment_numbers(path):
     """All keys of a fragment; numbers as numbers, whatever their unit."""
+
     def flat(table, head=""):
         for key, value in table.items():
             if isinstance(value, dict):
                 yield from flat(value, head + key + ".")
             else:
                 yield head + key, value
+
     return dict(flat(tomllib.loads(path.read_text())))
 
 
@@ -50,9 +52,13 @@ class MeasuredTest(program.ProgramTest):
     def values_of(self, folder, ring):
         of = {part: tomllib.loads((folder / f"{ring}_{part}.toml").read_text()) for part in PARTS}
         contact = of["contact"]["contact"]
-        return (number(contact["asperity_density"]), number(contact["asperity_radius"]), number(contact["roughness"]),
-                of["shear_strength"]["contact"]["boundary_shear_strength_coefficient"],
-                of["face"]["ring"]["face"]["coefficients"]), of
+        return (
+            number(contact["asperity_density"]),
+            number(contact["asperity_radius"]),
+            number(contact["roughness"]),
+            of["shear_strength"]["contact"]["boundary_shear_strength_coefficient"],
+            of["face"]["ring"]["face"]["coefficients"],
+        ), of
 
     def assert_gives_the_paper_back(self, folder):
         for ring in RINGS:
@@ -194,8 +200,9 @@ class SingleCommands(MeasuredTest):
         (self.folder / "bin" / "ringfilm").symlink_to(program.PROGRAM)
         environment = {**os.environ, "PATH": f"{self.folder}/bin:{os.environ['PATH']}"}
         for block in blocks:
-            done = subprocess.run(["sh", "-e"], input=block, cwd=self.folder, env=environment, capture_output=True,
-                                  text=True, timeout=200)
+            done = subprocess.run(
+                ["sh", "-e"], input=block, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=200
+            )
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertEqual(done.stderr, "")
         chain = self.folder / "chain"

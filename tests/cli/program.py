@@ -12,7 +12,8 @@ SOURCES = pathlib.Path(__file__).resolve().parents[2]
 
 TRACE = "crank_angle [degree],cylinder_pressure [bar]\n" + "".join(
     # A bell of 40 bar at 15 degree on 1.2 bar, all through the cycle.
-    f"{angle},{1.2 + 40 / (1 + ((angle + 180) % 720 - 195) ** 2 / 900):.6f}\n" for angle in range(0, 720, 2)
+    f"{angle},{1.2 + 40 / (1 + ((angle + 180) % 720 - 195) ** 2 / 900):.6f}\n"
+    for angle in range(0, 720, 2)
 )
 
 CASE = """\
@@ -41,7 +42,8 @@ asperity_radius = "1.56 um"
 roughness = "0.48 um"
 boundary_shear_strength_coefficient = 0.3581
 [lubricant]
-kinematic_viscosity = [{ temperature = "40 degC", value = "59.99 mm2/s" }, { temperature = "100 degC", value = "9.59 mm2/s" }]
+kinematic_viscosity = [{ temperature = "40 degC", value = "59.99 mm2/s" },
+                       { temperature = "100 degC", value = "9.59 mm2/s" }]
 density = [{ temperature = "15 degC", value = "849.7 kg/m3" }, { temperature = "40 degC", value = "833.8 kg/m3" }]
 [solver]
 cells = 60
@@ -63,7 +65,7 @@ def skip_loudly(test, reason):
 
 
 class ProgramTest(unittest.TestCase):
-    """Each test has a folder of its own with case.toml and trace.csv in it, which is the working folder of the program."""
+    """Each test has a folder of its own with case.toml and trace.csv, the working folder of the program."""
 
     def setUp(self):
         if not PROGRAM:
@@ -75,8 +77,9 @@ class ProgramTest(unittest.TestCase):
         (self.folder / "case.toml").write_text(CASE)
 
     def run_program(self, *words, **how):
-        return subprocess.run([PROGRAM, *words], cwd=self.folder, capture_output=True, text=True,
-                              timeout=LONGEST, **how)
+        return subprocess.run(
+            [PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, timeout=LONGEST, **how
+        )
 
     def run_well(self, *words):
         done = self.run_program(*words)

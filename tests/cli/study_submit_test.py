@@ -50,8 +50,11 @@ class Submission(StudyFolder):
         self.assertIn("--array=1-2\n", (self.folder / "out" / "study.array.sh").read_text())
 
     def test_a_study_with_until_is_not_submitted(self):
-        (self.folder / "study.toml").write_text(STUDY.replace("SCENARIOS", "8").replace(
-            "[plan]\n", '[plan]\nuntil = { value = "fmep", width = "1 Pa", most = 64 }\n'))
+        (self.folder / "study.toml").write_text(
+            STUDY.replace("SCENARIOS", "8").replace(
+                "[plan]\n", '[plan]\nuntil = { value = "fmep", width = "1 Pa", most = 64 }\n'
+            )
+        )
         done = self.submit()
         self.assert_refused(done, "cannot be submitted", "ringfilm study study.toml -o out --resume")
         self.assertNotIn("--shard", done.stderr)

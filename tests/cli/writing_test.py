@@ -35,8 +35,9 @@ class Writing(program.ProgramTest):
         return [name for name in self.names() if ".partial-" in name]
 
     def start(self, *words):
-        return subprocess.Popen([program.PROGRAM, *words], cwd=self.folder, stdout=subprocess.DEVNULL,
-                                stderr=subprocess.PIPE)
+        return subprocess.Popen(
+            [program.PROGRAM, *words], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
+        )
 
     def killed_while_writing(self):
         """Runs until the partial file has some size, then kill -9; False if the writing was over before."""
@@ -82,7 +83,9 @@ class Writing(program.ProgramTest):
             program.skip_loudly(self, "only root can mount a small disk")
         small = self.folder / "small"
         small.mkdir(exist_ok=True)
-        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(small)], capture_output=True)
+        mounted = subprocess.run(
+            ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(small)], capture_output=True
+        )
         if mounted.returncode != 0:
             program.skip_loudly(self, "no small disk can be mounted here")
         return small

@@ -23,8 +23,14 @@ class Engines(StudyFolder):
 
     def by_shell(self, line, **environment):
         path = f"{pathlib.Path(PROGRAM).parent}:{os.environ['PATH']}"
-        done = subprocess.run(["/bin/sh", "-c", line], cwd=self.folder, capture_output=True, text=True, timeout=600,
-                              env={**os.environ, "PATH": path, **environment})
+        done = subprocess.run(
+            ["/bin/sh", "-c", line],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=600,
+            env={**os.environ, "PATH": path, **environment},
+        )
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def line_of_manual(self, engine):

@@ -21,8 +21,13 @@ SEED = int(os.environ.get("RINGFILM_SEED", "1"))
 
 class KilledStudy(StudyFolder):
     def start(self, output):
-        return subprocess.Popen([PROGRAM, "study", "study.toml", "-o", output, "--resume"], cwd=self.folder,
-                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        return subprocess.Popen(
+            [PROGRAM, "study", "study.toml", "-o", output, "--resume"],
+            cwd=self.folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
 
     def killed(self, output, seconds):
         """@returns whether the process was still there"""
@@ -55,8 +60,10 @@ class KilledStudy(StudyFolder):
                 self.assert_no_half_result()
             self.run_well("study", "study.toml", "-o", "out", "--resume")
             self.assertEqual(self.contents("whole"), self.contents("out"))
-        print(f"\n{n_killed} kills in {n_rounds} studies of {whole:.1f} s, seed {SEED}: every byte as undisturbed",
-              flush=True)
+        print(
+            f"\n{n_killed} kills in {n_rounds} studies of {whole:.1f} s, seed {SEED}: every byte as undisturbed",
+            flush=True,
+        )
 
     def assert_no_half_result(self):
         for name in ("study.nc", "study.csv", "study.html"):
@@ -68,6 +75,7 @@ class KilledStudy(StudyFolder):
         self.write_scenarios(1024)
         self.whole()
         rows = "study.part-1-of-1.rows"
+
         # Only the last row is missing, so that most of the time goes into reading, renaming and writing.
         def begin():
             shutil.rmtree(self.folder / "out", ignore_errors=True)
@@ -90,10 +98,14 @@ class KilledStudy(StudyFolder):
             self.assert_no_half_result()
             self.run_well("study", "study.toml", "-o", "out", "--resume")
             self.assertEqual(self.contents("whole"), self.contents("out"))
-            self.assertEqual(sorted(path.name for path in (self.folder / "out").iterdir()),
-                             ["study.csv", "study.html", "study.nc", rows])
-        print(f"\n{n_killed} kills in the last {last:.2f} s, seed {SEED}: {len(seen)} different states were left",
-              flush=True)
+            self.assertEqual(
+                sorted(path.name for path in (self.folder / "out").iterdir()),
+                ["study.csv", "study.html", "study.nc", rows],
+            )
+        print(
+            f"\n{n_killed} kills in the last {last:.2f} s, seed {SEED}: {len(seen)} different states were left",
+            flush=True,
+        )
         self.assertGreater(n_killed, KILLS // 2)
         self.assertGreater(len(seen), 1, "every kill came before anything was written")
 
@@ -128,8 +140,13 @@ class KilledStudy(StudyFolder):
         size = (self.folder / "whole" / "study.part-1-of-1.rows").stat().st_size
         disk = self.folder / "out"
         disk.mkdir()
-        mounted = os.geteuid() == 0 and subprocess.run(
-            ["mount", "-t", "tmpfs", "-o", f"size={size // 2}", "none", str(disk)], capture_output=True).returncode == 0
+        mounted = (
+            os.geteuid() == 0
+            and subprocess.run(
+                ["mount", "-t", "tmpfs", "-o", f"size={size // 2}", "none", str(disk)], capture_output=True
+            ).returncode
+            == 0
+        )
         if not mounted:
             skip_loudly(self, "a small disk can only be mounted by root")
         self.addCleanup(subprocess.run, ["umount", "--lazy", str(disk)], check=True)

@@ -66,16 +66,22 @@ class Slurm:
     def __init__(self):
         if os.geteuid() != 0:
             raise CannotStart("only root can start Slurm")
-        missing = [name for name in ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol")
-                   if not shutil.which(name, path=os.environ["PATH"] + ":/usr/sbin:/sbin")]
+        missing = [
+            name
+            for name in ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol")
+            if not shutil.which(name, path=os.environ["PATH"] + ":/usr/sbin:/sbin")
+        ]
         if missing:
             raise CannotStart(f"not installed: {', '.join(missing)} (script/bootstrap --cluster)")
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="ringfilm-slurm-"))
         self.folder.chmod(0o755)  # munged wants nobody else to write above its socket
         self.processes = []
         self.node = socket.gethostname().split(".")[0]
-        self.environment = {**os.environ, "SLURM_CONF": str(self.folder / "slurm.conf"),
-                            "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}
+        self.environment = {
+            **os.environ,
+            "SLURM_CONF": str(self.folder / "slurm.conf"),
+            "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin",
+        }
         for name in [name for name in self.environment if name.startswith(("SBATCH_", "SLURM_", "SQUEUE_"))]:
             if name != "SLURM_CONF":
                 del self.environment[name]
@@ -91,12 +97,24 @@ class Slurm:
         key = self.folder / "munge.key"
         key.write_bytes(secrets.token_bytes(128))
         key.chmod(0o600)
-        (self.folder / "slurm.conf").write_text(CONFIGURATION.format(
-            host=self.node, folder=self.folder, cpus=os.cpu_count(), controller_port=free_port(),
-            node_port=free_port()))
-        self._begin("munged", "--foreground", f"--key-file={key}", f"--socket={self.folder}/munge.socket",
-                    f"--pid-file={self.folder}/munge.pid", f"--log-file={self.folder}/munge.log",
-                    f"--seed-file={self.folder}/munge.seed")
+        (self.folder / "slurm.conf").write_text(
+            CONFIGURATION.format(
+                host=self.node,
+                folder=self.folder,
+                cpus=os.cpu_count(),
+                controller_port=free_port(),
+                node_port=free_port(),
+            )
+        )
+        self._begin(
+            "munged",
+            "--foreground",
+            f"--key-file={key}",
+            f"--socket={self.folder}/munge.socket",
+            f"--pid-file={self.folder}/munge.pid",
+            f"--log-file={self.folder}/munge.log",
+            f"--seed-file={self.folder}/munge.seed",
+        )
         self._wait_for("munged", lambda: (self.folder / "munge.socket").exists())
         self._begin("slurmctld", "-D")
         self._begin("slurmd", "-D", "-N", self.node)
@@ -104,9 +122,17 @@ class Slurm:
 
     def _begin(self, *words):
         with open(self.folder / f"{words[0]}.out", "wb") as out:
-            self.processes.append(subprocess.Popen(words, env=self.environment, cwd=self.folder, stdout=out,
-                                                   stderr=subprocess.STDOUT, start_new_session=True,
-                                                   preexec_fn=end_with_parent))
+            self.processes.append(
+                subprocess.Popen(
+                    words,
+                    env=self.environment,
+                    cwd=self.folder,
+                    stdout=out,
+                    stderr=subprocess.STDOUT,
+                    start_new_session=True,
+                    preexec_fn=end_with_parent,
+                )
+            )
 
     def _wait_for(self, what, is_there, seconds=60):
         end = time.monotonic() + seconds

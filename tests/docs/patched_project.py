@@ -5,7 +5,6 @@ gives up its own copy of an object where the symbols are there already.
 """
 
 import filecmp
-import os
 import pathlib
 import re
 import shutil
@@ -31,8 +30,9 @@ class Project:
             if entry.name.startswith((".", "build")) or entry.name in ("shared", "fuzz"):
                 continue
             if entry.is_dir():
-                shutil.copytree(entry, self.folder / entry.name,
-                                ignore=shutil.ignore_patterns("node_modules", "__pycache__"))
+                shutil.copytree(
+                    entry, self.folder / entry.name, ignore=shutil.ignore_patterns("node_modules", "__pycache__")
+                )
             else:
                 shutil.copy(entry, self.folder / entry.name)
         return self
@@ -45,8 +45,14 @@ class Project:
 
     def run(self, *command, expect=0, **options):
         """What a command printed, both streams; its exit code must be `expect`, or, if that is None, anything but 0."""
-        done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              text=True, check=False, **options)
+        done = subprocess.run(
+            [str(word) for word in command],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            check=False,
+            **options,
+        )
         if (done.returncode == 0) if expect is None else (done.returncode != expect):
             self.fail(f"{' '.join(map(str, command))[:200]} ended with {done.returncode}\n{done.stdout[-4000:]}")
         return done.stdout
@@ -74,9 +80,11 @@ class Project:
     def changed_files(self):
         """Files of the copy that are not those of the project."""
         files = (path.relative_to(self.folder).as_posix() for path in self.folder.rglob("*") if path.is_file())
-        return sorted(path for path in files
-                      if not (SOURCE / path).is_file()
-                      or not filecmp.cmp(self.folder / path, SOURCE / path, shallow=False))
+        return sorted(
+            path
+            for path in files
+            if not (SOURCE / path).is_file() or not filecmp.cmp(self.folder / path, SOURCE / path, shallow=False)
+        )
 
     def commands(self, target):
         """The commands of the build for a target, the last of which makes it."""
@@ -103,8 +111,9 @@ class Project:
         for command in self.commands(target)[-1].split(" && "):
             if f" -o {target} " in command:
                 compiler, *words = command.split()
-                words = [str(program) if word == target else word for word in words
-                         if pathlib.Path(word).name not in names]
+                words = [
+                    str(program) if word == target else word for word in words if pathlib.Path(word).name not in names
+                ]
                 self.run("bash", "-c", " ".join([compiler, *map(str, objects), *words]), cwd=BUILD)
                 return program
         return self.fail(f"the build has no command that links {target}")

@@ -1,7 +1,7 @@
 """usage: verification_table.py PROGRAM TABLE
 
-Is the table in the manual what `ringfilm verify` prints? Checks, expected numbers, tolerances and verdicts to the letter;
-computed numbers to a millionth, as their last digits and errors near rounding are those of one machine."""
+Is the table in the manual what `ringfilm verify` prints? Checks, expected numbers, tolerances and verdicts to the
+letter; computed numbers to a millionth, as their last digits and errors near rounding are those of one machine."""
 
 import re
 import subprocess

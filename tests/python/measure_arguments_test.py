@@ -35,7 +35,7 @@ def fitted(x=X, height=GAP, width=1.2e-3, **stated):
     return face.fit_face(x, height, width, **{"sense": "gap", "levelling": "none", **stated})
 
 
-# --- two arrays come in ------------------------------------------------------------------------------------------------
+# --- two arrays come in ---------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -59,7 +59,7 @@ def test_arrays_of_unlike_lengths_are_refused(call):
         call()
 
 
-# --- masked points -----------------------------------------------------------------------------------------------------
+# --- masked points --------------------------------------------------------------------------------
 
 
 def test_masked_heights_count_as_not_measured():
@@ -98,11 +98,19 @@ def test_masked_values_are_refused_elsewhere(call):
         call()
 
 
-# --- kinds of arguments ------------------------------------------------------------------------------------------------
+# --- kinds of arguments ---------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
-    "step", [numpy.array(1e-6), numpy.float32(1e-6), decimal.Decimal("1e-6"), (1e-6, 1e-6), [1e-6, 1e-6], numpy.array([1e-6, 1e-6])]
+    "step",
+    [
+        numpy.array(1e-6),
+        numpy.float32(1e-6),
+        decimal.Decimal("1e-6"),
+        (1e-6, 1e-6),
+        [1e-6, 1e-6],
+        numpy.array([1e-6, 1e-6]),
+    ],
 )
 def test_numbers_of_any_kind_are_numbers(step):
     got = surface.moments(HEIGHTS, step)
@@ -115,30 +123,57 @@ def test_numbers_of_any_kind_are_numbers(step):
     [
         (lambda: surface.height_statistics(HEIGHTS, "1 um"), "step must be a number or two, (x, y), in m, not '1 um'"),
         (lambda: surface.height_statistics(HEIGHTS, None), "step must be a number or two, (x, y), in m, not None"),
-        (lambda: surface.height_statistics(HEIGHTS, (1e-6, 1e-6, 1e-6)), "step must be a number or two, (x, y), in m, not 3"),
+        (
+            lambda: surface.height_statistics(HEIGHTS, (1e-6, 1e-6, 1e-6)),
+            "step must be a number or two, (x, y), in m, not 3",
+        ),
         (lambda: surface.height_statistics(HEIGHTS, True), "step must be a number in m, not of type bool"),
         (lambda: surface.height_statistics(HEIGHTS, 1e-6j), "step must be a number in m, not of type complex"),
         (lambda: surface.height_statistics(HEIGHTS, ("1 um", 1e-6)), "step must be a number in m, not '1 um'"),
         (lambda: surface.prepare(HEIGHTS, STEP, long_cutoff="80 um"), "long_cutoff must be a number in m, not '80 um'"),
-        (lambda: surface.prepare(HEIGHTS, STEP, short_cutoff=[1e-5]), "short_cutoff must be a number in m, not of type list"),
+        (
+            lambda: surface.prepare(HEIGHTS, STEP, short_cutoff=[1e-5]),
+            "short_cutoff must be a number in m, not of type list",
+        ),
         (lambda: surface.prepare(HEIGHTS, STEP, form=None), "form must be a text such as"),
         (lambda: surface.prepare(HEIGHTS, STEP, degree=2.0), "degree must be an integer, not of type float"),
-        (lambda: surface.height_statistics(HEIGHTS + 0j, STEP), "heights must be an array of real numbers, not of complex128"),
+        (
+            lambda: surface.height_statistics(HEIGHTS + 0j, STEP),
+            "heights must be an array of real numbers, not of complex128",
+        ),
         (lambda: surface.height_statistics(HEIGHTS > 0, STEP), "heights must be an array of real numbers, not of bool"),
-        (lambda: surface.height_statistics("ring.x3p", STEP), "heights must be an array of real numbers, not 'ring.x3p'"),
+        (
+            lambda: surface.height_statistics("ring.x3p", STEP),
+            "heights must be an array of real numbers, not 'ring.x3p'",
+        ),
         (lambda: surface.height_statistics(None, STEP), "heights must be an array of real numbers, not None"),
-        (lambda: surface.height_statistics([[1.0, 2.0], [3.0]], STEP), "heights must be an array of real numbers, not a list of unlike parts"),
-        (lambda: surface.height_statistics([1.0, None, 2.0], STEP), "heights must be an array of real numbers, not of objects"),
-        (lambda: surface.height_statistics(numpy.array([3, 4], "datetime64[s]"), STEP), "heights must be an array of real numbers"),
+        (
+            lambda: surface.height_statistics([[1.0, 2.0], [3.0]], STEP),
+            "heights must be an array of real numbers, not a list of unlike parts",
+        ),
+        (
+            lambda: surface.height_statistics([1.0, None, 2.0], STEP),
+            "heights must be an array of real numbers, not of objects",
+        ),
+        (
+            lambda: surface.height_statistics(numpy.array([3, 4], "datetime64[s]"), STEP),
+            "heights must be an array of real numbers",
+        ),
         (lambda: surface.read(3), "path must be a str or a path, not of type int"),
-        (lambda: surface.read(MEASURED / "ring_new.x3p", step_x=1e-6), 'step_x must be a text such as "0.5 um", not of type float'),
+        (
+            lambda: surface.read(MEASURED / "ring_new.x3p", step_x=1e-6),
+            'step_x must be a text such as "0.5 um", not of type float',
+        ),
         (lambda: surface.read(MEASURED / "ring_new.x3p", channel=1.0), "channel must be a number from 1 or a name"),
         (lambda: fitted(tilt="2e-3"), "tilt must be a number, not '2e-3'"),
         (lambda: fitted(width=None), "width must be a number in m, not None"),
         (lambda: lateral_force.calibrate_on_silicon(line(), "V", 0.19), "reference must be two numbers"),
         (lambda: line().slope_half_width("95 %"), "confidence must be a number, not '95 %'"),
         (lambda: contact().pressure("1 um"), "h must be an array of real numbers, not '1 um'"),
-        (lambda: laws.GreenwoodTripp(N=None, beta=1e-6, sigma=1e-6, E_prime=1e11), "N must be a number in 1/m2, not None"),
+        (
+            lambda: laws.GreenwoodTripp(N=None, beta=1e-6, sigma=1e-6, E_prime=1e11),
+            "N must be a number in 1/m2, not None",
+        ),
         (lambda: surface.SpectralMoments("0", 1, 1), "m0_m2 must be a number in m2, not '0'"),
         (lambda: surface.SurfaceMeasures(0, 0, None), "moments must be a SpectralMoments, not None"),
         (lambda: surface.single_parameters(3), "surface must be a SurfaceMeasures, not of type int"),
@@ -169,7 +204,9 @@ def test_huge_integers_are_refused():
 
 def test_a_channel_may_be_a_number():
     path = MEASURED / "ring_new.x3p"
-    assert surface.read(path, channel=1) == surface.read(path) == surface.read(os.fsencode(path), channel=numpy.int64(1))
+    assert (
+        surface.read(path, channel=1) == surface.read(path) == surface.read(os.fsencode(path), channel=numpy.int64(1))
+    )
     with pytest.raises(ringfilm.InputError, match="there is no channel 3"):
         surface.read(path, channel=3)
 
@@ -204,7 +241,7 @@ def test_errors_of_files_name_the_arguments_of_the_function(tmp_path):
     assert "step=" in str(told.value) and "--" not in str(told.value)
 
 
-# --- values ------------------------------------------------------------------------------------------------------------
+# --- values ---------------------------------------------------------------------------------------
 
 
 def with_one(value):
@@ -244,7 +281,10 @@ def with_one(value):
         (lambda: laws.composite_modulus(2e11, 0.3, 2e11, numpy.nan), "Poisson's ratio of nan"),
         (lambda: laws.GreenwoodTripp(N=1e11, beta=1e-6, sigma=numpy.inf, E_prime=1e11), "sigma = inf"),
         (lambda: laws.Walther.fit([40, 100], [6e-5, 9e-6]), "temperatures are in kelvin: 313.15"),
-        (lambda: laws.Walther.fit([313.15, 373.15], [6e-5, 9e-6]).kinematic_viscosity(40), "temperatures are in kelvin"),
+        (
+            lambda: laws.Walther.fit([313.15, 373.15], [6e-5, 9e-6]).kinematic_viscosity(40),
+            "temperatures are in kelvin",
+        ),
         (lambda: laws.Walther.fit([313.15, numpy.nan], [6e-5, 9e-6]), "nan K"),
     ],
 )

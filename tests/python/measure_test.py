@@ -149,7 +149,9 @@ def test_shear_strength_from_loops():
 def test_a_sample_is_not_its_own_calibration(tmp_path):
     loops = (MEASURED / "loops_silicon.csv").read_text()
     (tmp_path / "copy.csv").write_text(loops + "\n")
-    silicon, copied = (ringfilm.lateral_force.read(path)[0] for path in (MEASURED / "loops_silicon.csv", tmp_path / "copy.csv"))
+    silicon, copied = (
+        ringfilm.lateral_force.read(path)[0] for path in (MEASURED / "loops_silicon.csv", tmp_path / "copy.csv")
+    )
     calibration = ringfilm.lateral_force.calibrate_on_silicon(silicon.line, silicon.load_unit)
     for same in (calibration, pickle.loads(pickle.dumps(calibration))):
         with pytest.raises(ringfilm.InputError, match="it is calibrated on itself"):
@@ -173,7 +175,9 @@ def test_contact_follows_its_formula():
     h = numpy.array([[0.5e-6, 1e-6], [1.5e-6, 2e-6]])
     tabor = 0.097e12 * 1.56e-6 * 0.48e-6
     expected = 8 * numpy.sqrt(2) / 15 * numpy.pi * tabor**2 * numpy.sqrt(0.48 / 1.56) * E
-    numpy.testing.assert_allclose(contact.pressure(h), expected * ringfilm.laws.gaussian_integral(2.5, h / 0.48e-6), rtol=1e-9)
+    numpy.testing.assert_allclose(
+        contact.pressure(h), expected * ringfilm.laws.gaussian_integral(2.5, h / 0.48e-6), rtol=1e-9
+    )
     assert (contact.pressure_slope(h) < 0).all() and contact.area_share(h).shape == (2, 2)
 
 

@@ -106,7 +106,7 @@ def test_a_result_with_one_changed_byte_is_refused(result, folder):
     result.write("x.nc")
     whole = (folder / "x.nc").read_bytes()
     for at in range(7, len(whole), len(whole) // 200):
-        (folder / "x.nc").write_bytes(whole[:at] + bytes([whole[at] ^ 1 << at % 8]) + whole[at + 1:])
+        (folder / "x.nc").write_bytes(whole[:at] + bytes([whole[at] ^ 1 << at % 8]) + whole[at + 1 :])
         with pytest.raises(ringfilm.InputError):
             ringfilm.Result.read("x.nc")
 

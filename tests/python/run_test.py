@@ -193,7 +193,9 @@ def test_a_case_that_cannot_be_run_is_a_row_with_its_reason(case):
 def test_a_batch_refuses_what_a_run_refuses(case, slider):
     """Most of these would give numbers, of zeros that nobody stated."""
     cases = [case.copy() for _ in range(7)]
-    for one, key in zip(cases, ("ring.face.crown_height", "contact.asperity_density", "contact.roughness", "engine.bore")):
+    for one, key in zip(
+        cases, ("ring.face.crown_height", "contact.asperity_density", "contact.roughness", "engine.bore")
+    ):
         del one[key]
     del cases[4]["lubricant.density"]
     cases[5]["gas.model"] = "wiebe"
@@ -241,7 +243,8 @@ def test_an_empty_batch():
 
 
 def test_import_is_quick_and_leaves_large_packages_alone():
-    script = "import sys, ringfilm; print(' '.join(m for m in ('xarray', 'pandas', 'matplotlib', 'scipy') if m in sys.modules))"
+    heavy = "('xarray', 'pandas', 'matplotlib', 'scipy')"
+    script = f"import sys, ringfilm; print(' '.join(m for m in {heavy} if m in sys.modules))"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, env=os.environ)
     assert done.stdout.strip() == ""
 

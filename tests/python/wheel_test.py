@@ -15,8 +15,11 @@ SOURCES = pathlib.Path(__file__).resolve().parents[2]
 def unpacked(tmp_path_factory):
     """Packed of the module as it is built, and unpacked as pip does."""
     folder = tmp_path_factory.mktemp("wheel")
-    subprocess.run([sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, SOURCES],
-                   check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, SOURCES],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
     (wheel,) = folder.glob("ringfilm-*.whl")
     assert f"cp{sys.version_info.major}{sys.version_info.minor}" in wheel.name
     with zipfile.ZipFile(wheel) as packed:
@@ -27,8 +30,13 @@ def unpacked(tmp_path_factory):
 def python(site, *words, folder):
     """What Python prints that knows the wheel, but neither checkout nor build."""
     environment = {name: value for name, value in os.environ.items() if name not in ("RINGFILM_DATA", "PYTHONPATH")}
-    done = subprocess.run([sys.executable, *words], env={**environment, "PYTHONPATH": str(site)}, cwd=folder,
-                          capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, *words],
+        env={**environment, "PYTHONPATH": str(site)},
+        cwd=folder,
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode == 0, done.stderr
     return done.stdout
 
@@ -41,12 +49,14 @@ def test_the_program_finds_its_data(unpacked, tmp_path):
 
 
 def test_the_module_runs_a_case(unpacked, tmp_path):
-    (tmp_path / "my.py").write_text(f"""
+    (tmp_path / "my.py").write_text(
+        f"""
 import pathlib, ringfilm
 assert ringfilm.__file__.startswith({str(unpacked)!r})
 pathlib.Path("my.toml").write_text(ringfilm.starting_case())
 print(ringfilm.Case.read("my.toml").run().values["fmep"])
-""")
+"""
+    )
     assert float(python(unpacked, "my.py", folder=tmp_path)) > 0
 
 

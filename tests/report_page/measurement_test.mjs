@@ -7,9 +7,14 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const [pagesFolder, packagesFolder] = process.argv.slice(2);
-const program = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((path) => existsSync(path));
+const program = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((path) =>
+  existsSync(path),
+);
 if (!program) {
-  console.log('SKIPPED: no chromium is installed (apt-get install chromium); the page of measurements was not tested in a browser.');
+  console.log(
+    'SKIPPED: no chromium is installed (apt-get install chromium); the page of measurements was ' +
+      'not tested in a browser.',
+  );
   process.exit(77);
 }
 const { chromium } = createRequire(join(packagesFolder, 'package.json'))('playwright-core');
@@ -21,8 +26,13 @@ async function opened(name, width) {
   const page = await context.newPage();
   const faults = [];
   page.on('pageerror', (error) => faults.push(error.stack));
-  page.on('console', (message) => { if (['error', 'warning'].includes(message.type()) && !/willReadFrequently/.test(message.text())) faults.push(message.text()); });
-  page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) faults.push(`outside request: ${request.url()}`); });
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type()) && !/willReadFrequently/.test(message.text()))
+      faults.push(message.text());
+  });
+  page.on('request', (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) faults.push(`outside request: ${request.url()}`);
+  });
   await page.goto(pathToFileURL(join(pagesFolder, name)).href);
   await page.waitForSelector('.chart canvas');
   return { page, faults };
@@ -30,7 +40,10 @@ async function opened(name, width) {
 
 /** Text of the file behind a button. */
 async function downloaded(page, label) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`button[aria-label="${label}"]`)]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.click(`button[aria-label="${label}"]`),
+  ]);
   return readFileSync(await download.path(), 'utf8');
 }
 
@@ -40,19 +53,36 @@ const test = (name, run) => tests.push({ name, run });
 for (const width of [390, 1400]) {
   test(`every figure stands at ${width} pixels, with units on its axes`, async () => {
     const { page, faults } = await opened('measurement.html', width);
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, 'no sideways scrolling');
+    assert.equal(
+      await page.evaluate(() => document.documentElement.scrollWidth),
+      width,
+      'no sideways scrolling',
+    );
     assert.equal(await page.textContent('h1'), 'Liner, honed (made-up numbers)');
     assert.equal(await page.locator('.card').count(), 3);
-    assert.match(await page.textContent('.card'), /density of asperity peaks.*0\.038 ± 0\.003 µm⁻².*S-filter 2\.5 µm, pixel 1 µm/);
+    assert.match(
+      await page.textContent('.card'),
+      /density of asperity peaks.*0\.038 ± 0\.003 µm⁻².*S-filter 2\.5 µm, pixel 1 µm/,
+    );
     assert.match(await page.textContent('.warning'), /N depends on the cut-off/);
     assert.equal(await page.locator('.chart canvas').count(), 5);
     const titles = (await page.locator('.axis-title').allTextContents()).join('|');
-    for (const title of ['height [µm]', 'distance along the row [mm]', 'material ratio [%]', 'spatial frequency [mm⁻¹]', 'power spectral density [µm³]', 'short cut-off [µm]', 'density of asperity peaks [mm⁻²]', 'lateral signal [mV]']) {
+    for (const title of [
+      'height [µm]',
+      'distance along the row [mm]',
+      'material ratio [%]',
+      'spatial frequency [mm⁻¹]',
+      'power spectral density [µm³]',
+      'short cut-off [µm]',
+      'density of asperity peaks [mm⁻²]',
+      'lateral signal [mV]',
+    ]) {
       assert.ok(titles.includes(title), `${title} in ${titles}`);
     }
     const map = page.locator('.map svg');
     const words = await map.textContent();
-    for (const word of ['x [µm]', 'y [µm]', 'height [µm]', 'not measured', '1', '2', '200\u202fµm']) assert.ok(words.includes(word), word);
+    for (const word of ['x [µm]', 'y [µm]', 'height [µm]', 'not measured', '1', '2', '200\u202fµm'])
+      assert.ok(words.includes(word), word);
     assert.equal(await map.locator('.frame').count(), 2);
     assert.equal(await map.locator('.colour-bar').count(), 1);
     assert.deepEqual(faults, []);
@@ -61,7 +91,11 @@ for (const width of [390, 1400]) {
 
   test(`the map keeps its proportions at ${width} pixels, and its scale bar is as long as it says`, async () => {
     const { page } = await opened('measurement.html', width);
-    const box = (selector) => page.$eval(selector, (node) => { const { width: w, height: h } = node.getBoundingClientRect(); return [w, h]; });
+    const box = (selector) =>
+      page.$eval(selector, (node) => {
+        const { width: w, height: h } = node.getBoundingClientRect();
+        return [w, h];
+      });
     const [w, h] = await box('.map image');
     assert.ok(Math.abs(h / w - 600 / 900) < 0.005, `${w} by ${h}`);
     const [bar] = await box('.map .scale-bar');
@@ -83,21 +117,36 @@ test('missing points are grey, measured ones are not', async () => {
     const at = (x, y) => [...context.getImageData(x, y, 1, 1).data].slice(0, 3);
     const { data } = context.getImageData(0, 0, image.width, image.height);
     let grey = 0;
-    for (let k = 0; k < data.length; k += 4) if (data[k] === 0xc3 && data[k + 1] === 0xc6 && data[k + 2] === 0xcb) grey++;
-    return { size: [image.width, image.height], pore: at(150, 100), beside: at(190, 100), share: (4 * grey) / data.length };
+    for (let k = 0; k < data.length; k += 4)
+      if (data[k] === 0xc3 && data[k + 1] === 0xc6 && data[k + 2] === 0xcb) grey++;
+    return {
+      size: [image.width, image.height],
+      pore: at(150, 100),
+      beside: at(190, 100),
+      share: (4 * grey) / data.length,
+    };
   });
   assert.deepEqual(pixels.size, [450, 300], 'blocks of 2 by 2 points');
   assert.deepEqual(pixels.pore, [0xc3, 0xc6, 0xcb]);
   assert.notDeepEqual(pixels.beside, [0xc3, 0xc6, 0xcb]);
   // Two discs of 40 and 25 um radius on 0.9 by 0.6 mm.
-  assert.ok(Math.abs(pixels.share - (Math.PI * (40 ** 2 + 25 ** 2)) / (900 * 600)) < 0.001, String(pixels.share));
+  assert.ok(
+    Math.abs(pixels.share - (Math.PI * (40 ** 2 + 25 ** 2)) / (900 * 600)) < 0.001,
+    String(pixels.share),
+  );
   await page.context().close();
 });
 
 test('the caption tells blocks, the hidden peak, the colours and the missing share', async () => {
   const { page } = await opened('measurement.html', 1400);
   const caption = (await page.textContent('#surface_height figcaption')).replace(/\u00a0/g, ' ');
-  for (const words of ['900 × 600 points of 1 × 1 µm', 'means over blocks of 2 × 2 points', 'Highest single point 9.50 µm at x = 675 µm, y = 150 µm', '0.1 % of what is drawn lie below', '1.3 % of the points were not measured']) {
+  for (const words of [
+    '900 × 600 points of 1 × 1 µm',
+    'means over blocks of 2 × 2 points',
+    'Highest single point 9.50 µm at x = 675 µm, y = 150 µm',
+    '0.1 % of what is drawn lie below',
+    '1.3 % of the points were not measured',
+  ]) {
     assert.ok(caption.includes(words), `${words} in ${caption}`);
   }
   assert.match(await page.textContent('#profile figcaption'), /Drawn from \d+ of 12000 points/);
@@ -106,7 +155,11 @@ test('the caption tells blocks, the hidden peak, the colours and the missing sha
 
 test('the pointer reads place and height off the map', async () => {
   const { page } = await opened('measurement.html', 1400);
-  const box = await page.$eval('.map image', (node) => { node.scrollIntoView({ block: 'center' }); const { left, top, width, height } = node.getBoundingClientRect(); return { left, top, width, height }; });
+  const box = await page.$eval('.map image', (node) => {
+    node.scrollIntoView({ block: 'center' });
+    const { left, top, width, height } = node.getBoundingClientRect();
+    return { left, top, width, height };
+  });
   const at = (x, y) => page.mouse.move(box.left + (x / 900) * box.width, box.top + (y / 600) * box.height);
   const told = async () => (await page.textContent('.map-value')).replace(/\u00a0/g, ' ');
   await at(300, 200);
@@ -119,14 +172,28 @@ test('the pointer reads place and height off the map', async () => {
 test('curves, tables and pictures can be taken away', async () => {
   const { page, faults } = await opened('measurement.html', 1400);
   const spectrum = await downloaded(page, 'Power spectrum as CSV');
-  assert.match(spectrum.split('\r\n')[0], /^"spatial frequency \[mm⁻¹\]","along x: power spectral density \[µm³\]"/);
+  assert.match(
+    spectrum.split('\r\n')[0],
+    /^"spatial frequency \[mm⁻¹\]","along x: power spectral density \[µm³\]"/,
+  );
   assert.ok(spectrum.split('\r\n').length > 399);
   const heights = await downloaded(page, 'Heights as CSV');
-  assert.match(heights, /"root mean square height","Sq",0\.41234,0\.0123,"um","Gaussian filter 0\.8 mm, pixel 1 um"/);
-  assert.match(await downloaded(page, 'Each region as CSV'), /^"","asperity_density \[um-2\]","asperity_radius \[um\]"\r\n"1",0\.0383,5\.1\r\n"2",0\.0412,\r\n$/);
+  assert.match(
+    heights,
+    /"root mean square height","Sq",0\.41234,0\.0123,"um","Gaussian filter 0\.8 mm, pixel 1 um"/,
+  );
+  assert.match(
+    await downloaded(page, 'Each region as CSV'),
+    /^"","asperity_density \[um-2\]","asperity_radius \[um\]"\r\n"1",0\.0383,5\.1\r\n"2",0\.0412,\r\n$/,
+  );
   const svg = await downloaded(page, 'Heights of the liner as SVG');
-  assert.ok(svg.includes('data:image/png;base64,') && svg.includes('Heights of the liner') && !svg.includes('"NaN'));
-  const png = await Promise.all([page.waitForEvent('download'), page.click('button[aria-label="Heights of the liner as PNG"]')]);
+  assert.ok(
+    svg.includes('data:image/png;base64,') && svg.includes('Heights of the liner') && !svg.includes('"NaN'),
+  );
+  const png = await Promise.all([
+    page.waitForEvent('download'),
+    page.click('button[aria-label="Heights of the liner as PNG"]'),
+  ]);
   assert.ok(statSync(await png[0].path()).size > 50000);
   assert.deepEqual(faults, []);
   await page.context().close();

@@ -7,9 +7,14 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const [pagesFolder, packagesFolder] = process.argv.slice(2);
-const program = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((path) => existsSync(path));
+const program = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((path) =>
+  existsSync(path),
+);
 if (!program) {
-  console.log('SKIPPED: no chromium is installed (apt-get install chromium); the page of studies was not tested in a browser.');
+  console.log(
+    'SKIPPED: no chromium is installed (apt-get install chromium); the page of studies was not ' +
+      'tested in a browser.',
+  );
   process.exit(77);
 }
 const { chromium } = createRequire(join(packagesFolder, 'package.json'))('playwright-core');
@@ -21,8 +26,12 @@ async function opened(name, width = 1400) {
   const page = await context.newPage();
   const faults = [];
   page.on('pageerror', (error) => faults.push(error.stack));
-  page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) faults.push(message.text()); });
-  page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) faults.push(`outside request: ${request.url()}`); });
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) faults.push(message.text());
+  });
+  page.on('request', (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) faults.push(`outside request: ${request.url()}`);
+  });
   await page.goto(pathToFileURL(join(pagesFolder, name)).href);
   await page.waitForSelector('.drawing svg');
   return { page, faults };
@@ -30,7 +39,10 @@ async function opened(name, width = 1400) {
 
 /** Text of the file behind a button. */
 async function downloaded(page, label) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`button[aria-label="${label}"]`)]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.click(`button[aria-label="${label}"]`),
+  ]);
   return readFileSync(await download.path(), 'utf8');
 }
 
@@ -38,8 +50,24 @@ const tests = [];
 const test = (name, run) => tests.push({ name, run });
 
 const kFigures = {
-  study_uncertainty: ['band-min-film-thickness', 'band-friction-on-liner', 'histograms', 'sobol', 'tornado', 'comparison-figure', 'convergence', 'stribeck'],
-  study_map: ['map-mean-total-friction', 'map-fmep', 'map-min-film-thickness', 'map-mixed-share', 'stribeck', 'comparison-figure'],
+  study_uncertainty: [
+    'band-min-film-thickness',
+    'band-friction-on-liner',
+    'histograms',
+    'sobol',
+    'tornado',
+    'comparison-figure',
+    'convergence',
+    'stribeck',
+  ],
+  study_map: [
+    'map-mean-total-friction',
+    'map-fmep',
+    'map-min-film-thickness',
+    'map-mixed-share',
+    'stribeck',
+    'comparison-figure',
+  ],
   study_screening: ['morris', 'ranking', 'comparison-figure', 'stribeck'],
   study_comparison: ['comparison-figure', 'stribeck'],
 };
@@ -47,14 +75,22 @@ for (const [name, wanted] of Object.entries(kFigures)) {
   for (const width of [390, 1400]) {
     test(`${name} stands at ${width} pixels`, async () => {
       const { page, faults } = await opened(`${name}.html`, width);
-      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, 'no sideways scrolling');
+      assert.equal(
+        await page.evaluate(() => document.documentElement.scrollWidth),
+        width,
+        'no sideways scrolling',
+      );
       const figures = await page.$$eval('figure', (nodes) => nodes.map((node) => node.id));
       assert.deepEqual([...figures].sort(), [...wanted].sort());
       assert.equal(await page.locator('.card').count(), 3);
-      for (const caption of await page.locator('figcaption').allTextContents()) assert.ok(caption.length > 30 && !/undefined|NaN|null|object/.test(caption), caption);
+      for (const caption of await page.locator('figcaption').allTextContents())
+        assert.ok(caption.length > 30 && !/undefined|NaN|null|object/.test(caption), caption);
       const drawn = await page.$$eval('.drawing svg', (nodes) => nodes.map((node) => node.outerHTML));
-      drawn.forEach((svg) => assert.ok(!/NaN|undefined|Infinity/.test(svg), svg.match(/.{60}(NaN|undefined|Infinity).{60}/)?.[0]));
-      for (const id of ['values', 'varied', 'provenance', 'notes']) assert.equal(await page.locator(`section#${id}`).count(), 1, id);
+      drawn.forEach((svg) =>
+        assert.ok(!/NaN|undefined|Infinity/.test(svg), svg.match(/.{60}(NaN|undefined|Infinity).{60}/)?.[0]),
+      );
+      for (const id of ['values', 'varied', 'provenance', 'notes'])
+        assert.equal(await page.locator(`section#${id}`).count(), 1, id);
       assert.deepEqual(faults, []);
       await page.context().close();
     });
@@ -71,27 +107,43 @@ test('another value is picked with the keyboard', async () => {
   const after = await page.textContent('#tornado figcaption');
   assert.notEqual(after, before);
   assert.match(after, /minimum film thickness/);
-  assert.match(await page.textContent('#sobol figcaption'), /minimum film thickness from 64 rows.*Strongest: speed and warmth/);
+  assert.match(
+    await page.textContent('#sobol figcaption'),
+    /minimum film thickness from 64 rows.*Strongest: speed and warmth/,
+  );
   assert.deepEqual(faults, []);
   await page.context().close();
 });
 
 test('a map shows another slice, base and axis, and what was not solved', async () => {
   const { page, faults } = await opened('study_map.html');
-  const bands = () => page.$$eval('#map-min-film-thickness path.band', (nodes) => nodes.map((node) => node.getAttribute('d')).join());
+  const bands = () =>
+    page.$$eval('#map-min-film-thickness path.band', (nodes) =>
+      nodes.map((node) => node.getAttribute('d')).join(),
+    );
   const seen = [await bands()];
   const selects = page.locator('#maps .choices select');
   assert.equal(await selects.count(), 4); // base, across, up, law
-  assert.match(await page.textContent('#map-min-film-thickness figcaption'), /Hatched: next to the scenario \(×\) that was not solved/);
+  assert.match(
+    await page.textContent('#map-min-film-thickness figcaption'),
+    /Hatched: next to the scenario \(×\) that was not solved/,
+  );
   await selects.nth(0).selectOption({ label: 'worn' });
   seen.push(await bands());
   await selects.nth(1).selectOption({ label: 'warmth' });
   seen.push(await bands());
   assert.equal(new Set(seen).size, 3);
   assert.match(await page.locator('#map-fmep svg').textContent(), /warmth \[K\]/);
-  const friction = await page.$$eval('#map-mean-total-friction path.band', (nodes) => nodes.map((node) => node.getAttribute('d')).join());
+  const friction = await page.$$eval('#map-mean-total-friction path.band', (nodes) =>
+    nodes.map((node) => node.getAttribute('d')).join(),
+  );
   await selects.nth(3).selectOption({ label: 'barus' });
-  assert.notEqual(await page.$$eval('#map-mean-total-friction path.band', (nodes) => nodes.map((node) => node.getAttribute('d')).join()), friction);
+  assert.notEqual(
+    await page.$$eval('#map-mean-total-friction path.band', (nodes) =>
+      nodes.map((node) => node.getAttribute('d')).join(),
+    ),
+    friction,
+  );
   assert.deepEqual(faults, []);
   await page.context().close();
 });
@@ -102,21 +154,40 @@ test('the pointer reads a map', async () => {
   await host.scrollIntoViewIfNeeded();
   const box = await host.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + 120);
-  assert.match((await page.textContent('#map-min-film-thickness .map-value')).replace(/\u00a0/g, ' '), /^speed \d+ rpm, warmth −?[\d.]+ K: 0\.\d+ µm$/);
+  assert.match(
+    (await page.textContent('#map-min-film-thickness .map-value')).replace(/\u00a0/g, ' '),
+    /^speed \d+ rpm, warmth −?[\d.]+ K: 0\.\d+ µm$/,
+  );
   await page.context().close();
 });
 
 test('numbers and pictures can be taken away', async () => {
   const { page, faults } = await opened('study_uncertainty.html');
   const bands = (await downloaded(page, 'Minimum film thickness as CSV')).split('\r\n');
-  assert.match(bands[0], /"crank angle \[degree\]".*"new: minimum film thickness, 5 % \[µm\]","new: minimum film thickness, 95 % \[µm\]"/);
+  assert.match(
+    bands[0],
+    /"crank angle \[degree\]".*"new: minimum film thickness, 5 % \[µm\]","new: minimum film thickness, 95 % \[µm\]"/,
+  );
   assert.equal(bands.length, 75); // heads, 73 angles with both ends of the cycle, the last line's end
   const values = await downloaded(page, 'Values of the cycle as CSV');
-  assert.match(values.split('\r\n')[0], /"base","quantity","unit","scenarios","mean","mean, low","mean, high","standard deviation","5 %"/);
-  assert.match(await downloaded(page, 'Which input decides: shares in the variance as CSV'), /"speed and warmth",[\d.]+/);
+  assert.match(
+    values.split('\r\n')[0],
+    /"base","quantity","unit","scenarios","mean","mean, low","mean, high","standard deviation","5 %"/,
+  );
+  assert.match(
+    await downloaded(page, 'Which input decides: shares in the variance as CSV'),
+    /"speed and warmth",[\d.]+/,
+  );
   const svg = await downloaded(page, 'How the values of the cycle are spread as SVG');
-  assert.ok(svg.includes('made-up uncertainty') && svg.includes('minimum film thickness [µm]') && !svg.includes('NaN'));
-  const [png] = await Promise.all([page.waitForEvent('download'), page.click('button[aria-label="Which input moves it how far as PNG"]')]);
+  assert.ok(
+    svg.includes('made-up uncertainty') &&
+      svg.includes('minimum film thickness [µm]') &&
+      !svg.includes('NaN'),
+  );
+  const [png] = await Promise.all([
+    page.waitForEvent('download'),
+    page.click('button[aria-label="Which input moves it how far as PNG"]'),
+  ]);
   assert.ok(statSync(await png.path()).size > 10000);
   assert.deepEqual(faults, []);
   await page.context().close();

@@ -9,27 +9,49 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const [program, packagesFolder] = process.argv.slice(2);
-const browserProgram = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((path) => existsSync(path));
+const browserProgram = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(
+  (path) => existsSync(path),
+);
 if (!browserProgram) {
-  console.log('SKIPPED: no chromium is installed (apt-get install chromium); the page of verify was not tested in a browser.');
+  console.log(
+    'SKIPPED: no chromium is installed (apt-get install chromium); the page of verify was not ' +
+      'tested in a browser.',
+  );
   process.exit(77);
 }
 const { chromium } = createRequire(join(packagesFolder, 'package.json'))('playwright-core');
 const folder = mkdtempSync(join(tmpdir(), 'verify-page-'));
 const path = join(folder, 'verification.html');
-execFileSync(program, ['verify', 'rayleigh1918_inclined_slider', 'ausas2009_oscillating_squeeze', '--output', path]);
-const browser = await chromium.launch({ executablePath: browserProgram, args: ['--no-sandbox', '--disable-gpu'] });
+execFileSync(program, [
+  'verify',
+  'rayleigh1918_inclined_slider',
+  'ausas2009_oscillating_squeeze',
+  '--output',
+  path,
+]);
+const browser = await chromium.launch({
+  executablePath: browserProgram,
+  args: ['--no-sandbox', '--disable-gpu'],
+});
 try {
   for (const width of [390, 1400]) {
     const page = await browser.newPage({ viewport: { width, height: 900 } });
     const faults = [];
     page.on('pageerror', (error) => faults.push(error.stack));
-    page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) faults.push(message.text()); });
-    page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) faults.push(`outside request: ${request.url()}`); });
+    page.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) faults.push(message.text());
+    });
+    page.on('request', (request) => {
+      if (!/^(file|data|blob):/.test(request.url())) faults.push(`outside request: ${request.url()}`);
+    });
     await page.goto(pathToFileURL(path).href);
     await page.waitForSelector('.chart canvas');
     assert.deepEqual(faults, []);
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, `no sideways scrolling at ${width}`);
+    assert.equal(
+      await page.evaluate(() => document.documentElement.scrollWidth),
+      width,
+      `no sideways scrolling at ${width}`,
+    );
     assert.equal(await page.textContent('.card .card-value'), '2 of 2');
     assert.equal(await page.locator('.chart canvas').count(), 3, 'one plot for each order of convergence');
     const verdicts = await page.locator('.checks .verdict').allTextContents();

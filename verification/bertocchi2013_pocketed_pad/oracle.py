@@ -48,8 +48,19 @@ def film(n, width):
     def gap(x, y):
         return wedge(x) + DEPTH * ((x > BEGIN) & (x < END) & (y > edge))
 
-    return Film(np.linspace(0, LENGTH, 60 * n + 1), y, gap, 0.01, 1.0, 1e5, 1e5, 1e5, None,
-                viscosity=lambda p: np.exp(1.2e-8 * p), density=lambda p: (2.22e9 + 1.66 * p) / (2.22e9 + p))
+    return Film(
+        np.linspace(0, LENGTH, 60 * n + 1),
+        y,
+        gap,
+        0.01,
+        1.0,
+        1e5,
+        1e5,
+        1e5,
+        None,
+        viscosity=lambda p: np.exp(1.2e-8 * p),
+        density=lambda p: (2.22e9 + 1.66 * p) / (2.22e9 + p),
+    )
 
 
 result = {}

@@ -30,7 +30,9 @@ def bisected(f, low, high):
 
 
 # Rupture: pressure has come down from the supply to zero where its slope is zero, past the narrowest gap.
-rupture = bisected(lambda x: SUPPLY + simpson(lambda s: slope(s, U * gap(x) / 2), 0, x, 1000), LENGTH / 2, 0.75 * LENGTH)
+rupture = bisected(
+    lambda x: SUPPLY + simpson(lambda s: slope(s, U * gap(x) / 2), 0, x, 1000), LENGTH / 2, 0.75 * LENGTH
+)
 flow = U * gap(rupture) / 2
 # Reformation: with the flow that the cavity brings along, pressure rises from zero to the supply at the end.
 reformation = bisected(lambda x: simpson(lambda s: slope(s, flow), x, LENGTH, 1000) - SUPPLY, LENGTH / 2 * 1.3, LENGTH)

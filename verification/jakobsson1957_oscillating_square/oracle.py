@@ -49,20 +49,24 @@ def integration(n, step):
     return loads, cavity[0], cavity[-1] + step
 
 
-seen = {(n, step): integration(n, step) for n, step in
-        ((16, 0.00125), (32, 0.00125), (64, 0.00125), (128, 0.00125), (32, 0.0025), (32, 0.000625))}
+seen = {
+    (n, step): integration(n, step)
+    for n, step in ((16, 0.00125), (32, 0.00125), (64, 0.00125), (128, 0.00125), (32, 0.0025), (32, 0.000625))
+}
 result = {}
 for at in TIMES:
     load = {key: value[0][at] for key, value in seen.items()}
     grids = [load[n, 0.00125] for n in (16, 32, 64, 128)]
     steps = [load[32, step] for step in (0.0025, 0.00125, 0.000625)]
-    # Full films are of second order in the cells; with a cavity the first is left, as its front moves from cell to cell.
+    # Full films are of second order in the cells; with a cavity of first, as its front moves from cell to cell.
     order = 2 if at in FULL else 1
     last = grids[-1] - grids[-2]
     result[f"load at t = {at} s"] = {
-        "on four grids": grids, "with three steps": steps,
+        "on four grids": grids,
+        "with three steps": steps,
         "order seen in cells": limit(grids)[1],
-        "limit": grids[-1] + last / (2**order - 1) + 2 * (steps[2] - steps[1])}
+        "limit": grids[-1] + last / (2**order - 1) + 2 * (steps[2] - steps[1]),
+    }
 result["first cavity"] = [value[1] for value in seen.values()]
 result["full again"] = [value[2] for value in seen.values()]
 print(json.dumps(result, indent=1))

@@ -29,9 +29,5 @@ begin, end = 0.25, 0.3
 for _ in range(60):
     half = 0.5 * (begin + end)
     begin, end = (half, end) if middle(half) > 0 else (begin, half)
-expected = {
-    "load at t = 0.1 s, full": load(0.1),
-    "first cavity": begin,
-    "load at t = 0.6 s, full again": load(0.6),
-}
+expected = {"load at t = 0.1 s, full": load(0.1), "first cavity": begin, "load at t = 0.6 s, full again": load(0.6)}
 print(json.dumps(expected, indent=1))

@@ -2,7 +2,7 @@
 
 import json
 import sys
-from math import atan, cos, pi, sin, sqrt
+from math import atan, cos, sin, sqrt
 
 ETA, SPEED, R, H0 = 0.01, 6.0, 0.05, 2e-6
 INLET = 12.0  # distance from the inlet to the thinnest place, in sqrt(2 R h0)

@@ -2,7 +2,7 @@
 solved on two grids and extrapolated. Prints JSON, SI."""
 
 import json
-from math import cos, pi
+from math import pi
 
 U, ETA, L, H_IN, H_OUT, RHO = 5.0, 0.02, 0.01, 20e-6, 10e-6, 850.0
 HARMONICS, CELLS = 41, 1600

@@ -1,7 +1,7 @@
 """Infinitely wide inclined slider, closed form (README.md). Prints the expected numbers in SI as JSON."""
 
 import json
-from math import log, log1p
+from math import log1p
 
 U, ETA, RHO, L, H0 = 5.0, 0.02, 850.0, 0.01, 10e-6
 
@@ -32,7 +32,12 @@ expected = {
     "load at K = 1": load(1.0),
     "load at best K": load(k),
     "load at K = 3": load(3.0),
-    "peak pressure at best K": 6 * ETA * U * L / (thickest - thinnest) * (1 / (2 * at_peak) - 1 / (thickest + thinnest)),
+    "peak pressure at best K": 6
+    * ETA
+    * U
+    * L
+    / (thickest - thinnest)
+    * (1 / (2 * at_peak) - 1 / (thickest + thinnest)),
     "place of the peak": L * (thickest - at_peak) / (thickest - thinnest),
     "friction on the moving side": ETA * U * L / H0 * (4 * log1p(k) / k - 6 / (2 + k)),
     "friction on the standing side": ETA * U * L / H0 * (6 / (2 + k) - 2 * log1p(k) / k),

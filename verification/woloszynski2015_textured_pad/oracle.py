@@ -32,8 +32,17 @@ def pocket(s):
 
 def film(n):
     over = AMBIENT - CAVITATION
-    return Film(np.linspace(0, SIDE, 40 * n + 1), np.linspace(0, SIDE / 2, 20 * n + 1),
-                lambda x, y: LAND + DEPTH * (pocket(x) & pocket(y)), 0.03, 1.0, over, over, over, None)
+    return Film(
+        np.linspace(0, SIDE, 40 * n + 1),
+        np.linspace(0, SIDE / 2, 20 * n + 1),
+        lambda x, y: LAND + DEPTH * (pocket(x) & pocket(y)),
+        0.03,
+        1.0,
+        over,
+        over,
+        over,
+        None,
+    )
 
 
 seen = {"load": [], "peak": [], "mass flow in": [], "mass flow through one side": [], "cavitated": []}
@@ -46,5 +55,9 @@ for n in (3, 6, 12):
     seen["mass flow in"].append(-2 * 850 * flows["left"] / SIDE)
     seen["mass flow through one side"].append(850 * flows["front"])
     seen["cavitated"].append(pad.cavitated())
-print(json.dumps({name: {"on three grids": values, "limit": limit(values, order=1)[0]}
-                  for name, values in seen.items()}, indent=1))
+print(
+    json.dumps(
+        {name: {"on three grids": values, "limit": limit(values, order=1)[0]} for name, values in seen.items()},
+        indent=1,
+    )
+)

@@ -55,8 +55,8 @@ struct Text {
 };
 
 inline Field field(std::string key, Kind kind, Unit unit, std::optional<Range> range, Need need, When when, Text text) {
-  return {std::move(key), std::move(kind), unit.si,   unit.display, range,       need,
-          when.holds,     when.words,      text.help, text.example, std::nullopt};
+  return {std::move(key), std::move(kind),      unit.si,      unit.display, range, need, when.holds,
+          when.words,     std::move(text.help), text.example, std::nullopt};
 }
 
 void append_thermal_fields(std::vector<Field>& fields);

@@ -14,7 +14,6 @@
 namespace ringfilm::instrument {
 namespace {
 
-using surface::CalibrationMethod;
 using surface::LoadUnit;
 
 constexpr double kTooSmallChance = 0.01;    // of chi squared: the stated deviations are too small, or the line is none

@@ -71,8 +71,8 @@ void add_file(ForceSample& sample, const std::string& digest, const std::string&
   sample.digests.push_back(digest);
 }
 
-/// Adds what another file has of the same sample.
-void append(ForceSample& sample, io::ForceFile&& file, const std::string& path) {
+/// Moves the loops and loads of another file into its sample.
+void append(ForceSample& sample, io::ForceFile& file, const std::string& path) {
   if (sample.load_unit != file.load_unit) {
     refuse(path, "the loads of sample " + sample.name + " are in volts in one file and in newtons in another",
            "both in volts of the normal signal, or both in newtons");
@@ -168,7 +168,7 @@ std::vector<ForceSample> read_force_samples(const std::vector<std::string>& path
         samples.push_back(std::move(sample));
         known = std::prev(samples.end());
       } else {
-        append(*known, std::move(file), path);
+        append(*known, file, path);
       }
       known->sources.push_back(source);
       for (const std::string& note : file.notes) {

@@ -27,7 +27,10 @@ function bundled(entry) {
 }
 
 const style = bundled('src/style.css');
-const licence = readFileSync(join(workFolder, 'node_modules', 'uplot', 'LICENSE'), 'utf8').replaceAll('--', '- -');
+const licence = readFileSync(join(workFolder, 'node_modules', 'uplot', 'LICENSE'), 'utf8').replaceAll(
+  '--',
+  '- -',
+);
 
 function refuseEnd(name, text, end) {
   if (text.toLowerCase().includes(end)) throw new Error(`the ${name} holds ${end} and would end too early`);
@@ -41,8 +44,10 @@ function parts(entry) {
   // The browser runs this very script and no other, and fetches nothing, whatever the data hold.
   const scriptHash = createHash('sha256').update(script).digest('base64');
   const fill = { SCRIPT: script, SCRIPT_HASH: scriptHash, STYLE: style, UPLOT_LICENCE: licence.trim() };
-  const template = readFileSync(join(pageFolder, 'template.html'), 'utf8')
-    .replace(/\{\{(SCRIPT|SCRIPT_HASH|STYLE|UPLOT_LICENCE)\}\}/g, (_, name) => fill[name]);
+  const template = readFileSync(join(pageFolder, 'template.html'), 'utf8').replace(
+    /\{\{(SCRIPT|SCRIPT_HASH|STYLE|UPLOT_LICENCE)\}\}/g,
+    (_, name) => fill[name],
+  );
   const cut = template.split(/\{\{(?:TITLE|DATA)\}\}/);
   if (cut.length !== 3) throw new Error('the template needs {{TITLE}} and {{DATA}} once each, in this order');
   return cut;
@@ -57,13 +62,20 @@ function asSource(page, entry) {
     return `const unsigned char ${page}_${i}[] = {\n${lines.join(',\n')}};\n`;
   });
   const view = (i) => `{reinterpret_cast<const char*>(${page}_${i}), sizeof ${page}_${i}}`;
-  return `namespace {\n${arrays.join('')}}  // namespace\n\nPageTemplate ${page}() { return {${[0, 1, 2].map(view).join(', ')}}; }\n\n`;
+  return (
+    `namespace {\n${arrays.join('')}}  // namespace\n\n` +
+    `PageTemplate ${page}() { return {${[0, 1, 2].map(view).join(', ')}}; }\n\n`
+  );
 }
 
 writeFileSync(
   outputFile,
-  '// Made from src/ringfilm/report/page when the program is built.\n#include "ringfilm/report/page_template.hpp"\n\n' +
-    'namespace ringfilm::report::page_template {\n' + asSource('report', 'src/main.js') + asSource('verification', 'src/verification.js') +
-    asSource('measurement', 'src/measurement/measurement.js') + asSource('study', 'src/study/study.js') +
-    '}  // namespace ringfilm::report::page_template\n'
+  '// Made from src/ringfilm/report/page when the program is built.\n' +
+    '#include "ringfilm/report/page_template.hpp"\n\n' +
+    'namespace ringfilm::report::page_template {\n' +
+    asSource('report', 'src/main.js') +
+    asSource('verification', 'src/verification.js') +
+    asSource('measurement', 'src/measurement/measurement.js') +
+    asSource('study', 'src/study/study.js') +
+    '}  // namespace ringfilm::report::page_template\n',
 );

@@ -17,18 +17,27 @@ export function svgElement(text) {
   return document.importNode(new DOMParser().parseFromString(text, 'image/svg+xml').documentElement, true);
 }
 
-/** Acts when a node has got another width, in the next frame: within the observer it would change the sizes being reported. */
+/**
+ * Acts when a node has got another width, in the next frame: within the observer it would change the sizes
+ * being reported.
+ */
 export function onNewWidth(node, act) {
   let width = node.clientWidth;
-  new ResizeObserver(() => requestAnimationFrame(() => {
-    if (node.clientWidth === width) return;
-    width = node.clientWidth;
-    act();
-  })).observe(node);
+  new ResizeObserver(() =>
+    requestAnimationFrame(() => {
+      if (node.clientWidth === width) return;
+      width = node.clientWidth;
+      act();
+    }),
+  ).observe(node);
 }
 
 /** A key or setting in type of its own, which may break after a dot, an underscore or an equals sign only. */
 export function code(text, attributes = {}) {
   const pieces = String(text).match(/[^._=/]*[._=/]|[^._=/]+$/g) ?? [];
-  return element('code', attributes, pieces.flatMap((piece, i) => (i === 0 ? [piece] : [element('wbr'), piece])));
+  return element(
+    'code',
+    attributes,
+    pieces.flatMap((piece, i) => (i === 0 ? [piece] : [element('wbr'), piece])),
+  );
 }

@@ -13,7 +13,11 @@ export function save(name, type, content) {
 }
 
 export function fileStem(title, id) {
-  const words = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '').slice(0, 60);
+  const words = title
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, '-')
+    .replace(/^-|-$/g, '')
+    .slice(0, 60);
   return words ? `${words}-${id}` : id;
 }
 
@@ -46,7 +50,10 @@ function barColumns(figure) {
   for (const panel of figure.panels) {
     panel.categories.forEach((category, i) => {
       const total = (g) => g.stacks[i].reduce((sum, part) => sum + (part.value ?? 0), 0);
-      columns.push({ title: axisTitle(`${panel.yLabel}, ${category}`, panel.yUnit), values: panel.groups.map(total) });
+      columns.push({
+        title: axisTitle(`${panel.yLabel}, ${category}`, panel.yUnit),
+        values: panel.groups.map(total),
+      });
     });
   }
   return columns;
@@ -60,13 +67,26 @@ function lineColumns(figure) {
     if (!oneAxis || i === 0) {
       const whose = oneAxis ? '' : `${s.label}: `;
       if (s.angle) columns.push({ title: `${whose}crank angle [degree]`, values: s.angle });
-      columns.push({ title: axisTitle(whose + panel.xLabel, panel.xUnit === '°' ? 'degree' : panel.xUnit), values: s.x });
+      columns.push({
+        title: axisTitle(whose + panel.xLabel, panel.xUnit === '°' ? 'degree' : panel.xUnit),
+        values: s.x,
+      });
     }
     columns.push({ title: axisTitle(`${s.label}: ${panel.yLabel}`, panel.yUnit), values: s.y });
-    if (s.error) columns.push({ title: axisTitle(`${s.label}: error of ${panel.yLabel}`, panel.yUnit), values: s.error });
+    if (s.error)
+      columns.push({
+        title: axisTitle(`${s.label}: error of ${panel.yLabel}`, panel.yUnit),
+        values: s.error,
+      });
     for (const band of s.bands ?? []) {
-      columns.push({ title: axisTitle(`${s.label}: ${panel.yLabel}, ${band.words[0]}`, panel.yUnit), values: band.low });
-      columns.push({ title: axisTitle(`${s.label}: ${panel.yLabel}, ${band.words[1]}`, panel.yUnit), values: band.high });
+      columns.push({
+        title: axisTitle(`${s.label}: ${panel.yLabel}, ${band.words[0]}`, panel.yUnit),
+        values: band.low,
+      });
+      columns.push({
+        title: axisTitle(`${s.label}: ${panel.yLabel}, ${band.words[1]}`, panel.yUnit),
+        values: band.high,
+      });
     }
   });
   return columns;
@@ -82,7 +102,11 @@ export function columnsCsv(columns) {
   const rows = Math.max(0, ...columns.map((c) => c.values.length));
   const lines = [columns.map((c) => heading(c.title)).join(',')];
   for (let k = 0; k < rows; k++) {
-    lines.push(columns.map(({ values }) => (typeof values[k] === 'string' ? heading(values[k]) : plain(values[k]))).join(','));
+    lines.push(
+      columns
+        .map(({ values }) => (typeof values[k] === 'string' ? heading(values[k]) : plain(values[k])))
+        .join(','),
+    );
   }
   return `${lines.join('\r\n')}\r\n`;
 }

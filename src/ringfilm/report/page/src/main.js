@@ -2,7 +2,13 @@
 import { gapFigure } from './cycle/around_figures.js';
 import { AroundView } from './cycle/around_view.js';
 import { CycleGroup } from './plot/chart.js';
-import { cycleFigures, kCycleRange, otherQuantityFigure, shownElsewhere, zoomFigure } from './cycle/cycle_figures.js';
+import {
+  cycleFigures,
+  kCycleRange,
+  otherQuantityFigure,
+  shownElsewhere,
+  zoomFigure,
+} from './cycle/cycle_figures.js';
 import { element, svgElement } from './dom.js';
 import { FaceView } from './cycle/face_view.js';
 import { FigureView, Visibility } from './cycle/figure_view.js';
@@ -11,7 +17,14 @@ import { influenceFigure, ledgerSection } from './cycle/ledger.js';
 import { Model } from './model.js';
 import { energyFigure, faceFigure, fieldAngles, stribeckFigure, wearFigure } from './cycle/other_figures.js';
 import { swatchSvg } from './plot/svg.js';
-import { comparisonSection, cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
+import {
+  comparisonSection,
+  cycleValuesSection,
+  inputsSection,
+  notesSection,
+  provenanceSection,
+  section,
+} from './tables.js';
 import { display } from './units.js';
 import { Unrolled } from './cycle/unrolled.js';
 
@@ -26,20 +39,51 @@ const kRanges = [
 
 function toolbar(model, visibility, group) {
   const cases = model.several
-    ? model.cases.map((c) => element('button', {
-      type: 'button', class: 'entry', 'aria-pressed': 'true', title: `Hide or show ${c.name}`, 'data-case': c.index, onclick: () => visibility.toggle(c.index),
-    }, svgElement(swatchSvg({ caseIndex: c.index, part: null })), element('span', { class: 'label' }, c.name)))
+    ? model.cases.map((c) =>
+        element(
+          'button',
+          {
+            type: 'button',
+            class: 'entry',
+            'aria-pressed': 'true',
+            title: `Hide or show ${c.name}`,
+            'data-case': c.index,
+            onclick: () => visibility.toggle(c.index),
+          },
+          svgElement(swatchSvg({ caseIndex: c.index, part: null })),
+          element('span', { class: 'label' }, c.name),
+        ),
+      )
     : [];
-  visibility.listeners.push(() => cases.forEach((button, i) => button.setAttribute('aria-pressed', String(!visibility.hidden.has(i)))));
-  const ranges = kRanges.map(([label, low, high]) => element('button', {
-    type: 'button', class: 'range', 'aria-pressed': String(low === kCycleRange[0] && high === kCycleRange[1]), onclick: () => group.zoom(low, high),
-  }, label));
-  group.listeners.push((low, high) => ranges.forEach((button, i) => {
-    button.setAttribute('aria-pressed', String(Math.abs(low - kRanges[i][1]) < 0.5 && Math.abs(high - kRanges[i][2]) < 0.5));
-  }));
-  return element('div', { class: 'toolbar', role: 'toolbar', 'aria-label': 'What the charts show' },
+  visibility.listeners.push(() =>
+    cases.forEach((button, i) => button.setAttribute('aria-pressed', String(!visibility.hidden.has(i)))),
+  );
+  const ranges = kRanges.map(([label, low, high]) =>
+    element(
+      'button',
+      {
+        type: 'button',
+        class: 'range',
+        'aria-pressed': String(low === kCycleRange[0] && high === kCycleRange[1]),
+        onclick: () => group.zoom(low, high),
+      },
+      label,
+    ),
+  );
+  group.listeners.push((low, high) =>
+    ranges.forEach((button, i) => {
+      button.setAttribute(
+        'aria-pressed',
+        String(Math.abs(low - kRanges[i][1]) < 0.5 && Math.abs(high - kRanges[i][2]) < 0.5),
+      );
+    }),
+  );
+  return element(
+    'div',
+    { class: 'toolbar', role: 'toolbar', 'aria-label': 'What the charts show' },
     cases.length ? element('span', { class: 'tools' }, cases) : null,
-    element('span', { class: 'tools' }, ranges));
+    element('span', { class: 'tools' }, ranges),
+  );
 }
 
 /** A chart of a quantity that the reader picks. */
@@ -59,12 +103,27 @@ function otherQuantity(model, context, started) {
     view.start();
     started.push(view);
   };
-  const picker = element('select', { id: 'quantity', onchange: () => { show(picker.value); picker.focus(); } }, names.map((name) => {
-    const q = model.curveQuantity.get(name);
-    const { unit } = display(q);
-    return element('option', { value: name }, `${q.long_name}${unit ? ` [${unit}]` : ''}`);
-  }));
-  const choice = element('div', { class: 'choice' }, element('label', { for: 'quantity' }, 'Quantity'), picker);
+  const picker = element(
+    'select',
+    {
+      id: 'quantity',
+      onchange: () => {
+        show(picker.value);
+        picker.focus();
+      },
+    },
+    names.map((name) => {
+      const q = model.curveQuantity.get(name);
+      const { unit } = display(q);
+      return element('option', { value: name }, `${q.long_name}${unit ? ` [${unit}]` : ''}`);
+    }),
+  );
+  const choice = element(
+    'div',
+    { class: 'choice' },
+    element('label', { for: 'quantity' }, 'Quantity'),
+    picker,
+  );
   const overlaid = model.payload.overlays.map((o) => o.quantity).find((name) => names.includes(name));
   if (names.length === 0) return null;
   picker.value = overlaid ?? (names.includes('power_loss') ? 'power_loss' : names[0]);
@@ -84,9 +143,14 @@ function subtitle(model) {
 /** The cases whose film is unrolled, ready to be drawn. */
 function unrolledCases(model) {
   const { unrolled_fields: fields, strip_fields: strips } = model.payload;
-  return model.cases.filter((c) => c.unrolled).map((c) => ({
-    name: c.name, data: new Unrolled(c.unrolled, { fields, strips }), peakAngle: c.values.peak_gas_pressure_angle, face: Math.max(0, ...c.fields.x) * 1e3,
-  }));
+  return model.cases
+    .filter((c) => c.unrolled)
+    .map((c) => ({
+      name: c.name,
+      data: new Unrolled(c.unrolled, { fields, strips }),
+      peakAngle: c.values.peak_gas_pressure_angle,
+      face: Math.max(0, ...c.fields.x) * 1e3,
+    }));
 }
 
 function buildPage(model) {
@@ -100,40 +164,97 @@ function buildPage(model) {
   const started = [];
 
   const hasCurves = model.cases.some((c) => c.curves.crank_angle.length > 1);
-  const cycle = hasCurves ? [...cycleFigures(model).map(view), otherQuantity(model, context, started)].filter(Boolean) : [];
+  const cycle = hasCurves
+    ? [...cycleFigures(model).map(view), otherQuantity(model, context, started)].filter(Boolean)
+    : [];
   const others = [
     hasCurves ? view(zoomFigure(model)) : null,
     hasCurves ? view(stribeckFigure(model)) : null,
     view(wearFigure(model)),
     view(energyFigure(model)),
   ].filter(Boolean);
-  const faces = [view(faceFigure(model)), fieldAngles(model).length ? new FaceView(model, context) : null].filter(Boolean);
+  const faces = [
+    view(faceFigure(model)),
+    fieldAngles(model).length ? new FaceView(model, context) : null,
+  ].filter(Boolean);
   const unrolled = unrolledCases(model);
-  const around = [unrolled.length ? new AroundView(model, unrolled, context) : null, hasCurves ? view(gapFigure(model)) : null].filter(Boolean);
+  const around = [
+    unrolled.length ? new AroundView(model, unrolled, context) : null,
+    hasCurves ? view(gapFigure(model)) : null,
+  ].filter(Boolean);
   const influence = view(influenceFigure(model));
   views.push(...cycle, ...others, ...faces, ...around, ...(influence ? [influence] : []));
 
   const contents = [
-    ['cycle', 'Over the cycle', cycle.length], ['friction', 'Friction and wear', others.length], ['face', 'Along the face', faces.length], ['around', 'Around the ring', around.length],
-    ['cycle-values', 'Cycle values', 1], ['comparison', 'Published values', model.cases.some((c) => c.comparison.length)],
-    ['ledger', 'Assumptions', model.cases.some((c) => c.ledger.length)], ['validity', 'Validity', 1], ['inputs', 'Inputs', 1], ['provenance', 'Provenance', 1],
+    ['cycle', 'Over the cycle', cycle.length],
+    ['friction', 'Friction and wear', others.length],
+    ['face', 'Along the face', faces.length],
+    ['around', 'Around the ring', around.length],
+    ['cycle-values', 'Cycle values', 1],
+    ['comparison', 'Published values', model.cases.some((c) => c.comparison.length)],
+    ['ledger', 'Assumptions', model.cases.some((c) => c.ledger.length)],
+    ['validity', 'Validity', 1],
+    ['inputs', 'Inputs', 1],
+    ['provenance', 'Provenance', 1],
   ].filter(([, , there]) => there);
 
-  document.getElementById('report').replaceChildren(...[
-    firstScreen(model),
-    element('nav', { class: 'contents', 'aria-label': 'Contents' }, contents.map(([id, label]) => element('a', { href: `#${id}` }, label))),
-    cycle.length ? section('cycle', 'Over the engine cycle',
-      element('p', { class: 'how' }, 'Drag across a chart to zoom all of them, double-click for the whole cycle; the thin dashed line marks the peak of the gas pressure.',
-        model.several ? ' A name in a legend hides that case in the whole page.' : ''),
-      toolbar(model, visibility, group), cycle.map((v) => v.node)) : null,
-    others.length ? section('friction', 'Friction and wear', others.map((v) => v.node)) : null,
-    faces.length ? section('face', 'Along the face of the ring', faces.map((v) => v.node)) : null,
-    around.length ? section('around', 'Around the ring', around.map((v) => v.node)) : null,
-    cycleValuesSection(model), comparisonSection(model), ledgerSection(model, influence?.node), notesSection(model), inputsSection(model), provenanceSection(model),
-  ].filter(Boolean));
+  document.getElementById('report').replaceChildren(
+    ...[
+      firstScreen(model),
+      element(
+        'nav',
+        { class: 'contents', 'aria-label': 'Contents' },
+        contents.map(([id, label]) => element('a', { href: `#${id}` }, label)),
+      ),
+      cycle.length
+        ? section(
+            'cycle',
+            'Over the engine cycle',
+            element(
+              'p',
+              { class: 'how' },
+              'Drag across a chart to zoom all of them, double-click for the whole cycle; the ' +
+                'thin dashed line marks the peak of the gas pressure.',
+              model.several ? ' A name in a legend hides that case in the whole page.' : '',
+            ),
+            toolbar(model, visibility, group),
+            cycle.map((v) => v.node),
+          )
+        : null,
+      others.length
+        ? section(
+            'friction',
+            'Friction and wear',
+            others.map((v) => v.node),
+          )
+        : null,
+      faces.length
+        ? section(
+            'face',
+            'Along the face of the ring',
+            faces.map((v) => v.node),
+          )
+        : null,
+      around.length
+        ? section(
+            'around',
+            'Around the ring',
+            around.map((v) => v.node),
+          )
+        : null,
+      cycleValuesSection(model),
+      comparisonSection(model),
+      ledgerSection(model, influence?.node),
+      notesSection(model),
+      inputsSection(model),
+      provenanceSection(model),
+    ].filter(Boolean),
+  );
   views.forEach((v) => v.start());
   window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details.fold').forEach((fold) => { fold.open = true; });
+    document.querySelectorAll('details.fold').forEach((fold) => {
+      fold.open = true;
+    });
     [...views, ...started].forEach((v) => v.beforePrint());
   });
 }

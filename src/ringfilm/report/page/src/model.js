@@ -1,7 +1,10 @@
 // The payload made handy: quantities by name, cases with short names, curves on the axis of the charts.
 import { display, shortPath, typeset, wrapped } from './units.js';
 
-/** Splits titles into what they share and what tells them apart, at a comma, colon or blank; null where they do not differ. */
+/**
+ * Splits titles into what they share and what tells them apart, at a comma, colon or blank; null where they
+ * do not differ.
+ */
 export function shortNames(titles) {
   if (new Set(titles).size < titles.length) return null;
   let n = 0;
@@ -18,11 +21,19 @@ const kNoName = /^(output|solver)\.|\.(file|name)$|file$/;
 /** Cases of one title, named after the inputs in which they differ (at most two), else by their number. */
 export function namesByInputs(cases) {
   const shown = (c, key) => c.inputs.find((entry) => entry.key === key)?.shown;
-  const keys = [...new Set(cases.flatMap((c) => c.inputs.map((entry) => entry.key)))].filter((key) => !kNoName.test(key));
+  const keys = [...new Set(cases.flatMap((c) => c.inputs.map((entry) => entry.key)))].filter(
+    (key) => !kNoName.test(key),
+  );
   const differing = keys.filter((key) => new Set(cases.map((c) => shown(c, key))).size > 1).slice(0, 2);
-  const names = cases.map((c) => differing
-    .map((key) => `${key.split('.').pop().replace(/_/g, ' ')} ${shown(c, key) === undefined ? 'not used' : shownInput({ shown: shown(c, key).replace(/"/g, '') })}`)
-    .join(', '));
+  const names = cases.map((c) =>
+    differing
+      .map(
+        (key) =>
+          `${key.split('.').pop().replace(/_/g, ' ')} ` +
+          (shown(c, key) === undefined ? 'not used' : shownInput({ shown: shown(c, key).replace(/"/g, '') })),
+      )
+      .join(', '),
+  );
   const areDistinct = names.every((name) => name !== '') && new Set(names).size === names.length;
   return areDistinct ? names : names.map((name, i) => (name ? `${i + 1}: ${name}` : `case ${i + 1}`));
 }
@@ -45,7 +56,9 @@ export function shownInput(entry) {
 
 /** A text in which the files that a case read stand with their short paths. */
 export function withShortPaths(oneCase, text) {
-  return oneCase.files.filter((file) => file.path).reduce((out, { path }) => out.split(path).join(shortPath(path)), text);
+  return oneCase.files
+    .filter((file) => file.path)
+    .reduce((out, { path }) => out.split(path).join(shortPath(path)), text);
 }
 
 /**
@@ -55,7 +68,9 @@ export function withShortPaths(oneCase, text) {
 export function stoppedAt(angles) {
   if (angles.length < 2) return angles[0] ?? null;
   const sorted = [...angles].sort((a, b) => a - b);
-  const gaps = sorted.map((angle, k) => ({ angle, size: (sorted[k + 1] ?? sorted[0] + 720) - angle })).sort((a, b) => b.size - a.size);
+  const gaps = sorted
+    .map((angle, k) => ({ angle, size: (sorted[k + 1] ?? sorted[0] + 720) - angle }))
+    .sort((a, b) => b.size - a.size);
   const usual = gaps[Math.floor(gaps.length / 2)].size;
   return gaps[0].size > 1.5 * usual && gaps[1].size <= 1.5 * usual ? gaps[0].angle : null;
 }
@@ -72,8 +87,12 @@ export class Model {
     this.sharedTitle = shared;
     this.several = payload.cases.length > 1;
     this.cases = payload.cases.map((c, index) => ({
-      ...c, index, series: this.several ? index : kOnlyCase, name: names[index],
-      // Sums and extremes of an integration that stopped early stand for no cycle: better none than wrong ones.
+      ...c,
+      index,
+      series: this.several ? index : kOnlyCase,
+      name: names[index],
+      // Sums and extremes of an integration that stopped early stand for no cycle: better none than wrong
+      // ones.
       values: c.complete ? { ...c.values, ...c.unrolled_values } : {},
     }));
     this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;
@@ -81,8 +100,13 @@ export class Model {
 
   /** The same page with some of its cases. */
   withCases(cases) {
-    const { allCases } = cases.length === this.cases.length ? this : { allCases: `these ${cases.length} cases` };
-    return Object.assign(Object.create(Object.getPrototypeOf(this)), this, { cases, several: cases.length > 1, allCases });
+    const { allCases } =
+      cases.length === this.cases.length ? this : { allCases: `these ${cases.length} cases` };
+    return Object.assign(Object.create(Object.getPrototypeOf(this)), this, {
+      cases,
+      several: cases.length > 1,
+      allCases,
+    });
   }
 
   /** Name, unit and values of one cycle value of one case as shown. */
@@ -128,17 +152,27 @@ export class Model {
   }
 }
 
-/** Steps wider than this many degrees, and three times the usual one, are missing samples: no line is drawn there. */
+/**
+ * Steps wider than this many degrees, and three times the usual one, are missing samples: no line is drawn
+ * there.
+ */
 const kWidestStep = 20;
 
-/** Turns angles to -360..360; closes a full cycle at both ends; a null stands wherever samples are missing. */
+/**
+ * Turns angles to -360..360; closes a full cycle at both ends; a null stands wherever samples are missing.
+ */
 export function onCycleAxis(angles, values) {
   const points = angles.map((angle, k) => [wrapped(angle), values[k]]).sort((a, b) => a[0] - b[0]);
   if (points.length === 0) return { x: [], y: [] };
-  const steps = points.slice(1).map((p, k) => p[0] - points[k][0]).filter((step) => step > 0).sort((a, b) => a - b);
+  const steps = points
+    .slice(1)
+    .map((p, k) => p[0] - points[k][0])
+    .filter((step) => step > 0)
+    .sort((a, b) => a - b);
   const usual = steps.length ? steps[Math.floor(steps.length / 2)] : 0;
   const around = points[0][0] + 720 - points[points.length - 1][0];
-  if (usual > 0 && around <= 1.5 * usual && points[points.length - 1][0] === 360) points.unshift([-360, points[points.length - 1][1]]);
+  if (usual > 0 && around <= 1.5 * usual && points[points.length - 1][0] === 360)
+    points.unshift([-360, points[points.length - 1][1]]);
   const x = [];
   const y = [];
   points.forEach(([angle, value], k) => {

@@ -2,39 +2,89 @@
 import { code, element } from './dom.js';
 import { save, fileStem } from './downloads.js';
 import { shownInput, withShortPaths } from './model.js';
-import { display, howOften, number, percent, sentence, shortPath, typeset, withError, withUnit } from './units.js';
+import {
+  display,
+  howOften,
+  number,
+  percent,
+  sentence,
+  shortPath,
+  typeset,
+  withError,
+  withUnit,
+} from './units.js';
 
 /** A cell is its text, or { text, attributes }. */
 function described(content) {
-  const { text, attributes = {} } = content && typeof content === 'object' && 'text' in content ? content : { text: content };
+  const { text, attributes = {} } =
+    content && typeof content === 'object' && 'text' in content ? content : { text: content };
   return { text, attributes };
 }
 
 /** A table that stays a table for screen readers and folds into blocks on a phone. */
 export function table(caption, heads, rows, { folds = false, classes = '' } = {}) {
-  const cells = (row) => row.map((content, i) => {
-    const { text, attributes } = described(content);
-    const empty = text === '–' ? 'nothing' : '';
-    return element(i === 0 ? 'th' : 'td', {
-      role: i === 0 ? 'rowheader' : 'cell', scope: i === 0 ? 'row' : null, 'data-label': described(heads[i]).text, ...attributes, class: `${attributes.class ?? ''} ${empty}`.trim() || null,
-    }, Array.isArray(text) ? element('span', {}, text) : text ?? '–');
-  });
-  return element('div', { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': caption },
-    element('table', { role: 'table', class: `${folds ? 'folds' : ''} ${classes}` },
+  const cells = (row) =>
+    row.map((content, i) => {
+      const { text, attributes } = described(content);
+      const empty = text === '–' ? 'nothing' : '';
+      return element(
+        i === 0 ? 'th' : 'td',
+        {
+          role: i === 0 ? 'rowheader' : 'cell',
+          scope: i === 0 ? 'row' : null,
+          'data-label': described(heads[i]).text,
+          ...attributes,
+          class: `${attributes.class ?? ''} ${empty}`.trim() || null,
+        },
+        Array.isArray(text) ? element('span', {}, text) : (text ?? '–'),
+      );
+    });
+  return element(
+    'div',
+    { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': caption },
+    element(
+      'table',
+      { role: 'table', class: `${folds ? 'folds' : ''} ${classes}` },
       element('caption', {}, caption),
-      element('thead', { role: 'rowgroup' }, element('tr', { role: 'row' }, heads.map((h) => element('th', { role: 'columnheader', scope: 'col', ...described(h).attributes }, described(h).text)))),
-      element('tbody', { role: 'rowgroup' }, rows.map((row) => element('tr', { role: 'row' }, cells(row))))));
+      element(
+        'thead',
+        { role: 'rowgroup' },
+        element(
+          'tr',
+          { role: 'row' },
+          heads.map((h) =>
+            element(
+              'th',
+              { role: 'columnheader', scope: 'col', ...described(h).attributes },
+              described(h).text,
+            ),
+          ),
+        ),
+      ),
+      element(
+        'tbody',
+        { role: 'rowgroup' },
+        rows.map((row) => element('tr', { role: 'row' }, cells(row))),
+      ),
+    ),
+  );
 }
 
 const figure = (text) => ({ text, attributes: { class: 'number' } });
 
 /** Long tables are folded away on a phone until they are wanted. */
 function folded(summary, ...content) {
-  return element('details', { open: window.innerWidth > 760, class: 'fold' }, element('summary', {}, summary), content);
+  return element(
+    'details',
+    { open: window.innerWidth > 760, class: 'fold' },
+    element('summary', {}, summary),
+    content,
+  );
 }
 
 /** One column of numbers a case, heads set over their digits. */
-const numberHeads = (model) => model.cases.map((c) => ({ text: model.several ? c.name : 'value', attributes: { class: 'number' } }));
+const numberHeads = (model) =>
+  model.cases.map((c) => ({ text: model.several ? c.name : 'value', attributes: { class: 'number' } }));
 
 /** "mean friction power [W]", the unit in soft type. */
 function named(quantity) {
@@ -49,23 +99,45 @@ export function section(id, heading, ...content) {
 /** Where the errors beside the values come from. */
 function gridSentence(model) {
   const estimated = model.cases.filter((c) => c.errors?.has_values);
-  if (estimated.length === 0) return model.cases.some((c) => c.errors) ? ' The values have no error estimate; a note gives the reason.' : '';
+  if (estimated.length === 0)
+    return model.cases.some((c) => c.errors)
+      ? ' The values have no error estimate; a note gives the reason.'
+      : '';
   const grids = estimated[0].errors.runs.map((run) => `${run.cells} cells at ${number(run.crank_step, 3)}°`);
-  return ` After ±: how far cells and crank steps may have moved the value, from integrations on other grids (${grids.join(', ')}); it says nothing of models and inputs.`;
+  return (
+    ' After ±: how far cells and crank steps may have moved the value, from integrations on other ' +
+    `grids (${grids.join(', ')}); it says nothing of models and inputs.`
+  );
 }
 
 export function cycleValuesSection(model) {
   const heads = ['quantity', ...numberHeads(model)];
   const rows = model.payload.cycle_quantities.map((q) => [
     { text: named(q) },
-    ...model.cases.map((c) => { const { value, unit } = model.value(c, q.name); return figure(withError(value, model.error(c, q.name), unit)); }),
+    ...model.cases.map((c) => {
+      const { value, unit } = model.value(c, q.name);
+      return figure(withError(value, model.error(c, q.name), unit));
+    }),
   ]);
   if (model.cases.every((c) => !c.complete)) {
-    return section('cycle-values', 'Values of the whole cycle', element('p', {}, 'None: the integration stopped before the cycle repeated itself.'));
+    return section(
+      'cycle-values',
+      'Values of the whole cycle',
+      element('p', {}, 'None: the integration stopped before the cycle repeated itself.'),
+    );
   }
-  return section('cycle-values', 'Values of the whole cycle',
-    element('p', {}, 'Loads, friction and flow are those of the whole circumference. Angles count from firing TDC, negative before it.', gridSentence(model)),
-    table('Values of the whole cycle', heads, rows));
+  return section(
+    'cycle-values',
+    'Values of the whole cycle',
+    element(
+      'p',
+      {},
+      'Loads, friction and flow are those of the whole circumference. Angles count from firing ' +
+        'TDC, negative before it.',
+      gridSentence(model),
+    ),
+    table('Values of the whole cycle', heads, rows),
+  );
 }
 
 /** Closer than this, nothing is left to explain by another setting. */
@@ -76,11 +148,23 @@ function comparisonRow(model, c, row) {
   const { unit, convert } = quantity ? display(quantity) : { unit: '', convert: (v) => v };
   const isSensitive = row.strongest_setting && !(Math.abs(row.deviation) < kAgrees);
   const strongest = isSensitive
-    ? [code(row.strongest_setting), row.with_strongest_setting === null ? '' : ` gives ${withUnit(convert(row.with_strongest_setting), unit, 3)}`]
-    : c.ledger_computed ? '–' : 'not computed';
+    ? [
+        code(row.strongest_setting),
+        row.with_strongest_setting === null
+          ? ''
+          : ` gives ${withUnit(convert(row.with_strongest_setting), unit, 3)}`,
+      ]
+    : c.ledger_computed
+      ? '–'
+      : 'not computed';
   return [
     sentence(row.statement).replace(/\.$/, ''),
-    figure(c.errors ? `${withError(convert(row.computed), model.error(c, row.quantity), unit, 3)}${unit ? `\u00a0${unit}` : ''}` : withUnit(convert(row.computed), unit, 3)),
+    figure(
+      c.errors
+        ? `${withError(convert(row.computed), model.error(c, row.quantity), unit, 3)}` +
+            `${unit ? `\u00a0${unit}` : ''}`
+        : withUnit(convert(row.computed), unit, 3),
+    ),
     figure(withUnit(convert(row.published), unit, 3)),
     figure(percent(row.deviation)),
     row.source,
@@ -93,10 +177,34 @@ export function comparisonSection(model) {
   const shown = model.cases.filter((c) => c.comparison.length > 0);
   if (shown.length === 0) return null;
   const right = (text) => ({ text, attributes: { class: 'number' } });
-  const heads = ['what', right('computed'), right('published'), right('deviation'), 'source', 'decided by', 'setting that comes closest'];
-  return section('comparison', 'Beside the published values',
-    element('p', {}, 'Deviation is computed minus published, over published. "Decided by" names the inputs that the source leaves open; the last column is the one other choice of such an input that comes closest.'),
-    shown.map((c) => table(model.several ? c.name : 'Computed and published values', heads, c.comparison.map((row) => comparisonRow(model, c, row)), { folds: true, classes: 'comparison' })));
+  const heads = [
+    'what',
+    right('computed'),
+    right('published'),
+    right('deviation'),
+    'source',
+    'decided by',
+    'setting that comes closest',
+  ];
+  return section(
+    'comparison',
+    'Beside the published values',
+    element(
+      'p',
+      {},
+      'Deviation is computed minus published, over published. "Decided by" names the inputs that ' +
+        'the source leaves open; the last column is the one other choice of such an input that ' +
+        'comes closest.',
+    ),
+    shown.map((c) =>
+      table(
+        model.several ? c.name : 'Computed and published values',
+        heads,
+        c.comparison.map((row) => comparisonRow(model, c, row)),
+        { folds: true, classes: 'comparison' },
+      ),
+    ),
+  );
 }
 
 /** How often a note applies, in words; a dash where it is on the case as a whole. */
@@ -123,35 +231,103 @@ export function mergedNotes(model) {
 
 export function notesSection(model) {
   const merged = mergedNotes(model);
-  const whom = (cases) => (!model.several ? null : cases.length === model.cases.length ? 'all' : cases.map((c) => c.name).join(', '));
-  const content = merged.length === 0
-    ? element('p', {}, 'Every law stayed within its range, and no remedy was needed.')
-    : table('Notes on validity', ['note', ...(model.several ? ['case'] : []), 'how often', 'topic'],
-      merged.map((n) => [sentence(n.message), ...(model.several ? [whom(n.cases)] : []), n.count, { text: code(n.topic) }]), { folds: true });
+  const whom = (cases) =>
+    !model.several ? null : cases.length === model.cases.length ? 'all' : cases.map((c) => c.name).join(', ');
+  const content =
+    merged.length === 0
+      ? element('p', {}, 'Every law stayed within its range, and no remedy was needed.')
+      : table(
+          'Notes on validity',
+          ['note', ...(model.several ? ['case'] : []), 'how often', 'topic'],
+          merged.map((n) => [
+            sentence(n.message),
+            ...(model.several ? [whom(n.cases)] : []),
+            n.count,
+            { text: code(n.topic) },
+          ]),
+          { folds: true },
+        );
   return section('validity', 'Validity: what to know before using these results', content);
 }
 
 export function inputsSection(model) {
   const keys = [...new Map(model.cases.flatMap((c) => c.inputs.map((entry) => [entry.key, entry]))).values()];
-  const shown = (entry) => (entry === undefined ? { text: 'not used' } : {
-    text: entry.assumed ? [shownInput(entry), ' ', element('span', { class: 'tag' }, 'assumed')] : shownInput(entry),
-    attributes: { class: entry.assumed ? 'assumed' : '', title: shortPath(entry.shown) === entry.shown ? null : entry.shown },
-  });
+  const shown = (entry) =>
+    entry === undefined
+      ? { text: 'not used' }
+      : {
+          text: entry.assumed
+            ? [shownInput(entry), ' ', element('span', { class: 'tag' }, 'assumed')]
+            : shownInput(entry),
+          attributes: {
+            class: entry.assumed ? 'assumed' : '',
+            title: shortPath(entry.shown) === entry.shown ? null : entry.shown,
+          },
+        };
   const rows = keys.map((first) => {
     const entries = model.cases.map((c) => model.input(c, first.key));
     const differs = entries.some((e) => e?.shown !== entries[0]?.shown || e?.assumed !== entries[0]?.assumed);
-    const cells = model.several && !differs
-      ? [{ ...shown(entries[0]), attributes: { ...shown(entries[0]).attributes, colspan: model.cases.length, 'data-label': 'all cases' } }]
-      : entries.map((e) => { const cell = shown(e); return { ...cell, attributes: { ...cell.attributes, class: `${cell.attributes?.class ?? ''} ${differs ? 'differs' : ''}` } }; });
+    const cells =
+      model.several && !differs
+        ? [
+            {
+              ...shown(entries[0]),
+              attributes: {
+                ...shown(entries[0]).attributes,
+                colspan: model.cases.length,
+                'data-label': 'all cases',
+              },
+            },
+          ]
+        : entries.map((e) => {
+            const cell = shown(e);
+            return {
+              ...cell,
+              attributes: {
+                ...cell.attributes,
+                class: `${cell.attributes?.class ?? ''} ${differs ? 'differs' : ''}`,
+              },
+            };
+          });
     return [{ text: [code(first.key), element('span', { class: 'help' }, typeset(first.help))] }, ...cells];
   });
-  const derived = model.payload.derived_quantities.filter((q) => model.cases.some((c) => q.name in c.derived));
+  const derived = model.payload.derived_quantities.filter((q) =>
+    model.cases.some((c) => q.name in c.derived),
+  );
   const several = model.several;
-  return section('inputs', 'Inputs',
-    element('p', {}, 'Stated by the user in upright type; ', element('span', { class: 'assumed-sample' }, 'assumed, because not stated'), several ? '; values that differ between the cases in bold.' : '.'),
-    folded(`${keys.length} inputs, ${keys.filter((first) => model.cases.some((c) => model.input(c, first.key)?.assumed)).length} of them assumed`, table('Inputs', ['key', ...model.cases.map((c) => (several ? c.name : 'value'))], rows, { folds: true, classes: 'inputs' })),
-    derived.length === 0 ? null : table('What follows from the inputs', ['constant', ...numberHeads(model)],
-      derived.map((q) => { const { convert } = display(q); return [{ text: named(q) }, ...model.cases.map((c) => figure(number(convert(c.derived[q.name] ?? null), 4)))]; })));
+  return section(
+    'inputs',
+    'Inputs',
+    element(
+      'p',
+      {},
+      'Stated by the user in upright type; ',
+      element('span', { class: 'assumed-sample' }, 'assumed, because not stated'),
+      several ? '; values that differ between the cases in bold.' : '.',
+    ),
+    folded(
+      `${keys.length} inputs, ` +
+        `${keys.filter((first) => model.cases.some((c) => model.input(c, first.key)?.assumed)).length}` +
+        ' of them assumed',
+      table('Inputs', ['key', ...model.cases.map((c) => (several ? c.name : 'value'))], rows, {
+        folds: true,
+        classes: 'inputs',
+      }),
+    ),
+    derived.length === 0
+      ? null
+      : table(
+          'What follows from the inputs',
+          ['constant', ...numberHeads(model)],
+          derived.map((q) => {
+            const { convert } = display(q);
+            return [
+              { text: named(q) },
+              ...model.cases.map((c) => figure(number(convert(c.derived[q.name] ?? null), 4))),
+            ];
+          }),
+        ),
+  );
 }
 
 const kEffort = [
@@ -170,8 +346,16 @@ const kEffort = [
 export function provenanceSection(model) {
   const heads = ['what', ...numberHeads(model)];
   const rows = [
-    ...['program', 'commit', 'compiler', 'kernels'].map((key) => [key, ...model.cases.map((c) => figure(c.provenance[key] || '–'))]),
-    ...kEffort.map(([key, label]) => [label, ...model.cases.map((c) => figure(Number.isInteger(c.effort[key]) ? String(c.effort[key]) : number(c.effort[key], 2)))]),
+    ...['program', 'commit', 'compiler', 'kernels'].map((key) => [
+      key,
+      ...model.cases.map((c) => figure(c.provenance[key] || '–')),
+    ]),
+    ...kEffort.map(([key, label]) => [
+      label,
+      ...model.cases.map((c) =>
+        figure(Number.isInteger(c.effort[key]) ? String(c.effort[key]) : number(c.effort[key], 2)),
+      ),
+    ]),
   ];
   const files = [];
   for (const c of model.cases) {
@@ -181,16 +365,51 @@ export function provenanceSection(model) {
       else files.push({ ...f, cases: [c.name] });
     }
   }
-  const resolved = model.cases.filter((c) => c.resolved_case).map((c) => element('details', {},
-    element('summary', {}, model.several ? `Resolved case: ${c.name}` : 'Resolved case'),
-    element('p', {}, 'The complete case in SI; run again it gives the same numbers. ', element('button', {
-      type: 'button', class: 'download', onclick: () => save(`${fileStem(c.title, 'resolved')}.toml`, 'application/toml', c.resolved_case),
-    }, 'TOML')),
-    element('pre', { tabindex: '0' }, c.resolved_case)));
-  return section('provenance', 'Where this comes from',
+  const resolved = model.cases
+    .filter((c) => c.resolved_case)
+    .map((c) =>
+      element(
+        'details',
+        {},
+        element('summary', {}, model.several ? `Resolved case: ${c.name}` : 'Resolved case'),
+        element(
+          'p',
+          {},
+          'The complete case in SI; run again it gives the same numbers. ',
+          element(
+            'button',
+            {
+              type: 'button',
+              class: 'download',
+              onclick: () =>
+                save(`${fileStem(c.title, 'resolved')}.toml`, 'application/toml', c.resolved_case),
+            },
+            'TOML',
+          ),
+        ),
+        element('pre', { tabindex: '0' }, c.resolved_case),
+      ),
+    );
+  return section(
+    'provenance',
+    'Where this comes from',
     folded('Program and solver effort', table('Program and solver effort', heads, rows, { folds: true })),
-    files.length === 0 ? null : folded(`${files.length} files read, with their hashes`, table('Files read', ['file', 'role', ...(model.several ? ['case'] : []), 'SHA-256'],
-      files.map((f) => [{ text: code(shortPath(f.path), { title: f.path }) }, f.role, ...(model.several ? [f.cases.length === model.cases.length ? 'all' : f.cases.join(', ')] : []), { text: element('code', { class: 'hash' }, f.sha256) }]), { folds: true })),
-    resolved);
+    files.length === 0
+      ? null
+      : folded(
+          `${files.length} files read, with their hashes`,
+          table(
+            'Files read',
+            ['file', 'role', ...(model.several ? ['case'] : []), 'SHA-256'],
+            files.map((f) => [
+              { text: code(shortPath(f.path), { title: f.path }) },
+              f.role,
+              ...(model.several ? [f.cases.length === model.cases.length ? 'all' : f.cases.join(', ')] : []),
+              { text: element('code', { class: 'hash' }, f.sha256) },
+            ]),
+            { folds: true },
+          ),
+        ),
+    resolved,
+  );
 }
-

@@ -2,24 +2,87 @@
 
 /** Size of each display unit in SI, exact. */
 const kSizeInSi = {
-  '1': 1, '%': 0.01, degree: 1, deg: 1,
-  m: 1, mm: 1e-3, um: 1e-6, nm: 1e-9,
-  m2: 1, mm2: 1e-6, um2: 1e-12, m3: 1, cm3: 1e-6,
-  'um-2': 1e12, 'm-2': 1, 'mm-2': 1e6,
-  Pa: 1, kPa: 1e3, MPa: 1e6, GPa: 1e9, bar: 1e5,
-  N: 1, kN: 1e3, 'N/m': 1, 'N/mm': 1e3, 'kN/m': 1e3,
-  W: 1, kW: 1e3, mW: 1e-3,
-  J: 1, mJ: 1e-3, kJ: 1e3, 'J/m': 1, 'J/mm': 1e3, 'mJ/mm': 1,
-  'kg/s': 1, 'g/s': 1e-3, 'mg/s': 1e-6, 'kg/(m s)': 1, 'g/(m s)': 1e-3, 'kg/m3': 1,
-  'm/s': 1, 's': 1, 'rad/s': 1, rpm: Math.PI / 30,
-  'Pa s': 1, 'Pa.s': 1, 'mPa s': 1e-3, 'mPa.s': 1e-3, cP: 1e-3,
-  'm2/s': 1, 'mm2/s': 1e-6, cSt: 1e-6,
-  '1/Pa': 1, 'Pa-1': 1, '1/GPa': 1e-9, 'GPa-1': 1e-9, '1/MPa': 1e-6,
+  1: 1,
+  '%': 0.01,
+  degree: 1,
+  deg: 1,
+  m: 1,
+  mm: 1e-3,
+  um: 1e-6,
+  nm: 1e-9,
+  m2: 1,
+  mm2: 1e-6,
+  um2: 1e-12,
+  m3: 1,
+  cm3: 1e-6,
+  'um-2': 1e12,
+  'm-2': 1,
+  'mm-2': 1e6,
+  Pa: 1,
+  kPa: 1e3,
+  MPa: 1e6,
+  GPa: 1e9,
+  bar: 1e5,
+  N: 1,
+  kN: 1e3,
+  'N/m': 1,
+  'N/mm': 1e3,
+  'kN/m': 1e3,
+  W: 1,
+  kW: 1e3,
+  mW: 1e-3,
+  J: 1,
+  mJ: 1e-3,
+  kJ: 1e3,
+  'J/m': 1,
+  'J/mm': 1e3,
+  'mJ/mm': 1,
+  'kg/s': 1,
+  'g/s': 1e-3,
+  'mg/s': 1e-6,
+  'kg/(m s)': 1,
+  'g/(m s)': 1e-3,
+  'kg/m3': 1,
+  'm/s': 1,
+  s: 1,
+  'rad/s': 1,
+  rpm: Math.PI / 30,
+  'Pa s': 1,
+  'Pa.s': 1,
+  'mPa s': 1e-3,
+  'mPa.s': 1e-3,
+  cP: 1e-3,
+  'm2/s': 1,
+  'mm2/s': 1e-6,
+  cSt: 1e-6,
+  '1/Pa': 1,
+  'Pa-1': 1,
+  '1/GPa': 1e-9,
+  'GPa-1': 1e-9,
+  '1/MPa': 1e-6,
 };
 
 const kShownUnit = {
-  '1': '', degree: '°', deg: '°', um: 'µm', um2: 'µm²', 'um-2': 'µm⁻²', 'm-2': 'm⁻²', 'mm-2': 'mm⁻²', m2: 'm²', mm2: 'mm²', m3: 'm³', cm3: 'cm³',
-  'mPa.s': 'mPa s', 'Pa.s': 'Pa s', 'kg/m3': 'kg/m³', 'm2/s': 'm²/s', 'mm2/s': 'mm²/s', 'Pa-1': '1/Pa', 'GPa-1': '1/GPa', degC: '°C',
+  1: '',
+  degree: '°',
+  deg: '°',
+  um: 'µm',
+  um2: 'µm²',
+  'um-2': 'µm⁻²',
+  'm-2': 'm⁻²',
+  'mm-2': 'mm⁻²',
+  m2: 'm²',
+  mm2: 'mm²',
+  m3: 'm³',
+  cm3: 'cm³',
+  'mPa.s': 'mPa s',
+  'Pa.s': 'Pa s',
+  'kg/m3': 'kg/m³',
+  'm2/s': 'm²/s',
+  'mm2/s': 'mm²/s',
+  'Pa-1': '1/Pa',
+  'GPa-1': '1/GPa',
+  degC: '°C',
 };
 
 /** The unit as it stands on an axis; '' for a plain number. */
@@ -31,22 +94,41 @@ export function shownUnit(unit) {
 export function typesetUnit(unit) {
   if (unit in kShownUnit) return kShownUnit[unit];
   const raised = (power) => [...power].map((c) => kSuperscript[c]).join('');
-  return unit.replace(/\bu(?=[A-Za-z])/g, 'µ').replace(/(?<=[A-Za-z])-?\d+/g, raised).replace(/\./g, '\u202f');
+  return unit
+    .replace(/\bu(?=[A-Za-z])/g, 'µ')
+    .replace(/(?<=[A-Za-z])-?\d+/g, raised)
+    .replace(/\./g, '\u202f');
 }
 
 /** How to show a quantity: { unit, convert }. Without a known display unit the SI value stands. */
 export function display(quantity) {
   const { unit, display_unit: wanted } = quantity;
-  if (unit === 'K' && wanted === 'degC') return { unit: '°C', convert: (v) => (v === null ? null : v - 273.15) };
+  if (unit === 'K' && wanted === 'degC')
+    return { unit: '°C', convert: (v) => (v === null ? null : v - 273.15) };
   const size = kSizeInSi[wanted];
   if (!wanted || size === undefined) return { unit: shownUnit(unit), convert: (v) => v };
   // Dividing by 1e-6 and multiplying by 1e6 differ in the last bit; the reader sees four digits.
   return { unit: shownUnit(wanted), convert: (v) => (v === null ? null : v / size) };
 }
 
-const kSuperscript = { '-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹' };
+const kSuperscript = {
+  '-': '⁻',
+  0: '⁰',
+  1: '¹',
+  2: '²',
+  3: '³',
+  4: '⁴',
+  5: '⁵',
+  6: '⁶',
+  7: '⁷',
+  8: '⁸',
+  9: '⁹',
+};
 
-/** Four significant digits, powers of ten outside 0.001..100000, a true minus sign, an en dash where there is no number. */
+/**
+ * Four significant digits, powers of ten outside 0.001..100000, a true minus sign, an en dash where there is
+ * no number.
+ */
 export function number(value, digits = 4) {
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';
   if (value === 0) return '0';
@@ -67,12 +149,16 @@ export function number(value, digits = 4) {
 
 /** The same, but a count in all its digits and no more. */
 export function numberOrCount(value, unit, digits = 4) {
-  return !unit && Number.isInteger(value) && Math.abs(value) < 1e6 ? String(value).replace(/^-/, '−') : number(value, digits);
+  return !unit && Number.isInteger(value) && Math.abs(value) < 1e6
+    ? String(value).replace(/^-/, '−')
+    : number(value, digits);
 }
 
 /** An angle to a tenth of a degree, without idle zeros. */
 export function angle(value) {
-  return value === null || !Number.isFinite(value) ? '–' : String(Number(value.toFixed(1))).replace(/^-/, '−');
+  return value === null || !Number.isFinite(value)
+    ? '–'
+    : String(Number(value.toFixed(1))).replace(/^-/, '−');
 }
 
 /** A number in the digits that suit its unit. */
@@ -82,7 +168,9 @@ export function inUnit(value, unit, digits = 4) {
 
 /** Plain decimal text for CSV. */
 export function plain(value) {
-  return value === null || value === undefined || !Number.isFinite(value) ? '' : String(Number(value.toPrecision(8)));
+  return value === null || value === undefined || !Number.isFinite(value)
+    ? ''
+    : String(Number(value.toPrecision(8)));
 }
 
 /** "62.00 bar"; a percent sign or degree sign stands close. */
@@ -101,7 +189,8 @@ export function withError(value, error, unit, digits = 4) {
   const kMostDigits = 7;
   const first = Math.floor(Math.log10(error));
   const rounded = error < 2 * 10 ** first ? 1 - first : -first;
-  const wanted = unit === '°' ? Math.max(0, rounded) : rounded; // a peak that may be another one is still at an angle
+  // A peak that may be another one is still at an angle.
+  const wanted = unit === '°' ? Math.max(0, rounded) : rounded;
   const most = value === 0 ? wanted : kMostDigits - 1 - Math.floor(Math.log10(Math.abs(value)));
   const places = Math.min(wanted, most);
   if (places > 12 || Math.abs(value) >= 1e9) return `${number(value, digits)} ± ${number(error, 1)}`;
@@ -113,10 +202,13 @@ export function withError(value, error, unit, digits = 4) {
 /** The same far from one with one power of ten for both: "(8.1 ± 0.4) · 10⁻⁸". */
 export function withErrorAndPower(value, error, unit, digits = 4) {
   const size = Math.max(Math.abs(value ?? NaN), error > 0 ? error : 0);
-  if (!(error > 0) || !(size > 0) || (size >= 1e-3 && size < 1e6)) return withError(value, error, unit, digits);
+  if (!(error > 0) || !(size > 0) || (size >= 1e-3 && size < 1e6))
+    return withError(value, error, unit, digits);
   const exponent = Math.floor(Math.log10(size));
   const power = [...String(exponent)].map((c) => kSuperscript[c]).join('');
-  return `(${withError(value / 10 ** exponent, error / 10 ** exponent, unit, digits)})\u202f·\u202f10${power}`;
+  return (
+    `(${withError(value / 10 ** exponent, error / 10 ** exponent, unit, digits)})\u202f·\u202f10` + `${power}`
+  );
 }
 
 /** A signed change in per cent. */
@@ -130,9 +222,9 @@ export function percent(ratio, digits = 1) {
 }
 
 /** An angle on the axis of the charts: firing TDC in the middle, -360 < angle <= 360. */
-export function wrapped(angle) {
-  if (angle === null || angle === undefined) return null;
-  const turned = ((((angle + 360) % 720) + 720) % 720) - 360;
+export function wrapped(degrees) {
+  if (degrees === null || degrees === undefined) return null;
+  const turned = ((((degrees + 360) % 720) + 720) % 720) - 360;
   return turned === -360 ? 360 : turned;
 }
 
@@ -149,7 +241,10 @@ export function angleInWords(degrees) {
 /** Folders from which on the path of a file that is shipped with the program says enough. */
 const kShippedIn = ['cases', 'data'];
 
-/** A path without the folders of one machine: from cases/ or data/ on, else its last two parts. A relative path stays. */
+/**
+ * A path without the folders of one machine: from cases/ or data/ on, else its last two parts. A relative
+ * path stays.
+ */
 export function shortPath(path) {
   if (!/^([/\\]|[A-Za-z]:[/\\])/.test(path)) return path;
   const parts = path.split(/[/\\]+/).filter(Boolean);
@@ -182,7 +277,8 @@ export function crankTicks(low, high, count) {
 
 function stepped(low, high, step) {
   const list = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) list.push(Number((k * step).toPrecision(12)));
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++)
+    list.push(Number((k * step).toPrecision(12)));
   return { values: list, step };
 }
 
@@ -200,7 +296,8 @@ export function logTicks(low, high) {
 }
 
 export function tickText(value, step) {
-  if (step === 0) return value >= 1e4 || value < 1e-3 ? number(value, 1) : String(Number(value.toPrecision(3)));
+  if (step === 0)
+    return value >= 1e4 || value < 1e-3 ? number(value, 1) : String(Number(value.toPrecision(3)));
   const size = Math.abs(value);
   if (size >= 1e6 || (size > 0 && step < 1e-4)) return number(value, 3);
   const places = Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)));
@@ -208,21 +305,51 @@ export function tickText(value, step) {
 }
 
 const kTypeset = [
-  [/\bdegC\b/g, '°C'], [/(\d) degrees?\b/g, '$1°'], [/\bum-2\b/g, 'µm⁻²'], [/\bum\b/g, 'µm'], [/\bmm2\b/g, 'mm²'], [/\bmm-2\b/g, 'mm⁻²'], [/ \+- /g, ' ± '], [/\bm3\b/g, 'm³'], [/\bPa-1\b/g, 'Pa⁻¹'],
+  [/\bdegC\b/g, '°C'],
+  [/(\d) degrees?\b/g, '$1°'],
+  [/\bum-2\b/g, 'µm⁻²'],
+  [/\bum\b/g, 'µm'],
+  [/\bmm2\b/g, 'mm²'],
+  [/\bmm-2\b/g, 'mm⁻²'],
+  [/ \+- /g, ' ± '],
+  [/\bm3\b/g, 'm³'],
+  [/\bPa-1\b/g, 'Pa⁻¹'],
 ];
 
-/** Units in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy into a case. */
+/**
+ * Units in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy into a
+ * case.
+ */
 export function typeset(text) {
   return kTypeset.reduce((out, [plainUnit, printed]) => out.replace(plainUnit, printed), text);
 }
 
 const kGreek = {
-  alpha: 'α', beta: 'β', gamma: 'γ', delta: 'δ', epsilon: 'ε', zeta: 'ζ', eta: 'η', theta: 'θ', kappa: 'κ', lambda: 'λ', mu: 'µ', nu: 'ν', rho: 'ρ', sigma: 'σ', tau: 'τ', phi: 'φ', psi: 'ψ', omega: 'ω',
+  alpha: 'α',
+  beta: 'β',
+  gamma: 'γ',
+  delta: 'δ',
+  epsilon: 'ε',
+  zeta: 'ζ',
+  eta: 'η',
+  theta: 'θ',
+  kappa: 'κ',
+  lambda: 'λ',
+  mu: 'µ',
+  nu: 'ν',
+  rho: 'ρ',
+  sigma: 'σ',
+  tau: 'τ',
+  phi: 'φ',
+  psi: 'ψ',
+  omega: 'ω',
 };
 
 /** Greek letters of a symbol as such: "N beta sigma" is N β σ. */
 export function typesetSymbol(symbol) {
-  return symbol.replace(/(?<![A-Za-z])[a-z]+(?![a-z])/g, (word) => (Object.hasOwn(kGreek, word) ? kGreek[word] : word));
+  return symbol.replace(/(?<![A-Za-z])[a-z]+(?![a-z])/g, (word) =>
+    Object.hasOwn(kGreek, word) ? kGreek[word] : word,
+  );
 }
 
 /** A statement as a sentence of its own. */

@@ -20,20 +20,36 @@ function error(row) {
 }
 
 function verdictCell(verdict) {
-  return { text: verdict === kHolds ? 'holds' : 'FAILS', attributes: { class: verdict === kHolds ? 'verdict' : 'verdict failed' } };
+  return {
+    text: verdict === kHolds ? 'holds' : 'FAILS',
+    attributes: { class: verdict === kHolds ? 'verdict' : 'verdict failed' },
+  };
 }
 
 const isOrder = (row) => row.quantity.startsWith('order in');
 
 function rowsTable(c) {
   const right = (text) => ({ text, attributes: { class: 'number' } });
-  const heads = ['check', 'quantity', right('expected'), right('got'), right('error'), right('tolerance'), 'verdict'];
+  const heads = [
+    'check',
+    'quantity',
+    right('expected'),
+    right('got'),
+    right('error'),
+    right('tolerance'),
+    'verdict',
+  ];
   const rows = c.rows.map((row) => {
     const { unit, convert } = display(row);
     const digits = isOrder(row) ? 3 : 7;
     return [
-      row.label, row.quantity, right(withUnit(convert(row.expected), unit, digits)), right(withUnit(convert(row.got), unit, digits)),
-      right(error(row)), right(tolerance(row)), verdictCell(row.verdict),
+      row.label,
+      row.quantity,
+      right(withUnit(convert(row.expected), unit, digits)),
+      right(withUnit(convert(row.got), unit, digits)),
+      right(error(row)),
+      right(tolerance(row)),
+      verdictCell(row.verdict),
     ];
   });
   return table(`Checks of ${c.name}`, heads, rows, { folds: true, classes: 'checks' });
@@ -41,45 +57,115 @@ function rowsTable(c) {
 
 /** Why the numbers are expected and the tolerances are what they are. */
 function grounds(c) {
-  return element('details', { class: 'fold' }, element('summary', {}, 'Sources and reasons of the tolerances'),
-    table(`Grounds of ${c.name}`, ['check', 'known from', 'tolerance, because'], c.rows.map((row) => [row.label, typeset(row.source), typeset(row.because)]), { folds: true }));
+  return element(
+    'details',
+    { class: 'fold' },
+    element('summary', {}, 'Sources and reasons of the tolerances'),
+    table(
+      `Grounds of ${c.name}`,
+      ['check', 'known from', 'tolerance, because'],
+      c.rows.map((row) => [row.label, typeset(row.source), typeset(row.because)]),
+      { folds: true },
+    ),
+  );
 }
 
-/** Error against step, both logarithmic, with the slope that is expected through the finest point, or below a bound. */
+/**
+ * Error against step, both logarithmic, with the slope that is expected through the finest point, or below a
+ * bound.
+ */
 function convergenceFigure(c, line, i) {
   const steps = [...line.levels].reverse();
   const errors = [...line.errors].reverse();
   const [finest, coarsest] = [steps[0], steps[steps.length - 1]];
   const inCells = line.refinement === 'cells';
   const isBound = line.bound !== null;
-  const expectedAt = (step) => (isBound ? line.bound * step ** line.expected_order : errors[0] * (step / finest) ** line.expected_order);
+  const expectedAt = (step) =>
+    isBound ? line.bound * step ** line.expected_order : errors[0] * (step / finest) ** line.expected_order;
   return {
     id: `${c.name}-${i}`,
     title: line.label,
-    panels: [{
-      id: `${c.name}-${i}`, xScale: 'log', yScale: 'log', yLabel: 'error', yUnit: '', xLabel: inCells ? '1 / number of cells' : line.step_unit ? 'step in time' : '1 / number of steps', xUnit: line.step_unit, series: [
-        { caseIndex: null, part: 'viscous', label: isBound ? 'bound' : `slope ${number(line.expected_order, 2)}`, x: [finest, coarsest], y: [finest, coarsest].map(expectedAt) },
-        { caseIndex: null, part: 'measured', label: isBound ? 'computed' : `computed, slope ${number(line.observed_order, 3)}`, x: steps, y: errors },
-      ],
-    }],
-    caption: `Error relative to the known value against ${inCells ? 'the size of a cell' : 'the step in time'}, both on logarithmic axes. The dotted line ${isBound ? 'is the largest error allowed, a share of a cell' : 'has the slope that the scheme claims'}.`,
+    panels: [
+      {
+        id: `${c.name}-${i}`,
+        xScale: 'log',
+        yScale: 'log',
+        yLabel: 'error',
+        yUnit: '',
+        xLabel: inCells ? '1 / number of cells' : line.step_unit ? 'step in time' : '1 / number of steps',
+        xUnit: line.step_unit,
+        series: [
+          {
+            caseIndex: null,
+            part: 'viscous',
+            label: isBound ? 'bound' : `slope ${number(line.expected_order, 2)}`,
+            x: [finest, coarsest],
+            y: [finest, coarsest].map(expectedAt),
+          },
+          {
+            caseIndex: null,
+            part: 'measured',
+            label: isBound ? 'computed' : `computed, slope ${number(line.observed_order, 3)}`,
+            x: steps,
+            y: errors,
+          },
+        ],
+      },
+    ],
+    caption:
+      'Error relative to the known value against ' +
+      `${inCells ? 'the size of a cell' : 'the step in time'}, both on logarithmic axes. The ` +
+      'dotted line ' +
+      (isBound ? 'is the largest error allowed, a share of a cell' : 'has the slope that the scheme claims') +
+      '.',
   };
 }
 
 function caseSection(c, context, views) {
-  const figures = c.lines.filter((line) => line.errors.every((e) => e > 0)).map((line, i) => new FigureView(convergenceFigure(c, line, i), context));
+  const figures = c.lines
+    .filter((line) => line.errors.every((e) => e > 0))
+    .map((line, i) => new FigureView(convergenceFigure(c, line, i), context));
   views.push(...figures);
-  return section(c.name, c.title,
+  return section(
+    c.name,
+    c.title,
     element('p', { class: 'how' }, element('code', {}, c.name)),
     element('p', {}, typeset(c.claim)),
-    c.stops.map((stop) => element('div', { class: 'warning stopped', role: 'alert' }, element('p', {}, element('strong', {}, 'NO SOLUTION: '), stop))),
-    rowsTable(c), grounds(c),
-    figures.length ? element('div', { class: 'figure row' }, element('div', { class: 'panels' }, figures.map((view) => view.node))) : null);
+    c.stops.map((stop) =>
+      element(
+        'div',
+        { class: 'warning stopped', role: 'alert' },
+        element('p', {}, element('strong', {}, 'NO SOLUTION: '), stop),
+      ),
+    ),
+    rowsTable(c),
+    grounds(c),
+    figures.length
+      ? element(
+          'div',
+          { class: 'figure row' },
+          element(
+            'div',
+            { class: 'panels' },
+            figures.map((view) => view.node),
+          ),
+        )
+      : null,
+  );
 }
 
 function card(heading, value, of, detail) {
-  return element('section', { class: 'card' }, element('h2', {}, heading),
-    element('div', { class: 'card-row' }, element('span', { class: 'card-value' }, element('b', {}, String(value)), ` of ${of}`), element('span', { class: 'card-detail' }, detail)));
+  return element(
+    'section',
+    { class: 'card' },
+    element('h2', {}, heading),
+    element(
+      'div',
+      { class: 'card-row' },
+      element('span', { class: 'card-value' }, element('b', {}, String(value)), ` of ${of}`),
+      element('span', { class: 'card-detail' }, detail),
+    ),
+  );
 }
 
 function firstScreen(result) {
@@ -87,35 +173,86 @@ function firstScreen(result) {
   const held = (list) => list.filter((item) => item.verdict === kHolds).length;
   const failed = result.cases.filter((c) => c.verdict !== kHolds);
   const orders = rows.filter(isOrder);
-  return element('header', { class: 'first-screen' },
+  return element(
+    'header',
+    { class: 'first-screen' },
     element('p', { class: 'kind' }, 'Computed on this machine beside answers that are known from elsewhere'),
     element('h1', {}, 'Verification'),
     element('p', { class: 'operating' }, `${result.program}, commit ${result.commit}`),
-    failed.length ? element('div', { class: 'warning stopped', role: 'alert' }, element('p', {}, element('strong', {}, 'FAILS: '), failed.map((c) => c.name).join(', '))) : null,
-    element('div', { class: 'cards' },
+    failed.length
+      ? element(
+          'div',
+          { class: 'warning stopped', role: 'alert' },
+          element('p', {}, element('strong', {}, 'FAILS: '), failed.map((c) => c.name).join(', ')),
+        )
+      : null,
+    element(
+      'div',
+      { class: 'cards' },
       card('Cases', held(result.cases), result.cases.length, 'hold'),
       card('Checks', held(rows), rows.length, 'within tolerance'),
-      card('Orders of convergence', held(orders), orders.length, 'as claimed')),
-    result.not_covered.length ? element('p', { class: 'warning', role: 'note' }, element('strong', {}, 'Not covered: '),
-      `${result.not_covered.length} further cases cannot be computed by this version and are not counted; `, element('a', { href: '#not-covered' }, 'which and why'), '.') : null);
+      card('Orders of convergence', held(orders), orders.length, 'as claimed'),
+    ),
+    result.not_covered.length
+      ? element(
+          'p',
+          { class: 'warning', role: 'note' },
+          element('strong', {}, 'Not covered: '),
+          `${result.not_covered.length} further cases cannot be computed by this version and are ` +
+            'not counted; ',
+          element('a', { href: '#not-covered' }, 'which and why'),
+          '.',
+        )
+      : null,
+  );
 }
 
 function buildPage(result) {
-  const context = { visibility: new Visibility(), group: null, besidePaper: false, stem: 'verification', subtitle: `${result.program}, commit ${result.commit}` };
+  const context = {
+    visibility: new Visibility(),
+    group: null,
+    besidePaper: false,
+    stem: 'verification',
+    subtitle: `${result.program}, commit ${result.commit}`,
+  };
   const views = [];
   const sections = result.cases.map((c) => caseSection(c, context, views));
-  document.getElementById('report').replaceChildren(...[
-    firstScreen(result),
-    section('overview', 'Overview', table('Cases', ['case', 'checks', 'verdict'], result.cases.map((c) => [
-      { text: [element('a', { href: `#${c.name}` }, c.title)] }, String(c.rows.length), verdictCell(c.verdict),
-    ]))),
-    ...sections,
-    result.not_covered.length ? section('not-covered', 'Not covered',
-      table('Cases that this version cannot compute', ['case', 'reason'], result.not_covered.map((item) => [item.what, item.reason]), { folds: true })) : null,
-  ].filter(Boolean));
+  document.getElementById('report').replaceChildren(
+    ...[
+      firstScreen(result),
+      section(
+        'overview',
+        'Overview',
+        table(
+          'Cases',
+          ['case', 'checks', 'verdict'],
+          result.cases.map((c) => [
+            { text: [element('a', { href: `#${c.name}` }, c.title)] },
+            String(c.rows.length),
+            verdictCell(c.verdict),
+          ]),
+        ),
+      ),
+      ...sections,
+      result.not_covered.length
+        ? section(
+            'not-covered',
+            'Not covered',
+            table(
+              'Cases that this version cannot compute',
+              ['case', 'reason'],
+              result.not_covered.map((item) => [item.what, item.reason]),
+              { folds: true },
+            ),
+          )
+        : null,
+    ].filter(Boolean),
+  );
   views.forEach((view) => view.start());
   window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details.fold').forEach((fold) => { fold.open = true; });
+    document.querySelectorAll('details.fold').forEach((fold) => {
+      fold.open = true;
+    });
     views.forEach((view) => view.beforePrint());
   });
 }

@@ -13,7 +13,9 @@ function sameInAll(model, name) {
   const [first, ...others] = model.cases.map((c) => c.curves[name]);
   const size = Math.max(...first.map((v) => Math.abs(v ?? 0)), 1e-300);
   return others.every(
-    (list) => list.length === first.length && list.every((v, k) => Math.abs((v ?? 0) - (first[k] ?? 0)) <= kSame * size)
+    (list) =>
+      list.length === first.length &&
+      list.every((v, k) => Math.abs((v ?? 0) - (first[k] ?? 0)) <= kSame * size),
   );
 }
 
@@ -28,13 +30,17 @@ export function caseSeries(model, name, { part = null, range = kCycleRange } = {
     const error = model.curveError(c, name);
     return { ...window(model.curve(c, name), ...range), error: error && window(error, ...range).y };
   };
-  if (sameInAll(model, name) && part === null) return [{ caseIndex: null, part, label: model.allCases, ...drawn(model.cases[0]) }];
+  if (sameInAll(model, name) && part === null)
+    return [{ caseIndex: null, part, label: model.allCases, ...drawn(model.cases[0]) }];
   return model.cases.map((c) => ({ caseIndex: c.series, part, label: c.name, ...drawn(c) }));
 }
 
 /** What the band about a curve is, for the captions of figures that have one. */
 export function bandSentence(panels) {
-  return panels.some((panel) => panel.series.some((s) => s.error)) ? ' Light band: how far cells and crank steps may have moved the curve; where none is seen it is thinner than the line.' : '';
+  return panels.some((panel) => panel.series.some((s) => s.error))
+    ? ' Light band: how far cells and crank steps may have moved the curve; where none is seen it ' +
+        'is thinner than the line.'
+    : '';
 }
 
 function overlaySeries(model, name, range = kCycleRange) {
@@ -42,15 +48,25 @@ function overlaySeries(model, name, range = kCycleRange) {
   return model.payload.overlays
     .filter((o) => o.quantity === name)
     .map((o) => {
-      const points = o.crank_angle.map((a, k) => [wrapped(a), convert(o.value[k])]).sort((a, b) => a[0] - b[0]);
+      const points = o.crank_angle
+        .map((a, k) => [wrapped(a), convert(o.value[k])])
+        .sort((a, b) => a[0] - b[0]);
       const curve = { x: points.map((p) => p[0]), y: points.map((p) => p[1]) };
-      return { caseIndex: null, part: 'measured', label: /measured/i.test(o.name) ? o.name : `measured: ${o.name}`, ...window(curve, ...range) };
+      return {
+        caseIndex: null,
+        part: 'measured',
+        label: /measured/i.test(o.name) ? o.name : `measured: ${o.name}`,
+        ...window(curve, ...range),
+      };
     });
 }
 
 export function overlaySentence(model, name) {
   const laid = model.payload.overlays.filter((o) => o.quantity === name);
-  return laid.length ? ` Dots: given from outside, not computed here (${laid.map((o) => `${o.name}, ${shortPath(o.source)}`).join('; ')}).` : '';
+  return laid.length
+    ? ' Dots: given from outside, not computed here ' +
+        `(${laid.map((o) => `${o.name}, ${shortPath(o.source)}`).join('; ')}).`
+    : '';
 }
 
 /** Where the gas pressure peaks, once for each different angle. */
@@ -111,7 +127,9 @@ const kOrigin = {
 function origin(model, c) {
   const named = (key) => model.input(c, key)?.value.replace(/"/g, '');
   if (named('gas.model') === 'wiebe') return 'computed by the single-zone model, not measured';
-  return kOrigin[named('gas.trace_origin')] ?? 'a trace of which the case does not say whether it was measured';
+  return (
+    kOrigin[named('gas.trace_origin')] ?? 'a trace of which the case does not say whether it was measured'
+  );
 }
 
 function pressureFigure(model) {
@@ -121,9 +139,15 @@ function pressureFigure(model) {
     title: synthetic ? 'Cylinder pressure (SYNTHETIC)' : 'Cylinder pressure',
     paper: 'Fig. 7',
     panels: [cyclePanel(model, 'gas_pressure')],
-    caption: `Absolute gas pressure above the ring; it also presses the ring outwards from behind. Peak: ${ofEachCycle(model, (c) =>
-      `${valueWithUnit(model, c, 'peak_gas_pressure')} ${angleInWords(c.values.peak_gas_pressure_angle)}`)}.
-      Origin: ${forEachCase(model, (c) => origin(model, c))}.${overlaySentence(model, 'gas_pressure')}`,
+    caption:
+      'Absolute gas pressure above the ring; it also presses the ring outwards from behind. Peak: ' +
+      ofEachCycle(
+        model,
+        (c) =>
+          `${valueWithUnit(model, c, 'peak_gas_pressure')} ${angleInWords(c.values.peak_gas_pressure_angle)}`,
+      ) +
+      `. Origin: ${forEachCase(model, (c) => origin(model, c))}.` +
+      `${overlaySentence(model, 'gas_pressure')}`,
   };
 }
 
@@ -131,14 +155,28 @@ function pressureFigure(model) {
 const kNearPeak = 15;
 
 function filmFigure(model) {
-  const nearPeak = model.cases.every((c) => c.complete && Math.abs(wrapped(c.values.min_film_thickness_angle) - wrapped(c.values.peak_gas_pressure_angle)) <= kNearPeak);
+  const nearPeak = model.cases.every(
+    (c) =>
+      c.complete &&
+      Math.abs(wrapped(c.values.min_film_thickness_angle) - wrapped(c.values.peak_gas_pressure_angle)) <=
+        kNearPeak,
+  );
   return {
     id: 'min-film-thickness',
     title: 'Minimum film thickness',
     paper: 'Fig. 8',
     panels: [cyclePanel(model, 'min_film_thickness')],
-    caption: `Smallest separation of the mean planes anywhere along the face. Thinnest: ${ofEachCycle(model, (c) =>
-      `${valueWithUnit(model, c, 'min_film_thickness')} ${angleInWords(c.values.min_film_thickness_angle)}`)}.${nearPeak ? ' That is at the peak of the gas pressure, not at the dead centre.' : ''}${overlaySentence(model, 'min_film_thickness')}`,
+    caption:
+      'Smallest separation of the mean planes anywhere along the face. Thinnest: ' +
+      ofEachCycle(
+        model,
+        (c) =>
+          `${valueWithUnit(model, c, 'min_film_thickness')} ` +
+          `${angleInWords(c.values.min_film_thickness_angle)}`,
+      ) +
+      '.' +
+      (nearPeak ? ' That is at the peak of the gas pressure, not at the dead centre.' : '') +
+      `${overlaySentence(model, 'min_film_thickness')}`,
   };
 }
 
@@ -147,7 +185,10 @@ function lambdaRatioFigure(model) {
     id: 'lambda-ratio',
     title: 'Lambda ratio',
     panels: [cyclePanel(model, 'lambda_ratio', { yMarks: [{ at: 3, label: 'mixed below 3' }] })],
-    caption: `Minimum film over the composite roughness of the two surfaces. Under 3 the asperities touch, lubrication is mixed. Share of the cycle: ${ofEachCycle(model, (c) => valueWithUnit(model, c, 'mixed_share'))}.`,
+    caption:
+      'Minimum film over the composite roughness of the two surfaces. Under 3 the asperities ' +
+      'touch, lubrication is mixed. Share of the cycle: ' +
+      `${ofEachCycle(model, (c) => valueWithUnit(model, c, 'mixed_share'))}.`,
   };
 }
 
@@ -157,8 +198,12 @@ function frictionFigure(model) {
     title: 'Friction',
     paper: 'Fig. 9',
     panels: [cyclePanel(model, 'total_friction')],
-    caption: `Boundary plus viscous friction of the whole ring, without sign. Peak: ${ofEachCycle(model, (c) =>
-      `${valueWithUnit(model, c, 'peak_total_friction')} ${angleInWords(c.values.peak_total_friction_angle)}`)}.${overlaySentence(model, 'total_friction')}`,
+    caption: `Boundary plus viscous friction of the whole ring, without sign. Peak: ${ofEachCycle(
+      model,
+      (c) =>
+        `${valueWithUnit(model, c, 'peak_total_friction')} ` +
+        `${angleInWords(c.values.peak_total_friction_angle)}`,
+    )}.${overlaySentence(model, 'total_friction')}`,
   };
 }
 
@@ -170,9 +215,17 @@ function frictionZoomFigure(model) {
     paper: 'Fig. 9',
     layout: 'row',
     panels: [zoom('boundary_friction', 'boundary'), zoom('viscous_friction', 'viscous')],
-    caption: `From ${kZoom[0]}° to ${kZoom[1]}°: friction of touching asperities (dashed) and of the sheared oil (dotted), each on a scale of its own.
-      Boundary peak against viscous peak: ${ofEachCycle(model, (c) =>
-        `${valueWithUnit(model, c, 'peak_boundary_friction')} against ${valueWithUnit(model, c, 'peak_viscous_friction')}`)}.`.replace('-', '−'),
+    caption: (
+      `From ${kZoom[0]}° to ${kZoom[1]}°: friction of touching asperities (dashed) and of the ` +
+      'sheared oil (dotted), each on a scale of its own. Boundary peak against viscous peak: ' +
+      ofEachCycle(
+        model,
+        (c) =>
+          `${valueWithUnit(model, c, 'peak_boundary_friction')} against ` +
+          `${valueWithUnit(model, c, 'peak_viscous_friction')}`,
+      ) +
+      '.'
+    ).replace('-', '−'),
   };
 }
 
@@ -181,7 +234,9 @@ function linerFrictionFigure(model) {
     id: 'friction-on-liner',
     title: 'Signed friction on the liner',
     panels: [cyclePanel(model, 'friction_on_liner', { zeroLine: true })],
-    caption: `The force that a floating liner measures, positive towards TDC; it changes its sign where the piston turns round.${overlaySentence(model, 'friction_on_liner')}`,
+    caption:
+      'The force that a floating liner measures, positive towards TDC; it changes its sign where ' +
+      `the piston turns round.${overlaySentence(model, 'friction_on_liner')}`,
   };
 }
 
@@ -191,14 +246,25 @@ function flowFigure(model) {
     title: 'Oil flow under the middle of the ring',
     paper: 'Fig. 11',
     panels: [cyclePanel(model, 'oil_flow_middle', { zeroLine: true })],
-    caption: `Mass flow through the middle section of the face, whole circumference, seen from the ring; positive from chamber to crankcase.
-      Mean without sign: ${ofEachCycle(model, (c) => valueWithUnit(model, c, 'mean_absolute_oil_flow'))};
-      net over the cycle: ${ofEachCycle(model, (c) => valueWithUnit(model, c, 'net_oil_flow'))}.${overlaySentence(model, 'oil_flow_middle')}`,
+    caption:
+      'Mass flow through the middle section of the face, whole circumference, seen from the ring; ' +
+      'positive from chamber to crankcase. Mean without sign: ' +
+      ofEachCycle(model, (c) => valueWithUnit(model, c, 'mean_absolute_oil_flow')) +
+      '; net over the cycle: ' +
+      ofEachCycle(model, (c) => valueWithUnit(model, c, 'net_oil_flow')) +
+      `.${overlaySentence(model, 'oil_flow_middle')}`,
   };
 }
 
 export function cycleFigures(model) {
-  const wanted = [pressureFigure, filmFigure, lambdaRatioFigure, frictionFigure, linerFrictionFigure, flowFigure];
+  const wanted = [
+    pressureFigure,
+    filmFigure,
+    lambdaRatioFigure,
+    frictionFigure,
+    linerFrictionFigure,
+    flowFigure,
+  ];
   return wanted.map((make) => withBandTold({ ...make(model), group: 'cycle' }));
 }
 
@@ -219,21 +285,38 @@ export function otherQuantityFigure(model, name) {
     title: 'Any other quantity',
     group: 'cycle',
     panels: [cyclePanel(model, name, { zeroLine: signed, fromZero: false })],
-    caption: `${quantity.long_name}${quantity.symbol ? `, ${quantity.symbol} in the theory` : ''}; named ${name} in the result file.${overlaySentence(model, name)}`,
+    caption:
+      `${quantity.long_name}${quantity.symbol ? `, ${quantity.symbol} in the theory` : ''}; named ` +
+      `${name} in the result file.${overlaySentence(model, name)}`,
   });
 }
 
 export function shownElsewhere() {
-  return ['crank_angle', 'gas_pressure', 'min_film_thickness', 'lambda_ratio', 'total_friction', 'friction_on_liner', 'oil_flow_middle'];
+  return [
+    'crank_angle',
+    'gas_pressure',
+    'min_film_thickness',
+    'lambda_ratio',
+    'total_friction',
+    'friction_on_liner',
+    'oil_flow_middle',
+  ];
 }
 
 /** Text for people who cannot see the chart: what it spans. */
 export function spokenSummary(figure) {
-  return figure.panels.map((panel) => {
-    const parts = panel.series.map((s) => {
-      const seen = s.y.filter((v) => v !== null && Number.isFinite(v));
-      return seen.length ? `${s.label} from ${number(Math.min(...seen), 3)} to ${number(Math.max(...seen), 3)}` : `${s.label} without values`;
-    });
-    return `${panel.yLabel}${panel.yUnit ? ` in ${panel.yUnit}` : ''} over ${panel.xLabel}: ${parts.join(', ')}`;
-  }).join('. ');
+  return figure.panels
+    .map((panel) => {
+      const parts = panel.series.map((s) => {
+        const seen = s.y.filter((v) => v !== null && Number.isFinite(v));
+        return seen.length
+          ? `${s.label} from ${number(Math.min(...seen), 3)} to ${number(Math.max(...seen), 3)}`
+          : `${s.label} without values`;
+      });
+      return (
+        `${panel.yLabel}${panel.yUnit ? ` in ${panel.yUnit}` : ''} over ${panel.xLabel}: ` +
+        `${parts.join(', ')}`
+      );
+    })
+    .join('. ');
 }

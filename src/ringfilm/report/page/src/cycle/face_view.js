@@ -10,14 +10,29 @@ export class FaceView {
     this.angles = fieldAngles(model);
     // The peak of the gas pressure is where most readers look first.
     const peak = wrapped(model.cases[0].values.peak_gas_pressure_angle ?? 0) ?? 0;
-    this.index = this.angles.reduce((best, a, k) => (Math.abs(a - peak) < Math.abs(this.angles[best] - peak) ? k : best), 0);
+    this.index = this.angles.reduce(
+      (best, a, k) => (Math.abs(a - peak) < Math.abs(this.angles[best] - peak) ? k : best),
+      0,
+    );
     this.view = new FigureView(fieldFigure(model, this.angles[this.index]), context);
     this.slider = element('input', {
-      type: 'range', min: 0, max: this.angles.length - 1, step: 1, value: this.index, id: 'face-angle', 'aria-label': 'crank angle of the fields along the face',
+      type: 'range',
+      min: 0,
+      max: this.angles.length - 1,
+      step: 1,
+      value: this.index,
+      id: 'face-angle',
+      'aria-label': 'crank angle of the fields along the face',
       oninput: () => this.show(Number(this.slider.value)),
     });
     this.angleText = element('output', { for: 'face-angle' });
-    const row = element('div', { class: 'slider' }, element('label', { for: 'face-angle' }, 'Crank angle'), this.slider, this.angleText);
+    const row = element(
+      'div',
+      { class: 'slider' },
+      element('label', { for: 'face-angle' }, 'Crank angle'),
+      this.slider,
+      this.angleText,
+    );
     this.view.heading.after(row);
     this.node = this.view.node;
     this.showAngle();
@@ -32,8 +47,13 @@ export class FaceView {
   show(index) {
     this.index = index;
     const next = fieldFigure(this.model, this.angles[index]);
-    const same = next.panels.length === this.view.figure.panels.length &&
-      next.panels.every((panel, i) => panel.series.map((s) => s.label).join() === this.view.figure.panels[i].series.map((s) => s.label).join());
+    const same =
+      next.panels.length === this.view.figure.panels.length &&
+      next.panels.every(
+        (panel, i) =>
+          panel.series.map((s) => s.label).join() ===
+          this.view.figure.panels[i].series.map((s) => s.label).join(),
+      );
     this.view.figure = next;
     this.view.title.textContent = next.title;
     this.showAngle();
@@ -48,6 +68,10 @@ export class FaceView {
     next.panels.forEach((panel, i) => this.view.charts[i].chart.replace(panel));
   }
 
-  start() { this.view.start(); }
-  beforePrint() { this.view.beforePrint(); }
+  start() {
+    this.view.start();
+  }
+  beforePrint() {
+    this.view.beforePrint();
+  }
 }

@@ -1,4 +1,5 @@
-// Maps of fields one under the other over the same two axes: axes and colour bars as SVG, the fields as pixels.
+// Maps of fields one under the other over the same two axes: axes and colour bars as SVG, the fields as
+// pixels.
 import { heightColour } from '../plot/colour_map.js';
 import { axisTitle, deadCentre } from '../plot/scales.js';
 import { colourBar, numbersBelow, numbersBeside } from '../plot/svg_colour_bar.js';
@@ -25,8 +26,13 @@ let drawn = 0;
 function hatchSample(left, top) {
   const id = `hatch-${drawn++}`;
   const dark = `rgb(${kHatch.dark})`;
-  return `<pattern id="${id}" width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="5" height="5" fill="#fff"/><rect width="1.5" height="5" fill="${dark}"/></pattern>` +
-    `<rect class="hatch" x="${px(left)}" y="${px(top)}" width="18" height="12" fill="url(#${id})" stroke="${kInk}" stroke-width="0.8"/>`;
+  return (
+    `<pattern id="${id}" width="5" height="5" patternUnits="userSpaceOnUse" ` +
+    'patternTransform="rotate(45)"><rect width="5" height="5" fill="#fff"/><rect width="1.5" ' +
+    `height="5" fill="${dark}"/></pattern>` +
+    `<rect class="hatch" x="${px(left)}" y="${px(top)}" width="18" height="12" fill="url(#${id})" ` +
+    `stroke="${kInk}" stroke-width="0.8"/>`
+  );
 }
 
 export class FieldMaps {
@@ -50,7 +56,9 @@ export class FieldMaps {
       y += 24 + (n === 0 && this.above ? 30 : 0);
       const plot = { left: kLeft, top: y, width: w, height: h };
       y += h + 24 + names + (n === this.maps.length - 1 ? 20 : 0);
-      const bar = beside ? { left: kLeft + w + 16, top: plot.top, width: 14, height: h } : { left: kLeft, top: y + 4, width: w, height: 12 };
+      const bar = beside
+        ? { left: kLeft + w + 16, top: plot.top, width: 14, height: h }
+        : { left: kLeft, top: y + 4, width: w, height: 12 };
       if (!beside) y += 44;
       return { ...plot, bar };
     });
@@ -69,47 +77,102 @@ export class FieldMaps {
     const out = [];
     let top = 0;
     if (heading) {
-      out.push(text(8, 20, this.title, { size: Math.min(16, (width - 16) / (0.6 * this.title.length)), weight: 600 }));
+      out.push(
+        text(8, 20, this.title, {
+          size: Math.min(16, (width - 16) / (0.6 * this.title.length)),
+          weight: 600,
+        }),
+      );
       if (subtitle) out.push(text(8, 39, subtitle, { fill: kFaint }));
       top = subtitle ? 46 : 26;
     }
     const layout = this.layout(width, top);
     this.maps.forEach((map, n) => out.push(...this.map(map, layout.plots[n], n, layout.beside, pictures)));
     const height = layout.bottom;
-    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height)}" viewBox="0 0 ${width} ${px(height)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif">` +
-      `${pictures ? '<rect width="100%" height="100%" fill="#fff"/>' : ''}${out.join('')}</svg>`;
+    return (
+      `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height)}" viewBox="0 ` +
+      `0 ${width} ${px(height)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation ` +
+      `Sans', sans-serif">` +
+      `${pictures ? '<rect width="100%" height="100%" fill="#fff"/>' : ''}${out.join('')}</svg>`
+    );
   }
 
   map(map, plot, n, beside, pictures) {
     const { x, y } = this.scales(plot);
     const [right, low] = [plot.left + plot.width, plot.top + plot.height];
-    const out = [text(4, plot.top - 9 - (n === 0 && this.above ? 30 : 0), axisTitle(map.title, map.unit), { weight: 600 })];
+    const out = [
+      text(4, plot.top - 9 - (n === 0 && this.above ? 30 : 0), axisTitle(map.title, map.unit), {
+        weight: 600,
+      }),
+    ];
     if (map.hatchLabel) {
       const left = right - 24 - kLetter * map.hatchLabel.length;
-      out.push(hatchSample(left, plot.top - 19 - (n === 0 && this.above ? 30 : 0)), text(left + 24, plot.top - 9 - (n === 0 && this.above ? 30 : 0), map.hatchLabel, { fill: kFaint }));
+      out.push(
+        hatchSample(left, plot.top - 19 - (n === 0 && this.above ? 30 : 0)),
+        text(left + 24, plot.top - 9 - (n === 0 && this.above ? 30 : 0), map.hatchLabel, { fill: kFaint }),
+      );
     }
-    if (pictures) out.push(`<image href="${this.picture(map, plot)}" x="${px(plot.left)}" y="${px(plot.top)}" width="${px(plot.width)}" height="${px(plot.height)}" preserveAspectRatio="none"/>`);
+    if (pictures)
+      out.push(
+        `<image href="${this.picture(map, plot)}" x="${px(plot.left)}" y="${px(plot.top)}" ` +
+          `width="${px(plot.width)}" height="${px(plot.height)}" preserveAspectRatio="none"/>`,
+      );
     if (this.rows.pieces.length > 1 || this.columns.pieces.length > 1) {
       for (const [from, to] of this.columns.pieces) {
         for (const [upper, lower] of this.rows.pieces) {
-          out.push(`<rect x="${px(x(from))}" y="${px(y(upper))}" width="${px(x(to) - x(from))}" height="${px(y(lower) - y(upper))}" fill="none" stroke="${kInk}"/>`);
+          out.push(
+            `<rect x="${px(x(from))}" y="${px(y(upper))}" width="${px(x(to) - x(from))}" ` +
+              `height="${px(y(lower) - y(upper))}" fill="none" stroke="${kInk}"/>`,
+          );
         }
       }
     } else {
-      out.push(`<rect x="${px(plot.left)}" y="${px(plot.top)}" width="${px(plot.width)}" height="${px(plot.height)}" fill="none" stroke="${kInk}"/>`);
+      out.push(
+        `<rect x="${px(plot.left)}" y="${px(plot.top)}" width="${px(plot.width)}" ` +
+          `height="${px(plot.height)}" fill="none" stroke="${kInk}"/>`,
+      );
     }
     const across = this.columns.ticks(plot.width / 70);
-    for (const v of across.values) out.push(rule(x(v), low, x(v), low + 5, kInk), text(x(v), low + 18, tickText(v, across.step), { anchor: 'middle' }));
-    for (const v of across.values.filter((at) => deadCentre(this.columns, at))) out.push(text(x(v), low + 31, deadCentre(this.columns, v), { anchor: 'middle', size: 11, fill: kFaint }));
+    for (const v of across.values)
+      out.push(
+        rule(x(v), low, x(v), low + 5, kInk),
+        text(x(v), low + 18, tickText(v, across.step), { anchor: 'middle' }),
+      );
+    for (const v of across.values.filter((at) => deadCentre(this.columns, at)))
+      out.push(
+        text(x(v), low + 31, deadCentre(this.columns, v), { anchor: 'middle', size: 11, fill: kFaint }),
+      );
     const down = this.rows.ticks(Math.max(2, plot.height / 36));
-    for (const v of down.values) out.push(rule(plot.left - 5, y(v), plot.left, y(v), kInk), text(plot.left - 8, y(v) + 4, tickText(v, down.step), { anchor: 'end' }));
-    out.push(`<text transform="translate(13 ${px((plot.top + low) / 2)}) rotate(-90)" text-anchor="middle" font-size="12" fill="${kFaint}">${axisTitle(this.rows.title, this.rows.unit)}</text>`);
+    for (const v of down.values)
+      out.push(
+        rule(plot.left - 5, y(v), plot.left, y(v), kInk),
+        text(plot.left - 8, y(v) + 4, tickText(v, down.step), { anchor: 'end' }),
+      );
+    out.push(
+      `<text transform="translate(13 ${px((plot.top + low) / 2)}) rotate(-90)" ` +
+        'text-anchor="middle" font-size="12" ' +
+        `fill="${kFaint}">${axisTitle(this.rows.title, this.rows.unit)}</text>`,
+    );
     if (n === 0 && this.above) out.push(...this.axisAbove(plot, x));
     if (this.edgeWords) {
-      out.push(text(plot.left + 5, plot.top + 13, this.edgeWords[0], { size: 11, halo: '#fff' }), text(plot.left + 5, low - 5, this.edgeWords[1], { size: 11, halo: '#fff' }));
+      out.push(
+        text(plot.left + 5, plot.top + 13, this.edgeWords[0], { size: 11, halo: '#fff' }),
+        text(plot.left + 5, low - 5, this.edgeWords[1], { size: 11, halo: '#fff' }),
+      );
     }
-    if (n === this.maps.length - 1) out.push(text((plot.left + right) / 2, low + 35 + (this.columns.crank ? kNameRow : 0), axisTitle(this.columns.title, this.columns.unit), { anchor: 'middle', fill: kFaint }));
-    out.push(...colourBar(plot.bar, beside), ...(beside ? numbersBeside(plot.bar, map.range) : numbersBelow(plot.bar, map.range)));
+    if (n === this.maps.length - 1)
+      out.push(
+        text(
+          (plot.left + right) / 2,
+          low + 35 + (this.columns.crank ? kNameRow : 0),
+          axisTitle(this.columns.title, this.columns.unit),
+          { anchor: 'middle', fill: kFaint },
+        ),
+      );
+    out.push(
+      ...colourBar(plot.bar, beside),
+      ...(beside ? numbersBeside(plot.bar, map.range) : numbersBelow(plot.bar, map.range)),
+    );
     return out;
   }
 
@@ -117,9 +180,15 @@ export class FieldMaps {
   axisAbove(plot, x) {
     const out = [];
     for (const { at, label, anchor = 'middle', tick = true } of this.above.marks(plot.width)) {
-      out.push(tick ? rule(x(at), plot.top - 5, x(at), plot.top, kInk) : '', text(x(at), plot.top - 9, label, { anchor }));
+      out.push(
+        tick ? rule(x(at), plot.top - 5, x(at), plot.top, kInk) : '',
+        text(x(at), plot.top - 9, label, { anchor }),
+      );
     }
-    if (this.above.title) out.push(text(plot.left + plot.width / 2, plot.top - 24, this.above.title, { anchor: 'middle', fill: kFaint }));
+    if (this.above.title)
+      out.push(
+        text(plot.left + plot.width / 2, plot.top - 24, this.above.title, { anchor: 'middle', fill: kFaint }),
+      );
     return out;
   }
 
@@ -162,7 +231,10 @@ export class FieldMaps {
   }
 
   canvas(map, plot, ratio, canvas = document.createElement('canvas')) {
-    const [width, height] = [Math.max(1, Math.round(plot.width * ratio)), Math.max(1, Math.round(plot.height * ratio))];
+    const [width, height] = [
+      Math.max(1, Math.round(plot.width * ratio)),
+      Math.max(1, Math.round(plot.height * ratio)),
+    ];
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
     this.paint(canvas.getContext('2d'), map, width, height, ratio);
@@ -174,7 +246,10 @@ export class FieldMaps {
     return this.canvas(map, plot, kSavedRatio).toDataURL('image/png');
   }
 
-  /** The place under a pixel of a drawing of that width: { map, column, row, atColumn, atRow }; null outside the maps. */
+  /**
+   * The place under a pixel of a drawing of that width: { map, column, row, atColumn, atRow }; null outside
+   * the maps.
+   */
   at(px0, py0, width) {
     for (const [n, plot] of this.layout(width, 0).plots.entries()) {
       const [a, b] = [(px0 - plot.left) / plot.width, (py0 - plot.top) / plot.height];
@@ -188,6 +263,12 @@ export class FieldMaps {
 
   /** For people who cannot see the maps. */
   spoken() {
-    return this.maps.map((map) => `${axisTitle(map.title, map.unit)}, colours from ${number(map.range[0], 3)} to ${number(map.range[1], 3)}`).join('; ');
+    return this.maps
+      .map(
+        (map) =>
+          `${axisTitle(map.title, map.unit)}, colours from ${number(map.range[0], 3)} to ` +
+          `${number(map.range[1], 3)}`,
+      )
+      .join('; ');
   }
 }

@@ -8,7 +8,10 @@ import { axisTitle } from '../plot/scales.js';
 import { figureSvg, swatchSvg } from '../plot/svg.js';
 import { angle, number, withUnit } from '../units.js';
 
-/** Width of a drawing for the printer, in a column and across the paper: letters come out at about 7 pt in both. */
+/**
+ * Width of a drawing for the printer, in a column and across the paper: letters come out at about 7 pt in
+ * both.
+ */
 const kPrinted = { half: 450, whole: 900 };
 
 /** Two such figures stand side by side on paper. */
@@ -39,7 +42,8 @@ function nearest(series, at) {
   const xs = series.angle ?? series.x;
   let best = -1;
   xs.forEach((v, k) => {
-    if (v !== null && series.y[k] !== null && (best < 0 || Math.abs(v - at) < Math.abs(xs[best] - at))) best = k;
+    if (v !== null && series.y[k] !== null && (best < 0 || Math.abs(v - at) < Math.abs(xs[best] - at)))
+      best = k;
   });
   return best;
 }
@@ -59,7 +63,10 @@ export class FigureView {
     this.figure = figure;
     this.charts = [];
     this.values = [];
-    this.node = element('figure', { id: figure.id, class: `figure ${figure.layout === 'row' ? 'row' : ''} ${isHalfAPage(figure) ? 'half' : ''}` });
+    this.node = element('figure', {
+      id: figure.id,
+      class: `figure ${figure.layout === 'row' ? 'row' : ''} ${isHalfAPage(figure) ? 'half' : ''}`,
+    });
     this.build();
     this.follow = () => this.refresh();
     context.visibility.listeners.push(this.follow);
@@ -68,34 +75,58 @@ export class FigureView {
   build() {
     const { figure } = this;
     this.title = element('h3', {}, figure.title);
-    const paper = figure.paper && this.context.besidePaper ? element('span', { class: 'paper' }, `${figure.paper} of the paper`) : null;
+    const paper =
+      figure.paper && this.context.besidePaper
+        ? element('span', { class: 'paper' }, `${figure.paper} of the paper`)
+        : null;
     this.heading = element('div', { class: 'figure-heading' }, this.title, paper, this.downloads());
     this.body = element('div', { class: 'panels' });
     this.caption = element('figcaption', {}, figure.caption);
     this.print = element('div', { class: 'print-only' });
     this.node.append(this.heading, this.body, this.print, this.caption);
-    figure.panels.forEach((panel, i) => this.body.append(panel.bars ? this.bars() : this.chartPanel(panel, i)));
+    figure.panels.forEach((panel, i) =>
+      this.body.append(panel.bars ? this.bars() : this.chartPanel(panel, i)),
+    );
     this.refresh();
   }
 
   chartPanel(panel, index) {
     const { figure, context } = this;
-    const host = element('div', { class: 'chart', role: 'img', 'aria-label': spokenSummary({ panels: [panel] }) });
+    const host = element('div', {
+      class: 'chart',
+      role: 'img',
+      'aria-label': spokenSummary({ panels: [panel] }),
+    });
     const at = element('span', { class: 'at' });
     const values = panel.series.map(() => element('span', { class: 'value' }));
     const entries = panel.series.map((s, i) => this.legendEntry(s, values[i]));
-    const node = element('div', { class: 'panel' },
+    const node = element(
+      'div',
+      { class: 'panel' },
       element('div', { class: 'axis-title' }, axisTitle(panel.yLabel, panel.yUnit)),
       host,
       element('div', { class: 'axis-title below' }, axisTitle(panel.xLabel, panel.xUnit)),
-      element('div', { class: 'legend' }, at, entries));
+      element('div', { class: 'legend' }, at, entries),
+    );
     const readOut = (x) => {
       const shown = this.figure.panels[index];
       at.textContent = x === null ? '' : sampledPlace(shown, x);
-      shown.series.forEach((s, i) => { values[i].textContent = x === null ? '' : number(s.y[nearest(s, x)], 4); });
+      shown.series.forEach((s, i) => {
+        values[i].textContent = x === null ? '' : number(s.y[nearest(s, x)], 4);
+      });
     };
     // uPlot measures its host, which must stand in the page first.
-    this.charts.push({ start: () => new Chart(host, panel, { visible: context.visibility.shows, readOut, group: figure.group ? context.group : null, height: panel.crank ? kChartHeight.crank : kChartHeight.plain }), entries, panel });
+    this.charts.push({
+      start: () =>
+        new Chart(host, panel, {
+          visible: context.visibility.shows,
+          readOut,
+          group: figure.group ? context.group : null,
+          height: panel.crank ? kChartHeight.crank : kChartHeight.plain,
+        }),
+      entries,
+      panel,
+    });
     return node;
   }
 
@@ -104,10 +135,20 @@ export class FigureView {
     const sample = svgElement(swatchSvg(series));
     const label = element('span', { class: 'label' }, series.label);
     if (!isOneOfSeveral(series.caseIndex)) return element('span', { class: 'entry' }, sample, label, value);
-    return element('button', {
-      type: 'button', class: 'entry', 'aria-pressed': 'true', title: `Hide or show ${series.label}`, 'data-case': series.caseIndex,
-      onclick: () => visibility.toggle(series.caseIndex),
-    }, sample, label, value);
+    return element(
+      'button',
+      {
+        type: 'button',
+        class: 'entry',
+        'aria-pressed': 'true',
+        title: `Hide or show ${series.label}`,
+        'data-case': series.caseIndex,
+        onclick: () => visibility.toggle(series.caseIndex),
+      },
+      sample,
+      label,
+      value,
+    );
   }
 
   bars() {
@@ -120,10 +161,15 @@ export class FigureView {
   drawBars() {
     const width = Math.max(320, Math.min(1060, this.barHost.clientWidth || 760));
     const entries = this.figure.panels[0].groups.map((g) => this.legendEntry(g, ''));
-    entries.filter((e) => e.dataset.case !== undefined).forEach((e) => e.setAttribute('aria-pressed', String(!this.context.visibility.hidden.has(Number(e.dataset.case)))));
+    entries
+      .filter((e) => e.dataset.case !== undefined)
+      .forEach((e) =>
+        e.setAttribute('aria-pressed', String(!this.context.visibility.hidden.has(Number(e.dataset.case)))),
+      );
     this.barHost.replaceChildren(
       svgElement(figureSvg(this.figure, this.context.visibility.shows, { width, heading: false })),
-      element('div', { class: 'legend' }, entries));
+      element('div', { class: 'legend' }, entries),
+    );
   }
 
   /** Draws; to be called once the node stands in the page. */
@@ -140,28 +186,52 @@ export class FigureView {
     for (const { chart, entries, panel } of this.charts) {
       chart?.refresh();
       entries.forEach((entry, i) => {
-        if (isOneOfSeveral(panel.series[i].caseIndex)) entry.setAttribute('aria-pressed', String(visibility.shows(panel.series[i])));
+        if (isOneOfSeveral(panel.series[i].caseIndex))
+          entry.setAttribute('aria-pressed', String(visibility.shows(panel.series[i])));
       });
     }
     if (this.barHost?.isConnected) this.drawBars();
   }
 
   svg(options) {
-    const windows = Object.fromEntries(this.charts.filter((c) => c.chart).map(({ chart }) => [chart.panel.id, chart.window]));
-    return figureSvg(this.figure, this.context.visibility.shows, { windows, subtitle: this.context.subtitle, ...options });
+    const windows = Object.fromEntries(
+      this.charts.filter((c) => c.chart).map(({ chart }) => [chart.panel.id, chart.window]),
+    );
+    return figureSvg(this.figure, this.context.visibility.shows, {
+      windows,
+      subtitle: this.context.subtitle,
+      ...options,
+    });
   }
 
   downloads() {
     const name = (ending) => `${fileStem(this.context.stem, this.figure.id)}.${ending}`;
-    const button = (label, action) => element('button', { type: 'button', class: 'download', 'aria-label': `${this.figure.title} as ${label}`, onclick: action }, label);
-    return element('span', { class: 'downloads' },
+    const button = (label, action) =>
+      element(
+        'button',
+        {
+          type: 'button',
+          class: 'download',
+          'aria-label': `${this.figure.title} as ${label}`,
+          onclick: action,
+        },
+        label,
+      );
+    return element(
+      'span',
+      { class: 'downloads' },
       button('PNG', () => savePng(name('png'), this.svg())),
       button('SVG', () => save(name('svg'), 'image/svg+xml', this.svg())),
-      button('CSV', () => save(name('csv'), 'text/csv', figureCsv(this.figure))));
+      button('CSV', () => save(name('csv'), 'text/csv', figureCsv(this.figure))),
+    );
   }
 
   /** Lays a static drawing beside the charts for the printer. */
   beforePrint() {
-    this.print.replaceChildren(svgElement(this.svg({ width: isHalfAPage(this.figure) ? kPrinted.half : kPrinted.whole, subtitle: '' })));
+    this.print.replaceChildren(
+      svgElement(
+        this.svg({ width: isHalfAPage(this.figure) ? kPrinted.half : kPrinted.whole, subtitle: '' }),
+      ),
+    );
   }
 }

@@ -19,7 +19,14 @@ const kOperating = [
 export function operatingLine(model) {
   return kOperating
     .map(([key, word]) => {
-      const values = [...new Set(model.cases.map((c) => model.input(c, key)).filter(Boolean).map(shownInput))];
+      const values = [
+        ...new Set(
+          model.cases
+            .map((c) => model.input(c, key))
+            .filter(Boolean)
+            .map(shownInput),
+        ),
+      ];
       return values.length ? `${word} ${values.join(' / ')}` : null;
     })
     .filter(Boolean)
@@ -31,13 +38,17 @@ export function reportTitle(model) {
   return model.sharedTitle || `${model.cases.length} engine cycles compared`;
 }
 
-
 /** The most serious thing first. */
 function warnings(model) {
   const list = [];
-  const whom = (cases) => (cases.length === model.cases.length ? '' : `${cases.map((c) => c.name).join(', ')}: `);
+  const whom = (cases) =>
+    cases.length === model.cases.length ? '' : `${cases.map((c) => c.name).join(', ')}: `;
   const synthetic = model.cases.filter((c) => model.isSynthetic(c));
-  if (synthetic.length) list.push(`${whom(synthetic)}the cylinder pressure is SYNTHETIC: made by a formula, not measured on an engine. Levels of friction and film follow from it.`);
+  if (synthetic.length)
+    list.push(
+      `${whom(synthetic)}the cylinder pressure is SYNTHETIC: made by a formula, not measured on ` +
+        'an engine. Levels of friction and film follow from it.',
+    );
   const notes = model.cases.flatMap((c) => c.notes.map((note) => ({ c, note })));
   for (const { c, note } of notes.sort((a, b) => a.note.rank - b.note.rank)) {
     if (note.topic !== 'synthetic-trace') list.push(`${whom([c])}${withShortPaths(c, note.message)}.`);
@@ -48,30 +59,63 @@ function warnings(model) {
 /** Where the integration of a case stopped, in words. */
 function stop(c) {
   const at = c.effort.cycles_integrated >= 1 ? null : stoppedAt(c.curves.crank_angle);
-  const after = c.effort.cycles_integrated > 0 ? ` after ${number(c.effort.cycles_integrated, 3)} cycles` : '';
+  const after =
+    c.effort.cycles_integrated > 0 ? ` after ${number(c.effort.cycles_integrated, 3)} cycles` : '';
   if (c.curves.crank_angle.length === 0) return 'before the first crank angle was solved';
-  return at === null ? after.trim() || 'at an angle that the stored samples do not contain' : `in its first cycle, last solved ${angleInWords(at).replace(/^(?=\d)/, 'at ')}${after && `,${after}`}`;
+  return at === null
+    ? after.trim() || 'at an angle that the stored samples do not contain'
+    : `in its first cycle, last solved ${angleInWords(at).replace(/^(?=\d)/, 'at ')}${after && `,${after}`}`;
 }
 
 /** Says plainly which cases did not come to an end, before any number. */
 function stopped(model) {
   const broken = model.cases.filter((c) => !c.complete);
   if (broken.length === 0) return null;
-  return element('div', { class: 'warning stopped', role: 'alert' },
-    element('p', {}, element('strong', {}, 'INCOMPLETE: '), model.several
-      ? `${broken.length} of ${model.cases.length} cases did not come to a cycle that repeats itself.` : 'the integration did not come to a cycle that repeats itself.'),
+  return element(
+    'div',
+    { class: 'warning stopped', role: 'alert' },
+    element(
+      'p',
+      {},
+      element('strong', {}, 'INCOMPLETE: '),
+      model.several
+        ? `${broken.length} of ${model.cases.length} cases did not come to a cycle that repeats itself.`
+        : 'the integration did not come to a cycle that repeats itself.',
+    ),
     broken.map((c) => element('p', {}, `${model.several ? `${c.name}: s` : 'S'}topped ${stop(c)}.`)),
-    element('p', {}, 'No values of a whole cycle exist: no power, no FMEP, no thinnest film, no shares. The curves show what was solved until then.'));
+    element(
+      'p',
+      {},
+      'No values of a whole cycle exist: no power, no FMEP, no thinnest film, no shares. The ' +
+        'curves show what was solved until then.',
+    ),
+  );
 }
 
 function card(model, heading, name, detail) {
   const rows = model.cases.map((c) => {
     const { value, unit } = model.value(c, name);
     const [shown, error] = withError(value, model.error(c, name), unit, 3).split(' ± ');
-    return element('div', { class: 'card-row' },
-      model.several ? element('span', { class: 'card-name' }, svgElement(swatchSvg({ caseIndex: c.index, part: null })), c.name) : null,
-      element('span', { class: 'card-value' }, element('b', {}, shown), error ? ` ± ${error}` : '', unit && value !== null ? ` ${unit}` : ''),
-      element('span', { class: 'card-detail' }, detail(c)));
+    return element(
+      'div',
+      { class: 'card-row' },
+      model.several
+        ? element(
+            'span',
+            { class: 'card-name' },
+            svgElement(swatchSvg({ caseIndex: c.index, part: null })),
+            c.name,
+          )
+        : null,
+      element(
+        'span',
+        { class: 'card-value' },
+        element('b', {}, shown),
+        error ? ` ± ${error}` : '',
+        unit && value !== null ? ` ${unit}` : '',
+      ),
+      element('span', { class: 'card-detail' }, detail(c)),
+    );
   });
   return element('section', { class: 'card' }, element('h2', {}, heading), rows);
 }
@@ -79,22 +123,48 @@ function card(model, heading, name, detail) {
 export function firstScreen(model) {
   const found = warnings(model);
   const several = mergedNotes(model).length - 1;
-  const warning = found.length === 0 ? null : element('p', { class: 'warning', role: 'note' },
-    element('strong', {}, 'Mind: '), typeset(found[0]),
-    several > 0 ? [' ', element('a', { href: '#validity' }, `${several} more ${several === 1 ? 'note' : 'notes'}`)] : null);
+  const warning =
+    found.length === 0
+      ? null
+      : element(
+          'p',
+          { class: 'warning', role: 'note' },
+          element('strong', {}, 'Mind: '),
+          typeset(found[0]),
+          several > 0
+            ? [
+                ' ',
+                element('a', { href: '#validity' }, `${several} more ${several === 1 ? 'note' : 'notes'}`),
+              ]
+            : null,
+        );
   const shownFmep = (c) => {
     const { value, unit } = model.value(c, 'fmep');
     if (value === null) return '';
     return `FMEP ${number(value, 3)} ${unit}`;
   };
-  return element('header', { class: 'first-screen' },
-    element('p', { class: 'kind' }, 'Mixed lubrication of the piston ring and the liner over one engine cycle'),
+  return element(
+    'header',
+    { class: 'first-screen' },
+    element(
+      'p',
+      { class: 'kind' },
+      'Mixed lubrication of the piston ring and the liner over one engine cycle',
+    ),
     element('h1', {}, reportTitle(model)),
     element('p', { class: 'operating' }, operatingLine(model)),
     stopped(model),
-    model.cases.every((c) => !c.complete) ? null : element('div', { class: 'cards' },
-      card(model, 'Mean friction power', 'mean_power_loss', shownFmep),
-      card(model, 'Thinnest film', 'min_film_thickness', (c) => (c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '')),
-      card(model, 'In mixed lubrication', 'mixed_share', () => 'of the cycle')),
-    warning);
+    model.cases.every((c) => !c.complete)
+      ? null
+      : element(
+          'div',
+          { class: 'cards' },
+          card(model, 'Mean friction power', 'mean_power_loss', shownFmep),
+          card(model, 'Thinnest film', 'min_film_thickness', (c) =>
+            c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '',
+          ),
+          card(model, 'In mixed lubrication', 'mixed_share', () => 'of the cycle'),
+        ),
+    warning,
+  );
 }

@@ -4,55 +4,106 @@ import { ofEachCycle, valueWithUnit } from './cycle_figures.js';
 
 const kStribeckWindow = 90;
 
-/** Friction coefficient against Stribeck number, in the order of time. Log axis: the dead centre itself, U = 0, has no place. */
+/**
+ * Friction coefficient against Stribeck number, in the order of time. Log axis: the dead centre itself, U =
+ * 0, has no place.
+ */
 export function stribeckFigure(model) {
   const friction = display(model.curveQuantity.get('friction_coefficient'));
   const stribeck = display(model.curveQuantity.get('stribeck_number'));
   const series = model.cases.map((c) => {
     const points = c.curves.crank_angle
-      .map((angle, k) => ({ angle: wrapped(angle), x: stribeck.convert(c.curves.stribeck_number[k]), y: friction.convert(c.curves.friction_coefficient[k]) }))
+      .map((angle, k) => ({
+        angle: wrapped(angle),
+        x: stribeck.convert(c.curves.stribeck_number[k]),
+        y: friction.convert(c.curves.friction_coefficient[k]),
+      }))
       .filter((p) => Math.abs(p.angle) <= kStribeckWindow)
       .sort((a, b) => a.angle - b.angle)
       .map((p) => (p.x > 0 ? p : { ...p, x: null, y: null }));
-    return { caseIndex: c.series, part: null, label: c.name, x: points.map((p) => p.x), y: points.map((p) => p.y), angle: points.map((p) => p.angle) };
+    return {
+      caseIndex: c.series,
+      part: null,
+      label: c.name,
+      x: points.map((p) => p.x),
+      y: points.map((p) => p.y),
+      angle: points.map((p) => p.angle),
+    };
   });
   return {
     id: 'stribeck',
     title: 'Friction coefficient against Stribeck number',
     paper: 'Fig. 10',
-    panels: [{
-      id: 'stribeck', inOrderOfTime: true, xScale: 'log', fromZero: true,
-      yLabel: 'friction coefficient', yUnit: friction.unit, xLabel: 'Stribeck number η|U|/(pσ)', xUnit: stribeck.unit, series,
-    }],
-    caption: `From −90° to 90° around firing TDC; arrows give the direction of time, the dead centre lies far out on the left.
-      Highest within ±60° of firing TDC: ${ofEachCycle(model, (c) => valueWithUnit(model, c, 'peak_friction_coefficient_firing'))}.
-      High on the left is boundary lubrication, the low end on the right is the oil film.`,
+    panels: [
+      {
+        id: 'stribeck',
+        inOrderOfTime: true,
+        xScale: 'log',
+        fromZero: true,
+        yLabel: 'friction coefficient',
+        yUnit: friction.unit,
+        xLabel: 'Stribeck number η|U|/(pσ)',
+        xUnit: stribeck.unit,
+        series,
+      },
+    ],
+    caption:
+      'From −90° to 90° around firing TDC; arrows give the direction of time, the dead centre lies ' +
+      'far out on the left. Highest within ±60° of firing TDC: ' +
+      ofEachCycle(model, (c) => valueWithUnit(model, c, 'peak_friction_coefficient_firing')) +
+      '. High on the left is boundary lubrication, the low end on the right is the oil film.',
   };
 }
 
 export function faceFigure(model) {
   const series = model.cases
     .filter((c) => c.fields.x.length > 1 && c.fields.face_height.length === c.fields.x.length)
-    .map((c) => ({ caseIndex: c.series, part: null, label: c.name, x: c.fields.x.map((v) => v * 1e3), y: c.fields.face_height.map((v) => v * 1e6) }));
+    .map((c) => ({
+      caseIndex: c.series,
+      part: null,
+      label: c.name,
+      x: c.fields.x.map((v) => v * 1e3),
+      y: c.fields.face_height.map((v) => v * 1e6),
+    }));
   if (series.length === 0) return null;
-  const edge = (s) => `${number(s.y[0], 3)} µm at the chamber edge, ${number(s.y[s.y.length - 1], 3)} µm at the crankcase edge`;
+  const edge = (s) =>
+    `${number(s.y[0], 3)} µm at the chamber edge, ${number(s.y[s.y.length - 1], 3)} µm at the crankcase edge`;
   return {
     id: 'ring-faces',
     title: series.length > 1 ? 'Ring faces' : 'Ring face',
     paper: 'Fig. 4',
-    panels: [{
-      id: 'face', fromZero: true, yLabel: 'gap of the unloaded face', yUnit: 'µm', xLabel: 'distance from the chamber edge', xUnit: 'mm', series,
-      xRange: [Math.min(...series.map((s) => s.x[0])), Math.max(...series.map((s) => s.x[s.x.length - 1]))],
-    }],
-    caption: `Shape of the face as installed, its lowest point at zero. The vertical scale is stretched many times.
-      At the edges: ${new Set(series.map(edge)).size === 1 ? edge(series[0]) : series.map((s) => `${s.label} ${edge(s)}`).join('; ')}.`,
+    panels: [
+      {
+        id: 'face',
+        fromZero: true,
+        yLabel: 'gap of the unloaded face',
+        yUnit: 'µm',
+        xLabel: 'distance from the chamber edge',
+        xUnit: 'mm',
+        series,
+        xRange: [Math.min(...series.map((s) => s.x[0])), Math.max(...series.map((s) => s.x[s.x.length - 1]))],
+      },
+    ],
+    caption:
+      'Shape of the face as installed, its lowest point at zero. The vertical scale is stretched ' +
+      'many times. At the edges: ' +
+      (new Set(series.map(edge)).size === 1
+        ? edge(series[0])
+        : series.map((s) => `${s.label} ${edge(s)}`).join('; ')) +
+      '.',
   };
 }
 
 export function wearFigure(model) {
   const series = model.cases
     .filter((c) => c.stroke.liner_position.length > 1)
-    .map((c) => ({ caseIndex: c.series, part: null, label: c.name, x: c.stroke.liner_position.map((v) => v * 1e3), y: [...c.stroke.archard_wear_load_density] }));
+    .map((c) => ({
+      caseIndex: c.series,
+      part: null,
+      label: c.name,
+      x: c.stroke.liner_position.map((v) => v * 1e3),
+      y: [...c.stroke.archard_wear_load_density],
+    }));
   if (series.length === 0) return null;
   const worst = (s) => {
     const k = s.y.reduce((best, v, i) => (v > s.y[best] ? i : best), 0);
@@ -61,13 +112,23 @@ export function wearFigure(model) {
   return {
     id: 'archard-wear-load-stroke',
     title: 'Drive of wear along the stroke',
-    panels: [{
-      id: 'wear', fromZero: true, yLabel: 'asperity load times sliding, per length of liner', yUnit: 'J/m',
-      xLabel: 'distance below the TDC position of the ring', xUnit: 'mm', series,
-      xRange: [0, Math.max(...series.map((s) => s.x[s.x.length - 1]))],
-    }],
-    caption: `Where on the liner the asperities rub, summed over one cycle (all four passes). Left is TDC, right is BDC.
-      Most: ${series.map((s) => (series.length > 1 ? `${s.label} ` : '') + worst(s)).join('; ')}.`,
+    panels: [
+      {
+        id: 'wear',
+        fromZero: true,
+        yLabel: 'asperity load times sliding, per length of liner',
+        yUnit: 'J/m',
+        xLabel: 'distance below the TDC position of the ring',
+        xUnit: 'mm',
+        series,
+        xRange: [0, Math.max(...series.map((s) => s.x[s.x.length - 1]))],
+      },
+    ],
+    caption:
+      'Where on the liner the asperities rub, summed over one cycle (all four passes). Left is ' +
+      'TDC, right is BDC. Most: ' +
+      series.map((s) => (series.length > 1 ? `${s.label} ` : '') + worst(s)).join('; ') +
+      '.',
   };
 }
 
@@ -87,20 +148,45 @@ export function energyFigure(model) {
     layout: 'row',
     panels: [
       {
-        id: 'strokes', bars: true, weight: 1.7, yLabel: 'friction energy', yUnit: unit, categories: kStrokes.map(([, label]) => label),
-        groups: model.cases.map((c) => ({ caseIndex: c.series, label: c.name, stacks: kStrokes.map(([name]) => [{ part: 'total', value: model.value(c, name).value }]) })),
+        id: 'strokes',
+        bars: true,
+        weight: 1.7,
+        yLabel: 'friction energy',
+        yUnit: unit,
+        categories: kStrokes.map(([, label]) => label),
+        groups: model.cases.map((c) => ({
+          caseIndex: c.series,
+          label: c.name,
+          stacks: kStrokes.map(([name]) => [{ part: 'total', value: model.value(c, name).value }]),
+        })),
       },
       {
-        id: 'causes', bars: true, weight: 1, yLabel: 'mean friction power', yUnit: model.value(model.cases[0], 'mean_power_loss').unit,
+        id: 'causes',
+        bars: true,
+        weight: 1,
+        yLabel: 'mean friction power',
+        yUnit: model.value(model.cases[0], 'mean_power_loss').unit,
         categories: ['boundary', 'viscous'],
         groups: model.cases.map((c) => ({
-          caseIndex: c.series, label: c.name,
-          stacks: [[{ part: 'boundary', value: model.value(c, 'mean_boundary_power').value }], [{ part: 'viscous', value: model.value(c, 'mean_viscous_power').value }]],
+          caseIndex: c.series,
+          label: c.name,
+          stacks: [
+            [{ part: 'boundary', value: model.value(c, 'mean_boundary_power').value }],
+            [{ part: 'viscous', value: model.value(c, 'mean_viscous_power').value }],
+          ],
         })),
       },
     ],
-    caption: `Energy lost to friction in each stroke, and the mean power of the cycle split into rubbing asperities and sheared oil.
-      Whole cycle: ${ofEachCycle(model, (c) => `${valueWithUnit(model, c, 'energy_per_cycle')}, ${valueWithUnit(model, c, 'mean_power_loss')}`)}.`,
+    caption:
+      'Energy lost to friction in each stroke, and the mean power of the cycle split into rubbing ' +
+      'asperities and sheared oil. Whole cycle: ' +
+      ofEachCycle(
+        model,
+        (c) =>
+          `${valueWithUnit(model, c, 'energy_per_cycle')}, ` +
+          `${valueWithUnit(model, c, 'mean_power_loss')}`,
+      ) +
+      '.',
   };
 }
 
@@ -109,14 +195,22 @@ export function fieldFigure(model, angle) {
   const near = (c) => {
     let best = -1;
     c.fields.crank_angle.forEach((a, k) => {
-      if (best < 0 || Math.abs(wrapped(a) - angle) < Math.abs(wrapped(c.fields.crank_angle[best]) - angle)) best = k;
+      if (best < 0 || Math.abs(wrapped(a) - angle) < Math.abs(wrapped(c.fields.crank_angle[best]) - angle))
+        best = k;
     });
     return best >= 0 && Math.abs(wrapped(c.fields.crank_angle[best]) - angle) < 1e-6 ? best : -1;
   };
   const shown = model.cases.map((c) => [c, near(c)]).filter(([, k]) => k >= 0);
-  const series = (name, size, part = null) => shown
-    .filter(([c]) => c.fields[name].length > 0)
-    .map(([c, k]) => ({ caseIndex: c.series, part, label: c.name, x: c.fields.x.map((v) => v * 1e3), y: c.fields[name][k].map((v) => (v === null ? null : v / size)) }));
+  const series = (name, size, part = null) =>
+    shown
+      .filter(([c]) => c.fields[name].length > 0)
+      .map(([c, k]) => ({
+        caseIndex: c.series,
+        part,
+        label: c.name,
+        x: c.fields.x.map((v) => v * 1e3),
+        y: c.fields[name][k].map((v) => (v === null ? null : v / size)),
+      }));
   const widest = Math.max(...shown.map(([c]) => c.fields.x[c.fields.x.length - 1] * 1e3));
   const common = { xLabel: 'distance from the chamber edge', xUnit: 'mm', xRange: [0, widest] };
   return {
@@ -124,29 +218,67 @@ export function fieldFigure(model, angle) {
     title: `Along the face at ${shownAngle(angle)}°`,
     layout: 'row',
     panels: [
-      { ...common, id: 'pressure', fromZero: true, yLabel: 'film pressure', yUnit: 'bar', series: series('film_pressure', 1e5) },
-      { ...common, id: 'film', yScale: 'log', yLabel: 'film thickness', yUnit: 'µm', series: series('film_thickness', 1e-6) },
-      { ...common, id: 'asperities', fromZero: true, yLabel: 'asperity pressure', yUnit: 'bar', series: series('asperity_pressure', 1e5, 'boundary') },
+      {
+        ...common,
+        id: 'pressure',
+        fromZero: true,
+        yLabel: 'film pressure',
+        yUnit: 'bar',
+        series: series('film_pressure', 1e5),
+      },
+      {
+        ...common,
+        id: 'film',
+        yScale: 'log',
+        yLabel: 'film thickness',
+        yUnit: 'µm',
+        series: series('film_thickness', 1e-6),
+      },
+      {
+        ...common,
+        id: 'asperities',
+        fromZero: true,
+        yLabel: 'asperity pressure',
+        yUnit: 'bar',
+        series: series('asperity_pressure', 1e5, 'boundary'),
+      },
       // Where every gap is full at every angle the picture would say nothing.
-      shown.some(([c]) => c.fields.film_content.some((list) => list.some((v) => v !== null && v < 1))) && { ...common, id: 'film_content', yRange: [0, 1.05], yLabel: 'liquid share of the gap', yUnit: '', series: series('film_content', 1) },
+      shown.some(([c]) => c.fields.film_content.some((list) => list.some((v) => v !== null && v < 1))) && {
+        ...common,
+        id: 'film_content',
+        yRange: [0, 1.05],
+        yLabel: 'liquid share of the gap',
+        yUnit: '',
+        series: series('film_content', 1),
+      },
     ].filter((panel) => panel && panel.series.length > 0),
-    caption: `${thinned(model)}Absolute pressure of the oil, film thickness (logarithmic), asperity contact pressure and, where the model knows gaps that are not full, the liquid share; chamber edge on the left.
-      Where the oil pressure lies flat at the cavitation pressure the film has ruptured.`,
+    caption:
+      `${thinned(model)}Absolute pressure of the oil, film thickness (logarithmic), asperity ` +
+      'contact pressure and, where the model knows gaps that are not full, the liquid share; ' +
+      'chamber edge on the left. Where the oil pressure lies flat at the cavitation pressure the ' +
+      'film has ruptured.',
   };
 }
 
 /** Says so where the page carries only some of the angles of the result file. */
 function thinned(model) {
   const some = model.cases.filter((c) => c.fields.stored_angles > c.fields.crank_angle.length);
-  return some.length ? `This page carries ${some[0].fields.crank_angle.length} of the ${some[0].fields.stored_angles} crank angles stored in the result file. ` : '';
+  return some.length
+    ? `This page carries ${some[0].fields.crank_angle.length} of the ` +
+        `${some[0].fields.stored_angles} crank angles stored in the result file. `
+    : '';
 }
 
 /** So many angles that all cases share are enough to do without those that only some have. */
 const kEnoughAngles = 8;
 
-/** Angles with fields, on the axis of the charts: those that all cases share if there are enough, else all. */
+/**
+ * Angles with fields, on the axis of the charts: those that all cases share if there are enough, else all.
+ */
 export function fieldAngles(model) {
-  const sets = model.cases.map((c) => new Set(c.fields.crank_angle.map(wrapped))).filter((set) => set.size > 0);
+  const sets = model.cases
+    .map((c) => new Set(c.fields.crank_angle.map(wrapped)))
+    .filter((set) => set.size > 0);
   const all = [...new Set(sets.flatMap((set) => [...set]))].sort((a, b) => a - b);
   const shared = all.filter((a) => sets.every((set) => set.has(a)));
   return shared.length >= kEnoughAngles ? shared : all;

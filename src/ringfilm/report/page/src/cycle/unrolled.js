@@ -1,4 +1,5 @@
-// The unrolled film as the page carries it: fields at some crank angles, strips and nodes, and the axes they lie on.
+// The unrolled film as the page carries it: fields at some crank angles, strips and nodes, and the axes they
+// lie on.
 import { kMissing, unpacked } from '../plot/packed.js';
 import { crankTicks, display, ticks, wrapped } from '../units.js';
 
@@ -11,7 +12,10 @@ const kEndWidths = 3;
 /** One crank angle alone is drawn this wide [degree]. */
 const kLoneAngle = 5;
 
-/** A strip differs from the one opposite the gap where a pressure in it does by this share of the highest there. */
+/**
+ * A strip differs from the one opposite the gap where a pressure in it does by this share of the highest
+ * there.
+ */
 const kFelt = 0.01;
 
 /** Bounds of what belongs to each node: halfway to its neighbours, the outer ones at `from` and `to`. */
@@ -35,13 +39,20 @@ export function cellAt(edges, v) {
 function decoded(packed, quantity) {
   const words = unpacked(packed.data);
   const { unit, convert } = display(quantity);
-  const value = (at) => (words[at] === kMissing || words[at] === undefined ? null : convert(packed.low + ((packed.high - packed.low) * words[at]) / (kMissing - 1)));
+  const value = (at) =>
+    words[at] === kMissing || words[at] === undefined
+      ? null
+      : convert(packed.low + ((packed.high - packed.low) * words[at]) / (kMissing - 1));
   return { unit, longName: quantity.long_name, value, range: [convert(packed.low), convert(packed.high)] };
 }
 
 function decodedAll(fields, quantities) {
   const known = new Map(quantities.map((q) => [q.name, q]));
-  return Object.fromEntries(Object.entries(fields).filter(([name]) => known.has(name)).map(([name, packed]) => [name, decoded(packed, known.get(name))]));
+  return Object.fromEntries(
+    Object.entries(fields)
+      .filter(([name]) => known.has(name))
+      .map(([name, packed]) => [name, decoded(packed, known.get(name))]),
+  );
 }
 
 /** Lengths in mm, fields in their display units. */
@@ -63,14 +74,21 @@ export class Unrolled {
     this.length = this.closed ? this.circumference : this.y[this.y.length - 1];
     this.face = this.x.length ? this.x[this.x.length - 1] : 0;
     const inMm = (point) => ({ x: point.x * 1e3, y: point.y * 1e3, value: point.value });
-    this.highestPressure = payload.highest_pressure.map((p) => ({ ...inMm(p), value: this.fields.film_pressure ? p.value / 1e5 : null }));
+    this.highestPressure = payload.highest_pressure.map((p) => ({
+      ...inMm(p),
+      value: this.fields.film_pressure ? p.value / 1e5 : null,
+    }));
     this.lowestFilmContent = payload.lowest_film_content.map(inMm);
-    // Reynolds' exit knows no film content: what is stored of it is 1 everywhere, and cavities are where the pressure is theirs.
+    // Reynolds' exit knows no film content: what is stored of it is 1 everywhere, and cavities are where the
+    // pressure is theirs.
     const pressure = payload.fields.film_pressure;
     const isStated = payload.rupture_pressure !== undefined && payload.rupture_pressure !== null;
     this.hasNoFilmContent = isStated;
     // Half a step of what was rounded.
-    this.ruptureBelow = isStated && pressure ? (payload.rupture_pressure + ((0.5 + 1e-6) * (pressure.high - pressure.low)) / (kMissing - 1)) / 1e5 : null;
+    this.ruptureBelow =
+      isStated && pressure
+        ? (payload.rupture_pressure + ((0.5 + 1e-6) * (pressure.high - pressure.low)) / (kMissing - 1)) / 1e5
+        : null;
     if (isStated) delete this.fields.film_content;
     // A closed ring: what is nearer to the joint than to the last strip belongs to the first again.
     this.yEdges = cellEdges(this.closed ? [...this.y, this.circumference] : this.y, 0, this.length);
@@ -121,7 +139,9 @@ export class Unrolled {
     return [low, high];
   }
 
-  /** How far from the gap it is felt in the pressure anywhere across the face [mm]; null for a closed ring. */
+  /**
+   * How far from the gap it is felt in the pressure anywhere across the face [mm]; null for a closed ring.
+   */
   endReach(k) {
     if (this.closed || !this.hasFields) return null;
     const strip = (j) => this.x.map((_, i) => this.value('film_pressure', k, j, i) ?? 0);
@@ -129,7 +149,8 @@ export class Unrolled {
     const least = kFelt * Math.max(...opposite);
     let reach = 0;
     this.y.forEach((y, j) => {
-      if (strip(j).some((p, i) => Math.abs(p - opposite[i]) > least)) reach = Math.max(reach, Math.min(y, this.length - y));
+      if (strip(j).some((p, i) => Math.abs(p - opposite[i]) > least))
+        reach = Math.max(reach, Math.min(y, this.length - y));
     });
     return reach;
   }
@@ -145,7 +166,15 @@ export class Unrolled {
  * `index(v)` is the number of the node there, -1 where there is none.
  */
 export function faceAxis(data) {
-  return { title: 'x', unit: 'mm', from: 0, to: data.face, pieces: [[0, data.face]], index: (v) => cellAt(data.xEdges, v), ticks: (count) => ticks(0, data.face, count) };
+  return {
+    title: 'x',
+    unit: 'mm',
+    from: 0,
+    to: data.face,
+    pieces: [[0, data.face]],
+    index: (v) => cellAt(data.xEdges, v),
+    ticks: (count) => ticks(0, data.face, count),
+  };
 }
 
 export function ringAxis(data, { ends, face }) {
@@ -155,30 +184,65 @@ export function ringAxis(data, { ends, face }) {
   };
   if (!ends) {
     return {
-      title: 'y, along the ring', unit: 'mm', from: 0, to: data.length, pieces: [[0, data.length]],
-      index, y: (v) => v, ticks: (count) => ticks(0, data.length, count),
+      title: 'y, along the ring',
+      unit: 'mm',
+      from: 0,
+      to: data.length,
+      pieces: [[0, data.length]],
+      index,
+      y: (v) => v,
+      ticks: (count) => ticks(0, data.length, count),
     };
   }
   const half = data.gap / 2;
   const reach = half + data.endLength(face);
   const y = (v) => (v < 0 ? data.length + half + v : v - half);
   return {
-    title: 'along the ring, from the middle of the gap', unit: 'mm', from: -reach, to: reach, pieces: [[-reach, -half], [half, reach]],
-    index: (v) => (Math.abs(v) < half ? -1 : index(y(v))), y: (v) => (Math.abs(v) < half ? null : y(v)), ticks: (count) => ticks(-reach, reach, count), gap: data.gap,
+    title: 'along the ring, from the middle of the gap',
+    unit: 'mm',
+    from: -reach,
+    to: reach,
+    pieces: [
+      [-reach, -half],
+      [half, reach],
+    ],
+    index: (v) => (Math.abs(v) < half ? -1 : index(y(v))),
+    y: (v) => (Math.abs(v) < half ? null : y(v)),
+    ticks: (count) => ticks(-reach, reach, count),
+    gap: data.gap,
   };
 }
 
 /** Crank angles as on every chart of the cycle, whatever their order in the file. */
 export function crankAxis(angles) {
   const sorted = angles.map((angle, k) => ({ at: wrapped(angle), k })).sort((a, b) => a.at - b.at);
-  const widest = sorted.length === 1 ? kLoneAngle : Math.max(...sorted.slice(1).map(({ at }, n) => at - sorted[n].at));
+  const widest =
+    sorted.length === 1 ? kLoneAngle : Math.max(...sorted.slice(1).map(({ at }, n) => at - sorted[n].at));
   // Angles all around the cycle: the first follows the last.
   const around = sorted[0].at + 720 - sorted[sorted.length - 1].at <= 1.5 * widest;
-  const shown = around ? [{ ...sorted[sorted.length - 1], at: sorted[sorted.length - 1].at - 720 }, ...sorted, { ...sorted[0], at: sorted[0].at + 720 }] : sorted;
-  const edges = cellEdges(shown.map(({ at }) => at), shown[0].at - widest / 2, shown[shown.length - 1].at + widest / 2);
+  const shown = around
+    ? [
+        { ...sorted[sorted.length - 1], at: sorted[sorted.length - 1].at - 720 },
+        ...sorted,
+        { ...sorted[0], at: sorted[0].at + 720 },
+      ]
+    : sorted;
+  const edges = cellEdges(
+    shown.map(({ at }) => at),
+    shown[0].at - widest / 2,
+    shown[shown.length - 1].at + widest / 2,
+  );
   return {
-    title: 'crank angle, firing TDC = 0', unit: '°', from: -360, to: 360, pieces: [[-360, 360]], crank: true,
-    index: (v) => { const n = cellAt(edges, v); return n < 0 ? -1 : shown[n].k; },
+    title: 'crank angle, firing TDC = 0',
+    unit: '°',
+    from: -360,
+    to: 360,
+    pieces: [[-360, 360]],
+    crank: true,
+    index: (v) => {
+      const n = cellAt(edges, v);
+      return n < 0 ? -1 : shown[n].k;
+    },
     ticks: (count) => crankTicks(-360, 360, count),
   };
 }

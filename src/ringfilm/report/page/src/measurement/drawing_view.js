@@ -9,7 +9,8 @@ const kSaved = 900;
 
 export class DrawingView {
   /**
-   * @param figure id, title, caption() and columns() of the present choice, draw(width) to { shapes, height }, half:
+   * @param figure id, title, caption() and columns() of the present choice, draw(width) to { shapes, height
+   * }, half:
    * two of them side by side on paper, at(x, y, width): what lies under the pointer, in words
    * @param choices nodes with which the reader chooses; call `redraw` when they change
    */
@@ -19,11 +20,15 @@ export class DrawingView {
     this.print = element('div', { class: 'print-only' });
     this.caption = element('figcaption');
     this.readOut = figure.at ? element('div', { class: 'map-value' }) : null;
-    this.node = element('figure', { id: figure.id, class: `figure ${figure.half ? 'half' : ''}` },
+    this.node = element(
+      'figure',
+      { id: figure.id, class: `figure ${figure.half ? 'half' : ''}` },
       element('div', { class: 'figure-heading' }, element('h3', {}, figure.title), this.downloads()),
       choices.length ? element('div', { class: 'choices' }, choices) : null,
       element('div', { class: 'panels' }, this.host, this.readOut),
-      this.print, this.caption);
+      this.print,
+      this.caption,
+    );
     if (figure.at) {
       this.host.addEventListener('pointermove', (event) => this.pointed(event));
       this.host.addEventListener('pointerleave', () => this.readOut.replaceChildren());
@@ -32,12 +37,25 @@ export class DrawingView {
 
   downloads() {
     const name = (ending) => `${fileStem(this.context.stem, this.figure.id)}.${ending}`;
-    const button = (label, action) => element('button', { type: 'button', class: 'download', 'aria-label': `${this.figure.title} as ${label}`, onclick: action }, label);
+    const button = (label, action) =>
+      element(
+        'button',
+        {
+          type: 'button',
+          class: 'download',
+          'aria-label': `${this.figure.title} as ${label}`,
+          onclick: action,
+        },
+        label,
+      );
     const svg = () => this.svg(kSaved, this.context.subtitle);
-    return element('span', { class: 'downloads' },
+    return element(
+      'span',
+      { class: 'downloads' },
       button('PNG', () => savePng(name('png'), svg())),
       button('SVG', () => save(name('svg'), 'image/svg+xml', svg())),
-      button('CSV', () => save(name('csv'), 'text/csv', columnsCsv(this.figure.columns()))));
+      button('CSV', () => save(name('csv'), 'text/csv', columnsCsv(this.figure.columns()))),
+    );
   }
 
   svg(width, subtitle) {
@@ -60,7 +78,11 @@ export class DrawingView {
   pointed(event) {
     const box = this.host.firstElementChild.getBoundingClientRect();
     const scale = this.drawnWidth / box.width;
-    const found = this.figure.at((event.clientX - box.left) * scale, (event.clientY - box.top) * scale, this.drawnWidth);
+    const found = this.figure.at(
+      (event.clientX - box.left) * scale,
+      (event.clientY - box.top) * scale,
+      this.drawnWidth,
+    );
     this.readOut.replaceChildren(...(found ? [`${found.place}: `, element('b', {}, found.value)] : []));
   }
 
@@ -71,6 +93,12 @@ export class DrawingView {
 
 /** A labelled list to choose from. @param options [value, words] */
 export function picker(label, options, chosen, act) {
-  const list = element('select', { onchange: () => act(list.value) }, options.map(([value, words]) => element('option', { value, selected: String(value) === String(chosen) }, words)));
+  const list = element(
+    'select',
+    { onchange: () => act(list.value) },
+    options.map(([value, words]) =>
+      element('option', { value, selected: String(value) === String(chosen) }, words),
+    ),
+  );
   return element('label', { class: 'choice' }, label, ' ', list);
 }

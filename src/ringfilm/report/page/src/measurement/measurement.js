@@ -28,79 +28,183 @@ function card(value) {
   const whole = shownNumber(value);
   const [shown, error] = whole.startsWith('(') ? [whole] : whole.split(' ± ');
   const unit = typesetUnit(value.unit);
-  return element('section', { class: 'card' },
+  return element(
+    'section',
+    { class: 'card' },
     element('h2', {}, value.long_name || value.name),
-    element('div', { class: 'card-row' },
-      element('span', { class: 'card-value' }, element('b', {}, shown), error ? ` ± ${error}` : '', unit && shown !== '–' ? ` ${unit}` : ''),
-      element('span', { class: 'card-symbol' }, typesetSymbol(value.symbol))),
-    value.remark ? element('p', { class: 'card-remark' }, typeset(value.remark)) : null);
+    element(
+      'div',
+      { class: 'card-row' },
+      element(
+        'span',
+        { class: 'card-value' },
+        element('b', {}, shown),
+        error ? ` ± ${error}` : '',
+        unit && shown !== '–' ? ` ${unit}` : '',
+      ),
+      element('span', { class: 'card-symbol' }, typesetSymbol(value.symbol)),
+    ),
+    value.remark ? element('p', { class: 'card-remark' }, typeset(value.remark)) : null,
+  );
 }
 
 function noteList(notes) {
-  return element('ul', { class: 'notes' }, notes.map((note) => element('li', {}, sentence(note))));
+  return element(
+    'ul',
+    { class: 'notes' },
+    notes.map((note) => element('li', {}, sentence(note))),
+  );
 }
 
 function notesBox(notes) {
   if (notes.length === 0) return null;
   const [shown, others] = [notes.slice(0, kNotesShown), notes.slice(kNotesShown)];
-  return element('div', { class: 'warning', role: 'note' },
+  return element(
+    'div',
+    { class: 'warning', role: 'note' },
     element('strong', {}, 'Mind: '),
     notes.length === 1 ? sentence(notes[0]) : noteList(shown),
-    others.length ? element('details', { class: 'fold' }, element('summary', {}, `${others.length} more ${others.length === 1 ? 'note' : 'notes'}`), noteList(others)) : null);
+    others.length
+      ? element(
+          'details',
+          { class: 'fold' },
+          element('summary', {}, `${others.length} more ${others.length === 1 ? 'note' : 'notes'}`),
+          noteList(others),
+        )
+      : null,
+  );
 }
 
 const kSourcesOnFirstScreen = 2; // the file and whether it can be what it seems; all of them stand at the end
 
 function firstScreen(measurement) {
   const cards = keyValues(measurement);
-  return element('header', { class: 'first-screen' },
+  return element(
+    'header',
+    { class: 'first-screen' },
     element('p', { class: 'kind' }, kKinds[measurement.kind] ?? 'A measurement'),
     element('h1', {}, measurement.title),
-    measurement.sources.slice(0, kSourcesOnFirstScreen).map((source) => element('p', { class: 'operating' }, typeset(source))),
+    measurement.sources
+      .slice(0, kSourcesOnFirstScreen)
+      .map((source) => element('p', { class: 'operating' }, typeset(source))),
     cards.length ? element('div', { class: 'cards' }, cards.map(card)) : null,
-    notesBox(measurement.notes));
+    notesBox(measurement.notes),
+  );
 }
 
 function figureViews(measurement, context) {
-  const maps = measurement.maps.filter((map) => !map.empty && map.points_x > 1 && map.points_y > 1).map((map) => new MapView(map, context));
-  const curves = measurement.curves.map(curveFigure).filter(Boolean).map((figure) => {
-    // What one figure hides is no business of another.
-    const view = new FigureView(figure, { ...context, visibility: new Visibility() });
-    if (figure.long) view.node.classList.add('long');
-    return view;
-  });
+  const maps = measurement.maps
+    .filter((map) => !map.empty && map.points_x > 1 && map.points_y > 1)
+    .map((map) => new MapView(map, context));
+  const curves = measurement.curves
+    .map(curveFigure)
+    .filter(Boolean)
+    .map((figure) => {
+      // What one figure hides is no business of another.
+      const view = new FigureView(figure, { ...context, visibility: new Visibility() });
+      if (figure.long) view.node.classList.add('long');
+      return view;
+    });
   return { maps, curves };
 }
 
 function provenanceTable(provenance) {
-  return table('Program', ['what', ''], ['program', 'commit', 'compiler'].map((key) => [key, provenance[key] || '–']));
+  return table(
+    'Program',
+    ['what', ''],
+    ['program', 'commit', 'compiler'].map((key) => [key, provenance[key] || '–']),
+  );
 }
 
 function buildPage(measurement) {
   const context = { group: null, besidePaper: false, stem: measurement.title, subtitle: measurement.title };
   const { maps, curves } = figureViews(measurement, context);
-  const empty = measurement.maps.filter((map) => map.empty).map((map) => `${map.title}: no point was measured.`);
+  const empty = measurement.maps
+    .filter((map) => map.empty)
+    .map((map) => `${map.title}: no point was measured.`);
   const missing = [...empty, ...withoutPoints(measurement.curves)];
   const hasErrors = measurement.groups.some((group) => group.values.some((value) => value.error > 0));
   const parts = [
     ['maps', 'Height maps', maps.length > 0, () => maps.map((view) => view.node)],
-    ['curves', 'Curves', curves.length > 0 || missing.length > 0, () => [element('p', { class: 'how' }, 'Drag across a chart to zoom, double-click for the whole; a name in a legend hides its curve.'), missing.length ? noteList(missing) : null, element('div', { class: 'charts' }, curves.map((view) => view.node))]],
-    ['values', 'Values', measurement.groups.length > 0, () => [hasErrors ? element('p', { class: 'how' }, 'After ±: one standard error.') : null, measurement.groups.map((group, i) => groupTable(group, i, context))]],
-    ['tables', 'Tables', measurement.tables.length > 0, () => measurement.tables.map((given) => numbersTable(given, context))],
-    ['fragment', 'For a case', measurement.fragment !== '', () => fragmentBlock(measurement.fragment, context)],
-    ['done', 'What was done', measurement.statements.length > 0, () => element('ol', { class: 'done' }, measurement.statements.map((statement) => element('li', {}, sentence(statement))))],
-    ['provenance', 'Where this comes from', true, () => [
-      element('ul', { class: 'done' }, measurement.sources.map((source) => element('li', {}, typeset(source)))),
-      provenanceTable(measurement.provenance)]],
+    [
+      'curves',
+      'Curves',
+      curves.length > 0 || missing.length > 0,
+      () => [
+        element(
+          'p',
+          { class: 'how' },
+          'Drag across a chart to zoom, double-click for the whole; a name in a legend hides its curve.',
+        ),
+        missing.length ? noteList(missing) : null,
+        element(
+          'div',
+          { class: 'charts' },
+          curves.map((view) => view.node),
+        ),
+      ],
+    ],
+    [
+      'values',
+      'Values',
+      measurement.groups.length > 0,
+      () => [
+        hasErrors ? element('p', { class: 'how' }, 'After ±: one standard error.') : null,
+        measurement.groups.map((group, i) => groupTable(group, i, context)),
+      ],
+    ],
+    [
+      'tables',
+      'Tables',
+      measurement.tables.length > 0,
+      () => measurement.tables.map((given) => numbersTable(given, context)),
+    ],
+    [
+      'fragment',
+      'For a case',
+      measurement.fragment !== '',
+      () => fragmentBlock(measurement.fragment, context),
+    ],
+    [
+      'done',
+      'What was done',
+      measurement.statements.length > 0,
+      () =>
+        element(
+          'ol',
+          { class: 'done' },
+          measurement.statements.map((statement) => element('li', {}, sentence(statement))),
+        ),
+    ],
+    [
+      'provenance',
+      'Where this comes from',
+      true,
+      () => [
+        element(
+          'ul',
+          { class: 'done' },
+          measurement.sources.map((source) => element('li', {}, typeset(source))),
+        ),
+        provenanceTable(measurement.provenance),
+      ],
+    ],
   ].filter(([, , there]) => there);
   document.getElementById('report').replaceChildren(
     firstScreen(measurement),
-    element('nav', { class: 'contents', 'aria-label': 'Contents' }, parts.map(([id, label]) => element('a', { href: `#${id}` }, label))),
-    ...parts.map(([id, label, , content]) => section(id, label, content())));
+    element(
+      'nav',
+      { class: 'contents', 'aria-label': 'Contents' },
+      parts.map(([id, label]) => element('a', { href: `#${id}` }, label)),
+    ),
+    ...parts.map(([id, label, , content]) => section(id, label, content())),
+  );
   const views = [...maps, ...curves];
   views.forEach((view) => view.start());
   window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details.fold').forEach((fold) => { fold.open = true; });
+    document.querySelectorAll('details.fold').forEach((fold) => {
+      fold.open = true;
+    });
     views.forEach((view) => view.beforePrint());
   });
 }

@@ -9,7 +9,9 @@ const right = (text) => ({ text, attributes: { class: 'number' } });
 
 /** "0.412 ± 0.013", without its unit. */
 export function shownNumber(value) {
-  return value.error > 0 ? withErrorAndPower(value.value, value.error, '', 4) : numberOrCount(value.value, typesetUnit(value.unit), 4);
+  return value.error > 0
+    ? withErrorAndPower(value.value, value.error, '', 4)
+    : numberOrCount(value.value, typesetUnit(value.unit), 4);
 }
 
 function shownValue(value) {
@@ -29,26 +31,56 @@ function csvButton(title, context, id, columns) {
   const rows = Math.max(...columns.map((column) => column.values.length));
   const csv = () => {
     const lines = [columns.map((column) => heading(column.title)).join(',')];
-    for (let k = 0; k < rows; k++) lines.push(columns.map(({ values }) => (typeof values[k] === 'string' ? heading(values[k]) : plain(values[k]))).join(','));
+    for (let k = 0; k < rows; k++)
+      lines.push(
+        columns
+          .map(({ values }) => (typeof values[k] === 'string' ? heading(values[k]) : plain(values[k])))
+          .join(','),
+      );
     return `${lines.join('\r\n')}\r\n`;
   };
-  return element('button', { type: 'button', class: 'download', 'aria-label': `${title} as CSV`, onclick: () => save(`${fileStem(context.stem, id)}.csv`, 'text/csv', csv()) }, 'CSV');
+  return element(
+    'button',
+    {
+      type: 'button',
+      class: 'download',
+      'aria-label': `${title} as CSV`,
+      onclick: () => save(`${fileStem(context.stem, id)}.csv`, 'text/csv', csv()),
+    },
+    'CSV',
+  );
 }
 
 function headed(title, button) {
-  return element('div', { class: 'table-heading' }, element('h3', {}, typeset(title)), element('span', { class: 'downloads' }, button));
+  return element(
+    'div',
+    { class: 'table-heading' },
+    element('h3', {}, typeset(title)),
+    element('span', { class: 'downloads' }, button),
+  );
 }
 
 export function groupTable(group, index, context) {
-  const rows = group.values.map((value) => [value.long_name || value.name, typesetSymbol(value.symbol), right(shownValue(value)), typeset(value.remark) || '–']);
+  const rows = group.values.map((value) => [
+    value.long_name || value.name,
+    typesetSymbol(value.symbol),
+    right(shownValue(value)),
+    typeset(value.remark) || '–',
+  ]);
   const columns = [
-    { title: 'quantity', values: group.values.map((v) => v.long_name || v.name) }, { title: 'symbol', values: group.values.map((v) => v.symbol) },
-    { title: 'value', values: group.values.map((v) => v.value) }, { title: 'standard error', values: group.values.map((v) => v.error) },
-    { title: 'unit', values: group.values.map((v) => v.unit) }, { title: 'holds for', values: group.values.map((v) => v.remark) },
+    { title: 'quantity', values: group.values.map((v) => v.long_name || v.name) },
+    { title: 'symbol', values: group.values.map((v) => v.symbol) },
+    { title: 'value', values: group.values.map((v) => v.value) },
+    { title: 'standard error', values: group.values.map((v) => v.error) },
+    { title: 'unit', values: group.values.map((v) => v.unit) },
+    { title: 'holds for', values: group.values.map((v) => v.remark) },
   ];
   return [
     headed(group.title, csvButton(group.title, context, `values-${index + 1}`, columns)),
-    table(group.title, ['quantity', 'symbol', right('value'), 'holds for'], rows, { folds: true, classes: 'values titled' }),
+    table(group.title, ['quantity', 'symbol', right('value'), 'holds for'], rows, {
+      folds: true,
+      classes: 'values titled',
+    }),
   ];
 }
 
@@ -56,19 +88,41 @@ function remarks(columns) {
   const remarked = columns.filter((column) => column.remark);
   if (remarked.length === 0) return null;
   const [first] = remarked;
-  if (columns.every((column) => column.remark === first.remark)) return element('p', { class: 'how' }, `${typeset(first.remark)}.`);
-  return element('p', { class: 'how' }, remarked.map((column) => `${column.long_name || column.name}: ${typeset(column.remark)}`).join('; '), '.');
+  if (columns.every((column) => column.remark === first.remark))
+    return element('p', { class: 'how' }, `${typeset(first.remark)}.`);
+  return element(
+    'p',
+    { class: 'how' },
+    remarked.map((column) => `${column.long_name || column.name}: ${typeset(column.remark)}`).join('; '),
+    '.',
+  );
 }
 
 export function numbersTable(given, context) {
   const count = given.columns[0]?.values.length ?? 0;
-  const labels = given.row_labels.length ? given.row_labels : Array.from({ length: count }, (_, k) => String(k + 1));
-  const rows = labels.map((label, k) => [typeset(label), ...given.columns.map((column) => right(numberOrCount(column.values[k], typesetUnit(column.unit), 4)))]);
-  const columns = [{ title: '', values: labels }, ...given.columns.map((column) => ({ title: axisTitle(column.name, column.unit === '1' ? '' : column.unit), values: column.values }))];
+  const labels = given.row_labels.length
+    ? given.row_labels
+    : Array.from({ length: count }, (_, k) => String(k + 1));
+  const rows = labels.map((label, k) => [
+    typeset(label),
+    ...given.columns.map((column) => right(numberOrCount(column.values[k], typesetUnit(column.unit), 4))),
+  ]);
+  const columns = [
+    { title: '', values: labels },
+    ...given.columns.map((column) => ({
+      title: axisTitle(column.name, column.unit === '1' ? '' : column.unit),
+      values: column.values,
+    })),
+  ];
   return [
     headed(given.title, csvButton(given.title, context, given.name, columns)),
     remarks(given.columns),
-    table(given.title, [given.row_labels.length ? '' : 'row', ...given.columns.map((column) => right(columnHead(column)))], rows, { folds: given.columns.length > 3, classes: 'titled' }),
+    table(
+      given.title,
+      [given.row_labels.length ? '' : 'row', ...given.columns.map((column) => right(columnHead(column)))],
+      rows,
+      { folds: given.columns.length > 3, classes: 'titled' },
+    ),
   ];
 }
 
@@ -81,20 +135,48 @@ function copied(text, block) {
     getSelection().addRange(range);
     return document.execCommand('copy');
   };
-  return navigator.clipboard ? navigator.clipboard.writeText(text).then(() => true, selected) : Promise.resolve(selected());
+  return navigator.clipboard
+    ? navigator.clipboard.writeText(text).then(() => true, selected)
+    : Promise.resolve(selected());
 }
 
 export function fragmentBlock(fragment, context) {
   const block = element('pre', { tabindex: '0' }, fragment);
-  const copy = element('button', {
-    type: 'button', class: 'download copy', onclick: () => copied(fragment, block).then((done) => {
-      copy.textContent = done ? 'Copied' : 'Select and copy by hand';
-      setTimeout(() => { copy.textContent = 'Copy'; }, 2500);
-    }),
-  }, 'Copy');
+  const copy = element(
+    'button',
+    {
+      type: 'button',
+      class: 'download copy',
+      onclick: () =>
+        copied(fragment, block).then((done) => {
+          copy.textContent = done ? 'Copied' : 'Select and copy by hand';
+          setTimeout(() => {
+            copy.textContent = 'Copy';
+          }, 2500);
+        }),
+    },
+    'Copy',
+  );
   return [
-    element('p', {}, 'These lines, or the file that holds them, give the numbers above to a case. ', element('span', { class: 'fragment-buttons' }, copy,
-      element('button', { type: 'button', class: 'download', onclick: () => save(`${fileStem(context.stem, 'fragment')}.toml`, 'application/toml', fragment) }, 'TOML'))),
+    element(
+      'p',
+      {},
+      'These lines, or the file that holds them, give the numbers above to a case. ',
+      element(
+        'span',
+        { class: 'fragment-buttons' },
+        copy,
+        element(
+          'button',
+          {
+            type: 'button',
+            class: 'download',
+            onclick: () => save(`${fileStem(context.stem, 'fragment')}.toml`, 'application/toml', fragment),
+          },
+          'TOML',
+        ),
+      ),
+    ),
     block,
   ];
 }

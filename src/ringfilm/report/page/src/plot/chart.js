@@ -1,7 +1,22 @@
 // One panel as an interactive uPlot chart. The panel's plain data decide everything; this file only draws.
 import uPlot from 'uplot';
 import { onNewWidth } from '../dom.js';
-import { arrowHeads, arrowPath, bandOutlines, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, markPlaces, xRange, xTicks, yRange, yTicks } from './scales.js';
+import {
+  arrowHeads,
+  arrowPath,
+  bandOutlines,
+  deadCentre,
+  freePlace,
+  kDeadCentres,
+  kPeakLabel,
+  kStrokeBands,
+  markIndices,
+  markPlaces,
+  xRange,
+  xTicks,
+  yRange,
+  yTicks,
+} from './scales.js';
 import { caseColour, caseMark, kBandOpacity, markPath, partDash } from './palette.js';
 import { tickText } from '../units.js';
 
@@ -34,7 +49,10 @@ function pixels(u, drawIn) {
   ctx.save();
   ctx.scale(ratio, ratio);
   drawIn(ctx, {
-    left: u.bbox.left / ratio, top: u.bbox.top / ratio, width: u.bbox.width / ratio, height: u.bbox.height / ratio,
+    left: u.bbox.left / ratio,
+    top: u.bbox.top / ratio,
+    width: u.bbox.width / ratio,
+    height: u.bbox.height / ratio,
     x: (v) => u.valToPos(v, 'x', true) / ratio,
     y: (v) => u.valToPos(v, 'y', true) / ratio,
   });
@@ -64,7 +82,8 @@ function rimmed(ctx, label, x, y) {
 
 export class Chart {
   /**
-   * @param visible returns whether a series is shown; @param readOut receives the x value under the cursor, null when it leaves
+   * @param visible returns whether a series is shown; @param readOut receives the x value under the cursor,
+   * null when it leaves
    */
   constructor(host, panel, { visible, readOut, group, height }) {
     Object.assign(this, { host, panel, visible, readOut, group, height });
@@ -79,12 +98,20 @@ export class Chart {
   data() {
     const { panel } = this;
     if (panel.inOrderOfTime) return [null, ...panel.series.map((s) => [s.x, s.y])];
-    return uPlot.join(panel.series.map((s) => [s.x, s.y]), panel.series.map((s) => s.y.map(() => 2)));
+    return uPlot.join(
+      panel.series.map((s) => [s.x, s.y]),
+      panel.series.map((s) => s.y.map(() => 2)),
+    );
   }
 
   options() {
     const { panel } = this;
-    const axisLook = { stroke: kInk, font: kFont, ticks: { stroke: kInk, size: 5, width: 1 }, border: { show: true, stroke: kInk, width: 1 } };
+    const axisLook = {
+      stroke: kInk,
+      font: kFont,
+      ticks: { stroke: kInk, size: 5, width: 1 },
+      border: { show: true, stroke: kInk, width: 1 },
+    };
     return {
       mode: panel.inOrderOfTime ? 2 : 1,
       width: this.host.clientWidth || 320,
@@ -96,25 +123,66 @@ export class Chart {
         y: { distr: panel.yScale === 'log' ? 3 : 1, range: () => yRange(panel, this.visible, this.window) },
       },
       axes: [
-        { ...axisLook, size: panel.crank ? 44 : 30, gap: 4, grid: { show: !panel.crank, stroke: '#e3e6ea', width: 1 },
+        {
+          ...axisLook,
+          size: panel.crank ? 44 : 30,
+          gap: 4,
+          grid: { show: !panel.crank, stroke: '#e3e6ea', width: 1 },
           splits: (u, i, low, high) => xTicks(panel, low, high, u.bbox.width / devicePixelRatio / 70).values,
           filter: (u, list) => list,
-          values: (u, list) => { const { step } = xTicks(panel, ...this.window, u.bbox.width / devicePixelRatio / 70); return list.map((v) => [tickText(v, step), deadCentre(panel, v)].filter(Boolean).join('\n')); } },
-        { ...axisLook, size: 54, gap: 4, grid: { show: true, stroke: '#e3e6ea', width: 1 },
+          values: (u, list) => {
+            const { step } = xTicks(panel, ...this.window, u.bbox.width / devicePixelRatio / 70);
+            return list.map((v) => [tickText(v, step), deadCentre(panel, v)].filter(Boolean).join('\n'));
+          },
+        },
+        {
+          ...axisLook,
+          size: 54,
+          gap: 4,
+          grid: { show: true, stroke: '#e3e6ea', width: 1 },
           splits: (u, i, low, high) => yTicks(panel, low, high, u.bbox.height / devicePixelRatio / 32).values,
           filter: (u, list) => list,
-          values: (u, list) => { const { step } = yTicks(panel, u.scales.y.min, u.scales.y.max, u.bbox.height / devicePixelRatio / 32); return list.map((v) => tickText(v, step)); } },
+          values: (u, list) => {
+            const { step } = yTicks(
+              panel,
+              u.scales.y.min,
+              u.scales.y.max,
+              u.bbox.height / devicePixelRatio / 32,
+            );
+            return list.map((v) => tickText(v, step));
+          },
+        },
       ],
       series: [panel.inOrderOfTime ? null : {}, ...panel.series.map((s) => this.seriesOptions(s))],
       cursor: {
         y: false,
         points: { show: !panel.inOrderOfTime, size: 7 },
         drag: { x: !panel.inOrderOfTime, y: false, setScale: false },
-        ...(this.group ? { sync: { key: this.group.sync.key, scales: ['x', null], setSeries: false, filters: { pub: (type) => type === 'mousemove' || type === 'mouseleave' } } } : {}),
-        bind: { dblclick: () => () => { this.zoomAll(...this.full); return null; } },
+        ...(this.group
+          ? {
+              sync: {
+                key: this.group.sync.key,
+                scales: ['x', null],
+                setSeries: false,
+                filters: { pub: (type) => type === 'mousemove' || type === 'mouseleave' },
+              },
+            }
+          : {}),
+        bind: {
+          dblclick: () => () => {
+            this.zoomAll(...this.full);
+            return null;
+          },
+        },
       },
       hooks: {
-        drawClear: [(u) => pixels(u, (ctx, box) => { this.drawBehind(ctx, box); this.drawErrors(ctx, box); })],
+        drawClear: [
+          (u) =>
+            pixels(u, (ctx, box) => {
+              this.drawBehind(ctx, box);
+              this.drawErrors(ctx, box);
+            }),
+        ],
         draw: [(u) => pixels(u, (ctx, box) => this.drawOver(ctx, box))],
         setCursor: [(u) => this.cursorMoved(u)],
         setSelect: [(u) => this.selected(u)],
@@ -124,11 +192,31 @@ export class Chart {
 
   seriesOptions(s) {
     // A point rounded to whole pixels would make a straight line waver.
-    const look = { stroke: caseColour(s.caseIndex), width: 1.8, pxAlign: 0, dash: partDash(s.part), show: this.visible(s) };
+    const look = {
+      stroke: caseColour(s.caseIndex),
+      width: 1.8,
+      pxAlign: 0,
+      dash: partDash(s.part),
+      show: this.visible(s),
+    };
     if (this.panel.inOrderOfTime) {
-      return { ...look, facets: [{ scale: 'x', auto: true }, { scale: 'y', auto: true }], paths: (u, i) => this.drawInOrder(u, i) };
+      return {
+        ...look,
+        facets: [
+          { scale: 'x', auto: true },
+          { scale: 'y', auto: true },
+        ],
+        paths: (u, i) => this.drawInOrder(u, i),
+      };
     }
-    if (s.part === 'measured') return { ...look, stroke: '#000', width: 0, paths: () => null, points: { show: true, size: 4.5, width: 1, stroke: '#000', fill: '#fff' } };
+    if (s.part === 'measured')
+      return {
+        ...look,
+        stroke: '#000',
+        width: 0,
+        paths: () => null,
+        points: { show: true, size: 4.5, width: 1, stroke: '#000', fill: '#fff' },
+      };
     // Drawn over all lines, with the marks.
     if (s.part === 'points') return { ...look, paths: () => null, points: { show: false } };
     return { ...look, points: { show: false } };
@@ -171,13 +259,31 @@ export class Chart {
       }
       const room = box.x(b) - box.x(a);
       ctx.fillStyle = kFaint;
-      if (room > ctx.measureText(band.name).width + 3) ctx.fillText(band.name, (box.x(a) + box.x(b)) / 2, box.top - 7);
+      if (room > ctx.measureText(band.name).width + 3)
+        ctx.fillText(band.name, (box.x(a) + box.x(b)) / 2, box.top - 7);
     });
     for (const centre of kDeadCentres) {
-      if (centre.at > from && centre.at < to) line(ctx, box.x(centre.at), box.top + box.height, box.x(centre.at), box.top - (centre.at === 0 ? 5 : 0), '#aab1bb');
+      if (centre.at > from && centre.at < to)
+        line(
+          ctx,
+          box.x(centre.at),
+          box.top + box.height,
+          box.x(centre.at),
+          box.top - (centre.at === 0 ? 5 : 0),
+          '#aab1bb',
+        );
     }
     for (const peak of panel.peaks ?? []) {
-      if (peak.at >= from && peak.at <= to) line(ctx, box.x(peak.at), box.top + box.height, box.x(peak.at), box.top - 3, caseColour(peak.caseIndex), [3, 3]);
+      if (peak.at >= from && peak.at <= to)
+        line(
+          ctx,
+          box.x(peak.at),
+          box.top + box.height,
+          box.x(peak.at),
+          box.top - 3,
+          caseColour(peak.caseIndex),
+          [3, 3],
+        );
     }
     const [first] = panel.peaks ?? [];
     const roomForPeak = (box.x(180) - box.x(0)) / 2 - (box.x(first?.at ?? 0) - box.x(0)) > 50;
@@ -193,7 +299,8 @@ export class Chart {
     const { panel, plot } = this;
     const { min: bottom, max: top } = plot?.scales.y ?? {};
     if (bottom === undefined) return;
-    if (panel.zeroLine && bottom < 0 && top > 0) line(ctx, box.left, box.y(0), box.left + box.width, box.y(0), kInk);
+    if (panel.zeroLine && bottom < 0 && top > 0)
+      line(ctx, box.left, box.y(0), box.left + box.width, box.y(0), kInk);
     ctx.setLineDash([]);
     const count = panel.series.filter((s) => s.caseIndex !== null).length;
     for (const s of panel.series.filter(this.visible)) {
@@ -207,7 +314,13 @@ export class Chart {
       }
     }
     ctx.font = kSmallFont;
-    for (const mark of markPlaces(panel.xMarks ?? [], box.x, (label) => ctx.measureText(label).width, box.left, box.left + box.width)) {
+    for (const mark of markPlaces(
+      panel.xMarks ?? [],
+      box.x,
+      (label) => ctx.measureText(label).width,
+      box.left,
+      box.left + box.width,
+    )) {
       line(ctx, mark.line, box.top, mark.line, box.top + box.height, kFaint, [4, 3]);
       rimmed(ctx, mark.label, mark.left, box.top + 11 + 13 * mark.row);
     }
@@ -257,7 +370,10 @@ export class Chart {
   cursorMoved(u) {
     const { left, top } = u.cursor;
     if (left === undefined || left < 0) {
-      if (this.marked) { this.marked = null; u.redraw(false, false); }
+      if (this.marked) {
+        this.marked = null;
+        u.redraw(false, false);
+      }
       return this.readOut(null);
     }
     if (!this.panel.inOrderOfTime) return this.readOut(u.posToVal(left, 'x'));
@@ -271,7 +387,10 @@ export class Chart {
     }
     if (!best) return undefined;
     // The same instant in every case: that is what one wants to compare.
-    this.marked = this.panel.series.filter(this.visible).map((s) => ({ s, k: s.angle.indexOf(best.angle) })).filter(({ s, k }) => k >= 0 && s.x[k] !== null);
+    this.marked = this.panel.series
+      .filter(this.visible)
+      .map((s) => ({ s, k: s.angle.indexOf(best.angle) }))
+      .filter(({ s, k }) => k >= 0 && s.x[k] !== null);
     u.redraw(false, false);
     return this.readOut(best.angle);
   }
@@ -297,7 +416,8 @@ export class Chart {
   /** Shows and hides series after `visible` has changed its mind. */
   refresh() {
     this.panel.series.forEach((s, i) => {
-      if (this.plot.series[i + 1].show !== this.visible(s)) this.plot.setSeries(i + 1, { show: this.visible(s) });
+      if (this.plot.series[i + 1].show !== this.visible(s))
+        this.plot.setSeries(i + 1, { show: this.visible(s) });
     });
   }
 

@@ -1,4 +1,5 @@
-// Colours for heights: evenly spaced to the eye and of steadily rising lightness, so that grey print keeps the order.
+// Colours for heights: evenly spaced to the eye and of steadily rising lightness, so that grey print keeps
+// the order.
 
 /** Where nothing was measured: a grey, which the map itself never comes near. */
 export const kMissingColour = '#c3c6cb';
@@ -38,7 +39,8 @@ function evenColours() {
   const kFine = 4096;
   const fine = Array.from({ length: kFine + 1 }, (_, k) => place(k / kFine));
   const length = [0];
-  for (let k = 1; k <= kFine; k++) length.push(length[k - 1] + Math.hypot(...fine[k].map((v, i) => v - fine[k - 1][i])));
+  for (let k = 1; k <= kFine; k++)
+    length.push(length[k - 1] + Math.hypot(...fine[k].map((v, i) => v - fine[k - 1][i])));
   const colours = [];
   let at = 0;
   for (let k = 0; k < kColours; k++) {

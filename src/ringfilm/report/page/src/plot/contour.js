@@ -31,7 +31,12 @@ function cells(xs, ys, value) {
   const found = [];
   for (let j = 0; j + 1 < ys.length; j++) {
     for (let i = 0; i + 1 < xs.length; i++) {
-      const corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(([a, b]) => ({ x: xs[a], y: ys[b], v: value(a, b) }));
+      const corners = [
+        [i, j],
+        [i + 1, j],
+        [i + 1, j + 1],
+        [i, j + 1],
+      ].map(([a, b]) => ({ x: xs[a], y: ys[b], v: value(a, b) }));
       if (corners.every((c) => c.v !== null)) found.push({ corners, i, j });
     }
   }
@@ -39,7 +44,8 @@ function cells(xs, ys, value) {
 }
 
 /**
- * Polygons of each band, from below the lowest level to above the highest: bands[k] is a list of polygons of { x, y }.
+ * Polygons of each band, from below the lowest level to above the highest: bands[k] is a list of polygons of
+ * { x, y }.
  * @param xs, ys pixels of the grid lines; @param value (i, j) to a number, null where there is none
  */
 export function filledBands(xs, ys, value, levels) {
@@ -67,15 +73,17 @@ export function filledBands(xs, ys, value, levels) {
 export function contourLines(xs, ys, value, level) {
   const pieces = [];
   for (const { corners } of cells(xs, ys, value)) {
-    if (Math.min(...corners.map((c) => c.v)) > level || Math.max(...corners.map((c) => c.v)) < level) continue;
+    if (Math.min(...corners.map((c) => c.v)) > level || Math.max(...corners.map((c) => c.v)) < level)
+      continue;
     for (const triangle of triangles(corners)) {
       const ends = [];
       triangle.forEach((a, i) => {
         const b = triangle[(i + 1) % 3];
-        if ((a.v < level) !== (b.v < level)) ends.push(between(a, b, level));
+        if (a.v < level !== b.v < level) ends.push(between(a, b, level));
       });
       // Through a corner that has just this value the piece has no length.
-      if (ends.length === 2 && Math.hypot(ends[0].x - ends[1].x, ends[0].y - ends[1].y) > 1e-3) pieces.push(ends.map((p) => [p.x, p.y]));
+      if (ends.length === 2 && Math.hypot(ends[0].x - ends[1].x, ends[0].y - ends[1].y) > 1e-3)
+        pieces.push(ends.map((p) => [p.x, p.y]));
     }
   }
   return joined(pieces);
@@ -106,10 +114,16 @@ function joined(pieces) {
   return lines;
 }
 
-/** Where a label stands best: the middle of the longest straight-ish stretch: { x, y, angle } in degrees, null on short lines. */
+/**
+ * Where a label stands best: the middle of the longest straight-ish stretch: { x, y, angle } in degrees, null
+ * on short lines.
+ */
 export function labelPlace(points, room) {
   const lengths = [0];
-  for (let k = 1; k < points.length; k++) lengths.push(lengths[k - 1] + Math.hypot(points[k][0] - points[k - 1][0], points[k][1] - points[k - 1][1]));
+  for (let k = 1; k < points.length; k++)
+    lengths.push(
+      lengths[k - 1] + Math.hypot(points[k][0] - points[k - 1][0], points[k][1] - points[k - 1][1]),
+    );
   const total = lengths[lengths.length - 1];
   if (total < 1.6 * room) return null;
   let best = null;
@@ -119,7 +133,13 @@ export function labelPlace(points, room) {
     const k = lengths.findIndex((l) => l >= Math.min(total, to));
     const b = points[k < 0 ? points.length - 1 : k];
     const straight = Math.hypot(b[0] - a[0], b[1] - a[1]);
-    if (!best || straight > best.straight) best = { straight, x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, angle: (Math.atan2(b[1] - a[1], b[0] - a[0]) * 180) / Math.PI };
+    if (!best || straight > best.straight)
+      best = {
+        straight,
+        x: (a[0] + b[0]) / 2,
+        y: (a[1] + b[1]) / 2,
+        angle: (Math.atan2(b[1] - a[1], b[0] - a[0]) * 180) / Math.PI,
+      };
   }
   if (best.angle > 90) best.angle -= 180;
   if (best.angle < -90) best.angle += 180;

@@ -14,7 +14,10 @@ const kLetter = 6.4;
 
 /** The unit in which lengths of this size are read, from `from` of it on: { unit, size in m }. */
 export function lengthUnit(metres, from) {
-  const units = [{ unit: 'mm', size: 1e-3 }, { unit: 'µm', size: 1e-6 }];
+  const units = [
+    { unit: 'mm', size: 1e-3 },
+    { unit: 'µm', size: 1e-6 },
+  ];
   return units.find(({ size }) => metres >= from * size) ?? { unit: 'nm', size: 1e-9 };
 }
 
@@ -33,7 +36,9 @@ export class MapFigure {
   /** Value of one point of the picture in its unit; null where there is none. */
   value(column, row) {
     const word = this.words[row * this.columns + column];
-    return word === kMissing || word === undefined ? null : this.low + ((this.high - this.low) * word) / (kMissing - 1);
+    return word === kMissing || word === undefined
+      ? null
+      : this.low + ((this.high - this.low) * word) / (kMissing - 1);
   }
 
   /** The pixels as a PNG in a data URL, drawn once. */
@@ -67,7 +72,13 @@ export class MapFigure {
     const below = plot.top + h + 46;
     const scaleBarInside = h >= 70;
     const lastRow = scaleBarInside ? (this.missing_points > 0 ? 24 : 0) : 40;
-    return { plot, scaleBarInside, barBeside: beside && tall, below, bottom: below + (beside && tall ? 0 : 40) + lastRow };
+    return {
+      plot,
+      scaleBarInside,
+      barBeside: beside && tall,
+      below,
+      bottom: below + (beside && tall ? 0 : 40) + lastRow,
+    };
   }
 
   svg({ width = 760, heading = true, subtitle = '' } = {}) {
@@ -83,34 +94,60 @@ export class MapFigure {
     const { plot } = layout;
     const clip = `map-clip-${drawn++}`;
     out.push(
-      `<clipPath id="${clip}"><rect x="${px(plot.left)}" y="${px(plot.top)}" width="${px(plot.width)}" height="${px(plot.height)}"/></clipPath>`,
-      `<g clip-path="url(#${clip})">`, this.picture(plot), ...this.frameShapes(plot), '</g>', ...this.axes(plot));
-    if (layout.scaleBarInside) out.push(...this.scaleBar(plot, plot.left + plot.width - 10, plot.top + plot.height - 12, true));
+      `<clipPath id="${clip}"><rect x="${px(plot.left)}" y="${px(plot.top)}" ` +
+        `width="${px(plot.width)}" height="${px(plot.height)}"/></clipPath>`,
+      `<g clip-path="url(#${clip})">`,
+      this.picture(plot),
+      ...this.frameShapes(plot),
+      '</g>',
+      ...this.axes(plot),
+    );
+    if (layout.scaleBarInside)
+      out.push(...this.scaleBar(plot, plot.left + plot.width - 10, plot.top + plot.height - 12, true));
     out.push(...(layout.barBeside ? this.barBeside(plot) : this.barBelow(plot, layout.below)));
     const last = layout.bottom - 10;
     if (this.missing_points > 0) {
-      out.push(`<rect x="${px(plot.left)}" y="${px(last - 10)}" width="14" height="12" fill="${kMissingColour}" stroke="${kFaint}"/>`, text(plot.left + 20, last, 'not measured'));
+      out.push(
+        `<rect x="${px(plot.left)}" y="${px(last - 10)}" width="14" height="12" ` +
+          `fill="${kMissingColour}" stroke="${kFaint}"/>`,
+        text(plot.left + 20, last, 'not measured'),
+      );
     }
     if (!layout.scaleBarInside) out.push(...this.scaleBar(plot, plot.left + plot.width, last, false));
     const height = layout.bottom + 4;
-    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height)}" viewBox="0 0 ${width} ${px(height)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif">` +
-      `<rect width="100%" height="100%" fill="#fff"/>${out.join('')}</svg>`;
+    return (
+      `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height)}" viewBox="0 ` +
+      `0 ${width} ${px(height)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation ` +
+      `Sans', sans-serif">` +
+      `<rect width="100%" height="100%" fill="#fff"/>${out.join('')}</svg>`
+    );
   }
 
   picture(plot) {
     const w = (plot.width * this.columns * this.block_x) / this.points_x;
     const h = (plot.height * this.rows * this.block_y) / this.points_y;
     const sharp = w >= this.columns ? ' style="image-rendering:pixelated"' : '';
-    return `<image href="${this.image()}" x="${px(plot.left)}" y="${px(plot.top)}" width="${px(w)}" height="${px(h)}" preserveAspectRatio="none"${sharp}/>`;
+    return (
+      `<image href="${this.image()}" x="${px(plot.left)}" y="${px(plot.top)}" width="${px(w)}" ` +
+      `height="${px(h)}" preserveAspectRatio="none"${sharp}/>`
+    );
   }
 
   frameShapes(plot) {
     const [sx, sy] = [plot.width / this.width, plot.height / this.height];
     return this.frames.flatMap((frame) => {
-      const box = `x="${px(plot.left + frame.x * sx)}" y="${px(plot.top + frame.y * sy)}" width="${px(frame.width * sx)}" height="${px(frame.height * sy)}" fill="none"`;
+      const box =
+        `x="${px(plot.left + frame.x * sx)}" y="${px(plot.top + frame.y * sy)}" ` +
+        `width="${px(frame.width * sx)}" height="${px(frame.height * sy)}" fill="none"`;
       return [
-        `<rect class="frame" ${box} stroke="#fff" stroke-width="3.5" stroke-opacity="0.85"/><rect ${box} stroke="#000" stroke-width="1.3"/>`,
-        text(plot.left + frame.x * sx + 4, plot.top + frame.y * sy + 13, frame.label, { size: 12, weight: 600, fill: '#000', halo: '#fff' }),
+        `<rect class="frame" ${box} stroke="#fff" stroke-width="3.5" ` +
+          `stroke-opacity="0.85"/><rect ${box} stroke="#000" stroke-width="1.3"/>`,
+        text(plot.left + frame.x * sx + 4, plot.top + frame.y * sy + 13, frame.label, {
+          size: 12,
+          weight: 600,
+          fill: '#000',
+          halo: '#fff',
+        }),
       ];
     });
   }
@@ -120,12 +157,25 @@ export class MapFigure {
     const [right, low] = [plot.left + plot.width, plot.top + plot.height];
     const x = scaler(false, 0, this.width / size, plot.left, right);
     const y = scaler(false, 0, this.height / size, plot.top, low);
-    const out = [`<rect x="${px(plot.left)}" y="${px(plot.top)}" width="${px(plot.width)}" height="${px(plot.height)}" fill="none" stroke="${kInk}"/>`];
+    const out = [
+      `<rect x="${px(plot.left)}" y="${px(plot.top)}" width="${px(plot.width)}" ` +
+        `height="${px(plot.height)}" fill="none" stroke="${kInk}"/>`,
+    ];
     const across = ticks(0, this.width / size, Math.max(2, plot.width / 70));
-    for (const v of across.values) out.push(rule(x(v), low, x(v), low + 5, kInk), text(x(v), low + 18, tickText(v, across.step), { anchor: 'middle' }));
+    for (const v of across.values)
+      out.push(
+        rule(x(v), low, x(v), low + 5, kInk),
+        text(x(v), low + 18, tickText(v, across.step), { anchor: 'middle' }),
+      );
     const up = ticks(0, this.height / size, plot.height / 40);
-    for (const v of up.values) out.push(rule(plot.left - 5, y(v), plot.left, y(v), kInk), text(plot.left - 8, y(v) + 4, tickText(v, up.step), { anchor: 'end' }));
-    out.push(text(plot.left + plot.width / 2, low + 35, axisTitle('x', unit), { anchor: 'middle', fill: kFaint }));
+    for (const v of up.values)
+      out.push(
+        rule(plot.left - 5, y(v), plot.left, y(v), kInk),
+        text(plot.left - 8, y(v) + 4, tickText(v, up.step), { anchor: 'end' }),
+      );
+    out.push(
+      text(plot.left + plot.width / 2, low + 35, axisTitle('x', unit), { anchor: 'middle', fill: kFaint }),
+    );
     out.push(text(4, plot.top - 8, axisTitle('y', unit), { fill: kFaint }));
     return out;
   }
@@ -139,21 +189,40 @@ export class MapFigure {
     const label = `${String(Number(length.toPrecision(1)))}\u202f${unit}`;
     const w = (length * size * plot.width) / this.width;
     const wide = Math.max(w, kLetter * label.length) + 12;
-    const out = onPicture ? [`<rect x="${px(x - wide)}" y="${px(y - 22)}" width="${px(wide)}" height="30" fill="#fff" fill-opacity="0.88"/>`] : [];
+    const out = onPicture
+      ? [
+          `<rect x="${px(x - wide)}" y="${px(y - 22)}" width="${px(wide)}" height="30" ` +
+            'fill="#fff" fill-opacity="0.88"/>',
+        ]
+      : [];
     const middle = x - wide / 2;
-    return [...out, `<rect class="scale-bar" x="${px(middle - w / 2)}" y="${px(y - 1)}" width="${px(w)}" height="4" fill="#000"/>`, text(middle, y - 7, label, { anchor: 'middle', fill: '#000', weight: 600 })];
+    return [
+      ...out,
+      `<rect class="scale-bar" x="${px(middle - w / 2)}" y="${px(y - 1)}" width="${px(w)}" ` +
+        'height="4" fill="#000"/>',
+      text(middle, y - 7, label, { anchor: 'middle', fill: '#000', weight: 600 }),
+    ];
   }
 
   /** Pointed ends where values lie beyond the colours. */
   barShape(box, upright) {
-    return colourBar(box, upright, { above: this.highest.value > this.to, below: this.lowest.value < this.from });
+    return colourBar(box, upright, {
+      above: this.highest.value > this.to,
+      below: this.lowest.value < this.from,
+    });
   }
 
   barBeside(plot) {
     const kPoint = 10;
-    const box = { left: plot.left + plot.width + 18, top: plot.top + kPoint, width: 15, height: plot.height - 2 * kPoint };
+    const box = {
+      left: plot.left + plot.width + 18,
+      top: plot.top + kPoint,
+      width: 15,
+      height: plot.height - 2 * kPoint,
+    };
     return [
-      ...this.barShape(box, true), ...numbersBeside(box, [this.from, this.to]),
+      ...this.barShape(box, true),
+      ...numbersBeside(box, [this.from, this.to]),
       text(box.left - 4, plot.top - 8, axisTitle(this.long_name, this.unit), { weight: 600 }),
     ];
   }
@@ -161,7 +230,8 @@ export class MapFigure {
   barBelow(plot, top) {
     const box = { left: plot.left + 10, top: top + 12, width: Math.max(120, plot.width - 20), height: 13 };
     return [
-      ...this.barShape(box, false), ...numbersBelow(box, [this.from, this.to]),
+      ...this.barShape(box, false),
+      ...numbersBelow(box, [this.from, this.to]),
       text(4, box.top - 5, axisTitle(this.long_name, this.unit), { weight: 600 }),
     ];
   }
@@ -171,9 +241,14 @@ export class MapFigure {
     const { plot } = this.layout(width, 0);
     const [a, b] = [(x - plot.left) / plot.width, (y - plot.top) / plot.height];
     if (a < 0 || a >= 1 || b < 0 || b >= 1) return null;
-    const value = this.value(Math.floor((a * this.points_x) / this.block_x), Math.floor((b * this.points_y) / this.block_y));
+    const value = this.value(
+      Math.floor((a * this.points_x) / this.block_x),
+      Math.floor((b * this.points_y) / this.block_y),
+    );
     const { unit, size } = this.lengths;
-    const place = `x ${withUnit((a * this.width) / size, unit, 3)}, y ${withUnit((b * this.height) / size, unit, 3)}`;
+    const place =
+      `x ${withUnit((a * this.width) / size, unit, 3)}, y ` +
+      `${withUnit((b * this.height) / size, unit, 3)}`;
     return { place, value: value === null ? 'not measured' : withUnit(value, this.unit, 4) };
   }
 
@@ -181,13 +256,21 @@ export class MapFigure {
     const { unit, size } = this.lengths;
     const step = lengthUnit(Math.max(this.step_x, this.step_y), 0.0999);
     const short = (v) => String(Number(v.toPrecision(4)));
-    const spot = (point) => `${withUnit(point.value, this.unit, 3)} at x = ${withUnit(point.x / size, unit, 3)}, y = ${withUnit(point.y / size, unit, 3)}`;
+    const spot = (point) =>
+      `${withUnit(point.value, this.unit, 3)} at x = ${withUnit(point.x / size, unit, 3)}, y = ` +
+      `${withUnit(point.y / size, unit, 3)}`;
     const share = (100 * this.missing_points) / (this.points_x * this.points_y);
     const sentences = [
-      `${this.points_x} × ${this.points_y} points of ${short(this.step_x / step.size)} × ${short(this.step_y / step.size)}\u00a0${step.unit}, first row at the top.`,
-      this.block_x * this.block_y > 1 ? `Drawn as means over blocks of ${this.block_x} × ${this.block_y} points, in which single peaks look lower than they are.` : '',
+      `${this.points_x} × ${this.points_y} points of ${short(this.step_x / step.size)} × ` +
+        `${short(this.step_y / step.size)}\u00a0${step.unit}, first row at the top.`,
+      this.block_x * this.block_y > 1
+        ? `Drawn as means over blocks of ${this.block_x} × ${this.block_y} points, in which single ` +
+          'peaks look lower than they are.'
+        : '',
       `Highest single point ${spot(this.highest)}; lowest ${spot(this.lowest)}.`,
-      `The colours span ${number(this.colour_low, 3)} to ${withUnit(this.colour_high, this.unit, 3)}, where 0.1\u00a0% of what is drawn lie below and 0.1\u00a0% above.`,
+      `The colours span ${number(this.colour_low, 3)} to ` +
+        `${withUnit(this.colour_high, this.unit, 3)}, where 0.1\u00a0% of what is drawn lie below ` +
+        `and 0.1\u00a0% above.`,
       share > 0 ? `Grey: ${withUnit(share, '%', 2)} of the points were not measured.` : '',
     ];
     return sentences.filter(Boolean).join(' ');

@@ -5,5 +5,8 @@ export const kMissing = 65535;
 
 export function unpacked(data) {
   const bytes = atob(data);
-  return Uint16Array.from({ length: bytes.length / 2 }, (_, k) => bytes.charCodeAt(2 * k) | (bytes.charCodeAt(2 * k + 1) << 8));
+  return Uint16Array.from(
+    { length: bytes.length / 2 },
+    (_, k) => bytes.charCodeAt(2 * k) | (bytes.charCodeAt(2 * k + 1) << 8),
+  );
 }

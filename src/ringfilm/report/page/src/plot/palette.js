@@ -1,12 +1,16 @@
 // One colour and one mark for each ring, one line style for each contribution, through the whole page.
 
-/** Distinct for colour-blind readers and of different lightness in grey print; the marks settle what is left. */
+/**
+ * Distinct for colour-blind readers and of different lightness in grey print; the marks settle what is left.
+ */
 const kColours = ['#003f7d', '#d1490a', '#159a7a', '#a04fa0', '#7a6a00', '#4a4a4a', '#5b8dd6', '#8c2d1a'];
 const kMarks = ['circle', 'square', 'triangle', 'diamond', 'cross', 'circle', 'square', 'triangle'];
 
 export const kNeutral = '#30343b';
 
-/** @param index number of the case; null for what belongs to all cases, negative for the only case of a page */
+/**
+ * @param index number of the case; null for what belongs to all cases, negative for the only case of a page
+ */
 export function caseColour(index) {
   return index === null ? kNeutral : kColours[Math.max(0, index) % kColours.length];
 }
@@ -33,10 +37,15 @@ export function partDash(part) {
 export function markPath(shape, x, y, r) {
   const at = (dx, dy) => `${(x + dx).toFixed(2)} ${(y + dy).toFixed(2)}`;
   switch (shape) {
-    case 'square': return `M${at(-r, -r)}L${at(r, -r)}L${at(r, r)}L${at(-r, r)}Z`;
-    case 'triangle': return `M${at(0, -1.25 * r)}L${at(1.15 * r, 0.85 * r)}L${at(-1.15 * r, 0.85 * r)}Z`;
-    case 'diamond': return `M${at(0, -1.3 * r)}L${at(1.3 * r, 0)}L${at(0, 1.3 * r)}L${at(-1.3 * r, 0)}Z`;
-    case 'cross': return `M${at(-r, -r)}L${at(r, r)}M${at(-r, r)}L${at(r, -r)}`;
-    default: return `M${at(-r, 0)}A${r} ${r} 0 1 0 ${at(r, 0)}A${r} ${r} 0 1 0 ${at(-r, 0)}Z`;
+    case 'square':
+      return `M${at(-r, -r)}L${at(r, -r)}L${at(r, r)}L${at(-r, r)}Z`;
+    case 'triangle':
+      return `M${at(0, -1.25 * r)}L${at(1.15 * r, 0.85 * r)}L${at(-1.15 * r, 0.85 * r)}Z`;
+    case 'diamond':
+      return `M${at(0, -1.3 * r)}L${at(1.3 * r, 0)}L${at(0, 1.3 * r)}L${at(-1.3 * r, 0)}Z`;
+    case 'cross':
+      return `M${at(-r, -r)}L${at(r, r)}M${at(-r, r)}L${at(r, -r)}`;
+    default:
+      return `M${at(-r, 0)}A${r} ${r} 0 1 0 ${at(r, 0)}A${r} ${r} 0 1 0 ${at(-r, 0)}Z`;
   }
 }

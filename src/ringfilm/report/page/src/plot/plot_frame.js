@@ -12,10 +12,20 @@ const kBoldLetter = 0.6;
 /** A drawing as an SVG document, with a title where it leaves the page. */
 export function document({ shapes, height }, width, { title = '', subtitle = '' } = {}) {
   const top = title ? (subtitle ? 50 : 30) : 0;
-  const head = title ? [text(8, 20, title, { size: Math.min(16, (width - 16) / (kBoldLetter * title.length)), weight: 600 })] : [];
-  if (title && subtitle) head.push(text(8, 38, subtitle, { fill: kFaint, size: Math.min(12, (width - 16) / (0.55 * subtitle.length)) }));
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height + top)}" viewBox="0 0 ${width} ${px(height + top)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif">` +
-    `<rect width="100%" height="100%" fill="#fff"/>${head.join('')}<g transform="translate(0 ${top})">${shapes.join('')}</g></svg>`;
+  const head = title
+    ? [text(8, 20, title, { size: Math.min(16, (width - 16) / (kBoldLetter * title.length)), weight: 600 })]
+    : [];
+  if (title && subtitle)
+    head.push(
+      text(8, 38, subtitle, { fill: kFaint, size: Math.min(12, (width - 16) / (0.55 * subtitle.length)) }),
+    );
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height + top)}" ` +
+    `viewBox="0 0 ${width} ${px(height + top)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, ` +
+    `'Liberation Sans', sans-serif">` +
+    `<rect width="100%" height="100%" fill="#fff"/>${head.join('')}<g transform="translate(0 ` +
+    `${top})">${shapes.join('')}</g></svg>`
+  );
 }
 
 /** Lowest and highest of the numbers among `values`; null without one. */
@@ -43,23 +53,57 @@ const kMargins = { left: 58, right: 16, top: 26, bottom: 46 };
 
 /**
  * Axes in a box { x, y, width, height }.
- * @param across, up { low, high, log, label, unit, bare: without numbers }; @returns { plot, x, y, shapes, edges } the scales, grid and labels,
+ * @param across, up { low, high, log, label, unit, bare: without numbers }; @returns { plot, x, y, shapes,
+ * edges } the scales, grid and labels,
  * and the lines that stand over the content
  */
 export function frame(box, across, up, margins = {}) {
   const m = { ...kMargins, ...margins };
-  const plot = { left: box.x + m.left, right: box.x + box.width - m.right, top: box.y + m.top, bottom: box.y + box.height - m.bottom };
+  const plot = {
+    left: box.x + m.left,
+    right: box.x + box.width - m.right,
+    top: box.y + m.top,
+    bottom: box.y + box.height - m.bottom,
+  };
   const x = scaler(across.log, across.low, across.high, plot.left, plot.right);
   const y = scaler(up.log, up.low, up.high, plot.bottom, plot.top);
   const shapes = [];
-  const onX = across.log ? thinned(logTicks(across.low, across.high), x, 40) : readableTicks(across.low, across.high, (plot.right - plot.left) / 75);
-  const onY = up.bare ? { values: [] } : up.log ? logTicks(up.low, up.high) : ticks(up.low, up.high, Math.max(2, (plot.bottom - plot.top) / 36));
-  for (const v of onY.values) shapes.push(rule(plot.left, y(v), plot.right, y(v), kGrid), text(plot.left - 6, y(v) + 4, tickText(v, onY.step), { anchor: 'end' }));
-  for (const v of onX.values) shapes.push(rule(x(v), plot.top, x(v), plot.bottom, kGrid), rule(x(v), plot.bottom, x(v), plot.bottom + 5, kInk), text(x(v), plot.bottom + 18, tickText(v, onX.step), { anchor: 'middle' }));
+  const onX = across.log
+    ? thinned(logTicks(across.low, across.high), x, 40)
+    : readableTicks(across.low, across.high, (plot.right - plot.left) / 75);
+  const onY = up.bare
+    ? { values: [] }
+    : up.log
+      ? logTicks(up.low, up.high)
+      : ticks(up.low, up.high, Math.max(2, (plot.bottom - plot.top) / 36));
+  for (const v of onY.values)
+    shapes.push(
+      rule(plot.left, y(v), plot.right, y(v), kGrid),
+      text(plot.left - 6, y(v) + 4, tickText(v, onY.step), { anchor: 'end' }),
+    );
+  for (const v of onX.values)
+    shapes.push(
+      rule(x(v), plot.top, x(v), plot.bottom, kGrid),
+      rule(x(v), plot.bottom, x(v), plot.bottom + 5, kInk),
+      text(x(v), plot.bottom + 18, tickText(v, onX.step), { anchor: 'middle' }),
+    );
   const title = axisTitle(up.label, up.unit);
-  shapes.push(text(box.x + 4, box.y + 14, title, { weight: 600, size: Math.min(12, (box.width - 8) / (kBoldLetter * title.length)) }));
-  shapes.push(text((plot.left + plot.right) / 2, plot.bottom + 36, axisTitle(across.label, across.unit), { anchor: 'middle', fill: kFaint }));
-  const edges = [rule(plot.left, plot.bottom, plot.right, plot.bottom, kInk), rule(plot.left, plot.top, plot.left, plot.bottom, kInk)];
+  shapes.push(
+    text(box.x + 4, box.y + 14, title, {
+      weight: 600,
+      size: Math.min(12, (box.width - 8) / (kBoldLetter * title.length)),
+    }),
+  );
+  shapes.push(
+    text((plot.left + plot.right) / 2, plot.bottom + 36, axisTitle(across.label, across.unit), {
+      anchor: 'middle',
+      fill: kFaint,
+    }),
+  );
+  const edges = [
+    rule(plot.left, plot.bottom, plot.right, plot.bottom, kInk),
+    rule(plot.left, plot.top, plot.left, plot.bottom, kInk),
+  ];
   return { plot, x, y, shapes, edges };
 }
 
@@ -83,16 +127,31 @@ export function line(points, stroke, { width = 1.8, dash = '' } = {}) {
     if (there) path += `${pen ? 'L' : 'M'}${px(p[0])} ${px(p[1])}`;
     pen = there;
   }
-  return `<path d="${path}" fill="none" stroke="${stroke}" stroke-width="${width}" stroke-linejoin="round"${dash ? ` stroke-dasharray="${dash}"` : ''}/>`;
+  return (
+    `<path d="${path}" fill="none" stroke="${stroke}" stroke-width="${width}" ` +
+    `stroke-linejoin="round"${dash ? ` stroke-dasharray="${dash}"` : ''}/>`
+  );
 }
 
 export function area(points, fill, opacity, tooltip = '') {
   if (points.length < 3) return '';
-  return `<path d="M${points.map(([a, b]) => `${px(a)} ${px(b)}`).join('L')}Z" fill="${fill}" fill-opacity="${opacity}">${tooltip && `<title>${tooltip}</title>`}</path>`;
+  return (
+    `<path d="M${points.map(([a, b]) => `${px(a)} ${px(b)}`).join('L')}Z" fill="${fill}" ` +
+    `fill-opacity="${opacity}">${tooltip && `<title>${tooltip}</title>`}</path>`
+  );
 }
 
-export function mark(caseIndex, x, y, r = 4, { fill = '#fff', stroke = caseColour(caseIndex), tooltip = '' } = {}) {
-  return `<path d="${markPath(caseMark(caseIndex), x, y, r)}" fill="${fill}" stroke="${stroke}" stroke-width="1.5">${tooltip && `<title>${tooltip}</title>`}</path>`;
+export function mark(
+  caseIndex,
+  x,
+  y,
+  r = 4,
+  { fill = '#fff', stroke = caseColour(caseIndex), tooltip = '' } = {},
+) {
+  return (
+    `<path d="${markPath(caseMark(caseIndex), x, y, r)}" fill="${fill}" stroke="${stroke}" ` +
+    `stroke-width="1.5">${tooltip && `<title>${tooltip}</title>`}</path>`
+  );
 }
 
 /** Names beside samples, in rows. @param entries { label, swatch(x, y) }, each sample 28 pixels wide */
@@ -109,7 +168,8 @@ export function legend(entries, width, top) {
 }
 
 export function baseSwatch(caseIndex) {
-  return (x, y) => `<rect x="${px(x + 6)}" y="${px(y - 6)}" width="16" height="12" fill="${caseColour(caseIndex)}"/>`;
+  return (x, y) =>
+    `<rect x="${px(x + 6)}" y="${px(y - 6)}" width="16" height="12" fill="${caseColour(caseIndex)}"/>`;
 }
 
 /** A text of at most so many pixels. */

@@ -47,7 +47,15 @@ export function xRange(panel) {
 /** Range of y over the visible series within the x window, with some air. */
 export function yRange(panel, visible, [low, high]) {
   if (panel.yRange) return panel.yRange;
-  const lists = panel.series.filter(visible).flatMap((s) => [s.y, ...(s.bands ?? []).flatMap(({ low: under, high: over }) => [under, over])].map((list) => [s, list])).map(([s, list]) => list.filter((_, k) => s.x[k] === null || (s.x[k] >= low && s.x[k] <= high)));
+  const lists = panel.series
+    .filter(visible)
+    .flatMap((s) =>
+      [s.y, ...(s.bands ?? []).flatMap(({ low: under, high: over }) => [under, over])].map((list) => [
+        s,
+        list,
+      ]),
+    )
+    .map(([s, list]) => list.filter((_, k) => s.x[k] === null || (s.x[k] >= low && s.x[k] <= high)));
   const found = extent(lists);
   if (!found) return panel.yScale === 'log' ? [0.1, 10] : [0, 1];
   let [bottom, top] = found;
@@ -58,7 +66,10 @@ export function yRange(panel, visible, [low, high]) {
     top = Math.max(top, 0);
   }
   const span = top - bottom || Math.abs(top) || 1;
-  return [bottom === 0 && (panel.fromZero || panel.zeroLine) && found[0] >= 0 ? 0 : bottom - 0.06 * span, top === 0 ? 0 : top + 0.08 * span];
+  return [
+    bottom === 0 && (panel.fromZero || panel.zeroLine) && found[0] >= 0 ? 0 : bottom - 0.06 * span,
+    top === 0 ? 0 : top + 0.08 * span,
+  ];
 }
 
 export function xTicks(panel, low, high, count) {
@@ -70,15 +81,20 @@ export function yTicks(panel, low, high, count) {
   return panel.yScale === 'log' ? logTicks(low, high) : ticks(low, high, count);
 }
 
-/** Where the marks of a case stand on its line: a few, at places of its own so that they do not hide each other. */
+/**
+ * Where the marks of a case stand on its line: a few, at places of its own so that they do not hide each
+ * other.
+ */
 export function markIndices(series, low, high, nSeries, xScale = 'linear') {
-  if (series.part === 'points') return [...series.x.keys()].filter((k) => series.x[k] !== null && series.y[k] !== null);
+  if (series.part === 'points')
+    return [...series.x.keys()].filter((k) => series.x[k] !== null && series.y[k] !== null);
   if (!isOneOfSeveral(series.caseIndex) || nSeries < 2) return [];
   const kMarks = 7;
   const found = [];
   if (series.angle) {
     const step = Math.max(1, Math.floor(series.x.length / kMarks));
-    for (let k = Math.floor((step * (series.caseIndex + 0.5)) / nSeries); k < series.x.length; k += step) if (series.x[k] !== null) found.push(k);
+    for (let k = Math.floor((step * (series.caseIndex + 0.5)) / nSeries); k < series.x.length; k += step)
+      if (series.x[k] !== null) found.push(k);
     return found;
   }
   let k = 0;
@@ -94,16 +110,24 @@ export function markIndices(series, low, high, nSeries, xScale = 'linear') {
 /** Room that a label keeps from curves, more is no better [pixel]. */
 const kRoomAround = 30;
 
-/** An upright line behind a label is as bad as so much less room [pixel]: better than a curve, worse than nothing. */
+/**
+ * An upright line behind a label is as bad as so much less room [pixel]: better than a curve, worse than
+ * nothing.
+ */
 const kCrossing = 4;
 
 /**
- * Where a label of `width` pixels, set close above or below the level `at`, is most free of curves and upright lines.
+ * Where a label of `width` pixels, set close above or below the level `at`, is most free of curves and
+ * upright lines.
  * @param box the plot in pixels, with its scales x and y; @returns left end and base line of the label
  */
 export function freePlace(panel, visible, at, width, box) {
   const kHeight = 11;
-  const points = panel.series.filter(visible).flatMap((s) => s.x.map((v, k) => (v === null || s.y[k] === null ? null : [box.x(v), box.y(s.y[k])])).filter(Boolean));
+  const points = panel.series
+    .filter(visible)
+    .flatMap((s) =>
+      s.x.map((v, k) => (v === null || s.y[k] === null ? null : [box.x(v), box.y(s.y[k])])).filter(Boolean),
+    );
   const upright = panel.crank ? [...kDeadCentres, ...(panel.peaks ?? [])].map((line) => box.x(line.at)) : [];
   const level = box.y(at);
   let best = { x: box.left + box.width - width - 4, y: level - 5, room: -Infinity };
@@ -122,12 +146,15 @@ export function freePlace(panel, visible, at, width, box) {
 
 /**
  * The labels of upright lines: beside their line, in rows so that none covers another.
- * @param marks { at, label }; @param x scale to pixels; @param widthOf width of a label; @returns { at, label, line, left, row }, pixels
+ * @param marks { at, label }; @param x scale to pixels; @param widthOf width of a label; @returns { at,
+ * label, line, left, row }, pixels
  */
 export function markPlaces(marks, x, widthOf, left, right) {
   const kGap = 4;
   const rows = [];
-  return marks.map((mark) => ({ ...mark, line: x(mark.at), width: widthOf(mark.label) })).filter(({ line }) => line >= left - 0.5 && line <= right + 0.5)
+  return marks
+    .map((mark) => ({ ...mark, line: x(mark.at), width: widthOf(mark.label) }))
+    .filter(({ line }) => line >= left - 0.5 && line <= right + 0.5)
     .sort((a, b) => a.line - b.line)
     .map(({ at, label, line, width }) => {
       const start = line + kGap + width > right ? line - kGap - width : line + kGap;
@@ -140,7 +167,14 @@ export function markPlaces(marks, x, widthOf, left, right) {
 
 /** Outlines of the bands about a curve, one for each piece without a gap, in the units of the axes. */
 export function bandOutlines(series) {
-  const bands = series.error ? [{ low: series.y.map((v, k) => away(v, series.error[k], -1)), high: series.y.map((v, k) => away(v, series.error[k], 1)) }] : series.bands ?? [];
+  const bands = series.error
+    ? [
+        {
+          low: series.y.map((v, k) => away(v, series.error[k], -1)),
+          high: series.y.map((v, k) => away(v, series.error[k], 1)),
+        },
+      ]
+    : (series.bands ?? []);
   const pieces = [];
   for (const { low, high } of bands) {
     let piece = null;
@@ -153,7 +187,9 @@ export function bandOutlines(series) {
       piece.push({ x, low: low[k], high: high[k] });
     });
   }
-  return pieces.filter((p) => p.length > 1).map((p) => [...p.map(({ x, high }) => [x, high]), ...p.map(({ x, low }) => [x, low]).reverse()]);
+  return pieces
+    .filter((p) => p.length > 1)
+    .map((p) => [...p.map(({ x, high }) => [x, high]), ...p.map(({ x, low }) => [x, low]).reverse()]);
 }
 
 function away(value, error, sign) {
@@ -164,7 +200,10 @@ export function axisTitle(label, unit) {
   return unit ? `${label} [${unit}]` : label;
 }
 
-/** Arrowheads along a curve in the order of time: { x, y, angle } in pixels, spaced by the length of the curve. */
+/**
+ * Arrowheads along a curve in the order of time: { x, y, angle } in pixels, spaced by the length of the
+ * curve.
+ */
 export function arrowHeads(points, count) {
   const lengths = [0];
   for (let k = 1; k < points.length; k++) {
@@ -178,12 +217,14 @@ export function arrowHeads(points, count) {
     const wanted = (total * n) / (count + 1);
     while (k < points.length - 1 && lengths[k] < wanted) k++;
     const [a, b] = [points[k - 1], points[k]];
-    if (a && b && (a[0] !== b[0] || a[1] !== b[1])) heads.push({ x: b[0], y: b[1], angle: Math.atan2(b[1] - a[1], b[0] - a[0]) });
+    if (a && b && (a[0] !== b[0] || a[1] !== b[1]))
+      heads.push({ x: b[0], y: b[1], angle: Math.atan2(b[1] - a[1], b[0] - a[0]) });
   }
   return heads;
 }
 
 export function arrowPath({ x, y, angle }, size) {
-  const at = (r, turn) => `${(x + r * Math.cos(angle + turn)).toFixed(2)} ${(y + r * Math.sin(angle + turn)).toFixed(2)}`;
+  const at = (r, turn) =>
+    `${(x + r * Math.cos(angle + turn)).toFixed(2)} ${(y + r * Math.sin(angle + turn)).toFixed(2)}`;
   return `M${at(size, 0)}L${at(size, 2.5)}L${at(size, -2.5)}Z`;
 }

@@ -1,5 +1,22 @@
-// A figure as a static SVG: to take away, and in print. Drawn from the same plain data as the charts on the screen.
-import { arrowHeads, arrowPath, axisTitle, bandOutlines, deadCentre, freePlace, kDeadCentres, kPeakLabel, kStrokeBands, markIndices, markPlaces, xRange, xTicks, yRange, yTicks } from './scales.js';
+// A figure as a static SVG: to take away, and in print. Drawn from the same plain data as the charts on the
+// screen.
+import {
+  arrowHeads,
+  arrowPath,
+  axisTitle,
+  bandOutlines,
+  deadCentre,
+  freePlace,
+  kDeadCentres,
+  kPeakLabel,
+  kStrokeBands,
+  markIndices,
+  markPlaces,
+  xRange,
+  xTicks,
+  yRange,
+  yTicks,
+} from './scales.js';
 import { caseColour, caseMark, isOneOfSeveral, kBandOpacity, markPath, partDash } from './palette.js';
 import { barPanel, rankedHeight, rankedPanel } from './svg_bars.js';
 import { kFaint, kInk, kMargin, px, rule, scaler, text } from './svg_shapes.js';
@@ -23,29 +40,55 @@ function linePanel(panel, box, visible, window, clip) {
   const across = xTicks(panel, range[0], range[1], (right - left) / 70);
   const up = yTicks(panel, bottom, top, (low - high) / 32);
   for (const v of up.values) {
-    out.push(rule(left, y(v), right, y(v), '#e3e6ea'), text(left - 6, y(v) + 4, tickText(v, up.step), { anchor: 'end' }));
+    out.push(
+      rule(left, y(v), right, y(v), '#e3e6ea'),
+      text(left - 6, y(v) + 4, tickText(v, up.step), { anchor: 'end' }),
+    );
   }
   for (const v of across.values) {
     if (!panel.crank) out.push(rule(x(v), low, x(v), high, '#e3e6ea'));
-    out.push(rule(x(v), low, x(v), low + 5, kInk), text(x(v), low + 18, tickText(v, across.step), { anchor: 'middle' }));
+    out.push(
+      rule(x(v), low, x(v), low + 5, kInk),
+      text(x(v), low + 18, tickText(v, across.step), { anchor: 'middle' }),
+    );
     out.push(text(x(v), low + 31, deadCentre(panel, v), { anchor: 'middle', size: 11, fill: kFaint }));
   }
   if (panel.zeroLine && bottom < 0 && top > 0) out.push(rule(left, y(0), right, y(0), kInk, 1));
   for (const mark of panel.yMarks ?? []) {
     if (mark.at < bottom || mark.at > top) continue;
-    const place = freePlace(panel, visible, mark.at, kLetter * mark.label.length, { x, y, left, top: high, width: right - left, height: low - high });
-    out.push(rule(left, y(mark.at), right, y(mark.at), kFaint, 1, '2 3'), text(place.x, place.y, mark.label, { size: 11, fill: kFaint, halo: '#fff' }));
+    const place = freePlace(panel, visible, mark.at, kLetter * mark.label.length, {
+      x,
+      y,
+      left,
+      top: high,
+      width: right - left,
+      height: low - high,
+    });
+    out.push(
+      rule(left, y(mark.at), right, y(mark.at), kFaint, 1, '2 3'),
+      text(place.x, place.y, mark.label, { size: 11, fill: kFaint, halo: '#fff' }),
+    );
   }
   out.push(`<g clip-path="url(#${clip})">`);
   panel.series.filter(visible).forEach((s) => out.push(...seriesShapes(panel, s, x, y, range)));
   out.push('</g>');
   for (const mark of markPlaces(panel.xMarks ?? [], x, (label) => kLetter * label.length, left, right)) {
-    out.push(rule(mark.line, low, mark.line, high, kFaint, 1, '4 3'), text(mark.left, high + 11 + 13 * mark.row, mark.label, { size: 11, fill: kFaint, halo: '#fff' }));
+    out.push(
+      rule(mark.line, low, mark.line, high, kFaint, 1, '4 3'),
+      text(mark.left, high + 11 + 13 * mark.row, mark.label, { size: 11, fill: kFaint, halo: '#fff' }),
+    );
   }
   out.push(rule(left, low, right, low, kInk), rule(left, low, left, high, kInk));
   out.push(text(box.x + 4, box.y + 14, axisTitle(panel.yLabel, panel.yUnit), { weight: 600 }));
-  out.push(text((left + right) / 2, low + (panel.crank ? 47 : 36), axisTitle(panel.xLabel, panel.xUnit), { anchor: 'middle', fill: kFaint }));
-  const define = `<clipPath id="${clip}"><rect x="${px(left)}" y="${px(high - 2)}" width="${px(right - left)}" height="${px(low - high + 4)}"/></clipPath>`;
+  out.push(
+    text((left + right) / 2, low + (panel.crank ? 47 : 36), axisTitle(panel.xLabel, panel.xUnit), {
+      anchor: 'middle',
+      fill: kFaint,
+    }),
+  );
+  const define =
+    `<clipPath id="${clip}"><rect x="${px(left)}" y="${px(high - 2)}" width="${px(right - left)}" ` +
+    `height="${px(low - high + 4)}"/></clipPath>`;
   return define + out.join('');
 }
 
@@ -54,11 +97,17 @@ function crankFurniture(panel, [from, to], x, high, low) {
   kStrokeBands.forEach((band, i) => {
     const [a, b] = [Math.max(band.from, from), Math.min(band.to, to)];
     if (b <= a) return;
-    if (i % 2 === 1) out.push(`<rect x="${px(x(a))}" y="${px(high)}" width="${px(x(b) - x(a))}" height="${px(low - high)}" fill="#f4f6f8"/>`);
-    if (x(b) - x(a) > 60) out.push(text((x(a) + x(b)) / 2, high - 8, band.name, { anchor: 'middle', size: 11, fill: kFaint }));
+    if (i % 2 === 1)
+      out.push(
+        `<rect x="${px(x(a))}" y="${px(high)}" width="${px(x(b) - x(a))}" ` +
+          `height="${px(low - high)}" fill="#f4f6f8"/>`,
+      );
+    if (x(b) - x(a) > 60)
+      out.push(text((x(a) + x(b)) / 2, high - 8, band.name, { anchor: 'middle', size: 11, fill: kFaint }));
   });
   for (const centre of kDeadCentres) {
-    if (centre.at > from && centre.at < to) out.push(rule(x(centre.at), low, x(centre.at), high - (centre.at === 0 ? 6 : 0), '#aab1bb'));
+    if (centre.at > from && centre.at < to)
+      out.push(rule(x(centre.at), low, x(centre.at), high - (centre.at === 0 ? 6 : 0), '#aab1bb'));
   }
   for (const peak of panel.peaks ?? []) {
     if (peak.at < from || peak.at > to) continue;
@@ -66,15 +115,23 @@ function crankFurniture(panel, [from, to], x, high, low) {
   }
   const [first] = panel.peaks ?? [];
   const roomForPeak = (x(180) - x(0)) / 2 - (x(first?.at ?? 0) - x(0)) > 50;
-  if (first && first.at >= from && first.at <= to && roomForPeak) out.push(text(x(first.at) + 3, high - 8, kPeakLabel, { size: 11, fill: kFaint }));
+  if (first && first.at >= from && first.at <= to && roomForPeak)
+    out.push(text(x(first.at) + 3, high - 8, kPeakLabel, { size: 11, fill: kFaint }));
   return out;
 }
 
 function seriesShapes(panel, s, x, y, range) {
   const colour = caseColour(s.caseIndex);
-  const points = s.x.map((v, k) => (v === null || s.y[k] === null ? null : [x(v), y(s.y[k])])).map((p) => (p && Number.isFinite(p[1]) ? p : null));
+  const points = s.x
+    .map((v, k) => (v === null || s.y[k] === null ? null : [x(v), y(s.y[k])]))
+    .map((p) => (p && Number.isFinite(p[1]) ? p : null));
   if (s.part === 'measured') {
-    return points.filter(Boolean).map(([a, b]) => `<circle cx="${px(a)}" cy="${px(b)}" r="1.8" fill="none" stroke="#000" stroke-width="0.9"/>`);
+    return points
+      .filter(Boolean)
+      .map(
+        ([a, b]) =>
+          `<circle cx="${px(a)}" cy="${px(b)}" r="1.8" fill="none" stroke="#000" stroke-width="0.9"/>`,
+      );
   }
   let path = '';
   let pen = false;
@@ -83,13 +140,29 @@ function seriesShapes(panel, s, x, y, range) {
     pen = p !== null;
   }
   const dash = partDash(s.part);
-  const bands = bandOutlines(s).map((outline) => `<path class="band" d="M${outline.map(([a, b]) => `${px(x(a))} ${px(y(b))}`).join('L')}Z" fill="${colour}" fill-opacity="${kBandOpacity}"/>`);
-  const out = s.part === 'points' ? [] : [...bands, `<path d="${path}" fill="none" stroke="${colour}" stroke-width="1.8" stroke-linejoin="round"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>`];
+  const bands = bandOutlines(s).map(
+    (outline) =>
+      `<path class="band" d="M${outline.map(([a, b]) => `${px(x(a))} ${px(y(b))}`).join('L')}Z" ` +
+      `fill="${colour}" fill-opacity="${kBandOpacity}"/>`,
+  );
+  const out =
+    s.part === 'points'
+      ? []
+      : [
+          ...bands,
+          `<path d="${path}" fill="none" stroke="${colour}" stroke-width="1.8" ` +
+            `stroke-linejoin="round"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>`,
+        ];
   const count = panel.series.filter((other) => other.caseIndex !== null).length;
   for (const k of markIndices(s, range[0], range[1], count, panel.xScale)) {
-    if (points[k]) out.push(`<path d="${markPath(caseMark(s.caseIndex), points[k][0], points[k][1], 3.2)}" fill="#fff" stroke="${colour}" stroke-width="1.4"/>`);
+    if (points[k])
+      out.push(
+        `<path d="${markPath(caseMark(s.caseIndex), points[k][0], points[k][1], 3.2)}" ` +
+          `fill="#fff" stroke="${colour}" stroke-width="1.4"/>`,
+      );
   }
-  if (panel.inOrderOfTime) out.push(...arrowHeads(points, 6).map((head) => `<path d="${arrowPath(head, 6)}" fill="${colour}"/>`));
+  if (panel.inOrderOfTime)
+    out.push(...arrowHeads(points, 6).map((head) => `<path d="${arrowPath(head, 6)}" fill="${colour}"/>`));
   return out;
 }
 
@@ -121,7 +194,10 @@ function legend(figure, visible, width, y) {
   let x = 8;
   let row = y;
   for (const e of entries) {
-    const label = e.part && !['measured', 'total', 'points'].includes(e.part) && !e.label.includes(e.part) ? `${e.label}, ${e.part}` : e.label;
+    const label =
+      e.part && !['measured', 'total', 'points'].includes(e.part) && !e.label.includes(e.part)
+        ? `${e.label}, ${e.part}`
+        : e.label;
     const needed = 50 + 7 * label.length;
     if (x + needed > width && x > 8) {
       x = 8;
@@ -137,29 +213,52 @@ function legend(figure, visible, width, y) {
 function swatch({ caseIndex, part, bars }, x, y) {
   const colour = caseColour(caseIndex);
   if (bars) return `<rect x="${x + 8}" y="${y - 6}" width="12" height="12" fill="${colour}"/>`;
-  if (part === 'measured') return [6, 14, 22].map((dx) => `<circle cx="${x + dx}" cy="${y}" r="2" fill="none" stroke="#000"/>`).join('');
+  if (part === 'measured')
+    return [6, 14, 22]
+      .map((dx) => `<circle cx="${x + dx}" cy="${y}" r="2" fill="none" stroke="#000"/>`)
+      .join('');
   const dash = partDash(part);
-  const mark = part !== 'points' && !isOneOfSeveral(caseIndex) ? '' : `<path d="${markPath(caseMark(caseIndex), x + 14, y, 3.4)}" fill="#fff" stroke="${colour}" stroke-width="1.4"/>`;
+  const mark =
+    part !== 'points' && !isOneOfSeveral(caseIndex)
+      ? ''
+      : `<path d="${markPath(caseMark(caseIndex), x + 14, y, 3.4)}" fill="#fff" stroke="${colour}" ` +
+        'stroke-width="1.4"/>';
   if (part === 'points') return mark;
-  return `<line x1="${x}" y1="${y}" x2="${x + 28}" y2="${y}" stroke="${colour}" stroke-width="2"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>${mark}`;
+  return (
+    `<line x1="${x}" y1="${y}" x2="${x + 28}" y2="${y}" stroke="${colour}" ` +
+    `stroke-width="2"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>${mark}`
+  );
 }
 
 export function swatchSvg(entry) {
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="28" height="14" viewBox="0 0 28 14" aria-hidden="true">${swatch(entry, 0, 7)}</svg>`;
+  return (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="28" height="14" viewBox="0 0 28 14" ' +
+    `aria-hidden="true">${swatch(entry, 0, 7)}</svg>`
+  );
 }
 
 let drawn = 0;
 
 /**
  * The figure as an SVG document.
- * @param visible which series are shown; @param options width, heading (title and legend inside), windows: x window by panel id
+ * @param visible which series are shown; @param options width, heading (title and legend inside), windows: x
+ * window by panel id
  */
-export function figureSvg(figure, visible, { width = 760, heading = true, windows = {}, subtitle = '' } = {}) {
+export function figureSvg(
+  figure,
+  visible,
+  { width = 760, heading = true, windows = {}, subtitle = '' } = {},
+) {
   const side = figure.layout === 'row' && width >= 600;
   const out = [];
   let y = 4;
   if (heading) {
-    out.push(text(8, 20, figure.title, { size: Math.min(16, (width - 16) / (kBoldLetter * figure.title.length)), weight: 600 }));
+    out.push(
+      text(8, 20, figure.title, {
+        size: Math.min(16, (width - 16) / (kBoldLetter * figure.title.length)),
+        weight: 600,
+      }),
+    );
     y = 26;
     if (subtitle) {
       out.push(text(8, 37, subtitle, { fill: kFaint }));
@@ -183,6 +282,10 @@ export function figureSvg(figure, visible, { width = 760, heading = true, window
     y += tall;
   }
   const height = y + 4;
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height)}" viewBox="0 0 ${width} ${px(height)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif">` +
-    `<rect width="100%" height="100%" fill="#fff"/>${out.join('')}</svg>`;
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height)}" viewBox="0 0 ` +
+    `${width} ${px(height)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', ` +
+    'sans-serif">' +
+    `<rect width="100%" height="100%" fill="#fff"/>${out.join('')}</svg>`
+  );
 }

@@ -11,7 +11,8 @@ const kRow = 22;
 /** Middle, inner and outer ends of a group, in the unit that people read; null without a value. */
 function spread(model, q, s) {
   if (!s) return null;
-  if (!model.has_sample) return { middle: q.convert(s.median), outer: [s.lowest, s.highest].map(q.convert), inner: null, n: s.n };
+  if (!model.has_sample)
+    return { middle: q.convert(s.median), outer: [s.lowest, s.highest].map(q.convert), inner: null, n: s.n };
   const [low, lower, middle, upper, high] = s.quantiles.map(([v]) => q.convert(v));
   return { middle, outer: [low, high], inner: [lower, upper], n: s.n };
 }
@@ -28,17 +29,35 @@ export function comparisonFigure(model) {
     const all = model.comparison[q.name].map((s) => spread(model, q, s));
     const room = Math.min(Math.max(90, 7.2 * longest + 10), 0.55 * box.width);
     const range = airy(all.flatMap((s) => (s ? [s.middle, ...s.outer] : [])));
-    const { plot, x, shapes, edges } = frame(box, { ...range, label: '', unit: '' }, { low: 0, high: 1, bare: true, label: q.short_name, unit: q.shown }, { left: room, bottom: 30 });
+    const { plot, x, shapes, edges } = frame(
+      box,
+      { ...range, label: '', unit: '' },
+      { low: 0, high: 1, bare: true, label: q.short_name, unit: q.shown },
+      { left: room, bottom: 30 },
+    );
     const out = [...shapes];
     all.forEach((s, g) => {
       const at = plot.top + ((plot.bottom - plot.top) * (g + 0.5)) / groups.length;
-      out.push(`<text x="${px(plot.left - 8)}" y="${px(at + 4)}" text-anchor="end" font-size="12">${safe(fitted(groups[g].name, room - 14, 7))}<title>${safe(groups[g].name)}</title></text>`);
+      out.push(
+        `<text x="${px(plot.left - 8)}" y="${px(at + 4)}" text-anchor="end" ` +
+          `font-size="12">${safe(fitted(groups[g].name, room - 14, 7))}<title>` +
+          `${safe(groups[g].name)}</title></text>`,
+      );
       if (!s) {
         out.push(text(plot.left + 6, at + 4, 'not solved', { size: 11 }));
         return;
       }
       const colour = caseColour(colourOf(g));
-      const tooltip = safe(`${groups[g].name}: ${model.valueText(q, model.has_sample ? model.comparison[q.name][g].quantiles[2][0] : model.comparison[q.name][g].median)} (${s.n} scenarios)`);
+      const tooltip = safe(
+        `${groups[g].name}: ` +
+          model.valueText(
+            q,
+            model.has_sample
+              ? model.comparison[q.name][g].quantiles[2][0]
+              : model.comparison[q.name][g].median,
+          ) +
+          ` (${s.n} scenarios)`,
+      );
       out.push(rule(x(s.outer[0]), at, x(s.outer[1]), at, colour, 1.6));
       if (s.inner) out.push(rule(x(s.inner[0]), at, x(s.inner[1]), at, colour, 7));
       out.push(mark(colourOf(g), x(s.middle), at, 4.6, { tooltip, stroke: colour }));
@@ -47,24 +66,54 @@ export function comparisonFigure(model) {
   };
   const most = Math.max(...shown.flatMap((q) => model.comparison[q.name].map((s) => s?.n ?? 0)));
   return {
-    id: 'comparison-figure', title: 'Median and spread of the main values',
+    id: 'comparison-figure',
+    title: 'Median and spread of the main values',
     draw(width) {
       const kLongName = 16;
-      const grid = panelGrid(shown.length, longest > kLongName ? Math.min(width, 900) : width, kHeight, 0, width);
+      const grid = panelGrid(
+        shown.length,
+        longest > kLongName ? Math.min(width, 900) : width,
+        kHeight,
+        0,
+        width,
+      );
       return { shapes: shown.flatMap((q, i) => panel(q, grid.at(i))), height: grid.bottom };
     },
     caption() {
       const [q] = shown;
-      const ranked = model.comparison[q.name].map((s, g) => ({ s: spread(model, q, s), name: groups[g].name })).filter(({ s }) => s).sort((a, b) => a.s.middle - b.s.middle);
-      const nameAndValue = ({ s, name }) => `${name.replace(/-/g, '\u2011')} (${withUnit(s.middle, q.shown, 3)})`;
-      const ends = ranked.length > 1 ? ` Lowest ${q.short_name}: ${nameAndValue(ranked[0])}; highest: ${nameAndValue(ranked[ranked.length - 1])}.` : '';
-      return (model.has_sample ? 'Mark: median; thick: 25 % to 75 % of the scenarios; thin: 5 % to 95 %.' : most > 1 ? 'Mark: median; thin line: from the lowest to the highest of the scenarios.' : 'Each mark is one scenario.') + ends;
+      const ranked = model.comparison[q.name]
+        .map((s, g) => ({ s: spread(model, q, s), name: groups[g].name }))
+        .filter(({ s }) => s)
+        .sort((a, b) => a.s.middle - b.s.middle);
+      const nameAndValue = ({ s, name }) =>
+        `${name.replace(/-/g, '\u2011')} (${withUnit(s.middle, q.shown, 3)})`;
+      const ends =
+        ranked.length > 1
+          ? ` Lowest ${q.short_name}: ${nameAndValue(ranked[0])}; highest: ` +
+            `${nameAndValue(ranked[ranked.length - 1])}.`
+          : '';
+      return (
+        (model.has_sample
+          ? 'Mark: median; thick: 25 % to 75 % of the scenarios; thin: 5 % to 95 %.'
+          : most > 1
+            ? 'Mark: median; thin line: from the lowest to the highest of the scenarios.'
+            : 'Each mark is one scenario.') + ends
+      );
     },
-    columns: () => [{ title: 'group', values: groups.map((g) => g.name) }, ...shown.flatMap((q) => {
-      const all = model.comparison[q.name].map((s) => spread(model, q, s));
-      return [['median', (s) => s.middle], [model.has_sample ? '5 %' : 'lowest', (s) => s.outer[0]], [model.has_sample ? '95 %' : 'highest', (s) => s.outer[1]]]
-        .map(([words, of]) => ({ title: axisTitle(`${q.short_name}: ${words}`, q.shown), values: all.map((s) => (s ? of(s) : null)) }));
-    })],
+    columns: () => [
+      { title: 'group', values: groups.map((g) => g.name) },
+      ...shown.flatMap((q) => {
+        const all = model.comparison[q.name].map((s) => spread(model, q, s));
+        return [
+          ['median', (s) => s.middle],
+          [model.has_sample ? '5 %' : 'lowest', (s) => s.outer[0]],
+          [model.has_sample ? '95 %' : 'highest', (s) => s.outer[1]],
+        ].map(([words, of]) => ({
+          title: axisTitle(`${q.short_name}: ${words}`, q.shown),
+          values: all.map((s) => (s ? of(s) : null)),
+        }));
+      }),
+    ],
   };
 }
 
@@ -74,8 +123,14 @@ export function differenceOf(model, q, g) {
   if (g === 0 || !first || !own) return null;
   if (own.difference) {
     const [value, low, high] = own.difference;
-    return { text: percent(value), interval: `${percent(low)} to ${percent(high)}`, sure: low > 0 || high < 0 };
+    return {
+      text: percent(value),
+      interval: `${percent(low)} to ${percent(high)}`,
+      sure: low > 0 || high < 0,
+    };
   }
   const middle = (s) => (model.has_sample ? s.quantiles[2][0] : s.median);
-  return middle(first) ? { text: percent((middle(own) - middle(first)) / Math.abs(middle(first))), interval: null, sure: null } : null;
+  return middle(first)
+    ? { text: percent((middle(own) - middle(first)) / Math.abs(middle(first))), interval: null, sure: null }
+    : null;
 }

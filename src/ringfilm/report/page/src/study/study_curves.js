@@ -4,36 +4,80 @@ import { short } from './study_model.js';
 import { angle, display, number } from '../units.js';
 
 /** Quantities that may have either sign. */
-const kSigned = ['friction_on_liner', 'piston_velocity', 'oil_flow_middle', 'oil_flow_chamber_edge', 'oil_flow_crankcase_edge'];
+const kSigned = [
+  'friction_on_liner',
+  'piston_velocity',
+  'oil_flow_middle',
+  'oil_flow_chamber_edge',
+  'oil_flow_crankcase_edge',
+];
 
 /** A figure for each quantity: median and bands of each base. */
 export function bandFigures(model) {
   const { curves } = model;
   if (!curves) return [];
   const x = [...curves.angles, 360];
-  return curves.quantities.map((described, i) => {
-    const { unit, convert } = display(described);
-    const shown = (values) => [...values, values[0]].map((v) => convert(v));
-    const words = (share) => `${short(100 * share)} %`;
-    const series = curves.bands.filter((band) => band.quantity === i && band.values[2].some((v) => v !== null)).map((band) => {
-      const [low, lower, middle, upper, high] = band.values.map(shown);
-      const [a, b, , c, d] = curves.shares.map(words);
-      return {
-        caseIndex: model.several ? band.base : kOnlyCase, part: null, label: model.bases[band.base].name, x, y: middle,
-        bands: [{ low, high, words: [a, d] }, { low: lower, high: upper, words: [b, c] }],
+  return curves.quantities
+    .map((described, i) => {
+      const { unit, convert } = display(described);
+      const shown = (values) => [...values, values[0]].map((v) => convert(v));
+      const words = (share) => `${short(100 * share)} %`;
+      const series = curves.bands
+        .filter((band) => band.quantity === i && band.values[2].some((v) => v !== null))
+        .map((band) => {
+          const [low, lower, middle, upper, high] = band.values.map(shown);
+          const [a, b, , c, d] = curves.shares.map(words);
+          return {
+            caseIndex: model.several ? band.base : kOnlyCase,
+            part: null,
+            label: model.bases[band.base].name,
+            x,
+            y: middle,
+            bands: [
+              { low, high, words: [a, d] },
+              { low: lower, high: upper, words: [b, c] },
+            ],
+          };
+        });
+      if (series.length === 0) return null;
+      const width = (s) => {
+        const k = s.bands[0].high.reduce(
+          (best, v, n) => (v - s.bands[0].low[n] > s.bands[0].high[best] - s.bands[0].low[best] ? n : best),
+          0,
+        );
+        return (
+          `${model.several ? `${s.label} ` : ''}${number(s.bands[0].low[k], 3)} to ` +
+          `${number(s.bands[0].high[k], 3)} ${unit} at ${angle(x[k])}°`
+        );
       };
-    });
-    if (series.length === 0) return null;
-    const width = (s) => {
-      const k = s.bands[0].high.reduce((best, v, n) => (v - s.bands[0].low[n] > s.bands[0].high[best] - s.bands[0].low[best] ? n : best), 0);
-      return `${model.several ? `${s.label} ` : ''}${number(s.bands[0].low[k], 3)} to ${number(s.bands[0].high[k], 3)} ${unit} at ${angle(x[k])}°`;
-    };
-    const n = curves.bands.filter((band) => band.quantity === i).map((band) => model.statistics[model.main_values[0]][band.base]?.n ?? 0);
-    return {
-      id: `band-${described.name.replace(/_/g, '-')}`, group: true,
-      title: `${described.long_name[0].toUpperCase()}${described.long_name.slice(1)}`,
-      panels: [{ id: `band-${described.name}`, crank: true, xRange: [-360, 360], xLabel: 'crank angle', xUnit: '°', yLabel: described.long_name, yUnit: unit, zeroLine: kSigned.includes(described.name), fromZero: !kSigned.includes(described.name), series }],
-      caption: `Line: median; bands: 50\u00a0% and 90\u00a0% of the ${[...new Set(n)].join(', ')} scenarios${model.several ? ' of each base' : ''}${model.has_sample ? '' : ', which are no sample: bands show their range, not how likely it is'}. Each angle has its own quantiles: no band is the curve of one scenario. Widest: ${series.map(width).join('; ')}.`,
-    };
-  }).filter(Boolean);
+      const n = curves.bands
+        .filter((band) => band.quantity === i)
+        .map((band) => model.statistics[model.main_values[0]][band.base]?.n ?? 0);
+      return {
+        id: `band-${described.name.replace(/_/g, '-')}`,
+        group: true,
+        title: `${described.long_name[0].toUpperCase()}${described.long_name.slice(1)}`,
+        panels: [
+          {
+            id: `band-${described.name}`,
+            crank: true,
+            xRange: [-360, 360],
+            xLabel: 'crank angle',
+            xUnit: '°',
+            yLabel: described.long_name,
+            yUnit: unit,
+            zeroLine: kSigned.includes(described.name),
+            fromZero: !kSigned.includes(described.name),
+            series,
+          },
+        ],
+        caption:
+          `Line: median; bands: 50\u00a0% and 90\u00a0% of the ${[...new Set(n)].join(', ')} ` +
+          `scenarios${model.several ? ' of each base' : ''}` +
+          `${model.has_sample ? '' : ', which are no sample: bands show their range, not how likely it is'}` +
+          '. Each angle has its own quantiles: no band is the curve of one scenario. Widest: ' +
+          `${series.map(width).join('; ')}.`,
+      };
+    })
+    .filter(Boolean);
 }

@@ -43,11 +43,19 @@ export class MapChoice {
     this.grid = new GridValues(this.model, base);
     const numeric = this.grid.numeric().map((axis) => this.grid.axes.indexOf(axis));
     if (!numeric.includes(this.across) || !numeric.includes(this.up)) [this.across, this.up] = numeric;
-    this.places = this.grid.axes.map((axis, k) => Math.min(this.places?.[k] ?? Math.floor((axis.levels.length - 1) / 2), axis.levels.length - 1));
+    this.places = this.grid.axes.map((axis, k) =>
+      Math.min(this.places?.[k] ?? Math.floor((axis.levels.length - 1) / 2), axis.levels.length - 1),
+    );
   }
   /** What stays the same in the map, in words. */
   words() {
-    const fixed = this.grid.axes.map((axis, k) => (k === this.across || k === this.up ? null : `${axis.factor.name} ${this.model.levelText(axis.factor, axis.levels[this.places[k]])}`)).filter(Boolean);
+    const fixed = this.grid.axes
+      .map((axis, k) =>
+        k === this.across || k === this.up
+          ? null
+          : `${axis.factor.name} ${this.model.levelText(axis.factor, axis.levels[this.places[k]])}`,
+      )
+      .filter(Boolean);
     return [...(this.model.several ? [this.model.bases[this.base].name] : []), ...fixed].join(', ');
   }
 }
@@ -55,7 +63,15 @@ export class MapChoice {
 function axisOf(axis) {
   const levels = axis.levels.map(axis.factor.convert);
   const log = axis.factor.logarithmic && levels.every((v) => v > 0);
-  return { levels, log, low: Math.min(...levels), high: Math.max(...levels), label: axis.factor.name, unit: axis.factor.shown, of: axis.of };
+  return {
+    levels,
+    log,
+    low: Math.min(...levels),
+    high: Math.max(...levels),
+    label: axis.factor.name,
+    unit: axis.factor.shown,
+    of: axis.of,
+  };
 }
 
 export function mapFigure(model, q, choice) {
@@ -67,31 +83,55 @@ export function mapFigure(model, q, choice) {
   };
   // One scale of colours for all slices and bases: what is moved with a choice can then be seen.
   const whole = extent(model.grid.bases.flatMap((b) => b.values[q.name].map(q.convert))) ?? [0, 1];
-  const { values: all, step } = ticks(whole[0], whole[1] === whole[0] ? whole[0] + (Math.abs(whole[0]) || 1) : whole[1], kLevels);
+  const { values: all, step } = ticks(
+    whole[0],
+    whole[1] === whole[0] ? whole[0] + (Math.abs(whole[0]) || 1) : whole[1],
+    kLevels,
+  );
   const levels = all.filter((v) => v > whole[0] && v < whole[1]);
   const colour = (band) => colourText(heightColour(0.04 + (0.96 * band) / Math.max(1, levels.length)));
   const axes = () => [axisOf(choice.grid.axes[choice.across]), axisOf(choice.grid.axes[choice.up])];
   const geometry = (width) => {
     const [across, up] = axes();
     const height = Math.min(420, Math.max(290, 0.72 * width));
-    return { across, up, height, ...frame({ x: 0, y: 0, width, height }, across, up, { right: 22, bottom: 46 }) };
+    return {
+      across,
+      up,
+      height,
+      ...frame({ x: 0, y: 0, width, height }, across, up, { right: 22, bottom: 46 }),
+    };
   };
-  const unsolved = () => axes()[0].levels.flatMap((_, i) => axes()[1].levels.map((__, j) => [i, j])).filter(([i, j]) => value(i, j) === null);
+  const unsolved = () =>
+    axes()[0]
+      .levels.flatMap((_, i) => axes()[1].levels.map((__, j) => [i, j]))
+      .filter(([i, j]) => value(i, j) === null);
   return {
-    id: `map-${q.name.replace(/_/g, '-')}`, title: axisTitle(q.short_name, q.shown), half: true,
+    id: `map-${q.name.replace(/_/g, '-')}`,
+    title: axisTitle(q.short_name, q.shown),
+    half: true,
     draw(width) {
       const { across, up, height, plot, x, y, shapes, edges } = geometry(width);
       const [xs, ys] = [across.levels.map(x), up.levels.map(y)];
       const id = drawn++;
       const out = [
-        `<pattern id="hatch-${id}" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="8" height="8" fill="#fff"/><line x1="0" y1="0" x2="0" y2="8" stroke="${kFaint}" stroke-width="2"/></pattern>`,
+        `<pattern id="hatch-${id}" width="8" height="8" patternUnits="userSpaceOnUse" ` +
+          'patternTransform="rotate(45)"><rect width="8" height="8" fill="#fff"/><line x1="0" ' +
+          `y1="0" x2="0" y2="8" stroke="${kFaint}" stroke-width="2"/></pattern>`,
         ...shapes,
-        `<rect class="unsolved" x="${px(plot.left)}" y="${px(plot.top)}" width="${px(plot.right - plot.left)}" height="${px(plot.bottom - plot.top)}" fill="url(#hatch-${id})"/>`];
+        `<rect class="unsolved" x="${px(plot.left)}" y="${px(plot.top)}" ` +
+          `width="${px(plot.right - plot.left)}" height="${px(plot.bottom - plot.top)}" ` +
+          `fill="url(#hatch-${id})"/>`,
+      ];
       filledBands(xs, ys, value, levels).forEach((polygons, band) => {
         if (polygons.length === 0) return;
-        const path = polygons.map((p) => `M${p.map((c) => `${c.x.toFixed(1)} ${c.y.toFixed(1)}`).join('L')}Z`).join('');
+        const path = polygons
+          .map((p) => `M${p.map((c) => `${c.x.toFixed(1)} ${c.y.toFixed(1)}`).join('L')}Z`)
+          .join('');
         // The thin edge closes the seams between neighbours.
-        out.push(`<path class="band" d="${path}" fill="${colour(band)}" stroke="${colour(band)}" stroke-width="0.7"/>`);
+        out.push(
+          `<path class="band" d="${path}" fill="${colour(band)}" stroke="${colour(band)}" ` +
+            'stroke-width="0.7"/>',
+        );
       });
       const labels = [];
       for (const level of levels) {
@@ -100,49 +140,139 @@ export function mapFigure(model, q, choice) {
           out.push(line(points, '#fff', { width: 2.4 }), line(points, '#000', { width: 1.1 }));
           const place = labelPlace(points, kLetter * label.length + 8);
           const half = (kLetter * label.length) / 2 + 2;
-          if (place && place.x - half > plot.left && place.x + half < plot.right && place.y > plot.top + 10 && place.y < plot.bottom - 6 && labels.every((p) => Math.hypot(p.x - place.x, p.y - place.y) > 26)) {
+          if (
+            place &&
+            place.x - half > plot.left &&
+            place.x + half < plot.right &&
+            place.y > plot.top + 10 &&
+            place.y < plot.bottom - 6 &&
+            labels.every((p) => Math.hypot(p.x - place.x, p.y - place.y) > 26)
+          ) {
             labels.push(place);
-            out.push(`<g transform="rotate(${px(place.angle)} ${px(place.x)} ${px(place.y)})">${text(place.x, place.y + 4, label, { anchor: 'middle', size: 11.5, weight: 600, fill: '#000', halo: '#fff' })}</g>`);
+            out.push(
+              `<g transform="rotate(${px(place.angle)} ${px(place.x)} ` +
+                `${px(place.y)})">` +
+                text(place.x, place.y + 4, label, {
+                  anchor: 'middle',
+                  size: 11.5,
+                  weight: 600,
+                  fill: '#000',
+                  halo: '#fff',
+                }) +
+                '</g>',
+            );
           }
         }
       }
-      for (const [i, j] of unsolved()) out.push(text(Math.min(plot.right - 7, Math.max(plot.left + 7, xs[i])), Math.min(plot.bottom - 5, Math.max(plot.top + 12, ys[j] + 4)), '×', { anchor: 'middle', weight: 600, halo: '#fff' }));
-      const right = [rule(plot.right, plot.top, plot.right, plot.bottom, kInk), rule(plot.left, plot.top, plot.right, plot.top, kInk)];
+      for (const [i, j] of unsolved())
+        out.push(
+          text(
+            Math.min(plot.right - 7, Math.max(plot.left + 7, xs[i])),
+            Math.min(plot.bottom - 5, Math.max(plot.top + 12, ys[j] + 4)),
+            '×',
+            { anchor: 'middle', weight: 600, halo: '#fff' },
+          ),
+        );
+      const right = [
+        rule(plot.right, plot.top, plot.right, plot.bottom, kInk),
+        rule(plot.left, plot.top, plot.right, plot.top, kInk),
+      ];
       // In the picture its first line names the axis that goes up; the value stands at the bar of colours.
       const barTop = height + 4;
       const [from, to] = [plot.left, plot.right];
       const w = (to - from) / (levels.length + 1);
       const most = Math.ceil((levels.length * 52) / Math.max(1, to - from));
-      const bar = Array.from({ length: levels.length + 1 }, (_, k) => `<rect x="${px(from + k * w)}" y="${px(barTop)}" width="${px(w)}" height="12" fill="${colour(k)}" stroke="${kInk}" stroke-width="0.6"/>`);
-      levels.forEach((level, k) => { if (k % most === 0) bar.push(text(from + (k + 1) * w, barTop + 26, tickText(level, step), { anchor: 'middle', size: 11 })); });
+      const bar = Array.from(
+        { length: levels.length + 1 },
+        (_, k) =>
+          `<rect x="${px(from + k * w)}" y="${px(barTop)}" width="${px(w)}" height="12" ` +
+          `fill="${colour(k)}" stroke="${kInk}" stroke-width="0.6"/>`,
+      );
+      levels.forEach((level, k) => {
+        if (k % most === 0)
+          bar.push(
+            text(from + (k + 1) * w, barTop + 26, tickText(level, step), { anchor: 'middle', size: 11 }),
+          );
+      });
       return { shapes: [...out, ...edges, ...right, ...bar], height: barTop + 34 };
     },
     caption() {
-      const here = axes()[0].levels.flatMap((_, i) => axes()[1].levels.map((__, j) => ({ i, j, v: value(i, j) }))).filter(({ v }) => v !== null);
-      const spot = ({ i, j, v }) => `${withUnit(v, q.shown, 3)} at ${axes().map((axis, k) => `${axis.label} ${shortWithUnit(axis.levels[k ? j : i], axis.unit)}`).join(', ')}`;
+      const here = axes()[0]
+        .levels.flatMap((_, i) => axes()[1].levels.map((__, j) => ({ i, j, v: value(i, j) })))
+        .filter(({ v }) => v !== null);
+      const spot = ({ i, j, v }) =>
+        `${withUnit(v, q.shown, 3)} at ${axes()
+          .map((axis, k) => `${axis.label} ${shortWithUnit(axis.levels[k ? j : i], axis.unit)}`)
+          .join(', ')}`;
       const lowest = here.reduce((a, b) => (b.v < a.v ? b : a), here[0]);
       const highest = here.reduce((a, b) => (b.v > a.v ? b : a), here[0]);
       const hidden = choice.grid.axes.filter((axis) => axis.levels.length < axis.of);
       const n = unsolved().length;
       return [
-        `${q.short_name[0].toUpperCase()}${q.short_name.slice(1)}${choice.words() ? `: ${choice.words()}` : ''}; ${axes()[0].levels.length} × ${axes()[1].levels.length} scenarios, straight between them.`,
-        here.length ? `Lowest ${spot(lowest)}; highest ${spot(highest)}.` : 'None of these scenarios was solved.',
-        levels.length ? 'The steps of colour are the same for all choices.' : 'One step of colour: the value hardly varies.',
-        n ? `Hatched: next to the ${n === 1 ? 'scenario' : `${n} scenarios`} (×) that ${n === 1 ? 'was' : 'were'} not solved.` : '',
-        hidden.length ? `This page carries ${hidden.map((axis) => `${axis.levels.length} of ${axis.of} levels of ${axis.factor.name}`).join(', ')}; the result file has all.` : ''].filter(Boolean).join(' ');
+        `${q.short_name[0].toUpperCase()}${q.short_name.slice(1)}` +
+          `${choice.words() ? `: ${choice.words()}` : ''}; ${axes()[0].levels.length} × ` +
+          `${axes()[1].levels.length} scenarios, straight between them.`,
+        here.length
+          ? `Lowest ${spot(lowest)}; highest ${spot(highest)}.`
+          : 'None of these scenarios was solved.',
+        levels.length
+          ? 'The steps of colour are the same for all choices.'
+          : 'One step of colour: the value hardly varies.',
+        n
+          ? `Hatched: next to the ${n === 1 ? 'scenario' : `${n} scenarios`} (×) that ` +
+            `${n === 1 ? 'was' : 'were'} not solved.`
+          : '',
+        hidden.length
+          ? 'This page carries ' +
+            hidden
+              .map((axis) => `${axis.levels.length} of ${axis.of} levels of ${axis.factor.name}`)
+              .join(', ') +
+            '; the result file has all.'
+          : '',
+      ]
+        .filter(Boolean)
+        .join(' ');
     },
     columns() {
       const points = axes()[1].levels.flatMap((v, j) => axes()[0].levels.map((u, i) => [u, v, value(i, j)]));
-      return [axisTitle(axes()[0].label, axes()[0].unit), axisTitle(axes()[1].label, axes()[1].unit), axisTitle(q.long_name, q.shown)].map((title, k) => ({ title, values: points.map((p) => p[k]) }));
+      return [
+        axisTitle(axes()[0].label, axes()[0].unit),
+        axisTitle(axes()[1].label, axes()[1].unit),
+        axisTitle(q.long_name, q.shown),
+      ].map((title, k) => ({ title, values: points.map((p) => p[k]) }));
     },
     at(pointX, pointY, width) {
       const { across, up, x, y } = geometry(width);
-      const inCell = (pixels, p) => { for (let k = 0; k + 1 < pixels.length; k++) { const t = (p - pixels[k]) / (pixels[k + 1] - pixels[k]); if (t >= 0 && t <= 1) return [k, t]; } return null; };
+      const inCell = (pixels, p) => {
+        for (let k = 0; k + 1 < pixels.length; k++) {
+          const t = (p - pixels[k]) / (pixels[k + 1] - pixels[k]);
+          if (t >= 0 && t <= 1) return [k, t];
+        }
+        return null;
+      };
       const [a, b] = [inCell(across.levels.map(x), pointX), inCell(up.levels.map(y), pointY)];
       if (!a || !b) return null;
-      const corners = [[0, 0, (1 - a[1]) * (1 - b[1])], [1, 0, a[1] * (1 - b[1])], [0, 1, (1 - a[1]) * b[1]], [1, 1, a[1] * b[1]]].map(([i, j, weight]) => [value(a[0] + i, b[0] + j), weight]);
-      const between = (axis, [k, t]) => withUnit(axis.log ? axis.levels[k] ** (1 - t) * axis.levels[k + 1] ** t : axis.levels[k] + t * (axis.levels[k + 1] - axis.levels[k]), axis.unit, 4);
-      const found = corners.every(([v]) => v !== null) ? withUnit(corners.reduce((sum, [v, weight]) => sum + v * weight, 0), q.shown, 4) : 'not solved';
+      const corners = [
+        [0, 0, (1 - a[1]) * (1 - b[1])],
+        [1, 0, a[1] * (1 - b[1])],
+        [0, 1, (1 - a[1]) * b[1]],
+        [1, 1, a[1] * b[1]],
+      ].map(([i, j, weight]) => [value(a[0] + i, b[0] + j), weight]);
+      const between = (axis, [k, t]) =>
+        withUnit(
+          axis.log
+            ? axis.levels[k] ** (1 - t) * axis.levels[k + 1] ** t
+            : axis.levels[k] + t * (axis.levels[k + 1] - axis.levels[k]),
+          axis.unit,
+          4,
+        );
+      const found = corners.every(([v]) => v !== null)
+        ? withUnit(
+            corners.reduce((sum, [v, weight]) => sum + v * weight, 0),
+            q.shown,
+            4,
+          )
+        : 'not solved';
       return { place: `${across.label} ${between(across, a)}, ${up.label} ${between(up, b)}`, value: found };
     },
   };
@@ -152,7 +282,10 @@ export function mapFigure(model, q, choice) {
 const kMostCurves = 8;
 const kBaseDashes = ['', '8 4', '2 3', '10 3 2 3'];
 
-/** Where one factor alone is a number: a curve for each base and choice. With several of both a colour for each choice and a dash for each base. */
+/**
+ * Where one factor alone is a number: a curve for each base and choice. With several of both a colour for
+ * each choice and a dash for each base.
+ */
 export function gridCurvesFigure(model, q) {
   const curves = [];
   model.grid.bases.forEach((_, b) => {
@@ -161,30 +294,113 @@ export function gridCurvesFigure(model, q) {
     if (!axis) return;
     const at = grid.axes.indexOf(axis);
     let combinations = [grid.axes.map(() => 0)];
-    grid.axes.forEach((other, k) => { if (k !== at) combinations = combinations.flatMap((places) => other.levels.map((__, i) => places.map((p, n) => (n === k ? i : p)))); });
+    grid.axes.forEach((other, k) => {
+      if (k !== at)
+        combinations = combinations.flatMap((places) =>
+          other.levels.map((__, i) => places.map((p, n) => (n === k ? i : p))),
+        );
+    });
     combinations.forEach((places, combination) => {
-      const label = [...(model.several ? [model.bases[b].name] : []), ...grid.axes.map((other, k) => (k === at || other.levels.length < 2 ? null : model.levelText(other.factor, other.levels[places[k]]))).filter(Boolean)].join(', ');
-      curves.push({ base: b, combination, label: label || model.bases[b].name, axis: axisOf(axis), values: axis.levels.map((__, i) => { const v = grid.at(q.name, places.map((p, k) => (k === at ? i : p))); return v === null ? null : q.convert(v); }) });
+      const label = [
+        ...(model.several ? [model.bases[b].name] : []),
+        ...grid.axes
+          .map((other, k) =>
+            k === at || other.levels.length < 2
+              ? null
+              : model.levelText(other.factor, other.levels[places[k]]),
+          )
+          .filter(Boolean),
+      ].join(', ');
+      curves.push({
+        base: b,
+        combination,
+        label: label || model.bases[b].name,
+        axis: axisOf(axis),
+        values: axis.levels.map((__, i) => {
+          const v = grid.at(
+            q.name,
+            places.map((p, k) => (k === at ? i : p)),
+          );
+          return v === null ? null : q.convert(v);
+        }),
+      });
     });
   });
   if (curves.length === 0) return null;
-  const isCrossed = model.several && model.bases.length <= kBaseDashes.length && curves.some((c) => c.combination > 0);
-  const shown = (isCrossed ? curves.filter((c) => c.combination < kMostCurves) : curves.slice(0, kMostCurves))
-    .map((c, i) => ({ ...c, look: isCrossed ? c.combination : i, dash: isCrossed ? kBaseDashes[c.base] : '' }));
+  const isCrossed =
+    model.several && model.bases.length <= kBaseDashes.length && curves.some((c) => c.combination > 0);
+  const shown = (
+    isCrossed ? curves.filter((c) => c.combination < kMostCurves) : curves.slice(0, kMostCurves)
+  ).map((c, i) => ({
+    ...c,
+    look: isCrossed ? c.combination : i,
+    dash: isCrossed ? kBaseDashes[c.base] : '',
+  }));
   return {
-    id: `map-${q.name.replace(/_/g, '-')}`, title: axisTitle(q.short_name, q.shown), half: true,
+    id: `map-${q.name.replace(/_/g, '-')}`,
+    title: axisTitle(q.short_name, q.shown),
+    half: true,
     draw(width) {
-      const named = legend(shown.length > 1 ? shown.map((c) => ({ label: fitted(c.label, width - 60), swatch: (x, y) => rule(x, y, x + 28, y, caseColour(c.look), 2, c.dash) + mark(c.look, x + 14, y, 3.4) })) : [], width, 0);
+      const named = legend(
+        shown.length > 1
+          ? shown.map((c) => ({
+              label: fitted(c.label, width - 60),
+              swatch: (x, y) =>
+                rule(x, y, x + 28, y, caseColour(c.look), 2, c.dash) + mark(c.look, x + 14, y, 3.4),
+            }))
+          : [],
+        width,
+        0,
+      );
       const height = 300;
       const { axis } = shown[0];
-      const { x, y, shapes, edges } = frame({ x: 0, y: named.height, width, height }, { ...axis, ...airy(axis.levels, { log: axis.log }) }, { ...airy(shown.flatMap((c) => c.values), { fromZero: true }), label: q.short_name, unit: q.shown });
+      const { x, y, shapes, edges } = frame(
+        { x: 0, y: named.height, width, height },
+        { ...axis, ...airy(axis.levels, { log: axis.log }) },
+        {
+          ...airy(
+            shown.flatMap((c) => c.values),
+            { fromZero: true },
+          ),
+          label: q.short_name,
+          unit: q.shown,
+        },
+      );
       const lines = shown.flatMap((c) => {
         const points = c.values.map((v, k) => (v === null ? null : [x(c.axis.levels[k]), y(v)]));
-        return [line(points, caseColour(c.look), { dash: c.dash }), ...points.map((p, k) => (p ? mark(c.look, p[0], p[1], 3.2, { tooltip: safe(`${c.label}, ${withUnit(c.axis.levels[k], axis.unit)}: ${withUnit(c.values[k], q.shown)}`) }) : ''))];
+        return [
+          line(points, caseColour(c.look), { dash: c.dash }),
+          ...points.map((p, k) =>
+            p
+              ? mark(c.look, p[0], p[1], 3.2, {
+                  tooltip: safe(
+                    `${c.label}, ${withUnit(c.axis.levels[k], axis.unit)}: ${withUnit(c.values[k], q.shown)}`,
+                  ),
+                })
+              : '',
+          ),
+        ];
       });
       return { shapes: [...named.shapes, ...shapes, ...lines, ...edges], height: named.height + height };
     },
-    caption: () => `${q.short_name[0].toUpperCase()}${q.short_name.slice(1)} against ${shown[0].axis.label}, ${shown.length === 1 ? 'one curve' : `${shown.length} curves`}: ${(extent(shown.flatMap((c) => c.values)) ?? [null, null]).map((v) => withUnit(v, q.shown, 3)).join(' to ')}.${curves.length > shown.length ? ` The first ${shown.length} of ${curves.length} curves; the result file has all.` : ''}${shown[0].axis.levels.length < shown[0].axis.of ? ` This page carries ${shown[0].axis.levels.length} of ${shown[0].axis.of} levels; the result file has all.` : ''}${shown.some((c) => c.values.includes(null)) ? ' Gaps: not solved.' : ''}`,
-    columns: () => [{ title: axisTitle(shown[0].axis.label, shown[0].axis.unit), values: shown[0].axis.levels }, ...shown.map((c) => ({ title: axisTitle(`${c.label}: ${q.long_name}`, q.shown), values: c.values }))],
+    caption: () =>
+      `${q.short_name[0].toUpperCase()}${q.short_name.slice(1)} against ${shown[0].axis.label}, ` +
+      `${shown.length === 1 ? 'one curve' : `${shown.length} curves`}: ` +
+      (extent(shown.flatMap((c) => c.values)) ?? [null, null])
+        .map((v) => withUnit(v, q.shown, 3))
+        .join(' to ') +
+      '.' +
+      (curves.length > shown.length
+        ? ` The first ${shown.length} of ${curves.length} curves; the result file has all.`
+        : '') +
+      (shown[0].axis.levels.length < shown[0].axis.of
+        ? ` This page carries ${shown[0].axis.levels.length} of ${shown[0].axis.of} levels; the ` +
+          'result file has all.'
+        : '') +
+      `${shown.some((c) => c.values.includes(null)) ? ' Gaps: not solved.' : ''}`,
+    columns: () => [
+      { title: axisTitle(shown[0].axis.label, shown[0].axis.unit), values: shown[0].axis.levels },
+      ...shown.map((c) => ({ title: axisTitle(`${c.label}: ${q.long_name}`, q.shown), values: c.values })),
+    ],
   };
 }

@@ -52,10 +52,17 @@ export function shortWithUnit(v, unit) {
 function shownAs(described) {
   const { unit, convert } = display(described);
   // What stands in brackets is reported once, where the word is explained.
-  return { short_name: (described.long_name ?? described.name).replace(/ \(.*\)$/, ''), shown: described.unit ? unit : '', convert };
+  return {
+    short_name: (described.long_name ?? described.name).replace(/ \(.*\)$/, ''),
+    shown: described.unit ? unit : '',
+    convert,
+  };
 }
 
 /** "sae-30" of "../../data/lubricants/sae-30.toml" */
 export function shortChoice(text) {
-  return text.split(/[/\\]/).pop().replace(/\.toml$/, '');
+  return text
+    .split(/[/\\]/)
+    .pop()
+    .replace(/\.toml$/, '');
 }

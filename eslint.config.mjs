@@ -1,0 +1,72 @@
+// Faults that a reader of JavaScript overlooks; script/format runs it. The layout is prettier's.
+const inBrowser = [
+  'Blob',
+  'DOMParser',
+  'Event',
+  'Image',
+  'Path2D',
+  'ResizeObserver',
+  'URL',
+  'XMLSerializer',
+  'atob',
+  'devicePixelRatio',
+  'document',
+  'getComputedStyle',
+  'getSelection',
+  'navigator',
+  'requestAnimationFrame',
+  'setTimeout',
+  'window',
+];
+const inNode = ['Buffer', 'URL', 'console', 'process', 'setTimeout'];
+const readonly = (names) => Object.fromEntries(names.map((name) => [name, 'readonly']));
+
+const rules = {
+  'array-callback-return': 'error',
+  'consistent-return': 'error',
+  'constructor-super': 'error',
+  eqeqeq: 'error',
+  'for-direction': 'error',
+  'getter-return': 'error',
+  'no-compare-neg-zero': 'error',
+  'no-cond-assign': 'error',
+  'no-const-assign': 'error',
+  'no-constant-condition': 'error',
+  'no-dupe-args': 'error',
+  'no-dupe-class-members': 'error',
+  'no-dupe-else-if': 'error',
+  'no-dupe-keys': 'error',
+  'no-duplicate-case': 'error',
+  'no-duplicate-imports': 'error',
+  'no-empty': 'error',
+  'no-fallthrough': 'error',
+  'no-import-assign': 'error',
+  'no-loss-of-precision': 'error',
+  'no-redeclare': 'error',
+  'no-self-assign': 'error',
+  'no-self-compare': 'error',
+  'no-shadow': 'error',
+  'no-sparse-arrays': 'error',
+  'no-this-before-super': 'error',
+  'no-undef': 'error',
+  'no-unreachable': 'error',
+  'no-unsafe-negation': 'error',
+  'no-unused-vars': ['error', { argsIgnorePattern: '^_' }],
+  'no-useless-escape': 'error',
+  'no-var': 'error',
+  'object-shorthand': 'error',
+  'prefer-const': ['error', { destructuring: 'all' }],
+  'use-isnan': 'error',
+  'valid-typeof': 'error',
+};
+
+export default [
+  { linterOptions: { reportUnusedDisableDirectives: 'error' }, rules },
+  { files: ['src/ringfilm/report/page/src/**'], languageOptions: { globals: readonly(inBrowser) } },
+  { files: ['src/ringfilm/report/page/*.mjs'], languageOptions: { globals: readonly(inNode) } },
+  // These hand functions to the browser that they drive.
+  {
+    files: ['tests/report_page/**', 'docs/site/**'],
+    languageOptions: { globals: readonly([...inNode, ...inBrowser]) },
+  },
+];
