@@ -49,7 +49,7 @@ def prose(docstring):
 
 
 def signature(function, inside):
-    """What stands between the brackets, and what comes back."""
+    """Arguments and return type."""
     arguments = ast.unparse(function.args)
     if inside:
         arguments = re.sub(r"^self(, )?", "", arguments)
@@ -125,7 +125,7 @@ def python_page():
     return "\n".join(out) + "\n"
 
 
-ROOMS = {
+MODULES = {
     "ringfilm": ("Errors", "base"),
     "ringfilm::surface": ("Surfaces, faces, friction loops", "surface"),
     "ringfilm::models": ("Laws: oil, contact, crank, gas, ring", "models"),
@@ -138,14 +138,14 @@ ROOMS = {
 }
 
 
-def room_page(namespace, headers):
-    """One room: its namespace with all that the public headers of the room declare."""
-    title, room = ROOMS[namespace]
-    listed = ", ".join(f"`{header.removeprefix('src/')}`" for header in headers if f"/{room}/" in header)
+def folder_page(namespace, headers):
+    """One module: its namespace with all that the public headers of the module declare."""
+    title, folder = MODULES[namespace]
+    listed = ", ".join(f"`{header.removeprefix('src/')}`" for header in headers if f"/{folder}/" in header)
     directive = f"```{{doxygennamespace}} {namespace}\n:project: ringfilm\n:members:\n```\n"
-    if room == "base":  # the namespace ringfilm itself holds all others
+    if folder == "base":  # the namespace ringfilm itself holds all others
         directive = "".join(f"```{{doxygenfile}} {header.removeprefix('src/')}\n:project: ringfilm\n```\n\n"
-                            for header in headers if f"/{room}/" in header)
+                            for header in headers if f"/{folder}/" in header)
     return f"# {title}\n\nFrom {listed}.\n\n{directive}"
 
 
@@ -153,17 +153,17 @@ def main(stage, headers):
     api = stage / "docs" / "api"
     (api / "cpp").mkdir(parents=True, exist_ok=True)
     (api / "python.md").write_text(python_page(), encoding="utf-8")
-    rooms = {header.split("/")[2] for header in headers}
-    left = rooms - {room for _, room in ROOMS.values()}
+    folders = {header.split("/")[2] for header in headers}
+    left = folders - {folder for _, folder in MODULES.values()}
     if left:
         raise SystemExit(f"docs: the public headers of {', '.join(sorted(left))} have no page in docs/site/interfaces.py")
     out = ["# The C++ library, name by name", "",
            "What `ringfilm/ringfilm.hpp` includes is public. [The library](../manual/library.md) shows how it is used.", "",
            "```{toctree}", ":maxdepth: 1", ""]
-    for namespace, (_, room) in ROOMS.items():
-        if room in rooms:
-            (api / "cpp" / f"{room}.md").write_text(room_page(namespace, headers), encoding="utf-8")
-            out.append(f"cpp/{room}")
+    for namespace, (_, folder) in MODULES.items():
+        if folder in folders:
+            (api / "cpp" / f"{folder}.md").write_text(folder_page(namespace, headers), encoding="utf-8")
+            out.append(f"cpp/{folder}")
     (api / "cpp.md").write_text("\n".join([*out, "```", ""]), encoding="utf-8")
 
 

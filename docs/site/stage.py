@@ -1,6 +1,6 @@
 """Lays out what Sphinx reads: the Markdown of the checkout, with its links made into those of the site.
 
-The pages in docs/ stay plain Markdown that reads well by itself, so nothing of Sphinx stands in them. Here each link to a
+The pages in docs/ stay plain Markdown that reads well by itself, so they contain no markup of Sphinx. Here each link to a
 place in a page gets a label, each link to a file beside the pages a copy of that file, and the pages that are made (keys
 of a case, sources, decisions, navigation) are written.
 
@@ -36,7 +36,7 @@ def slug(heading):
 
 
 def label(page, place):
-    """A name for a place that no other page has. Labels of Sphinx do not tell capitals apart."""
+    """A name for a place that no other page has. Labels of Sphinx do not distinguish capitals."""
     return re.sub(r"[^a-z0-9]+", "-", f"{page.removesuffix('.md')}--{place}".lower()).strip("-")
 
 
@@ -59,7 +59,7 @@ class Stage:
         self.root, self.folder = root, folder
         self.pages = pages_of(root)
         self.made = {}
-        self.wanted = set()
+        self.required = set()
         self.faults = []
 
     def target(self, page, link):
@@ -84,7 +84,7 @@ class Stage:
                 return match.group(0)
             if path in self.pages or path in self.made or path == "index.md":
                 if place:
-                    self.wanted.add((path, place))
+                    self.required.add((path, place))
                     return f"[{words}]({label(path, place)})"
                 return f"[{words}]({posixpath.relpath(path, posixpath.dirname(page) or '.')})"
             source = self.root / path
@@ -102,7 +102,7 @@ class Stage:
 
     def labels(self, page, text):
         """Labels before the headings and anchors that some link leads to."""
-        places = {place.lower() for wanted, place in self.wanted if wanted == page}
+        places = {place.lower() for path, place in self.required if path == page}
         lines, found, seen = [], set(), {}
         for line, prose in outside_code(text):
             heading = HEADING.match(line) if prose else None
