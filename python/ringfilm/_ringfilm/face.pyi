@@ -35,11 +35,11 @@ class FaceFit:
         """A list of FitArtifact."""
         ...
     @property
-    def land_from_m(self) -> object:
-        """Where the land begins [m]."""
+    def running_surface_from_m(self) -> object:
+        """Where the running surface begins [m]."""
         ...
     @property
-    def land_to_m(self) -> object:
+    def running_surface_to_m(self) -> object:
         """Where it ends [m]."""
         ...
     @property
@@ -161,14 +161,14 @@ class FitArtifact:
         """The same as a sentence."""
         ...
 
-def fit_face(x: numpy.ndarray, height: numpy.ndarray, width: float, sense: str = 'material', start: Optional[float] = None, direction: str = 'as-measured', levelling: str = 'land', tilt: float = 0.0, zero: str = 'lowest-point', land_height: float = 1e-06, pore_depth: Optional[float] = None, spline_cutoff: Optional[float] = None, degree: int = 6) -> FaceFit:
+def fit_face(x: numpy.ndarray, height: numpy.ndarray, width: float, sense: str = 'material', start: Optional[float] = None, direction: str = 'as-measured', levelling: str = 'running-surface', tilt: float = 0.0, zero: str = 'lowest-point', running_surface_height: float = 1e-06, pore_depth: Optional[float] = None, spline_cutoff: Optional[float] = None, degree: int = 6) -> FaceFit:
     """The shape of a ring face from a trace over it: polynomial and spline, both with what they leave.
 
     x, height: places and heights of the trace, shape (points,) [m]. width: of the face [m].
     sense: "material" (heights away from the ring, as a stylus has them) or "gap". start: where the face begins in the
-    trace [m]; None: where its mean gap is least. direction: "as-measured", "turned". levelling: "land", "stated" with its
-    tilt [-], "none". zero: "lowest-point", "as-measured". land_height, pore_depth, spline_cutoff [m]; degree of the
-    polynomial. Returns a FaceFit. Raises InputError, for NaN and masked points too, and TypeError.
+    trace [m]; None: where its mean gap is least. direction: "as-measured", "turned". levelling: "running-surface", "stated"
+    with its tilt [-], "none". zero: "lowest-point", "as-measured". running_surface_height, pore_depth, spline_cutoff [m];
+    degree of the polynomial. Returns a FaceFit. Raises InputError, for NaN and masked points too, and TypeError.
     Source: docs/theory/face.md."""
     ...
 

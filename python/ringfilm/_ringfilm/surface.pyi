@@ -30,7 +30,7 @@ class AsperityParameters:
     def slope(self) -> float:
         """sigma/beta [-]."""
         ...
-    def tabor(self) -> float:
+    def roughness_parameter(self) -> float:
         """N beta sigma [-]."""
         ...
     def to_dict(self) -> dict:
@@ -368,19 +368,19 @@ def asperity_parameters(moments: SpectralMoments, sigma: float) -> AsperityParam
     """N and beta of moments; sigma [m] is taken over. Raises InputError. Source: eq-asperity-density."""
     ...
 
-def bearing_curve(heights: numpy.ndarray, step: Union[float, Tuple[float, float]]) -> numpy.ndarray:
-    """Heights of the measured points, falling, shape (points,) [m]: the bearing curve."""
+def material_ratio_curve(heights: numpy.ndarray, step: Union[float, Tuple[float, float]]) -> numpy.ndarray:
+    """Heights of the measured points, falling, shape (points,) [m]: the material ratio curve."""
     ...
 
 def cavities(curve: numpy.ndarray, rule: str = 'below-plateau', depth: float = 0.0) -> Cavities:
-    """Share of the area that are pores and grooves, of a bearing curve of shape (points,) [m].
+    """Share of the area that are pores and grooves, of a material ratio curve of shape (points,) [m].
 
     rule: "below-plateau", "below-core" or "below-depth" with its depth below the median [m]. Raises InputError.
     Source: docs/theory, eq-surface-cavities."""
     ...
 
 def core_roughness(curve: numpy.ndarray) -> CoreRoughness:
-    """Rk family of a bearing curve of shape (points,) [m]. Source: ISO 13565-2, eq-surface-core."""
+    """Rk family of a material ratio curve of shape (points,) [m]. Source: ISO 13565-2, eq-surface-core."""
     ...
 
 def count_summits(heights: numpy.ndarray, step: Union[float, Tuple[float, float]]) -> Summits:
@@ -417,7 +417,7 @@ def pair_parameters(first: SurfaceMeasures, second: SurfaceMeasures, rule: str =
     ...
 
 def probability_roughness(curve: numpy.ndarray) -> Optional[ProbabilityRoughness]:
-    """Rpq, Rvq, Rmq of a bearing curve [m]; None for a surface made in one step. Source: ISO 13565-3."""
+    """Rpq, Rvq, Rmq of a material ratio curve [m]; None for a surface made in one step. Source: ISO 13565-3."""
     ...
 
 def read(path: object, channel: Optional[Union[int, str]] = None, height_unit: Optional[str] = None, lateral_unit: Optional[str] = None, step_x: Optional[str] = None, step_y: Optional[str] = None) -> MeasuredMap:

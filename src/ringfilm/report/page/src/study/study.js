@@ -5,7 +5,7 @@ import { element } from '../dom.js';
 import { FigureView, Visibility } from '../cycle/figure_view.js';
 import { comparisonFigure } from './study_compare.js';
 import { bandFigures } from './study_curves.js';
-import { effectsFigure, indicesFigure, rankingFigure, swingFigure } from './study_decides.js';
+import { effectsFigure, indicesFigure, rankingFigure, sensitivityFigure } from './study_decides.js';
 import { gridCurvesFigure, GridValues, MapChoice, mapFigure } from './study_map.js';
 import { StudyModel } from './study_model.js';
 import { convergenceFigure, histogramFigure } from './study_spread.js';
@@ -83,9 +83,9 @@ function buildPage(model) {
   const spread = () => drawing(histogramFigure(model));
   const decides = () => {
     const hasIndices = with_('indices').length > 0;
-    const values = hasIndices ? with_('indices') : with_('swings');
+    const values = hasIndices ? with_('indices') : with_('sensitivities');
     if (values.length === 0) return [];
-    const found = pickedFigures(model, context, values, [hasIndices ? indicesFigure : null, with_('swings').length ? swingFigure : null].filter(Boolean));
+    const found = pickedFigures(model, context, values, [hasIndices ? indicesFigure : null, with_('sensitivities').length ? sensitivityFigure : null].filter(Boolean));
     return [found.choices, charts(kept(found.views)), indicesTable(model)];
   };
   const compare = () => {

@@ -1,4 +1,4 @@
-// Which input decides: indices of Sobol, swings (tornado), elementary effects of Morris.
+// Which input decides: indices of Sobol, one-at-a-time sensitivity (tornado), elementary effects of Morris.
 import { caseColour } from '../plot/palette.js';
 import { baseSwatch, extent, fitted, frame, kGrid, kLetter, legend, line, mark } from '../plot/plot_frame.js';
 import { axisTitle } from '../plot/scales.js';
@@ -65,16 +65,16 @@ export function indicesFigure(model, chosen) {
       if (!first) return `No indices of ${q.short_name}: too few rows, or it does not vary.`;
       const [strongest] = order();
       const rest = model.bases.map((b) => (all()[b.index] ? 1 - all()[b.index].first.reduce((sum, t) => sum + (t?.[0] ?? 0), 0) : null)).filter((v) => v !== null);
-      return `Sobol indices of ${q.short_name} from ${first.rows} rows${first.left_out ? ` (${first.left_out} with a scenario that was not solved left out)` : ''}; thin lines: 95 % confidence intervals by the bootstrap. First index: share of the variance that would go if the factor were known; total index: what would stay if all others were. Strongest: ${strongest.name}. What no factor does alone: ${rest.map((v) => percent(Math.max(0, v), 0).replace(/[+±]/, '')).join(', ')} of the variance.${model.groups.length < model.factors.length ? ' Correlated factors share one index.' : ''}`;
+      return `Sobol indices of ${q.short_name} from ${first.rows} rows${first.omitted ? ` (${first.omitted} with a scenario that was not solved left out)` : ''}; thin lines: 95 % confidence intervals by the bootstrap. First index: share of the variance that would go if the factor were known; total index: what would stay if all others were. Strongest: ${strongest.name}. What no factor does alone: ${rest.map((v) => percent(Math.max(0, v), 0).replace(/[+±]/, '')).join(', ')} of the variance.${model.groups.length < model.factors.length ? ' Correlated factors share one index.' : ''}`;
     },
     columns: () => [{ title: 'factor', values: model.groups }, ...all().flatMap((found, b) => (found ? ['first', 'total'].flatMap((which) => ['', ', low', ', high'].map((end, i) => ({ title: `${model.bases[b].name}: ${which} index${end}`, values: found[which].map((t) => t?.[i] ?? null) }))) : []))],
   };
 }
 
 /** Tornado: where the value lies when one factor is low and when it is high. */
-export function swingFigure(model, chosen) {
+export function sensitivityFigure(model, chosen) {
   const q = () => model.quantity.get(chosen.value);
-  const all = () => model.swings[chosen.value] ?? [];
+  const all = () => model.sensitivities[chosen.value] ?? [];
   const relative = () => all().every((s) => s.middle) && all().length > 0;
   const change = (s, v) => (relative() ? (100 * (v - s.middle)) / Math.abs(s.middle) : q().convert(v - s.middle));
   const order = () => model.factors.map((f) => ({ f, ends: all().map((s) => (s.factors[f.index] ? s.factors[f.index].map((v) => change(s, v)) : null)) }))
@@ -112,7 +112,7 @@ function rankedEffects(model, chosen, base) {
   const q = model.quantity.get(chosen.value);
   const effects = model.effects[chosen.value]?.[base] ?? [];
   const inUnit = (e) => Object.fromEntries(['mean', 'mean_absolute', 'half_width', 'deviation'].map((key) => [key, q.convert(e[key])]));
-  return effects.map((e, j) => (e ? { ...inUnit(e), count: e.count, left_out: e.left_out, factor: model.factors[j] } : null)).filter(Boolean)
+  return effects.map((e, j) => (e ? { ...inUnit(e), count: e.count, omitted: e.omitted, factor: model.factors[j] } : null)).filter(Boolean)
     .sort((a, b) => b.mean_absolute - a.mean_absolute).map((e, i) => ({ ...e, rank: i + 1 }));
 }
 

@@ -124,7 +124,7 @@ export function statisticsSection(model, context) {
   const button = element('button', { type: 'button', class: 'download', 'aria-label': 'Values of the cycle as CSV', onclick: () => save(`${fileStem(context.stem, 'values')}.csv`, 'text/csv', columnsCsv(columns())) }, 'CSV');
   return section('values', 'Values of the cycle',
     element('div', { class: 'table-heading' }, element('p', {}, model.has_sample
-      ? `Over the scenarios of the sample (${[...new Set(counts.map((s) => count(s?.n ?? 0)))].join(', ')}${model.several ? ' of each base' : ''}${counts.some((s) => s?.left_out) ? `, without ${counts.map((s) => count(s?.left_out ?? 0)).join(', ')} that were not solved` : ''}); in small type the 95 % confidence interval of each number, … where so few scenarios cannot tell it.`
+      ? `Over the scenarios of the sample (${[...new Set(counts.map((s) => count(s?.n ?? 0)))].join(', ')}${model.several ? ' of each base' : ''}${counts.some((s) => s?.omitted) ? `, without ${counts.map((s) => count(s?.omitted ?? 0)).join(', ')} that were not solved` : ''}); in small type the 95 % confidence interval of each number, … where so few scenarios cannot tell it.`
       : 'Over all scenarios of the plan, which are no sample: nothing is said of how likely a value is.'), element('span', { class: 'downloads' }, button)),
     model.bases.map((b) => {
       const content = table(`Values of the cycle, ${b.name}`, heads, rows(b.index), { classes: 'statistics titled' });
