@@ -1,4 +1,4 @@
-"""Whatever is wrong with the input: exit code 2, said where and what, and nothing written."""
+"""Whatever is wrong with the input: exit code 2, stated where and what, and nothing written."""
 
 import os
 import resource
@@ -29,6 +29,12 @@ class BadCase(program.ProgramTest):
 
     def test_unknown_key_is_named_with_the_nearest(self):
         self.refuse_case(replaced("face_width", "face_widht"), "case.toml:15:1", "ring.face_widht", "ring.face_width")
+
+    def test_keys_of_earlier_versions_are_named_with_their_present_names(self):
+        self.refuse("unknown key contact.film_parameter; did you mean contact.lambda_ratio?",
+                    words=("--set", "contact.film_parameter=minimum"))
+        self.refuse_case(replaced("[contact]", "[contact]\nfilm_parameter = \"minimum\""),
+                         "unknown key contact.film_parameter; did you mean contact.lambda_ratio?")
 
     def test_missing_key(self):
         self.refuse_case(replaced('bore = "89 mm"\n', ""), "engine.bore")
@@ -77,7 +83,7 @@ class BadCase(program.ProgramTest):
     def test_trace_without_units(self):
         self.refuse_trace(program.TRACE.replace(" [bar]", ""), "unit")
 
-    def test_decimal_comma_and_byte_order_mark_are_read_or_told(self):
+    def test_decimal_comma_and_byte_order_mark_are_read_or_reported(self):
         traces = {
             "comma": program.TRACE.replace(",", ";").replace(".", ","),
             "mark": "\ufeff" + program.TRACE,
@@ -117,7 +123,7 @@ class BadCase(program.ProgramTest):
         os.mkfifo(self.folder / "pipe.toml")
         self.refuse("pipe.toml", "a device or a pipe", case="pipe.toml")
 
-    def test_every_refusal_says_what_to_do(self):
+    def test_every_refusal_reports_what_to_do(self):
         (self.folder / "case.toml").write_text(program.CASE + "bore == 3\n")
         self.refuse("a line is key = value")
         (self.folder / "case.toml").write_text("")
@@ -226,8 +232,8 @@ class BadCommandLine(program.ProgramTest):
                 self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
                 self.assertNotEqual(done.stderr, "")
 
-    def test_an_option_that_is_given_twice_or_without_its_value_is_told_in_plain_words(self):
-        for words, said in (
+    def test_an_option_that_is_given_twice_or_without_its_value_is_reported_in_plain_words(self):
+        for words, printed in (
                 (("run", "case.toml", "--output", "a.nc", "--output=b.nc"), "--output is given twice"),
                 (("run", "case.toml", "-o", "a.nc", "-o", "b.nc", "--output", "c.nc"), "--output is given 3 times"),
                 (("run", "case.toml", "-oa.nc", "-ob.nc"), "--output is given twice"),
@@ -235,7 +241,7 @@ class BadCommandLine(program.ProgramTest):
                 (("run", "case.toml", "--output"), "--output has no value")):
             with self.subTest(words):
                 done = self.run_program(*words)
-                self.assert_refused(done, said)
+                self.assert_refused(done, printed)
                 self.assertNotIn("required", done.stderr)
 
     def test_a_misspelt_command_or_option_is_named_with_the_nearest(self):
@@ -269,7 +275,7 @@ class BadCommandLine(program.ProgramTest):
     def test_unknown_publication(self):
         self.assert_refused(self.run_program("reproduce", "smith2020"), "smith2020", "styles2014")
 
-    def test_number_of_threads_that_is_none(self):
+    def test_invalid_number_of_threads(self):
         for number in ("0", "1025", "-3", "two", "2.5"):
             for command in (("run", "case.toml"), ("reproduce", "styles2014")):
                 with self.subTest(command=command, number=number):

@@ -62,10 +62,10 @@ class BenchCompare(unittest.TestCase):
     def test_how_much_slower_is_stated(self):
         self.assertEqual(self.row(self.compare(OLD, NEW, "--slower", "30"), "batched/200")[-1], "-")
         self.assertEqual(self.row(self.compare(OLD, NEW, "--slower", "3"), "steady/200")[-1], "SLOWER")
-        self.assert_refused(self.compare(OLD, NEW, "--slower", "-1"), "-1 is no percentage")
+        self.assert_refused(self.compare(OLD, NEW, "--slower", "-1"), "-1 is not a percentage")
         self.assert_refused(self.compare(OLD, NEW, "--slower", "some"), "--slower")
 
-    def test_what_got_faster_is_told(self):
+    def test_what_got_faster_is_reported(self):
         self.assertEqual(self.row(self.compare(NEW, OLD), "batched/200")[-1], "faster")
 
     def test_a_slower_machine_is_taken_out_in_a_column_of_its_own(self):
@@ -73,13 +73,13 @@ class BenchCompare(unittest.TestCase):
                             run_of(entry("fma-peak", 1.5), entry("batched/200", 3.0)))
         self.assertEqual(self.row(done, "batched/200")[-3:], ["1.500", "1.000", "SLOWER"])
 
-    def test_counts_that_differ_and_benchmarks_of_one_file_alone_are_told(self):
+    def test_counts_that_differ_and_benchmarks_of_one_file_alone_are_reported(self):
         done = self.compare(OLD, NEW)
         self.assertIn("iterations_per_step: 2.5 -> 3\n", done.stdout)
         self.assertIn("only in old.json: gone/200\n", done.stdout)
         self.assertIn("only in new.json: fresh/200\n", done.stdout)
 
-    def test_unlike_machines_are_told(self):
+    def test_unlike_machines_are_reported(self):
         self.assertNotIn("NOTE", self.compare(OLD, NEW).stdout)
         self.assertIn("not the same kernels", self.compare(OLD, NEW.replace('"avx2"', '"avx512"')).stdout)
 

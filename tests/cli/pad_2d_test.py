@@ -1,4 +1,4 @@
-"""A pad with a width: its gap over x and y, the pressures at its sides, what is told of it, what is refused."""
+"""A pad with a width: its gap over x and y, the pressures at its sides, what is reported of it, what is refused."""
 
 import unittest
 
@@ -23,25 +23,25 @@ class Film2dTest(PadTest):
 
 
 class Numbers(Film2dTest):
-    def test_totals_side_flows_and_the_place_of_the_peak_are_told(self):
-        told = self.json_of()
-        self.assertAlmostEqual(told["total_load"] / (0.02 * told["load"]), 1, delta=1e-12)
-        self.assertAlmostEqual(told["total_friction_moving"] / (0.02 * told["friction_moving"]), 1, delta=1e-12)
-        self.assertLess(told["flow_front"], 0, "out through the front is in -y")
-        self.assertAlmostEqual(told["flow_front"] / -told["flow_back"], 1, delta=1e-6)  # of a symmetric film
-        self.assertAlmostEqual(told["mass_flow_back"] / (850 * told["flow_back"]), 1, delta=1e-12)
-        self.assertAlmostEqual(told["peak_position_y"], 0.01, delta=1e-6)
-        self.assertEqual(told["units"]["flow_front"], "m3/s")
+    def test_totals_side_flows_and_the_place_of_the_peak_are_reported(self):
+        reported = self.json_of()
+        self.assertAlmostEqual(reported["total_load"] / (0.02 * reported["load"]), 1, delta=1e-12)
+        self.assertAlmostEqual(reported["total_friction_moving"] / (0.02 * reported["friction_moving"]), 1, delta=1e-12)
+        self.assertLess(reported["flow_front"], 0, "out through the front is in -y")
+        self.assertAlmostEqual(reported["flow_front"] / -reported["flow_back"], 1, delta=1e-6)  # of a symmetric film
+        self.assertAlmostEqual(reported["mass_flow_back"] / (850 * reported["flow_back"]), 1, delta=1e-12)
+        self.assertAlmostEqual(reported["peak_position_y"], 0.01, delta=1e-6)
+        self.assertEqual(reported["units"]["flow_front"], "m3/s")
         # What comes in at the left goes out at the right and at the sides.
-        inflow, outflow = 0.02 * told["flow_left"], 0.02 * told["flow_right"] + told["flow_back"] - told["flow_front"]
+        inflow, outflow = 0.02 * reported["flow_left"], 0.02 * reported["flow_right"] + reported["flow_back"] - reported["flow_front"]
         self.assertAlmostEqual(inflow / outflow, 1, delta=1e-7)
-        self.assertLess(told["mass_residual"], 1e-7)
+        self.assertLess(reported["mass_residual"], 1e-7)
 
-    def test_an_infinitely_wide_pad_has_none_of_them(self):
+    def test_an_infinitely_wide_pad_has_no_side_flows(self):
         (self.folder / "pad.toml").write_text(PAD)
         self.assertNotIn("total_load", self.json_of())
 
-    def test_flow_through_joined_sides_is_not_told_and_through_closed_ones_is_none(self):
+    def test_flow_through_joined_sides_is_not_reported_and_through_closed_ones_is_zero(self):
         joined = self.json_of(*PERIODIC)
         self.assertEqual([name for name in joined if "front" in name or "back" in name], [])
         self.assertNotIn("flow_front", joined["units"])
@@ -50,9 +50,9 @@ class Numbers(Film2dTest):
         self.run_well("run", "pad.toml", *PERIODIC, "--output", "joined.nc")
         self.assertNotIn(b"flow_front", (self.folder / "joined.nc").read_bytes())
         closed = [word.replace("periodic", "closed") for word in PERIODIC]
-        told = self.run_well("run", "pad.toml", *closed)
-        self.assertIn("through y = 0", told)
-        self.assertNotIn("-0 ", told)
+        reported = self.run_well("run", "pad.toml", *closed)
+        self.assertIn("through y = 0", reported)
+        self.assertNotIn("-0 ", reported)
         self.assertEqual(self.json_of(*closed)["flow_front"], 0)
 
     def test_a_map_and_the_same_gap_along_x_give_the_same(self):
@@ -62,16 +62,16 @@ class Numbers(Film2dTest):
             over = self.json_of("--set", f"pad.gap={name}")
             self.assertAlmostEqual(over["load"] / along["load"], 1, delta=1e-9, msg=name)
 
-    def test_side_flows_are_told_in_milligrams_and_no_number_fills_the_line(self):
-        said = self.run_well("run", "pad.toml")
-        self.assertRegex(said, r"-[\d.]+ mg/s +mass flow through y = 0")
+    def test_side_flows_are_reported_in_milligrams_and_no_number_fills_the_line(self):
+        printed = self.run_well("run", "pad.toml")
+        self.assertRegex(printed, r"-[\d.]+ mg/s +mass flow through y = 0")
         thin = self.run_well("run", "pad.toml", "--set", "pad.gap=map.csv", "--set", "pad.separation=-9.99999999 um")
         self.assertIn("length of molecules of oil", thin)
         self.assertNotRegex(thin, r"\d{11}")
 
     def test_a_load_finds_its_separation(self):
-        told = self.json_of("--set", "pad.separation=", "--set", "pad.load=20 kN/m")
-        self.assertAlmostEqual(told["total_load"] / 400, 1, delta=1e-6)
+        reported = self.json_of("--set", "pad.separation=", "--set", "pad.load=20 kN/m")
+        self.assertAlmostEqual(reported["total_load"] / 400, 1, delta=1e-6)
 
     def test_csv_is_the_film_at_mid_width(self):
         self.run_well("run", "pad.toml", "--csv", "film.csv")
@@ -81,9 +81,9 @@ class Numbers(Film2dTest):
         self.assertGreater(float(rows[13][3]), 1e5)
 
     def test_netcdf_holds_the_fields(self):
-        told = self.run_well("run", "pad.toml", "--output", "film.nc")
-        self.assertIn("wrote film.nc", told)
-        self.assertIn("pad of 10 x 20 mm", told)
+        reported = self.run_well("run", "pad.toml", "--output", "film.nc")
+        self.assertIn("wrote film.nc", reported)
+        self.assertIn("pad of 10 x 20 mm", reported)
         film = (self.folder / "film.nc").read_bytes()
         self.assertEqual(film[:4], b"\x89HDF")
         for name in (b"film_thickness", b"pressure", b"film_content", b"total_load", b"ringfilm_pad_schema"):
@@ -91,10 +91,10 @@ class Numbers(Film2dTest):
         self.assert_refused(self.run_program("report", "film.nc", "--output", "film.html"), "the film of a pad")
 
     def test_a_history_has_its_numbers_over_time(self):
-        told = self.json_of("--set", "pad.separation=", "--set", "pad.separation_history=h.csv", "--set",
+        reported = self.json_of("--set", "pad.separation=", "--set", "pad.separation_history=h.csv", "--set",
                             "pad.time_step=0.5 ms")
-        self.assertEqual(len(told["history"]["total_load"]), 5)
-        self.assertGreater(told["history"]["total_load"][2], told["history"]["total_load"][0])
+        self.assertEqual(len(reported["history"]["total_load"]), 5)
+        self.assertGreater(reported["history"]["total_load"][2], reported["history"]["total_load"][0])
 
 
 class Refusals(Film2dTest):
@@ -124,7 +124,7 @@ class Refusals(Film2dTest):
     def test_keys_of_a_ring_name_themselves_and_not_the_section_that_pads_need(self):
         self.refuse("take film.dimension out", words=("--set", "film.dimension=unrolled"))
 
-    def test_a_faulty_width_is_all_that_is_told(self):
+    def test_a_faulty_width_is_all_that_is_reported(self):
         self.refuse("pad.width", "1 error", words=("--set", "pad.width=0 mm"))
 
     def test_keys_of_a_width_without_one(self):
@@ -145,11 +145,11 @@ class Refusals(Film2dTest):
         self.refuse_map(MAP.replace("10,", "9,"), "from x = 0 to 9 mm", "the pad from 0 to 10 mm", "pad.length")
         self.refuse_map(MAP.replace(",20,", ",18,"), "from y = 0 to 18 mm", "the pad from 0 to 20 mm", "pad.width")
 
-    def test_a_map_that_is_no_full_rectangle(self):
+    def test_a_map_that_is_not_a_full_rectangle(self):
         self.refuse_map(HEAD + "0,0,20\n10,0,10\n0,20,20\n", "map.csv:4:3", "the last y has 1 points, the first 2",
                         "full rectangle")
         self.refuse_map(HEAD + "0,0,20\n5,0,15\n10,0,10\n0,20,20\n6,20,15\n10,20,10\n", "map.csv:6:1",
-                        "x = 6 mm stands here, where the first y has x = 5 mm")
+                        "x = 6 mm is given here, where the first y has x = 5 mm")
         self.refuse_map(HEAD + "0,0,20\n5,0,15\n10,0,10\n0,20,20\n5,20,15\n10,21,10\n", "map.csv:7:4",
                         "y changes after 2 points")
         self.refuse_map(HEAD + "0,0,20\n10,0,10\n", "only one y")
@@ -172,9 +172,9 @@ class Refusals(Film2dTest):
         self.refuse_netcdf(gap_map(x, y, [20, 10, 9.9692099683868690e36, 10]), "a hole at x = 0 mm, y = 20 mm")
 
     def test_heights_beyond_reason(self):
-        self.refuse_map(MAP.replace("0,20,20", "0,20,9.969e36"), "map.csv:4", "no gap of an oil film", "marks a hole")
+        self.refuse_map(MAP.replace("0,20,20", "0,20,9.969e36"), "map.csv:4", "not the thickness of an oil film", "marks a hole")
 
-    def test_netcdf_that_is_no_map(self):
+    def test_netcdf_that_is_not_a_map(self):
         x, y, h = [0, 5, 10], [0, 20], [20, 15, 10, 20, 15, 10]
         self.refuse_netcdf(gap_map(x, y, h, over=("x", "y")), "h does not run over (y, x)", "a row of all x for each y")
         self.refuse_netcdf(gap_map(x, y, h, attributes={}), "the variable h has no units", "for example \"mm\"")
@@ -184,7 +184,7 @@ class Refusals(Film2dTest):
         self.refuse_netcdf(gap_map(x, y, h)[:60], "cannot be read as NetCDF")
         self.refuse_netcdf(gap_map(x, y, h).replace(b"\0\0\0\1h\0", b"\0\0\0\1g\0"), "no variable h")
 
-    def test_a_film_of_no_thickness_tells_both_places(self):
+    def test_a_film_of_no_thickness_reports_both_places(self):
         self.refuse_map(MAP.replace("10,20,10", "10,20,-1"), "at x = 10 mm, y = 20 mm the gap is -1 um",
                         "no film is left")
 

@@ -45,7 +45,7 @@ class Report(program.ProgramTest):
                 self.assert_refused(done, "measured.csv", fragment)
                 self.assertFalse((self.folder / "page.html").exists())
 
-    def test_what_is_no_result_is_refused(self):
+    def test_what_is_not_a_result_is_refused(self):
         (self.folder / "cut.nc").write_bytes((self.folder / "a.nc").read_bytes()[:20000])
         for name, fragment in (("none.nc", "no such file"), ("case.toml", "not a NetCDF file"), ("cut.nc", "cut.nc"),
                                (".", "folder")):
@@ -104,8 +104,8 @@ class FieldsForParaView(program.ProgramTest):
 
     def test_a_series_and_a_page_are_drawn_from_the_result(self):
         self.run_well("run", "case.toml", *self.UNROLLED, "--output", "ring.nc")
-        said = self.run_well("report", "ring.nc", "--vts", "fields", "--output", "page.html")
-        self.assertIn("fields/ring.pvd", said)
+        printed = self.run_well("report", "ring.nc", "--vts", "fields", "--output", "page.html")
+        self.assertIn("fields/ring.pvd", printed)
         self.assertEqual([name for name in self.names() if name.startswith("fields/")],
                          ["fields/ring.pvd", "fields/ring_0000.vts", "fields/ring_0001.vts", "fields/ring_0002.vts"])
         listed = xml.etree.ElementTree.parse(self.folder / "fields" / "ring.pvd")
@@ -157,18 +157,18 @@ class FieldsForParaView(program.ProgramTest):
 
 class Reproduce(program.ProgramTest):
     def test_three_results_and_a_report_beside_the_paper(self):
-        said = self.run_well("reproduce", "styles2014", "--output", "paper")
+        printed = self.run_well("reproduce", "styles2014", "--output", "paper")
         names = sorted(path.name for path in (self.folder / "paper").iterdir())
         self.assertEqual(names, ["embedded.nc", "new.nc", "report.html", "run-in.nc"])
         for fragment in ("SYNTHETIC", "paper, section 4", "independent implementation", "report.html", "mean friction power"):
-            self.assertIn(fragment, said)
+            self.assertIn(fragment, printed)
         page = (self.folder / "paper" / "report.html").read_text()
         for title in ("new ring", "run-in ring", "embedded ring"):
             self.assertIn(title, page)
 
     def test_agrees_with_the_independent_implementation(self):
-        said = self.run_well("reproduce", "styles2014")
-        rows = re.findall(r"([+-]\d+\.\d) %   ([^(]*)\(independent implementation\)", said)
+        printed = self.run_well("reproduce", "styles2014")
+        rows = re.findall(r"([+-]\d+\.\d) %   ([^(]*)\(independent implementation\)", printed)
         self.assertGreaterEqual(len(rows), 15)
         for deviation, statement in rows:
             # Values are published with three or four digits: half a per cent is their rounding (0.092 is the coarsest).

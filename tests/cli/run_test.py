@@ -30,10 +30,10 @@ class Run(program.ProgramTest):
 
     def test_prints_a_summary_in_engineers_units_and_writes_nothing_unasked(self):
         before = self.names()
-        said = self.run_well("run", "case.toml")
+        printed = self.run_well("run", "case.toml")
         for fragment in ("a small case", "1500 rpm", "kPa", " W ", "um ", "mg/s", "boundary", "Newton iterations",
                          "film.cavitation = mass-conserving", "assumed:"):
-            self.assertIn(fragment, said)
+            self.assertIn(fragment, printed)
         self.assertEqual(self.names(), before)
 
     def test_csv_has_the_columns_of_the_contract_and_a_row_per_degree(self):
@@ -84,9 +84,9 @@ class Run(program.ProgramTest):
     def test_values_and_curves_carry_their_error_where_it_is_asked_for(self):
         self.assertNotIn("errors", self.values())
         coarse = ("--error-estimate", "--set", "solver.cells=40", "--set", "solver.crank_step=2 degree")
-        said = self.run_well("run", "case.toml", *coarse)
-        self.assertRegex(said, r"\d \+- [0-9.]+ kPa +friction mean effective pressure")
-        self.assertIn("80 cells at 2 degree", " ".join(said.split()))
+        printed = self.run_well("run", "case.toml", *coarse)
+        self.assertRegex(printed, r"\d \+- [0-9.]+ kPa +friction mean effective pressure")
+        self.assertIn("80 cells at 2 degree", " ".join(printed.split()))
         values = self.values(*coarse)
         fine = self.values("--set", "solver.cells=160", "--set", "solver.crank_step=0.5 degree",
                            "--set", "solver.step_error=6.25e-5")
@@ -167,7 +167,7 @@ class Run(program.ProgramTest):
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
         self.assertIn("exit code 3", done.stderr)
         self.assertIn("nothing was written", done.stderr)
-        self.assertEqual(done.stderr.count("degree"), 1, "the crank angle is told once")
+        self.assertEqual(done.stderr.count("degree"), 1, "the crank angle is reported once")
         self.assertIn("STOPPED after 0 cycles, before the cycle repeated itself; 0 crank angles", done.stdout)
         self.assertNotIn("wrote", done.stdout)
         for word in ("nan", "inf)", "cycles until"):
@@ -175,7 +175,7 @@ class Run(program.ProgramTest):
         self.assertEqual(self.names(), ["a.nc", "case.toml", "trace.csv"])
         self.assertEqual((self.folder / "a.nc").read_text(), "old")
 
-    def test_march_that_stops_on_its_way_writes_what_it_had_solved_and_says_that_it_is_a_part(self):
+    def test_an_integration_that_stops_writes_what_it_had_solved_and_reports_that_it_is_a_part(self):
         # So few asperities carry nothing, and a face that is lowest at its edge has a wedge in one direction only.
         done = self.run_program("run", "case.toml", "--output", "a.nc", "--csv", "a.csv", "--set",
                                 "operating.speed=30 rpm", "--set", "contact.asperity_density=1e-4 um-2", "--set",
@@ -214,9 +214,9 @@ class Run(program.ProgramTest):
 
 class OtherCommands(program.ProgramTest):
     def test_check_lists_what_is_assumed(self):
-        said = self.run_well("check", "case.toml")
-        self.assertIn("no errors", said)
-        self.assertIn("assumed film.cavitation = mass-conserving", said)
+        printed = self.run_well("check", "case.toml")
+        self.assertIn("no errors", printed)
+        self.assertIn("assumed film.cavitation = mass-conserving", printed)
 
     def test_new_writes_a_case_that_runs_and_replaces_nothing(self):
         self.run_well("new", "mine.toml")
@@ -235,13 +235,13 @@ class OtherCommands(program.ProgramTest):
             elif match := re.match(r"([a-z_]+) =", line):
                 self.assertIn(match[1], table, section + match[1])
 
-    def test_help_and_version_say_what_there_is(self):
-        said = self.run_well("--help")
+    def test_help_and_version_state_what_there_is(self):
+        printed = self.run_well("--help")
         for command in ("run", "check", "fields", "new", "report", "reproduce"):
-            self.assertIn(command, said)
+            self.assertIn(command, printed)
             self.assertRegex(self.run_well(command, "--help"), "Examples:\n  ringfilm " + command)
         self.assertIn("--set KEY=", self.run_well("run", "--help"))
-        self.assertIn("Examples:", said)
+        self.assertIn("Examples:", printed)
         self.assertRegex(self.run_well("--version"), r"^ringfilm \d+\.\d+\.\d+ \(commit ")
 
 

@@ -32,9 +32,9 @@ class StudyTest(ProgramTest):
         return [(self.folder / output / name).read_bytes() for name in ("study.nc", "study.csv", "study.html")]
 
     def test_runs_to_the_end_with_results_and_quantiles(self):
-        said = self.run_well("study", "study.toml", "-o", "out")
-        self.assertIn("95 %", said)
-        self.assertIn("wrote out/study.nc", said)
+        printed = self.run_well("study", "study.toml", "-o", "out")
+        self.assertIn("95 %", printed)
+        self.assertIn("wrote out/study.nc", printed)
         rows = self.table()
         self.assertEqual([row["scenario"] for row in rows], [str(i) for i in range(16)])
         for row in rows:
@@ -62,9 +62,9 @@ class StudyTest(ProgramTest):
     def test_screening_ranks_its_factors(self):
         self.write_study(STUDY.replace('method = "sobol"', 'method = "morris"').replace("scenarios = SCENARIOS",
                          "trajectories = 4").replace('kind = "uncertainty"', 'kind = "screening"'))
-        said = self.run_well("study", "study.toml", "-o", "out")
-        self.assertIn("elementary effects on fmep", said)
-        ranked = [line.split()[0] for line in said.splitlines() if "mu*" in line]
+        printed = self.run_well("study", "study.toml", "-o", "out")
+        self.assertIn("elementary effects on fmep", printed)
+        ranked = [line.split()[0] for line in printed.splitlines() if "mu*" in line]
         self.assertEqual(sorted(ranked), ["roughness", "speed"])
         self.assertEqual(len(self.table()), 4 * 3)
 
@@ -130,9 +130,9 @@ class StudyTest(ProgramTest):
         for _ in range(4):
             runs = [subprocess.Popen([PROGRAM, "study", "study.toml", "-o", "out", "--overwrite"], cwd=self.folder,
                                      stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) for _ in range(3)]
-            said = [run.communicate(timeout=100)[1] for run in runs]
-            self.assertIn(0, [run.returncode for run in runs], said)
-            for run, words in zip(runs, said):
+            printed = [run.communicate(timeout=100)[1] for run in runs]
+            self.assertIn(0, [run.returncode for run in runs], printed)
+            for run, words in zip(runs, printed):
                 self.assertIn(run.returncode, (0, 2), words)
                 if run.returncode == 2:
                     self.assertRegex(words, "another process (computes|has just finished) this part")
@@ -181,8 +181,8 @@ class StudyTest(ProgramTest):
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         time.sleep(seconds)
         run.send_signal(number)
-        _, said = run.communicate(timeout=100)
-        return run.returncode, said
+        _, printed = run.communicate(timeout=100)
+        return run.returncode, printed
 
     def test_kills_at_any_moment_leave_the_result_as_it_is(self):
         self.write_study(STUDY.replace("SCENARIOS", "1024"))
@@ -198,7 +198,7 @@ class StudyTest(ProgramTest):
         self.run_well("study", "study.toml", "-o", "out", "--resume")
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
-    def test_rows_that_were_cut_off_or_spoilt_are_computed_again(self):
+    def test_rows_that_were_cut_off_or_corrupted_are_computed_again(self):
         self.run_well("study", "study.toml", "-o", "whole")
         rows = self.folder / "whole" / "study.part-1-of-1.rows"
         bytes_ = rows.read_bytes()
@@ -209,9 +209,9 @@ class StudyTest(ProgramTest):
             self.run_well("study", "study.toml", "-o", "out", "--resume")
             self.assertEqual(self.contents("whole"), self.contents("out"))
             os.remove(self.folder / "out" / "study.part-1-of-1.rows")
-        spoilt = bytearray(bytes_)
-        spoilt[-100] ^= 1
-        growing.write_bytes(spoilt)
+        corrupted = bytearray(bytes_)
+        corrupted[-100] ^= 1
+        growing.write_bytes(corrupted)
         self.run_well("study", "study.toml", "-o", "out", "--resume")
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
@@ -228,7 +228,7 @@ class StudyTest(ProgramTest):
         with xarray.open_dataset(self.folder / output / "study.nc") as data:
             return data.load()
 
-    def test_curves_in_full_stand_over_scenario_crank_angle_and_ring(self):
+    def test_curves_in_full_are_over_scenario_crank_angle_and_ring(self):
         data = self.curves_of("all")
         self.assertEqual(data.curve_total_friction.dims, ("scenario", "crank_angle", "ring"))
         self.assertEqual(data.curve_total_friction.attrs["units"], "N")
@@ -252,12 +252,12 @@ class StudyTest(ProgramTest):
         except ImportError:
             program.skip_loudly(self, "python3-netcdf4 is not installed")
         self.write_study(STUDY.replace("SCENARIOS", '4\nindices = "first-and-total"'))
-        said = self.run_well("study", "study.toml", "-o", "out")
-        self.assertIn("indices from 4 rows, fewer than 64", said)
+        printed = self.run_well("study", "study.toml", "-o", "out")
+        self.assertIn("indices from 4 rows, fewer than 64", printed)
         with netCDF4.Dataset(self.folder / "out" / "study.nc") as file:
             self.assertEqual(file["sample"][:].tolist(), [1, 1, 0, 0] * 4)
             speeds = file["factor_speed"][:].tolist()
-        # Where a scenario is none of the sample, it has its speed from another one.
+        # Where a scenario does not belong to the sample, it has its speed from another one.
         self.assertEqual(len(set(speeds)), 8)
 
     def test_curve_of_a_scenario_is_that_of_its_case(self):
@@ -333,7 +333,7 @@ class StudyTest(ProgramTest):
         self.assertEqual(data.curve_min_film_thickness.shape, (16, 360, 1))
         self.assertNotIn("film_pressure", data)
 
-    def test_curves_that_would_fill_a_disk_want_to_be_meant(self):
+    def test_curves_that_would_fill_a_disk_require_confirmation(self):
         # 400 000 x 4 curves x 360 angles x 4 bytes
         self.write_study(STUDY.replace("SCENARIOS", "400000") + '[keep]\ncurves = "quantiles"\n')
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "2.3 GB", "--yes")
@@ -343,14 +343,15 @@ class StudyTest(ProgramTest):
         good = STUDY.replace("SCENARIOS", "16") + ('[keep]\ncurves = "all"\nquantities = ["power_loss"]\n'
                                                    'crank_step = "2 degree"\n')
         line = good.splitlines().index("[keep]") + 1
-        for old, new, *told in (
+        for old, new, *reported in (
             ('curves = "all"', 'curves = "al"', f"study.toml:{line + 1}:10:", "did you mean all?"),
             ('"power_loss"', '"power_los"', f"study.toml:{line + 2}:14:", "did you mean power_loss?"),
+            ('"power_loss"', '"film_parameter"', f"study.toml:{line + 2}:14:", "did you mean lambda_ratio?"),
             ('"power_loss"', '"crank_angle"', f"study.toml:{line + 2}:14:", "is not known"),
             ('["power_loss"]', '[]', f"study.toml:{line + 2}:14:", "names no curve"),
             ('"power_loss"', '"power_loss", "power_loss"', f"study.toml:{line + 2}:14:", "twice"),
             ('"2 degree"', '"7 degree"', f"study.toml:{line + 3}:14:", "does not divide"),
-            ('"2 degree"', '"1.5 degree"', f"study.toml:{line + 3}:14:", "no multiple of solver.crank_step"),
+            ('"2 degree"', '"1.5 degree"', f"study.toml:{line + 3}:14:", "not a multiple of solver.crank_step"),
             ('"2 degree"', '"2"', f"study.toml:{line + 3}:14:", "has no unit"),
             ('"2 degree"', '2', f"study.toml:{line + 3}:14:", "text"),
             ("crank_step", "crank_steps", f"study.toml:{line + 3}:1:", "did you mean crank_step?"),
@@ -358,14 +359,14 @@ class StudyTest(ProgramTest):
             with self.subTest(new):
                 self.assertIn(old, good)
                 self.write_study(good.replace(old, new))
-                self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), *told)
+                self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), *reported)
         self.assertNotIn("out", self.names())
 
-    def test_ctrl_c_stops_and_says_how_to_go_on(self):
+    def test_ctrl_c_stops_and_reports_how_to_continue(self):
         self.write_study(STUDY.replace("SCENARIOS", "4096"))
-        code, said = self.killed("out", 3, signal.SIGINT)
-        self.assertEqual(code, 4, said)
-        self.assertIn("to go on: ringfilm study study.toml -o out --resume", said)
+        code, printed = self.killed("out", 3, signal.SIGINT)
+        self.assertEqual(code, 4, printed)
+        self.assertIn("to continue: ringfilm study study.toml -o out --resume", printed)
         self.assertNotIn("out/study.nc", self.names())
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "was not finished", "--resume")
         self.assertIn("not finished", self.run_well("study", "status", "study.toml", "-o", "out"))
@@ -382,11 +383,11 @@ class StudyTest(ProgramTest):
         done = self.run_program("study", "study.toml", "-o", "out", preexec_fn=small_disk)
         self.assertEqual(done.returncode, 5, done.stderr)
         self.assertIn("File too large (the rows written before are kept)\n", done.stderr)
-        self.assertIn("make room, then: ringfilm study study.toml -o out --resume", done.stderr)
+        self.assertIn("free disk space, then: ringfilm study study.toml -o out --resume", done.stderr)
         self.run_well("study", "study.toml", "-o", "out", "--resume")
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
-    def test_a_disk_without_room_for_the_result_stops_before_it_is_begun(self):
+    def test_a_disk_too_small_for_the_result_stops_before_it_is_begun(self):
         self.run_well("study", "study.toml", "-o", "whole")
         most = (self.folder / "whole" / "study.part-1-of-1.rows").stat().st_size + 4096
 
@@ -396,8 +397,8 @@ class StudyTest(ProgramTest):
 
         done = self.run_program("study", "study.toml", "-o", "out", preexec_fn=small_disk)
         self.assertEqual(done.returncode, 5, done.stderr)
-        self.assertIn("MB are wanted", done.stderr)
-        self.assertIn("make room, then: ringfilm study study.toml -o out --resume", done.stderr)
+        self.assertIn("MB are required", done.stderr)
+        self.assertIn("free disk space, then: ringfilm study study.toml -o out --resume", done.stderr)
         self.assertEqual(sorted(os.listdir(self.folder / "out")), ["study.part-1-of-1.rows"])
         self.run_well("study", "study.toml", "-o", "out", "--resume")
         self.assertEqual(self.contents("whole"), self.contents("out"))
@@ -432,11 +433,11 @@ class StudyTest(ProgramTest):
         studies = sorted((SOURCES / "cases" / "studies").glob("*.toml"))
         self.assertGreater(len(studies), 0)
         for study in studies:
-            said = self.run_well("study", str(study), "-o", study.stem, "--shard", "1/100")
-            self.assertIn("part 1 of 100 is done", said)
+            printed = self.run_well("study", str(study), "-o", study.stem, "--shard", "1/100")
+            self.assertIn("part 1 of 100 is done", printed)
             self.assertIn(", 0 not solved, finished", self.run_well("study", "status", str(study), "-o", study.stem))
 
-    def test_it_goes_on_until_the_interval_is_narrow(self):
+    def test_it_continues_until_the_interval_is_narrow(self):
         def until(width, most=64):
             return STUDY.replace("SCENARIOS", "8").replace("[plan]\n", '[plan]\nuntil = { value = "fmep", '
                                                           f'width = "{width}", most = {most} }}\n')
@@ -449,21 +450,21 @@ class StudyTest(ProgramTest):
             return 2 * t * math.sqrt(sum((x - mean) ** 2 for x in values) / (len(values) - 1) / len(values))
 
         self.write_study(until("1e-9 Pa"))
-        said = self.run_well("study", "study.toml", "-o", "all")
-        self.assertIn("gave up after 64 points: the 95 % interval of the mean of fmep is", said)
+        printed = self.run_well("study", "study.toml", "-o", "all")
+        self.assertIn("gave up after 64 points: the 95 % interval of the mean of fmep is", printed)
         rows = self.table("all")
         self.assertEqual(len(rows), 64)
         widths = [mean_width(rows[:n]) for n in (8, 16, 32)]
         self.assertGreater(widths[0], 1.2 * widths[2])
         # Between the widths at 16 and 32 points it stops at 32 and has the very same rows.
         self.write_study(until(f"{1.01 * widths[2]} Pa"))
-        said = self.run_well("study", "study.toml", "-o", "out")
-        self.assertIn("stopped after 32 points", said)
+        printed = self.run_well("study", "study.toml", "-o", "out")
+        self.assertIn("stopped after 32 points", printed)
         self.assertEqual(self.table(), rows[:32])
         whole = self.contents("out")
-        # It neither starts again nor goes on where it is done.
-        self.assertEqual(self.run_well("study", "study.toml", "-o", "out", "--resume"), said)
-        self.assertEqual(self.run_well("study", "merge", "study.toml", "-o", "out"), said)
+        # It neither starts again nor continues where it is done.
+        self.assertEqual(self.run_well("study", "study.toml", "-o", "out", "--resume"), printed)
+        self.assertEqual(self.run_well("study", "merge", "study.toml", "-o", "out"), printed)
         self.assertEqual(self.contents("out"), whole)
         # Cut off within the second look.
         rows_file = self.folder / "out" / "study.part-1-of-1.rows"
@@ -473,16 +474,16 @@ class StudyTest(ProgramTest):
         self.run_well("study", "study.toml", "-o", "out", "--resume")
         self.assertEqual(self.contents("out"), whole)
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "1/2"), "in parts")
-        for wrong, *told in (
+        for wrong, *reported in (
             (until("1e-9 Pa", 4), "most = 4 is below"),
             (until("1 N"), "a pressure"),
             (until("1 Pa").replace('"fmep"', '"fmepp"'), "did you mean fmep?"),
             (until("1 Pa").replace(", most = 64", ""), "plan.until has no most"),
             (until("1 Pa").replace('"sobol"', '"latin-hypercube"'), "only Sobol points"),
         ):
-            with self.subTest(told):
+            with self.subTest(reported):
                 self.write_study(wrong)
-                self.assert_refused(self.run_program("study", "study.toml", "-o", "none"), *told)
+                self.assert_refused(self.run_program("study", "study.toml", "-o", "none"), *reported)
         self.assertNotIn("none", self.names())
 
     def test_rows_of_fewer_scenarios_are_refused(self):
@@ -491,7 +492,7 @@ class StudyTest(ProgramTest):
         for words in (["study", "study.toml", "-o", "out", "--resume"], ["study", "merge", "study.toml", "-o", "out"]):
             self.assert_refused(self.run_program(*words), "another number of scenarios")
 
-    def test_a_large_grid_wants_to_be_meant(self):
+    def test_a_large_grid_requires_confirmation(self):
         self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
                          'range = ["1000 rpm", "3000 rpm"]\npoints = 10001\n[plan]\nmethod = "grid"\n')
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "10001 points", "--yes")
@@ -499,7 +500,7 @@ class StudyTest(ProgramTest):
 
     def test_faults_have_their_place(self):
         good = STUDY.replace("SCENARIOS", "16")
-        for old, new, *told in (
+        for old, new, *reported in (
             ('key = "operating.speed"', 'key = "operating.sped"', "study.toml:11:7:", "did you mean operating.speed?"),
             ('range = ["1000 rpm", "3000 rpm"]', 'range = ["1000 N", "3000 rpm"]', "study.toml:12:10:"),
             ('how = "scale"', 'how = "scal"', "study.toml:17:7:", "did you mean scale?"),
@@ -513,7 +514,7 @@ class StudyTest(ProgramTest):
             with self.subTest(new):
                 self.assertIn(old, good)
                 self.write_study(good.replace(old, new))
-                self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), *told)
+                self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), *reported)
         self.assertNotIn("out", self.names())
 
 

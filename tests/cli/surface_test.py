@@ -46,7 +46,7 @@ class SurfaceTest(program.ProgramTest):
 
 
 class Numbers(SurfaceTest):
-    def test_what_the_file_holds_stands_at_the_top_in_si(self):
+    def test_the_content_of_the_file_is_at_the_top_in_si(self):
         of = self.json_of("map.csv", *self.STATED)
         self.assertEqual((of["points_x"], of["points_y"], of["missing"]), (SIZE, SIZE, 0))
         self.assertAlmostEqual(of["width"], SIZE * STEP, delta=1e-18)
@@ -58,12 +58,12 @@ class Numbers(SurfaceTest):
     def test_n_and_beta_are_those_of_the_differences_of_the_sines(self):
         of = self.json_of("map.csv", *self.STATED)
         m2, m4 = moments_of(heights())
-        # Complete stencils leave out the rim, where the sines are not at their mean: 2 of 48 rows and columns.
+        # Complete stencils omit the rim, where the sines are not at their mean: 2 of 48 rows and columns.
         self.assertAlmostEqual(of["asperity_density"] / (m4 / m2 / (6 * math.pi * math.sqrt(3))), 1, delta=0.08)
         self.assertAlmostEqual(of["asperity_radius"] / (3 / 8 * math.sqrt(math.pi / m4)), 1, delta=0.08)
         self.assertAlmostEqual(of["roughness"], of["Sa"], delta=1e-20)
 
-    def test_tilt_is_left_in_and_told_unless_it_is_taken_off(self):
+    def test_tilt_is_kept_and_reported_unless_it_is_removed(self):
         (self.folder / "tilted.csv").write_text(matrix_text(heights(lambda i, j: wave(i, j) + 2e-8 * i)))
         text = self.run_well("surface", "tilted.csv", *self.STATED)
         self.assertIn("tilt was left in", text)
@@ -71,7 +71,7 @@ class Numbers(SurfaceTest):
         level = self.json_of("tilted.csv", *self.STATED, "--form", "tilt")
         self.assertGreater(as_read["Sq"], 0.3e-6)
         self.assertAlmostEqual(level["Sq"], 0.2e-6, delta=0.01e-6)  # the sines lean a little too
-        self.assertEqual(level["max"], as_read["max"])  # of the file, whatever was taken off
+        self.assertEqual(level["max"], as_read["max"])  # of the file, whatever was removed
 
     def test_half_of_a_wave_at_the_cut_off_passes(self):
         (self.folder / "one.csv").write_text(matrix_text(heights(lambda i, j: 1e-6 * math.cos(2 * math.pi * i / 12))))
@@ -104,7 +104,7 @@ class Numbers(SurfaceTest):
             self.assertEqual(again[name], first[name], name)
         self.assertAlmostEqual(again["width"], first["width"], delta=1e-15)
 
-    def test_a_small_map_has_what_can_be_told_of_it(self):
+    def test_a_small_map_has_the_values_that_it_allows(self):
         (self.folder / "tiny.csv").write_text("1,2,3,4\n2,3,1,5\n1,1,2,2\n")
         of = self.json_of("tiny.csv", *self.STATED)
         self.assertEqual((of["points_x"], of["points_y"]), (4, 3))
@@ -166,13 +166,13 @@ class Refusals(SurfaceTest):
         self.assert_refused(self.run_program(*words), *fragments)
         self.assertEqual(self.names(), before)
 
-    def test_what_the_file_does_not_say_is_asked_for(self):
+    def test_what_the_file_does_not_state_is_asked_for(self):
         self.refused("surface", "map.csv", fragments=["--unit"])
         self.refused("surface", "map.csv", "--unit", "um", fragments=["--step-x"])
         self.refused("surface", "map.csv", "--unit", "kg", "--step-x", "1 um", fragments=["kg"])
 
-    def test_words_that_are_none(self):
-        for words, said in [
+    def test_invalid_words(self):
+        for words, printed in [
             (("--form", "sphere"), "--form sphere"),
             (("--form", "polynomial-99"), "0 to 12"),
             (("--short-cutoff", "5"), '--short-cutoff "5"'),
@@ -197,9 +197,9 @@ class Refusals(SurfaceTest):
             (("--heights", "map.csv"), "--heights map.csv would replace"),
         ]:
             with self.subTest(words):
-                self.refused("surface", "map.csv", *self.STATED, *words, fragments=[said])
+                self.refused("surface", "map.csv", *self.STATED, *words, fragments=[printed])
 
-    def test_files_that_are_none(self):
+    def test_invalid_files(self):
         for name, bytes_ in [("empty.csv", b""), ("zeros.x3p", b"PK\x03\x04" + bytes(40)), ("words.csv", b"a,b\nc,d\n")]:
             (self.folder / name).write_bytes(bytes_)
             with self.subTest(name):

@@ -11,10 +11,10 @@ ENDINGS = ("x3p", "sur", "gsf", "csv")
 
 class SyntheticTest(program.ProgramTest):
     def made(self, kind, name, *words):
-        said = self.run_well("synthetic", kind, name, *words)
-        self.assertIn(f"SYNTHETIC: ringfilm synthetic {kind}", said)
-        self.assertIn(f"wrote {name}", said)
-        return said
+        printed = self.run_well("synthetic", kind, name, *words)
+        self.assertIn(f"SYNTHETIC: ringfilm synthetic {kind}", printed)
+        self.assertIn(f"wrote {name}", printed)
+        return printed
 
     def measured(self, name, *words):
         return json.loads(self.run_well("surface", name, "--json", *words))
@@ -92,12 +92,12 @@ class Files(SyntheticTest):
                 self.assertEqual(bytes_of["a"], bytes_of["b"], kind + ending)
                 self.assertNotEqual(bytes_of["a"], bytes_of["c"], kind + ending)
 
-    def test_the_seed_is_told_where_none_was_named(self):
+    def test_the_seed_is_reported_where_none_was_named(self):
         self.assertIn("seed 1\n", self.made("gaussian", "a.x3p", "--points", "64x64"))
         self.made("gaussian", "b.x3p", "--points", "64x64", "--seed", "1")
         self.assertEqual((self.folder / "a.x3p").read_bytes(), (self.folder / "b.x3p").read_bytes())
 
-    def test_files_say_that_they_are_synthetic_and_how_they_were_made(self):
+    def test_files_state_that_they_are_synthetic_and_how_they_were_made(self):
         words = ("--points", "64x64", "--sq", "0.2 um", "--seed", "17")
         for ending in ENDINGS:
             self.made("gaussian", "a." + ending, *words)
@@ -108,8 +108,8 @@ class Files(SyntheticTest):
         self.made("gaussian", "a.x3p", *words)
         self.made("gaussian", "a.sur", *words)
         for name in ("a.x3p", "a.sur"):
-            said = " ".join(self.run_well("surface", name).split())
-            self.assertIn('ringfilm synthetic gaussian --points 64x64 --step "0.5 um" --sq "0.2 um", seed 17', said)
+            printed = " ".join(self.run_well("surface", name).split())
+            self.assertIn('ringfilm synthetic gaussian --points 64x64 --step "0.5 um" --sq "0.2 um", seed 17', printed)
 
 
 class Refusals(SyntheticTest):
@@ -118,10 +118,10 @@ class Refusals(SyntheticTest):
         self.assert_refused(self.run_program("synthetic", *words), *fragments)
         self.assertEqual(self.names(), before)
 
-    def test_an_ending_that_is_no_format(self):
+    def test_an_ending_that_is_not_a_format(self):
         self.refused("gaussian", "a.sdf", fragments=["a.sdf: the ending", ".x3p, .sur, .gsf or .csv"])
 
-    def test_all_that_is_wrong_is_told_at_once(self):
+    def test_all_that_is_wrong_is_reported_at_once(self):
         self.refused("honed", "a.x3p", "--points", "4x4", "--seed", "one", "--sq", "0.1", "--groove-depth", "-1 um",
                      "--hatch-angle", "45 um",
                      fragments=["--points 4x4", "--seed one", '--sq "0.1" has no unit', '--groove-depth "-1 um"',
@@ -129,16 +129,16 @@ class Refusals(SyntheticTest):
 
     def test_sizes_that_fit_no_memory(self):
         for points in ("1000000x1000000", "18446744073709551615x2", "512", "512x", "512x512x2", "-5x16"):
-            self.refused("gaussian", "a.x3p", "--points=" + points, fragments=["this is no size of a map"])
+            self.refused("gaussian", "a.x3p", "--points=" + points, fragments=["this is not a size of a map"])
 
-    def test_two_ways_to_say_what_is_wanted(self):
-        wanted = ("--asperity-density", "0.05 um-2", "--asperity-radius", "2 um", "--roughness", "0.4 um")
-        self.refused("gaussian", "a.x3p", *wanted, "--sq", "0.2 um", fragments=["another way to say"])
-        self.refused("gaussian", "a.x3p", *wanted[:4], fragments=["belong together"])
+    def test_two_ways_to_state_the_target(self):
+        expected = ("--asperity-density", "0.05 um-2", "--asperity-radius", "2 um", "--roughness", "0.4 um")
+        self.refused("gaussian", "a.x3p", *expected, "--sq", "0.2 um", fragments=["another way to define"])
+        self.refused("gaussian", "a.x3p", *expected[:4], fragments=["belong together"])
 
     def test_a_surface_that_no_spectrum_has(self):
         self.refused("gaussian", "a.x3p", "--points", "64x64", "--asperity-density", "5 um-2", "--asperity-radius",
-                     "2 um", "--roughness", "0.4 um", fragments=["no surface with the wanted roughness"])
+                     "2 um", "--roughness", "0.4 um", fragments=["no surface with the target roughness"])
 
     def test_shares_and_grooves_out_of_range(self):
         self.refused("porous", "a.x3p", "--pore-share", "0.95", fragments=["--pore-share 0.95", "between 0 and 0.9"])

@@ -38,10 +38,10 @@ class Unrolled(program.ProgramTest):
         self.assertAlmostEqual(float(rows[0]["applied_load [N]"]),
                                (0.2e6 + float(rows[0]["gas_pressure [Pa]"])) * 1.2e-3 * (3.141592653589793 * 0.089 - 0.3e-3),
                                places=6)
-        said = " ".join(self.run_well("run", "case.toml", *UNROLLED, *GAP).split())
+        printed = " ".join(self.run_well("run", "case.toml", *UNROLLED, *GAP).split())
         for fragment in ("film on the unrolled ring: 40 x 32 cells", "gap of 0.3 mm", "oil into the gap",
                          "share of the ends in load", "note: the cells at the ends of the gap"):
-            self.assertIn(fragment, said)
+            self.assertIn(fragment, printed)
 
     def test_the_result_holds_the_fields_in_full_or_by_strips(self):
         try:

@@ -44,8 +44,8 @@ class StudyOnSlurm(StudyFolder):
         return super().run_program(*words, env=SLURM.environment, **how)
 
     def submit(self, *words, output="out"):
-        said = self.run_well("study", "submit", "study.toml", "-o", output, "--engine", "slurm", *words)
-        return re.findall(r"^job (\d+)", said, re.MULTILINE)
+        printed = self.run_well("study", "submit", "study.toml", "-o", output, "--engine", "slurm", *words)
+        return re.findall(r"^job (\d+)", printed, re.MULTILINE)
 
     def status(self, output="out"):
         return self.run_well("study", "status", "study.toml", "-o", output)
@@ -67,8 +67,8 @@ class StudyOnSlurm(StudyFolder):
         self.wait_for_result()
         self.assertEqual(self.contents("whole"), self.contents("out"))
         self.assertIn("part 5 of 5", self.status())
-        said = self.run_well("study", "submit", "study.toml", "-o", "out", "--engine", "slurm")
-        self.assertIn("all 5 parts are there", said)
+        printed = self.run_well("study", "submit", "study.toml", "-o", "out", "--engine", "slurm")
+        self.assertIn("all 5 parts are there", printed)
         self.assertEqual(SLURM.in_queue(), [])
 
     def test_odd_names_reach_the_tasks_as_they_are(self):
@@ -128,7 +128,7 @@ class StudyOnSlurm(StudyFolder):
                 SLURM.say("scontrol", *(["release", job] if "held" in reason else
                                         ["update", f"jobid={job}", "StartTime=now"]))
 
-    def test_where_a_part_fails_nothing_is_joined_and_status_tells_why(self):
+    def test_where_a_part_fails_nothing_is_joined_and_status_reports_why(self):
         self.run_well("study", "study.toml", "-o", "whole")
         self.submit("--parts", "4", "--dry-run")
         # The second part finds a folder where its rows should go.
@@ -143,11 +143,11 @@ class StudyOnSlurm(StudyFolder):
         SLURM.wait_until_empty(LONGEST)
         self.assertNotIn("out/study.nc", self.names())
         blocked.rmdir()
-        told = self.status()
-        self.assertIn("part 2 of 4: not begun", told)
-        self.assertIn("not in the queue of Slurm", told)
-        self.assertRegex(told, r"part-2-of-4.log ends with: .*(exit code|Is a directory|could not)")
-        self.assertRegex(told, r"the job that joins the parts, \d+: not in the queue")
+        reported = self.status()
+        self.assertIn("part 2 of 4: not begun", reported)
+        self.assertIn("not in the queue of Slurm", reported)
+        self.assertRegex(reported, r"part-2-of-4.log ends with: .*(exit code|Is a directory|could not)")
+        self.assertRegex(reported, r"the job that joins the parts, \d+: not in the queue")
         # What is there stays; the array is that of the missing part alone.
         finished = (self.folder / "out" / "study.part-1-of-4.rows").stat().st_mtime_ns
         self.submit()
@@ -156,7 +156,7 @@ class StudyOnSlurm(StudyFolder):
         self.assertEqual(finished, (self.folder / "out" / "study.part-1-of-4.rows").stat().st_mtime_ns)
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
-    def test_what_sbatch_refuses_is_told(self):
+    def test_what_sbatch_refuses_is_reported(self):
         done = self.run_program("study", "submit", "study.toml", "-o", "out", "--engine", "slurm", "--",
                                 "--partition=none")
         self.assertEqual(done.returncode, 4, done.stderr)
@@ -166,9 +166,9 @@ class StudyOnSlurm(StudyFolder):
     def test_the_scripts_can_be_submitted_by_hand(self):
         self.run_well("study", "study.toml", "-o", "whole")
         self.submit("--parts", "3", "--dry-run")
-        said = subprocess.run(["sbatch", "--parsable", "study.array.sh"], cwd=self.folder / "out", text=True,
+        printed = subprocess.run(["sbatch", "--parsable", "study.array.sh"], cwd=self.folder / "out", text=True,
                               env=SLURM.environment, capture_output=True, check=True).stdout
-        subprocess.run(["sbatch", f"--dependency=afterok:{said.strip()}", "study.merge.sh"], cwd=self.folder / "out",
+        subprocess.run(["sbatch", f"--dependency=afterok:{printed.strip()}", "study.merge.sh"], cwd=self.folder / "out",
                        env=SLURM.environment, capture_output=True, check=True)
         self.wait_for_result()
         self.assertEqual(self.contents("whole"), self.contents("out"))

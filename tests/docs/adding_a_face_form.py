@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Does what docs/manual/extending/adding-a-face-form.md says, to a copy of the project: its sources compile with the warnings of
+"""Does what docs/manual/extending/adding-a-face-form.md states, to a copy of the project: its sources compile with the warnings of
 the build, and the laws of faces hold for the form of the page. What a case makes of the form would take a new build of
-all that knows a case, and is left to the reader's own.
+all that depends on a case, and is left to the reader's own.
 
 usage: adding_a_face_form.py SOURCE_FOLDER BUILD_FOLDER
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does what docs/manual/extending/adding-a-reader.md says, to a copy of the project, and runs the page's own tests of the reader.
+"""Does what docs/manual/extending/adding-a-reader.md states, to a copy of the project, and runs the page's own tests of the reader.
 
 usage: adding_a_reader.py SOURCE_FOLDER BUILD_FOLDER
 """
@@ -21,7 +21,7 @@ with Project("docs/manual/extending/adding-a-reader.md") as project:
         project.compiled(TEST, "tests/unit_instrument", like="tests/unit/instrument/simple_field_file_test.cpp"),
     ]
     tests = project.linked("tests/unit_instrument", reader)
-    said = project.run(tests, "--gtest_filter=SurferGrid.*:SimpleField.*:HostileFile.*")
-    if said.count("[       OK ] SurferGrid.") != 3:
-        project.fail(f"its three tests did not run:\n{said}")
+    printed = project.run(tests, "--gtest_filter=SurferGrid.*:SimpleField.*:HostileFile.*")
+    if printed.count("[       OK ] SurferGrid.") != 3:
+        project.fail(f"its three tests did not run:\n{output}")
 print("the reader of the page reads, asks and refuses")

@@ -5,7 +5,7 @@ usage: snippets.py PROGRAM MODULE_FOLDER [PAGE...]
        snippets.py --commands PAGE        print the commands of a page that are run, to be run elsewhere
 
 The folder has cases/, data/ and build/ringfilm of the checkout, and `ringfilm` is in PATH. What a page takes for granted
-or leaves out stands in comments of Markdown before a block, which no reader sees:
+or is written in comments of Markdown before a block, which no reader sees:
 
     <!-- given: COMMANDS -->       run before the block (or before the page's next one): files that the reader would have
     <!-- file: NAME -->            the block is this file; written before anything of the page is run
@@ -51,11 +51,11 @@ for line in sys.stdin:
 
 
 class Failure(Exception):
-    """A block that does not do what the page says."""
+    """A block that does not do what the page states."""
 
 
 class Block:
-    """One block of code and what the comments before it say."""
+    """One block of code and what the comments before it state."""
 
     def __init__(self, page, line, language, text, marks):
         self.place, self.language, self.text = f"{page}:{line}", language, text
@@ -133,10 +133,10 @@ class Page:
         elif block.language in ("", "text", "csv"):
             self.count["text"] += 1
         else:
-            raise Failure(f"nothing is known of blocks in {block.language}; say <!-- not run: why -->")
+            raise Failure(f"nothing is known of blocks in {block.language}; state <!-- not run: why -->")
 
     def script(self, text):
-        """Python, in one interpreter for the whole page: names go on from block to block."""
+        """Python, in one interpreter for the whole page: names continue from block to block."""
         if self.interpreter is None:
             self.interpreter = subprocess.Popen([PYTHON, "-c", INTERPRETER], cwd=self.folder, env=self.environment,
                                                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
@@ -148,7 +148,7 @@ class Page:
             raise Failure(f"the script ended with:\n{self.output[-3000:]}")
 
     def end(self):
-        """Nothing of the page goes on."""
+        """Nothing of the page continues."""
         if self.interpreter is not None:
             self.interpreter.stdin.close()
             self.interpreter.wait(60)

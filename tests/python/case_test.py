@@ -38,7 +38,7 @@ def test_any_number_of_numpy_is_a_number(case, value):
     assert case["pad.speed"] == 200.0
 
 
-def test_a_key_that_does_not_exist_is_a_key_error_and_the_nearest_is_told(case):
+def test_a_key_that_does_not_exist_is_a_key_error_and_the_nearest_is_reported(case):
     with pytest.raises(KeyError) as refused:
         case["engine.bor"]
     assert isinstance(refused.value, ringfilm.InputError)
@@ -94,23 +94,23 @@ def test_a_wrong_value_is_refused_and_changes_nothing(case, key, value, words):
 
 
 @pytest.mark.parametrize("value", [True, object(), {"a": 1}, numpy.bool_(True)])
-def test_what_is_no_value_is_a_type_error(case, value):
+def test_what_is_not_a_value_is_a_type_error(case, value):
     with pytest.raises(TypeError):
         case["operating.speed"] = value
 
 
 def test_a_bad_file_is_refused_with_the_text_of_the_program(folder, run_program):
     (folder / "case.toml").write_text((folder / "case.toml").read_text().replace('"89 mm"', "89").replace("stroke", "strok"))
-    told = run_program("check", "case.toml").stderr
+    reported = run_program("check", "case.toml").stderr
     with pytest.raises(ringfilm.InputError) as refusal:
         ringfilm.Case.read("case.toml")
-    assert told.startswith(str(refusal.value))
+    assert reported.startswith(str(refusal.value))
     first = refusal.value.faults[0]
     assert (first.file, first.line) == ("case.toml", 3)
     assert len(refusal.value.faults) == 2
 
 
-def test_check_tells_what_joins_keys(case):
+def test_check_reports_what_joins_keys(case):
     case["ring.tangential_force"] = "12 N"
     with pytest.raises(ringfilm.InputError) as refusal:
         case.check()
@@ -147,8 +147,8 @@ def test_keys_that_only_fit_together_are_changed_at_once(case, folder):
     for key, value in (("gas.cylinder_pressure", "two.csv"), ("gas.pressure_column", "p2")):
         with pytest.raises(ringfilm.InputError, match=r"keys that only fit together are changed by one update\(\)"):
             case[key] = value
-    (folder / "spoilt.csv").write_text("angle [degree],p [bar]\n0,none\n")
-    for name, fault in (("absent.csv", "no such file"), ("spoilt.csv", "none")):
+    (folder / "corrupted.csv").write_text("angle [degree],p [bar]\n0,none\n")
+    for name, fault in (("absent.csv", "no such file"), ("corrupted.csv", "none")):
         with pytest.raises(ringfilm.InputError, match=fault) as refused:
             case["gas.cylinder_pressure"] = name
         assert "update()" not in str(refused.value)
@@ -168,7 +168,7 @@ def test_keys_that_only_fit_together_are_changed_at_once(case, folder):
     case.update({})
 
 
-def test_overrides_stand_in_for_what_a_file_lacks(folder):
+def test_overrides_replace_what_a_file_lacks(folder):
     text = (folder / "case.toml").read_text().replace('elastic_pressure = "0.2 MPa"\n', "")
     (folder / "case.toml").write_text(text)
     case = ringfilm.Case.read("case.toml", {"ring.elastic_pressure": ringfilm.SI(0.2e6), "operating.speed": "3000 rpm", "ring.face.crown_height": "10 um"})
@@ -185,7 +185,7 @@ def test_an_oil_file_takes_the_place_of_the_oil(case):
     assert any(role == "lubricant.file" for role, _, _ in case.files)
 
 
-def test_copies_stand_alone(case):
+def test_copies_are_independent(case):
     for other in (case.copy(), copy.copy(case), copy.deepcopy(case), *(pickle.loads(pickle.dumps(case, protocol)) for protocol in range(6))):
         assert other == case
         other["operating.speed"] = "3000 rpm"
@@ -245,7 +245,7 @@ def test_numbers_that_are_whole_are_counts(case):
 
 
 @pytest.mark.parametrize("value", [b"90 mm", {"bore": 1}, None.__class__, object()])
-def test_what_is_no_value_is_told_as_such(case, value):
+def test_what_is_not_a_value_is_reported_as_such(case, value):
     with pytest.raises(TypeError, match="engine.bore = .* is expected"):
         case["engine.bore"] = value
 

@@ -20,7 +20,7 @@ OPERATORS = ("__getitem__", "__setitem__", "__len__", "__call__")
 
 
 def public_modules():
-    """The package and what it has of modules, public by their names: none is left out for not being listed somewhere."""
+    """The package and what it has of modules, public by their names: none is omitted for not being listed somewhere."""
     return ["ringfilm", *(f"ringfilm.{module.name}" for module in pkgutil.iter_modules(ringfilm.__path__)
                           if not module.name.startswith("_"))]
 
@@ -77,13 +77,13 @@ def test_every_result_of_a_function_is_of_a_public_class():
     assert hidden == []
 
 
-def test_functions_that_take_arrays_say_their_unit():
+def test_functions_that_take_arrays_state_their_unit():
     for name, thing in public_names():
         if inspect.isbuiltin(thing) and "numpy.ndarray" in thing.__doc__.partition("\n")[0]:
             assert "[" in own_words(thing), name
 
 
-def test_the_stubs_are_what_the_module_says():
+def test_the_stubs_agree_with_the_module():
     done = subprocess.run([sys.executable, str(SOURCES / "script" / "python-stubs"), "--check"], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
 
@@ -99,6 +99,6 @@ def test_the_examples_of_the_manual_run(tmp_path, monkeypatch):
     assert tried > 30 and failed == 0
 
 
-def test_the_module_says_its_version():
+def test_the_module_reports_its_version():
     assert ringfilm.version().startswith("ringfilm ")
     assert pathlib.Path(os.path.dirname(ringfilm.__file__), "py.typed").exists()

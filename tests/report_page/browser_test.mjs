@@ -94,7 +94,7 @@ for (const width of [390, 1400]) {
     });
   }
 
-  test(`curves are drawn and cycle charts stand under each other at ${width} px`, async () => {
+  test(`curves are drawn and cycle charts are under each other at ${width} px`, async () => {
     const { page, faults } = await opened('three.html', width);
     for (const id of ['total-friction', 'friction-on-liner', 'friction-firing', 'stribeck', 'archard-wear-load-stroke', 'ring-faces', 'along-the-face']) {
       assert.ok(await colouredPixels(page, `#${id}`) > 200, `${id} shows no curve`);
@@ -250,12 +250,12 @@ test('on a phone every button of the bar can be reached', async () => {
   await page.close();
 });
 
-test('an incomplete result says so first and draws what there is', async () => {
+test('an incomplete result states this first and draws what there is', async () => {
   const { page, faults } = await opened('bare.html', 1400);
-  const told = await page.textContent('.stopped');
-  assert.match(told, /INCOMPLETE/);
-  assert.match(told, /in its first cycle, last solved at 29° after firing TDC/);
-  assert.match(told, /No values of a whole cycle exist/);
+  const reported = await page.textContent('.stopped');
+  assert.match(reported, /INCOMPLETE/);
+  assert.match(reported, /in its first cycle, last solved at 29° after firing TDC/);
+  assert.match(reported, /No values of a whole cycle exist/);
   assert.equal(await page.$('.cards'), null);
   assert.equal(await page.$('#cycle-values table'), null);
   assert.equal(await page.$('#along-the-face'), null);
@@ -265,7 +265,7 @@ test('an incomplete result says so first and draws what there is', async () => {
 });
 
 for (const name of ['three.html', 'hostile.html', 'bare.html']) {
-  test(`${name} shows no number that is none`, async () => {
+  test(`${name} shows no number that is not finite`, async () => {
     const { page } = await opened(name, 1400);
     const text = await page.evaluate(() => [...document.querySelectorAll('main, main [aria-label], main [title]')].map((n) => [n.innerText, n.getAttribute('aria-label'), n.getAttribute('title')].join(' ')).join('\n'));
     assert.doesNotMatch(text, /\b(nan|NaN|inf|Infinity|undefined)\b/);
@@ -273,7 +273,7 @@ for (const name of ['three.html', 'hostile.html', 'bare.html']) {
   });
 }
 
-test('files stand without the folders of one machine, notes with their count in words', async () => {
+test('files are without the folders of one machine, notes with their count in words', async () => {
   const { page } = await opened('three.html', 1400);
   const files = await page.textContent('#provenance');
   assert.match(files, /cases\/styles2014\/new\.toml/);
@@ -390,7 +390,7 @@ test('in print every figure is a drawing and no button is left', async () => {
   const figures = await page.$$eval('main figure', (nodes) => nodes.map((n) => n.querySelector('.print-only svg')?.getBoundingClientRect().width ?? 0));
   figures.forEach((width) => assert.ok(width > 300));
   assert.equal(await page.$$eval('.downloads, .toolbar, .panels', (nodes) => nodes.filter((n) => n.offsetParent !== null).length), 0);
-  // Paper is narrower than the screens on which tables fold, and is no phone.
+  // Paper is narrower than the screens on which tables fold, and is not a phone.
   await page.setViewportSize({ width: 690, height: 900 });
   assert.equal(await page.$$eval('table.folds tr', (rows) => rows.filter((r) => getComputedStyle(r).display !== 'table-row').length), 0);
   const pdf = await page.pdf({ format: 'A4' });

@@ -43,7 +43,7 @@ test('a hill has a closed line, and a hole is neither filled nor crossed', () =>
   assert.ok(Math.abs(filledBands(side, side, hole, []).reduce((total, polygons) => total + sum(polygons), 0) - (36 - 4)) < 1e-9);
 });
 
-test('a label stands on its line, upright, and not on a short one', () => {
+test('a label lies on its line, upright, and not on a short one', () => {
   const place = labelPlace([[0, 0], [50, 0], [100, 0]], 30);
   assert.equal(place.y, 0);
   assert.ok(place.angle >= -90 && place.angle <= 90);

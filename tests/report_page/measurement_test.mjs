@@ -38,7 +38,7 @@ const tests = [];
 const test = (name, run) => tests.push({ name, run });
 
 for (const width of [390, 1400]) {
-  test(`every figure stands at ${width} pixels, with units on its axes`, async () => {
+  test(`every figure is at ${width} pixels, with units on its axes`, async () => {
     const { page, faults } = await opened('measurement.html', width);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, 'no sideways scrolling');
     assert.equal(await page.textContent('h1'), 'Liner, honed (made-up numbers)');
@@ -59,7 +59,7 @@ for (const width of [390, 1400]) {
     await page.context().close();
   });
 
-  test(`the map keeps its proportions at ${width} pixels, and its scale bar is as long as it says`, async () => {
+  test(`the map keeps its proportions at ${width} pixels, and its scale bar is as long as it states`, async () => {
     const { page } = await opened('measurement.html', width);
     const box = (selector) => page.$eval(selector, (node) => { const { width: w, height: h } = node.getBoundingClientRect(); return [w, h]; });
     const [w, h] = await box('.map image');
@@ -94,7 +94,7 @@ test('missing points are grey, measured ones are not', async () => {
   await page.context().close();
 });
 
-test('the caption tells blocks, the hidden peak, the colours and the missing share', async () => {
+test('the caption reports blocks, the hidden peak, the colours and the missing share', async () => {
   const { page } = await opened('measurement.html', 1400);
   const caption = (await page.textContent('#surface_height figcaption')).replace(/\u00a0/g, ' ');
   for (const words of ['900 × 600 points of 1 × 1 µm', 'means over blocks of 2 × 2 points', 'Highest single point 9.50 µm at x = 675 µm, y = 150 µm', '0.1 % of what is drawn lie below', '1.3 % of the points were not measured']) {
@@ -108,11 +108,11 @@ test('the pointer reads place and height off the map', async () => {
   const { page } = await opened('measurement.html', 1400);
   const box = await page.$eval('.map image', (node) => { node.scrollIntoView({ block: 'center' }); const { left, top, width, height } = node.getBoundingClientRect(); return { left, top, width, height }; });
   const at = (x, y) => page.mouse.move(box.left + (x / 900) * box.width, box.top + (y / 600) * box.height);
-  const told = async () => (await page.textContent('.map-value')).replace(/\u00a0/g, ' ');
+  const reported = async () => (await page.textContent('.map-value')).replace(/\u00a0/g, ' ');
   await at(300, 200);
-  assert.match(await told(), /x (299|300|301) µm, y (199|200|201) µm: not measured/);
+  assert.match(await reported(), /x (299|300|301) µm, y (199|200|201) µm: not measured/);
   await at(450, 50);
-  assert.match(await told(), /: −?\d\.\d+ µm$/);
+  assert.match(await reported(), /: −?\d\.\d+ µm$/);
   await page.context().close();
 });
 

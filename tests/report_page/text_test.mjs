@@ -82,7 +82,7 @@ test('colours of heights rise evenly in lightness, and no height is grey', () =>
   assert.ok(Math.min(...labs.map((v) => apart(v, missing))) > 25);
 });
 
-test('labels of upright lines stand in rows and inside the plot', () => {
+test('labels of upright lines are in rows and inside the plot', () => {
   const places = markPlaces([{ at: 10, label: 'used' }, { at: 15, label: 'other' }, { at: 98, label: 'last' }, { at: 120, label: 'outside' }], (v) => v, () => 30, 0, 100);
   assert.deepEqual(places.map((p) => p.label), ['used', 'other', 'last']);
   assert.deepEqual(places.map((p) => p.row), [0, 1, 0]);
@@ -97,7 +97,7 @@ test('points are all marked, and marks of a line keep even distances on a logari
   assert.ok(Math.max(...ratios) / Math.min(...ratios) < 1.2, String(ratios));
 });
 
-test('a curve has no point where a logarithmic axis has no place, and is said to have none at all', () => {
+test('a curve has no point where a logarithmic axis has no place, and is stated to have none at all', () => {
   const axis = (logarithmic) => ({ long_name: 'x', unit: 'um', logarithmic });
   const curve = { name: 'c', title: 'Curve', caption: 'Given.', x: axis(true), y: axis(true), points: 4, drawn: 4, marks: [{ at: null, label: 'none' }], series: [{ label: 'a', points: false, x: [0, 1, 3, 2], y: [1, -1, 5, 4] }] };
   const { panels: [panel], caption } = curveFigure(curve);
@@ -180,7 +180,7 @@ test('paths lose the folders of one machine and nothing is added', () => {
   for (const same of ['one.toml', 'engine/one.toml', '1/3', 'x/y N']) assert.equal(shortPath(same), same);
 });
 
-test('counts are told of the whole only where it is known', () => {
+test('counts are reported of the whole only where it is known', () => {
   assert.deepEqual([howOften(634, 720), howOften(634, null), howOften(1, null)], ['634 of 720 crank angles', '634 times', 'once']);
 });
 
@@ -197,7 +197,7 @@ test('an integration stops before the gap in its samples, wherever the axis begi
 test('a label keeps clear of the curves', () => {
   const flat = { x: [0, 100, 200, 300, 400], y: [50, 50, 50, 50, 50] };
   const panel = { series: [flat, { x: [300, 350, 400], y: [3, 2, 1] }] };
-  // One pixel a unit, y downwards: the second curve ends where a label at the right would stand.
+  // One pixel a unit, y downwards: the second curve ends where a label at the right would be.
   const box = { left: 0, top: 0, width: 400, height: 100, x: (v) => v, y: (v) => 100 - v };
   const place = freePlace(panel, () => true, 3, 60, box);
   assert.ok(place.x + 60 < 300, `label at ${place.x}`);
@@ -217,7 +217,7 @@ test('no line is drawn over missing samples', () => {
   assert.deepEqual(onCycleAxis([], []), { x: [], y: [] });
 });
 
-test('titles are told apart by what differs', () => {
+test('titles are distinguished by what differs', () => {
   assert.deepEqual(shortNames(['Styles et al. 2014, new ring', 'Styles et al. 2014, run-in ring']), { shared: 'Styles et al. 2014', names: ['new ring', 'run-in ring'] });
   assert.equal(shortNames(['same', 'same']), null);
   assert.deepEqual(shortNames(['engine A', 'boat']), { shared: '', names: ['engine A', 'boat'] });
