@@ -62,7 +62,7 @@ class BenchCompare(unittest.TestCase):
     def test_how_much_slower_is_stated(self):
         self.assertEqual(self.row(self.compare(OLD, NEW, "--slower", "30"), "batched/200")[-1], "-")
         self.assertEqual(self.row(self.compare(OLD, NEW, "--slower", "3"), "steady/200")[-1], "SLOWER")
-        self.assert_refused(self.compare(OLD, NEW, "--slower", "-1"), "-1 is not a percentage")
+        self.assert_refused(self.compare(OLD, NEW, "--slower", "-1"), "-1 is no percentage")
         self.assert_refused(self.compare(OLD, NEW, "--slower", "some"), "--slower")
 
     def test_what_got_faster_is_reported(self):

@@ -35,14 +35,6 @@ class FaceFit:
         """A list of FitArtifact."""
         ...
     @property
-    def running_surface_from_m(self) -> object:
-        """Where the running surface begins [m]."""
-        ...
-    @property
-    def running_surface_to_m(self) -> object:
-        """Where it ends [m]."""
-        ...
-    @property
     def noise_m(self) -> object:
         """Rms of what neither follows [m]."""
         ...
@@ -65,6 +57,14 @@ class FaceFit:
     @property
     def pore_share(self) -> object:
         """Share of the points left out as pores [-]."""
+        ...
+    @property
+    def running_surface_from_m(self) -> object:
+        """Where the running surface begins [m]."""
+        ...
+    @property
+    def running_surface_to_m(self) -> object:
+        """Where it ends [m]."""
         ...
     @property
     def spline_cutoff_m(self) -> object:

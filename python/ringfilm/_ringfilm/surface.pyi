@@ -23,15 +23,15 @@ class AsperityParameters:
     def density_per_m2(self) -> object:
         """N [1/m2]."""
         ...
+    def roughness_parameter(self) -> float:
+        """N beta sigma [-]."""
+        ...
     @property
     def sigma_m(self) -> object:
         """Composite roughness [m]."""
         ...
     def slope(self) -> float:
         """sigma/beta [-]."""
-        ...
-    def roughness_parameter(self) -> float:
-        """N beta sigma [-]."""
         ...
     def to_dict(self) -> dict:
         """All members, {name: value}."""
@@ -368,10 +368,6 @@ def asperity_parameters(moments: SpectralMoments, sigma: float) -> AsperityParam
     """N and beta of moments; sigma [m] is taken over. Raises InputError. Source: eq-asperity-density."""
     ...
 
-def material_ratio_curve(heights: numpy.ndarray, step: Union[float, Tuple[float, float]]) -> numpy.ndarray:
-    """Heights of the measured points, falling, shape (points,) [m]: the material ratio curve."""
-    ...
-
 def cavities(curve: numpy.ndarray, rule: str = 'below-plateau', depth: float = 0.0) -> Cavities:
     """Share of the area that are pores and grooves, of a material ratio curve of shape (points,) [m].
 
@@ -399,6 +395,10 @@ def height_statistics(heights: numpy.ndarray, step: Union[float, Tuple[float, fl
 
     heights: shape (y, x), or (x,) for a profile [m]; NaN where nothing was measured. step: a number or (x, y) [m].
     Raises InputError for fewer than 4 points or a flat surface. Source: docs/theory, eq-surface-heights."""
+    ...
+
+def material_ratio_curve(heights: numpy.ndarray, step: Union[float, Tuple[float, float]]) -> numpy.ndarray:
+    """Heights of the measured points, falling, shape (points,) [m]: the material ratio curve."""
     ...
 
 def moments(heights: numpy.ndarray, step: Union[float, Tuple[float, float]], direction: str = 'mean', scheme: str = 'neighbours') -> SpectralMoments:
