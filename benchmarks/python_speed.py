@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """What it costs to call from Python: import, one case, a batch; each beside the same work in C++.
 
-usage: PYTHONPATH=build-ci/python benchmarks/python_speed.py [--cases N] [--threads N]
-       [--program build-ci/benchmarks/case_speed]
+usage: PYTHONPATH=build-ci/python benchmarks/python_speed.py [--cases N] [--threads N] [--program build-ci/benchmarks/case_speed]
 
 The C++ side is `case_speed`, which runs the same cases by the same calls of the library; both sides take the best of
 several turns, one after the other, so that another load on the machine meets both.
@@ -39,7 +38,7 @@ def main():
     arguments.add_argument("--turns", type=int, default=5)
     arguments.add_argument("--program", default=str(SOURCES / "build-ci" / "benchmarks" / "case_speed"))
     chosen = arguments.parse_args()
-    print(f"import: {seconds_of_import():.3f} s (wanted: below 0.3)")
+    print(f"import: {seconds_of_import():.3f} s (requested: below 0.3)")
 
     import ringfilm
 
@@ -48,11 +47,8 @@ def main():
     def native(what, *words):
         return float(subprocess.check_output([chosen.program, what, str(CASE), *map(str, words)]))
 
-    def told(name, own, other):
-        print(
-            f"{name}: {own:.4f} s from Python, {other:.4f} s in C++, {100 * (own / other - 1):+.1f} % "
-            "(wanted: below +5 %)"
-        )
+    def reported(name, own, other):
+        print(f"{name}: {own:.4f} s from Python, {other:.4f} s in C++, {100 * (own / other - 1):+.1f} % (requested: below +5 %)")
 
     runs = 20
     own, other = [], []
@@ -62,7 +58,7 @@ def main():
         for _ in range(runs):
             case.run()
         own.append((time.perf_counter() - begin) / runs)
-    told("one case", min(own), min(other))
+    reported("one case", min(own), min(other))
 
     own, other = [], []
     for _ in range(min(chosen.turns, 3)):
@@ -70,7 +66,7 @@ def main():
         begin = time.perf_counter()
         ringfilm.simulate_many(speeds(case, chosen.cases), threads=chosen.threads, curves="none")
         own.append(time.perf_counter() - begin)
-    told(f"{chosen.cases} cases on {chosen.threads} threads", min(own), min(other))
+    reported(f"{chosen.cases} cases on {chosen.threads} threads", min(own), min(other))
 
 
 if __name__ == "__main__":

@@ -45,7 +45,7 @@ enum class End {
   kUnexplained,      ///< reported: no balance found
   kNotFinite,        ///< a film with a NaN or an infinity was accepted
   kOutOfBalance,     ///< a film was accepted that does not carry its load
-  kLastStateBroken,  ///< after a stop the integration does not stand on a good film
+  kLastStateBroken,  ///< after a stop the last film is not a good one
   kException,        ///< anything else was thrown
 };
 constexpr int kEnds = 10;
@@ -71,7 +71,7 @@ bool is_finite(const film::FilmState& state) {
   return std::isfinite(sum);
 }
 
-/// Thrown where an accepted film is none.
+/// Thrown where an accepted film is not a solution.
 struct Broken {
   End end;
   double crank_angle_deg;
@@ -86,7 +86,7 @@ void check_film(const TimeIntegration& integration, const Instant& instant) {
   }
 }
 
-/// Checks every accepted film; asks for films between the steps where the scenario wants them.
+/// Checks every accepted film; asks for films between the steps where the scenario requires them.
 class Watch : public StepObserver {
  public:
   Watch(const EngineScenario& scenario, long& side_steps) : spacing_(scenario.side_spacing_deg), side_(side_steps) {}
@@ -299,8 +299,9 @@ std::vector<Row> empty_rows() {
   const auto model = [&](Cavitation cavitation) {
     return and_promised([cavitation](const EngineScenario& s) { return s.input.film.cavitation == cavitation; });
   };
-  const auto control = [&](StepControl wanted) {
-    return and_promised([wanted](const EngineScenario& s) { return s.input.solver.crank_step_control == wanted; });
+  const auto control = [&](StepControl requested) {
+    return and_promised(
+        [requested](const EngineScenario& s) { return s.input.solver.crank_step_control == requested; });
   };
   std::vector<Row> rows;
   rows.push_back({"rise of 2 um and more", promised});

@@ -87,7 +87,7 @@ io::ShardHeader header_of(const study::Plan& plan) {
           study::kept_angles(keep).size()};
 }
 
-/// Does the work in a process of its own, of which the largest memory is told [MB]. Ends the program if that fails.
+/// Does the work in a process of its own, of which the largest memory is reported [MB]. Ends the program if that fails.
 double memory_of(const std::function<void()>& work) {
   std::fflush(stdout);
   const pid_t child = ::fork();
@@ -140,10 +140,10 @@ void compare_with_engine(const Options& options, const std::string& rows_path) {
            });
   };
   const auto run_whole = [&](const study::ScenarioRange& slice) {
-    const auto finished = [&](const study::ScenarioChunk& chunk) {
-      writer.append(chunk);
-      for (const auto& row : chunk.rows) unsolved += row.reason.empty() ? 0 : 1;
-      return study::GoOn::kYes;
+    const auto finished = [&](const study::ScenarioBlock& block) {
+      writer.append(block);
+      for (const auto& row : block.rows) unsolved += row.reason.empty() ? 0 : 1;
+      return study::Continuation::kYes;
     };
     whole = whole + time_of([&] { study::run_scenarios(plan, slice, finished, run_options); });
   };
@@ -181,9 +181,9 @@ void write_rows(const study::Plan& plan, const std::string& path) {
   const std::uint64_t n_curve_numbers = header_of(plan).n_curve_numbers();
   constexpr std::uint64_t kInChunk = 256;
   for (std::uint64_t first = 0; first < plan.size(); first += kInChunk) {
-    study::ScenarioChunk chunk{first, {}};
+    study::ScenarioBlock block{first, {}};
     for (std::uint64_t i = first; i < std::min(first + kInChunk, plan.size()); ++i) {
-      study::ScenarioRow& row = chunk.rows.emplace_back();
+      study::ScenarioRow& row = block.rows.emplace_back();
       const bool is_solved = i % 100 != 99;
       if (!is_solved) row.reason = "no film that carries the load was found at 12 degree of the cycle";
       for (std::size_t v = 0; v < cycle::cycle_quantities().size(); ++v)
@@ -191,7 +191,7 @@ void write_rows(const study::Plan& plan, const std::string& path) {
       for (std::uint64_t c = 0; c < n_curve_numbers; ++c)
         row.curves.push_back(is_solved ? 1 + 0x1p-24F * static_cast<float>(study::hash(i, c) >> 40) : std::nanf(""));
     }
-    writer.append(chunk);
+    writer.append(block);
   }
 }
 

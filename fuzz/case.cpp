@@ -4,7 +4,7 @@
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 
-/// A case file, with the files of fuzz/beside to refer to; what passes is made ready to integrate and written out
+/// A case file, with the files of fuzz/beside to refer to; what passes is set up to integrate and written out
 /// again.
 RINGFILM_FUZZ_TARGET(case) {
   using namespace ringfilm;

@@ -23,7 +23,7 @@ bool listed(const std::string& name, Target target) { return targets().emplace(n
 
 }  // namespace ringfilm::fuzz
 
-// Runs a fuzz target over files, and over those of folders in the order of their names; stands in for libFuzzer, so
+// Runs a fuzz target over files, and over those of folders in the order of their names; replaces libFuzzer, so
 // that every compiler can repeat what fuzzing once found.
 int main(int argc, char** argv) {
   namespace fs = std::filesystem;

@@ -113,7 +113,7 @@ function kind = kind_of (attributes, file)
 end
 
 function texts = texts_of (file, name)
-% ncread knows texts in MATLAB; Octave's up to 1.0.16 of its package does not, and throws.
+% ncread reads text in MATLAB; Octave's package up to 1.0.16 does not, and throws.
   texts = ncread (file, name);
   if ~iscell (texts)
     texts = cellstr (texts);
@@ -122,7 +122,7 @@ function texts = texts_of (file, name)
 end
 
 function field = field_name (name)
-% "_FillValue" is no name of a field.
+% "_FillValue" is not a valid name of a field.
   field = regexprep (name, '^_+', '');
   field = regexprep (field, '[^A-Za-z0-9_]', '_');
 end

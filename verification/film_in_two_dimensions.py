@@ -12,8 +12,8 @@ from scipy.sparse.linalg import splu
 
 
 class Film:
-    """x, y: edges of the cells. gap(x, y): thickness, called inside cells only, with arrays, so that jumps on edges are
-    no question. Sides: pressure, or None where nothing flows through."""
+    """x, y: edges of the cells. gap(x, y): thickness, called inside cells only, with arrays, so that jumps on edges
+    need no care. Sides: pressure, or None where nothing flows through."""
 
     def __init__(
         self,

@@ -17,9 +17,9 @@ namespace ringfilm::app {
 namespace {
 
 /// The case itself, on one lane: its bits are the same whatever else is computed.
-Computation integrated(const RunRequest& wanted, ComputationWatch& watch) {
-  const cycle::Case& input = wanted.input;
-  watch.begins(wanted);
+Computation integrated(const RunRequest& requested, ComputationWatch& watch) {
+  const cycle::Case& input = requested.input;
+  watch.begins(requested);
   Computation done;
   cycle::CycleResult result;
   try {
@@ -33,7 +33,7 @@ Computation integrated(const RunRequest& wanted, ComputationWatch& watch) {
   return done;
 }
 
-/// What is to be found out about one computation by further integrations, and where theirs stand in the batch of all.
+/// What is to be found out about one computation by further integrations, and where theirs are in the batch of all.
 struct FollowUpRuns {
   study::LedgerPlan ledger;
   std::size_t n_other_grids = 0;
@@ -48,8 +48,8 @@ std::size_t append(std::vector<cycle::Case> cases, std::vector<cycle::Case>& all
   return n;
 }
 
-void add_errors(const RunRequest& wanted, std::span<const study::Ending> ended, io::ResultDocument& document) {
-  document.errors = study::error_estimate(wanted.input, document.result, ended);
+void add_errors(const RunRequest& requested, std::span<const study::Ending> ended, io::ResultDocument& document) {
+  document.errors = study::error_estimate(requested.input, document.result, ended);
   const auto notes = study::notes_on(*document.errors);
   document.result.notes.insert(document.result.notes.end(), notes.begin(), notes.end());
   cycle::sort_notes(document.result.notes);
@@ -69,20 +69,20 @@ class LineWatch : public ComputationWatch {
   std::optional<IntegrationProgress> integration_;
 };
 
-std::vector<Computation> of_single_rings(const std::vector<RunRequest>& wanted, const study::BatchOptions& options,
+std::vector<Computation> of_single_rings(const std::vector<RunRequest>& requested, const study::BatchOptions& options,
                                          ComputationWatch& watch) {
   std::vector<Computation> all;
-  for (const RunRequest& one : wanted) all.push_back(integrated(one, watch));
+  for (const RunRequest& one : requested) all.push_back(integrated(one, watch));
 
   std::vector<cycle::Case> further;
   std::vector<FollowUpRuns> inquiries(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].stopped) continue;
-    if (wanted[i].errors == ErrorRequest::kEstimated) {
-      inquiries[i].n_other_grids = append(study::other_grids(wanted[i].input), further);
+    if (requested[i].errors == ErrorRequest::kEstimated) {
+      inquiries[i].n_other_grids = append(study::other_grids(requested[i].input), further);
     }
-    if (wanted[i].ledger == LedgerRequest::kComputed) {
-      inquiries[i].ledger = study::ledger_plan(wanted[i].input);
+    if (requested[i].ledger == LedgerRequest::kComputed) {
+      inquiries[i].ledger = study::ledger_plan(requested[i].input);
       append(inquiries[i].ledger.cases, further);
     }
   }
@@ -94,25 +94,25 @@ std::vector<Computation> of_single_rings(const std::vector<RunRequest>& wanted, 
   const auto taken = [&rest](std::size_t n) { return std::exchange(rest, rest.subspan(n)).first(n); };
   for (std::size_t i = 0; i < all.size(); ++i) {
     io::ResultDocument& document = all[i].document;
-    if (inquiries[i].n_other_grids > 0) add_errors(wanted[i], taken(inquiries[i].n_other_grids), document);
+    if (inquiries[i].n_other_grids > 0) add_errors(requested[i], taken(inquiries[i].n_other_grids), document);
     if (!inquiries[i].is_empty()) document.provenance.kernels += others;
-    document.ledger_computed = wanted[i].ledger == LedgerRequest::kComputed && !all[i].stopped;
+    document.ledger_computed = requested[i].ledger == LedgerRequest::kComputed && !all[i].stopped;
     if (document.ledger_computed) {
       const auto variants = taken(inquiries[i].ledger.cases.size());
       document.ledger = study::ledger(std::move(inquiries[i].ledger), variants, document.result.values);
     } else {
-      document.ledger = study::assumptions(wanted[i].input);
+      document.ledger = study::assumptions(requested[i].input);
     }
   }
   return all;
 }
 
 /// The rings of a pack as requests of their own; of others the request as it is.
-void append_rings(const RunRequest& wanted, std::vector<RunRequest>& requests) {
-  if (!wanted.input.is_pack()) return requests.push_back(wanted);
-  for (std::size_t i = 0; i < wanted.input.rings.size(); ++i) {
-    requests.push_back(wanted);
-    requests.back().input = wanted.input.rings[i];
+void append_rings(const RunRequest& requested, std::vector<RunRequest>& requests) {
+  if (!requested.input.is_pack()) return requests.push_back(requested);
+  for (std::size_t i = 0; i < requested.input.rings.size(); ++i) {
+    requests.push_back(requested);
+    requests.back().input = requested.input.rings[i];
     requests.back().name += fmt::format(", ring {}", i + 1);
   }
 }
@@ -132,19 +132,19 @@ Computation pack_of(const std::string& title, std::vector<Computation> rings) {
 
 }  // namespace
 
-std::vector<Computation> computations(const std::vector<RunRequest>& wanted, const study::BatchOptions& options) {
+std::vector<Computation> computations(const std::vector<RunRequest>& requested, const study::BatchOptions& options) {
   LineWatch watch;
-  return computations(wanted, options, watch);
+  return computations(requested, options, watch);
 }
 
-std::vector<Computation> computations(const std::vector<RunRequest>& wanted, const study::BatchOptions& options,
+std::vector<Computation> computations(const std::vector<RunRequest>& requested, const study::BatchOptions& options,
                                       ComputationWatch& watch) {
   std::vector<RunRequest> requests;
-  for (const RunRequest& one : wanted) append_rings(one, requests);
+  for (const RunRequest& one : requested) append_rings(one, requests);
   std::vector<Computation> singles = of_single_rings(requests, options, watch);
   std::vector<Computation> all;
   auto next = std::make_move_iterator(singles.begin());
-  for (const RunRequest& one : wanted) {
+  for (const RunRequest& one : requested) {
     const auto n = static_cast<std::ptrdiff_t>(one.input.rings.size());
     if (n == 0) {
       all.push_back(*next++);

@@ -33,11 +33,11 @@ class ComputationWatch : public cycle::Observer {
   virtual void others_ended(int n_done, int n_total) = 0;  ///< other grids and choices; never twice at a time
 };
 
-/// Integrates each case, then all that ledgers and error estimates want in one batch.
-std::vector<Computation> computations(const std::vector<RunRequest>& wanted, const study::BatchOptions& options,
+/// Integrates each case, then all that ledgers and error estimates require in one batch.
+std::vector<Computation> computations(const std::vector<RunRequest>& requested, const study::BatchOptions& options,
                                       ComputationWatch& watch);
 
 /// The same, with a line of progress on standard error.
-std::vector<Computation> computations(const std::vector<RunRequest>& wanted, const study::BatchOptions& options);
+std::vector<Computation> computations(const std::vector<RunRequest>& requested, const study::BatchOptions& options);
 
 }  // namespace ringfilm::app

@@ -11,7 +11,7 @@ namespace ringfilm::app::chain {
 /// States of life of the ring, as the files are named.
 inline constexpr std::array kRings = {"new", "run_in", "embedded"};
 
-/// Tilt taken off, S-filter 1 um, L-filter 80 um, 2 x 2 regions, sigma from Ra.
+/// Tilt removed, S-filter 1 um, L-filter 80 um, 2 x 2 regions, sigma from Ra.
 instrument::SurfaceAnalysis surface_analysis();
 
 /// A stylus trace; where the face begins and how the holder leans was read off the instrument.

@@ -25,7 +25,7 @@ void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::str
 io::NamedNumbers numbers_of(const io::Measurement& measurement);
 
 /// Writes what was asked for and prints the document. Throws OutputError.
-/// @param numbers that stand at the top of the JSON
+/// @param numbers that are at the top of the JSON
 void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers);
 
 }  // namespace ringfilm::app

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "ringfilm/base/renamed.hpp"
 #include "ringfilm/io/text/uncertain_quantity.hpp"
 
 namespace ringfilm::app {
@@ -20,7 +21,7 @@ double OptionValues::length(const std::string& option, const std::string& text, 
   const std::size_t before = faults_.size();
   const double value = quantity(option, text, "m", example);
   if (faults_.size() == before && !(value > 0)) {
-    refuse(option + " \"" + text + "\" is no length above zero", "for example \"" + example + "\"");
+    refuse(option + " \"" + text + "\" is not a length above zero", "for example \"" + example + "\"");
   }
   return value;
 }
@@ -47,6 +48,12 @@ surface::Uncertain OptionValues::uncertain(const std::string& option, const std:
 
 void OptionValues::refuse(const std::string& message, const std::string& remedy) {
   faults_.push_back(Fault{SourceMark{}, message, remedy});
+}
+
+std::string OptionValues::renamed_remedy(const std::string& option, const std::string& word,
+                                         const std::string& remedy) {
+  const std::string present(present_name(option + " " + word));
+  return present.empty() ? remedy : "did you mean " + present + "? " + remedy;
 }
 
 void OptionValues::check() const {

@@ -34,7 +34,7 @@ class OptionValues {
       if (name == word) return choice;
       names += (names.empty() ? "" : ", ") + name;
     }
-    refuse(option + " " + word + ": this is no choice", "one of: " + names);
+    refuse(option + " " + word + ": this is not a choice", renamed_remedy(option, word, "one of: " + names));
     return choices.front().second;
   }
 
@@ -43,6 +43,9 @@ class OptionValues {
   void check() const;
 
  private:
+  /// With the present name of a choice of an earlier version; `remedy` alone for any other word.
+  static std::string renamed_remedy(const std::string& option, const std::string& word, const std::string& remedy);
+
   const io::Units& units_;
   std::vector<Fault> faults_;
 };

@@ -6,7 +6,7 @@
 
 namespace ringfilm::app {
 
-/// One line on standard error that is written over and over and gone at the end. Silent where standard error is no
+/// One line on standard error that is written over and over and gone at the end. Silent where standard error is not a
 /// terminal, and for work that is done before one could read it.
 class ProgressLine {
  public:

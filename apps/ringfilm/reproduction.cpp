@@ -31,7 +31,7 @@ void make_folder(const fs::path& folder) {
   if (fs::is_directory(folder, error)) return;
   if (!fs::create_directory(folder, error)) {
     throw InputError(
-        folder.string() + ": this folder cannot be made: " + (error ? error.message() : "a file stands there"),
+        folder.string() + ": this folder cannot be made: " + (error ? error.message() : "there is already a file"),
         "name another one with --output");
   }
 }

@@ -3,7 +3,7 @@
 namespace ringfilm::app {
 namespace {
 
-// A signal has no other way to say that it came.
+// A signal has no other way to report itself.
 volatile std::sig_atomic_t stop_wanted = 0;
 
 /// @returns what was done about the signal before; nothing where it is ignored, and stays so

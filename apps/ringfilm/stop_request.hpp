@@ -5,7 +5,7 @@
 namespace ringfilm::app {
 
 /// While it lives, Ctrl-C and a polite kill are noted instead of ending the program; a second one ends it at once. A
-/// signal that the program was told to ignore when it was started (nohup, a script's background) stays ignored.
+/// signal that the program was set to ignore when it was started (nohup, a script's background) stays ignored.
 class StopRequest {
  public:
   StopRequest();

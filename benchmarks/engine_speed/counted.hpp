@@ -7,7 +7,7 @@ namespace ringfilm::benchmarks {
 inline constexpr auto kCounted = static_cast<base::InstructionSet>(-1);
 
 /// Additions, subtractions, products and quotients of counted packs so far, one each. Comparisons, choices, signs,
-/// loads and stores are none.
+/// loads and stores are not counted.
 struct Operations {
   static inline long done = 0;
 };

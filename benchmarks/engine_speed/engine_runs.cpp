@@ -20,7 +20,7 @@ void add(const cycle::CycleResult& result, Spent& spent) {
 }
 
 /// A sweep that leaves what any sweep leaves; one in some is first done several times over by the clock. Kernels are
-/// plain functions, so what they find out must stand by itself.
+/// plain functions, so their results must be independent.
 struct TimedSweep {
   static constexpr long kEvery = 61;  // no multiple of anything in an integration
   static constexpr int kRepeats = 16;

@@ -35,7 +35,7 @@ void tell_machine(const Extent& extent) {
   std::printf("times      processor time, the fastest of %d; %zu scenarios in a batch, %zu one by one\n",
               extent.repetitions, extent.batch_scenarios, extent.single_scenarios);
   if (extent.most_relaxed_cells < kCells.back()) {
-    std::printf("LEFT OUT   point relaxation beyond %d cells\n", extent.most_relaxed_cells);
+    std::printf("OMITTED    point relaxation beyond %d cells\n", extent.most_relaxed_cells);
   }
   std::fflush(stdout);
 }

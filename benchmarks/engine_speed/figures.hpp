@@ -7,7 +7,7 @@
 
 namespace ringfilm::benchmarks {
 
-/// What the benchmarks told, by name: of each the fastest of its repetitions.
+/// What the benchmarks reported, by name: of each the fastest of its repetitions.
 class Figures {
  public:
   void take(const benchmark::BenchmarkReporter::Run& run);
@@ -24,7 +24,7 @@ class Figures {
   std::map<std::string, Fastest> fastest_;
 };
 
-/// Says on standard error what is being measured, and keeps the figures.
+/// Reports on standard error what is being measured, and keeps the figures.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   explicit Collector(Figures& figures) : figures_(figures) {}

@@ -19,7 +19,7 @@ class MarkdownTable {
  public:
   explicit MarkdownTable(std::vector<std::string> head) : head_(std::move(head)) {}
 
-  /// @param names the first cells; the row is left out if no value of the others was measured
+  /// @param names the first cells; the row is omitted if no value of the others was measured
   void row(std::vector<std::string> names, const std::vector<std::string>& values);
   /// Prints to standard output, or nothing if there is no row.
   void print(const std::string& title) const;

@@ -11,8 +11,8 @@
 namespace ringfilm::benchmarks {
 namespace {
 
-/// What stands behind the colon of the first line that begins with `key`.
-std::string told_by(const char* file, const std::string& key) {
+/// What is behind the colon of the first line that begins with `key`.
+std::string reported_by(const char* file, const std::string& key) {
   std::ifstream lines(file);
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind(key, 0) != 0) continue;
@@ -46,10 +46,10 @@ bool forget_peak_resident() {
   return refs.good();
 }
 
-double peak_resident_bytes() { return 1024 * std::atof(told_by("/proc/self/status", "VmHWM").c_str()); }
+double peak_resident_bytes() { return 1024 * std::atof(reported_by("/proc/self/status", "VmHWM").c_str()); }
 
 std::string processor_name() {
-  const std::string model = told_by("/proc/cpuinfo", "model name");
+  const std::string model = reported_by("/proc/cpuinfo", "model name");
   return std::to_string(std::thread::hardware_concurrency()) + " x " + (model.empty() ? "unknown" : model);
 }
 

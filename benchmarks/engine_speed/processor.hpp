@@ -1,19 +1,19 @@
 #pragma once
 #include <string>
 
-/// What the operating system tells of time, memory and load.
+/// What the operating system reports of time, memory and load.
 namespace ringfilm::benchmarks {
 
 /// Processor time that this thread has had [s].
 double processor_seconds();
 
-/// Bytes that the program holds on its heap now; 0 where the C library does not tell.
+/// Bytes that the program holds on its heap now; 0 where the C library does not report.
 double heap_bytes();
 
 /// Starts the peak of `peak_resident_bytes` afresh; false where the system cannot.
 bool forget_peak_resident();
 
-/// The most memory that the process has held [byte]; 0 where the system does not tell.
+/// The most memory that the process has held [byte]; 0 where the system does not report.
 double peak_resident_bytes();
 
 /// Model and number of the processors.

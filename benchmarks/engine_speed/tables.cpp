@@ -21,7 +21,7 @@ class Printer {
   void times() const {
     const Cells methods = {"point-relaxation", "nested-secant", "coupled-newton", "batched", "batched-all-threads"};
     MarkdownTable table({"model", "cells", "point relaxation", "nested secant", "coupled Newton", "batched",
-                         "batched, " + threads_, "cycles/s, core", "made ready"});
+                         "batched, " + threads_, "cycles/s, core", "set up"});
     for (const auto model : {kReynolds, kFilmContent}) {
       for (const int cells : kCells) {
         Cells values;
@@ -35,7 +35,7 @@ class Printer {
       growth.insert(growth.end(), 2, text("", std::nullopt));
       table.row({name_of(model), "growth"}, growth);
     }
-    table.print("Processor time of an integrated cycle [ms]; made ready: of a scenario before it is integrated [ms]");
+    table.print("Processor time of an integrated cycle [ms]; set up: of a scenario before it is integrated [ms]");
   }
 
   void ratios() const {
@@ -65,18 +65,19 @@ class Printer {
                          "stopped", "cycles/scenario"});
     for (const auto model : {kReynolds, kFilmContent}) {
       for (const int cells : kCells) {
-        const auto told = [&](const char* format, const char* what, const char* counter) {
+        const auto reported = [&](const char* format, const char* what, const char* counter) {
           return text(format, of(what, model, cells, counter));
         };
         table.row(
             {name_of(model), std::to_string(cells)},
-            {told("%.4g", "point-relaxation", "factor"), told("%.0f", "point-relaxation", "effort_per_step"),
-             told("%.0f", "point-relaxation", "failed_steps"), told("%.2f", "nested-secant", "effort_per_step"),
-             told("%.2f", "nested-secant", "films_per_step"), told("%.0f", "nested-secant", "failed_steps"),
-             told("%.3f", "coupled-newton", "iterations_per_step"), told("%.3f", "batched", "iterations_per_step"),
+            {reported("%.4g", "point-relaxation", "factor"), reported("%.0f", "point-relaxation", "effort_per_step"),
+             reported("%.0f", "point-relaxation", "failed_steps"), reported("%.2f", "nested-secant", "effort_per_step"),
+             reported("%.2f", "nested-secant", "films_per_step"), reported("%.0f", "nested-secant", "failed_steps"),
+             reported("%.3f", "coupled-newton", "iterations_per_step"),
+             reported("%.3f", "batched", "iterations_per_step"),
              text("%.1f %%", Value(100) * of("batched", model, cells, "occupation")),
-             told("%.0f", "batched", "single_solves"), told("%.0f", "batched", "stopped"),
-             told("%.3f", "batched", "cycles_per_scenario")});
+             reported("%.0f", "batched", "single_solves"), reported("%.0f", "batched", "stopped"),
+             reported("%.3f", "batched", "cycles_per_scenario")});
       }
     }
     table.print("Effort (failed: steps that the method did not solve; found alone: films that a lane did not find)");
@@ -107,7 +108,8 @@ class Printer {
                 text("%.2f", Value(1e-9) / figures_.seconds("fma-peak")).c_str(),
                 text("%.2f", Value(1e-9) / figures_.seconds("fma-peak-all-threads")).c_str(), threads_.c_str());
     table.print(
-        "Floating-point operations (a sum, a product and a quotient are one each, all else is none) against the peak\n"
+        "Floating-point operations (a sum, a product and a quotient are one each, everything else counts zero) against "
+        "the peak\n"
         "measured right before and after; batch: of lanes at work only, over all of its time");
   }
 
@@ -131,7 +133,7 @@ class Printer {
                                          text("%.1f", Value(1e-6) * figures_.counter(name, "peak_resident_bytes")),
                                          text("%.0f", figures_.counter(name, "stopped"))});
     }
-    table.print("Scenarios in one call (mass-conserving, 200 cells; made ready and integrated)");
+    table.print("Scenarios in one call (mass-conserving, 200 cells; set up and integrated)");
   }
 
  private:

@@ -8,9 +8,9 @@
 #include "ringfilm/surface/asperity/scale.hpp"
 #include "ringfilm/surface/asperity/summits.hpp"
 #include "ringfilm/surface/synthetic/synthetic.hpp"
-#include "ringfilm/surface/topography/bearing.hpp"
 #include "ringfilm/surface/topography/filter.hpp"
 #include "ringfilm/surface/topography/form.hpp"
+#include "ringfilm/surface/topography/material_ratio.hpp"
 #include "ringfilm/surface/topography/roughness.hpp"
 #include "ringfilm/surface/topography/spectrum.hpp"
 
@@ -81,7 +81,7 @@ void register_all(const std::string& size, const HeightMap& map) {
   measure(size + "/heights_and_moments", map,
           [](HeightMap& work) { benchmark::DoNotOptimize(surface_measures(work)); });
   measure(size + "/bearing", map, [](HeightMap& work) {
-    const std::vector<double> curve = bearing_curve(work);
+    const std::vector<double> curve = material_ratio_curve(work);
     benchmark::DoNotOptimize(core_roughness(curve));
     benchmark::DoNotOptimize(probability_roughness(curve));
   });
@@ -98,7 +98,7 @@ void register_all(const std::string& size, const HeightMap& map) {
     apply_filter(work, filter_of(FilterKind::gaussian, FilterSide::short_cutoff, 5e-6));
     apply_filter(work, filter_of(FilterKind::gaussian, FilterSide::long_cutoff, 250e-6));
     benchmark::DoNotOptimize(surface_measures(work));
-    const std::vector<double> curve = bearing_curve(work);
+    const std::vector<double> curve = material_ratio_curve(work);
     benchmark::DoNotOptimize(core_roughness(curve));
     benchmark::DoNotOptimize(count_summits(work));
   });

@@ -11,7 +11,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-# Told apart by colour-blind readers and in grey print (Okabe and Ito), and by their dashes.
+# Distinguishable by colour-blind readers and in grey print (Okabe and Ito), and by their dashes.
 RINGS = [("new", "#0072B2", ""), ("run-in", "#E69F00", "7 3"), ("embedded", "#000000", "2 3")]
 WIDTH, LEFT, RIGHT, PANEL, GAP, TOP = 860, 66, 16, 190, 30, 52
 

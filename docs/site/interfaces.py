@@ -1,6 +1,6 @@
 """The pages of the interfaces: of Python from its stubs and sources, of C++ from the public headers by way of doxygen.
 
-usage: interfaces.py STAGE STUBS HEADER...      (from the checkout; STUBS: the folder of stubs that the build wrote)
+usage: interfaces.py STAGE HEADER...      (from the checkout)
 """
 
 import ast
@@ -49,7 +49,7 @@ def prose(docstring):
 
 
 def signature(function, inside):
-    """What stands between the brackets, and what comes back."""
+    """Arguments and return type."""
     arguments = ast.unparse(function.args)
     if inside:
         arguments = re.sub(r"^self(, )?", "", arguments)
@@ -84,12 +84,7 @@ def of_class(node, prefix):
         if isinstance(member, ast.FunctionDef) and not member.name.startswith("_"):
             content += of_function(member, prefix, inside=True)
     bases = ", ".join(ast.unparse(base) for base in node.bases)
-    return block(
-        "class",
-        f"{prefix}.{node.name}" + (f"({bases})" if bases and "Exception" not in bases else ""),
-        content,
-        fence="````",
-    )
+    return block("class", f"{prefix}.{node.name}" + (f"({bases})" if bases and "Exception" not in bases else ""), content, fence="````")
 
 
 def public_names(path):
@@ -110,27 +105,17 @@ def definitions(*paths):
     return found
 
 
-def python_page(stubs):
-    """Every public name of the module, of its compiled part from the stubs."""
-    out = [
-        "# The Python module, name by name",
-        "",
-        "[From Python](../manual/python.md) shows how these are used. Numbers are in SI, crank angles in degrees.",
-        "",
-    ]
-    modules = [
-        ("ringfilm", PACKAGE / "__init__.py", [PACKAGE / "_batch.py", PACKAGE / "errors.py", stubs / "__init__.pyi"])
-    ]
+def python_page():
+    """Every public name of the module."""
+    out = ["# The Python module, name by name", "",
+           "[From Python](../manual/python.md) shows how these are used. Numbers are in SI, crank angles in degrees.", ""]
+    stubs = PACKAGE / "_ringfilm"
+    modules = [("ringfilm", PACKAGE / "__init__.py", [PACKAGE / "_batch.py", PACKAGE / "errors.py", stubs / "__init__.pyi"])]
     for name in ("surface", "face", "lateral_force", "laws"):
         modules.append((f"ringfilm.{name}", PACKAGE / f"{name}.py", [PACKAGE / f"{name}.py", stubs / f"{name}.pyi"]))
     for module, source, files in modules:
         known = definitions(*files)
-        out += [
-            f"## {module}",
-            "",
-            *prose(ast.get_docstring(ast.parse(source.read_text(encoding="utf-8")), clean=False)),
-            "",
-        ]
+        out += [f"## {module}", "", *prose(ast.get_docstring(ast.parse(source.read_text(encoding="utf-8")), clean=False)), ""]
         for name in public_names(source):
             node = known.get(name)
             if isinstance(node, ast.ClassDef):
@@ -140,7 +125,7 @@ def python_page(stubs):
     return "\n".join(out) + "\n"
 
 
-ROOMS = {
+MODULES = {
     "ringfilm": ("Errors", "base"),
     "ringfilm::surface": ("Surfaces, faces, friction loops", "surface"),
     "ringfilm::models": ("Laws: oil, contact, crank, gas, ring", "models"),
@@ -153,45 +138,34 @@ ROOMS = {
 }
 
 
-def room_page(namespace, headers):
-    """One room: its namespace with all that the public headers of the room declare."""
-    title, room = ROOMS[namespace]
-    listed = ", ".join(f"`{header.removeprefix('src/')}`" for header in headers if f"/{room}/" in header)
+def folder_page(namespace, headers):
+    """One module: its namespace with all that the public headers of the module declare."""
+    title, folder = MODULES[namespace]
+    listed = ", ".join(f"`{header.removeprefix('src/')}`" for header in headers if f"/{folder}/" in header)
     directive = f"```{{doxygennamespace}} {namespace}\n:project: ringfilm\n:members:\n```\n"
-    if room == "base":  # the namespace ringfilm itself holds all others
-        directive = "".join(
-            f"```{{doxygenfile}} {header.removeprefix('src/')}\n:project: ringfilm\n```\n\n"
-            for header in headers
-            if f"/{room}/" in header
-        )
+    if folder == "base":  # the namespace ringfilm itself holds all others
+        directive = "".join(f"```{{doxygenfile}} {header.removeprefix('src/')}\n:project: ringfilm\n```\n\n"
+                            for header in headers if f"/{folder}/" in header)
     return f"# {title}\n\nFrom {listed}.\n\n{directive}"
 
 
-def main(stage, stubs, headers):
+def main(stage, headers):
     api = stage / "docs" / "api"
     (api / "cpp").mkdir(parents=True, exist_ok=True)
-    (api / "python.md").write_text(python_page(stubs), encoding="utf-8")
-    rooms = {header.split("/")[2] for header in headers}
-    left = rooms - {room for _, room in ROOMS.values()}
+    (api / "python.md").write_text(python_page(), encoding="utf-8")
+    folders = {header.split("/")[2] for header in headers}
+    left = folders - {folder for _, folder in MODULES.values()}
     if left:
-        raise SystemExit(
-            f"docs: the public headers of {', '.join(sorted(left))} have no page in docs/site/interfaces.py"
-        )
-    out = [
-        "# The C++ library, name by name",
-        "",
-        "What `ringfilm/ringfilm.hpp` includes is public. [The library](../manual/library.md) shows how it is used.",
-        "",
-        "```{toctree}",
-        ":maxdepth: 1",
-        "",
-    ]
-    for namespace, (_, room) in ROOMS.items():
-        if room in rooms:
-            (api / "cpp" / f"{room}.md").write_text(room_page(namespace, headers), encoding="utf-8")
-            out.append(f"cpp/{room}")
+        raise SystemExit(f"docs: the public headers of {', '.join(sorted(left))} have no page in docs/site/interfaces.py")
+    out = ["# The C++ library, name by name", "",
+           "What `ringfilm/ringfilm.hpp` includes is public. [The library](../manual/library.md) shows how it is used.", "",
+           "```{toctree}", ":maxdepth: 1", ""]
+    for namespace, (_, folder) in MODULES.items():
+        if folder in folders:
+            (api / "cpp" / f"{folder}.md").write_text(folder_page(namespace, headers), encoding="utf-8")
+            out.append(f"cpp/{folder}")
     (api / "cpp.md").write_text("\n".join([*out, "```", ""]), encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3:])
+    main(pathlib.Path(sys.argv[1]), sys.argv[2:])

@@ -1,7 +1,7 @@
-"""What stands where in the site, in the order in which a reader needs it.
+"""Pages of the site in the order in which a reader needs them.
 
-A name without an ending is a page of docs/manual. Pages of docs/manual that stand nowhere here are added at the end of
-"Reference", so that none is lost.
+A name without an ending is a page of docs/manual. Pages of docs/manual that are not listed here are added at the end of
+"Reference", so that no page is lost.
 """
 
 # (caption, pages)

@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def run(*words):
-    """What a command says is shown only if it fails."""
+    """The output of a command is shown only if it fails."""
     done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != 0:
         raise SystemExit(f"docs: {' '.join(words)} failed:\n{done.stdout}")

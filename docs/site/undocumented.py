@@ -1,5 +1,5 @@
-"""Names the public names of the C++ library that do not say what they are. Doxygen's own warnings leave out enumerators
-and all that stands in a namespace without a description.
+"""Lists the public names of the C++ library without a description. Doxygen's own warnings omit enumerators
+and everything in a namespace without a description.
 
 usage: undocumented.py XML_FOLDER      (of doxygen); ends with 1 if there are any
 """
@@ -48,7 +48,7 @@ def main(folder):
             seen += 1
             missing += undescribed(compound)
     for name in missing:
-        print(f"docs: {name} does not say what it is", file=sys.stderr)
+        print(f"docs: {name} has no description", file=sys.stderr)
     if not seen:
         print(f"docs: no public name in {folder}", file=sys.stderr)
     return 0 if seen and not missing else 1

@@ -16,7 +16,7 @@ with tempfile.TemporaryDirectory() as folder:
     path = pathlib.Path(folder) / "start.toml"
     path.write_text(ringfilm.starting_case())
     base = ringfilm.Case.read(path)
-print("crown as it stands:", base.text("ring.face.crown_height"), " face width:", base.text("ring.face_width"))
+print("crown of the case:", base.text("ring.face.crown_height"), " face width:", base.text("ring.face_width"))
 
 # %%
 crowns = np.geomspace(1e-6, 60e-6, 25)  # [m]
@@ -58,7 +58,7 @@ panels[-1].set_xlabel("crown height [um]")
 plt.show()
 
 # %% [markdown]
-# *Friction mean effective pressure, thinnest film and oil flow over the height of the crown, at two speeds. Friction has a minimum; the film has none in this range.*
+# *Friction mean effective pressure, thinnest film and oil flow over the height of the crown, at two speeds. Friction has a minimum; the film thickness has no minimum in this range.*
 
 # %%
 for speed, batch in batches.items():
@@ -72,4 +72,4 @@ for speed, batch in batches.items():
 # %% [markdown]
 # The film is thinnest just after firing TDC, where the ring hardly moves and lives on what the squeeze leaves: a flat face is hard to squeeze out. Friction is lost over the whole of the power stroke, and there a wedge helps. So friction has an optimum, and it is broad: choose from its middle, since a crown changes with wear. Weigh it over the operating points that matter, with a [map](../manual/study.md).
 #
-# What the model leaves out counts here: edges that starve, a ring that twists, a bore that is not straight. All three punish a face as flat as that, so take from this page the trend, not the micrometre.
+# What the model omits counts here: edges that starve, a ring that twists, a bore that is not straight. All three punish a face as flat as that, so take from this page the trend, not the micrometre.

@@ -1,7 +1,7 @@
 # %% [markdown]
 # # What moves the friction coefficient at TDC?
 #
-# At firing top dead centre (TDC) the ring stands still for an instant, the gas presses it hard, and the film has only what the squeeze leaves. The friction coefficient $\mu=f_t/W$ there decides how much the ring wears near the top of the stroke. Which input moves it most?
+# At firing top dead centre (TDC) the ring is at rest for an instant, the gas presses it hard, and the film has only what the squeeze leaves. The friction coefficient $\mu=f_t/W$ there decides how much the ring wears near the top of the stroke. Which input moves it most?
 #
 # **The case:** the new ring of styles2014, 1500 rpm, 120 °C. Its cylinder pressure is SYNTHETIC. **The ranges** below are ASSUMED: what a careful laboratory might leave open in each input, not what somebody measured.
 
@@ -64,9 +64,9 @@ panels[1].legend(fontsize=8, loc="lower right")
 plt.show()
 
 # %% [markdown]
-# *Friction coefficient of the new ring when one input at a time goes to the lowest and the highest value of its range. The line is the case as it stands.*
+# *Friction coefficient of the new ring when one input at a time goes to the lowest and the highest value of its range. The line is the unchanged case.*
 #
-# One input stands out. To see why, ask who carries the load at TDC:
+# One input has by far the largest effect. The reason is what carries the load at TDC:
 
 # %%
 at = np.argmin(np.abs(batch[0].crank_angle))
@@ -77,7 +77,7 @@ print(f"  carried by the film   {100 * now.hydrodynamic_load[at] / now.applied_l
 print(f"friction of asperities {now.boundary_friction[at]:.1f} N, of the oil {now.viscous_friction[at]:.2f} N")
 
 # %% [markdown]
-# The ring stands still, so the film makes hardly any pressure of its own: it passes on that of the gas at its edges, and that carries about half of the load. The asperities carry the rest, *whatever* their number, size and height. Rougher surfaces stand further apart, and that is all. The shear strength therefore goes through one to one, and the tension matters because it is load that no gas holds up.
+# The ring is at rest, so the film makes hardly any pressure of its own: it passes on that of the gas at its edges, and that carries about half of the load. The asperities carry the rest, *whatever* their number, size and height. Rougher surfaces are further apart; nothing else changes. The shear strength therefore goes through one to one, and the tension matters because it is load that no gas holds up.
 #
 # Away from TDC it is different: there roughness and oil decide how much the film carries ([a friction band](friction-band.md)).
 
@@ -86,7 +86,7 @@ print(f"friction of asperities {now.boundary_friction[at]:.1f} N, of the oil {no
 # %%
 for i in order[::-1]:
     print(f"{inputs[i][1]:32s} {at_tdc[1 + 2 * i]:.4f} ... {at_tdc[2 + 2 * i]:.4f}")
-print(f"{'as it stands':32s} {at_tdc[0]:.4f}")
+print(f"{'unchanged':32s} {at_tdc[0]:.4f}")
 
 # %% [markdown]
-# One at a time says nothing about inputs that act together. For that there are Sobol indices: a [study](../manual/study.md) with `indices = "first-and-total"`, as `cases/studies/new_ring_uncertainty.toml`.
+# A one-at-a-time sensitivity does not show how inputs act together. For that there are Sobol indices: a [study](../manual/study.md) with `indices = "first-and-total"`, as `cases/studies/new_ring_uncertainty.toml`.

@@ -3,7 +3,7 @@
 #
 # One pair of height maps gives one density, radius and height of asperities. But another place on the same ring would have given others. How far does that scatter reach into the friction of the cycle?
 #
-# **The maps are SYNTHETIC**, made with the statistics of the paper's new ring: they show the way, and their numbers say nothing of real rings. The cylinder pressure is SYNTHETIC, too.
+# **The maps are SYNTHETIC**, made with the statistics of the paper's new ring: they demonstrate the method, and their numbers describe no real ring. The cylinder pressure is SYNTHETIC, too.
 
 # %%
 import matplotlib.pyplot as plt
@@ -22,7 +22,7 @@ figure.colorbar(picture, ax=panels, label="height above the mean plane [um]", ex
 plt.show()
 
 # %% [markdown]
-# *The two synthetic maps with their tilt taken off. The colours end at ±1.5 um; white points were not measured.*
+# *The two synthetic maps with their tilt removed. The colours end at ±1.5 um; white points were not measured.*
 #
 # ## N, beta and sigma of sixteen places
 # Both maps are levelled and filtered as a whole, between cut-offs of 1 and 80 um. Then each is cut into 4 x 4 parts, and each part is a sample of its own.

@@ -1,9 +1,9 @@
 # %% [markdown]
-# # The gap of the ring
+# # The end gap of the ring
 #
-# A cycle usually takes the film to be alike all around the bore. The ring has a gap, though, where oil can leave at its ends. Does that change friction and film?
+# A cycle usually takes the film to be alike all around the bore. The ring has an end gap, though, where oil can leave at its ends. Does that change friction and film?
 #
-# **The case:** the new ring of styles2014 (SYNTHETIC cylinder pressure) with a gap of 0.3 mm, ASSUMED. The film is computed on the whole ring, cut open at its gap and laid flat. The grid is coarse here, so that the page is made quickly. No gas blows through the gap in this model.
+# **The case:** the new ring of styles2014 (SYNTHETIC cylinder pressure) with an end gap of 0.3 mm, ASSUMED. The film is computed on the whole ring, cut open at its end gap and laid flat. The grid is coarse here, so that the page is made quickly. No gas blows through the end gap in this model.
 
 # %%
 import matplotlib.pyplot as plt
@@ -25,39 +25,31 @@ case["output.fields"] = [20]
 whole = case.run()
 
 # %% [markdown]
-# ## The pressure of the film near the gap
+# ## The pressure of the film near the end gap
 # At 20 degrees after firing TDC, where the gas presses most. The ring is some 200 times as long as its face is wide, so only the last 3 mm before one end are drawn.
 
 # %%
 data = whole.to_xarray().isel(field_crank_angle=0)
 end = data.sel(y=slice(0, 3e-3))
 figure, axes = plt.subplots(figsize=(7.5, 3.2), layout="constrained")
-mesh = axes.pcolormesh(
-    end.y * 1e3, end.x * 1e3, end.unrolled_film_pressure.transpose("x", "y") * 1e-5, shading="nearest", cmap="viridis"
-)
+mesh = axes.pcolormesh(end.y * 1e3, end.x * 1e3, end.unrolled_film_pressure.transpose("x", "y") * 1e-5, shading="nearest", cmap="viridis")
 axes.invert_yaxis()
 axes.set(xlabel="distance from the end of the ring [mm]", ylabel="from the chamber edge [mm]")
 figure.colorbar(mesh, label="film pressure [bar]")
 plt.show()
 
 # %% [markdown]
-# *Film pressure at 20 degrees, 0 to 3 mm from the end of the ring, chamber edge on top. At the end itself the pressure is set to the mean of chamber and crankcase; half a millimetre further on the film knows nothing of it.*
+# *Film pressure at 20 degrees, 0 to 3 mm from the end of the ring, chamber edge on top. At the end itself the pressure is set to the mean of chamber and crankcase; half a millimetre further on the film does not change.*
 #
 # ## What the end does to the whole
 
 # %%
-for name, label, factor, unit in (
-    ("mean_power_loss", "mean friction power", 1, "W"),
-    ("min_film_thickness", "minimum film thickness", 1e6, "um"),
-    ("mean_absolute_oil_flow", "mean absolute oil flow", 1e6, "mg/s"),
-):
+for name, label, factor, unit in (("mean_power_loss", "mean friction power", 1, "W"), ("min_film_thickness", "minimum film thickness", 1e6, "um"),
+                                  ("mean_absolute_oil_flow", "mean absolute oil flow", 1e6, "mg/s")):
     one, other = face.values[name] * factor, whole.values[name] * factor
-    print(
-        f"{label:26s} alike all around {one:9.4f} {unit:5s} "
-        f"with its gap {other:9.4f} {unit:5s} {100 * (other / one - 1):+.3f} %"
-    )
+    print(f"{label:26s} alike all around {one:9.4f} {unit:5s} with its end gap {other:9.4f} {unit:5s} {100 * (other / one - 1):+.3f} %")
 gap, bore = case["ring.end_gap"], case["engine.bore"]
-print(f"The gap itself is {100 * gap / (np.pi * bore):.3f} % of the circumference.")
+print(f"The end gap itself is {100 * gap / (np.pi * bore):.3f} % of the circumference.")
 
 # %%
 angle = (whole.crank_angle + 360) % 720 - 360
@@ -65,11 +57,11 @@ order = np.argsort(angle)
 figure, axes = plt.subplots(figsize=(7.5, 3), layout="constrained")
 axes.plot(angle[order], whole.gap_leakage[order] * 1e6, color="black", linewidth=1.2)
 axes.axhline(0, color="0.6", linewidth=0.8)
-axes.set(xlim=(-360, 360), xlabel="crank angle [degree], 0 = firing TDC", ylabel="oil into the gap [mg/s]")
+axes.set(xlim=(-360, 360), xlabel="crank angle [degree], 0 = firing TDC", ylabel="oil into the end gap [mg/s]")
 axes.set_xticks(range(-360, 361, 90))
 plt.show()
 
 # %% [markdown]
-# *Oil that leaves the film through both ends into the gap; negative where it comes in. On this coarse grid it shows the course, not the amount.*
+# *Oil that leaves the film through both ends into the end gap; negative where it comes in. On this coarse grid it shows the course, not the amount.*
 #
-# For friction and film of a ring in a round bore, take the film alike all around: the difference is that of the missing length. The leakage has no limit in the cells, because the pressure jumps in the corners ([why](../manual/unrolled.md)): it says that the boundary condition, not the film, decides what the gap takes.
+# For friction and film of a ring in a round bore, take the film alike all around: the difference is that of the missing length. The leakage has no limit in the cells, because the pressure jumps in the corners ([why](../manual/unrolled.md)): it shows that the boundary condition, not the film, decides how much oil enters the end gap.

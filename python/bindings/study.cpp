@@ -132,23 +132,23 @@ void compute(StudyResultObject& result, int threads, const py::object& progress)
   study::StudyRunOptions options;
   options.batch.threads = threads;
   options.longest_wait = 0.2;
-  const auto finished = [&](const study::ScenarioChunk& chunk) {
-    for (std::size_t i = 0; i < chunk.rows.size(); ++i) {
-      const std::size_t scenario = chunk.first + i;
-      for (std::size_t q = 0; q < result.values.size(); ++q) result.values[q][scenario] = chunk.rows[i].values[q];
-      result.reasons[scenario] = chunk.rows[i].reason;
-      for (const cycle::Note& note : chunk.rows[i].notes) {
-        const study::ScenarioNote one{scenario, note.message, cycle::note_badness(note.topic, chunk.rows[i].values)};
+  const auto finished = [&](const study::ScenarioBlock& block) {
+    for (std::size_t i = 0; i < block.rows.size(); ++i) {
+      const std::size_t scenario = block.first + i;
+      for (std::size_t q = 0; q < result.values.size(); ++q) result.values[q][scenario] = block.rows[i].values[q];
+      result.reasons[scenario] = block.rows[i].reason;
+      for (const cycle::Note& note : block.rows[i].notes) {
+        const study::ScenarioNote one{scenario, note.message, cycle::note_badness(note.topic, block.rows[i].values)};
         const auto [found, is_first] = result.notes.try_emplace({cycle::note_rank(note.topic), note.topic});
         if (is_first || one.comes_before(found->second.shown)) found->second.shown = one;
         found->second.scenarios.push_back(static_cast<std::uint32_t>(scenario));
       }
       // Rows come in their order.
-      result.curves.insert(result.curves.end(), chunk.rows[i].curves.begin(), chunk.rows[i].curves.end());
+      result.curves.insert(result.curves.end(), block.rows[i].curves.begin(), block.rows[i].curves.end());
     }
     const py::gil_scoped_acquire lock;
-    if (!progress.is_none()) progress(chunk.first + chunk.rows.size(), n);
-    return study::GoOn::kYes;
+    if (!progress.is_none()) progress(block.first + block.rows.size(), n);
+    return study::Continuation::kYes;
   };
   Interruptible all;
   options.batch.pulse = [&all] { all.pulse(); };
@@ -163,7 +163,7 @@ StudyResultObject run(const StudyObject& self, int threads, const py::object& pr
   if (!until) return result;
   const std::size_t value = quantity_index(until->value);
   std::optional<std::uint64_t> points = self.loaded->study().sampling.scenarios;
-  while (!study::is_sure(*until, study::sureness(result.loaded->plan, result.values[value]))) {
+  while (!study::is_sure(*until, study::interval_widths(result.loaded->plan, result.values[value]))) {
     points = study::next_look(*until, *points);
     if (!points) break;
     io::StudyFile longer = result.loaded->file;
@@ -200,7 +200,7 @@ py::dict statistics(const StudyResultObject& self, const GivenText& value, const
   const std::vector<double> sorted = study::sorted_values(values);
   py::dict reported;
   reported["count"] = sorted.size();
-  reported["left_out"] = values.size() - sorted.size();
+  reported["omitted"] = values.size() - sorted.size();
   if (const auto mean = study::mean_of(values)) {
     reported["mean"] = mean->value;
     reported["standard_error"] = mean->standard_error;

@@ -12,7 +12,7 @@
 #include "ringfilm/surface/face/face_fit.hpp"
 #include "ringfilm/surface/friction_loop/lateral_force.hpp"
 #include "ringfilm/surface/synthetic/synthetic.hpp"
-#include "ringfilm/surface/topography/bearing.hpp"
+#include "ringfilm/surface/topography/material_ratio.hpp"
 #include "ringfilm/surface/topography/preparation.hpp"
 #include "ringfilm/surface/topography/roughness.hpp"
 #include "ringfilm/surface/topography/topography.hpp"

@@ -45,7 +45,7 @@ TEST(Architecture, ProjectHeadersAreIncludedFromTheSourceFolder) {
       }
       const bool written_by_the_build = include.target.rfind("ringfilm_", 0) == 0;
       EXPECT_TRUE(written_by_the_build || known.count("src/" + include.target))
-          << file.at(include.line) << ": \"" << include.target << "\" is no file below src/";
+          << file.at(include.line) << ": \"" << include.target << "\" is not a file below src/";
     }
   }
 }
@@ -98,7 +98,7 @@ TEST(Architecture, StreamsFilesThreadsAndClocksStayInTheLayerThatOwnsThem) {
   }
 }
 
-/// A lock (<mutex>) may also stand in io, around a library that is not made for more than one caller at a time.
+/// A lock (<mutex>) may also are in io, around a library that is not made for more than one caller at a time.
 TEST(Architecture, ThreadsBelongToStudiesAlone) {
   const std::set<std::string> threads = {"thread", "future", "condition_variable", "stop_token"};
   for (const SourceFile& file : product_sources()) {

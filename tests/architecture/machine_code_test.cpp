@@ -39,9 +39,9 @@ Offered offered_by(const std::string& listing, const std::string& member, const 
 /// Standard output of a command; empty if it cannot be run.
 std::string output_of(const std::string& command) {
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen((command + " 2>/dev/null").c_str(), "r"), ::pclose);
-  std::string said;
-  for (int c = 0; pipe && (c = std::fgetc(pipe.get())) != EOF;) said += static_cast<char>(c);
-  return said;
+  std::string printed;
+  for (int c = 0; pipe && (c = std::fgetc(pipe.get())) != EOF;) printed += static_cast<char>(c);
+  return printed;
 }
 
 struct Machine {

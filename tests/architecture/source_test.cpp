@@ -78,7 +78,7 @@ TEST(Architecture, NoWritableStaticsOrGlobals) {
   }
 }
 
-TEST(SourceTree, WritableStateIsTold) {
+TEST(SourceTree, WritableStateIsReported) {
   EXPECT_TRUE(declares_writable_state("  static int calls = 0;"));
   EXPECT_TRUE(declares_writable_state("static std::map<int, double> cache;"));
   EXPECT_TRUE(declares_writable_state("thread_local Workspace work{};"));

@@ -22,7 +22,7 @@ struct SourceFile {
   std::string at(int line) const { return path + ":" + std::to_string(line); }
 };
 
-/// Ranks of the modules; an include goes to a lower layer or stays in its module.
+/// Layers of the modules; an include goes to a lower layer or stays in its module.
 const std::map<std::string, int>& layers();
 
 /// All .cpp and .hpp below src/, apps/ and python/ (read once a call).
@@ -43,7 +43,7 @@ std::vector<TextFile> all_scripts_and_sources();
 /// The module that an include such as "ringfilm/io/text/units.hpp" names; empty for anything outside the project.
 std::string module_of_include(const std::string& target);
 
-/// Reads one text as if it stood at `path`.
+/// Reads one text as if it was at `path`.
 SourceFile parse_source(const std::string& path, const std::string& text);
 
 }  // namespace ringfilm::architecture

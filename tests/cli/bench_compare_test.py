@@ -84,7 +84,7 @@ class BenchCompare(unittest.TestCase):
         self.assert_refused(self.compare(OLD, NEW, "--slower", "-1"), "-1 is no percentage")
         self.assert_refused(self.compare(OLD, NEW, "--slower", "some"), "--slower")
 
-    def test_what_got_faster_is_told(self):
+    def test_what_got_faster_is_reported(self):
         self.assertEqual(self.row(self.compare(NEW, OLD), "batched/200")[-1], "faster")
 
     def test_a_slower_machine_is_taken_out_in_a_column_of_its_own(self):
@@ -94,13 +94,13 @@ class BenchCompare(unittest.TestCase):
         )
         self.assertEqual(self.row(done, "batched/200")[-3:], ["1.500", "1.000", "SLOWER"])
 
-    def test_counts_that_differ_and_benchmarks_of_one_file_alone_are_told(self):
+    def test_counts_that_differ_and_benchmarks_of_one_file_alone_are_reported(self):
         done = self.compare(OLD, NEW)
         self.assertIn("iterations_per_step: 2.5 -> 3\n", done.stdout)
         self.assertIn("only in old.json: gone/200\n", done.stdout)
         self.assertIn("only in new.json: fresh/200\n", done.stdout)
 
-    def test_unlike_machines_are_told(self):
+    def test_unlike_machines_are_reported(self):
         self.assertNotIn("NOTE", self.compare(OLD, NEW).stdout)
         self.assertIn("not the same kernels", self.compare(OLD, NEW.replace('"avx2"', '"avx512"')).stdout)
 

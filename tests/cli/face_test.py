@@ -47,38 +47,36 @@ class FaceTest(program.ProgramTest):
 
 class Numbers(FaceTest):
     def test_the_run_in_face_of_table_4_comes_back(self):
-        told = self.json_of(*PLACED)
-        self.assertEqual(told["kind"], "face")
-        fitted = [
-            told[f"coefficient_{letter}"] * 1e6 * 1e-3**power
-            for letter, power in zip("abcdef", range(6, 0, -1), strict=True)
-        ]
+        reported = self.json_of(*PLACED)
+        self.assertEqual(reported["kind"], "face")
+        fitted = [reported[f"coefficient_{letter}"] * 1e6 * 1e-3**power
+                  for letter, power in zip("abcdef", range(6, 0, -1), strict=True)]
         for x in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.15):
             # Shapes agree but for a constant. 2401 points of 50 nm fix a fit of 7 numbers to 3 nm inside.
             got = polynomial((*fitted, 0), x) - polynomial((*fitted, 0), 0.6)
             true = polynomial(RUN_IN, x) - polynomial(RUN_IN, 0.6)
             self.assertAlmostEqual(got, true, delta=0.02, msg=f"x = {x}")
-        self.assertAlmostEqual(told["noise"], NOISE * 1e-6, delta=0.1 * NOISE * 1e-6)
-        self.assertAlmostEqual(told["polynomial_residual_rms"], NOISE * 1e-6, delta=0.1 * NOISE * 1e-6)
+        self.assertAlmostEqual(reported["noise"], NOISE * 1e-6, delta=0.1 * NOISE * 1e-6)
+        self.assertAlmostEqual(reported["polynomial_residual_rms"], NOISE * 1e-6, delta=0.1 * NOISE * 1e-6)
         # 13.9 and 7.8 um above its minimum at both edges.
-        self.assertAlmostEqual(told["polynomial_end_0"], 12.95e-6 + 0.9e-6, delta=0.1e-6)
-        self.assertAlmostEqual(told["polynomial_end_b"], 7.8e-6, delta=0.1e-6)
-        self.assertAlmostEqual(told["tilt"], -3e-3)
+        self.assertAlmostEqual(reported["polynomial_end_0"], 12.95e-6 + 0.9e-6, delta=0.1e-6)
+        self.assertAlmostEqual(reported["polynomial_end_b"], 7.8e-6, delta=0.1e-6)
+        self.assertAlmostEqual(reported["tilt"], -3e-3)
 
-    def test_the_fall_of_table_4_in_its_last_60_um_is_told(self):
-        told = self.json_of(*PLACED)
-        rows = told["tables"]["fit_artifact"]
+    def test_the_fall_of_table_4_in_its_last_60_um_is_reported(self):
+        reported = self.json_of(*PLACED)
+        rows = reported["tables"]["fit_artifact"]
         self.assertIn("falls towards the edge", json.dumps(rows))
-        self.assertTrue(any("1.14 to 1.2 mm" in note for note in told["notes"]), told["notes"])
+        self.assertTrue(any("1.14 to 1.2 mm" in note for note in reported["notes"]), reported["notes"])
 
-    def test_a_land_that_is_not_flat_is_told(self):
+    def test_a_running_surface_that_is_not_flat_is_reported(self):
         (self.folder / "trace_of_face.csv").write_text(trace(NEW))
-        told = self.json_of(*STATED, "--start", "0.3 mm", "--land-height", "2 um")
-        self.assertNotAlmostEqual(told["tilt_half_land"], told["tilt_double_land"], delta=1e-3)
-        self.assertIn("the land is not flat", " ".join(told["notes"]))
-        self.assertNotIn("the land is not flat", " ".join(self.json_of(*PLACED)["notes"]))
+        reported = self.json_of(*STATED, "--start", "0.3 mm", "--running-surface-height", "2 um")
+        self.assertNotAlmostEqual(reported["tilt_half_running_surface"], reported["tilt_double_running_surface"], delta=1e-3)
+        self.assertIn("the running surface is not flat", " ".join(reported["notes"]))
+        self.assertNotIn("the running surface is not flat", " ".join(self.json_of(*PLACED)["notes"]))
 
-    def test_a_spline_that_is_too_stiff_for_the_edges_is_told(self):
+    def test_a_spline_that_is_too_stiff_for_the_edges_is_reported(self):
         (self.folder / "trace_of_face.csv").write_text(trace(NEW, 0.01))
         stiff = self.json_of(*PLACED, "--spline-cutoff", "200 um")
         self.assertIn("the spline misses the trace", " ".join(stiff["notes"]))
@@ -95,26 +93,20 @@ class Numbers(FaceTest):
     def test_turned_exchanges_the_edges(self):
         straight, turned = self.json_of(*PLACED), self.json_of(*PLACED, "--direction", "turned")
         self.assertAlmostEqual(turned["spline_end_0"], straight["spline_end_b"], delta=1e-12)
-        self.assertAlmostEqual(turned["land_from"], 1.2e-3 - straight["land_to"], delta=1e-12)
+        self.assertAlmostEqual(turned["running_surface_from"], 1.2e-3 - straight["running_surface_to"], delta=1e-12)
 
-    def test_units_of_a_file_without_them_are_said(self):
+    def test_units_of_a_file_without_them_are_stated(self):
         rows = (self.folder / "trace_of_face.csv").read_text().replace("x [mm],z [um]", "x,z")
         (self.folder / "bare.csv").write_text(rows)
         self.assert_refused(self.run_program("face", "bare.csv", *STATED), "bare.csv", "--unit um")
-        told = self.json_of(*PLACED, "--unit", "um", "--lateral-unit", "mm", path="bare.csv")
-        self.assertEqual(told["polynomial_end_0"], self.json_of(*PLACED)["polynomial_end_0"])
+        reported = self.json_of(*PLACED, "--unit", "um", "--lateral-unit", "mm", path="bare.csv")
+        self.assertEqual(reported["polynomial_end_0"], self.json_of(*PLACED)["polynomial_end_0"])
 
     def test_the_table_for_people(self):
-        told = self.run_well("face", "trace_of_face.csv", *PLACED)
-        for words in (
-            "the stated tilt of -3 mrad was taken off",
-            "residual rms",
-            "land",
-            "edge x = b",
-            "Where the polynomial invents shape",
-            'ring.face_width = "1.2 mm"',
-        ):
-            self.assertIn(words, told)
+        reported = self.run_well("face", "trace_of_face.csv", *PLACED)
+        for words in ("the stated tilt of -3 mrad was removed", "residual rms", "running surface", "edge x = b",
+                      "Where the polynomial invents shape", "ring.face_width = \"1.2 mm\""):
+            self.assertIn(words, reported)
 
 
 class Fragments(FaceTest):
@@ -148,74 +140,40 @@ class Fragments(FaceTest):
         # Both follow one trace to the noise that is left, some 10 nm.
         self.assertAlmostEqual(self.least_film() / of_polynomial, 1, delta=0.02)
 
-    def test_points_want_a_fragment(self):
-        self.assert_refused(
-            self.run_program("face", "trace_of_face.csv", *PLACED, "--as", "points"),
-            "beside the fragment",
-            "--fragment face.toml",
-        )
+    def test_points_require_a_fragment(self):
+        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--as", "points"),
+                            "beside the fragment", "--fragment face.toml")
 
     def test_points_do_not_replace_the_trace(self):
         before = (self.folder / "trace_of_face.csv").read_bytes()
-        done = self.run_program(
-            "face", "trace_of_face.csv", *PLACED, "--as", "points", "--fragment", "trace_of_face.toml"
-        )
+        done = self.run_program("face", "trace_of_face.csv", *PLACED, "--as", "points", "--fragment", "trace_of_face.toml")
         self.assert_refused(done, "which is the trace")
         self.assertEqual((self.folder / "trace_of_face.csv").read_bytes(), before)
 
 
 class Outputs(FaceTest):
     def test_all_are_written(self):
-        told = self.run_well(
-            "face",
-            "trace_of_face.csv",
-            *PLACED,
-            "--output",
-            "face.nc",
-            "--html",
-            "face.html",
-            "--fragment",
-            "face.toml",
-            "--as",
-            "points",
-        )
+        reported = self.run_well("face", "trace_of_face.csv", *PLACED, "--output", "face.nc", "--html", "face.html",
+                             "--fragment", "face.toml", "--as", "points")
         for name in OUTPUTS:
             self.assertIn(name, self.names())
-        self.assertIn("wrote face.nc", told)
+        self.assertIn("wrote face.nc", reported)
         self.assertIn("Residuals of the fits", (self.folder / "face.html").read_text())
 
     def test_a_refusal_leaves_what_stood_there(self):
         for name in OUTPUTS:
             (self.folder / name).write_text("kept")
-        done = self.run_program(
-            "face",
-            "trace_of_face.csv",
-            "--heights",
-            "material",
-            "--width",
-            "5 mm",
-            "--output",
-            "face.nc",
-            "--html",
-            "face.html",
-            "--fragment",
-            "face.toml",
-            "--as",
-            "points",
-        )
+        done = self.run_program("face", "trace_of_face.csv", "--heights", "material", "--width", "5 mm", "--output",
+                                "face.nc", "--html", "face.html", "--fragment", "face.toml", "--as", "points")
         self.assert_refused(done, "does not cover the face")
         for name in OUTPUTS:
             self.assertEqual((self.folder / name).read_text(), "kept")
 
     def test_outputs_are_apart(self):
-        self.assert_refused(
-            self.run_program("face", "trace_of_face.csv", *PLACED, "--html", "trace_of_face.csv"),
-            "would replace what is read",
-        )
-        self.assert_refused(
-            self.run_program("face", "trace_of_face.csv", *PLACED, "--fragment", "a", "--html", "a"),
-            "--fragment and --html name the same file a",
-        )
+        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--html", "trace_of_face.csv"),
+                            "would replace what is read")
+        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--fragment", "a", "--html", "a"),
+                            "--fragment and --html name the same file a")
 
 
 class Refusals(FaceTest):
@@ -223,24 +181,22 @@ class Refusals(FaceTest):
         self.assert_refused(self.run_program("face", path, *words, "--fragment", "face.toml"), *fragments)
         self.assertEqual(self.names(), self.inputs, "something was written")
 
-    def test_everything_that_is_not_said_is_told_at_once(self):
-        self.refuse(
-            "--heights is missing",
-            "--width is missing",
-            "--land-height",
-            "has no unit",
-            "one of: land, none",
-            "4 errors",
-            words=("--land-height", "1", "--levelling", "flat"),
-        )
+    def test_everything_that_is_missing_is_reported_at_once(self):
+        self.refuse("--heights is missing", "--width is missing", "--running-surface-height", "has no unit", "one of: running-surface, none",
+                    "4 errors", words=("--running-surface-height", "1", "--levelling", "flat"))
+
+    def test_options_of_earlier_versions_are_named_with_their_present_names(self):
+        self.refuse("--land-height: ringfilm face has no such option; did you mean --running-surface-height?",
+                    words=(*STATED, "--land-height", "1 um"))
+        self.refuse("did you mean --levelling running-surface?", words=(*STATED, "--levelling", "land"))
 
     def test_values(self):
-        self.refuse("is no length above zero", words=(*STATED[:3], "-1 mm"))
+        self.refuse("is not a length above zero", words=(*STATED[:3], "-1 mm"))
         self.refuse("a length", words=(*STATED, "--spline-cutoff", "3 N"))
         self.refuse("the tilt of the face is 2 rad", "-0.1 to 0.1", words=(*STATED, "--tilt", "2 rad"))
         self.refuse("two rules for one tilt", words=(*STATED, "--tilt", "1 mrad", "--levelling", "none"))
         self.refuse("is not between 1 and 12", words=(*STATED, "--degree", "13"))
-        self.refuse("is no whole number", words=(*STATED, "--degree", "2.5"))
+        self.refuse("is not a whole number", words=(*STATED, "--degree", "2.5"))
         self.refuse("does not lie in the trace", words=(*STATED, "--start", "1 mm"))
         self.refuse("one of: polynomial, points", words=(*STATED, "--as", "spline"))
 

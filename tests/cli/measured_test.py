@@ -63,27 +63,27 @@ class MeasuredTest(program.ProgramTest):
     def assert_gives_the_paper_back(self, folder):
         for ring in RINGS:
             (density, radius, roughness, zeta, face), of = self.values_of(folder, ring)
-            wanted = PAPER[ring]
-            for got, want in ((density, wanted[0]), (radius, wanted[1]), (roughness, wanted[2])):
+            expected = PAPER[ring]
+            for got, want in ((density, expected[0]), (radius, expected[1]), (roughness, expected[2])):
                 self.assertAlmostEqual(got / want, 1, delta=1e-4, msg=ring)  # the files round heights far below
-            self.assertAlmostEqual(zeta / wanted[3], 1, delta=1e-4, msg=ring)  # voltages have four decimals
+            self.assertAlmostEqual(zeta / expected[3], 1, delta=1e-4, msg=ring)  # voltages have four decimals
             measured = of["shear_strength"]["contact"]["measured"]["shear_strength"]
             self.assertGreater(measured["reference_deviation"], 5 * measured["slope_deviation"])
             self.assertAlmostEqual(measured["reference_deviation"] / zeta, 0.03 / 0.18, delta=1e-4)
             # Noise of 0.01 um on 1200 points: 7 coefficients hold 0.01 sqrt(7/1200) = 0.0008 um rms, six times that at
             # the edges.
-            far = max(abs(height(face, 0.001 * k) - height(wanted[4], 0.001 * k)) for k in range(1201))
+            far = max(abs(height(face, 0.001 * k) - height(expected[4], 0.001 * k)) for k in range(1201))
             self.assertLess(far, 0.005, ring)
             self.assertGreater(far, 1e-5, "the trace has noise")
             self.assertAlmostEqual(number(of["face"]["ring"]["face"]["measured"]["residual_rms"]), 0.01, delta=0.001)
 
     def cycle_of(self, path):
         """The values of a case's cycle."""
-        said = json.loads(self.run_well("run", str(path), "--json"))
-        return {name: value for name, value in said.items() if isinstance(value, (int, float))}
+        printed = json.loads(self.run_well("run", str(path), "--json"))
+        return {name: value for name, value in printed.items() if isinstance(value, (int, float))}
 
     def shipped_copy(self):
-        """cases/ and data/ of the checkout, to be spoiled."""
+        """cases/ and data/ of the checkout, to be corrupted."""
         folder = self.folder / "shipped"
         for name in ("cases", "data"):
             shutil.copytree(SOURCES / name, folder / name)
@@ -95,13 +95,13 @@ class MeasuredTest(program.ProgramTest):
 
 class OneCommand(MeasuredTest):
     def test_tables_cycles_pages_and_report_come_from_the_files(self):
-        said = self.run_well("reproduce", "measured", "--output", "out")
+        printed = self.run_well("reproduce", "measured", "--output", "out")
         out = self.folder / "out"
         self.assert_gives_the_paper_back(out)
-        self.assertEqual(said.count("Table 1: N [um-2]"), 3)
-        self.assertNotIn("TOO FAR OFF", said)
-        self.assertIn("SYNTHETIC", said)
-        self.assertIn("one region +- ", said)
+        self.assertEqual(printed.count("Table 1: N [um-2]"), 3)
+        self.assertNotIn("TOO FAR OFF", printed)
+        self.assertIn("SYNTHETIC", printed)
+        self.assertIn("one region +- ", printed)
         for ring in RINGS:
             values = self.cycle_of(f"out/{ring}.toml")
             self.assertAlmostEqual(values["mean_power_loss"] / POWER[ring], 1, delta=0.005, msg=ring)
@@ -115,7 +115,7 @@ class OneCommand(MeasuredTest):
         report = (out / "report.html").read_text()
         for word in ("new", "run-in", "embedded"):
             self.assertIn(f"Measured chain, {word} ring (synthetic instrument files)", report)
-        lines = [line for line in said.splitlines() if "styles2014  " in line or "measured  " in line]
+        lines = [line for line in printed.splitlines() if "styles2014  " in line or "measured  " in line]
         self.assertEqual(len(lines), 12)  # six values, each of both
 
     def test_shipped_fragments_are_those_that_the_chain_writes(self):
@@ -143,7 +143,7 @@ class OneCommand(MeasuredTest):
             values = self.cycle_of(SOURCES / "cases" / "measured" / f"{ring}.toml")
             self.assertAlmostEqual(values["mean_power_loss"] / POWER[ring], 1, delta=0.005, msg=ring)
 
-    def test_files_that_give_something_else_are_told(self):
+    def test_files_that_give_something_else_are_reported(self):
         shipped = self.shipped_copy()
         loops = shipped / "cases" / "measured" / "loops_new.csv"
         lines = loops.read_text().splitlines()
@@ -157,10 +157,10 @@ class OneCommand(MeasuredTest):
         loops.write_text("\n".join(lines) + "\n")
         done = self.with_shipped(shipped, "reproduce", "measured", "--output", "out")
         self.assertEqual(done.returncode, 4, done.stderr)
-        told = [line for line in done.stdout.splitlines() if "TOO FAR OFF" in line]
-        self.assertEqual(len(told), 1, told)
-        self.assertIn("Table 2: zeta", told[0])
-        self.assertIn("+5.0", told[0])
+        reported = [line for line in done.stdout.splitlines() if "TOO FAR OFF" in line]
+        self.assertEqual(len(reported), 1, reported)
+        self.assertIn("Table 2: zeta", reported[0])
+        self.assertIn("+5.0", reported[0])
         self.assertTrue((self.folder / "out" / "report.html").is_file())
 
     def test_a_damaged_file_is_refused_with_its_name(self):

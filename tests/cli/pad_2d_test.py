@@ -1,7 +1,8 @@
-"""A pad with a width: its gap over x and y, the pressures at its sides, what is told of it, what is refused."""
+"""A pad with a width: its gap over x and y, the pressures at its sides, what is reported of it, what is refused."""
 
 import unittest
 
+import program
 from classic_netcdf import gap_map
 from pad_test import PAD, PadTest
 
@@ -22,25 +23,25 @@ class Film2dTest(PadTest):
 
 
 class Numbers(Film2dTest):
-    def test_totals_side_flows_and_the_place_of_the_peak_are_told(self):
-        told = self.json_of()
-        self.assertAlmostEqual(told["total_load"] / (0.02 * told["load"]), 1, delta=1e-12)
-        self.assertAlmostEqual(told["total_friction_moving"] / (0.02 * told["friction_moving"]), 1, delta=1e-12)
-        self.assertLess(told["flow_front"], 0, "out through the front is in -y")
-        self.assertAlmostEqual(told["flow_front"] / -told["flow_back"], 1, delta=1e-6)  # of a symmetric film
-        self.assertAlmostEqual(told["mass_flow_back"] / (850 * told["flow_back"]), 1, delta=1e-12)
-        self.assertAlmostEqual(told["peak_position_y"], 0.01, delta=1e-6)
-        self.assertEqual(told["units"]["flow_front"], "m3/s")
+    def test_totals_side_flows_and_the_place_of_the_peak_are_reported(self):
+        reported = self.json_of()
+        self.assertAlmostEqual(reported["total_load"] / (0.02 * reported["load"]), 1, delta=1e-12)
+        self.assertAlmostEqual(reported["total_friction_moving"] / (0.02 * reported["friction_moving"]), 1, delta=1e-12)
+        self.assertLess(reported["flow_front"], 0, "out through the front is in -y")
+        self.assertAlmostEqual(reported["flow_front"] / -reported["flow_back"], 1, delta=1e-6)  # of a symmetric film
+        self.assertAlmostEqual(reported["mass_flow_back"] / (850 * reported["flow_back"]), 1, delta=1e-12)
+        self.assertAlmostEqual(reported["peak_position_y"], 0.01, delta=1e-6)
+        self.assertEqual(reported["units"]["flow_front"], "m3/s")
         # What comes in at the left goes out at the right and at the sides.
-        inflow, outflow = 0.02 * told["flow_left"], 0.02 * told["flow_right"] + told["flow_back"] - told["flow_front"]
+        inflow, outflow = 0.02 * reported["flow_left"], 0.02 * reported["flow_right"] + reported["flow_back"] - reported["flow_front"]
         self.assertAlmostEqual(inflow / outflow, 1, delta=1e-7)
-        self.assertLess(told["mass_residual"], 1e-7)
+        self.assertLess(reported["mass_residual"], 1e-7)
 
-    def test_an_infinitely_wide_pad_has_none_of_them(self):
+    def test_an_infinitely_wide_pad_has_no_side_flows(self):
         (self.folder / "pad.toml").write_text(PAD)
         self.assertNotIn("total_load", self.json_of())
 
-    def test_flow_through_joined_sides_is_not_told_and_through_closed_ones_is_none(self):
+    def test_flow_through_joined_sides_is_not_reported_and_through_closed_ones_is_zero(self):
         joined = self.json_of(*PERIODIC)
         self.assertEqual([name for name in joined if "front" in name or "back" in name], [])
         self.assertNotIn("flow_front", joined["units"])
@@ -49,9 +50,9 @@ class Numbers(Film2dTest):
         self.run_well("run", "pad.toml", *PERIODIC, "--output", "joined.nc")
         self.assertNotIn(b"flow_front", (self.folder / "joined.nc").read_bytes())
         closed = [word.replace("periodic", "closed") for word in PERIODIC]
-        told = self.run_well("run", "pad.toml", *closed)
-        self.assertIn("through y = 0", told)
-        self.assertNotIn("-0 ", told)
+        reported = self.run_well("run", "pad.toml", *closed)
+        self.assertIn("through y = 0", reported)
+        self.assertNotIn("-0 ", reported)
         self.assertEqual(self.json_of(*closed)["flow_front"], 0)
 
     def test_a_map_and_the_same_gap_along_x_give_the_same(self):
@@ -61,16 +62,16 @@ class Numbers(Film2dTest):
             over = self.json_of("--set", f"pad.gap={name}")
             self.assertAlmostEqual(over["load"] / along["load"], 1, delta=1e-9, msg=name)
 
-    def test_side_flows_are_told_in_milligrams_and_no_number_fills_the_line(self):
-        said = self.run_well("run", "pad.toml")
-        self.assertRegex(said, r"-[\d.]+ mg/s +mass flow through y = 0")
+    def test_side_flows_are_reported_in_milligrams_and_no_number_fills_the_line(self):
+        printed = self.run_well("run", "pad.toml")
+        self.assertRegex(printed, r"-[\d.]+ mg/s +mass flow through y = 0")
         thin = self.run_well("run", "pad.toml", "--set", "pad.gap=map.csv", "--set", "pad.separation=-9.99999999 um")
         self.assertIn("length of molecules of oil", thin)
         self.assertNotRegex(thin, r"\d{11}")
 
     def test_a_load_finds_its_separation(self):
-        told = self.json_of("--set", "pad.separation=", "--set", "pad.load=20 kN/m")
-        self.assertAlmostEqual(told["total_load"] / 400, 1, delta=1e-6)
+        reported = self.json_of("--set", "pad.separation=", "--set", "pad.load=20 kN/m")
+        self.assertAlmostEqual(reported["total_load"] / 400, 1, delta=1e-6)
 
     def test_csv_is_the_film_at_mid_width(self):
         self.run_well("run", "pad.toml", "--csv", "film.csv")
@@ -80,9 +81,9 @@ class Numbers(Film2dTest):
         self.assertGreater(float(rows[13][3]), 1e5)
 
     def test_netcdf_holds_the_fields(self):
-        told = self.run_well("run", "pad.toml", "--output", "film.nc")
-        self.assertIn("wrote film.nc", told)
-        self.assertIn("pad of 10 x 20 mm", told)
+        reported = self.run_well("run", "pad.toml", "--output", "film.nc")
+        self.assertIn("wrote film.nc", reported)
+        self.assertIn("pad of 10 x 20 mm", reported)
         film = (self.folder / "film.nc").read_bytes()
         self.assertEqual(film[:4], b"\x89HDF")
         for name in (b"film_thickness", b"pressure", b"film_content", b"total_load", b"ringfilm_pad_schema"):
@@ -90,11 +91,10 @@ class Numbers(Film2dTest):
         self.assert_refused(self.run_program("report", "film.nc", "--output", "film.html"), "the film of a pad")
 
     def test_a_history_has_its_numbers_over_time(self):
-        told = self.json_of(
-            "--set", "pad.separation=", "--set", "pad.separation_history=h.csv", "--set", "pad.time_step=0.5 ms"
-        )
-        self.assertEqual(len(told["history"]["total_load"]), 5)
-        self.assertGreater(told["history"]["total_load"][2], told["history"]["total_load"][0])
+        reported = self.json_of("--set", "pad.separation=", "--set", "pad.separation_history=h.csv", "--set",
+                            "pad.time_step=0.5 ms")
+        self.assertEqual(len(reported["history"]["total_load"]), 5)
+        self.assertGreater(reported["history"]["total_load"][2], reported["history"]["total_load"][0])
 
 
 class Refusals(Film2dTest):
@@ -118,17 +118,13 @@ class Refusals(Film2dTest):
 
     def test_pressures_at_sides_that_have_none(self):
         for sides in ("periodic", "closed"):
-            self.refuse(
-                "pad.front_pressure is not used",
-                "pad.back_pressure is not used",
-                'pad.sides = "open"',
-                words=("--set", f"pad.sides={sides}"),
-            )
+            self.refuse("pad.front_pressure is not used", "pad.back_pressure is not used", 'pad.sides = "open"',
+                        words=("--set", f"pad.sides={sides}"))
 
     def test_keys_of_a_ring_name_themselves_and_not_the_section_that_pads_need(self):
         self.refuse("take film.dimension out", words=("--set", "film.dimension=unrolled"))
 
-    def test_a_faulty_width_is_all_that_is_told(self):
+    def test_a_faulty_width_is_all_that_is_reported(self):
         self.refuse("pad.width", "1 error", words=("--set", "pad.width=0 mm"))
 
     def test_keys_of_a_width_without_one(self):
@@ -137,43 +133,25 @@ class Refusals(Film2dTest):
 
     def test_edges_below_the_cavitation_pressure(self):
         for side in ("left", "right", "front", "back"):
-            self.refuse(
-                f"pad.{side}_pressure = -1 bar is below film.cavitation_pressure = 0 bar",
-                "lower film.cavitation_pressure",
-                words=("--set", f"pad.{side}_pressure=-1 bar"),
-            )
+            self.refuse(f"pad.{side}_pressure = -1 bar is below film.cavitation_pressure = 0 bar",
+                        "lower film.cavitation_pressure", words=("--set", f"pad.{side}_pressure=-1 bar"))
 
     def test_a_map_and_no_width(self):
-        words = (
-            "--set",
-            "pad.width=",
-            "--set",
-            "pad.front_pressure=",
-            "--set",
-            "pad.back_pressure=",
-            "--set",
-            "solver.cells_y=",
-            "--set",
-            "pad.gap=map.csv",
-        )
+        words = ("--set", "pad.width=", "--set", "pad.front_pressure=", "--set", "pad.back_pressure=", "--set",
+                 "solver.cells_y=", "--set", "pad.gap=map.csv")
         self.refuse("a map over x and y", "state pad.width", words=words)
 
     def test_a_map_of_another_size(self):
         self.refuse_map(MAP.replace("10,", "9,"), "from x = 0 to 9 mm", "the pad from 0 to 10 mm", "pad.length")
         self.refuse_map(MAP.replace(",20,", ",18,"), "from y = 0 to 18 mm", "the pad from 0 to 20 mm", "pad.width")
 
-    def test_a_map_that_is_no_full_rectangle(self):
-        self.refuse_map(
-            HEAD + "0,0,20\n10,0,10\n0,20,20\n", "map.csv:4:3", "the last y has 1 points, the first 2", "full rectangle"
-        )
-        self.refuse_map(
-            HEAD + "0,0,20\n5,0,15\n10,0,10\n0,20,20\n6,20,15\n10,20,10\n",
-            "map.csv:6:1",
-            "x = 6 mm stands here, where the first y has x = 5 mm",
-        )
-        self.refuse_map(
-            HEAD + "0,0,20\n5,0,15\n10,0,10\n0,20,20\n5,20,15\n10,21,10\n", "map.csv:7:4", "y changes after 2 points"
-        )
+    def test_a_map_that_is_not_a_full_rectangle(self):
+        self.refuse_map(HEAD + "0,0,20\n10,0,10\n0,20,20\n", "map.csv:4:3", "the last y has 1 points, the first 2",
+                        "full rectangle")
+        self.refuse_map(HEAD + "0,0,20\n5,0,15\n10,0,10\n0,20,20\n6,20,15\n10,20,10\n", "map.csv:6:1",
+                        "x = 6 mm is given here, where the first y has x = 5 mm")
+        self.refuse_map(HEAD + "0,0,20\n5,0,15\n10,0,10\n0,20,20\n5,20,15\n10,21,10\n", "map.csv:7:4",
+                        "y changes after 2 points")
         self.refuse_map(HEAD + "0,0,20\n10,0,10\n", "only one y")
 
     def test_a_map_whose_places_do_not_rise(self):
@@ -188,40 +166,31 @@ class Refusals(Film2dTest):
         self.refuse_map(MAP.replace("0,20,20", "0,20,"), "map.csv:4", "a value is missing")
         x, y = [0, 10], [0, 20]
         self.refuse_netcdf(gap_map(x, y, [20, 10, float("nan"), 10]), "a hole at x = 0 mm, y = 20 mm")
-        self.refuse_netcdf(
-            gap_map(x, y, [20, 10, 20, -99], attributes={"units": "um", "_FillValue": -99.0}),
-            "a hole at x = 10 mm, y = 20 mm",
-        )
+        self.refuse_netcdf(gap_map(x, y, [20, 10, 20, -99], attributes={"units": "um", "_FillValue": -99.0}),
+                           "a hole at x = 10 mm, y = 20 mm")
         # What NetCDF leaves where nothing is written.
         self.refuse_netcdf(gap_map(x, y, [20, 10, 9.9692099683868690e36, 10]), "a hole at x = 0 mm, y = 20 mm")
 
     def test_heights_beyond_reason(self):
-        self.refuse_map(MAP.replace("0,20,20", "0,20,9.969e36"), "map.csv:4", "no gap of an oil film", "marks a hole")
+        self.refuse_map(MAP.replace("0,20,20", "0,20,9.969e36"), "map.csv:4", "not the thickness of an oil film", "marks a hole")
 
-    def test_netcdf_that_is_no_map(self):
+    def test_netcdf_that_is_not_a_map(self):
         x, y, h = [0, 5, 10], [0, 20], [20, 15, 10, 20, 15, 10]
         self.refuse_netcdf(gap_map(x, y, h, over=("x", "y")), "h does not run over (y, x)", "a row of all x for each y")
-        self.refuse_netcdf(gap_map(x, y, h, attributes={}), "the variable h has no units", 'for example "mm"')
+        self.refuse_netcdf(gap_map(x, y, h, attributes={}), "the variable h has no units", "for example \"mm\"")
         self.refuse_netcdf(gap_map(x, y, h, attributes={"units": "kg"}), "the variable h", "length")
-        self.refuse_netcdf(
-            gap_map(x, y, h, attributes={"units": "um", "scale_factor": 2.0}), "packed with scale_factor"
-        )
+        self.refuse_netcdf(gap_map(x, y, h, attributes={"units": "um", "scale_factor": 2.0}), "packed with scale_factor")
         self.refuse_netcdf(gap_map(x, [20, 0], h), "y[1] = 0 mm lies below y[0] = 20 mm")
         self.refuse_netcdf(gap_map(x, y, h)[:60], "cannot be read as NetCDF")
         self.refuse_netcdf(gap_map(x, y, h).replace(b"\0\0\0\1h\0", b"\0\0\0\1g\0"), "no variable h")
 
-    def test_a_film_of_no_thickness_tells_both_places(self):
-        self.refuse_map(
-            MAP.replace("10,20,10", "10,20,-1"), "at x = 10 mm, y = 20 mm the gap is -1 um", "no film is left"
-        )
+    def test_a_film_of_no_thickness_reports_both_places(self):
+        self.refuse_map(MAP.replace("10,20,10", "10,20,-1"), "at x = 10 mm, y = 20 mm the gap is -1 um",
+                        "no film is left")
 
     def test_joined_sides_of_different_gaps(self):
-        self.refuse_map(
-            MAP.replace("0,20,20", "0,20,21"),
-            "joins the sides",
-            "20 um at y = 0 and 21 um at y = width",
-            words=PERIODIC,
-        )
+        self.refuse_map(MAP.replace("0,20,20", "0,20,21"), "joins the sides", "20 um at y = 0 and 21 um at y = width",
+                        words=PERIODIC)
 
     def test_grids_beyond_reason(self):
         self.refuse("more than 2e+06", "fewer cells", words=("--set", "solver.cells_y=100000"))

@@ -63,19 +63,19 @@ class Numbers(PadTest):
         at = [row for row in rows if abs(row[1] - 3e-3) < 1e-9]
         self.assertEqual(at[0][4], 1, "the film is full up to where it ruptures")
 
-    def test_json_tells_load_friction_flow_and_fronts_in_si(self):
-        told = self.json_of()
-        self.assertAlmostEqual(told["load"] / SLIDER_LOAD, 1, delta=2e-4)  # second order at 100 cells
-        self.assertAlmostEqual(told["flow_left"] / (5 * 10e-6 * 2 / 3), 1, delta=2e-4)
-        self.assertAlmostEqual(told["mass_flow_left"], 850 * told["flow_left"])
-        self.assertEqual(told["rupture_positions"], [])
-        self.assertEqual(told["reformation_positions"], [])
-        self.assertEqual(told["units"]["load"], "N/m")
-        self.assertTrue(told["complete"])
-        self.assertEqual(told["assumed"]["lubricant.viscosity_pressure"], "none")
-        self.assertNotIn("history", told)
+    def test_json_reports_load_friction_flow_and_fronts_in_si(self):
+        reported = self.json_of()
+        self.assertAlmostEqual(reported["load"] / SLIDER_LOAD, 1, delta=2e-4)  # second order at 100 cells
+        self.assertAlmostEqual(reported["flow_left"] / (5 * 10e-6 * 2 / 3), 1, delta=2e-4)
+        self.assertAlmostEqual(reported["mass_flow_left"], 850 * reported["flow_left"])
+        self.assertEqual(reported["rupture_positions"], [])
+        self.assertEqual(reported["reformation_positions"], [])
+        self.assertEqual(reported["units"]["load"], "N/m")
+        self.assertTrue(reported["complete"])
+        self.assertEqual(reported["assumed"]["lubricant.viscosity_pressure"], "none")
+        self.assertNotIn("history", reported)
         for name in ("friction_moving", "friction_fixed", "flow_right", "peak_film_pressure", "peak_position"):
-            self.assertGreater(told[name], 0, name)
+            self.assertGreater(reported[name], 0, name)
 
     def test_csv_has_a_row_for_each_node(self):
         self.run_well("run", "pad.toml", "--csv", "out.csv")
@@ -85,7 +85,7 @@ class Numbers(PadTest):
         self.assertEqual([float(v) for v in rows[1]], [0, 0, 20e-6, 0, 1])
         self.assertEqual([float(v) for v in rows[-1]], [0, 0.01, 10e-6, 0, 1])
 
-    def test_a_step_stands_twice_in_the_csv(self):
+    def test_a_step_is_repeated_in_the_csv(self):
         (self.folder / "gap.csv").write_text("x [mm],h [um]\n0,20\n7,20\n7,10\n10,10\n")
         self.run_well("run", "pad.toml", "--csv", "out.csv")
         at_step = [row for row in self.rows("out.csv")[1:] if float(row[1]) == 0.007]
@@ -100,78 +100,50 @@ class Numbers(PadTest):
             self.assertIn(name, film)
 
     def test_a_load_finds_its_separation(self):
-        told = self.json_of("--set", "pad.separation=", "--set", "pad.load=100 kN/m")
-        self.assertAlmostEqual(told["load"] / 1e5, 1, delta=1e-7)
-        self.assertLess(told["min_film_thickness"], 10e-6)
-        self.assertIn("pressed-closer-than-gap", [note["topic"] for note in told["notes"]])
+        reported = self.json_of("--set", "pad.separation=", "--set", "pad.load=100 kN/m")
+        self.assertAlmostEqual(reported["load"] / 1e5, 1, delta=1e-7)
+        self.assertLess(reported["min_film_thickness"], 10e-6)
+        self.assertIn("pressed-closer-than-gap", [note["topic"] for note in reported["notes"]])
 
-    def test_a_separation_on_top_of_a_gap_is_told(self):
-        told = self.json_of("--set", "pad.separation=5 um")
-        self.assertAlmostEqual(told["min_film_thickness"], 15e-6, delta=1e-15)
-        self.assertIn("separation-adds-to-gap", [note["topic"] for note in told["notes"]])
+    def test_a_separation_on_top_of_a_gap_is_reported(self):
+        reported = self.json_of("--set", "pad.separation=5 um")
+        self.assertAlmostEqual(reported["min_film_thickness"], 15e-6, delta=1e-15)
+        self.assertIn("separation-adds-to-gap", [note["topic"] for note in reported["notes"]])
 
     def test_a_history_gives_arrays_over_time_and_the_last_instant(self):
-        told = self.json_of(
-            "--csv",
-            "out.csv",
-            "--set",
-            "pad.separation=",
-            "--set",
-            "pad.separation_history=h.csv",
-            "--set",
-            "pad.time_step=0.25 ms",
-        )
-        history = told["history"]
+        reported = self.json_of("--csv", "out.csv", "--set", "pad.separation=", "--set", "pad.separation_history=h.csv",
+                            "--set", "pad.time_step=0.25 ms")
+        history = reported["history"]
         self.assertEqual(len(history["time"]), 9)
-        for name in (
-            "load",
-            "friction_moving",
-            "flow_left",
-            "peak_film_pressure",
-            "rupture_positions",
-            "reformation_positions",
-            "min_film_thickness",
-            "cavitated_fraction",
-        ):
+        for name in ("load", "friction_moving", "flow_left", "peak_film_pressure", "rupture_positions",
+                     "reformation_positions", "min_film_thickness", "cavitated_fraction"):
             self.assertEqual(len(history[name]), 9, name)
-        self.assertEqual(told["time"], 0.002)
-        self.assertEqual(told["load"], history["load"][-1])
+        self.assertEqual(reported["time"], 0.002)
+        self.assertEqual(reported["load"], history["load"][-1])
         self.assertAlmostEqual(history["min_film_thickness"][4], 15e-6, delta=1e-15)
         self.assertGreater(history["load"][4], history["load"][0])  # closing adds to the wedge
         self.assertEqual(len(self.rows("out.csv")), 1 + 9 * 101)
 
-    def test_only_the_wanted_instants_are_kept(self):
-        told = self.json_of(
-            "--set",
-            "pad.separation=",
-            "--set",
-            "pad.separation_history=h.csv",
-            "--set",
-            "pad.time_step=0.1 ms",
-            "--set",
-            "pad.output_step=1 ms",
-            "--set",
-            "pad.end_time=1.5 ms",
-        )
-        self.assertEqual([round(1e3 * t, 9) for t in told["history"]["time"]], [0, 1, 1.5])
-        self.assertEqual(told["effort"]["time_steps"], 15)
+    def test_only_the_requested_instants_are_kept(self):
+        reported = self.json_of("--set", "pad.separation=", "--set", "pad.separation_history=h.csv", "--set",
+                            "pad.time_step=0.1 ms", "--set", "pad.output_step=1 ms", "--set", "pad.end_time=1.5 ms")
+        self.assertEqual([round(1e3 * t, 9) for t in reported["history"]["time"]], [0, 1, 1.5])
+        self.assertEqual(reported["effort"]["time_steps"], 15)
 
     def test_the_other_direction_is_the_mirror(self):
         (self.folder / "gap.csv").write_text("x [mm],h [um]\n0,10\n10,20\n")
-        told = self.json_of("--set", "pad.direction=-x")
-        self.assertAlmostEqual(told["load"] / SLIDER_LOAD, 1, delta=2e-4)
-        self.assertLess(told["flow_left"], 0)
-        self.assertGreater(told["friction_moving"], 0)
+        reported = self.json_of("--set", "pad.direction=-x")
+        self.assertAlmostEqual(reported["load"] / SLIDER_LOAD, 1, delta=2e-4)
+        self.assertLess(reported["flow_left"], 0)
+        self.assertGreater(reported["friction_moving"], 0)
 
     def test_barus_and_dowson_higginson_change_the_film(self):
         plain = self.json_of()["load"]
-        barus = self.json_of(
-            "--set", "lubricant.viscosity_pressure=barus", "--set", "lubricant.pressure_viscosity_coefficient=2e-8 m2/N"
-        )["load"]
+        barus = self.json_of("--set", "lubricant.viscosity_pressure=barus", "--set",
+                             "lubricant.pressure_viscosity_coefficient=2e-8 m2/N")["load"]
         self.assertGreater(barus, 1.01 * plain)
-        dense = self.json_of(
-            "--set", "lubricant.compressibility=dowson-higginson", "--set", "lubricant.dh_a=1e-8 1/Pa"
-        )["load"]
+        dense = self.json_of("--set", "lubricant.compressibility=dowson-higginson", "--set",
+                             "lubricant.dh_a=1e-8 1/Pa")["load"]
         self.assertNotAlmostEqual(dense / plain, 1, delta=1e-4)
 
     def test_a_case_without_title_is_complete(self):
@@ -179,9 +151,9 @@ class Numbers(PadTest):
         self.assertEqual(self.json_of()["title"], "pad")
 
     def test_the_table_for_people(self):
-        told = self.run_well("run", "pad.toml")
-        self.assertIn("15.89 kN/m   load carried by the film", told)
-        self.assertIn("per metre of width", told)
+        reported = self.run_well("run", "pad.toml")
+        self.assertIn("15.89 kN/m   load carried by the film", reported)
+        self.assertIn("per metre of width", reported)
 
     def test_check_reads_a_pad(self):
         self.assertIn("no errors", self.run_well("check", "pad.toml"))
@@ -191,9 +163,9 @@ class Numbers(PadTest):
         self.assertGreaterEqual(len(shipped), 4)
         for path in shipped:
             with self.subTest(path.name):
-                told = self.json_of(case=str(path))
-                self.assertTrue(told["complete"])
-                self.assertEqual(told["effort"]["cut_steps"] + told["effort"]["eased_starts"], 0)
+                reported = self.json_of(case=str(path))
+                self.assertTrue(reported["complete"])
+                self.assertEqual(reported["effort"]["cut_steps"] + reported["effort"]["eased_starts"], 0)
 
 
 class Refusals(PadTest):
@@ -214,9 +186,7 @@ class Refusals(PadTest):
         self.refuse_set("pad.separation=", "exactly one of")
 
     def test_keys_of_an_engine(self):
-        (self.folder / "pad.toml").write_text(
-            PAD + '[engine]\nbore = "89 mm"\nstroke = "80 mm"\n[ring]\nface_width = "1 mm"\n'
-        )
+        (self.folder / "pad.toml").write_text(PAD + '[engine]\nbore = "89 mm"\nstroke = "80 mm"\n[ring]\nface_width = "1 mm"\n')
         self.refuse("pad.toml:17:1", "engine.bore", "without engine, gas and ring", "take [ring] out", "2 errors")
 
     def test_missing_keys(self):
@@ -233,7 +203,7 @@ class Refusals(PadTest):
         self.refuse_set("pad.speed=-5 m/s", "out of range")
         self.refuse_set("pad.left_pressure=1 barg", "left_pressure")
 
-    def test_gaps_that_are_none(self):
+    def test_invalid_gaps(self):
         head = "x [mm],h [um]\n"
         self.refuse_gap(head + "0,20\n9,10\n", "from x = 0 to 9 mm", "pad.length")
         self.refuse_gap(head + "1,20\n10,10\n", "pad.length")
@@ -252,7 +222,7 @@ class Refusals(PadTest):
         (self.folder / "gap.csv").write_text("x [mm],h [um]\n0,20\n5,-1\n10,10\n")
         self.refuse("at x = 5 mm the gap is -1 um", "no film is left")
 
-    def test_histories_that_are_none(self):
+    def test_invalid_histories(self):
         words = ("--set", "pad.separation=", "--set", "pad.separation_history=h.csv")
         step = ("--set", "pad.time_step=0.1 ms")
         self.refuse("pad.time_step is missing", words=words)
@@ -275,20 +245,8 @@ class Refusals(PadTest):
         self.refuse("--ledger", words=("--ledger",))
 
     def test_a_load_that_nothing_carries_is_exit_code_3(self):
-        done = self.run_program(
-            "run",
-            "pad.toml",
-            "--set",
-            "pad.separation=",
-            "--set",
-            "pad.load=1 N/m",
-            "--set",
-            "pad.left_pressure=1 bar",
-            "--set",
-            "pad.right_pressure=1 bar",
-            "--csv",
-            "out.csv",
-        )
+        done = self.run_program("run", "pad.toml", "--set", "pad.separation=", "--set", "pad.load=1 N/m", "--set",
+                                "pad.left_pressure=1 bar", "--set", "pad.right_pressure=1 bar", "--csv", "out.csv")
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("the films that were tried carry from 1000 N/m", done.stderr)
         self.assertNotIn("out.csv", self.names())

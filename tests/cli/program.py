@@ -1,4 +1,4 @@
-"""The program under test, a scratch folder, and a small case that is right until a test spoils it."""
+"""The program under test, a scratch folder, and a small case that is valid until a test corrupts it."""
 
 import os
 import pathlib
@@ -91,7 +91,7 @@ class ProgramTest(unittest.TestCase):
         return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
 
     def assert_refused(self, done, *fragments):
-        """Exit code 2, every fragment said on standard error, nothing on standard output."""
+        """Exit code 2, every fragment stated on standard error, nothing on standard output."""
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         self.assertEqual(done.stdout, "")
         self.assertIn("nothing was run or written (exit code 2)", done.stderr)

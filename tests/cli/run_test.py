@@ -30,20 +30,10 @@ class Run(program.ProgramTest):
 
     def test_prints_a_summary_in_engineers_units_and_writes_nothing_unasked(self):
         before = self.names()
-        said = self.run_well("run", "case.toml")
-        for fragment in (
-            "a small case",
-            "1500 rpm",
-            "kPa",
-            " W ",
-            "um ",
-            "mg/s",
-            "boundary",
-            "Newton iterations",
-            "film.cavitation = mass-conserving",
-            "assumed:",
-        ):
-            self.assertIn(fragment, said)
+        printed = self.run_well("run", "case.toml")
+        for fragment in ("a small case", "1500 rpm", "kPa", " W ", "um ", "mg/s", "boundary", "Newton iterations",
+                         "film.cavitation = mass-conserving", "assumed:"):
+            self.assertIn(fragment, printed)
         self.assertEqual(self.names(), before)
 
     def test_csv_has_the_columns_of_the_contract_and_a_row_per_degree(self):
@@ -60,9 +50,8 @@ class Run(program.ProgramTest):
         for row in rows:
             at = {name: row[i] for name, i in column.items()}
             # Newton stops at 1e-8 of film and pressure; 1e-6 leaves room for the slope of the load.
-            self.assertAlmostEqual(
-                at["hydrodynamic_load"] + at["asperity_load"], at["applied_load"], delta=1e-6 * at["applied_load"]
-            )
+            self.assertAlmostEqual(at["hydrodynamic_load"] + at["asperity_load"], at["applied_load"],
+                                   delta=1e-6 * at["applied_load"])
             load = (p_e + at["gas_pressure"]) * 3.141592653589793 * bore * width
             self.assertAlmostEqual(at["applied_load"], load, delta=1e-9 * load)
             self.assertAlmostEqual(at["total_friction"], at["boundary_friction"] + at["viscous_friction"], places=9)
@@ -73,9 +62,7 @@ class Run(program.ProgramTest):
         column = {name.split(" [")[0]: i for i, name in enumerate(header)}
         values = self.values()
         power = sum(row[column["power_loss"]] for row in rows) / len(rows)
-        self.assertAlmostEqual(
-            values["mean_power_loss"], power, delta=0.005 * power
-        )  # 720 points against the integration
+        self.assertAlmostEqual(values["mean_power_loss"], power, delta=0.005 * power)  # 720 points against the integration
         swept = 3.141592653589793 / 4 * 0.089**2 * 0.0795
         self.assertAlmostEqual(values["fmep"], values["energy_per_cycle"] / swept, delta=1e-6 * values["fmep"])
         self.assertLessEqual(values["min_film_thickness"], 1.0001 * min(r[column["min_film_thickness"]] for r in rows))
@@ -97,13 +84,12 @@ class Run(program.ProgramTest):
     def test_values_and_curves_carry_their_error_where_it_is_asked_for(self):
         self.assertNotIn("errors", self.values())
         coarse = ("--error-estimate", "--set", "solver.cells=40", "--set", "solver.crank_step=2 degree")
-        said = self.run_well("run", "case.toml", *coarse)
-        self.assertRegex(said, r"\d \+- [0-9.]+ kPa +friction mean effective pressure")
-        self.assertIn("80 cells at 2 degree", " ".join(said.split()))
+        printed = self.run_well("run", "case.toml", *coarse)
+        self.assertRegex(printed, r"\d \+- [0-9.]+ kPa +friction mean effective pressure")
+        self.assertIn("80 cells at 2 degree", " ".join(printed.split()))
         values = self.values(*coarse)
-        fine = self.values(
-            "--set", "solver.cells=160", "--set", "solver.crank_step=0.5 degree", "--set", "solver.step_error=6.25e-5"
-        )
+        fine = self.values("--set", "solver.cells=160", "--set", "solver.crank_step=0.5 degree",
+                           "--set", "solver.step_error=6.25e-5")
         for name in ("fmep", "mean_absolute_oil_flow", "max_film_thickness"):
             self.assertLessEqual(abs(values[name] - fine[name]), values["errors"][name], name)
         self.assertEqual([run["cells"] for run in values["error_estimate"]["runs"]], [40, 80, 20, 40, 40])
@@ -149,17 +135,8 @@ class Run(program.ProgramTest):
             import xarray
         except ImportError:
             program.skip_loudly(self, "python3-xarray and python3-netcdf4 are not installed")
-        self.run_well(
-            "run",
-            "case.toml",
-            "--output",
-            "a.nc",
-            "--csv",
-            "a.csv",
-            "--ledger",
-            "--set",
-            'output.fields=["0 degree", "20 degree"]',
-        )
+        self.run_well("run", "case.toml", "--output", "a.nc", "--csv", "a.csv", "--ledger",
+                      "--set", 'output.fields=["0 degree", "20 degree"]')
         with open(self.folder / "a.csv", newline="") as stream:
             curves = list(csv.DictReader(stream))
         with xarray.open_dataset(self.folder / "a.nc") as data:
@@ -185,22 +162,12 @@ class Run(program.ProgramTest):
     def test_cycle_without_a_balance_is_exit_code_3_and_keeps_the_old_files(self):
         (self.folder / "a.nc").write_text("old")
         # Asperities of a rubber-like modulus carry at most some bar, and a film that hardly moves carries nothing.
-        done = self.run_program(
-            "run",
-            "case.toml",
-            "--output",
-            "a.nc",
-            "--csv",
-            "a.csv",
-            "--set",
-            "contact.composite_modulus=0.1 GPa",
-            "--set",
-            "operating.speed=1e-6 rpm",
-        )
+        done = self.run_program("run", "case.toml", "--output", "a.nc", "--csv", "a.csv",
+                                "--set", "contact.composite_modulus=0.1 GPa", "--set", "operating.speed=1e-6 rpm")
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
         self.assertIn("exit code 3", done.stderr)
         self.assertIn("nothing was written", done.stderr)
-        self.assertEqual(done.stderr.count("degree"), 1, "the crank angle is told once")
+        self.assertEqual(done.stderr.count("degree"), 1, "the crank angle is reported once")
         self.assertIn("STOPPED after 0 cycles, before the cycle repeated itself; 0 crank angles", done.stdout)
         self.assertNotIn("wrote", done.stdout)
         for word in ("nan", "inf)", "cycles until"):
@@ -208,22 +175,11 @@ class Run(program.ProgramTest):
         self.assertEqual(self.names(), ["a.nc", "case.toml", "trace.csv"])
         self.assertEqual((self.folder / "a.nc").read_text(), "old")
 
-    def test_march_that_stops_on_its_way_writes_what_it_had_solved_and_says_that_it_is_a_part(self):
+    def test_an_integration_that_stops_writes_what_it_had_solved_and_reports_that_it_is_a_part(self):
         # So few asperities carry nothing, and a face that is lowest at its edge has a wedge in one direction only.
-        done = self.run_program(
-            "run",
-            "case.toml",
-            "--output",
-            "a.nc",
-            "--csv",
-            "a.csv",
-            "--set",
-            "operating.speed=30 rpm",
-            "--set",
-            "contact.asperity_density=1e-4 um-2",
-            "--set",
-            "ring.face.apex=1",
-        )
+        done = self.run_program("run", "case.toml", "--output", "a.nc", "--csv", "a.csv", "--set",
+                                "operating.speed=30 rpm", "--set", "contact.asperity_density=1e-4 um-2", "--set",
+                                "ring.face.apex=1")
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
         self.assertIn("neither the film nor the asperities carry", done.stderr)
         with open(self.folder / "a.csv", newline="") as stream:
@@ -235,18 +191,8 @@ class Run(program.ProgramTest):
         self.assertIn("wrote", page)
 
     def test_progress_is_shown_on_a_terminal_only(self):
-        command = [
-            program.PROGRAM,
-            "run",
-            "case.toml",
-            "--ledger",
-            "--jobs",
-            "1",
-            "--set",
-            "solver.cells=800",
-            "--set",
-            "solver.crank_step=0.5 degree",
-        ]
+        command = [program.PROGRAM, "run", "case.toml", "--ledger", "--jobs", "1", "--set", "solver.cells=800",
+                   "--set", "solver.crank_step=0.5 degree"]
         try:
             main, side = pty.openpty()
         except OSError as none:
@@ -268,9 +214,9 @@ class Run(program.ProgramTest):
 
 class OtherCommands(program.ProgramTest):
     def test_check_lists_what_is_assumed(self):
-        said = self.run_well("check", "case.toml")
-        self.assertIn("no errors", said)
-        self.assertIn("assumed film.cavitation = mass-conserving", said)
+        printed = self.run_well("check", "case.toml")
+        self.assertIn("no errors", printed)
+        self.assertIn("assumed film.cavitation = mass-conserving", printed)
 
     def test_new_writes_a_case_that_runs_and_replaces_nothing(self):
         self.run_well("new", "mine.toml")
@@ -289,13 +235,13 @@ class OtherCommands(program.ProgramTest):
             elif match := re.match(r"([a-z_]+) =", line):
                 self.assertIn(match[1], table, section + match[1])
 
-    def test_help_and_version_say_what_there_is(self):
-        said = self.run_well("--help")
+    def test_help_and_version_state_what_there_is(self):
+        printed = self.run_well("--help")
         for command in ("run", "check", "fields", "new", "report", "reproduce"):
-            self.assertIn(command, said)
+            self.assertIn(command, printed)
             self.assertRegex(self.run_well(command, "--help"), "Examples:\n  ringfilm " + command)
         self.assertIn("--set KEY=", self.run_well("run", "--help"))
-        self.assertIn("Examples:", said)
+        self.assertIn("Examples:", printed)
         self.assertRegex(self.run_well("--version"), r"^ringfilm \d+\.\d+\.\d+ \(commit ")
 
 

@@ -38,7 +38,7 @@ class StudyFolder(ProgramTest):
         (self.folder / "study.toml").write_text(STUDY.replace("SCENARIOS", str(n)))
 
     def run_well(self, *words):
-        """Lines of progress may be told where the machine is slow."""
+        """Lines of progress may be reported where the machine is slow."""
         done = self.run_program(*words)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout

@@ -1,4 +1,4 @@
-"""Submission where Slurm's commands fail: programs of a few lines stand in for them."""
+"""Submission where Slurm's commands fail: programs of a few lines replace them."""
 
 import os
 import unittest

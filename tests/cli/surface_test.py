@@ -1,4 +1,4 @@
-"""Measured surfaces: `ringfilm surface` and `ringfilm pair`, their numbers, files and errors."""
+"""Measured surfaces: `ringfilm surface` and `ringfilm pair`, their numbers, files and refusals. Every map is made here."""
 
 import csv
 import json
@@ -26,12 +26,10 @@ def matrix_text(rows):
 
 def moments_of(rows):
     """Mean of the squares of central differences over whole waves, from the sums of sines themselves [-, 1/m2]."""
-
     def one(waves, amplitude):
         k = 2 * math.pi / waves
         slope = 2 / STEP * math.sin(k / 2)  # of two neighbours
         return amplitude**2 / 2 * slope**2, amplitude**2 / 2 * slope**4
-
     (m2_x, m4_x), (m2_y, m4_y) = one(12, 0.2e-6), one(16, 0.2e-6)
     return (m2_x + m2_y) / 2, (m4_x + m4_y) / 2
 
@@ -48,7 +46,7 @@ class SurfaceTest(program.ProgramTest):
 
 
 class Numbers(SurfaceTest):
-    def test_what_the_file_holds_stands_at_the_top_in_si(self):
+    def test_the_content_of_the_file_is_at_the_top_in_si(self):
         of = self.json_of("map.csv", *self.STATED)
         self.assertEqual((of["points_x"], of["points_y"], of["missing"]), (SIZE, SIZE, 0))
         self.assertAlmostEqual(of["width"], SIZE * STEP, delta=1e-18)
@@ -60,12 +58,12 @@ class Numbers(SurfaceTest):
     def test_n_and_beta_are_those_of_the_differences_of_the_sines(self):
         of = self.json_of("map.csv", *self.STATED)
         m2, m4 = moments_of(heights())
-        # Complete stencils leave out the rim, where the sines are not at their mean: 2 of 48 rows and columns.
+        # Complete stencils omit the rim, where the sines are not at their mean: 2 of 48 rows and columns.
         self.assertAlmostEqual(of["asperity_density"] / (m4 / m2 / (6 * math.pi * math.sqrt(3))), 1, delta=0.08)
         self.assertAlmostEqual(of["asperity_radius"] / (3 / 8 * math.sqrt(math.pi / m4)), 1, delta=0.08)
         self.assertAlmostEqual(of["roughness"], of["Sa"], delta=1e-20)
 
-    def test_tilt_is_left_in_and_told_unless_it_is_taken_off(self):
+    def test_tilt_is_kept_and_reported_unless_it_is_removed(self):
         (self.folder / "tilted.csv").write_text(matrix_text(heights(lambda i, j: wave(i, j) + 2e-8 * i)))
         text = self.run_well("surface", "tilted.csv", *self.STATED)
         self.assertIn("tilt was left in", text)
@@ -73,7 +71,7 @@ class Numbers(SurfaceTest):
         level = self.json_of("tilted.csv", *self.STATED, "--form", "tilt")
         self.assertGreater(as_read["Sq"], 0.3e-6)
         self.assertAlmostEqual(level["Sq"], 0.2e-6, delta=0.01e-6)  # the sines lean a little too
-        self.assertEqual(level["max"], as_read["max"])  # of the file, whatever was taken off
+        self.assertEqual(level["max"], as_read["max"])  # of the file, whatever was removed
 
     def test_half_of_a_wave_at_the_cut_off_passes(self):
         (self.folder / "one.csv").write_text(matrix_text(heights(lambda i, j: 1e-6 * math.cos(2 * math.pi * i / 12))))
@@ -106,7 +104,7 @@ class Numbers(SurfaceTest):
             self.assertEqual(again[name], first[name], name)
         self.assertAlmostEqual(again["width"], first["width"], delta=1e-15)
 
-    def test_a_small_map_has_what_can_be_told_of_it(self):
+    def test_a_small_map_has_the_values_that_it_allows(self):
         (self.folder / "tiny.csv").write_text("1,2,3,4\n2,3,1,5\n1,1,2,2\n")
         of = self.json_of("tiny.csv", *self.STATED)
         self.assertEqual((of["points_x"], of["points_y"]), (4, 3))
@@ -124,6 +122,7 @@ class Numbers(SurfaceTest):
         of = self.json_of("rough.csv", *self.STATED, "--grid", "2x2", "--region", "8, 8, 8, 8 um")
         self.assertTrue(any("overlap" in note for note in of["notes"]))
 
+
     def test_files_of_one_surface_give_a_mean_and_a_covariance(self):
         (self.folder / "other.csv").write_text(matrix_text(heights(lambda i, j: wave(i, j, 0.3e-6))))
         both = self.json_of("map.csv", "other.csv", *self.STATED)
@@ -131,7 +130,7 @@ class Numbers(SurfaceTest):
         self.assertAlmostEqual(both["roughness"], (one["roughness"] + other["roughness"]) / 2, delta=1e-14)
         # N does not depend on the amplitude; ln sigma differs by ln 1.5: a variance of half its square.
         covariance = both["tables"]["covariance"]["columns"]
-        self.assertAlmostEqual(covariance["covariance_with_roughness"]["values"][2], math.log(1.5) ** 2 / 2, delta=1e-7)
+        self.assertAlmostEqual(covariance["covariance_with_roughness"]["values"][2], math.log(1.5)**2 / 2, delta=1e-7)
         self.assertAlmostEqual(covariance["covariance_with_asperity_density"]["values"][0], 0, delta=1e-7)
 
     def test_slopes_at_an_angle_and_cavities_of_a_depth(self):
@@ -149,28 +148,12 @@ class Files(SurfaceTest):
 
     def test_the_fragment_of_a_pair_is_read_by_a_case(self):
         (self.folder / "other.csv").write_text(matrix_text(heights(lambda i, j: wave(j, i, 0.1e-6))))
-        self.run_well(
-            "pair",
-            "--ring",
-            "map.csv",
-            "--liner",
-            "map.csv",
-            "other.csv",
-            *self.STATED,
-            "--grid",
-            "2x2",
-            "--fragment",
-            "contact.toml",
-        )
+        self.run_well("pair", "--ring", "map.csv", "--liner", "map.csv", "other.csv", *self.STATED, "--grid", "2x2",
+                      "--fragment", "contact.toml")
         lines = program.CASE.splitlines()
         begin, end = lines.index("[contact]"), lines.index("[lubricant]")
-        case = [
-            'include = ["contact.toml"]',
-            *lines[:begin],
-            "[contact]",
-            "boundary_shear_strength_coefficient = 0.3581",
-            *lines[end:],
-        ]
+        case = ['include = ["contact.toml"]', *lines[:begin], "[contact]",
+                "boundary_shear_strength_coefficient = 0.3581", *lines[end:]]
         (self.folder / "case.toml").write_text("\n".join(case) + "\n")
         self.run_well("check", "case.toml")
         shown = self.run_well("run", "case.toml", "--json")
@@ -183,13 +166,13 @@ class Refusals(SurfaceTest):
         self.assert_refused(self.run_program(*words), *fragments)
         self.assertEqual(self.names(), before)
 
-    def test_what_the_file_does_not_say_is_asked_for(self):
+    def test_what_the_file_does_not_state_is_asked_for(self):
         self.refused("surface", "map.csv", fragments=["--unit"])
         self.refused("surface", "map.csv", "--unit", "um", fragments=["--step-x"])
         self.refused("surface", "map.csv", "--unit", "kg", "--step-x", "1 um", fragments=["kg"])
 
-    def test_words_that_are_none(self):
-        for words, said in [
+    def test_invalid_words(self):
+        for words, printed in [
             (("--form", "sphere"), "--form sphere"),
             (("--form", "polynomial-99"), "0 to 12"),
             (("--short-cutoff", "5"), '--short-cutoff "5"'),
@@ -214,14 +197,10 @@ class Refusals(SurfaceTest):
             (("--heights", "map.csv"), "--heights map.csv would replace"),
         ]:
             with self.subTest(words):
-                self.refused("surface", "map.csv", *self.STATED, *words, fragments=[said])
+                self.refused("surface", "map.csv", *self.STATED, *words, fragments=[printed])
 
-    def test_files_that_are_none(self):
-        for name, bytes_ in [
-            ("empty.csv", b""),
-            ("zeros.x3p", b"PK\x03\x04" + bytes(40)),
-            ("words.csv", b"a,b\nc,d\n"),
-        ]:
+    def test_invalid_files(self):
+        for name, bytes_ in [("empty.csv", b""), ("zeros.x3p", b"PK\x03\x04" + bytes(40)), ("words.csv", b"a,b\nc,d\n")]:
             (self.folder / name).write_bytes(bytes_)
             with self.subTest(name):
                 self.refused("surface", name, *self.STATED, fragments=[name])

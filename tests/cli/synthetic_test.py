@@ -11,10 +11,10 @@ ENDINGS = ("x3p", "sur", "gsf", "csv")
 
 class SyntheticTest(program.ProgramTest):
     def made(self, kind, name, *words):
-        said = self.run_well("synthetic", kind, name, *words)
-        self.assertIn(f"SYNTHETIC: ringfilm synthetic {kind}", said)
-        self.assertIn(f"wrote {name}", said)
-        return said
+        printed = self.run_well("synthetic", kind, name, *words)
+        self.assertIn(f"SYNTHETIC: ringfilm synthetic {kind}", printed)
+        self.assertIn(f"wrote {name}", printed)
+        return printed
 
     def measured(self, name, *words):
         return json.loads(self.run_well("surface", name, "--json", *words))
@@ -24,18 +24,8 @@ class Kinds(SyntheticTest):
     def test_a_gaussian_surface_has_its_rms_height_and_correlation(self):
         for ending in ENDINGS:
             name = "a." + ending
-            self.made(
-                "gaussian",
-                name,
-                "--points",
-                "256x128",
-                "--step",
-                "1 um",
-                "--sq",
-                "0.25 um",
-                "--correlation-length",
-                "8 um",
-            )
+            self.made("gaussian", name, "--points", "256x128", "--step", "1 um", "--sq", "0.25 um",
+                      "--correlation-length", "8 um")
             of = self.measured(name)
             self.assertEqual((of["points_x"], of["points_y"], of["missing"]), (256, 128, 0))
             self.assertAlmostEqual(of["width"] / 256e-6, 1, delta=1e-6)  # SUR keeps the step in single precision
@@ -45,16 +35,8 @@ class Kinds(SyntheticTest):
             self.assertAlmostEqual(of["Sdq"] / (2 * 0.25 / 8), 1, delta=0.1)
 
     def test_n_beta_and_sigma_come_back(self):
-        words = (
-            "--points",
-            "256x256",
-            "--asperity-density",
-            "0.05 um-2",
-            "--asperity-radius",
-            "2 um",
-            "--roughness",
-            "0.4 um",
-        )
+        words = ("--points", "256x256", "--asperity-density", "0.05 um-2", "--asperity-radius", "2 um", "--roughness",
+                 "0.4 um")
         for rule in ("Ra", "Rq"):
             self.made("gaussian", "a.x3p", *words, "--sigma", rule)
             of = self.measured("a.x3p", "--sigma", rule)
@@ -64,22 +46,8 @@ class Kinds(SyntheticTest):
 
     def test_a_honed_surface_has_a_plateau_and_valleys(self):
         for ending in ENDINGS:
-            self.made(
-                "honed",
-                "a." + ending,
-                "--points",
-                "256x256",
-                "--step",
-                "1 um",
-                "--groove-depth",
-                "3 um",
-                "--groove-width",
-                "10 um",
-                "--groove-spacing",
-                "50 um",
-                "--sq",
-                "0.05 um",
-            )
+            self.made("honed", "a." + ending, "--points", "256x256", "--step", "1 um", "--groove-depth", "3 um",
+                      "--groove-width", "10 um", "--groove-spacing", "50 um", "--sq", "0.05 um")
             of = self.measured("a." + ending)
             self.assertLess(of["Ssk"], -1)  # grooves
             self.assertGreater(of["Rvk"], 10 * of["Rpk"])
@@ -97,20 +65,8 @@ class Kinds(SyntheticTest):
 
     def test_the_share_of_pores_holds(self):
         for ending in ENDINGS:
-            self.made(
-                "porous",
-                "a." + ending,
-                "--points",
-                "128x128",
-                "--sq",
-                "0.01 um",
-                "--pore-share",
-                "0.2",
-                "--pore-depth",
-                "5 um",
-                "--pore-length",
-                "10 um",
-            )
+            self.made("porous", "a." + ending, "--points", "128x128", "--sq", "0.01 um", "--pore-share", "0.2",
+                      "--pore-depth", "5 um", "--pore-length", "10 um")
             self.run_well("surface", "a." + ending, "--heights", "h.csv")
             heights = [float(line.split(",")[2]) for line in (self.folder / "h.csv").read_text().splitlines()[1:]]
             deep = sum(z < -0.05e-6 for z in heights) / len(heights)  # five times the roughness
@@ -136,12 +92,12 @@ class Files(SyntheticTest):
                 self.assertEqual(bytes_of["a"], bytes_of["b"], kind + ending)
                 self.assertNotEqual(bytes_of["a"], bytes_of["c"], kind + ending)
 
-    def test_the_seed_is_told_where_none_was_named(self):
+    def test_the_seed_is_reported_where_none_was_named(self):
         self.assertIn("seed 1\n", self.made("gaussian", "a.x3p", "--points", "64x64"))
         self.made("gaussian", "b.x3p", "--points", "64x64", "--seed", "1")
         self.assertEqual((self.folder / "a.x3p").read_bytes(), (self.folder / "b.x3p").read_bytes())
 
-    def test_files_say_that_they_are_synthetic_and_how_they_were_made(self):
+    def test_files_state_that_they_are_synthetic_and_how_they_were_made(self):
         words = ("--points", "64x64", "--sq", "0.2 um", "--seed", "17")
         for ending in ENDINGS:
             self.made("gaussian", "a." + ending, *words)
@@ -152,8 +108,8 @@ class Files(SyntheticTest):
         self.made("gaussian", "a.x3p", *words)
         self.made("gaussian", "a.sur", *words)
         for name in ("a.x3p", "a.sur"):
-            said = " ".join(self.run_well("surface", name).split())
-            self.assertIn('ringfilm synthetic gaussian --points 64x64 --step "0.5 um" --sq "0.2 um", seed 17', said)
+            printed = " ".join(self.run_well("surface", name).split())
+            self.assertIn('ringfilm synthetic gaussian --points 64x64 --step "0.5 um" --sq "0.2 um", seed 17', printed)
 
 
 class Refusals(SyntheticTest):
@@ -162,56 +118,27 @@ class Refusals(SyntheticTest):
         self.assert_refused(self.run_program("synthetic", *words), *fragments)
         self.assertEqual(self.names(), before)
 
-    def test_an_ending_that_is_no_format(self):
+    def test_an_ending_that_is_not_a_format(self):
         self.refused("gaussian", "a.sdf", fragments=["a.sdf: the ending", ".x3p, .sur, .gsf or .csv"])
 
-    def test_all_that_is_wrong_is_told_at_once(self):
-        self.refused(
-            "honed",
-            "a.x3p",
-            "--points",
-            "4x4",
-            "--seed",
-            "one",
-            "--sq",
-            "0.1",
-            "--groove-depth",
-            "-1 um",
-            "--hatch-angle",
-            "45 um",
-            fragments=[
-                "--points 4x4",
-                "--seed one",
-                '--sq "0.1" has no unit',
-                '--groove-depth "-1 um"',
-                '--hatch-angle "45 um"',
-                "5 errors",
-            ],
-        )
+    def test_all_that_is_wrong_is_reported_at_once(self):
+        self.refused("honed", "a.x3p", "--points", "4x4", "--seed", "one", "--sq", "0.1", "--groove-depth", "-1 um",
+                     "--hatch-angle", "45 um",
+                     fragments=["--points 4x4", "--seed one", '--sq "0.1" has no unit', '--groove-depth "-1 um"',
+                                '--hatch-angle "45 um"', "5 errors"])
 
     def test_sizes_that_fit_no_memory(self):
         for points in ("1000000x1000000", "18446744073709551615x2", "512", "512x", "512x512x2", "-5x16"):
-            self.refused("gaussian", "a.x3p", "--points=" + points, fragments=["this is no size of a map"])
+            self.refused("gaussian", "a.x3p", "--points=" + points, fragments=["this is not a size of a map"])
 
-    def test_two_ways_to_say_what_is_wanted(self):
-        wanted = ("--asperity-density", "0.05 um-2", "--asperity-radius", "2 um", "--roughness", "0.4 um")
-        self.refused("gaussian", "a.x3p", *wanted, "--sq", "0.2 um", fragments=["another way to say"])
-        self.refused("gaussian", "a.x3p", *wanted[:4], fragments=["belong together"])
+    def test_two_ways_to_state_the_target(self):
+        expected = ("--asperity-density", "0.05 um-2", "--asperity-radius", "2 um", "--roughness", "0.4 um")
+        self.refused("gaussian", "a.x3p", *expected, "--sq", "0.2 um", fragments=["another way to define"])
+        self.refused("gaussian", "a.x3p", *expected[:4], fragments=["belong together"])
 
     def test_a_surface_that_no_spectrum_has(self):
-        self.refused(
-            "gaussian",
-            "a.x3p",
-            "--points",
-            "64x64",
-            "--asperity-density",
-            "5 um-2",
-            "--asperity-radius",
-            "2 um",
-            "--roughness",
-            "0.4 um",
-            fragments=["no surface with the wanted roughness"],
-        )
+        self.refused("gaussian", "a.x3p", "--points", "64x64", "--asperity-density", "5 um-2", "--asperity-radius",
+                     "2 um", "--roughness", "0.4 um", fragments=["no surface with the target roughness"])
 
     def test_shares_and_grooves_out_of_range(self):
         self.refused("porous", "a.x3p", "--pore-share", "0.95", fragments=["--pore-share 0.95", "between 0 and 0.9"])

@@ -80,7 +80,7 @@ class TestSummary(unittest.TestCase):
             ],
         )
 
-    def test_a_skipped_test_without_a_reason_says_so(self):
+    def test_a_skipped_test_without_a_reason_reports_it(self):
         lines = self.summary(entry("cli.silent_test", "OK (skipped=1)\n"))
         self.assertEqual(
             lines, ["1 passed, 0 failed, 1 skipped", "skipped: cli.silent_test: the test states no reason"]

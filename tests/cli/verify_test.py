@@ -28,10 +28,10 @@ class VerifyTest(ProgramTest):
         return self.run_program("verify", *words, env={**os.environ, "RINGFILM_DATA": str(shipped)})
 
     def test_prints_names_expected_numbers_and_verdicts(self):
-        said = self.run_well("verify", "rayleigh1918_step")
-        self.assertIn("load of the best step", said)
-        self.assertRegex(said, r"8 of 8 checks hold in 1 cases?")
-        self.assertNotIn("FAILS", said)
+        printed = self.run_well("verify", "rayleigh1918_step")
+        self.assertIn("load of the best step", printed)
+        self.assertRegex(printed, r"8 of 8 checks hold in 1 cases?")
+        self.assertNotIn("FAILS", printed)
 
     def test_the_page_is_named_by_html_as_of_the_measuring_commands(self):
         self.run_well("verify", "rayleigh1918_step", "--output", "a.html")
@@ -53,15 +53,15 @@ class VerifyTest(ProgramTest):
         self.assertIn("reynolds1886_channel", done.stderr)
 
     def test_lists_every_folder_that_holds_numbers(self):
-        said = self.run_well("verify", "--list")
+        printed = self.run_well("verify", "--list")
         folders = sorted(path.parent.name for path in CASES.glob("*/reference.toml"))
-        self.assertEqual([line.split()[0] for line in said.splitlines()], folders)
+        self.assertEqual([line.split()[0] for line in printed.splitlines()], folders)
         self.assertGreaterEqual(len(folders), 15)
 
     def test_names_what_it_does_not_cover(self):
-        said = self.run_well("verify")
-        self.assertIn("NOT COVERED", said)
-        self.assertIn("distorted bore", said)
+        printed = self.run_well("verify")
+        self.assertIn("NOT COVERED", printed)
+        self.assertIn("distorted bore", printed)
 
     def test_is_the_same_every_time(self):
         names = ("ausas2009_oscillating_squeeze", "roache2002_manufactured")
@@ -91,32 +91,25 @@ class VerifyTest(ProgramTest):
         self.assertEqual(rows["load"], "holds")
 
     def test_page_carries_every_case_and_asks_nobody(self):
-        said = self.run_well("verify", "--output", "verification.html")
+        printed = self.run_well("verify", "--output", "verification.html")
         page = (self.folder / "verification.html").read_text()
-        self.assertIn("wrote verification.html", said)
+        self.assertIn("wrote verification.html", printed)
         for folder in CASES.glob("*/reference.toml"):
             self.assertIn(folder.parent.name, page)
         self.assertNotIn("<script src", page)
 
-    def test_faults_of_a_reference_are_told_with_their_place(self):
+    def test_faults_of_a_reference_are_reported_with_their_place(self):
         shipped = self.copy_of_shipped("rayleigh1918_step")
         path = shipped / "verification" / "rayleigh1918_step" / "reference.toml"
         text = path.read_text()
         text = text.replace('quantity = "load"', 'quantity = "laod"', 1).replace("relative_tolerance", "tolerance", 1)
         path.write_text(text.replace('expected = "4125347.7 Pa"', "expected = 4125347.7"))
         done = self.verify_in(shipped)
-        self.assert_refused(
-            done,
-            "reference.toml:4:12",
-            "did you mean load?",
-            "value.expected = 4125347.7 has no unit",
-            "unknown key value.tolerance",
-        )
+        self.assert_refused(done, "reference.toml:4:12", "did you mean load?", "value.expected = 4125347.7 has no unit",
+                            "unknown key value.tolerance")
 
-    def test_ladders_times_and_columns_that_cannot_be_are_told_with_their_place(self):
-        shipped = self.copy_of_shipped(
-            "roache2002_manufactured", "reynolds1886_squeezed_plates", "styles2014_independent_model"
-        )
+    def test_ladders_times_and_columns_that_cannot_be_are_reported_with_their_place(self):
+        shipped = self.copy_of_shipped("roache2002_manufactured", "reynolds1886_squeezed_plates", "styles2014_independent_model")
         shutil.copytree(SOURCES / "cases" / "styles2014", shipped / "cases" / "styles2014")
 
         def with_change(name, file, before, after):
@@ -130,23 +123,13 @@ class VerifyTest(ProgramTest):
 
         manufactured = lambda before, after: with_change("roache2002_manufactured", "reference.toml", before, after)
         self.assert_refused(manufactured("cells = 1600\n", ""), "order.cells is missing")
-        self.assert_refused(
-            manufactured("cells = 1600", "cells = -2"), "order.cells = -2 is no count", "whole number from 2 on"
-        )
-        self.assert_refused(manufactured("[50, 100", "[50.5, 100"), "order.cells = 50.5 is no count")
+        self.assert_refused(manufactured("cells = 1600", "cells = -2"), "order.cells = -2 is not a count", "whole number from 2 on")
+        self.assert_refused(manufactured("[50, 100", "[50.5, 100"), "order.cells = 50.5 is not a count")
         plates = lambda before, after: with_change("reynolds1886_squeezed_plates", "reference.toml", before, after)
-        self.assert_refused(
-            plates('time = "5 ms"', 'time = "10 s"'), "reference.toml:5:8", "outside the history of approach.toml"
-        )
+        self.assert_refused(plates('time = "5 ms"', 'time = "10 s"'), "reference.toml:5:8", "outside the history of approach.toml")
         curve = lambda file, before, after: with_change("styles2014_independent_model", file, before, after)
-        self.assert_refused(
-            curve("new_1500_reynolds.csv", "hmin_m,", "hmin_m [s],"), "new_1500_reynolds.csv:1:", "hmin_m"
-        )
-        self.assert_refused(
-            curve("reference.toml", 'column = "hmin_m"', 'column = "xcav1_m"'),
-            "new_1500_reynolds.csv:2:",
-            "nan is not a finite number",
-        )
+        self.assert_refused(curve("new_1500_reynolds.csv", "hmin_m,", "hmin_m [s],"), "new_1500_reynolds.csv:1:", "hmin_m")
+        self.assert_refused(curve("reference.toml", 'column = "hmin_m"', 'column = "xcav1_m"'), "new_1500_reynolds.csv:2:", "nan is not a finite number")
 
     def test_unknown_name_is_refused(self):
         done = self.run_program("verify", "rayleigh1918_stepp")
@@ -163,16 +146,14 @@ class OracleTest(ProgramTest):
             script = CASES / case["name"] / "reference.py"
             if not script.exists():
                 continue
-            numbers = json.loads(
-                subprocess.run(["/usr/bin/python3", str(script)], capture_output=True, text=True, check=True).stdout
-            )
+            numbers = json.loads(subprocess.run(["/usr/bin/python3", str(script)], capture_output=True, text=True, check=True).stdout)
             labels = {row["label"] for row in case["rows"]}
             self.assertLessEqual(set(numbers), labels, case["name"])
             for row in case["rows"]:
                 # An order is compared with the slope that the scheme claims; its known number is held below.
                 if row["label"] not in numbers or row["quantity"].startswith("order in"):
                     continue
-                # Eight digits stand in the file.
+                # Eight digits are in the file.
                 self.assertAlmostEqual(row["expected"] / numbers[row["label"]], 1, delta=6e-8, msg=row["label"])
                 worked_out += 1
         self.assertGreater(worked_out, 60)
@@ -192,9 +173,7 @@ class OracleTest(ProgramTest):
     def test_shapes_are_those_that_the_scripts_write(self):
         for script in CASES.glob("*/reference.py"):
             if "--gap" in script.read_text():
-                rows = subprocess.run(
-                    ["/usr/bin/python3", str(script), "--gap"], capture_output=True, text=True, check=True
-                )
+                rows = subprocess.run(["/usr/bin/python3", str(script), "--gap"], capture_output=True, text=True, check=True)
                 self.assertEqual(rows.stdout, (script.parent / "gap.csv").read_text(), script.parent.name)
 
     def test_maps_and_histories_are_those_that_the_oracles_write(self):
@@ -206,9 +185,7 @@ class OracleTest(ProgramTest):
         }
         for file, options in written.items():
             script = (CASES / file).parent / "oracle.py"
-            rows = subprocess.run(
-                ["/usr/bin/python3", str(script), *options], capture_output=True, text=True, check=True
-            )
+            rows = subprocess.run(["/usr/bin/python3", str(script), *options], capture_output=True, text=True, check=True)
             self.assertEqual(rows.stdout, (CASES / file).read_text(), file)
 
 

@@ -72,8 +72,8 @@ class Writing(program.ProgramTest):
         self.run_well("run", "case.toml", "--output", "alone.nc", *LARGE)
         children = [self.start("run", "case.toml", "--output", "out.nc", *LARGE) for _ in range(4)]
         for child in children:
-            _, said = child.communicate()
-            self.assertEqual(child.returncode, 0, said)
+            _, printed = child.communicate()
+            self.assertEqual(child.returncode, 0, printed)
         self.assertEqual((self.folder / "out.nc").read_bytes(), (self.folder / "alone.nc").read_bytes())
         self.assertEqual(self.partials(), [])
 
@@ -107,7 +107,7 @@ class Writing(program.ProgramTest):
             finally:
                 subprocess.run(["umount", str(small)], check=True)
 
-    def test_an_output_that_fails_where_nothing_was_before_says_so(self):
+    def test_an_output_that_fails_where_nothing_was_before_reports_it(self):
         self.assertEqual(self.names(), ["case.toml", "trace.csv"])
 
         def no_file_above_one_kilobyte():

@@ -37,8 +37,8 @@ class KilledStudy(StudyFolder):
         except subprocess.TimeoutExpired:
             pass
         run.kill()
-        _, said = run.communicate(timeout=100)
-        self.assertIn(run.returncode, (0, -signal.SIGKILL), said)
+        _, printed = run.communicate(timeout=100)
+        self.assertIn(run.returncode, (0, -signal.SIGKILL), printed)
         return run.returncode == -signal.SIGKILL
 
     def whole(self):
@@ -116,12 +116,12 @@ class KilledStudy(StudyFolder):
         while not (self.folder / "out").exists() or "out/study.part-1-of-1.growing" not in self.names():
             time.sleep(0.01)
         second = self.run_program("study", "study.toml", "-o", "out", "--resume")
-        _, said = first.communicate(timeout=100)
-        self.assertEqual(first.returncode, 0, said)
+        _, printed = first.communicate(timeout=100)
+        self.assertEqual(first.returncode, 0, printed)
         self.assertEqual(second.returncode, 2, second.stderr)
         self.assertIn("another process computes this part", second.stderr)
         self.assertEqual(self.contents("whole"), self.contents("out"))
-        # Many at once, some of which find the part just finished: none fails in another way, none spoils it.
+        # Many at once, some of which find the part just finished: none fails in another way, none corrupts it.
         for _ in range(5):
             shutil.rmtree(self.folder / "out")
             runs = []
@@ -129,12 +129,12 @@ class KilledStudy(StudyFolder):
                 runs.append(self.start("out"))
                 time.sleep(0.02)
             for run in runs:
-                _, said = run.communicate(timeout=100)
-                self.assertIn(run.returncode, (0, 2), said)
+                _, printed = run.communicate(timeout=100)
+                self.assertIn(run.returncode, (0, 2), printed)
             self.run_well("study", "study.toml", "-o", "out", "--resume")
             self.assertEqual(self.contents("whole"), self.contents("out"))
 
-    def test_a_disk_that_fills_up_stops_it_and_it_goes_on(self):
+    def test_a_disk_that_fills_up_stops_it_and_it_continues(self):
         self.write_scenarios(2000)
         self.whole()
         size = (self.folder / "whole" / "study.part-1-of-1.rows").stat().st_size
@@ -153,7 +153,7 @@ class KilledStudy(StudyFolder):
         done = self.run_program("study", "study.toml", "-o", "out")
         self.assertEqual(done.returncode, 5, done.stderr)
         self.assertIn("No space left on device", done.stderr)
-        self.assertIn("make room, then: ringfilm study study.toml -o out --resume", done.stderr)
+        self.assertIn("free disk space, then: ringfilm study study.toml -o out --resume", done.stderr)
         kept = (disk / "study.part-1-of-1.growing").stat().st_size
         self.assertGreater(kept, 0)
         # Room for the rows, not for the results.

@@ -74,7 +74,7 @@ class Slurm:
         if missing:
             raise CannotStart(f"not installed: {', '.join(missing)} (script/bootstrap --cluster)")
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="ringfilm-slurm-"))
-        self.folder.chmod(0o755)  # munged wants nobody else to write above its socket
+        self.folder.chmod(0o755)  # munged requires nobody else to write above its socket
         self.processes = []
         self.node = socket.gethostname().split(".")[0]
         self.environment = {
@@ -148,7 +148,7 @@ class Slurm:
         return subprocess.run(words, env=self.environment, capture_output=True, text=True, timeout=60).stdout
 
     def order(self, *words):
-        """As `say`; the command must succeed."""
+        """As `state`; the command must succeed."""
         done = subprocess.run(words, env=self.environment, capture_output=True, text=True, timeout=60)
         if done.returncode != 0:
             raise AssertionError(f"{' '.join(words)}: {done.stdout}{done.stderr}")

@@ -44,16 +44,15 @@ class StudyOnSlurm(StudyFolder):
         return super().run_program(*words, env=SLURM.environment, **how)
 
     def submit(self, *words, output="out"):
-        said = self.run_well("study", "submit", "study.toml", "-o", output, "--engine", "slurm", *words)
-        return re.findall(r"^job (\d+)", said, re.MULTILINE)
+        printed = self.run_well("study", "submit", "study.toml", "-o", output, "--engine", "slurm", *words)
+        return re.findall(r"^job (\d+)", printed, re.MULTILINE)
 
     def status(self, output="out"):
         return self.run_well("study", "status", "study.toml", "-o", output)
 
     def logs(self):
-        return "".join(
-            f"{path.name}: {path.read_text(errors='replace')}" for path in sorted(self.folder.glob("out/*.log"))
-        )
+        return "".join(f"{path.name}: {path.read_text(errors='replace')}"
+                       for path in sorted(self.folder.glob("out/*.log")))
 
     def wait_for_result(self):
         SLURM.wait_until_empty(LONGEST)
@@ -63,16 +62,13 @@ class StudyOnSlurm(StudyFolder):
         self.run_well("study", "study.toml", "-o", "whole")
         array, merge = self.submit("--parts", "5", "--", "--comment=two words")
         self.assertEqual(int(merge), int(array) + 1)
-        self.assert_refused(
-            self.run_program("study", "submit", "study.toml", "-o", "out", "--engine", "slurm"),
-            f"in the queue already, as jobs {array} and {merge}",
-            "scancel",
-        )
+        self.assert_refused(self.run_program("study", "submit", "study.toml", "-o", "out", "--engine", "slurm"),
+                            f"in the queue already, as jobs {array} and {merge}", "scancel")
         self.wait_for_result()
         self.assertEqual(self.contents("whole"), self.contents("out"))
         self.assertIn("part 5 of 5", self.status())
-        said = self.run_well("study", "submit", "study.toml", "-o", "out", "--engine", "slurm")
-        self.assertIn("all 5 parts are there", said)
+        printed = self.run_well("study", "submit", "study.toml", "-o", "out", "--engine", "slurm")
+        self.assertIn("all 5 parts are there", printed)
         self.assertEqual(SLURM.in_queue(), [])
 
     def test_odd_names_reach_the_tasks_as_they_are(self):
@@ -122,18 +118,17 @@ class StudyOnSlurm(StudyFolder):
 
     @staticmethod
     def begin_at_once(array):
-        """What looks after a cluster does: a task that was put back waits two minutes otherwise, and Slurm drains a
-        node and holds a task that it tried to start there while the one before was still ending."""
+        """What looks after a cluster does: a task that was put back waits two minutes otherwise, and Slurm drains a node
+        and holds a task that it tried to start there while the one before was still ending."""
         time.sleep(0.5)
         if SLURM.say("sinfo", "-h", "-o", "%T").startswith(("drain", "down")):
             SLURM.say("scontrol", "update", f"nodename={SLURM.node}", "state=resume")
         for job, state, reason in SLURM.in_queue():
             if state == "PENDING" and job.startswith(f"{array}_"):
-                SLURM.say(
-                    "scontrol", *(["release", job] if "held" in reason else ["update", f"jobid={job}", "StartTime=now"])
-                )
+                SLURM.say("scontrol", *(["release", job] if "held" in reason else
+                                        ["update", f"jobid={job}", "StartTime=now"]))
 
-    def test_where_a_part_fails_nothing_is_joined_and_status_tells_why(self):
+    def test_where_a_part_fails_nothing_is_joined_and_status_reports_why(self):
         self.run_well("study", "study.toml", "-o", "whole")
         self.submit("--parts", "4", "--dry-run")
         # The second part finds a folder where its rows should go.
@@ -148,11 +143,11 @@ class StudyOnSlurm(StudyFolder):
         SLURM.wait_until_empty(LONGEST)
         self.assertNotIn("out/study.nc", self.names())
         blocked.rmdir()
-        told = self.status()
-        self.assertIn("part 2 of 4: not begun", told)
-        self.assertIn("not in the queue of Slurm", told)
-        self.assertRegex(told, r"part-2-of-4.log ends with: .*(exit code|Is a directory|could not)")
-        self.assertRegex(told, r"the job that joins the parts, \d+: not in the queue")
+        reported = self.status()
+        self.assertIn("part 2 of 4: not begun", reported)
+        self.assertIn("not in the queue of Slurm", reported)
+        self.assertRegex(reported, r"part-2-of-4.log ends with: .*(exit code|Is a directory|could not)")
+        self.assertRegex(reported, r"the job that joins the parts, \d+: not in the queue")
         # What is there stays; the array is that of the missing part alone.
         finished = (self.folder / "out" / "study.part-1-of-4.rows").stat().st_mtime_ns
         self.submit()
@@ -161,10 +156,9 @@ class StudyOnSlurm(StudyFolder):
         self.assertEqual(finished, (self.folder / "out" / "study.part-1-of-4.rows").stat().st_mtime_ns)
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
-    def test_what_sbatch_refuses_is_told(self):
-        done = self.run_program(
-            "study", "submit", "study.toml", "-o", "out", "--engine", "slurm", "--", "--partition=none"
-        )
+    def test_what_sbatch_refuses_is_reported(self):
+        done = self.run_program("study", "submit", "study.toml", "-o", "out", "--engine", "slurm", "--",
+                                "--partition=none")
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertIn("invalid partition", done.stderr)
         self.assertIn("to try by hand, in out: sbatch", done.stderr)
@@ -172,21 +166,10 @@ class StudyOnSlurm(StudyFolder):
     def test_the_scripts_can_be_submitted_by_hand(self):
         self.run_well("study", "study.toml", "-o", "whole")
         self.submit("--parts", "3", "--dry-run")
-        said = subprocess.run(
-            ["sbatch", "--parsable", "study.array.sh"],
-            cwd=self.folder / "out",
-            text=True,
-            env=SLURM.environment,
-            capture_output=True,
-            check=True,
-        ).stdout
-        subprocess.run(
-            ["sbatch", f"--dependency=afterok:{said.strip()}", "study.merge.sh"],
-            cwd=self.folder / "out",
-            env=SLURM.environment,
-            capture_output=True,
-            check=True,
-        )
+        printed = subprocess.run(["sbatch", "--parsable", "study.array.sh"], cwd=self.folder / "out", text=True,
+                              env=SLURM.environment, capture_output=True, check=True).stdout
+        subprocess.run(["sbatch", f"--dependency=afterok:{printed.strip()}", "study.merge.sh"], cwd=self.folder / "out",
+                       env=SLURM.environment, capture_output=True, check=True)
         self.wait_for_result()
         self.assertEqual(self.contents("whole"), self.contents("out"))
 

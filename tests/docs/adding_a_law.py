@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Does what docs/manual/extending/adding-a-law.md says, to a copy of the project, and looks whether all comes that it
-promises.
+"""Does what docs/manual/extending/adding-a-law.md states, to a copy of the project, and looks whether all comes that it promises.
 
 usage: adding_a_law.py SOURCE_FOLDER BUILD_FOLDER
 """
@@ -29,21 +28,17 @@ def check_cases(project, program):
 
     def call(lines, *words, expect=0):
         (scratch / "case.toml").write_text(CASE.replace("[lubricant]\n", "[lubricant]\n" + lines), encoding="utf-8")
-        return project.run(
-            program, *words, expect=expect, cwd=scratch, env={**os.environ, "RINGFILM_DATA": str(SOURCE)}
-        )
+        return project.run(program, *words, expect=expect, cwd=scratch, env={**os.environ, "RINGFILM_DATA": str(SOURCE)})
 
     if "lubricant.cameron_coefficient" not in call(law, "check", "case.toml", expect=2):
-        project.fail("a missing number is not told by its key")
+        project.fail("a missing number is not reported by its key")
     of_another = 'pressure_viscosity_coefficient = "1e-8 Pa-1"\n'
-    if "pressure_viscosity_coefficient is not used" not in call(
-        law + numbers + of_another, "check", "case.toml", expect=2
-    ):
+    if "pressure_viscosity_coefficient is not used" not in call(law + numbers + of_another, "check", "case.toml", expect=2):
         project.fail("a number of another law is not refused")
     call(law + numbers, "run", "case.toml", "--output", "result.nc")
     result = (scratch / "result.nc").read_bytes()
     if b"cameron_exponent" not in result or b'"cameron"' not in result:
-        project.fail("the result does not say which law was taken, with which numbers")
+        project.fail("the result does not state which law was taken, with which numbers")
 
 
 # The case has the law with a = 6e-10 1/Pa.
@@ -67,13 +62,8 @@ def check_python(project, law):
     package = project.scratch / "python" / "ringfilm"
     shutil.copytree(built, package)
     shutil.move(project.linked(module.relative_to(BUILD).as_posix(), law), package / module.name)
-    project.run(
-        "/usr/bin/python3",
-        "-c",
-        IN_PYTHON,
-        cwd=project.scratch,
-        env={**os.environ, "PYTHONPATH": str(package.parent), "RINGFILM_DATA": str(SOURCE)},
-    )
+    project.run("/usr/bin/python3", "-c", IN_PYTHON, cwd=project.scratch,
+                env={**os.environ, "PYTHONPATH": str(package.parent), "RINGFILM_DATA": str(SOURCE)})
 
 
 with Project(PAGE) as project:
@@ -92,7 +82,7 @@ with Project(PAGE) as project:
     print("\n".join(added))
     for words in ("roelands | none | barus | cameron", "cameron_coefficient", "cameron_exponent"):
         if not any(words in line for line in added):
-            project.fail(f"ringfilm fields does not tell {words}")
+            project.fail(f"ringfilm fields does not report {words}")
     check_cases(project, program)
     check_python(project, law)
 
@@ -104,11 +94,11 @@ with Project(PAGE) as project:
     project.run(documents, only, env=environment)
     shutil.copy(SOURCE / THEORY, project.folder / THEORY)
     if "eq-cameron" not in project.run(documents, only, expect=None, env=environment):
-        project.fail("nothing says that the equation is missing")
+        project.fail("nothing states that the equation is missing")
 
     right = (project.folder / LAW).read_text(encoding="utf-8")
     if TRUE_SLOPE not in right:
-        project.fail(f"the law has no {TRUE_SLOPE} to spoil")
+        project.fail(f"the law has no {TRUE_SLOPE} to corrupt")
     (project.folder / LAW).write_text(right.replace(TRUE_SLOPE, FALSE_SLOPE), encoding="utf-8")
     spoiled = project.linked("tests/laws", [project.compiled(LAW, "libringfilm_models.a")])
     if "HaveTheSlopeOfTheirValues" not in project.run(spoiled, "--gtest_filter=*Laws.*", expect=None):

@@ -43,9 +43,9 @@ std::map<std::string, std::string> texts_below(const std::string& folder, const 
   if (!fs::is_directory(root() / folder)) return texts;
   for (const auto& entry : fs::recursive_directory_iterator(root() / folder)) {
     const std::string path = fs::relative(entry.path(), root()).generic_string();
-    const bool wanted =
+    const bool expected =
         std::any_of(endings.begin(), endings.end(), [&](const std::string& ending) { return ends_with(path, ending); });
-    if (!wanted || !entry.is_regular_file() || path.find("node_modules") != std::string::npos) continue;
+    if (!expected || !entry.is_regular_file() || path.find("node_modules") != std::string::npos) continue;
     texts[path] = text_of(path);
   }
   return texts;
@@ -58,14 +58,14 @@ std::string text_of(const std::string& path) {
 }
 
 Mentions mentions(const std::map<std::string, std::string>& texts, const std::string& pattern) {
-  const std::regex wanted(pattern);
+  const std::regex expected(pattern);
   Mentions found;
   for (const auto& [path, text] : texts) {
     std::istringstream lines(text);
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
       ++number;
-      for (auto it = std::sregex_iterator(line.begin(), line.end(), wanted); it != std::sregex_iterator(); ++it) {
+      for (auto it = std::sregex_iterator(line.begin(), line.end(), expected); it != std::sregex_iterator(); ++it) {
         found[(*it)[1]].push_back(path + ":" + std::to_string(number));
       }
     }

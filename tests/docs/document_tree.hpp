@@ -7,7 +7,7 @@
 /// What the tests of the documents read.
 namespace ringfilm::documents {
 
-/// Every hit of a pattern's first group, with the places "file:line" where it stands.
+/// Every hit of a pattern's first group, with the places "file:line" where it is.
 using Mentions = std::map<std::string, std::vector<std::string>>;
 
 /// Texts of the files below `folder` (from the project's folder) whose name ends in one of `endings`, by path.

@@ -32,7 +32,7 @@ Mentions keys_of_the_bibliography() {
   return mentions({{"docs/references.bib", text_of("docs/references.bib")}}, R"(^@\w+\{(\w+),)");
 }
 
-TEST(Docs, EveryEquationThatCodeNamesStandsInTheTheory) {
+TEST(Docs, EveryEquationThatCodeNamesIsInTheTheory) {
   const Mentions labels = labels_of_the_theory();
   ASSERT_GT(labels.size(), 20u);
   for (const auto& [label, where] : mentions(sources(), R"(\b(eq-[a-z0-9]+(-[a-z0-9]+)*))")) {
@@ -40,7 +40,7 @@ TEST(Docs, EveryEquationThatCodeNamesStandsInTheTheory) {
   }
 }
 
-TEST(Docs, NoLabelStandsTwice) {
+TEST(Docs, NoLabelIsRepeated) {
   for (const auto& [label, where] : labels_of_the_theory())
     EXPECT_EQ(where.size(), 1u) << label << ": " << places(where);
 }

@@ -15,7 +15,7 @@ TEST(Docs, EveryViscosityLawHasItsEquationAndNameInTheTheory) {
     ASSERT_NE(label, std::string::npos) << law.name << " names " << law.equation << ", which docs/theory/oil.md lacks";
     const std::string entry = theory.substr(label, theory.find("<a id=", label + 1) - label);
     EXPECT_NE(entry.find("`lubricant.viscosity_pressure = \"" + law.name + "\"`"), std::string::npos)
-        << "docs/theory/oil.md does not say beside " << law.equation << " how a case chooses " << law.name;
+        << "docs/theory/oil.md does not state beside " << law.equation << " how a case chooses " << law.name;
     EXPECT_NE(entry.find("$$"), std::string::npos) << law.equation << " has no equation";
   }
 }

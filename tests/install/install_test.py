@@ -27,12 +27,8 @@ class TheInstalledPackage(unittest.TestCase):
         cls.folder = pathlib.Path(scratch.name)
         first = cls.folder / "first"
         for component in ("program", "library"):
-            subprocess.run(
-                [CMAKE, "--install", BUILD, "--component", component, "--prefix", str(first)],
-                check=True,
-                stdout=subprocess.DEVNULL,
-                timeout=120,
-            )
+            subprocess.run([CMAKE, "--install", BUILD, "--component", component, "--prefix", str(first)], check=True,
+                           stdout=subprocess.DEVNULL, timeout=120)
         cls.prefix = cls.folder / "elsewhere" / "prefix"  # all of it can be moved
         cls.prefix.parent.mkdir()
         first.rename(cls.prefix)
@@ -40,14 +36,8 @@ class TheInstalledPackage(unittest.TestCase):
         cls.case = cls.prefix / "share" / "ringfilm" / "cases" / "styles2014" / "new.toml"
 
     def done(self, *words, **how):
-        done = subprocess.run(
-            [str(word) for word in words],
-            cwd=self.folder,
-            capture_output=True,
-            text=True,
-            timeout=500,
-            **{"env": ENVIRONMENT, **how},
-        )
+        done = subprocess.run([str(word) for word in words], cwd=self.folder, capture_output=True, text=True,
+                              timeout=500, **{"env": ENVIRONMENT, **how})
         self.assertEqual(done.returncode, 0, f"{words}\n{done.stdout}{done.stderr}")
         return done.stdout
 
@@ -56,72 +46,52 @@ class TheInstalledPackage(unittest.TestCase):
 
     def built(self, example):
         build = self.folder / example
-        self.done(
-            CMAKE,
-            "-S",
-            SOURCES / "examples" / "cpp" / example,
-            "-B",
-            build,
-            "-G",
-            "Ninja",
-            f"-DCMAKE_PREFIX_PATH={self.prefix}",
-        )
+        self.done(CMAKE, "-S", SOURCES / "examples" / "cpp" / example, "-B", build, "-G", "Ninja",
+                  f"-DCMAKE_PREFIX_PATH={self.prefix}")
         self.done(CMAKE, "--build", build)
         return build / example
 
     def test_the_program_finds_its_data_from_its_own_place(self):
         self.assertGreater(self.values()["mean_power_loss"], 0)  # the case takes its oil from data/
-        told = self.done(self.program, "verify", "--list")
-        self.assertIn("barus1893_slider", told)
+        reported = self.done(self.program, "verify", "--list")
+        self.assertIn("barus1893_slider", reported)
 
-    def test_no_header_leads_outside_and_none_stands_beside(self):
+    def test_no_header_leads_outside(self):
         headers = self.prefix / "include" / "ringfilm"
         self.assertTrue((headers / "ringfilm.hpp").is_file())
         self.assertFalse((headers / "io" / "toml_scan.hpp").exists())  # what no public header leads to
 
     def test_one_cycle(self):
         program = self.built("one_cycle")
-        told = self.done(
-            program,
-            self.case,
-            "result.nc",
-            "page.html",
-            env={**ENVIRONMENT, "XDG_DATA_DIRS": str(self.prefix / "share")},
-        )
-        row = next(line for line in told.splitlines() if line.startswith("mean_power_loss"))
+        reported = self.done(program, self.case, "result.nc", "page.html",
+                         env={**ENVIRONMENT, "XDG_DATA_DIRS": str(self.prefix / "share")})
+        row = next(line for line in reported.splitlines() if line.startswith("mean_power_loss"))
         self.assertEqual(row.split()[1], f"{self.values('--set', 'operating.speed=2000 rpm')['mean_power_loss']:.5g}")
-        self.assertIn("the film is thinnest", told)
+        self.assertIn("the film is thinnest", reported)
         self.done(self.program, "report", self.folder / "result.nc", "--output", self.folder / "again.html")
         page = (self.folder / "page.html").read_text()
         self.assertIn("new ring", page)
         self.assertEqual(page, (self.folder / "again.html").read_text())
 
     def test_an_oil_of_ones_own(self):
-        told = self.done(
-            self.built("own_oil"),
-            self.case,
-            env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")},
-        )
-        lines = told.splitlines()
+        reported = self.done(self.built("own_oil"), self.case,
+                         env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")})
+        lines = reported.splitlines()
         of_the_case, own = (float(lines[1].split(word)[1].split()[0]) for word in ("the case", "own law"))
         self.assertAlmostEqual(of_the_case, self.values()["mean_power_loss"], delta=1e-4)  # as it is printed
         self.assertNotEqual(of_the_case, own)
         self.assertLess(abs(own / of_the_case - 1), 0.1)  # stiffer in pressure, equal at none
         self.assertIn("inner loop: yes", lines[2])
-        self.assertIn("Doolittle on Tait's volume", told)
+        self.assertIn("Doolittle on Tait's volume", reported)
         first = next(line for line in lines if line.startswith("scenario 0:"))
         # Lanes of a vector add in another order than a case that is integrated alone.
         self.assertAlmostEqual(float(first.split()[2]), own, delta=1e-3)
 
     def test_a_batch(self):
-        told = self.done(
-            self.built("batch"),
-            self.case,
-            "20",
-            env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")},
-        )
-        self.assertIn("20 scenarios, 0 not solved", told)
-        self.assertIn("scenario 18:", told)
+        reported = self.done(self.built("batch"), self.case, "20",
+                         env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")})
+        self.assertIn("20 scenarios, 0 not solved", reported)
+        self.assertIn("scenario 18:", reported)
 
     def test_by_pkg_config(self):
         if shutil.which("pkg-config") is None:
@@ -131,24 +101,11 @@ class TheInstalledPackage(unittest.TestCase):
         env = {**ENVIRONMENT, "PKG_CONFIG_PATH": str(pc.parent)}
         flags = self.done("pkg-config", "--cflags", "--libs", "ringfilm", env=env).split()
         source = SOURCES / "examples" / "cpp" / "one_cycle" / "one_cycle.cpp"
-        self.done(
-            os.environ.get("CXX", "g++"),
-            "-std=c++20",
-            *os.environ.get("CXXFLAGS", "").split(),
-            source,
-            *flags,
-            "-o",
-            "by_pkg_config",
-            env=env,
-        )
-        told = self.done(
-            self.folder / "by_pkg_config",
-            self.case,
-            "p.nc",
-            "p.html",
-            env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")},
-        )
-        self.assertIn("mean_power_loss", told)
+        self.done(os.environ.get("CXX", "g++"), "-std=c++20", *os.environ.get("CXXFLAGS", "").split(), source, *flags,
+                  "-o", "by_pkg_config", env=env)
+        reported = self.done(self.folder / "by_pkg_config", self.case, "p.nc", "p.html",
+                         env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")})
+        self.assertIn("mean_power_loss", reported)
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ TEST(ContactLaws, SlopeIsTheDerivative) {
     for (const auto& parameters : surfaces(form)) {
       const GreenwoodTripp contact(parameters);
       const double step = 1e-5 * parameters.sigma;
-      // Values of lambda that are no end of a piece and no zero of a polynomial.
+      // Values of lambda that are neither the end of a piece nor a zero of a polynomial.
       for (double lambda = 0.0107; lambda < 7.9; lambda += 0.0531) {
         const double h = lambda * parameters.sigma;
         const auto at = contact.contact(h);

@@ -66,7 +66,7 @@ TEST(MeasuredFiles, AreWhatTheirMakerWrites) {
   }
 }
 
-TEST(MeasuredFiles, SayThatTheyAreSynthetic) {
+TEST(MeasuredFiles, StateThatTheyAreSynthetic) {
   for (const MadeFile& made : made_files()) {
     const std::string bytes = committed(made.name);
     if (is_text(made.name)) {
@@ -74,10 +74,10 @@ TEST(MeasuredFiles, SayThatTheyAreSynthetic) {
       continue;
     }
     const instrument::SurfaceOrigin origin = instrument::read_bytes(made.name, bytes).origin;
-    std::string told = origin.instrument;
-    for (const std::string& note : origin.notes) told += note;
-    EXPECT_THAT(told, testing::HasSubstr("SYNTHETIC")) << made.name;
-    EXPECT_THAT(told, testing::HasSubstr("seed")) << made.name;
+    std::string reported = origin.instrument;
+    for (const std::string& note : origin.notes) reported += note;
+    EXPECT_THAT(reported, testing::HasSubstr("SYNTHETIC")) << made.name;
+    EXPECT_THAT(reported, testing::HasSubstr("seed")) << made.name;
   }
 }
 

@@ -66,12 +66,12 @@ def test_masked_heights_count_as_not_measured():
     hidden = masked(HEIGHTS, [3, 9], [4, 5])
     shown = HEIGHTS.copy()
     shown[[3, 9], [4, 5]] = numpy.nan
-    hidden.data[3, 4] = 1.0  # what stands below a mask must not come through
+    hidden.data[3, 4] = 1.0  # what is below a mask must not come through
     assert surface.height_statistics(hidden, STEP) == surface.height_statistics(shown, STEP)
     assert surface.height_statistics(hidden, STEP).missing == 2
     numpy.testing.assert_array_equal(surface.prepare(hidden, STEP), surface.prepare(shown, STEP))
     assert surface.moments(hidden, STEP) == surface.moments(shown, STEP)
-    assert len(surface.bearing_curve(hidden, STEP)) == HEIGHTS.size - 2
+    assert len(surface.material_ratio_curve(hidden, STEP)) == HEIGHTS.size - 2
     # Rows that are masked arrays, in a list.
     assert surface.height_statistics([hidden[i] for i in range(40)], STEP).missing == 2
     # A masked array that hides nothing is an array.
@@ -184,11 +184,11 @@ def test_numbers_of_any_kind_are_numbers(step):
         (lambda: laws.oil("case.toml"), "case must be a Case, not 'case.toml'"),
     ],
 )
-def test_a_wrong_kind_is_said_in_one_sentence(call, words):
-    with pytest.raises(TypeError) as told:
+def test_a_wrong_kind_is_stated_in_one_sentence(call, words):
+    with pytest.raises(TypeError) as reported:
         call()
-    assert words in str(told.value)
-    assert "\n" not in str(told.value) and "pybind" not in str(told.value).lower()
+    assert words in str(reported.value)
+    assert "\n" not in str(reported.value) and "pybind" not in str(reported.value).lower()
 
 
 def line():
@@ -228,17 +228,17 @@ def test_errors_of_files_name_the_arguments_of_the_function(tmp_path):
         ({"height_unit": "um", "step_x": "5 kg"}, "the step along x"),
         ({"height_unit": "um", "step_x": "1 um", "channel": 7}, "channel=1"),
     ]:
-        with pytest.raises(ringfilm.InputError) as told:
+        with pytest.raises(ringfilm.InputError) as reported:
             surface.read(table, **stated)
-        assert words in str(told.value) and "--" not in str(told.value)
-    with pytest.raises(ringfilm.InputError) as told:
+        assert words in str(reported.value) and "--" not in str(reported.value)
+    with pytest.raises(ringfilm.InputError) as reported:
         lateral_force.read(MEASURED / "loops_silicon.csv", load_deviation="1 um")
-    assert "load_deviation" in str(told.value) and "--" not in str(told.value)
+    assert "load_deviation" in str(reported.value) and "--" not in str(reported.value)
     trace = tmp_path / "trace.csv"
     trace.write_text("\n".join(f"{v:.3f}" for v in 1e6 * GAP))
-    with pytest.raises(ringfilm.InputError) as told:
+    with pytest.raises(ringfilm.InputError) as reported:
         face.read_trace(trace, height_unit="um")
-    assert "step=" in str(told.value) and "--" not in str(told.value)
+    assert "step=" in str(reported.value) and "--" not in str(reported.value)
 
 
 # --- values ---------------------------------------------------------------------------------------
@@ -289,13 +289,13 @@ def with_one(value):
     ],
 )
 def test_values_out_of_range_are_refused(call, words):
-    with pytest.raises(ringfilm.InputError) as told:
+    with pytest.raises(ringfilm.InputError) as reported:
         call()
-    assert words in str(told.value)
-    assert "boost" not in str(told.value)
+    assert words in str(reported.value)
+    assert "boost" not in str(reported.value)
 
 
-def test_contact_ends_far_away_and_goes_on_below_zero():
+def test_contact_ends_far_away_and_continues_below_zero():
     pair = contact()
     assert pair.pressure(numpy.inf) == 0 and pair.area_share(numpy.inf) == 0 and pair.pressure_slope(numpy.inf) == 0
     assert numpy.isnan(pair.pressure(numpy.nan))

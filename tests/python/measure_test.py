@@ -18,13 +18,13 @@ def waves(n=256, step=1e-6, amplitude=1e-6, period=32):
 
 def test_heights_of_a_sine():
     heights, step = waves()
-    told = ringfilm.surface.height_statistics(heights, step)
+    reported = ringfilm.surface.height_statistics(heights, step)
     # Whole periods: the mean square of a sampled sine is exact, its mean absolute value to the square of the step.
-    assert told.Sq_m == pytest.approx(1e-6 / numpy.sqrt(2), rel=1e-12)
-    assert told.Sa_m == pytest.approx(2e-6 / numpy.pi, rel=1e-2)
-    assert told.points == heights.size and told.missing == 0
-    assert told.Sku == pytest.approx(1.5, rel=1e-12)
-    assert "Sq_m" in repr(told) and told.to_dict()["Sq_m"] == told.Sq_m
+    assert reported.Sq_m == pytest.approx(1e-6 / numpy.sqrt(2), rel=1e-12)
+    assert reported.Sa_m == pytest.approx(2e-6 / numpy.pi, rel=1e-2)
+    assert reported.points == heights.size and reported.missing == 0
+    assert reported.Sku == pytest.approx(1.5, rel=1e-12)
+    assert "Sq_m" in repr(reported) and reported.to_dict()["Sq_m"] == reported.Sq_m
 
 
 def test_missing_points_are_nan():
@@ -35,7 +35,7 @@ def test_missing_points_are_nan():
     assert numpy.isnan(level[10, 20]) and numpy.isnan(level).sum() == 1
 
 
-def test_a_tilt_is_taken_off_and_the_input_is_left_alone():
+def test_a_tilt_is_removed_and_the_input_is_left_alone():
     heights, step = waves()
     tilted = heights + 1e-3 * step * numpy.arange(256)
     before = tilted.copy()
@@ -69,7 +69,7 @@ def test_density_and_radius_come_back_from_their_moments():
     of = ringfilm.surface.moments_of(1e11, 1.5e-6)
     back = ringfilm.surface.asperity_parameters(of, 0.5e-6)
     assert (back.density_per_m2, back.beta_m, back.sigma_m) == pytest.approx((1e11, 1.5e-6, 0.5e-6), rel=1e-12)
-    assert back.tabor() == pytest.approx(1e11 * 1.5e-6 * 0.5e-6)
+    assert back.roughness_parameter() == pytest.approx(1e11 * 1.5e-6 * 0.5e-6)
 
 
 def test_a_pair_is_the_sum_of_both():
@@ -86,7 +86,7 @@ def test_files_of_instruments():
     assert ring.heights.ndim == 2 and ring.step[0] > 0 and ring.plausibility
     level = ringfilm.surface.prepare(ring.heights, ring.step, form="cylinder", long_cutoff=80e-6)
     assert 0 < ringfilm.surface.height_statistics(level, ring.step).Sq_m < 5e-6
-    curve = ringfilm.surface.bearing_curve(level, ring.step)
+    curve = ringfilm.surface.material_ratio_curve(level, ring.step)
     assert (numpy.diff(curve) <= 0).all()
     assert ringfilm.surface.core_roughness(curve).Rk_m > 0
     with pytest.raises(ringfilm.InputError):

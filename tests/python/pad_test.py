@@ -38,11 +38,11 @@ def test_tables(slider):
     assert frame["load"].iloc[0] == float(data["load"][0])
 
 
-def test_a_time_integration_tells_its_progress():
-    told = []
+def test_a_time_integration_reports_its_progress():
+    reported = []
     case = ringfilm.Case.read(PAD / "oscillating_squeeze.toml")
-    result = case.run(progress=lambda time, end: told.append((time, end)))
-    assert told and all(0 < time <= end for time, end in told)
+    result = case.run(progress=lambda time, end: reported.append((time, end)))
+    assert reported and all(0 < time <= end for time, end in reported)
     assert result.load.size > 1 and result.pressure.shape[0] == result.load.size
 
 

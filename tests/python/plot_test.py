@@ -73,7 +73,7 @@ def test_several_panels_do_not_go_into_one_axes(result, what):
 
 
 @pytest.mark.parametrize("what", ["min_film_thickness", "stribeck", "film_pressure"])
-def test_a_second_result_in_the_same_axes_is_seen_whole_and_told_apart(case, what):
+def test_a_second_result_in_the_same_axes_is_seen_whole_and_distinguished(case, what):
     case["output.fields"] = [20.0]
     axes = Figure().subplots()
     slow, fast = at_speed(case, 1000), at_speed(case, 2000)
@@ -84,8 +84,8 @@ def test_a_second_result_in_the_same_axes_is_seen_whole_and_told_apart(case, wha
     bottom, top = axes.get_ylim()
     assert bottom == 0
     assert all(numpy.nanmax(line.get_ydata()) <= top for line in curves)
-    told = [text.get_text() for text in axes.legend().get_texts()]
-    assert len(set(told)) == 2 and all("a small case" in label for label in told)
+    reported = [text.get_text() for text in axes.legend().get_texts()]
+    assert len(set(reported)) == 2 and all("a small case" in label for label in reported)
 
 
 def test_a_label_and_a_style_of_ones_own(result):
@@ -124,8 +124,8 @@ def test_labels_stay_beside_their_panels_with_their_unit(result, what):
         assert panel.get_ylabel().endswith(units[what])
 
 
-def test_a_long_title_is_told_in_lines_that_fit(case):
-    case["title"] = "all that one wants to say about engine, ring, oil and liner, and its price of $5 or $6, " * 4
+def test_a_long_title_is_reported_in_lines_that_fit(case):
+    case["title"] = "all that there is to report about engine, ring, oil and liner, and its price of $5 or $6, " * 4
     figure = case.run().plot()
     left, bottom, right, top = reaches(figure, figure.texts[0])
     assert 0 <= left < right <= 1 and 0 <= bottom < top <= reaches(figure, figure.axes[-1].xaxis.label)[1]
@@ -168,7 +168,7 @@ def test_what_cannot_be_drawn_is_refused(result):
         result.plot("nothing")
 
 
-def test_an_integration_that_stopped_is_not_told_to_be_a_batch(case):
+def test_an_integration_that_stopped_is_not_reported_as_a_batch(case):
     case["contact.asperity_density"] = "1e-6 um-2"
     case["contact.roughness"] = "0.01 um"
     case["ring.elastic_pressure"] = "60 MPa"
@@ -183,8 +183,8 @@ def test_an_integration_that_stopped_is_not_told_to_be_a_batch(case):
         ringfilm.simulate_many([case])[0].plot()
 
 
-def test_a_batch_without_curves_says_how_to_have_them(case):
-    with pytest.raises(ValueError, match='curves="all"'):
+def test_a_batch_without_curves_reports_how_to_have_them(case):
+    with pytest.raises(ValueError, match="curves=\"all\""):
         ringfilm.simulate_many([case], curves="none")[0].plot()
 
 

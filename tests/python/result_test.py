@@ -83,7 +83,7 @@ def test_read_gives_back_what_was_written(result, folder):
     assert (folder / "y.nc").read_bytes() == (folder / "x.nc").read_bytes()
 
 
-def test_what_is_no_result_is_refused(folder):
+def test_what_is_not_a_result_is_refused(folder):
     with pytest.raises(ringfilm.InputError, match="not a NetCDF file"):
         ringfilm.Result.read("case.toml")
     with pytest.raises(ringfilm.InputError, match="no such file"):

@@ -31,13 +31,13 @@ def slow(case):
     return case
 
 
-def test_progress_is_told(slow):
-    told = []
+def test_progress_is_reported(slow):
+    reported = []
     slow["solver.cells"] = 200
-    slow.run(progress=lambda cycle, angle: told.append((cycle, angle)))
-    assert told and told[0][0] == 1
-    assert all(0 <= angle <= 720 for _, angle in told)
-    assert told == sorted(told, key=lambda one: one[0])
+    slow.run(progress=lambda cycle, angle: reported.append((cycle, angle)))
+    assert reported and reported[0][0] == 1
+    assert all(0 <= angle <= 720 for _, angle in reported)
+    assert reported == sorted(reported, key=lambda one: one[0])
 
 
 def test_what_progress_raises_ends_the_run(slow):
@@ -51,7 +51,7 @@ def test_what_progress_raises_ends_the_run(slow):
         slow.run(progress=progress)
 
 
-def test_other_threads_go_on(slow):
+def test_other_threads_continue(slow):
     beats = []
     done = threading.Event()
 
@@ -81,7 +81,7 @@ def test_other_threads_go_on(slow):
         "ringfilm.Study.read('study.toml').run()",
     ],
 )
-def test_ctrl_c_stops_what_would_go_on_for_minutes(folder, how):
+def test_ctrl_c_stops_what_would_continue_for_minutes(folder, how):
     script = textwrap.dedent(
         f"""
         import pathlib, ringfilm, sys
@@ -116,7 +116,7 @@ def test_ctrl_c_stops_what_would_go_on_for_minutes(folder, how):
     assert process.wait(timeout=30) == 77, "it ended by itself, or of another cause"
 
 
-def test_a_cycle_that_stops_says_where_and_keeps_what_it_passed(case):
+def test_a_cycle_that_stops_reports_where_and_keeps_what_it_passed(case):
     # No film can carry a load that rises without bound at a liner that does not move away: speed near zero, huge gas.
     case["contact.asperity_density"] = "1e-6 um-2"
     case["contact.roughness"] = "0.01 um"
@@ -160,9 +160,9 @@ def many(case, n):
 
 
 def test_many_cases_come_back_in_their_order(case):
-    told = []
-    batch = ringfilm.simulate_many(many(case, 9), progress=lambda done, total: told.append((done, total)))
-    assert len(batch) == 9 and told == [(i, None) for i in range(1, 10)]
+    reported = []
+    batch = ringfilm.simulate_many(many(case, 9), progress=lambda done, total: reported.append((done, total)))
+    assert len(batch) == 9 and reported == [(i, None) for i in range(1, 10)]
     for i, result in enumerate(batch):
         expected = next(iter(list(many(case, 9))[i : i + 1])).run()
         # Films side by side leave what the iteration may leave.

@@ -51,9 +51,9 @@ def test_the_plan_as_numbers(study):
 
 def test_the_values_are_those_of_the_program(study, folder, run_program):
     assert run_program("study", "study.toml", "-o", "out").returncode == 0
-    told = []
-    result = study.run(progress=lambda done, total: told.append((done, total)))
-    assert told[-1] == (16, 16)
+    reported = []
+    result = study.run(progress=lambda done, total: reported.append((done, total)))
+    assert reported[-1] == (16, 16)
     with open(folder / "out" / "study.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     assert [float(row["fmep [Pa]"]) for row in rows] == list(result["fmep"])
@@ -63,12 +63,10 @@ def test_the_values_are_those_of_the_program(study, folder, run_program):
 
 def test_statistics_are_those_of_numpy(study):
     result = study.run()
-    told = result.statistics("fmep")
-    assert told["mean"] == pytest.approx(result["fmep"].mean(), rel=1e-12)
-    assert told["deviation"] == pytest.approx(result["fmep"].std(ddof=1), rel=1e-12)
-    assert told["quantiles"][0.5] == pytest.approx(
-        numpy.quantile(result["fmep"], 0.5, method="median_unbiased"), rel=1e-12
-    )
+    reported = result.statistics("fmep")
+    assert reported["mean"] == pytest.approx(result["fmep"].mean(), rel=1e-12)
+    assert reported["deviation"] == pytest.approx(result["fmep"].std(ddof=1), rel=1e-12)
+    assert reported["quantiles"][0.5] == pytest.approx(numpy.quantile(result["fmep"], 0.5, method="median_unbiased"), rel=1e-12)
     with pytest.raises(ringfilm.InputError, match="no points for Sobol indices"):
         result.sobol_indices("fmep")
     with pytest.raises(ringfilm.UnknownKeyError, match="no value of a cycle"):
@@ -97,9 +95,7 @@ def test_tables(study):
 
 
 def test_curves_of_all_scenarios(folder):
-    (folder / "study.toml").write_text(
-        STUDY + '[keep]\ncurves = "all"\nquantities = ["min_film_thickness", "power_loss"]\n'
-    )
+    (folder / "study.toml").write_text(STUDY + '[keep]\ncurves = "all"\nquantities = ["min_film_thickness", "power_loss"]\n')
     study = ringfilm.Study.read("study.toml")
     result = study.run()
     curves = result.curves("power_loss")
@@ -116,14 +112,14 @@ def test_a_bad_study_is_refused(folder):
         ringfilm.Study.read("study.toml")
 
 
-def test_a_plan_with_until_goes_on_as_in_the_program(folder, run_program):
+def test_a_plan_with_until_continues_as_in_the_program(folder, run_program):
     until = 'scenarios = 8\nuntil = { value = "fmep", width = "2.5 kPa", most = 64 }\n'
     (folder / "until.toml").write_text(STUDY.replace("scenarios = 16\n", until))
     study = ringfilm.Study.read("until.toml")
-    told = []
-    result = study.run(progress=lambda done, total: told.append((done, total)))
+    reported = []
+    result = study.run(progress=lambda done, total: reported.append((done, total)))
     assert len(study) == 8 < len(result) == len(result.study) < 64, "it looks after 8, 16, 32 and 64 points"
-    assert {total for _, total in told} >= {8, len(result)} and told[-1] == (len(result), len(result))
+    assert {total for _, total in reported} >= {8, len(result)} and reported[-1] == (len(result), len(result))
     assert run_program("study", "until.toml", "-o", "out").returncode == 0
     with open(folder / "out" / "study.csv", newline="") as file:
         rows = list(csv.DictReader(file))
@@ -160,13 +156,8 @@ def batch(case):
     cases = [case.copy() for _ in range(4)]
     for rpm, one in zip((1000, 2000, 2500, 3000), cases):
         one["operating.speed"] = f"{rpm} rpm"
-    for key, text in (
-        ("contact.asperity_density", "1e-6 um-2"),
-        ("contact.roughness", "0.01 um"),
-        ("ring.elastic_pressure", "60 MPa"),
-        ("ring.face.crown_height", "200 um"),
-        ("ring.face.apex", 0.0),
-    ):
+    for key, text in (("contact.asperity_density", "1e-6 um-2"), ("contact.roughness", "0.01 um"),
+                      ("ring.elastic_pressure", "60 MPa"), ("ring.face.crown_height", "200 um"), ("ring.face.apex", 0.0)):
         cases[2][key] = text
     cases[3]["output.crank_angles"] = [0.0, 20.0]
     batch = ringfilm.simulate_many(cases)
@@ -231,10 +222,10 @@ def test_the_notes_of_results_are_kept_with_their_scenarios(study, folder, run_p
     alone["operating.speed"] = f"{study.points[3, 0]!r} rad/s"
     alone["contact.roughness"] = f"{alone['contact.roughness'] * study.points[3, 1]!r} m"
     assert rows[3] == {topic for topic, _, _ in alone.run().notes}
-    said = run_program("study", "study.toml", "-o", "out").stdout
+    printed = run_program("study", "study.toml", "-o", "out").stdout
     for topic, (message, scenarios) in result.notes.items():
         line = re.escape(f"{len(scenarios)} of 16  {topic}: {message} ")
-        shown = re.search(line + r"\((worst|first): scenario (\d+)\)", said)
+        shown = re.search(line + r"\((worst|first): scenario (\d+)\)", printed)
         assert shown and int(shown[2]) in scenarios
         assert shown[1] == "worst" or int(shown[2]) == scenarios[0]
     with open(folder / "out" / "study.csv", newline="") as file:
@@ -268,6 +259,5 @@ def test_a_column_that_is_chosen_gives_the_pressures_of_its_own(folder):
     batch = ringfilm.simulate_many(cases)
     assert list(result["peak_gas_pressure"]) == list(batch["peak_gas_pressure"])
     assert result["peak_gas_pressure"][1] > 1.9 * result["peak_gas_pressure"][0]
-    assert {topic: cases for topic, (_, cases) in batch.notes.items()} == {
-        topic: scenarios for topic, (_, scenarios) in result.notes.items()
-    }
+    assert {topic: cases for topic, (_, cases) in batch.notes.items()} == \
+        {topic: scenarios for topic, (_, scenarios) in result.notes.items()}

@@ -28,7 +28,7 @@ def unpacked(tmp_path_factory):
 
 
 def python(site, *words, folder):
-    """What Python prints that knows the wheel, but neither checkout nor build."""
+    """What Python prints with the wheel, but without checkout and build."""
     environment = {name: value for name, value in os.environ.items() if name not in ("RINGFILM_DATA", "PYTHONPATH")}
     done = subprocess.run(
         [sys.executable, *words],

@@ -51,7 +51,7 @@ const tests = [];
 const test = (name, run) => tests.push({ name, run });
 
 for (const width of [390, 1400]) {
-  test(`every figure stands at ${width} pixels, with units on its axes`, async () => {
+  test(`every figure is at ${width} pixels, with units on its axes`, async () => {
     const { page, faults } = await opened('measurement.html', width);
     assert.equal(
       await page.evaluate(() => document.documentElement.scrollWidth),
@@ -89,7 +89,7 @@ for (const width of [390, 1400]) {
     await page.context().close();
   });
 
-  test(`the map keeps its proportions at ${width} pixels, and its scale bar is as long as it says`, async () => {
+  test(`the map keeps its proportions at ${width} pixels, and its scale bar is as long as it states`, async () => {
     const { page } = await opened('measurement.html', width);
     const box = (selector) =>
       page.$eval(selector, (node) => {
@@ -137,7 +137,7 @@ test('missing points are grey, measured ones are not', async () => {
   await page.context().close();
 });
 
-test('the caption tells blocks, the hidden peak, the colours and the missing share', async () => {
+test('the caption reports blocks, the hidden peak, the colours and the missing share', async () => {
   const { page } = await opened('measurement.html', 1400);
   const caption = (await page.textContent('#surface_height figcaption')).replace(/\u00a0/g, ' ');
   for (const words of [
@@ -161,11 +161,11 @@ test('the pointer reads place and height off the map', async () => {
     return { left, top, width, height };
   });
   const at = (x, y) => page.mouse.move(box.left + (x / 900) * box.width, box.top + (y / 600) * box.height);
-  const told = async () => (await page.textContent('.map-value')).replace(/\u00a0/g, ' ');
+  const reported = async () => (await page.textContent('.map-value')).replace(/\u00a0/g, ' ');
   await at(300, 200);
-  assert.match(await told(), /x (299|300|301) µm, y (199|200|201) µm: not measured/);
+  assert.match(await reported(), /x (299|300|301) µm, y (199|200|201) µm: not measured/);
   await at(450, 50);
-  assert.match(await told(), /: −?\d\.\d+ µm$/);
+  assert.match(await reported(), /: −?\d\.\d+ µm$/);
   await page.context().close();
 });
 

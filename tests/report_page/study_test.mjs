@@ -71,9 +71,9 @@ const kFigures = {
   study_screening: ['morris', 'ranking', 'comparison-figure', 'stribeck'],
   study_comparison: ['comparison-figure', 'stribeck'],
 };
-for (const [name, wanted] of Object.entries(kFigures)) {
+for (const [name, expected] of Object.entries(kFigures)) {
   for (const width of [390, 1400]) {
-    test(`${name} stands at ${width} pixels`, async () => {
+    test(`${name} is at ${width} pixels`, async () => {
       const { page, faults } = await opened(`${name}.html`, width);
       assert.equal(
         await page.evaluate(() => document.documentElement.scrollWidth),
@@ -81,7 +81,7 @@ for (const [name, wanted] of Object.entries(kFigures)) {
         'no sideways scrolling',
       );
       const figures = await page.$$eval('figure', (nodes) => nodes.map((node) => node.id));
-      assert.deepEqual([...figures].sort(), [...wanted].sort());
+      assert.deepEqual([...figures].sort(), [...expected].sort());
       assert.equal(await page.locator('.card').count(), 3);
       for (const caption of await page.locator('figcaption').allTextContents())
         assert.ok(caption.length > 30 && !/undefined|NaN|null|object/.test(caption), caption);

@@ -5,7 +5,7 @@
 /// less or greater does.
 namespace ringfilm::traps {
 
-/// Switches the traps off for its scope; for tests that let a NaN in on purpose. Say why beside it.
+/// Switches the traps off for its scope; for tests that let a NaN in on purpose. State why beside it.
 class NoTraps {
  public:
   NoTraps();

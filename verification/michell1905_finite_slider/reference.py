@@ -43,7 +43,7 @@ def slider(width, cells):
         for i, value in enumerate(p):
             middle[i] += value
         at_edges = mean * width * first, mean * width * last
-    # what is left out falls with the third power of n
+    # what is omitted falls with the third power of n
     rest = n**3 / (4 * (n + 1) ** 2)
     flow_in, flow_out = flow_in + at_edges[0] * rest, flow_out + at_edges[1] * rest
     top = max(range(cells + 1), key=middle.__getitem__)

@@ -14,15 +14,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file of the points beside the fragment. Throws InputError where it cannot stand there.
+/// The file of the points beside the fragment. Throws InputError where it cannot be written there.
 std::string points_path(const FaceCommand& command) {
   if (!command.outputs.fragment) {
     throw InputError("--as points writes a file of points beside the fragment, but there is no fragment",
-                     "for example --fragment face.toml: the points then stand in face.csv");
+                     "for example --fragment face.toml: the points are then written to face.csv");
   }
   const fs::path fragment = *command.outputs.fragment;
   if (fs::exists(fragment) && !fs::is_regular_file(fragment)) {
-    throw InputError("--as points: " + fragment.string() + " is no file, nothing can stand beside it",
+    throw InputError("--as points: " + fragment.string() + " is not a file, nothing can are next to it",
                      "name a file, for example --fragment face.toml");
   }
   const std::string points = fs::path(fragment).replace_extension(".csv").string();

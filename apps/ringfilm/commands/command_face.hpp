@@ -14,7 +14,7 @@ struct FaceCommand {
   std::string trace;
   instrument::SurfaceOptions reading;
   surface::FaceRule rule;
-  FaceAs as = FaceAs::kPolynomial;  ///< what the fragment gives to a case; points stand in a CSV file beside it
+  FaceAs as = FaceAs::kPolynomial;  ///< what the fragment gives to a case; points are in a CSV file beside it
   MeasurementOutputs outputs;
 };
 

@@ -85,7 +85,8 @@ ForceCalibration on_wedge(const LateralForceCommand& command, const io::Units& u
   return of;
 }
 
-std::optional<std::size_t> wanted_sample(const LateralForceCommand& command, const std::vector<ForceSample>& samples) {
+std::optional<std::size_t> requested_sample(const LateralForceCommand& command,
+                                            const std::vector<ForceSample>& samples) {
   std::string names;
   for (const ForceSample& sample : samples) names += (names.empty() ? "" : ", ") + sample.name;
   if (command.sample) {
@@ -96,7 +97,7 @@ std::optional<std::size_t> wanted_sample(const LateralForceCommand& command, con
   }
   if (command.outputs.fragment && samples.size() > 1) {
     throw InputError(fmt::format("--fragment: a case takes one coefficient, and there are {} samples", samples.size()),
-                     "say which: --sample NAME, one of: " + names);
+                     "state which: --sample NAME, one of: " + names);
   }
   return std::nullopt;
 }
@@ -107,12 +108,12 @@ void lateral_force(const LateralForceCommand& command) {
   check_outputs(command.outputs, inputs_of(command));
   const io::Units units;
   const std::vector<ForceSample> samples = read_samples(command, units);
-  const std::optional<std::size_t> wanted = wanted_sample(command, samples);
+  const std::optional<std::size_t> requested = requested_sample(command, samples);
   ForceCalibration calibration = command.silicon ? on_silicon(command, units)
                                  : command.lever ? by_lever(command, samples.front().load_unit, units)
                                                  : on_wedge(command, units);
   if (command.calibration_name) calibration.name = *command.calibration_name;
-  const io::Measurement measurement = force_measurement(samples, calibration, command.rule, wanted);
+  const io::Measurement measurement = force_measurement(samples, calibration, command.rule, requested);
   deliver(measurement, command.outputs, numbers_of(measurement));
 }
 

@@ -20,7 +20,7 @@ struct LateralForceCommand {
   ForceFiles files;
   std::optional<std::string> name;  ///< of the sample that scans make
   instrument::ForceRule rule;
-  instrument::ScanChannels channels;  ///< empty names: none were said
+  instrument::ScanChannels channels;  ///< empty names: none were stated
   std::optional<ForceFiles> silicon;
   surface::Uncertain reference;  ///< coefficient of friction of silicon
   std::optional<std::string> lever;

@@ -113,7 +113,7 @@ int jobs_of(const std::string& text) {
   int jobs = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), jobs);
   if (error != std::errc() || end != text.data() + text.size() || jobs < 1 || jobs > kMost) {
-    throw InputError("--jobs " + text + ": this is no number of threads from 1 to " + std::to_string(kMost),
+    throw InputError("--jobs " + text + ": this is not a number of threads from 1 to " + std::to_string(kMost),
                      "leave it out for as many as the machine runs at once");
   }
   return jobs;
@@ -122,11 +122,11 @@ int jobs_of(const std::string& text) {
 io::VtsShape vts_shape_of(const std::string& word) {
   if (word == "cylinder") return io::VtsShape::kCylinder;
   if (word == "plane") return io::VtsShape::kPlane;
-  throw InputError("--vts-shape " + word + ": this is no choice", "one of: cylinder, plane");
+  throw InputError("--vts-shape " + word + ": this is not a choice", "one of: cylinder, plane");
 }
 
 /// The case and the settings on the command line of `run` and `check`. A setting may follow --set or the one before it,
-/// so the words that stand alone are told apart by their equal sign.
+/// so the words that are alone are distinguished by their equal sign.
 struct CaseWords {
   std::vector<std::string> alone, set;
 
@@ -261,7 +261,7 @@ class Commands {
 
   void add_verify() {
     auto& command = add("verify", "Compute cases with known answers and report how far off they are", [this] {
-      verify_.wanted = list_ ? VerifyRequest::kNames : verify_json_ ? VerifyRequest::kJson : VerifyRequest::kTable;
+      verify_.requested = list_ ? VerifyRequest::kNames : verify_json_ ? VerifyRequest::kJson : VerifyRequest::kTable;
       verify(verify_);
     });
     command.add_option("NAME", verify_.names, "cases to check; all if none is named")->type_name("...");
@@ -377,7 +377,7 @@ const CLI::App& named_command(const CLI::App& program, const std::vector<std::st
   return *command;
 }
 
-/// What CLI11 says of numbers of values, in the words of a user.
+/// What CLI11 states of numbers of values, in the words of a user.
 std::optional<InputError> wrong_number_of_values(const CLI::App& program, const std::vector<std::string>& words,
                                                  const CLI::ParseError& refusal) {
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&refusal) == nullptr) return std::nullopt;

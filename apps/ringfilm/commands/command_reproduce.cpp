@@ -44,12 +44,12 @@ std::vector<RingInput> ring_inputs(const fs::path& cases) {
 }
 
 std::vector<io::ResultDocument> computed_rings(const std::vector<RingInput>& rings, int jobs) {
-  std::vector<RunRequest> wanted;
+  std::vector<RunRequest> requests;
   for (const RingInput& ring : rings) {
-    wanted.push_back({ring.input, LedgerRequest::kComputed, ErrorRequest::kEstimated, ring.ring});
+    requests.push_back({ring.input, LedgerRequest::kComputed, ErrorRequest::kEstimated, ring.ring});
   }
   std::vector<io::ResultDocument> documents;
-  for (Computation& done : computations(wanted, {jobs})) {
+  for (Computation& done : computations(requests, {jobs})) {
     if (done.stopped) throw *done.stopped;
     const auto& published = rings[documents.size()].published;
     done.document.comparison = study::compare(done.document.result, published, done.document.ledger);
@@ -75,7 +75,7 @@ std::string comparison_table(const std::string& ring, const io::ResultDocument& 
   return text;
 }
 
-/// The rings side by side, for what the paper says in words.
+/// The rings side by side, for what the paper states in words.
 std::string rings_table(const std::vector<io::ResultDocument>& documents) {
   const EngineeringText in_words;
   std::string text = fmt::format("{:<42}", "the three rings");
@@ -92,7 +92,7 @@ std::string rings_table(const std::vector<io::ResultDocument>& documents) {
   }
   return text +
          "the paper in words: friction falls with wear, boundary friction dominates near firing TDC, the embedded\n"
-         "ring passes clearly more oil, the new ring has the thinnest film near TDC (its numbers say the thickest)\n";
+         "ring passes clearly more oil, the new ring has the thinnest film near TDC (its numbers state the thickest)\n";
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ class Chain {
 /// One ring as the paper states it and as its files gave it.
 struct RingPair {
   std::string ring;
-  cycle::Case wanted, got;
+  cycle::Case target, result;
 };
 
 double height_um(const std::vector<double>& coefficients, double x_mm) {
@@ -118,12 +118,12 @@ double height_um(const std::vector<double>& coefficients, double x_mm) {
 /// Largest distance of the two polynomials over the face [um].
 double distance_um(const RingPair& of) {
   constexpr int kPlaces = 1200;
-  const double width_mm = 1e3 * of.wanted.ring.face_width;
+  const double width_mm = 1e3 * of.target.ring.face_width;
   double largest = 0;
   for (int k = 0; k <= kPlaces; ++k) {
     const double x = width_mm * k / kPlaces;
-    largest = std::max(largest, std::abs(height_um(of.got.ring.face.coefficients, x) -
-                                         height_um(of.wanted.ring.face.coefficients, x)));
+    largest = std::max(largest, std::abs(height_um(of.result.ring.face.coefficients, x) -
+                                         height_um(of.target.ring.face.coefficients, x)));
   }
   return largest;
 }
@@ -135,42 +135,42 @@ class TargetAndResult {
   int failures() const { return failures_; }
 
   void add(const RingPair& of) {
-    const cycle::Contact &wanted = of.wanted.contact, &got = of.got.contact;
-    const cycle::MeasuredContact& measured = got.measured;
+    const cycle::Contact &target = of.target.contact, &result = of.result.contact;
+    const cycle::MeasuredContact& measured = result.measured;
     const std::string word = word_of(of.ring);
-    text_ += fmt::format("{:<29}{:>12}{:>14}{:>12}\n", word + " ring", "wanted", "got", "difference");
+    text_ += fmt::format("{:<29}{:>12}{:>14}{:>12}\n", word + " ring", "target", "result", "difference");
     const auto table_1 = [&](const char* name, double scale, double in_paper, double here,
                              const std::optional<double>& deviation) {
       const bool holds = std::abs(here / in_paper - 1) <= kOfTable1;
       row(name, in_paper / scale, here / scale, holds,
           deviation ? fmt::format("one region +- {:.2g}", *deviation / scale) : "");
     };
-    table_1("Table 1: N [um-2]", 1e12, wanted.asperity_density, got.asperity_density,
+    table_1("Table 1: N [um-2]", 1e12, target.asperity_density, result.asperity_density,
             measured.asperity_density_deviation);
-    table_1("         beta [um]", 1e-6, wanted.asperity_radius, got.asperity_radius,
+    table_1("         beta [um]", 1e-6, target.asperity_radius, result.asperity_radius,
             measured.asperity_radius_deviation);
-    table_1("         sigma [um]", 1e-6, wanted.roughness, got.roughness, measured.roughness_deviation);
+    table_1("         sigma [um]", 1e-6, target.roughness, result.roughness, measured.roughness_deviation);
 
     const cycle::MeasuredShearStrength& shares = measured.shear_strength;
     const double own = std::hypot(shares.slope_deviation.value_or(0), shares.calibration_deviation.value_or(0));
-    const double zeta = wanted.boundary_shear_strength_coefficient;
+    const double zeta = target.boundary_shear_strength_coefficient;
     // The reference is the same in files and chain: what is left is the scatter of the loops.
-    row("Table 2: zeta", zeta, got.boundary_shear_strength_coefficient,
-        std::abs(got.boundary_shear_strength_coefficient - zeta) <= own,
+    row("Table 2: zeta", zeta, result.boundary_shear_strength_coefficient,
+        std::abs(result.boundary_shear_strength_coefficient - zeta) <= own,
         fmt::format("loops +- {:.2g}, reference of silicon +- {:.2g}", own, shares.reference_deviation.value_or(0)));
 
-    for (std::size_t k = 0; k < wanted_coefficients(of); ++k) {
+    for (std::size_t k = 0; k < target_coefficients(of); ++k) {
       const std::string name = fmt::format("{} {}", k == 0 ? "Table 4:" : "        ", static_cast<char>('a' + k));
-      row(name, of.wanted.ring.face.coefficients[k], of.got.ring.face.coefficients[k], true, "");
+      row(name, of.target.ring.face.coefficients[k], of.result.ring.face.coefficients[k], true, "");
     }
-    const double distance = distance_um(of), noise = 1e6 * of.got.ring.face.measured.residual_rms.value_or(0);
+    const double distance = distance_um(of), noise = 1e6 * of.result.ring.face.measured.residual_rms.value_or(0);
     text_ += fmt::format("{:<29}{:>12}{:>14.4f}{:>12}  noise {:.2g} um{}\n", "         largest distance [um]", "0",
                          distance, "", noise, verdict(distance <= noise));
   }
 
  private:
-  static std::size_t wanted_coefficients(const RingPair& of) {
-    return std::min(of.wanted.ring.face.coefficients.size(), of.got.ring.face.coefficients.size());
+  static std::size_t target_coefficients(const RingPair& of) {
+    return std::min(of.target.ring.face.coefficients.size(), of.result.ring.face.coefficients.size());
   }
 
   std::string verdict(bool holds) {
@@ -178,9 +178,9 @@ class TargetAndResult {
     return holds ? "" : "  TOO FAR OFF";
   }
 
-  void row(const std::string& name, double wanted, double got, bool holds, const std::string& remark) {
-    text_ += fmt::format("{:<29}{:>12.6g}{:>14.7g}{:>+10.4f} %{}{}{}\n", name, wanted, got, 100 * (got / wanted - 1),
-                         remark.empty() ? "" : "  ", remark, verdict(holds));
+  void row(const std::string& name, double target, double result, bool holds, const std::string& remark) {
+    text_ += fmt::format("{:<29}{:>12.6g}{:>14.7g}{:>+10.4f} %{}{}{}\n", name, target, result,
+                         100 * (result / target - 1), remark.empty() ? "" : "  ", remark, verdict(holds));
   }
 
   std::string text_;
@@ -188,15 +188,16 @@ class TargetAndResult {
 };
 
 std::vector<io::ResultDocument> computed(const std::vector<RingPair>& rings, int jobs) {
-  std::vector<RunRequest> wanted;
+  std::vector<RunRequest> requests;
   for (const RingPair& ring : rings) {
-    wanted.push_back({ring.got, LedgerRequest::kComputed, ErrorRequest::kEstimated, ring.ring + " ring, measured"});
+    requests.push_back(
+        {ring.result, LedgerRequest::kComputed, ErrorRequest::kEstimated, ring.ring + " ring, measured"});
   }
   for (const RingPair& ring : rings) {
-    wanted.push_back({ring.wanted, LedgerRequest::kStatements, ErrorRequest::kEstimated, ring.ring + " ring"});
+    requests.push_back({ring.target, LedgerRequest::kStatements, ErrorRequest::kEstimated, ring.ring + " ring"});
   }
   std::vector<io::ResultDocument> documents;
-  for (Computation& done : computations(wanted, {jobs})) {
+  for (Computation& done : computations(requests, {jobs})) {
     if (done.stopped) throw *done.stopped;
     documents.push_back(std::move(done.document));
   }

@@ -37,7 +37,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A study that was read and found sound.
+/// A study that was read and found valid.
 struct Loaded {
   io::StudyFile file;
   study::Plan plan;
@@ -63,14 +63,14 @@ struct Loaded {
   io::Extension longer() const { return plan.can_grow() ? io::Extension::kAllowed : io::Extension::kRefused; }
 
   /// Are the rows found the first ones of this study, which has become longer since?
-  bool goes_on_from(const io::ShardHeader& found, const io::ShardHeader& wanted) const {
-    return plan.can_grow() && io::is_beginning_of(found, wanted);
+  bool continues_from(const io::ShardHeader& found, const io::ShardHeader& expected) const {
+    return plan.can_grow() && io::is_beginning_of(found, expected);
   }
 
   io::ShardHeader header(std::uint64_t part, std::uint64_t parts) const {
     const io::Provenance program = io::this_program();
     std::string inputs;
-    // The study's own file may be reworded: what it says is in the plan.
+    // The study's own file may be reworded: its content is part of the plan.
     for (const cycle::InputFile& input : file.files) {
       if (input.role != "study") inputs += fmt::format("{} {}\n", input.role, input.sha256);
     }
@@ -112,7 +112,7 @@ void check_grid(const StudyOptions& options, const study::Plan& plan) {
                    "add --yes if that is meant, or sample: method = \"sobol\"");
 }
 
-/// Curves of so many bytes are only kept where the user says so.
+/// Curves of so many bytes are only kept where the user allows it.
 constexpr double kLargestCurves = 2e9;
 
 void check_curves(const StudyOptions& options, const study::Plan& plan) {
@@ -158,19 +158,19 @@ void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& 
   StudyProgress progress(fs::path(options.study_path).stem().string(), there, range.size());
   study::StudyRunOptions run_options;
   run_options.batch.threads = options.threads;
-  const auto finished = [&](const study::ScenarioChunk& chunk) {
+  const auto finished = [&](const study::ScenarioBlock& block) {
     try {
-      writer.append(chunk);
+      writer.append(block);
     } catch (const OutputError& error) {
-      throw OutputError(fmt::format("{}\n{} of {} scenarios are kept; make room, then: {}", error.what(),
+      throw OutputError(fmt::format("{}\n{} of {} scenarios are kept; free disk space, then: {}", error.what(),
                                     writer.next() - range.first, range.size(), resume_words(options)));
     }
     progress.show(writer.next() - range.first, writer.n_unsolved());
-    return stop.is_made() ? study::GoOn::kNo : study::GoOn::kYes;
+    return stop.is_made() ? study::Continuation::kNo : study::Continuation::kYes;
   };
   study::run_scenarios(study.plan, {writer.next(), range.end}, finished, run_options);
   if (writer.next() == range.end) return;
-  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to go on: {}", writer.next() - range.first,
+  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to continue: {}", writer.next() - range.first,
                                  range.size(), resume_words(options)));
 }
 
@@ -179,14 +179,14 @@ bool is_sure(const Loaded& study, const io::ShardReader& rows) {
   const study::StoppingRule& until = *study.until();
   std::vector<double> values;
   rows.append_values(*cycle::cycle_quantity_index(until.value), values);
-  return study::is_sure(until, study::sureness(study.plan, values));
+  return study::is_sure(until, study::interval_widths(study.plan, values));
 }
 
 /// Are all rows of a part there? Of a study with `until`: as many as it takes.
 bool is_whole(Loaded study, const io::ShardReader& rows) {
   if (!study.until()) return rows.is_complete();
   const std::uint64_t points = rows.next() / study.rows_of_a_point();
-  if (!rows.is_sound() || rows.next() % study.rows_of_a_point() != 0 || !study::is_look(study.file.study, points))
+  if (!rows.is_intact() || rows.next() % study.rows_of_a_point() != 0 || !study::is_look(study.file.study, points))
     return false;
   study.take_points(points);
   return points == study.until()->most || is_sure(study, rows);
@@ -210,7 +210,7 @@ void compute_rows(const StudyOptions& options, Loaded& study, io::ShardWriter& w
 /// How far the rows of a part are. Of rows of another study only the file name shows it.
 std::string state_words(const Loaded& study, const PartFile& file, const io::ShardReader& rows) {
   if (!file.is_finished) return "not finished";
-  if (!rows.is_sound()) return "corrupted after these: --resume keeps them and computes the others again";
+  if (!rows.is_intact()) return "corrupted after these: --resume keeps them and computes the others again";
   const bool is_same = io::difference(rows.header(), study.header(file.part, file.parts)).empty();
   return is_same && !is_whole(study, rows) ? "not complete: --resume computes the others" : "finished";
 }
@@ -266,16 +266,16 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
     }
     parts = file.parts;
     shards.emplace_back(file.path);
-    const io::ShardHeader wanted = study.header(file.part, file.parts);
+    const io::ShardHeader expected = study.header(file.part, file.parts);
     const io::ShardHeader& found = shards.back().header();
-    const std::string differs = io::difference(found, wanted);
-    const bool may_go_on = study.goes_on_from(found, wanted);
-    if (!differs.empty() && !may_go_on) {
+    const std::string differs = io::difference(found, expected);
+    const bool may_continue = study.continues_from(found, expected);
+    if (!differs.empty() && !may_continue) {
       faults.push_back({{}, fmt::format("{}: these rows are of {}", file.path, differs), "compute this part anew"});
-    } else if (may_go_on || !is_whole(study, shards.back())) {
+    } else if (may_continue || !is_whole(study, shards.back())) {
       faults.push_back({{},
                         fmt::format("{}: this part is not complete{}", file.path,
-                                    shards.back().is_sound() ? "" : ", since a chunk of it is spoilt"),
+                                    shards.back().is_intact() ? "" : ", since a block of it is corrupted"),
                         go_on_words(file.part)});
     }
   }
@@ -346,16 +346,16 @@ void run_study(const StudyOptions& options) {
   bool is_there = false;
   if (options.resume && fs::exists(finished)) {
     const io::ShardReader there(finished);
-    const io::ShardHeader wanted = study.header(options.part, options.parts);
-    const std::string differs = io::difference(there.header(), wanted);
-    const bool may_go_on = study.goes_on_from(there.header(), wanted);
-    if (!differs.empty() && !may_go_on) {
+    const io::ShardHeader expected = study.header(options.part, options.parts);
+    const std::string differs = io::difference(there.header(), expected);
+    const bool may_continue = study.continues_from(there.header(), expected);
+    if (!differs.empty() && !may_continue) {
       throw InputError(fmt::format("{}: these rows are of {}", finished, differs),
                        "results of both must not be mixed: name another output, or replace it with --overwrite");
     }
-    is_there = !may_go_on && is_whole(study, there);
-    // Its rows, as far as they are sound, are the first ones of what is computed now. Where somebody else has begun
-    // with that, they go on with their own.
+    is_there = !may_continue && is_whole(study, there);
+    // Its rows, as far as they are intact, are the first ones of what is computed now. Where somebody else has begun
+    // with that, they continue with their own.
     if (!is_there && !fs::exists(growing) && std::rename(finished.c_str(), growing.c_str()) != 0 && errno != ENOENT)
       io::fail_to_write(growing, errno);
   }
@@ -372,7 +372,7 @@ void run_study(const StudyOptions& options) {
     write_results(files, study, std::move(shards));
   } catch (const OutputError& error) {
     throw OutputError(
-        fmt::format("{}\nall scenarios are kept; make room, then: {}", error.what(), resume_words(options)));
+        fmt::format("{}\nall scenarios are kept; free disk space, then: {}", error.what(), resume_words(options)));
   }
 }
 
@@ -406,17 +406,17 @@ std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t us
   for (const PartFile& file : there) {
     if (file.parts != options.parts) {
       faults.push_back({{},
-                        fmt::format("{}: here stands a part of {}, not of {}", file.path, file.parts, options.parts),
-                        fmt::format("go on with --parts {}, name another output, or delete this file", file.parts)});
+                        fmt::format("{}: this is a part of {}, not of {}", file.path, file.parts, options.parts),
+                        fmt::format("continue with --parts {}, name another output, or delete this file", file.parts)});
       continue;
     }
     if (!file.is_finished) io::check_not_being_written(file.path);
-    const io::ShardHeader wanted = study.header(file.part, file.parts);
-    // A header that was cut off says nothing: the part is begun anew.
-    if (!file.is_finished && fs::file_size(file.path) < io::size_without_rows(wanted)) continue;
+    const io::ShardHeader expected = study.header(file.part, file.parts);
+    // A header that was cut off contains nothing: the part is begun anew.
+    if (!file.is_finished && fs::file_size(file.path) < io::size_without_rows(expected)) continue;
     const io::ShardReader rows(file.path);
-    const std::string differs = io::difference(rows.header(), wanted);
-    if (!differs.empty() && !study.goes_on_from(rows.header(), wanted)) {
+    const std::string differs = io::difference(rows.header(), expected);
+    if (!differs.empty() && !study.continues_from(rows.header(), expected)) {
       faults.push_back({{},
                         fmt::format("{}: these rows are of {}", file.path, differs),
                         "results of both must not be mixed: name another output, or delete this file"});
@@ -437,7 +437,7 @@ void tell_study_status(const StudyOptions& options) {
   const StudyFiles files(options.output);
   const std::vector<PartFile> parts = files.parts();
   std::cout << fmt::format("{}: {} scenarios\n", study.plan.study().title, study.plan.size());
-  if (parts.empty()) std::cout << fmt::format("nothing of it stands in {}\n", options.output);
+  if (parts.empty()) std::cout << fmt::format("{} contains nothing of it\n", options.output);
   std::optional<std::uint64_t> last_parts, last_part;
   const std::optional<StudyJobs> jobs = StudyJobs::read(files);
   const PartWords on_the_way(files, jobs);

@@ -22,8 +22,8 @@ void run_study(const StudyOptions& options);
 /// Joins the parts of a study into its result files.
 void merge_study(const StudyOptions& options);
 
-/// Checks a study that is to be computed in parts, and what stands where they shall go, as run_study does. Where
-/// options.parts is 0 it becomes the number of those that stand there, else `usual`.
+/// Checks a study that is to be computed in parts, and what exists where they shall go, as run_study does. Where
+/// options.parts is 0 it becomes the number of existing ones, else `usual`.
 /// @returns the parts that are not finished. Throws InputError
 std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t usual);
 

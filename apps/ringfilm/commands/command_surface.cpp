@@ -39,7 +39,7 @@ void write_heights(const std::string& path, const surface::HeightMap& map) {
   aside.put_in_place();
 }
 
-/// What the file holds, before anything is taken off.
+/// What the file holds, before anything is removed.
 io::NamedNumbers numbers_as_read(const surface::HeightMap& map) {
   double lowest = INFINITY, highest = -INFINITY;
   for (std::size_t i = 0; i < map.points(); ++i) {

@@ -20,8 +20,8 @@ struct Maker {
     return gaussian_surface(grid, surface::gaussian_correlation(of.length_m, of.length_m), of.Sq_m, seed, of.rms);
   }
   surface::HeightMap operator()(const ContactSurface& of) const {
-    const surface::SpectralMoments moments = surface::moments_of(of.wanted.density_per_m2, of.wanted.beta_m);
-    return surface_with({of.rule, of.wanted.sigma_m, moments.m2, moments.m4_per_m2}, grid, seed);
+    const surface::SpectralMoments moments = surface::moments_of(of.target.density_per_m2, of.target.beta_m);
+    return surface_with({of.rule, of.target.sigma_m, moments.m2, moments.m4_per_m2}, grid, seed);
   }
   surface::HeightMap operator()(const surface::HonedSurface& of) const { return honed_surface(grid, of, seed); }
   surface::HeightMap operator()(const surface::PorousSurface& of) const { return porous_surface(grid, of, seed).map; }

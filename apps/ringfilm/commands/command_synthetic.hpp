@@ -15,9 +15,9 @@ struct GaussianSurface {
   surface::MadeRms rms = surface::MadeRms::exact;
 };
 
-/// A Gaussian surface whose N, beta and sigma against a smooth flat are as wanted.
+/// A Gaussian surface whose N, beta and sigma against a smooth flat are as stated.
 struct ContactSurface {
-  surface::AsperityParameters wanted;
+  surface::AsperityParameters target;
   surface::SigmaRule rule = surface::SigmaRule::ra;
 };
 

@@ -113,7 +113,7 @@ std::string totals(const std::vector<study::VerificationOutcome>& cases) {
 }  // namespace
 
 void verify(const VerifyOptions& options) {
-  if (options.wanted == VerifyRequest::kNames) return print_list();
+  if (options.requested == VerifyRequest::kNames) return print_list();
   const std::vector<std::string> folders = chosen_folders(options.names);
   const io::Units units;
   if (options.output) {
@@ -128,7 +128,7 @@ void verify(const VerifyOptions& options) {
     result.not_covered =
         io::read_not_covered((fs::path(io::shipped_folder()) / "verification" / "not-covered.toml").string(), units);
   }
-  const bool in_words = options.wanted == VerifyRequest::kTable;
+  const bool in_words = options.requested == VerifyRequest::kTable;
   if (in_words) {
     std::cout << fmt::format("  {:<52}{:>20}{:>20}{:>14}{:>14}  {}\n", "check", "expected", "got", "error", "tolerance",
                              "verdict");
@@ -149,7 +149,7 @@ void verify(const VerifyOptions& options) {
     io::write_atomically(*options.output, ringfilm::report::verification_page(result));
     if (in_words) std::cout << "wrote " << *options.output << "\n";
   }
-  if (!holds) throw FailedChecks("a number is not what it is known to be");
+  if (!holds) throw FailedChecks("a number differs from its expected value");
 }
 
 }  // namespace ringfilm::app

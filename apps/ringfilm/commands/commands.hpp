@@ -61,7 +61,7 @@ enum class VerifyRequest { kTable, kJson, kNames };
 struct VerifyOptions {
   std::vector<std::string> names;     ///< folders of verification/; empty: all
   std::optional<std::string> output;  ///< web page
-  VerifyRequest wanted = VerifyRequest::kTable;
+  VerifyRequest requested = VerifyRequest::kTable;
 };
 
 /// Everything was computed and written, but something in it is not as it should be (exit code 4).

@@ -13,18 +13,18 @@
 
 namespace ringfilm::app {
 
-CommandOutput said_by(const std::string& command_line) {
+CommandOutput output_of(const std::string& command_line) {
   std::FILE* pipe = ::popen(fmt::format("{{ {}\n}} 2>&1", command_line).c_str(), "re");
   if (pipe == nullptr) return {"no process could be started", -1};
-  CommandOutput said;
+  CommandOutput printed;
   std::array<char, 4096> part{};
   constexpr std::size_t kMost = 1 << 24;  // of 10^5 tasks with their reasons
   for (std::size_t n = 0; (n = std::fread(part.data(), 1, part.size(), pipe)) > 0;) {
-    if (said.text.size() < kMost) said.text.append(part.data(), n);
+    if (printed.text.size() < kMost) printed.text.append(part.data(), n);
   }
   const int status = ::pclose(pipe);
-  said.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return said;
+  printed.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return printed;
 }
 
 std::string shell_word(const std::string& word) {
@@ -39,7 +39,7 @@ std::string word_to_copy(const std::string& word) {
 }
 
 bool is_command(const std::string& name) {
-  return said_by(fmt::format("command -v {} >/dev/null", shell_word(name))).exit_code == 0;
+  return output_of(fmt::format("command -v {} >/dev/null", shell_word(name))).exit_code == 0;
 }
 
 std::string StudyJobs::path(const StudyFiles& files) { return fmt::format("{}/{}.jobs", files.folder(), files.name()); }
@@ -66,11 +66,12 @@ std::optional<std::map<std::uint64_t, std::string>> queue_states(const StudyJobs
   std::map<std::uint64_t, std::string> states;
   for (const std::string& job : {jobs.array, jobs.merge}) {
     if (job.empty()) continue;
-    const CommandOutput said = said_by(fmt::format("squeue --noheader --array --jobs={} --format='%K %T %r'", job));
-    // Of a job that is long gone squeue says so as an error.
-    if (said.exit_code != 0 && said.text.find("Invalid job id") == std::string::npos) return std::nullopt;
-    if (said.exit_code != 0) continue;
-    std::istringstream lines(said.text);
+    const CommandOutput printed =
+        output_of(fmt::format("squeue --noheader --array --jobs={} --format='%K %T %r'", job));
+    // Squeue reports an error for a job that ended long ago.
+    if (printed.exit_code != 0 && printed.text.find("Invalid job id") == std::string::npos) return std::nullopt;
+    if (printed.exit_code != 0) continue;
+    std::istringstream lines(printed.text);
     std::string task, state, reason;
     while (lines >> task >> state && std::getline(lines >> std::ws, reason)) {
       const bool is_part = task.find_first_not_of("0123456789") == std::string::npos;

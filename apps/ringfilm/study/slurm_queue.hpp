@@ -14,7 +14,7 @@ struct CommandOutput {
   std::string text;
   int exit_code = 0;
 };
-CommandOutput said_by(const std::string& command_line);
+CommandOutput output_of(const std::string& command_line);
 
 /// A word as the shell takes it literally.
 std::string shell_word(const std::string& word);

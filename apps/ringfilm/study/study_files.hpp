@@ -25,7 +25,7 @@ class StudyFiles {
   std::string growing(std::uint64_t part, std::uint64_t parts) const;
   std::string finished(std::uint64_t part, std::uint64_t parts) const;
 
-  /// What a task of a cluster says while it computes a part.
+  /// What a task of a cluster prints while it computes a part.
   std::string log(std::uint64_t part, std::uint64_t parts) const;
   std::string merge_log() const { return stem_ + ".merge.log"; }
 
@@ -36,7 +36,7 @@ class StudyFiles {
   /// Makes the folder if it is missing. Throws OutputError.
   void make_folder() const;
 
-  /// All parts that stand there, in their order.
+  /// All existing parts, in their order.
   std::vector<PartFile> parts() const;
 
  private:

@@ -12,7 +12,7 @@ namespace ringfilm::app {
 /// ", last at 2026-01-31 17:05": when rows were last written to the file; empty where that is not known.
 std::string last_change_words(const std::string& path);
 
-/// What is known of parts of a study that are not finished: where they stand in the queue of Slurm, and the last words
+/// What is known of parts of a study that are not finished: their state in the queue of Slurm, and the last words
 /// of their logs.
 class PartWords {
  public:

@@ -60,7 +60,7 @@ class SlurmStudy {
         throw InputError("an option of sbatch has a line end in it", "leave it out");
     }
     if (!options_.further.empty() && options_.further.front().rfind('-', 0) != 0) {
-      throw InputError(fmt::format("{}: this is no option of sbatch", options_.further.front()),
+      throw InputError(fmt::format("{}: this is not an option of sbatch", options_.further.front()),
                        "for example: -- --partition=long");
     }
   }
@@ -75,7 +75,8 @@ class SlurmStudy {
     std::string text =
         "#!/bin/bash\n"
         "# The parts of a study as a job array: each task computes one part into a file of its own. A part that is\n"
-        "# there is not computed again, and one that was begun goes on where it was, so that this can be submitted\n"
+        "# there is not computed again, and one that was begun continues where it stopped, so that this can be "
+        "submitted\n"
         "# again at any time, from the folder in which it lies, with: sbatch and its name.\n";
     text += directives("parts");
     text += fmt::format("#SBATCH --array={}\n#SBATCH --cpus-per-task={}\n", ranges(missing), threads);
@@ -105,13 +106,13 @@ class SlurmStudy {
   /// Hands a script to sbatch, from the folder in which it lies. @returns the number of the job
   std::string submit(const std::string& script, const std::string& words) const {
     const std::string command = fmt::format("sbatch --parsable {}{}", words, shell_word("./" + script));
-    const CommandOutput said = said_by(fmt::format("cd -- {} && {}", shell_word(files_.folder()), command));
-    std::istringstream lines(said.text);
-    for (std::string line; said.exit_code == 0 && std::getline(lines, line);) {
+    const CommandOutput printed = output_of(fmt::format("cd -- {} && {}", shell_word(files_.folder()), command));
+    std::istringstream lines(printed.text);
+    for (std::string line; printed.exit_code == 0 && std::getline(lines, line);) {
       const std::string number = line.substr(0, line.find(';'));  // after it: the cluster's name
       if (!number.empty() && number.find_first_not_of("0123456789") == std::string::npos) return number;
     }
-    throw FailedChecks(fmt::format("{}sbatch did not take {}; to try by hand, in {}: {}", said.text, place(script),
+    throw FailedChecks(fmt::format("{}sbatch did not take {}; to try by hand, in {}: {}", printed.text, place(script),
                                    files_.folder(), command));
   }
 

@@ -7,7 +7,7 @@
 namespace ringfilm::app {
 
 struct SubmitOptions {
-  StudyOptions study;  ///< parts = 0: as many as stand there already, else 8; threads = 0: one a task
+  StudyOptions study;  ///< parts = 0: as many as are there already, else 8; threads = 0: one a task
   std::string engine;
   bool is_rehearsal = false;         ///< write the scripts and show them, submit nothing
   std::vector<std::string> further;  ///< options for the engine, as the user wrote them

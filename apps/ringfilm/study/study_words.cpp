@@ -21,12 +21,12 @@ constexpr const char* kStudyFooter = R"(Examples:
   ringfilm study merge study.toml -o results
   ringfilm study submit study.toml -o results --engine slurm --parts 16 -- --partition=long
 
-Ctrl-C stops after the chunk in hand; --resume goes on with what is there, after a kill, too, and computes nothing
+Ctrl-C stops after the current block; --resume continues with what is there, after a kill, too, and computes nothing
 twice.
 A study that is in the output, finished or not, is replaced with --overwrite only.
 --shard i/n computes the i-th of n parts, on any machine that sees the output; merge joins the parts.
 submit writes a job array of the parts and the job that joins them into the output and hands them to the scheduler; what
-stands behind -- goes to sbatch.
+follows -- is passed to sbatch.
 )";
 
 constexpr int kMostWords = 64;  // those for another program among them
@@ -42,7 +42,8 @@ struct StudyWords {
     if (alone.size() > 2) beyond.insert(beyond.begin(), alone.begin() + 2, alone.end());
     const std::string action = has_action ? alone.front() : "";
     if (has_action && action != "merge" && action != "status" && action != "submit") {
-      throw InputError(fmt::format("ringfilm study {}: this is no action", action), "one of: merge, status, submit");
+      throw InputError(fmt::format("ringfilm study {}: this is not an action", action),
+                       "one of: merge, status, submit");
     }
     if (!beyond.empty() && action != "submit") {
       throw InputError(fmt::format("ringfilm study {}: this is one word too many", beyond.front()),
@@ -78,7 +79,7 @@ struct StudyWords {
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc{} && end == text.data() + text.size() && value >= 1 && value <= most) return value;
-    throw InputError(fmt::format("{} {}: this is no number from 1 to {}", option, text, most));
+    throw InputError(fmt::format("{} {}: this is not a number from 1 to {}", option, text, most));
   }
 
   void submit(const StudyOptions& options, const std::vector<std::string>& beyond) const {
@@ -120,12 +121,12 @@ void add_study_command(CLI::App& program, Actions& actions) {
       ->required()
       ->expected(1, kMostWords)
       ->type_name("");
-  // The first option takes the words behind --, too; but a command only knows -- as long as another may still come.
+  // The first option takes the words behind --, too; but a command only accepts -- as long as another may still come.
   command->add_option("OPTION", words->further, "of submit, behind --: options of sbatch")->type_name("");
   command->add_option("-o,--output", words->output, "folder for results, or X.nc (default ./<study>)")
       ->type_name("OUT");
   command->add_option("--shard", words->shard, "compute part i of n only")->type_name("i/n");
-  command->add_flag("--resume", words->resume, "go on with what is there");
+  command->add_flag("--resume", words->resume, "continue with what is there");
   command->add_flag("--overwrite", words->overwrite, "replace the study in the output, which is refused without it");
   command->add_flag("--yes", words->yes,
                     "run a grid of more than 10000 points, keep more than 2 GB of curves, submit unseen by squeue");

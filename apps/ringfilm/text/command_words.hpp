@@ -24,7 +24,7 @@ struct OutputWords {
   bool json = false;
 
   void add_to(CLI::App& command, bool with_fragment);
-  MeasurementOutputs wanted() const;
+  MeasurementOutputs selected() const;
 };
 
 /// `ringfilm surface` and `ringfilm pair`.

@@ -21,12 +21,12 @@ constexpr const char* kFaceFooter = R"(Examples:
 
 A trace as text has the columns x and z with their units: x [mm],z [um]. A stylus counts heights away from the ring:
 --heights material. What a case calls the gap to a straight liner is --heights gap. Neither is guessed.
-The case reads the fragment with include = ["face.toml"]; with --as points the points stand beside it in face.csv.
+The case reads the fragment with include = ["face.toml"]; with --as points the points are next to it in face.csv.
 )";
 
 struct FaceWords {
   FaceCommand command;
-  std::optional<std::string> heights, width, start, levelling, tilt, land_height, pore_depth, spline_cutoff;
+  std::optional<std::string> heights, width, start, levelling, tilt, running_surface_height, pore_depth, spline_cutoff;
   std::string direction = "as-measured", zero = "lowest-point", degree = "6", as = "polynomial";
   OutputWords outputs;
 
@@ -41,21 +41,22 @@ struct FaceWords {
     add("--start", start, "where in the trace the face begins; without it: where its mean gap is least", "LENGTH");
     add("--direction", direction, "as-measured, or turned: x = 0 is the end of the trace", "WORD")
         ->capture_default_str();
-    add("--levelling", levelling, "land: the land is made level (default); none: tilt stays as measured", "WORD");
-    add("--tilt", tilt, "a tilt to take off instead, by which the gap rises along the trace", "\"2 mrad\"");
-    add("--land-height", land_height, "the land is where the gap is at most this above its least (default 1 um)",
-        "LENGTH");
+    add("--levelling", levelling,
+        "running-surface: the running surface is made level (default); none: tilt stays as measured", "WORD");
+    add("--tilt", tilt, "a tilt to remove instead, by which the profile rises along the trace", "\"2 mrad\"");
+    add("--running-surface-height", running_surface_height,
+        "the running surface is where the gap is at most this above its least (default 1 um)", "LENGTH");
     add("--zero", zero, "of the gap: lowest-point or as-measured", "WORD")->capture_default_str();
-    add("--pore-depth", pore_depth, "points deeper than this below the spline are pores and left out", "LENGTH");
+    add("--pore-depth", pore_depth, "points deeper than this below the spline are pores and omitted", "LENGTH");
     add("--spline-cutoff", spline_cutoff,
         "stiffness of the spline: the wave of which half passes (default a tenth of the width)", "LENGTH");
     add("--degree", degree, "of the polynomial, 1 to 12", "N")->capture_default_str();
     add("--as", as, "what the fragment gives to the case: polynomial, or points of the spline", "WORD")
         ->capture_default_str();
     add("--channel", command.reading.channel, "which channel of the file: its number from 1, or its name", "N");
-    add("--unit", command.reading.height_unit, "unit of the heights, where the file does not say", "UNIT");
-    add("--lateral-unit", command.reading.lateral_unit, "unit of x, where the file does not say", "UNIT");
-    add("--step-x", command.reading.step_x, "distance of points, where the file does not say", "LENGTH");
+    add("--unit", command.reading.height_unit, "unit of the heights, where the file does not state it", "UNIT");
+    add("--lateral-unit", command.reading.lateral_unit, "unit of x, where the file does not state it", "UNIT");
+    add("--step-x", command.reading.step_x, "distance of points, where the file does not state it", "LENGTH");
     outputs.add_to(app, true);
     app.footer(kFaceFooter);
   }
@@ -68,37 +69,40 @@ struct FaceWords {
       of.rule.sense = values.chosen<HeightSense>("--heights", *heights,
                                                  {{"material", HeightSense::kMaterial}, {"gap", HeightSense::kGap}});
     } else {
-      values.refuse("--heights is missing: a trace does not say which way its heights count",
+      values.refuse("--heights is missing: a trace does not state which way its heights count",
                     "--heights material for a stylus (away from the ring), --heights gap for the gap to a liner");
     }
     if (width) {
       of.rule.width_m = values.length("--width", *width, "1.2 mm");
     } else {
-      values.refuse("--width is missing: a trace does not say how wide the face is", "for example --width \"1.2 mm\"");
+      values.refuse("--width is missing: a trace does not state how wide the face is",
+                    "for example --width \"1.2 mm\"");
     }
     if (start) of.rule.start_m = values.quantity("--start", *start, "m", "0.35 mm");
     of.rule.direction = values.chosen<FaceDirection>(
         "--direction", direction, {{"as-measured", FaceDirection::kAsMeasured}, {"turned", FaceDirection::kTurned}});
     read_levelling(of.rule, values);
-    if (land_height) of.rule.land_height_m = values.length("--land-height", *land_height, "1 um");
+    if (running_surface_height)
+      of.rule.running_surface_height_m = values.length("--running-surface-height", *running_surface_height, "1 um");
     of.rule.zero = values.chosen<FaceZero>(
         "--zero", zero, {{"lowest-point", FaceZero::kLowestPoint}, {"as-measured", FaceZero::kAsMeasured}});
     if (pore_depth) of.rule.pore_depth_m = values.length("--pore-depth", *pore_depth, "1 um");
     if (spline_cutoff) of.rule.spline_cutoff_m = values.length("--spline-cutoff", *spline_cutoff, "100 um");
     const double whole = values.number("--degree", degree, 1, 12, "6");
-    if (whole != std::floor(whole)) values.refuse("--degree " + degree + " is no whole number", "for example 6");
+    if (whole != std::floor(whole)) values.refuse("--degree " + degree + " is not a whole number", "for example 6");
     of.rule.degree = static_cast<int>(whole);
     of.as = values.chosen<FaceAs>("--as", as, {{"polynomial", FaceAs::kPolynomial}, {"points", FaceAs::kPoints}});
     values.check();
-    of.outputs = outputs.wanted();
+    of.outputs = outputs.selected();
     return of;
   }
 
  private:
   void read_levelling(surface::FaceRule& rule, OptionValues& values) const {
     if (levelling) {
-      rule.levelling = values.chosen<FaceLevelling>("--levelling", *levelling,
-                                                    {{"land", FaceLevelling::kLand}, {"none", FaceLevelling::kNone}});
+      rule.levelling = values.chosen<FaceLevelling>(
+          "--levelling", *levelling,
+          {{"running-surface", FaceLevelling::kRunningSurface}, {"none", FaceLevelling::kNone}});
     }
     if (!tilt) return;
     if (levelling) {

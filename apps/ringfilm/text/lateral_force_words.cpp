@@ -42,8 +42,8 @@ struct LateralForceWords {
     add("--channels", channels, "the lateral signals of trace and retrace in a scan: numbers from 1, or names",
         "TRACE RETRACE")
         ->expected(2);
-    add("--signal-unit", command.channels.signal_unit, "of these channels, where the file does not say", "UNIT");
-    add("--step-x", command.channels.step, "distance of points of a scan, where the file does not say", "LENGTH");
+    add("--signal-unit", command.channels.signal_unit, "of these channels, where the file does not state it", "UNIT");
+    add("--step-x", command.channels.step, "distance of points of a scan, where the file does not state it", "LENGTH");
     add("--name", command.name, "what the sample of the scans is called", "NAME");
     add("--end-share", end_share, "share of the line that is cut off at each end, where the lever turns over", "0.1")
         ->capture_default_str();
@@ -81,14 +81,14 @@ struct LateralForceWords {
     read_scans(of, values);
     const int ways = int{!silicon.empty()} + int{command.lever.has_value()} + int{!command.wedge.empty()};
     if (ways != 1) {
-      values.refuse(ways == 0 ? "no calibration is named: a signal in volts is no friction yet"
+      values.refuse(ways == 0 ? "no calibration is named: a signal in volts is not a friction yet"
                               : "more than one calibration is named",
                     "one of --silicon FILE --reference VALUE, --lever LEVER.toml, --wedge FILE --wedge FILE");
     }
     read_silicon(of, values);
     read_wedge(of, values);
     values.check();
-    of.outputs = outputs.wanted();
+    of.outputs = outputs.selected();
     return of;
   }
 

@@ -16,10 +16,10 @@ void OutputWords::add_to(CLI::App& command, bool with_fragment) {
   command.add_flag("--json", json, "print JSON, SI units, instead of the table");
 }
 
-MeasurementOutputs OutputWords::wanted() const {
-  MeasurementOutputs wanted = outputs;
-  wanted.summary = json ? SummaryForm::kJson : SummaryForm::kTable;
-  return wanted;
+MeasurementOutputs OutputWords::selected() const {
+  MeasurementOutputs requested = outputs;
+  requested.summary = json ? SummaryForm::kJson : SummaryForm::kTable;
+  return requested;
 }
 
 }  // namespace ringfilm::app

@@ -130,7 +130,7 @@ std::string error_lines(const study::ErrorEstimate& errors, cycle::StepControl c
     if (control == cycle::StepControl::kAdaptive) grids += fmt::format(" (step_error {:.3g})", run.step_error);
   }
   return wrapped(words("+- is the error of cells and crank steps, from the grids " + grids +
-                       "; it says nothing of the models and the inputs"));
+                       "; errors of the models and the inputs are not included"));
 }
 
 std::string stopped_solver_lines(const cycle::Effort& effort) {

@@ -16,7 +16,7 @@ constexpr const char* kSurfaceFooter = R"(Examples:
   ringfilm surface ring.sur --form tilt --prominent "4 of 50 um" --output ring.nc
   ringfilm surface liner.x3p --heights heights.csv
 
-Nothing is taken off the heights unless it is asked for. Lengths are written with their unit.
+Nothing is removed from the heights unless it is requested. Lengths are written with their unit.
 --heights writes the heights as they were read: x, y, z in metres, z empty where a point is missing.
 The file can be read again without any option.
 )";
@@ -56,17 +56,16 @@ struct SurfaceWords {
   void add_to(CLI::App& command) {
     command.add_option("--channel", reading.channel, "which channel of the file: its number from 1, or its name")
         ->type_name("N");
-    command.add_option("--unit", reading.height_unit, "unit of the heights, where the file does not say")
+    command.add_option("--unit", reading.height_unit, "unit of the heights, where the file does not state it")
         ->type_name("UNIT");
-    command.add_option("--lateral-unit", reading.lateral_unit, "unit of x and y, where the file does not say")
+    command.add_option("--lateral-unit", reading.lateral_unit, "unit of x and y, where the file does not state it")
         ->type_name("UNIT");
-    command.add_option("--step-x", reading.step_x, "distance of points along a row, where the file does not say")
+    command.add_option("--step-x", reading.step_x, "distance of points along a row, where the file does not state it")
         ->type_name("LENGTH");
-    command.add_option("--step-y", reading.step_y, "distance of rows; the same as --step-x if left out")
+    command.add_option("--step-y", reading.step_y, "distance of rows; the same as --step-x if omitted")
         ->type_name("LENGTH");
     command.add_option("--layout", layout, "of a text file: matrix, points (x, y, z) or profile")->type_name("LAYOUT");
-    command
-        .add_option("--form", form, "what is taken off first: none, mean, tilt, cylinder or polynomial-K of degree K")
+    command.add_option("--form", form, "what is removed first: none, mean, tilt, cylinder or polynomial-K of degree K")
         ->capture_default_str()
         ->type_name("FORM");
     command.add_option("--short-cutoff", short_cutoff, "S-filter: waves shorter than this go")->type_name("LENGTH");
@@ -82,7 +81,7 @@ struct SurfaceWords {
         ->type_name("ANGLE");
     command.add_option("--cavity-depth", cavity_depth, "what lies deeper below the median is a cavity")
         ->type_name("LENGTH");
-    command.add_option("--sigma", sigma, "which roughness stands for sigma: Ra or Rq")
+    command.add_option("--sigma", sigma, "which roughness is used as sigma: Ra or Rq")
         ->capture_default_str()
         ->type_name("WORD");
     command
@@ -93,7 +92,7 @@ struct SurfaceWords {
     command.add_option("--grid", grid, "so many equal regions across and down")->type_name("3x2");
     command.add_option("--prominent", prominent, "so many squares of this size that stand out most")
         ->type_name("\"N of LENGTH\"");
-    command.add_option("--noise", noise, "a flat measured likewise: its moments are taken off")->type_name("FILE");
+    command.add_option("--noise", noise, "a flat measured likewise: its moments are subtracted")->type_name("FILE");
   }
 
   SurfaceCommand command() const {
@@ -108,7 +107,7 @@ struct SurfaceWords {
           {{"matrix", TableLayout::kMatrix}, {"points", TableLayout::kPoints}, {"profile", TableLayout::kProfile}});
     }
     of.noise = noise;
-    of.outputs = outputs.wanted();
+    of.outputs = outputs.selected();
     of.analysis.preparation.form = form_choice(values);
     of.analysis.preparation.filter = robust ? surface::FilterKind::robust_gaussian : surface::FilterKind::gaussian;
     if (robust && !short_cutoff && !long_cutoff) {
@@ -146,7 +145,8 @@ struct SurfaceWords {
       const char *begin = form.data() + polynomial.size(), *end = form.data() + form.size();
       const auto [stop, error] = std::from_chars(begin, end, degree);
       if (error == std::errc() && stop == end && degree >= 0 && degree <= 12) return {FormKind::polynomial, degree};
-      throw InputError("--form " + form + ": the degree is no number from 0 to 12", "for example --form polynomial-2");
+      throw InputError("--form " + form + ": the degree is not a number from 0 to 12",
+                       "for example --form polynomial-2");
     }
     return {values.chosen<FormKind>("--form", form,
                                     {{"none", FormKind::none},
@@ -201,7 +201,8 @@ struct SurfaceWords {
 
 void add_surface_commands(CLI::App& program, Actions& actions) {
   {
-    CLI::App* command = program.add_subcommand("surface", "Measure a surface: roughness, bearing curve, asperities");
+    CLI::App* command =
+        program.add_subcommand("surface", "Measure a surface: roughness, material ratio curve, asperities");
     const auto words = std::make_shared<SurfaceWords>();
     const auto paths = std::make_shared<std::vector<std::string>>();
     const auto heights = std::make_shared<std::optional<std::string>>();

@@ -17,8 +17,8 @@ constexpr const char* kSyntheticFooter = R"(Examples:
   ringfilm synthetic honed liner.x3p --points 1024x1024 --step "1 um" --hatch-angle "45 degree"
   ringfilm synthetic porous sprayed.gsf --pore-share 0.15 --pore-depth "4 um"
 
-The ending of the name says the format: .x3p, .sur, .gsf or .csv. The file says that it is synthetic and how it was
-made; the same words give the same bytes. Without --seed the seed is 1.
+The ending of the name selects the format: .x3p, .sur, .gsf or .csv. The file is marked as synthetic and describes how it
+was made; the same words give the same bytes. Without --seed the seed is 1.
 )";
 
 /// A line of help with the length that holds where none is stated.
@@ -68,11 +68,11 @@ struct SyntheticWords {
         !read_whole(text.substr(cross + 1), of.grid.points_y) || of.grid.points_x < kFewestPoints ||
         (of.grid.points_y != 1 && of.grid.points_y < kFewestPoints) || of.grid.points_x > kMostPoints ||
         of.grid.points_y > kMostPoints / of.grid.points_x) {
-      values.refuse("--points " + points + ": this is no size of a map",
+      values.refuse("--points " + points + ": this is not a size of a map",
                     "16 or more points in each direction, 2^26 in all, for example --points 512x512");
     }
     if (!read_whole(std::string_view(seed), of.seed)) {
-      values.refuse("--seed " + seed + ": this is no whole number from 0 on", "for example --seed 7");
+      values.refuse("--seed " + seed + ": this is not a whole number from 0 on", "for example --seed 7");
     }
     of.words = "ringfilm synthetic " + kind + " --points " + points + " --step \"" + step + "\"";
     for (const auto& [option, value] : stated) {
@@ -98,10 +98,10 @@ struct GaussianWords : SyntheticWords {
     app->add_option("--correlation-length", length, with_default("of exp(-r^2/length^2)", GaussianSurface{}.length_m))
         ->type_name("LENGTH");
     app->add_option("--rms", rms, "exact: of this surface (default); expected: over many seeds")->type_name("WORD");
-    app->add_option("--asperity-density", density, "wanted N against a smooth flat")->type_name("\"0.05 um-2\"");
-    app->add_option("--asperity-radius", radius, "wanted beta")->type_name("LENGTH");
-    app->add_option("--roughness", roughness, "wanted sigma")->type_name("LENGTH");
-    app->add_option("--sigma", sigma, "what the wanted sigma is: Ra (default) or Rq")->type_name("WORD");
+    app->add_option("--asperity-density", density, "target N against a smooth flat")->type_name("\"0.05 um-2\"");
+    app->add_option("--asperity-radius", radius, "target beta")->type_name("LENGTH");
+    app->add_option("--roughness", roughness, "target sigma")->type_name("LENGTH");
+    app->add_option("--sigma", sigma, "what the target sigma is: Ra (default) or Rq")->type_name("WORD");
     actions.emplace_back(app, [self] { app::synthetic(self->read()); });
   }
 
@@ -139,13 +139,13 @@ struct GaussianWords : SyntheticWords {
       return of;
     }
     if (sq || length || rms) {
-      values.refuse("--sq, --correlation-length and --rms are another way to say which surface is wanted",
+      values.refuse("--sq, --correlation-length and --rms are another way to define the surface",
                     "leave them out, or --asperity-density, --asperity-radius and --roughness");
     }
-    of.wanted.density_per_m2 = values.quantity("--asperity-density", *density, "m-2", "0.05 um-2");
-    if (of.wanted.density_per_m2 < 0) values.refuse("--asperity-density is below zero", "for example \"0.05 um-2\"");
-    of.wanted.beta_m = values.length("--asperity-radius", *radius, "2 um");
-    of.wanted.sigma_m = values.length("--roughness", *roughness, "0.4 um");
+    of.target.density_per_m2 = values.quantity("--asperity-density", *density, "m-2", "0.05 um-2");
+    if (of.target.density_per_m2 < 0) values.refuse("--asperity-density is below zero", "for example \"0.05 um-2\"");
+    of.target.beta_m = values.length("--asperity-radius", *radius, "2 um");
+    of.target.sigma_m = values.length("--roughness", *roughness, "0.4 um");
     using surface::SigmaRule;
     of.rule = values.chosen<SigmaRule>("--sigma", sigma.value_or("Ra"), {{"Ra", SigmaRule::ra}, {"Rq", SigmaRule::rq}});
     return of;

@@ -10,7 +10,7 @@ class PrintableBuffer : public std::streambuf {
  public:
   explicit PrintableBuffer(std::streambuf& to) : to_(to) {}
 
-  /// Passes on what the program itself says to a terminal.
+  /// Passes on what the program itself prints to a terminal.
   void put_unchanged(std::string_view text);
 
  protected:

@@ -57,11 +57,11 @@ double measured_slope(const std::vector<FrictionLoop>& loops) {
   return friction_load_line(surface::friction_of_loads(loops, rule.end_share, 0), rule.deviations).slope;
 }
 
-MadeFile loop_file(const std::string& name, const std::string& sample, double wanted_slope, std::uint64_t seed) {
-  double slope = wanted_slope;
+MadeFile loop_file(const std::string& name, const std::string& sample, double target_slope, std::uint64_t seed) {
+  double slope = target_slope;
   std::vector<FrictionLoop> loops = loops_with(slope, seed);
   for (int k = 0; k < kCorrections; ++k) {
-    slope *= wanted_slope / measured_slope(loops);
+    slope *= target_slope / measured_slope(loops);
     loops = loops_with(slope, seed);
   }
   std::string text = fmt::format(

@@ -74,8 +74,8 @@ MadeFile liner_file() {
 }
 
 MadeFile ring_file(const TargetRing& ring, std::uint64_t seed) {
-  const surface::TargetSurface wanted = counterpart({ring.density_per_m2, ring.beta_m, ring.sigma_m}, kLiner);
-  HeightMap map = surface_with(wanted, kGrid, seed, [seed](const HeightMap& whole) {
+  const surface::TargetSurface requested = counterpart({ring.density_per_m2, ring.beta_m, ring.sigma_m}, kLiner);
+  HeightMap map = surface_with(requested, kGrid, seed, [seed](const HeightMap& whole) {
     HeightMap with_holes = whole;
     lose_points(with_holes, seed);
     return measured(with_holes);

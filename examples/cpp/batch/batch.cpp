@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   }
   try {
     const long count = argc == 3 ? std::atol(argv[2]) : 200;
-    if (count < 1) throw InputError("COUNT is no positive number", "leave it out, or write for example 200");
+    if (count < 1) throw InputError("COUNT is not a positive number", "omit it, or write for example 200");
     run(argv[1], static_cast<std::size_t>(count));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

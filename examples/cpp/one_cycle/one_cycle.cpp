@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   }
   try {
     run(argv[1], argv[2], argv[3]);
-  } catch (const std::exception& error) {  // InputError tells file, line, rule and remedy
+  } catch (const std::exception& error) {  // InputError contains file, line, rule and remedy
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
   }

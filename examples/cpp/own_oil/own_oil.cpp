@@ -49,7 +49,7 @@ void run(const char* case_path) {
               law->viscosity(10e6) * 1e3);
   std::printf("mean power loss: the case %.4f W, own law %.4f W\n", of_the_case.values.mean_power_loss,
               own.values.mean_power_loss);
-  std::printf("polynomials stand for the own law in the inner loop: %s\n",
+  std::printf("polynomials replace the own law in the inner loop: %s\n",
               setup.ring.oil.range->has_fit() ? "yes" : "no");
   for (const cycle::Note& note : own.notes) std::printf("note: %s\n", note.message.c_str());
 

@@ -12,8 +12,9 @@ using namespace surface;
 const std::map<std::string, HeightSense> kSenses{{"material", HeightSense::kMaterial}, {"gap", HeightSense::kGap}};
 const std::map<std::string, FaceDirection> kFaceDirections{{"as-measured", FaceDirection::kAsMeasured},
                                                            {"turned", FaceDirection::kTurned}};
-const std::map<std::string, FaceLevelling> kLevellings{
-    {"none", FaceLevelling::kNone}, {"stated", FaceLevelling::kStated}, {"land", FaceLevelling::kLand}};
+const std::map<std::string, FaceLevelling> kLevellings{{"none", FaceLevelling::kNone},
+                                                       {"stated", FaceLevelling::kStated},
+                                                       {"running-surface", FaceLevelling::kRunningSurface}};
 const std::map<std::string, FaceZero> kZeros{{"lowest-point", FaceZero::kLowestPoint},
                                              {"as-measured", FaceZero::kAsMeasured}};
 const std::map<std::string, InventionReason> kReasons{
@@ -23,7 +24,7 @@ const std::map<std::string, InventionReason> kReasons{
 
 FaceFit fitted(const GivenNumbers& x, const GivenNumbers& height, const GivenNumber& width, const GivenText& sense,
                const GivenMaybeNumber& start, const GivenText& direction, const GivenText& levelling,
-               const GivenNumber& tilt, const GivenText& zero, const GivenNumber& land_height,
+               const GivenNumber& tilt, const GivenText& zero, const GivenNumber& running_surface_height,
                const GivenMaybeNumber& pore_depth, const GivenMaybeNumber& spline_cutoff,
                const Given<kinds::Integer>& degree) {
   FaceRule rule;
@@ -34,7 +35,7 @@ FaceFit fitted(const GivenNumbers& x, const GivenNumbers& height, const GivenNum
   rule.levelling = chosen("levelling", levelling, kLevellings);
   rule.tilt = number_of("tilt", tilt.value, "");
   rule.zero = chosen("zero", zero, kZeros);
-  rule.land_height_m = number_of("land_height", land_height.value, "m");
+  rule.running_surface_height_m = number_of("running_surface_height", running_surface_height.value, "m");
   rule.pore_depth_m = maybe_number_of("pore_depth", pore_depth.value, "m");
   rule.spline_cutoff_m = maybe_number_of("spline_cutoff", spline_cutoff.value, "m");
   rule.degree = integer_of("degree", degree.value);
@@ -106,8 +107,8 @@ void bind_face(py::module_& module) {
       .with("gap_m", &FaceFit::gap_m, "Gap of the trace, levelled and aligned, shape (x,) [m].")
       .with("start_m", &FaceFit::start_m, "Place in the trace that became x = 0 [m].")
       .with("tilt", &FaceFit::tilt, "Taken off [-].")
-      .with("land_from_m", &FaceFit::land_from_m, "Where the land begins [m].")
-      .with("land_to_m", &FaceFit::land_to_m, "Where it ends [m].")
+      .with("running_surface_from_m", &FaceFit::running_surface_from_m, "Where the running surface begins [m].")
+      .with("running_surface_to_m", &FaceFit::running_surface_to_m, "Where it ends [m].")
       .with("spline_m", &FaceFit::spline_m, "Spline at x_m, shape (x,) [m].")
       .with("spline_cutoff_m", &FaceFit::spline_cutoff_m, "Its stiffness [m].")
       .with("polynomial_residual", &FaceFit::polynomial_residual, "FaceResidual of the polynomial.")
@@ -131,17 +132,17 @@ void bind_face(py::module_& module) {
       },
       py::arg("x"), "Height of the polynomial at x, any shape [m]. Raises InputError.");
   part.def("fit_face", &fitted, py::arg("x"), py::arg("height"), py::arg("width"), py::arg("sense") = "material",
-           py::arg("start") = py::none(), py::arg("direction") = "as-measured", py::arg("levelling") = "land",
-           py::arg("tilt") = 0.0, py::arg("zero") = "lowest-point", py::arg("land_height") = FaceRule{}.land_height_m,
-           py::arg("pore_depth") = py::none(), py::arg("spline_cutoff") = py::none(),
-           py::arg("degree") = FaceRule{}.degree,
+           py::arg("start") = py::none(), py::arg("direction") = "as-measured",
+           py::arg("levelling") = "running-surface", py::arg("tilt") = 0.0, py::arg("zero") = "lowest-point",
+           py::arg("running_surface_height") = FaceRule{}.running_surface_height_m, py::arg("pore_depth") = py::none(),
+           py::arg("spline_cutoff") = py::none(), py::arg("degree") = FaceRule{}.degree,
            R"(The shape of a ring face from a trace over it: polynomial and spline, both with what they leave.
 
 x, height: places and heights of the trace, shape (points,) [m]. width: of the face [m].
 sense: "material" (heights away from the ring, as a stylus has them) or "gap". start: where the face begins in the
-trace [m]; None: where its mean gap is least. direction: "as-measured", "turned". levelling: "land", "stated" with its
-tilt [-], "none". zero: "lowest-point", "as-measured". land_height, pore_depth, spline_cutoff [m]; degree of the
-polynomial. Returns a FaceFit. Raises InputError, for NaN and masked points too, and TypeError.
+trace [m]; None: where its mean gap is least. direction: "as-measured", "turned". levelling: "running-surface", "stated"
+with its tilt [-], "none". zero: "lowest-point", "as-measured". running_surface_height, pore_depth, spline_cutoff [m];
+degree of the polynomial. Returns a FaceFit. Raises InputError, for NaN and masked points too, and TypeError.
 Source: docs/theory/face.md.)");
   part.def(
       "read_trace",

@@ -7,7 +7,7 @@
 #include "ringfilm/instrument/surface_file.hpp"
 #include "ringfilm/surface/asperity/asperities.hpp"
 #include "ringfilm/surface/asperity/summits.hpp"
-#include "ringfilm/surface/topography/bearing.hpp"
+#include "ringfilm/surface/topography/material_ratio.hpp"
 #include "ringfilm/surface/topography/preparation.hpp"
 #include "ringfilm/surface/topography/roughness.hpp"
 
@@ -131,7 +131,7 @@ void bind_surface_records(py::module_& module) {
       .with("beta_m", &AsperityParameters::beta_m, "Mean summit radius [m].")
       .with("sigma_m", &AsperityParameters::sigma_m, "Composite roughness [m].");
   asperities.type()
-      .def("tabor", &AsperityParameters::tabor, "N beta sigma [-].")
+      .def("roughness_parameter", &AsperityParameters::roughness_parameter, "N beta sigma [-].")
       .def("slope", &AsperityParameters::slope, "sigma/beta [-].");
 }
 
@@ -163,19 +163,20 @@ Raises InputError for fewer than 4 points or a flat surface. Source: docs/theory
       py::arg("heights"), py::arg("step"),
       "Ra and Rq of the rows of a map of shape (y, x) [m]. Raises InputError where no row has 8 measured points.");
   module.def(
-      "bearing_curve",
+      "material_ratio_curve",
       [](const GivenNumbers& heights, const GivenStep& step) {
-        return array_of(bearing_curve(height_map(heights, step)));
+        return array_of(material_ratio_curve(height_map(heights, step)));
       },
       py::arg("heights"), py::arg("step"),
-      "Heights of the measured points, falling, shape (points,) [m]: the bearing curve.");
+      "Heights of the measured points, falling, shape (points,) [m]: the material ratio curve.");
   module.def(
       "core_roughness", [](const GivenNumbers& curve) { return core_roughness(row_of("curve", curve.value)); },
-      py::arg("curve"), "Rk family of a bearing curve of shape (points,) [m]. Source: ISO 13565-2, eq-surface-core.");
+      py::arg("curve"),
+      "Rk family of a material ratio curve of shape (points,) [m]. Source: ISO 13565-2, eq-surface-core.");
   module.def(
       "probability_roughness",
       [](const GivenNumbers& curve) { return probability_roughness(row_of("curve", curve.value)); }, py::arg("curve"),
-      "Rpq, Rvq, Rmq of a bearing curve [m]; None for a surface made in one step. Source: ISO 13565-3.");
+      "Rpq, Rvq, Rmq of a material ratio curve [m]; None for a surface made in one step. Source: ISO 13565-3.");
   module.def(
       "cavities",
       [](const GivenNumbers& curve, const GivenText& rule, const GivenNumber& depth) {
@@ -183,7 +184,7 @@ Raises InputError for fewer than 4 points or a flat surface. Source: docs/theory
                         number_of("depth", depth.value, "m"));
       },
       py::arg("curve"), py::arg("rule") = "below-plateau", py::arg("depth") = 0.0,
-      R"(Share of the area that are pores and grooves, of a bearing curve of shape (points,) [m].
+      R"(Share of the area that are pores and grooves, of a material ratio curve of shape (points,) [m].
 
 rule: "below-plateau", "below-core" or "below-depth" with its depth below the median [m]. Raises InputError.
 Source: docs/theory, eq-surface-cavities.)");

@@ -8,7 +8,7 @@ namespace ringfilm::base {
 /// Numbers in a line of memory, which is as long as the widest pack: a pack that lies across two lines is slow.
 inline constexpr std::size_t kNumbersPerLine = 8;
 
-/// Room for `n` zeros in `memory`, from the beginning of a line on.
+/// Memory for `n` zeros in `memory`, from the beginning of a line on.
 inline double* aligned_zeros(std::vector<double>& memory, std::size_t n) {
   memory.assign(n + kNumbersPerLine, 0.0);
   double* first = memory.data();

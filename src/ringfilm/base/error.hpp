@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// The ways in which ringfilm says no. Each maps to one exit code of the program (docs/manual/command-line.md).
+/// The kinds of failure. Each maps to one exit code of the program (docs/manual/command-line.md).
 namespace ringfilm {
 
 /// Where in the user's text a fault lies. `line` and `column` count from 1; 0 means "the file as a whole".
@@ -35,7 +35,7 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-/// A name was asked for that nothing has; said where nothing else of the input was looked at yet.
+/// A name was asked for that nothing has; stated where nothing else of the input was looked at yet.
 class UnknownKeyError : public InputError {
  public:
   using InputError::InputError;
@@ -56,7 +56,7 @@ class ConvergenceError : public std::runtime_error {
   std::optional<double> crank_angle_deg_;
 };
 
-/// A file could not be written; what stood there before is untouched (exit code 5).
+/// A file could not be written; an earlier file is untouched (exit code 5).
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -73,7 +73,7 @@ struct Pack {
 
   /// a where the mask holds, else b.
   RINGFILM_INLINE friend Pack select(Mask mask, Pack a, Pack b) { return of(mask ? a.v : b.v); }
-  /// Of a and b where one is no number: b.
+  /// Of a and b where one is not a number: b.
   RINGFILM_INLINE friend Pack max(Pack a, Pack b) { return of(a.v > b.v ? a.v : b.v); }
   RINGFILM_INLINE friend Pack min(Pack a, Pack b) { return of(a.v < b.v ? a.v : b.v); }
   RINGFILM_INLINE friend Pack abs(Pack a) { return max(a, -a); }

@@ -14,7 +14,7 @@ namespace {
 void check_samples(std::span<const double> x, std::span<const double> y, std::size_t fewest) {
   if (x.size() == y.size() && x.size() >= fewest) return;
   throw InputError("a table has " + std::to_string(x.size()) + " places and " + std::to_string(y.size()) + " values",
-                   "as many of both are wanted, " + std::to_string(fewest) + " or more");
+                   "equally many of both are required, " + std::to_string(fewest) + " or more");
 }
 
 /// Number of the interval of increasing x in which `at` lies, the end intervals reaching to infinity.
@@ -23,7 +23,7 @@ std::size_t interval(std::span<const double> x, double at) {
   return static_cast<std::size_t>(inner - x.begin()) - 1;
 }
 
-/// Slope at the end of three samples that does not spoil monotony; width and secant of the end interval and the next.
+/// Slope at the end of three samples that does not corrupt monotony; width and secant of the end interval and the next.
 double end_slope(double h_0, double h_1, double d_0, double d_1) {
   const double parabola = ((2 * h_0 + h_1) * d_0 - h_0 * d_1) / (h_0 + h_1);
   if (parabola * d_0 <= 0) return 0;

@@ -52,7 +52,7 @@ std::size_t place_on(const std::string& file, const GridAxis& axis, double place
     refuse(file,
            fmt::format("point {}: {} = {} lies {:.3g} of a step off the grid of step {:.9g}", point + 1, name, place,
                        std::abs(steps - nearest), axis.step),
-           "points on an even grid are wanted: resample them in the program that wrote them");
+           "points on an even grid are required: resample them in the program that wrote them");
   }
   return static_cast<std::size_t>(nearest);
 }
@@ -67,7 +67,7 @@ ChannelValues on_regular_grid(const std::string& file, const ListedPoints& point
     refuse(file,
            fmt::format("{} points would fill a tenth or less of a grid of {} x {}", points.value.size(), along_x.points,
                        along_y.points),
-           "points on an even grid are wanted: resample them in the program that wrote them");
+           "points on an even grid are required: resample them in the program that wrote them");
   }
   ChannelValues grid;
   grid.channel.points_x = along_x.points;

@@ -32,7 +32,7 @@ InstrumentFile through_gwyddion(const std::string& path) {
   return result;
 }
 
-/// Refuses text that is not a table of heights, nor of a format that gwyddion knows.
+/// Refuses text that is not a table of heights, nor of a format that gwyddion reads.
 [[noreturn]] void refuse_text(const std::string& path, const TextHead& head, const InputError& of_gwyddion) {
   throw InputError(std::vector<Fault>{
       {{path, head.line, 1, head.words},
@@ -97,7 +97,8 @@ std::size_t chosen_channel(const InstrumentFile& file, const std::string& path, 
 /// The scale of a unit of length to metres.
 io::Scale length_scale(const std::string& path, const std::string& unit, const std::string& what,
                        const std::string& remedy, const io::Units& units) {
-  if (!is_length(unit, units)) refuse(path, fmt::format("{} \"{}\", which is no unit of length", what, unit), remedy);
+  if (!is_length(unit, units))
+    refuse(path, fmt::format("{} \"{}\", which is not a unit of length", what, unit), remedy);
   return units.scale(unit, "m");
 }
 
@@ -105,18 +106,18 @@ io::Scale height_scale(const std::string& path, const ChannelValues& values, con
                        const io::Units& units, std::vector<std::string>& notes) {
   const std::string& stated = values.channel.unit;
   if (options.height_unit) {
-    notes.push_back(fmt::format(
-        "unit of heights: {} as the user says{}", *options.height_unit,
-        stated.empty() || stated == *options.height_unit ? "" : ", against the file, which says " + stated));
+    notes.push_back(
+        fmt::format("unit of heights: {} as the user states{}", *options.height_unit,
+                    stated.empty() || stated == *options.height_unit ? "" : ", although the file states " + stated));
     return length_scale(path, *options.height_unit, "the stated unit of heights is",
                         "give a length, for example " + options.words.height_unit, units);
   }
   if (stated.empty()) {
-    refuse(path, fmt::format("the file does not say in which unit channel \"{}\" is", values.channel.name),
-           "say it, for example " + options.words.height_unit);
+    refuse(path, fmt::format("the file does not state in which unit channel \"{}\" is", values.channel.name),
+           "state it, for example " + options.words.height_unit);
   }
   return length_scale(path, stated, fmt::format("channel \"{}\" is in", values.channel.name),
-                      fmt::format("choose a channel of heights with {}; where the unit is wrong, say it: {}",
+                      fmt::format("choose a channel of heights with {}; where the unit is wrong, state it: {}",
                                   options.words.channel, options.words.height_unit),
                       units);
 }
@@ -126,7 +127,7 @@ double length_of_user(const std::string& path, const std::string& text, const st
   try {
     const double length = units.quantity(text, "m", "0.5 um");
     if (length > 0) return length;
-    refuse(path, fmt::format("{} {} is no step", option, text), "a length above zero is required");
+    refuse(path, fmt::format("{} {} is not a step", option, text), "a length above zero is required");
   } catch (const io::UnitError& error) {
     refuse(path, fmt::format("{} \"{}\" {}", option, text, error.what()), error.remedy);
   }
@@ -136,18 +137,18 @@ double length_of_user(const std::string& path, const std::string& text, const st
 io::Scale lateral_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
                         const io::Units& units, std::vector<std::string>& notes) {
   if (options.lateral_unit) {
-    notes.push_back(fmt::format("unit of x and y: {} as the user says{}", *options.lateral_unit,
+    notes.push_back(fmt::format("unit of x and y: {} as the user states{}", *options.lateral_unit,
                                 values.step_unit.empty() || values.step_unit == *options.lateral_unit
                                     ? ""
-                                    : ", against the file, which says " + values.step_unit));
+                                    : ", although the file states " + values.step_unit));
     return length_scale(path, *options.lateral_unit, "the stated unit of x and y is",
                         "give a length, for example " + options.words.lateral_unit, units);
   }
   if (values.step_unit.empty()) {
-    refuse(path, "the file does not say in which unit x and y are",
-           "say it, for example " + options.words.lateral_unit);
+    refuse(path, "the file does not state in which unit x and y are",
+           "state it, for example " + options.words.lateral_unit);
   }
-  return length_scale(path, values.step_unit, "x and y are in", "say the step, for example " + options.words.step_x,
+  return length_scale(path, values.step_unit, "x and y are in", "state the step, for example " + options.words.step_x,
                       units);
 }
 
@@ -156,9 +157,9 @@ struct Steps {
   double y_m = 0;
 };
 
-/// What the file says of a step that the user states otherwise.
+/// What the file states about a step for which the user states another value.
 std::string against(double step, const ChannelValues& values) {
-  return step > 0 ? fmt::format("; the file says {:.6g} {}", step, values.step_unit) : "";
+  return step > 0 ? fmt::format("; the file states {:.6g} {}", step, values.step_unit) : "";
 }
 
 Steps steps_of(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
@@ -167,11 +168,11 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
   Steps steps;
   if (options.step_x) {
     steps.x_m = length_of_user(path, *options.step_x, "the step along x", units);
-    notes.push_back(fmt::format("step x: {} as the user says{}", *options.step_x, against(values.step_x, values)));
+    notes.push_back(fmt::format("step x: {} as the user states{}", *options.step_x, against(values.step_x, values)));
   }
   if (options.step_y) {
     steps.y_m = length_of_user(path, *options.step_y, "the step along y", units);
-    notes.push_back(fmt::format("step y: {} as the user says{}", *options.step_y, against(values.step_y, values)));
+    notes.push_back(fmt::format("step y: {} as the user states{}", *options.step_y, against(values.step_y, values)));
   } else if (options.step_x) {
     steps.y_m = steps.x_m;
   }
@@ -183,7 +184,8 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
       throw InputError(faults);
     }
     if ((wants_x && values.step_x == 0) || (wants_y && values.step_y == 0)) {
-      refuse(path, "the file does not say the step between its points", "say it, for example " + options.words.step_x);
+      refuse(path, "the file does not state the step between its points",
+             "state it, for example " + options.words.step_x);
     }
     const io::Scale scale = lateral_scale(path, values, options, units, notes);
     if (wants_x) steps.x_m = scale.to_si(values.step_x);
@@ -191,7 +193,7 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
   }
   for (const double step : {steps.x_m, is_profile ? steps.x_m : steps.y_m}) {
     if (!std::isfinite(step) || !(step > 1e-13) || !(step < 1)) {
-      refuse(path, fmt::format("a step of {} m between points is none", step),
+      refuse(path, fmt::format("{} m is not a valid step between points", step),
              "the header is damaged, or its unit or byte order is not the one it states");
     }
   }
@@ -222,7 +224,7 @@ void scale_heights(const std::string& path, ChannelValues& values, const io::Sca
   if (!any) refuse(path, "no point was measured: all are missing", "is it the right file or channel?");
   if (largest > kHighest_m) {
     refuse(path, fmt::format("the largest height is {:.4g} m, over {} m", largest, kHighest_m),
-           fmt::format("the unit is wrong (say it: {}), or the heights are damaged or in another byte order",
+           fmt::format("the unit is wrong (state it: {}), or the heights are damaged or in another byte order",
                        words.height_unit));
   }
 }
@@ -329,7 +331,7 @@ TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options
     result.trace.x_m.push_back(step_m > 0 ? step_m * static_cast<double>(i) : scale.to_si(values.x[i]));
     result.trace.height_m.push_back(values.value[i]);
   }
-  if (result.trace.x_m.size() < 2) refuse(path, "the profile has one measured point", "two or more are wanted");
+  if (result.trace.x_m.size() < 2) refuse(path, "the profile has one measured point", "two or more are required");
   map.points_x = values.channel.points_x;
   map.points_y = 1;
   map.step_x_m = (result.trace.x_m.back() - result.trace.x_m.front()) / static_cast<double>(values.value.size() - 1);

@@ -8,7 +8,8 @@
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/surface/topography/topography.hpp"
 
-/// The door for measured surfaces: any known format in, a height map in metres out, with what was taken from where.
+/// The entry point for measured surfaces: any known format in, a height map in metres out, with what was taken from
+/// where.
 namespace ringfilm::instrument {
 
 /// How the remedies of errors write the options: those of the program, or those of the language from which it is
@@ -20,13 +21,13 @@ struct OptionWords {
   std::string step_x = "--step-x \"0.5 um\"";      ///< SurfaceOptions::step_x
 };
 
-/// What the user says because the file does not, or against it. Nothing is guessed in their place.
+/// What the user states in place of the file, or in contradiction to it. Nothing is guessed in their place.
 struct SurfaceOptions {
   std::optional<std::string> channel;            ///< --channel: number counted from 1, or name
   std::optional<std::string> height_unit;        ///< --unit: of the heights, e.g. "um"
   std::optional<std::string> lateral_unit;       ///< --lateral-unit: of x and y, e.g. "mm"
   std::optional<std::string> step_x;             ///< --step-x: e.g. "0.5 um"
-  std::optional<std::string> step_y;             ///< --step-y: the same as --step-x if left out
+  std::optional<std::string> step_y;             ///< --step-y: the same as --step-x if omitted
   TableLayout layout = TableLayout::kByContent;  ///< --layout: of a text file
   OptionWords words;                             ///< for errors
 };
@@ -41,21 +42,21 @@ struct SurfaceOrigin {
   std::string instrument;          ///< as the file names it; may be empty
   std::string date;                ///< as the file writes it; may be empty
   std::vector<Channel> channels;   ///< all of the file
-  std::vector<std::string> notes;  ///< what the user said, what was chosen, what is odd
+  std::vector<std::string> notes;  ///< what the user stated, what was chosen, what is odd
 };
 
 /// A map of heights as read, and where it came from.
 struct SurfaceFile {
-  surface::HeightMap map;  ///< in metres, nothing taken off
-  SurfaceOrigin origin;    ///< file, channel, and what the user said
+  surface::HeightMap map;  ///< in metres, nothing removed
+  SurfaceOrigin origin;    ///< file, channel, and what the user stated
   /// Size in points and lengths, step, Sq, min, max, share of missing points: to be shown on every read.
   std::string plausibility_line;
 };
 
 /// A trace as read, its places as measured, and where it came from.
 struct TraceFile {
-  surface::Trace trace;           ///< places that rise; points that were not measured are left out
-  SurfaceOrigin origin;           ///< file, channel, and what the user said
+  surface::Trace trace;           ///< places that rise; points that were not measured are omitted
+  SurfaceOrigin origin;           ///< file, channel, and what the user stated
   std::string plausibility_line;  ///< points, length, step and range of heights: to be shown on every read
 };
 
@@ -64,9 +65,9 @@ struct TraceFile {
 InstrumentFile open_instrument_file(const std::string& path, TableLayout layout = TableLayout::kByContent);
 
 /// Reads one map of heights. Of several channels the chosen one, else the only one whose unit is a length. Rows and
-/// columns stand as gwyddion shows them: row 0 is the upper edge of its picture. A map of one column is turned into a
-/// profile. Throws InputError: no such channel or several to choose from, a unit or a step that neither the file nor
-/// the user states, no measured point, heights beyond 1 m, and all faults of the file.
+/// columns are oriented as gwyddion shows them: row 0 is the upper edge of its picture. A map of one column is turned
+/// into a profile. Throws InputError: no such channel or several to choose from, a unit or a step that neither the file
+/// nor the user states, no measured point, heights beyond 1 m, and all faults of the file.
 SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& options, const io::Units& units);
 
 /// Reads a profile, whose places need not be even. Throws InputError also for a map of more than one row.
@@ -78,7 +79,7 @@ std::vector<ChannelValues> read_channels(const std::string& path);
 /// A table of the channels for a person: number, name, unit, points.
 std::string channel_list(const std::vector<Channel>& channels);
 
-/// The line that says whether a map can be what its user thinks it is.
+/// The line by which the user can check whether the map was read as intended; it is.
 std::string plausibility_line(const surface::HeightMap& map);
 
 }  // namespace ringfilm::instrument

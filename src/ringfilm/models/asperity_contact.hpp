@@ -55,7 +55,7 @@ class GreenwoodTripp {
   double pressure_scale() const { return pressure_scale_; }     ///< p_a/F_5/2 [Pa]
   double area_scale() const { return area_scale_; }             ///< (A_a/A)/F_2 [-]
 
-  /// What may stand for the integrals of the exact form; nullptr for the other forms.
+  /// What may replace the integrals of the exact form; nullptr for the other forms.
   const ContactFit* fit() const { return quintics_ ? nullptr : &contact_fit(); }
 
   /// In place of F_5/2; nullptr for the exact form.

@@ -5,7 +5,7 @@
 
 namespace ringfilm::models {
 
-/// One polynomial each that stands for the exact Gaussian integrals in the inner loop: F_5/2 = P52^8 and F_2 = P2^8
+/// One polynomial each that replaces the exact Gaussian integrals in the inner loop: F_5/2 = P52^8 and F_2 = P2^8
 /// for 0 <= lambda <= kEnd and zero beyond, eq-contact-fit; P in t = 2 lambda/kEnd - 1, lowest power first. The eighth
 /// root falls by a factor of 50 where F falls by 14 decades, and stays positive: so does F.
 struct ContactFit {

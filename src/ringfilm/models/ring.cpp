@@ -63,7 +63,7 @@ RingFace RingFace::points(std::vector<double> x, std::vector<double> height, dou
     throw InputError("the ring face has fewer than two points or their x does not increase",
                      "sort the points of ring.face.file by x and give each x once");
   }
-  const double rounding = 1e-9 * face_width;  // what converting units may take off the last point
+  const double rounding = 1e-9 * face_width;  // what converting units may remove from the last point
   if (!(x.front() <= rounding && x.back() >= face_width - rounding)) {
     throw InputError("the points of the ring face reach from " + in_mm(x.front()) + " to " + in_mm(x.back()) +
                          " and do not cover the width, 0 to " + in_mm(face_width),
@@ -97,7 +97,7 @@ RingFace::Minimum RingFace::minimum() const {
       const std::array<double, 3> h{height_(x(k - 1)), height_(x(k)), height_(x(k + 1))};
       if (h[1] > h[0] || h[1] > h[2]) continue;
       // In shares of the width, because the search's tolerance has an absolute part; half the digits are all that the
-      // value of a minimum can tell.
+      // value of a minimum can resolve.
       const auto [share, height] = boost::math::tools::brent_find_minima(
           [&](double s) { return height_(s * face_width_); }, x(k - 1) / face_width_, x(k + 1) / face_width_,
           std::numeric_limits<double>::digits / 2);

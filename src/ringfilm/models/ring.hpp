@@ -5,8 +5,8 @@
 /// Shape of the ring face and tension of the ring (docs/theory/ring.md).
 namespace ringfilm::models {
 
-/// Gap of the ring face to a straight line, h_s(x), 0 <= x <= b, counted from the zero of its source: the land is low,
-/// the edges are high. What lies above the lowest point is height(x) - minimum().height.
+/// Gap of the ring face to a straight line, h_s(x), 0 <= x <= b, counted from the zero of its source: the running
+/// surface is low, the edges are high. What lies above the lowest point is height(x) - minimum().height.
 class RingFace {
  public:
   /// h_s(x) = height_unit * sum_k coefficients[k] (x/length_unit)^(n-1-k), eq-face-polynomial.

@@ -29,7 +29,7 @@ struct ComparisonRow {
   std::optional<double> with_strongest_setting;  ///< the value with it [SI]
 };
 
-/// One row per published value. Throws InputError for a quantity that is no cycle value.
+/// One row per published value. Throws InputError for a quantity that is not a cycle value.
 std::vector<ComparisonRow> compare(const cycle::CycleResult& result, const std::vector<PublishedValue>& published,
                                    const std::vector<LedgerEntry>& ledger);
 

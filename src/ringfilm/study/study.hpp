@@ -38,7 +38,7 @@ struct Correlation {
 enum class Method { kGrid, kOneAtATime, kLatinHypercube, kSobol, kList, kMorris };
 enum class Indices { kNone, kFirstAndTotal };
 
-/// A study goes on until the confidence interval of a statistic is this narrow.
+/// A study continues until the confidence interval of a statistic is this narrow.
 struct StoppingRule {
   std::string value;               ///< one of cycle_quantities()
   std::optional<double> quantile;  ///< its share; absent: the mean

@@ -16,7 +16,7 @@ namespace {
 /// Ends a batch from within.
 struct Stopped {};
 
-/// The curves of a chunk [bytes].
+/// The curves of a block [bytes].
 constexpr std::size_t kLargestCurves = std::size_t{1} << 24;
 
 ScenarioRow row_of(const cycle::CycleResult& result, const OutputSelection& keep) {
@@ -36,7 +36,7 @@ ScenarioRow unsolved_row(std::string reason, const OutputSelection& keep) {
           reason.empty() ? "not solved" : std::move(reason), no_kept_numbers(keep)};
 }
 
-std::uint64_t rows_in_chunk(const OutputSelection& keep, std::uint64_t most_rows) {
+std::uint64_t rows_in_block(const OutputSelection& keep, std::uint64_t most_rows) {
   const std::size_t row = sizeof(float) * kept_quantities(keep).size() * kept_angles(keep).size();
   return row == 0 ? most_rows : std::min<std::uint64_t>(most_rows, std::max<std::size_t>(kLargestCurves / row, 1));
 }
@@ -51,7 +51,8 @@ std::string reason_of(const InputError& refusal) {
 /// Puts rows that end in any order back into theirs.
 class Collector {
  public:
-  Collector(std::uint64_t first, const std::function<GoOn(const ScenarioChunk&)>& finished, StudyRunOptions options)
+  Collector(std::uint64_t first, const std::function<Continuation(const ScenarioBlock&)>& finished,
+            StudyRunOptions options)
       : next_(first), finished_(finished), options_(options) {}
 
   void put(std::uint64_t scenario, ScenarioRow row) {
@@ -61,17 +62,17 @@ class Collector {
     if (n_ready_ >= options_.most_rows || (is_late && n_ready_ > 0)) hand_over();
   }
 
-  /// Hands over what is ready. Throws Stopped if nobody wants more.
+  /// Hands over what is ready. Throws Stopped if no more rows are requested.
   void hand_over() {
     while (n_ready_ > 0) {
-      ScenarioChunk chunk{next_, {}};
-      for (const std::uint64_t n = std::min(n_ready_, options_.most_rows); chunk.rows.size() < n;)
-        chunk.rows.push_back(std::move(rows_.extract(next_ + chunk.rows.size()).mapped()));
-      const GoOn continue_from_last_step = finished_(chunk);
-      next_ += chunk.rows.size();
-      n_ready_ -= chunk.rows.size();
+      ScenarioBlock block{next_, {}};
+      for (const std::uint64_t n = std::min(n_ready_, options_.most_rows); block.rows.size() < n;)
+        block.rows.push_back(std::move(rows_.extract(next_ + block.rows.size()).mapped()));
+      const Continuation continuation = finished_(block);
+      next_ += block.rows.size();
+      n_ready_ -= block.rows.size();
       last_ = Clock::now();
-      if (continue_from_last_step == GoOn::kNo) throw Stopped{};
+      if (continuation == Continuation::kNo) throw Stopped{};
     }
   }
 
@@ -83,7 +84,7 @@ class Collector {
   std::uint64_t next_;         ///< first that is not handed over
   std::uint64_t n_ready_ = 0;  ///< from there on without a gap
   std::map<std::uint64_t, ScenarioRow> rows_;
-  const std::function<GoOn(const ScenarioChunk&)>& finished_;
+  const std::function<Continuation(const ScenarioBlock&)>& finished_;
   StudyRunOptions options_;
   Clock::time_point last_ = Clock::now();
 };
@@ -101,11 +102,12 @@ ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::ui
 }
 
 std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
-                            const std::function<GoOn(const ScenarioChunk&)>& finished, const StudyRunOptions& options) {
+                            const std::function<Continuation(const ScenarioBlock&)>& finished,
+                            const StudyRunOptions& options) {
   const OutputSelection& keep = plan.study().keep;
-  StudyRunOptions in_chunks = options;
-  in_chunks.most_rows = rows_in_chunk(keep, options.most_rows);
-  Collector collector(range.first, finished, in_chunks);
+  StudyRunOptions in_blocks = options;
+  in_blocks.most_rows = rows_in_block(keep, options.most_rows);
+  Collector collector(range.first, finished, in_blocks);
   std::map<std::size_t, std::uint64_t> scenario_of;  // of the cases on their way, by their place in the batch
   std::size_t n_given = 0;
   std::uint64_t next = range.first;
@@ -135,7 +137,7 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
     simulate_cases(source, ended, options.batch);
     collector.hand_over();
   } catch (const Stopped&) {
-    // What was handed over stands.
+    // What was handed over is kept.
   }
   return collector.next();
 }

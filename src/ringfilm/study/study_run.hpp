@@ -11,7 +11,7 @@
 /// Runs scenarios of a plan and hands over what came of them, in their order.
 namespace ringfilm::study {
 
-/// Above this many points a full grid is only run where the user says so.
+/// Above this many points a full grid is only run where the user allows it.
 inline constexpr std::uint64_t kLargestGrid = 10'000;
 
 /// What is kept of a scenario.
@@ -24,7 +24,7 @@ struct ScenarioRow {
 };
 
 /// Scenarios `first` to `first + rows.size()`.
-struct ScenarioChunk {
+struct ScenarioBlock {
   std::uint64_t first = 0;        ///< number of the first of them in the plan
   std::vector<ScenarioRow> rows;  ///< in the order of the plan
 };
@@ -40,25 +40,25 @@ struct ScenarioRange {
 /// 1 <= part <= parts.
 ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::uint64_t parts);
 
-/// What an observer of a run wants.
-enum class GoOn {
+/// Whether an observer of a run requests more.
+enum class Continuation {
   kYes,  ///< the next scenarios
   kNo    ///< no more: what is not handed over is given up
 };
 
 /// How a study is run; none of it changes a number.
 struct StudyRunOptions {
-  BatchOptions batch;             ///< threads, and how a case is made ready
-  std::uint64_t most_rows = 256;  ///< in one chunk; fewer where their curves are more than 16 MB
+  BatchOptions batch;             ///< threads, and how a case is set up
+  std::uint64_t most_rows = 256;  ///< in one block; fewer where their curves are more than 16 MB
   double longest_wait = 2;        ///< what is ready is handed over after this time at the latest [s]
 };
 
-/// Runs the scenarios of a range and hands them over in chunks, in order, as they are ready; where a chunk ends depends
-/// on the time, what stands in its rows does not. A scenario that cannot be made into a case, or be solved, is a row
-/// with its reason. Where `finished` says kNo or throws, what is not handed over is given up.
+/// Runs the scenarios of a range and hands them over in blocks, in order, as they are ready; where a block ends depends
+/// on the time, the content of its rows does not. A scenario that cannot be made into a case, or be solved, is a row
+/// with its reason. Where `finished` returns kNo or throws, what is not handed over is given up.
 /// @returns the first scenario that was not handed over
 std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
-                            const std::function<GoOn(const ScenarioChunk&)>& finished,
+                            const std::function<Continuation(const ScenarioBlock&)>& finished,
                             const StudyRunOptions& options = {});
 
 }  // namespace ringfilm::study

@@ -6,9 +6,9 @@ namespace ringfilm::study {
 namespace {
 
 template <class Choice>
-std::string word_among(const std::vector<std::pair<std::string, Choice>>& words, Choice wanted) {
+std::string word_among(const std::vector<std::pair<std::string, Choice>>& words, Choice requested) {
   for (const auto& [word, choice] : words) {
-    if (choice == wanted) return word;
+    if (choice == requested) return word;
   }
   throw std::logic_error("a choice of a study without a word");
 }

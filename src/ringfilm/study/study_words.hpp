@@ -14,7 +14,7 @@ const std::vector<std::pair<std::string, Method>>& method_words();
 std::string word_of(StudyKind kind);
 std::string word_of(Method method);
 
-/// What the column "sample" of a study's rows says.
+/// Values of the column "sample" of a study's rows.
 inline constexpr const char* kSampleWords =
     "1 where the scenario is one of a sample, of which means and quantiles may be taken";
 

@@ -77,7 +77,7 @@ TYPED_TEST(PackOf, ComparesAndChoosesInEveryLane) {
   for (const double equal : this->flags(a > a)) EXPECT_EQ(equal, 0);
 }
 
-TYPED_TEST(PackOf, OfTwoOneOfWhichIsNoNumberTheSecondIsTaken) {
+TYPED_TEST(PackOf, OfTwoOneOfWhichIsNotANumberTheSecondIsTaken) {
   const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   const TypeParam nan(std::numeric_limits<double>::quiet_NaN());
   for (const TypeParam taken : {max(nan, TypeParam(1)), min(nan, TypeParam(1))}) {

@@ -120,7 +120,7 @@ TEST(CaseFields, HaveEveryKeyOfTheContract) {
   }
 }
 
-TEST(CaseFields, RequireOnlyWhatNoDefaultCanStandFor) {
+TEST(CaseFields, RequireOnlyWhatHasNoDefault) {
   std::set<std::string> required;
   for (const Field& field : case_fields()) {
     if (is_required(field, Case{}) && belongs(field, Case{}) && field.active == nullptr) required.insert(field.key);
@@ -186,7 +186,7 @@ TEST(CaseFields, AreInUseOnlyWithTheirModel) {
   EXPECT_FALSE(active("lubricant.compressibility", c));
 }
 
-TEST(CaseRules, HoldForASoundCase) { EXPECT_THAT(broken_rules(sound_case()), IsEmpty()); }
+TEST(CaseRules, HoldForAValidCase) { EXPECT_THAT(broken_rules(sound_case()), IsEmpty()); }
 
 TEST(CaseRules, AskForExactlyOneTension) {
   Case c = sound_case();

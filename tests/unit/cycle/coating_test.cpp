@@ -37,7 +37,7 @@ std::vector<Note> notes_of(const Case& c, double lambda_ratio) {
   return notes;
 }
 
-bool told(const Case& c) {
+bool reported(const Case& c) {
   const std::vector<Note> notes = notes_of(c, 1);
   return std::any_of(notes.begin(), notes.end(), [](const Note& note) { return note.topic == "coating-thin"; });
 }
@@ -45,15 +45,15 @@ bool told(const Case& c) {
 TEST(Coating, IsNotedWhereContactSpotsFeelWhatIsBelow) {
   // Spots of 0.41 um at lambda = 1: the share is 0.41 um x 0.68 over the thickness.
   Case c = coated_case();
-  EXPECT_FALSE(told(c));  // no thickness, nothing to say
+  EXPECT_FALSE(reported(c));  // no thickness, nothing to state
   c.ring.coating.thickness = 100e-6;
-  EXPECT_FALSE(told(c));
+  EXPECT_FALSE(reported(c));
   c.ring.coating.thickness = 3.5e-6;
-  EXPECT_FALSE(told(c));
+  EXPECT_FALSE(reported(c));
   c.ring.coating.thickness = 2.3e-6;
-  EXPECT_TRUE(told(c));
+  EXPECT_TRUE(reported(c));
   c.ring.coating.contact_modulus = ContactModulus::kBase;
-  EXPECT_FALSE(told(c));
+  EXPECT_FALSE(reported(c));
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST(CycleRun, FollowsASlowFilmUntilItRepeats) {
   EXPECT_NEAR(result.values.min_film_thickness / limit.values.min_film_thickness, 1, 1e-6);
 }
 
-TEST(CycleRun, SaysHowFarFromRepeatingACycleStopped) {
+TEST(CycleRun, ReportsHowFarFromRepeatingACycleStopped) {
   // Below the rounding of the iteration, which is 1e-12 and more of such a film.
   Case c = cold_flat_ring(0.05e-6, 9000);
   c.solver.tolerance = 1e-14;

@@ -13,7 +13,7 @@
 namespace ringfilm::cycle {
 namespace {
 
-TEST(NoteTopics, StandOnceAndAreMeasuredByValuesOfTheCycle) {
+TEST(NoteTopics, AreListedOnceAndMeasuredByValuesOfTheCycle) {
   std::set<std::string> names;
   for (const NoteTopic& topic : note_topics()) {
     EXPECT_TRUE(names.insert(topic.name).second) << topic.name;

@@ -27,7 +27,7 @@ const Note* note_of(const std::vector<Note>& notes, const std::string& topic) {
 
 TEST(OwnOil, ThatIsTheOilOfTheCaseGivesItsBits) {
   const Case c = coarse_ring();
-  Case without = c;  // what the case says of its oil is not looked at
+  Case without = c;  // what the case states of its oil is not looked at
   without.lubricant = {};
   const auto law = prepared_oil(c.lubricant, {}, {c.operating.oil_temperature, c.engine.stroke})
                        .range->at(c.operating.oil_temperature);

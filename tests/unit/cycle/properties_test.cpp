@@ -64,7 +64,7 @@ TEST(Properties, OfATableAreTakenFromItWithANote) {
   EXPECT_FALSE(has_note(prepare(c).notes, "properties-exact"));
 }
 
-TEST(Properties, TellInTheResultHowWellAndHowFarTheyAreFitted) {
+TEST(Properties, ReportInTheResultHowWellAndHowFarTheyAreFitted) {
   Case c = styles_new_ring();
   c.solver.cells = 20;
   c.solver.crank_step_deg = 4;

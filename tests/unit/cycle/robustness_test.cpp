@@ -34,8 +34,8 @@ bool all_finite(const CycleResult& result) {
 }
 
 // The first members of the sample of benchmarks/robustness, integrated until they repeat. What has no
-// answer is told as such, with all up to there kept; everything else must be solved.
-TEST(Robustness, EveryStepOfSeededScenariosIsSolvedOrToldToHaveNoAnswer) {
+// answer is reported as such, with all up to there kept; everything else must be solved.
+TEST(Robustness, EveryStepOfSeededScenariosIsSolvedOrReportedToHaveNoSolution) {
   int stops = 0;
   for (int index = 0; index < 150; ++index) {
     Case c = engine_scenario(kSeed, index).input;
@@ -51,7 +51,7 @@ TEST(Robustness, EveryStepOfSeededScenariosIsSolvedOrToldToHaveNoAnswer) {
       EXPECT_TRUE(all_finite(stopped.result)) << "index " << index;
     }
   }
-  EXPECT_LT(stops, 8);  // of 150; a solver that gives up too early tells more
+  EXPECT_LT(stops, 8);  // of 150; a solver that gives up too early reports more
 }
 
 double thinnest_film(const CycleResult& result) {
@@ -75,7 +75,7 @@ TEST(Robustness, OverloadsOfCoarseCellsAreSolvedOnGradedOnes) {
 }
 
 // Slightly thinner films than the one sought have no pressure with Barus' law: the search once strode over the answer.
-// On finer cells the film sought is beyond the limit itself, and that is what the stop says.
+// On finer cells the film sought is beyond the limit itself, and that is what the stop states.
 TEST(Robustness, FilmsNextToTheRunawayOfBarusLawAreFound) {
   const auto barus = [](int cells) {
     Case c = narrow_crown(cells);
@@ -105,7 +105,7 @@ TEST(Robustness, AFaceThatIsNotSymmetricMayTurnOver) {
 
 // At the limit of Barus' law on few cells: films 0.0001 % thinner have no pressure, viscosity is 2e6 times what it is
 // at the edge.
-TEST(Robustness, AStopAtTheLimitOfBarusLawSaysSo) {
+TEST(Robustness, AStopAtTheLimitOfBarusLawReportsIt) {
   try {
     simulated(engine_scenario(7, 11589).input);
     FAIL() << "viscosity runs away";
@@ -127,10 +127,10 @@ std::string stop_at_start(int index) {
   return "";
 }
 
-// Members of the sample at whose start no film was found once: from standstill, where nothing tells the film content of
-// a node that the iteration takes below p_c (41, 136, 488); and where the coarsest grid suggests a film far too thin
+// Members of the sample at whose start no film was found once: from standstill, where nothing reports the film content
+// of a node that the iteration takes below p_c (41, 136, 488); and where the coarsest grid suggests a film far too thin
 // (13204).
-TEST(Robustness, StartsThatOnceFoundNoFilmFindOneOrTellWhy) {
+TEST(Robustness, StartsThatOnceFoundNoFilmFindOneOrReportWhy) {
   for (const int index : {41, 488}) EXPECT_TRUE(has_no_answer(stop_at_start(index))) << index;
   for (const int index : {136, 13204}) EXPECT_EQ(stop_at_start(index), "") << index;
 }

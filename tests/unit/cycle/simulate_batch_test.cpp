@@ -15,7 +15,7 @@ namespace {
 constexpr int kEngines = 60;
 
 /// Easy and hard, both ways of cavitation, fixed and adaptive steps, some that stop; in front two whose contact once
-/// spoilt each other's film.
+/// corrupted each other's film.
 std::vector<Case> mixed_engines() {
   std::vector<Case> cases = {ring_on_its_edge(0.05), ring_on_its_edge(0.95)};
   constexpr int kGraded = 41;  // integrated on graded cells in a hundred times the time of the others

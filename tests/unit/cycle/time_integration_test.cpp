@@ -125,7 +125,7 @@ TEST(TimeIntegration, HalfTheCrankStepAndAQuarterOfTheStepErrorMakeTwiceTheSteps
   EXPECT_GT(once.sub_steps, 100);
 }
 
-TEST(TimeIntegration, SaysWhenAFaceIsTooSteepToBeOne) {
+TEST(TimeIntegration, ReportsWhenAFaceIsTooSteepToBeOne) {
   Case c = styles_new_ring();
   c.ring.face_width = 3e-3;  // the polynomial was fitted to 1.2 mm
   const CycleResult result = simulated(c);

@@ -49,7 +49,7 @@ TEST(UnrolledCase, KeysCountOnlyWithTheUnrolledFilm) {
   EXPECT_TRUE(active("output.reduction", with_fields));
 }
 
-TEST(UnrolledCase, KeepsTheRulesAsItStands) { EXPECT_THAT(blamed(unrolled_ring()), IsEmpty()); }
+TEST(UnrolledCase, SatisfiesTheRulesUnchanged) { EXPECT_THAT(blamed(unrolled_ring()), IsEmpty()); }
 
 TEST(UnrolledCase, RefusesAGapThatLeavesNothingOfTheRing) {
   Case c = unrolled_ring();
@@ -82,19 +82,19 @@ bool tells_long_end_cells(const Case& c) {
   return std::any_of(notes.begin(), notes.end(), [](const Note& note) { return note.topic == "end-cells-long"; });
 }
 
-TEST(UnrolledCase, RefusesEndCellsLongerThanTheFaceIsWideAndTellsHowManyWouldDo) {
+TEST(UnrolledCase, RefusesEndCellsLongerThanTheFaceIsWideAndReportsHowManyWouldDo) {
   Case c = unrolled_ring();
   c.solver.cells_y = 20;
   EXPECT_THAT(message(c, "solver.cells_y"), HasSubstr("mm long, more than the face is wide"));
-  const std::string told = message(c, "solver.cells_y");
-  c.solver.cells_y = std::stoi(told.substr(told.find("; take ") + 7));
-  EXPECT_LE(strips_of(c).spacing.front(), 1.1 * c.end_cell());  // longer than that is told
+  const std::string reported = message(c, "solver.cells_y");
+  c.solver.cells_y = std::stoi(reported.substr(reported.find("; take ") + 7));
+  EXPECT_LE(strips_of(c).spacing.front(), 1.1 * c.end_cell());  // longer than that is reported
   EXPECT_FALSE(tells_long_end_cells(c));
   --c.solver.cells_y;
   EXPECT_GT(strips_of(c).spacing.front(), 1.1 * c.end_cell());
 }
 
-TEST(UnrolledCase, TellsLongEndCellsBeforeItIsIntegrated) {
+TEST(UnrolledCase, ReportsLongEndCellsBeforeItIsIntegrated) {
   Case c = unrolled_ring();
   c.solver.cells_y = 40;
   ASSERT_THAT(blamed(c), IsEmpty());

@@ -92,7 +92,7 @@ TEST(UnrolledIntegration, AGapLeaksWhatTheFilmTakesInAndDoesNotGiveBack) {
 // -0.001 % of the thinnest film, -0.081 % of the power and -0.171 % of the flow, 0.107 % of both for the length of the
 // gap (docs/manual/unrolled.md). Sixty cells with ends of 24 um are within 0.001 % of it there; the bounds leave that
 // much again for 40 cells across, which move all of the ends' film a little, and what the table rounds.
-TEST(UnrolledIntegration, WhatTheEndsChangeIsWhatAFineMeshSays) {
+TEST(UnrolledIntegration, WhatTheEndsChangeIsWhatAFineMeshStates) {
   Case c = small(unrolled_ring());
   c.solver.cells_y = 60;
   const CycleResult face = simulated(face_of(c));
@@ -108,7 +108,7 @@ TEST(UnrolledIntegration, WhatTheEndsChangeIsWhatAFineMeshSays) {
   EXPECT_NEAR(ring.values.mean_power_loss / face.values.mean_power_loss - 1, -0.081e-2, kOfMesh);
 }
 
-TEST(UnrolledIntegration, NotesTellOfTheGap) {
+TEST(UnrolledIntegration, NotesReportTheEndGap) {
   const Case c = small(unrolled_ring());  // twelve cells cannot be short at the ends
   const CycleResult face = simulated(face_of(c));
   const CycleResult ring = simulated(c);

@@ -20,7 +20,7 @@ FilmInputs slider_inputs(const SmoothFilm& film, double load) {
   FilmInputs in = film.inputs();
   in.U = kU;
   in.load = load;
-  in.p_cavitation = -1e12;  // the closed form knows no cavity
+  in.p_cavitation = -1e12;  // the closed form has no cavity
   return in;
 }
 
@@ -96,7 +96,7 @@ Pad parabolic_pad(int n_cells) {
           solved.integrals.shear_couette};
 }
 
-TEST(MassConserving, ParabolicPadRupturesWhereTheQuadratureSays) {
+TEST(MassConserving, ParabolicPadRupturesWhereTheQuadratureStates) {
   const Pad pad = parabolic_pad(1600);
   // The front is first order: half a cell is 0.024 mm.
   EXPECT_NEAR(pad.rupture, 51.7348e-3, 0.05e-3);
@@ -106,7 +106,8 @@ TEST(MassConserving, ParabolicPadRupturesWhereTheQuadratureSays) {
   EXPECT_NEAR(pad.flow / 6.54721e-5, 1, 1e-4);
 }
 
-// Where the front lies between two nodes is told to a fraction of the cell: its error is far below the cell's width.
+// Where the front lies between two nodes is reported to a fraction of the cell: its error is far below the cell's
+// width.
 TEST(MassConserving, RuptureIsLocatedWithinItsCell) {
   for (const int n_cells : {100, 217, 400}) {
     const double cell = 76.2e-3 / n_cells;
@@ -256,7 +257,7 @@ TEST(MassConserving, FilmAtRestClosesTheCavityOfItsGuess) {
 }
 
 // Gas at both edges presses the two sides apart with more than the load, however wide the gap: there is no answer.
-TEST(FilmSolver, SaysThatTheGasLiftsOffWhatIsPressedOnTooLittle) {
+TEST(FilmSolver, ReportsThatTheGasLiftsOffWhatIsPressedOnTooLittle) {
   SmoothFilm film(
       64, kLength, [](double x) { return kOutlet * (1 - x / kLength); }, kEta, Cavitation::kMassConserving);
   FilmInputs in = film.inputs();

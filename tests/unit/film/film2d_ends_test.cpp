@@ -48,7 +48,7 @@ Film2dIntegrals at_rest(int n_across, const std::function<double(double)>& heigh
 
 double even(double) { return 0; }
 
-// At an end that stands above the edges by d, p = sum of 4 d/(n pi) sin(n pi x/b) exp(-n pi y/b) over odd n, of which
+// At an end that is above the edges by d, p = sum of 4 d/(n pi) sin(n pi x/b) exp(-n pi y/b) over odd n, of which
 // the integral is 8 d b^2/pi^3 sum 1/n^3.
 TEST(Ends, CarryTheLoadOfTheirLayer) {
   const double above = 1e6, sum_of_odd = 1.0517997902646;
@@ -68,8 +68,8 @@ TEST(Ends, LeakNothingFromAnEvenFilmAtTheMeanOfItsEdges) {
 }
 
 // In a corner the pressure jumps from the edge's to the end's, so that the flow grows without bound, as the logarithm
-// of the cell: docs/theory/two-dimensional-film.md tells so. Half of the difference of the edges jumps in each corner,
-// and of the flows through both corners the difference of the cubes is left.
+// of the cell: docs/theory/two-dimensional-film.md reports so. Half of the difference of the edges jumps in each
+// corner, and of the flows through both corners the difference of the cubes is left.
 TEST(Ends, LeakByTheLogarithmOfTheCellWhereCornersDiffer) {
   const double rise = 3e-6;
   const auto wedge = [rise](double x) { return rise * (1 - x / kWidth); };

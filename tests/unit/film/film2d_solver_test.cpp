@@ -142,7 +142,7 @@ TEST(Film2dSolver, OpenEndsHaveTheirPressureAndTheFilm2dIsSymmetric) {
 // A plane of symmetry is a wall: half the two-dimensional film, open at one end only, cannot be stated, but a closed
 // two-dimensional film with the heights mirrored can: a two-dimensional film with a gap that is even in y about its
 // middle is twice its half.
-TEST(Film2dSolver, AWallStandsForAPlaneOfSymmetry) {
+TEST(Film2dSolver, AWallIsAPlaneOfSymmetry) {
   const testing::LaneFilm film = testing::lane_films(kind(Cavitation::kMassConserving)).front();
   const double length = 4e-3;
   const auto wavy = [&](Film2dProblem problem, double period) {
@@ -190,7 +190,7 @@ TEST(Film2dSolver, ARiseOfAllStripsIsAThickerFilm) {
   EXPECT_NEAR(raised.integrals.mean.asperity_load / plain.integrals.mean.asperity_load, 1, 1e-5);
 }
 
-TEST(Film2dSolver, WhereTheRingStandsOffItCarriesLess) {
+TEST(Film2dSolver, WhereTheRingIsFartherFromTheLinerItCarriesLess) {
   const testing::LaneFilm film = testing::lane_films(kind(Cavitation::kMassConserving)).front();
   const CircumferentialGrid around = uniform_around(16, 0.1, Ends::kJoined);
   Passage film2d(film, film2d_of(film.problem, around));
@@ -263,7 +263,7 @@ TEST(Film2dSolver, AWorkspaceRemembersNothing) {
   EXPECT_EQ(a.p, b.p);
 }
 
-TEST(Film2dSolver, AnOverloadIsToldAsSuch) {
+TEST(Film2dSolver, AnOverloadIsReportedAsSuch) {
   testing::LaneFilm film = testing::overloaded(testing::lane_films(kind(Cavitation::kMassConserving)).front());
   film.problem.contact = nullptr;
   Passage film2d(film, film2d_of(film.problem, uniform_around(4, 0.02, Ends::kJoined)));
@@ -275,7 +275,7 @@ TEST(Film2dSolver, AnOverloadIsToldAsSuch) {
   EXPECT_EQ(report.failure, Failure::kOverloaded);
 }
 
-TEST(Film2dSolver, NoNumberInIsNoFilmOut) {
+TEST(Film2dSolver, NaNInGivesNoFilm) {
   const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   const testing::LaneFilm film = testing::lane_films(kind(Cavitation::kMassConserving)).front();
   const Film2dProblem problem = film2d_of(film.problem, refined_around(8, 0.02, 0.2e-3));

@@ -150,7 +150,7 @@ TEST_P(LaneNewtonOf, AFilmNeverFeelsItsNeighbours) {
   expect_lanes_apart(kind(), films);
 }
 
-TEST_P(LaneNewtonOf, AFilmNeverFeelsANeighbourThatIsNoNumber) {
+TEST_P(LaneNewtonOf, AFilmNeverFeelsANeighbourThatIsNotANumber) {
   const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   std::vector<LaneFilm> films = lane_films(kind());
   films.resize(4);
@@ -265,7 +265,7 @@ TEST_P(LaneNewtonOf, GoingOnIsStartingFromWhatTheLaneHolds) {
 
 // A node that leaves the film is put just into the cavity, whatever the load has become since the lane was bound: by
 // more than rounding and it would be counted as one.
-TEST_P(LaneNewtonOf, ANodeThatLeavesTheFilmIsNoCavityYet) {
+TEST_P(LaneNewtonOf, ANodeThatLeavesTheFilmIsNotACavityYet) {
   const LaneFilm film = lane_films(kind()).front();
   LaneNewton newton(*kind().kernels, kind().kernels->width, 100);
   newton.bind(0, film.problem);

@@ -49,7 +49,7 @@ TEST(Methods, EveryOneFindsTheFilmOfTheInclinedSlider) {
   }
 }
 
-TEST(Methods, ARelaxationThatDoesNotConvergeSaysSoInBoundedTime) {
+TEST(Methods, ARelaxationThatDoesNotConvergeReportsItInBoundedTime) {
   const SmoothFilm slider = inclined_slider(64);
   const FilmState previous = first_guess(slider.problem, sliding(slider));
   FilmState state = previous;

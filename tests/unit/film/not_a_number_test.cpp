@@ -39,9 +39,9 @@ TEST(FilmSolver, NotANumberIsNeverASolution) {
   broken = start;
   broken.h_m = nan;
   EXPECT_FALSE(converges(sound, start, broken));
-  const auto refuses = [&](const auto& spoil) {
+  const auto refuses = [&](const auto& corrupt) {
     FilmInputs inputs = sound;
-    spoil(inputs);
+    corrupt(inputs);
     EXPECT_FALSE(converges(inputs, start, start));
   };
   refuses([nan](FilmInputs& inputs) { inputs.U = nan; });

@@ -45,14 +45,14 @@ TEST(SeparationSearch, FindsWhereTheLoadBalances) {
 }
 
 TEST(SeparationSearch, StartsFromAThickerFilmWhereNoneIsFound) {
-  const ringfilm::traps::NoTraps no_traps;  // films that are no numbers, on purpose
+  const ringfilm::traps::NoTraps no_traps;  // films that are not numbers, on purpose
   Inverse film(kLoad * 4e-12, 1.2e-6);
   FilmReport report;
   ASSERT_TRUE(search_separation(film, 1e-7, kLimits, report));
   EXPECT_NEAR(film.h / 2e-6, 1, 1e-8);
 }
 
-TEST(SeparationSearch, TellsAnOverloadAndALift) {
+TEST(SeparationSearch, ReportsAnOverloadAndALift) {
   Inverse weak(1e-40, 0), strong(1e3, 0);
   FilmReport report;
   EXPECT_FALSE(search_separation(weak, 1e-6, kLimits, report));
@@ -62,7 +62,7 @@ TEST(SeparationSearch, TellsAnOverloadAndALift) {
 }
 
 TEST(SeparationSearch, GivesUpWhereNothingCanBeSolved) {
-  const ringfilm::traps::NoTraps no_traps;  // films that are no numbers, on purpose
+  const ringfilm::traps::NoTraps no_traps;  // films that are not numbers, on purpose
   Inverse film(1, std::numeric_limits<double>::infinity());
   FilmReport report;
   EXPECT_FALSE(search_separation(film, 1e-6, kLimits, report));
@@ -71,7 +71,7 @@ TEST(SeparationSearch, GivesUpWhereNothingCanBeSolved) {
 }
 
 TEST(SeparationSearch, GoesInShorterStridesWhereThinnerFilmsHaveNoPressure) {
-  const ringfilm::traps::NoTraps no_traps;  // films that are no numbers, on purpose
+  const ringfilm::traps::NoTraps no_traps;  // films that are not numbers, on purpose
   for (const double gap : {0.5, 1e-2, 1e-5}) {
     Inverse film(kLoad * 4e-12, 2e-6 * (1 - gap));  // balances at 2 um; nothing is found from just below that
     FilmReport report;
@@ -81,7 +81,7 @@ TEST(SeparationSearch, GoesInShorterStridesWhereThinnerFilmsHaveNoPressure) {
 }
 
 TEST(SeparationSearch, EndsNextToTheThinnestFilmThatHasAPressure) {
-  const ringfilm::traps::NoTraps no_traps;  // films that are no numbers, on purpose
+  const ringfilm::traps::NoTraps no_traps;  // films that are not numbers, on purpose
   Inverse film(kLoad * 4e-12, 2.5e-6);      // would balance at 2 um, where it has no pressure
   FilmReport report;
   EXPECT_FALSE(search_separation(film, 1e-5, kLimits, report));

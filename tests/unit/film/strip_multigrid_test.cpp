@@ -175,7 +175,7 @@ TEST(Gmres, SolvesWhatItIsAskedTo) {
   EXPECT_LT(norm(error), 1e-10 * norm(exact));  // the map is close to the identity: its errors are the solution's
 }
 
-TEST(Gmres, GoesOnWhenItsMemoryIsFull) {
+TEST(Gmres, ContinuesWhenItsMemoryIsFull) {
   const Film2dKernels& kernels = film2d_kernels(film::kernels().name);
   // A cyclic shift and a bit of the identity: hard for a Krylov method of few vectors.
   constexpr int kSize = 60;

@@ -82,7 +82,7 @@ TEST(DigitalSurf, OtherKindsAreRefusedByName) {
   EXPECT_THAT(refusal("a.sur", "DSCOMPRESSED" + std::string(600, 'x')), HasSubstr("save it without compression"));
 }
 
-TEST(DigitalSurf, AFileCutByOneByteSaysFromWhereItCounts) {
+TEST(DigitalSurf, AFileCutByOneByteReportsFromWhereItCounts) {
   Sur sur;
   sur.comment_size = 77;
   std::string bytes = sur.bytes();

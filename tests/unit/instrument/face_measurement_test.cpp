@@ -14,11 +14,11 @@ using ::testing::Not;
 
 constexpr double kWidth = 1.2e-3;
 
-/// A land of 0.4 mm between two flanks that rise as a parabola, or a face that is crowned more on one side, or one that
-/// is round all over and tilted.
-enum class LandOf { kFlat, kCrowned, kRound };
+/// A running surface of 0.4 mm between two flanks that rise as a parabola, or a face that is crowned more on one side,
+/// or one that is round all over and tilted.
+enum class Face { kFlat, kCrowned, kRound };
 
-TraceFile trace(LandOf land) {
+TraceFile trace(Face face) {
   TraceFile file;
   file.origin.path = "folder/trace.csv";
   file.origin.format = "text";
@@ -27,8 +27,8 @@ TraceFile trace(LandOf land) {
     const double beyond = std::max(0.0, std::abs(u) - 0.2e-3);
     file.trace.x_m.push_back(x);
     double height = 60 * beyond * beyond;
-    if (land == LandOf::kCrowned) height = 25 * u * u + 2e4 * u * u * u + 6e7 * u * u * u * u;
-    if (land == LandOf::kRound) height = 30 * u * u + 3e-3 * u;
+    if (face == Face::kCrowned) height = 25 * u * u + 2e4 * u * u * u + 6e7 * u * u * u * u;
+    if (face == Face::kRound) height = 30 * u * u + 3e-3 * u;
     file.trace.height_m.push_back(height);
   }
   return file;
@@ -51,35 +51,35 @@ std::string all_notes(const io::Measurement& measurement) {
   return notes;
 }
 
-TEST(FaceMeasurement, IsSoundAndCarriesOneFragment) {
-  const io::Measurement polynomial = measured(trace(LandOf::kFlat)),
-                        points = measured(trace(LandOf::kFlat), "face.csv");
+TEST(FaceMeasurement, IsValidAndCarriesOneFragment) {
+  const io::Measurement polynomial = measured(trace(Face::kFlat)), points = measured(trace(Face::kFlat), "face.csv");
   EXPECT_NO_THROW(io::check_measurement(polynomial));
   EXPECT_THAT(polynomial.fragment, HasSubstr("form = \"polynomial\""));
   EXPECT_THAT(points.fragment, HasSubstr("file = \"face.csv\""));
   EXPECT_THAT(points.fragment, HasSubstr("trace = \"trace.csv\""));
 }
 
-TEST(FaceMeasurement, TellsALandThatIsNotFlat) {
-  EXPECT_THAT(all_notes(measured(trace(LandOf::kCrowned))), HasSubstr("the land is not flat"));
-  EXPECT_THAT(all_notes(measured(trace(LandOf::kFlat))), Not(HasSubstr("the land is not flat")));
+TEST(FaceMeasurement, ReportsARunningSurfaceThatIsNotFlat) {
+  EXPECT_THAT(all_notes(measured(trace(Face::kCrowned))), HasSubstr("the running surface is not flat"));
+  EXPECT_THAT(all_notes(measured(trace(Face::kFlat))), Not(HasSubstr("the running surface is not flat")));
 }
 
-TEST(FaceMeasurement, TellsARoundLandWhoseTiltNobodyCanFind) {
-  const io::Measurement round = measured(trace(LandOf::kRound));
-  EXPECT_THAT(all_notes(round), HasSubstr("the land is round"));
+TEST(FaceMeasurement, ReportsARoundRunningSurfaceWhoseTiltNobodyCanFind) {
+  const io::Measurement round = measured(trace(Face::kRound));
+  EXPECT_THAT(all_notes(round), HasSubstr("the running surface is round"));
   EXPECT_THAT(all_notes(round), HasSubstr("--levelling none"));
-  EXPECT_THAT(all_notes(measured(trace(LandOf::kFlat))), Not(HasSubstr("the land is round")));
+  EXPECT_THAT(all_notes(measured(trace(Face::kFlat))), Not(HasSubstr("the running surface is round")));
   surface::FaceRule stated = rule();
   stated.levelling = surface::FaceLevelling::kStated;
   stated.tilt = 3e-3;
-  const TraceFile file = trace(LandOf::kRound);
+  const TraceFile file = trace(Face::kRound);
   const surface::FaceFit fit = surface::fit_face(file.trace, stated);
-  EXPECT_THAT(all_notes(face_measurement(file, stated, fit, std::nullopt)), Not(HasSubstr("the land is round")));
+  EXPECT_THAT(all_notes(face_measurement(file, stated, fit, std::nullopt)),
+              Not(HasSubstr("the running surface is round")));
 }
 
 TEST(FaceMeasurement, HasCoefficientsInSi) {
-  const TraceFile file = trace(LandOf::kFlat);
+  const TraceFile file = trace(Face::kFlat);
   const surface::FaceFit fit = surface::fit_face(file.trace, rule());
   const io::Measurement measurement = measured(file);
   const io::MeasuredGroup& coefficients = measurement.groups.back();

@@ -43,7 +43,7 @@ ForceCalibration on_silicon(const std::string& name = "silicon") {
   return of;
 }
 
-TEST(ForceMeasurement, IsSoundWhateverSamplesAreCalled) {
+TEST(ForceMeasurement, IsValidWhateverSamplesAreCalled) {
   // Names that would meet as words in a file, those of the calibration among them.
   std::vector<ForceSample> samples;
   for (const char* name :
@@ -97,7 +97,7 @@ TEST(ForceMeasurement, DrawsEveryMeasuredLoadOfEverySample) {
   EXPECT_EQ(drawn, 3 * 5);
 }
 
-TEST(WedgeCalibration, WantsTwoFacetsWithLoops) {
+TEST(WedgeCalibration, RequiresTwoFacetsWithLoops) {
   const std::array<surface::Uncertain, 2> angles{{{0.7, 0.01}, {-0.7, 0.01}}};
   EXPECT_THROW(wedge_calibration({sample("up", 1e5)}, angles, {}), InputError);
   std::vector<ForceSample> facets = {sample("up", 1e5), sample("down", 1e5)};

@@ -67,7 +67,7 @@ TEST(Gwy, AnyUnitComesAsAChannel) {
   EXPECT_DOUBLE_EQ(channels[1].step_x, 2e-6);
   SurfaceOptions options;
   options.channel = "LateralForce";
-  EXPECT_THAT(refusal("a.gwy", two_channels(), options), HasSubstr("which is no unit of length"));
+  EXPECT_THAT(refusal("a.gwy", two_channels(), options), HasSubstr("which is not a unit of length"));
   options.channel = "3";
   EXPECT_THAT(refusal("a.gwy", two_channels(), options), HasSubstr("there is no channel 3 among"));
 }

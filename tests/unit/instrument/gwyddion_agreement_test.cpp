@@ -62,7 +62,7 @@ TEST(RealFile, MissingPointsOfDigitalSurfAreAMask) {
   const std::string path = instrument_sample("sur-3.sur");
   SKIP_WITHOUT(path);
   const SurfaceFile file = read_surface_file(path, {}, units());
-  // Counted in the bytes of the file: 32-bit numbers that are -2, the header says that there are special points.
+  // Counted in the bytes of the file: 32-bit numbers that are -2, the header states that there are special points.
   ASSERT_FALSE(file.map.missing.empty());
   const std::string bytes = [&path] {
     std::ifstream in(path, std::ios::binary);
@@ -101,7 +101,7 @@ TEST(RealFile, ZygoAndAliconaComeThroughGwyddion) {
   SKIP_WITHOUT(zygo);
   const SurfaceFile file = read_surface_file(zygo, {}, units());
   EXPECT_EQ(file.map.points_x, 640u);
-  EXPECT_NEAR(file.map.step_x_m * 640, 0.703e-3, 0.0005e-3);  // as the list of the files says
+  EXPECT_NEAR(file.map.step_x_m * 640, 0.703e-3, 0.0005e-3);  // as the list of the files states
   EXPECT_NEAR(file.map.step_y_m * 480, 0.527e-3, 0.0005e-3);
   const SurfaceFile depth = read_surface_file(alicona, {}, units());
   EXPECT_EQ(depth.origin.channel, "Depth");

@@ -94,7 +94,7 @@ TEST(GwyddionProgram, IsBoundFromItsFirstStep) {
   EXPECT_EQ(telling.converted(limits), "3145728 0 ");
 }
 
-TEST(GwyddionProgram, IsUnderstoodWhereNobodyIsToldOfProcessesThatEnd) {
+TEST(GwyddionProgram, IsUnderstoodWhereEndedProcessesAreNotReported) {
   struct sigaction ignored {
   }, before{};
   ignored.sa_handler = SIG_IGN;

@@ -84,7 +84,7 @@ inline std::string zip(const std::vector<std::pair<std::string, std::string>>& e
   return body.str() + directory.str() + end.str();
 }
 
-/// What stands in the header of a .sur; heights follow.
+/// What is in the header of a .sur; heights follow.
 struct Sur {
   bool high_byte_first = false;
   int bits = 32;

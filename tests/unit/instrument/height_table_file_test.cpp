@@ -47,12 +47,12 @@ TEST(HeightTable, SeparatorsAndDecimalCommas) {
 
 TEST(HeightTable, ARowOfTabulatorsIsARowOfMissingHeights) {
   const SurfaceFile file = read_bytes("a.txt", "\t\n1\t2\t3\t4\n\t\t\t\n5\t6\t7\t8\n", with("um", nullptr, "2 um"));
-  ASSERT_EQ(file.map.points_y, 3u) << "the blank line in front is none";
+  ASSERT_EQ(file.map.points_y, 3u) << "the blank line in front is not a row";
   EXPECT_EQ(std::count(file.map.missing.begin(), file.map.missing.end(), 1), 4);
   EXPECT_FALSE(file.map.measured(file.map.index(3, 1)));
 }
 
-TEST(HeightTable, TheCommentsOfGwyddionSayUnitAndSize) {
+TEST(HeightTable, TheCommentsOfGwyddionStateUnitAndSize) {
   const SurfaceFile file =
       read_bytes("a.txt",
                  "# Channel: Topography\n# Width: 8.0 \u00B5m\n# Height: 4.0 \u00B5m\n# Value units: m\n1e-9 2e-9 3e-9 "
@@ -70,7 +70,7 @@ TEST(HeightTable, RowsThatDoNotFillTheStatedHeightAreNoted) {
   const auto uneven = HasSubstr("give steps of 0.166667 and 0.2");
   EXPECT_THAT(notes("1.00", 5), testing::Contains(uneven));
   EXPECT_TRUE(notes("1.00", 6).empty());
-  // 7/6 is written as 1.17: steps of 0.16667 and 0.16714 differ by less than the digits say.
+  // 7/6 is written as 1.17: steps of 0.16667 and 0.16714 differ by less than the digits state.
   EXPECT_TRUE(notes("1.17", 7).empty());
   EXPECT_TRUE(notes("1.17e0", 7).empty());
   EXPECT_FALSE(notes("1.1700", 7).empty() && notes("1.1800", 7).empty());
@@ -195,14 +195,14 @@ TEST(HeightTable, ProfilesKeepTheirPlaces) {
   ASSERT_EQ(file.trace.x_m.size(), 3u);
   EXPECT_DOUBLE_EQ(file.trace.x_m[2], 4e-4);
   EXPECT_DOUBLE_EQ(file.trace.height_m[0], 1.5e-6);
-  EXPECT_THAT(refusal("a.csv", "x [mm],z [um]\n0,1\n1,2\n1,3\n"), HasSubstr("a.csv:4:1: x falls or stands"));
+  EXPECT_THAT(refusal("a.csv", "x [mm],z [um]\n0,1\n1,2\n1,3\n"), HasSubstr("a.csv:4:1: x falls or repeats"));
 }
 
 TEST(HeightTable, FaultsNameLineAndColumn) {
   EXPECT_THAT(refusal("a.csv", "1,2,3,4\n5,6,seven,8\n", with("um", nullptr, "1 um")),
               HasSubstr("a.csv:2:5: \"seven\" is not a finite number"));
   EXPECT_THAT(refusal("a.csv", "1,2,3,4\n5,6,7\n", with("um", nullptr, "1 um")),
-              HasSubstr("a.csv:2:1: the row has 3 values, and 4 are wanted"));
+              HasSubstr("a.csv:2:1: the row has 3 values, and 4 are required"));
   EXPECT_THAT(refusal("a.csv", "x [mm],q [um]\n1,2\n2,3\n"), HasSubstr("there is no column z among: x, q"));
   EXPECT_THAT(refusal("a.csv", "1,2,3,inf\n5,6,7,8\n", with("um", nullptr, "1 um")), HasSubstr("not a finite number"));
 }

@@ -51,11 +51,11 @@ TEST(HostileFile, CutShortAnywhereIsRefused) {
       {"a.x3p", x3p_archive(small_x3p())}};
   for (const auto& [name, bytes] : files) {
     ASSERT_EQ(refusal(name, bytes), "") << name;
-    // Short heads are no known format and would each start gwyddion: from the end of the signature on.
+    // Short heads are not known format and would each start gwyddion: from the end of the signature on.
     for (std::size_t length = 26; length < bytes.size(); length += 1 + length / 64) {
-      const std::string said = refusal(name, bytes.substr(0, length));
-      EXPECT_THAT(said, HasSubstr(name)) << length << " of " << bytes.size();
-      EXPECT_THAT(said, HasSubstr("\n    ")) << "no remedy for " << name << " cut to " << length;
+      const std::string printed = refusal(name, bytes.substr(0, length));
+      EXPECT_THAT(printed, HasSubstr(name)) << length << " of " << bytes.size();
+      EXPECT_THAT(printed, HasSubstr("\n    ")) << "no remedy for " << name << " cut to " << length;
     }
   }
 }
@@ -150,7 +150,7 @@ TEST(HostileFile, AZipThatLiesAboutItsSizeIsStopped) {
   for (std::size_t i = bytes.find(stated); i != std::string::npos; i = bytes.find(stated, i + 4), ++places) {
     bytes.replace(i, 4, lie);
   }
-  ASSERT_EQ(places, 2) << "the size stands in front of the entry and in the directory";
+  ASSERT_EQ(places, 2) << "the size is in front of the entry and in the directory";
   EXPECT_THAT(refusal("a.x3p", bytes), HasSubstr("bindata/data.bin"));
 }
 
@@ -174,7 +174,7 @@ TEST(HostileFile, NothingMeasuredIsAnError) {
               HasSubstr("no point was measured"));
 }
 
-TEST(HostileFile, SwappedByteOrderIsTold) {
+TEST(HostileFile, SwappedByteOrderIsReported) {
   // Heights of the other byte order are far beyond any surface, or the check of the sizes fails first.
   X3p x3p;
   Bytes points(true);
@@ -191,12 +191,12 @@ TEST(HostileFile, SwappedByteOrderIsTold) {
   EXPECT_THAT(refusal("a.sur", sur), HasSubstr("a.sur: byte"));
 }
 
-TEST(HostileFile, OneByNIsAProfileAndOnePointIsNone) {
+TEST(HostileFile, OneByNIsAProfileAndOnePointIsNot) {
   EXPECT_TRUE(read_bytes("a.sdf", handmade::sdf_text("1 2 3 4", 4, 1)).map.is_profile());
   const SurfaceFile upright = read_bytes("a.sdf", handmade::sdf_text("1 2 3 4", 1, 4));
   EXPECT_TRUE(upright.map.is_profile());
   EXPECT_EQ(upright.map.step_x_m, 3e-6);
-  EXPECT_THAT(refusal("a.sdf", handmade::sdf_text("1", 1, 1)), HasSubstr("two or more points are wanted"));
+  EXPECT_THAT(refusal("a.sdf", handmade::sdf_text("1", 1, 1)), HasSubstr("two or more points are required"));
 }
 
 TEST(HostileFile, NoFileAFolderAndAnEmptyOne) {
@@ -215,12 +215,12 @@ TEST(HostileFile, AnUnknownFileGoesToGwyddionAndComesBackWithAWord) {
               HasSubstr("export the profile as text"));
 }
 
-TEST(HostileFile, WithoutGwyddionTheMessageSaysSo) {
+TEST(HostileFile, WithoutGwyddionTheMessageReportsIt) {
   const std::string before = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
-  const std::string said = refusal("a.di", std::string("\x01\x02junk\0\xFF", 8));
+  const std::string printed = refusal("a.di", std::string("\x01\x02junk\0\xFF", 8));
   ::setenv("PATH", before.c_str(), 1);
-  EXPECT_THAT(said, AllOf(HasSubstr("gwyddion, which is not installed"), HasSubstr("apt install gwyddion")));
+  EXPECT_THAT(printed, AllOf(HasSubstr("gwyddion, which is not installed"), HasSubstr("apt install gwyddion")));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(MapWriter, EveryFormat,
                          testing::Values(Ending{"a.x3p", 1e-21}, Ending{"a.sur", 1.2e-12}, Ending{"a.gsf", 1.2e-13},
                                          Ending{"a.csv", 1e-21}));
 
-TEST(MapWriter, FilesSayWhatMadeThem) {
+TEST(MapWriter, FilesContainWhatMadeThem) {
   const auto read = [](const char* name) {
     return read_bytes(name, map_bytes(example(), map_format_of(name), "SYNTHETIC", "a maker, seed 7")).origin;
   };

@@ -14,7 +14,7 @@ TEST(PairMeasurement, KeepsTheDigestsOfItsFiles) {
   EXPECT_TRUE(holds({pair.fragment}, "# liner: liner.x3p, SHA-256 digest of liner.x3p"));
 }
 
-TEST(PairMeasurement, TellsThatStepsAlongYDiffer) {
+TEST(PairMeasurement, ReportsThatStepsAlongYDiffer) {
   const SurfaceFile square = rough("square.x3p", 1e-7, 1), oblong = rough("oblong.x3p", 1e-7, 1, {64, 48, 1e-6, 2e-6});
   const std::string words = "the maps have different steps";
   EXPECT_TRUE(holds(pair_measurement({square}, {oblong}, {}, nullptr).notes, words));
@@ -48,7 +48,7 @@ TEST(PairMeasurement, RecordsTheDirectionAndTheNoise) {
   analysis.direction = surface::MomentDirection::geometric;
   const std::string fragment = pair_measurement({ring}, {liner}, analysis, &flat).fragment;
   EXPECT_TRUE(holds({fragment}, "geometric mean of x and y"));
-  EXPECT_TRUE(holds({fragment}, "noise of flat.x3p taken off"));
+  EXPECT_TRUE(holds({fragment}, "noise of flat.x3p removed"));
 }
 
 TEST(PairMeasurement, KeepsThePlaceOfEachRegionOfEachFile) {

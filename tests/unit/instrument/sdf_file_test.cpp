@@ -47,7 +47,7 @@ TEST_P(EveryTypeOfSdf, IsReadPointByPoint) {
   EXPECT_EQ(file.origin.instrument, "MAKER");
 }
 
-TEST_P(EveryTypeOfSdf, KnowsItsMissingPoint) {
+TEST_P(EveryTypeOfSdf, ReadsItsMissingPoint) {
   const int type = GetParam();
   const double marks[] = {-1,     65535,    4294967295.0,  -std::numeric_limits<float>::max(),
                           -128.0, -32768.0, -2147483648.0, -std::numeric_limits<double>::max()};
@@ -115,7 +115,7 @@ TEST(Sdf, TextCutWithinItsLastHeightIsRefused) {
               testing::Contains(HasSubstr("the line \"*\" that ends the heights is missing")));
 }
 
-TEST(Sdf, ATrailerBehindTheHeightsIsNoData) {
+TEST(Sdf, ATrailerBehindTheHeightsIsNotData) {
   const std::string trailer = "\r\n<PartName> a liner </PartName>\r\n*\r\n";
   EXPECT_EQ(refusal("a.sdf", binary_sdf(5, {1, 2, 3, 4, 5, 6}) + trailer), "");
   EXPECT_EQ(refusal("a.sdf", sdf_text("1 2 3 4 5 6", 3, 2) + trailer), "");

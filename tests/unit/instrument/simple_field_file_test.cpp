@@ -35,7 +35,7 @@ TEST(SimpleField, IsReadPointByPoint) {
   EXPECT_EQ(file.origin.channel, "a map");
 }
 
-TEST(SimpleField, WhatItDoesNotSayIsAskedFor) {
+TEST(SimpleField, WhatItOmitsIsAskedFor) {
   const std::string bare = field("XRes = 3\nYRes = 2\n", {1, 2, 3, 4, 5, 6});
   EXPECT_THAT(refusal("a.gsf", bare), HasSubstr("--unit um"));
   SurfaceOptions options;
@@ -46,7 +46,7 @@ TEST(SimpleField, WhatItDoesNotSayIsAskedFor) {
   const SurfaceFile file = read_bytes("a.gsf", bare, options);
   EXPECT_DOUBLE_EQ(file.map.height_m[5], 6e-6);
   EXPECT_DOUBLE_EQ(file.map.step_y_m, 1e-6);
-  EXPECT_THAT(file.origin.notes, testing::Contains(HasSubstr("unit of heights: um as the user says")));
+  EXPECT_THAT(file.origin.notes, testing::Contains(HasSubstr("unit of heights: um as the user states")));
 }
 
 TEST(SimpleField, FaultsNameTheirByte) {

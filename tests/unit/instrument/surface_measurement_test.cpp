@@ -37,7 +37,7 @@ TEST(SurfaceMeasurement, TakesTheTiltOffAFlatWhereTheSurfaceIsACylinder) {
   EXPECT_EQ(noise.m2, noise_moments(flat, prepare_surface(ring, analysis), analysis).m2);
 }
 
-TEST(SurfaceMeasurement, TellsThatTheStepsAlongXAndYDiffer) {
+TEST(SurfaceMeasurement, ReportsThatTheStepsAlongXAndYDiffer) {
   const SurfaceFile oblong = rough("oblong.x3p", 1e-7, 1, {64, 48, 1e-6, 2e-6});
   const std::string words = "along y differ";
   EXPECT_TRUE(holds(surface_measurement(oblong, {}, nullptr).notes, words));

@@ -25,7 +25,7 @@ inline SurfaceFile read_bytes(const std::string& name, const std::string& bytes,
   return read_surface_file(folder.write(name, bytes), options, units());
 }
 
-/// What the reader says no with; empty if it reads the file.
+/// What the reader states no with; empty if it reads the file.
 inline std::string refusal(const std::string& name, const std::string& bytes, const SurfaceOptions& options = {}) {
   try {
     read_bytes(name, bytes, options);
@@ -56,7 +56,7 @@ inline std::string x3p_archive(const handmade::X3p& parts) {
   return handmade::zip(entries);
 }
 
-/// Real instrument files, which are no part of the project: in instruments/ of the folder that RINGFILM_SHARED_FOLDER
+/// Real instrument files, which are not part of the project: in instruments/ of the folder that RINGFILM_SHARED_FOLDER
 /// names, else of shared/ beside the checkout.
 inline std::string instrument_sample(const std::string& name) {
   const char* const named = std::getenv("RINGFILM_SHARED_FOLDER");

@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-/// What reading `path` tells; empty if it could be read.
+/// What reading `path` reports; empty if it could be read.
 std::string told_of(const std::string& path) {
   try {
     read_case(path);
@@ -45,9 +45,9 @@ TEST(CaseSources, AKeyInTwoFilesNamesBothPlaces) {
   text.top += "include = [\"a.toml\"]\n";
   const CaseFolder folder(text);
   folder.write("a.toml", "[engine]\nbore = \"90 mm\"\n");
-  const std::string told = folder.faults();
-  EXPECT_THAT(told, HasSubstr("case.toml:4:1: engine.bore is given twice"));
-  EXPECT_THAT(told, HasSubstr("it is given at a.toml:2:1 too"));
+  const std::string reported = folder.faults();
+  EXPECT_THAT(reported, HasSubstr("case.toml:4:1: engine.bore is given twice"));
+  EXPECT_THAT(reported, HasSubstr("it is given at a.toml:2:1 too"));
 }
 
 TEST(CaseSources, AnIncludeOfItselfIsRefused) {
@@ -79,9 +79,9 @@ TEST(CaseSources, EachFileIsIncludedOnceUnderWhateverSpelling) {
     EXPECT_EQ(error.faults().size(), kFiles * (kFiles + 1) - (kFiles - 1));
     EXPECT_THAT(error.what(), HasSubstr("0.toml includes itself"));
   }
-  const std::string told = folder.faults();
-  EXPECT_THAT(told, HasSubstr("link.toml includes itself"));
-  EXPECT_THAT(told, HasSubstr(".toml is included twice\n"));
+  const std::string reported = folder.faults();
+  EXPECT_THAT(reported, HasSubstr("link.toml includes itself"));
+  EXPECT_THAT(reported, HasSubstr(".toml is included twice\n"));
 }
 
 TEST(CaseSources, MoreFilesThanACaseHasSectionsAreRefused) {
@@ -97,10 +97,10 @@ TEST(CaseSources, MoreFilesThanACaseHasSectionsAreRefused) {
 TEST(CaseSources, ALongListOfFaultsEndsWithHowManyThereAreMore) {
   CaseText text;
   for (int i = 0; i < 1000; ++i) text.top += "unknown_" + std::to_string(i) + " = 1\n";
-  const std::string told = faults_of(text);
-  EXPECT_THAT(told, HasSubstr("unknown key unknown_99\n"));
-  EXPECT_THAT(told, Not(HasSubstr("unknown_100")));
-  EXPECT_THAT(told, HasSubstr("\nand 900 more\n"));
+  const std::string reported = faults_of(text);
+  EXPECT_THAT(reported, HasSubstr("unknown key unknown_99\n"));
+  EXPECT_THAT(reported, Not(HasSubstr("unknown_100")));
+  EXPECT_THAT(reported, HasSubstr("\nand 900 more\n"));
 }
 
 TEST(CaseSources, ControlCharactersAreRefusedInEveryTextOfAFile) {
@@ -108,10 +108,10 @@ TEST(CaseSources, ControlCharactersAreRefusedInEveryTextOfAFile) {
   text.top = "title = \"a\\u0000b\"\n";
   EXPECT_THAT(faults_of(text), HasSubstr("case.toml:1:9: \"a\\u0000b\" holds the control character U+0000"));
   text.top = "title = \"\\u001b[31m\"\ninclude = [\"x\\u009b.toml\"]\n\"k\\u0007\" = 1\n";
-  const std::string told = faults_of(text);
-  EXPECT_THAT(told, HasSubstr("\"\\u001B[31m\" holds the control character U+001B"));
-  EXPECT_THAT(told, HasSubstr("holds the control character U+009B"));
-  EXPECT_THAT(told, HasSubstr("the key \"k\\u0007\" holds the control character U+0007"));
+  const std::string reported = faults_of(text);
+  EXPECT_THAT(reported, HasSubstr("\"\\u001B[31m\" holds the control character U+001B"));
+  EXPECT_THAT(reported, HasSubstr("holds the control character U+009B"));
+  EXPECT_THAT(reported, HasSubstr("the key \"k\\u0007\" holds the control character U+0007"));
   text.top = "title = \"two\\nlines\"\n";
   EXPECT_THAT(faults_of(text), HasSubstr("title = \"two\\u000Alines\" holds the control character U+000A"));
 }
@@ -134,14 +134,14 @@ TEST(CaseSources, DeepIncludesAreRefused) {
   EXPECT_THAT(folder.faults(), HasSubstr("files are included more than 8 deep"));
 }
 
-TEST(CaseSources, AMissingIncludeIsToldWhereItIsNamed) {
+TEST(CaseSources, AMissingIncludeIsReportedWhereItIsNamed) {
   CaseText text;
   text.top += "include = [\"gone.toml\"]\n";
   text.ring = "";
-  const std::string told = faults_of(text);
-  EXPECT_THAT(told, HasSubstr("case.toml:2:12: include = \"gone.toml\": there is no such file"));
-  // With a file missing nobody knows which keys are.
-  EXPECT_THAT(told, Not(HasSubstr("is missing")));
+  const std::string reported = faults_of(text);
+  EXPECT_THAT(reported, HasSubstr("case.toml:2:12: include = \"gone.toml\": there is no such file"));
+  // With a file missing the missing keys are unknown.
+  EXPECT_THAT(reported, Not(HasSubstr("is missing")));
 }
 
 TEST(CaseSources, OverridesReplaceKeysOfAllFiles) {
@@ -167,12 +167,12 @@ TEST(CaseSources, AnEmptyOverrideTakesAKeyOut) {
 }
 
 TEST(CaseSources, OverridesAreCheckedLikeTheFile) {
-  const std::string told = CaseFolder().faults(
+  const std::string reported = CaseFolder().faults(
       {{"operating.sped", "3000 rpm"}, {"engine.bore", "89"}, {"engine.stroke", "80 bar"}, {"solver.cells", "[1"}});
-  EXPECT_THAT(told, HasSubstr("--set: unknown key operating.sped; did you mean operating.speed?"));
-  EXPECT_THAT(told, HasSubstr("--set: engine.bore = 89 has no unit"));
-  EXPECT_THAT(told, HasSubstr("--set: engine.stroke = \"80 bar\" is not a length"));
-  EXPECT_THAT(told, HasSubstr("--set: solver.cells = \"[1\" is not a whole number"));
+  EXPECT_THAT(reported, HasSubstr("--set: unknown key operating.sped; did you mean operating.speed?"));
+  EXPECT_THAT(reported, HasSubstr("--set: engine.bore = 89 has no unit"));
+  EXPECT_THAT(reported, HasSubstr("--set: engine.stroke = \"80 bar\" is not a length"));
+  EXPECT_THAT(reported, HasSubstr("--set: solver.cells = \"[1\" is not a whole number"));
 }
 
 TEST(CaseSources, AnOverrideCanRepairAFaultyValue) {
@@ -191,7 +191,7 @@ TEST(CaseSources, AByteOrderMarkAndLineEndsOfOtherSystemsAreReadAndNoted) {
   EXPECT_THAT(c.notes[0], HasSubstr("byte-order mark"));
 }
 
-TEST(CaseSources, WhatIsNoCaseFileIsRefusedBeforeItIsParsed) {
+TEST(CaseSources, WhatIsNotACaseFileIsRefusedBeforeItIsParsed) {
   const CaseFolder folder;
   EXPECT_THAT(told_of(folder / "gone.toml"), HasSubstr("gone.toml: there is no such file"));
   EXPECT_THAT(told_of(folder / "."), HasSubstr("this is a folder, not a file"));
@@ -225,7 +225,7 @@ TEST(CaseSources, TextThatBreaksTomlParsersIsRefused) {
   }
 }
 
-TEST(CaseSources, AShippedOilOutOfReachIsToldByTheNameThatIsFoundFromAnywhere) {
+TEST(CaseSources, AShippedOilOutOfReachIsReportedByTheNameThatIsFoundFromAnywhere) {
   ASSERT_EQ(::setenv("RINGFILM_DATA", RINGFILM_SOURCE_FOLDER, 1), 0);
   const ScratchFolder folder;
   const std::string path =

@@ -27,7 +27,7 @@ MeasuredMap height_map(std::size_t points_x, std::size_t points_y) {
   MeasuredMap map;
   map.name = "surface_height";
   map.title = "Heights of the liner";
-  map.caption = "After a plane and a Gaussian filter of 0.8 mm were taken off.";
+  map.caption = "After a plane and a Gaussian filter of 0.8 mm were removed.";
   map.points_x = points_x;
   map.points_y = points_y;
   map.step_x = map.step_y = 0.9e-3 / static_cast<double>(points_x);
@@ -72,9 +72,9 @@ MeasuredCurve profile() {
   return curve;
 }
 
-MeasuredCurve bearing_curve() {
+MeasuredCurve material_ratio_curve() {
   MeasuredCurve curve{"bearing",
-                      "Bearing curve",
+                      "Material ratio curve",
                       "Share of the surface above each height; the line through the core is that of ISO 13565-2.",
                       {"material_ratio", "material ratio", "1", "%"},
                       {"height", "height", "m", "um"},
@@ -171,9 +171,9 @@ Measurement measurement(std::size_t points_x, std::size_t points_y) {
   document.title = "Liner, honed (made-up numbers)";
   document.sources = {"cases/measured/liner.x3p: X3P, one channel; 900 x 600 points of 1 um, 2 % missing",
                       "SHA-256 f735ac19f9270dc92d6d673287338669abf6744042760040459a815ec690802c"};
-  document.statements = {"a plane was taken off by least squares",
-                         "waves longer than 0.8 mm were taken off by a Gaussian filter (ISO 16610-61)",
-                         "waves shorter than 2.5 um were taken off before the moments were formed"};
+  document.statements = {"a plane was removed by least squares",
+                         "waves longer than 0.8 mm were removed by a Gaussian filter (ISO 16610-61)",
+                         "waves shorter than 2.5 um were removed before the moments were formed"};
   document.notes = {"N depends on the cut-off: halving it to 1.25 um multiplies N by 4, see the plot",
                     "2 % of the points are missing; no statistic counts them"};
   document.key_values = {"asperity_density", "asperity_radius", "Sq"};
@@ -187,7 +187,8 @@ Measurement measurement(std::size_t points_x, std::size_t points_y) {
   contact.values = {
       value("asperity_density", "density of asperity peaks", "N", "m-2", "um-2", 0.0383e12, 0.0021e12, fine),
       value("asperity_radius", "mean radius of curvature of asperity peaks", "beta", "m", "um", 5.12e-6, kNone, fine),
-      value("tabor", "product of density, radius and roughness", "N beta sigma", "1", "1", 0.0551, 0.002, fine),
+      value("roughness_parameter", "product of density, radius and roughness", "N beta sigma", "1", "1", 0.0551, 0.002,
+            fine),
       value("fourth_moment", "fourth spectral moment", "m4", "m-2", "um-2", 8.1e4, 3.2e3, fine),
       value("slope_ratio", "a number that this surface does not have", "", "1", "", kNone, kNone, fine)};
   document.groups = {heights, contact};
@@ -196,7 +197,7 @@ Measurement measurement(std::size_t points_x, std::size_t points_y) {
                      value("asperity_radius", "mean radius of asperity peaks", "beta", "m", "um", kNone, kNone, fine)};
   document.tables = {regions};
   document.maps = {height_map(points_x, points_y)};
-  document.curves = {profile(), bearing_curve(), spectrum(), cutoff_plot(), friction_loop()};
+  document.curves = {profile(), material_ratio_curve(), spectrum(), cutoff_plot(), friction_loop()};
   document.fragment = "[contact]\nasperity_density = \"0.0383 um-2\"\nasperity_radius = \"5.12 um\"\n";
   return document;
 }

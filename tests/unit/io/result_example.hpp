@@ -7,7 +7,7 @@
 
 namespace ringfilm::io {
 
-/// A document in which no two numbers are equal and nothing is left out, so that a mix-up of two fields shows.
+/// A document in which no two numbers are equal and nothing is omitted, so that a mix-up of two fields shows.
 inline ResultDocument example_document(int n_samples = 5) {
   double next = 0;
   const auto number = [&next] { return std::sqrt(next += 1.0) * 1e-7; };

@@ -163,14 +163,14 @@ TEST(GreenwoodTripp, ContinuesAlongTheTangentBelowZero) {
 }
 
 TEST(GreenwoodTripp, StartsItsSeriesFromTheIntegralsAtItsReach) {
-  // They are written down as numbers: what stands there is the quadrature, to its rounding.
+  // They are written down as numbers: what is there is the quadrature, to its rounding.
   const auto contact = new_ring(ContactIntegralForm::kExact);
   const double last = std::nextafter(8.0, 0.0);
   EXPECT_NEAR(F_52(contact, last) / gaussian_integral(2.5, 8), 1, 1e-13);
   EXPECT_NEAR(F_2(contact, last) / gaussian_integral(2, 8), 1, 1e-13);
 }
 
-TEST(GreenwoodTripp, OffersWhatStandsForItsIntegralsAndItsScales) {
+TEST(GreenwoodTripp, OffersTheFitOfItsIntegralsAndItsScales) {
   const auto exact = new_ring(ContactIntegralForm::kExact);
   EXPECT_EQ(exact.quintic_52(), nullptr);
   ASSERT_NE(exact.fit(), nullptr);
@@ -194,7 +194,7 @@ TEST(CompositeModulus, IsThatOfThePaperConvention) {
   EXPECT_NEAR(composite_modulus(200e9, 0.3, 200e9, 0.3), 200e9 / 0.91, 1);
 }
 
-TEST(CompositeModulus, OfWhatIsNoBodyIsRefused) {
+TEST(CompositeModulus, OfWhatIsNotABodyIsRefused) {
   const ringfilm::traps::NoTraps no_traps;  // NaNs on purpose
   for (const double E : {-2e11, 0.0, double(NAN)}) {
     EXPECT_THROW(composite_modulus(E, 0.3, 2e11, 0.3), ringfilm::InputError) << E;
@@ -248,7 +248,7 @@ TEST(Coating, LetsTheShareOfTheApproachThroughThatBoussinesqGives) {
   EXPECT_EQ(share_below_coating(1, 0.01, 0.3), 1);
 }
 
-TEST(GreenwoodTripp, GivesNaNForASeparationThatIsNoNumber) {
+TEST(GreenwoodTripp, GivesNaNForASeparationThatIsNotANumber) {
   for (const auto form : {ContactIntegralForm::kExact, ContactIntegralForm::kPolynomial4Digit,
                           ContactIntegralForm::kPolynomialAsPrinted}) {
     const auto c = new_ring(form).contact(std::numeric_limits<double>::quiet_NaN());

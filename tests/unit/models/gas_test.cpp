@@ -45,7 +45,7 @@ TEST(CyclePressure, IsLinearBetweenSamplesAndAcrossTheSeam) {
   EXPECT_NEAR(p.pressure(420 - 720), 1.5e5, 1e-9);
 }
 
-TEST(CyclePressure, DoesNotMindWhereItsSamplesStart) {
+TEST(CyclePressure, DoesNotDependOnWhereItsSamplesStart) {
   const std::vector<double> value{2e5, 9e5, 4e5, 1e5};
   const CyclePressure from_zero({0, 30, 200, 500}, value);
   const CyclePressure from_minus({-220, 0, 30, 200}, {1e5, 2e5, 9e5, 4e5});
@@ -71,7 +71,7 @@ TEST(CyclePressure, PeakLiesInZeroTo720) {
   EXPECT_EQ(p.pressure(p.peak_angle_deg()), p.peak());
 }
 
-TEST(CyclePressure, RefusesWhatIsNoTrace) {
+TEST(CyclePressure, RefusesWhatIsNotATrace) {
   const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   EXPECT_THROW(CyclePressure({}, {}), InputError);
   EXPECT_THROW(CyclePressure({0, 1}, {1e5}), InputError);
@@ -83,7 +83,7 @@ TEST(CyclePressure, RefusesWhatIsNoTrace) {
   EXPECT_THROW(CyclePressure(0.0), InputError);
 }
 
-TEST(CyclePressure, SaysWhichSampleIsNegativeAndHintsAtGauge) {
+TEST(CyclePressure, ReportsWhichSampleIsNegativeAndHintsAtGauge) {
   try {
     CyclePressure({0, 10, 20}, {1e5, -0.05e5, 1e5});
     FAIL();
@@ -169,7 +169,7 @@ TEST(PartialTrace, OfOneRevolutionFromFiringIsRefusedAsHalfAFourStrokeCycle) {
   EXPECT_EQ(refusal(-180), "");  // the closed part of a cycle
 }
 
-TEST(PartialTrace, WithoutRoomOrWithoutTdcIsRefused) {
+TEST(PartialTrace, WithoutSpaceOrWithoutTdcIsRefused) {
   const auto refused = [](double first, double last) {
     const auto [angle, pressure] = sampled(first, last, 1);
     EXPECT_THROW(join_partial_trace(angle, pressure, 1e5, 1e5), InputError) << first << " " << last;

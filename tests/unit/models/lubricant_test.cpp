@@ -233,7 +233,7 @@ TEST(OilTable, RefusesATemperatureOutsideWithItsRange) {
   EXPECT_NO_THROW(tabulated_oil(table, 393.15 + 1e-10));  // rounding of a unit conversion
 }
 
-TEST(OilTable, RefusesWhatIsNoGrid) {
+TEST(OilTable, RefusesWhatIsNotAGrid) {
   EXPECT_THROW(tabulated_oil({1e5}, {0.005}, {800}), InputError);
   EXPECT_THROW(tabulated_oil({1e5, 1e5}, {0.005, 0.006}, {800, 801}), InputError);
   EXPECT_THROW(tabulated_oil({1e5, 2e5}, {0.005, -0.006}, {800, 801}), InputError);

@@ -113,7 +113,7 @@ TEST(OilFit, HasTheSlopesOfItsOwnValues) {
   }
 }
 
-TEST(OilFit, StandsForAnOilThatNoPressureChanges) {
+TEST(OilFit, RepresentsAnOilThatNoPressureChanges) {
   const auto fit = fit_oil(*closed_form_oil(0.01, 850, 0.0, DowsonHigginson{.a = 0, .b = 0}), 0, 20e6);
   ASSERT_TRUE(fit);
   EXPECT_LT(fit->error, 1e-14);
@@ -126,7 +126,7 @@ TEST(OilFit, StandsForAnOilThatNoPressureChanges) {
   }
 }
 
-TEST(OilFit, StandsForBarusLawAndForCompressionAlone) {
+TEST(OilFit, RepresentsBarusLawAndCompressionAlone) {
   const DowsonHigginson none{.a = 0, .b = 0};
   for (const Oil& oil : {barus_oil(2e-8, none), closed_form_oil(0.01, 850, 0.0, {}), barus_oil(1e-8, {})}) {
     const auto fit = fit_oil(*oil, 0, 40e6);
@@ -135,7 +135,7 @@ TEST(OilFit, StandsForBarusLawAndForCompressionAlone) {
   }
 }
 
-TEST(OilFit, IsRefusedWhereItWouldNotStandForTheLaw) {
+TEST(OilFit, IsRefusedWhereItWouldDifferFromTheLaw) {
   const auto refused = [](const Oil& oil, double high) { return !fit_oil(*oil, 0, high); };
   const Oil table =
       tabulated_oil({1e5, 5e6, 1e7, 2e7, 4e7}, {0.01, 0.0107, 0.0113, 0.0128, 0.016}, {850, 852, 855, 860, 868});
@@ -159,7 +159,7 @@ TEST(FittedOil, CarriesTheFitAndAnswersByTheLaw) {
   }
 }
 
-TEST(FittedOil, IsTheOilItselfWhereNoFitStandsForIt) {
+TEST(FittedOil, IsTheOilItselfWithoutAFit) {
   const Oil oil = barus_oil(1e-6, {});
   EXPECT_EQ(fitted_oil(oil, 0, 20e6), oil);
 }

@@ -27,7 +27,7 @@ Properties properties_at(const OilAtTemperature& oil, double p) {
   return out;
 }
 
-/// An oil whose viscosity tells a slope of `factor` times its own.
+/// An oil whose viscosity reports a slope of `factor` times its own.
 class Misjudged final : public OilAtTemperature {
  public:
   explicit Misjudged(double factor) : factor_(factor) {}
@@ -44,7 +44,7 @@ class Misjudged final : public OilAtTemperature {
   double factor_;
 };
 
-std::string told(const OilAtTemperature& oil) {
+std::string reported(const OilAtTemperature& oil) {
   try {
     check_oil(oil, 0, 8e7);
   } catch (const InputError& error) {
@@ -63,7 +63,7 @@ TEST(OilOfFunctions, GivesTheFunctionsAndTheirSlopes) {
     EXPECT_NEAR(at.deta_dp / (kAlpha * barus(p)), 1, 4e-7) << p;
     EXPECT_NEAR(at.drho_dp / (800 * 5e-10), 1, 1e-7) << p;  // rounding of a difference of 0.1 kg/m3 in 800
   }
-  EXPECT_EQ(told(*oil), "");
+  EXPECT_EQ(reported(*oil), "");
 }
 
 TEST(OilOfFunctions, WhatDoesNotChangeHasNoSlope) {
@@ -88,18 +88,20 @@ TEST(OilOfFunctions, NeedsBoth) {
 
 TEST(OilOfFunctions, ALawWithoutAValueIsRefusedWhereItLacksOne) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(told(*oil_of_functions([&](double p) { return p > 5e7 ? nan : barus(p); }, even_density)),
+  EXPECT_THAT(reported(*oil_of_functions([&](double p) { return p > 5e7 ? nan : barus(p); }, even_density)),
               ::testing::AllOf(::testing::HasSubstr("a viscosity of nan Pa.s"), ::testing::HasSubstr("MPa")));
-  EXPECT_THAT(told(*oil_of_functions(barus, [](double) { return 0.0; })),
+  EXPECT_THAT(reported(*oil_of_functions(barus, [](double) { return 0.0; })),
               ::testing::HasSubstr("a density of 0 kg/m3 at 0 MPa"));
-  EXPECT_THAT(told(*oil_of_functions([](double) { return -1.0; }, even_density)), ::testing::HasSubstr("viscosity"));
+  EXPECT_THAT(reported(*oil_of_functions([](double) { return -1.0; }, even_density)),
+              ::testing::HasSubstr("viscosity"));
 }
 
 TEST(OilOfFunctions, ASlopeThatIsNotThatOfItsValuesIsRefused) {
-  EXPECT_EQ(told(Misjudged(1)), "");
-  EXPECT_THAT(told(Misjudged(-1)), ::testing::HasSubstr("a slope of viscosity"));
-  EXPECT_THAT(told(Misjudged(1e6)), ::testing::HasSubstr("a slope of viscosity"));  // per MPa
-  EXPECT_THAT(told(Misjudged(std::numeric_limits<double>::quiet_NaN())), ::testing::HasSubstr("a slope of viscosity"));
+  EXPECT_EQ(reported(Misjudged(1)), "");
+  EXPECT_THAT(reported(Misjudged(-1)), ::testing::HasSubstr("a slope of viscosity"));
+  EXPECT_THAT(reported(Misjudged(1e6)), ::testing::HasSubstr("a slope of viscosity"));  // per MPa
+  EXPECT_THAT(reported(Misjudged(std::numeric_limits<double>::quiet_NaN())),
+              ::testing::HasSubstr("a slope of viscosity"));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ double viscosity(ViscosityPressureLaw law, const LawParameters& parameters, doub
   return eta;
 }
 
-TEST(ViscosityLaws, AreNamedOnceAndSayWhatTheyAre) {
+TEST(ViscosityLaws, AreNamedOnceAndDescribed) {
   std::set<std::string> names, equations;
   for (const ViscosityLaw& law : viscosity_laws()) {
     EXPECT_TRUE(names.insert(law.name).second) << law.name;
@@ -32,7 +32,7 @@ TEST(ViscosityLaws, AreNamedOnceAndSayWhatTheyAre) {
   }
 }
 
-TEST(ViscosityLaws, StandWhereTheProgramLooksForThem) {
+TEST(ViscosityLaws, AreWhereTheProgramLooksForThem) {
   EXPECT_EQ(viscosity_law(ViscosityPressureLaw::kRoelands).name, "roelands");
   EXPECT_EQ(viscosity_law(ViscosityPressureLaw::kNone).name, "none");
   EXPECT_EQ(viscosity_law(ViscosityPressureLaw::kBarus).name, "barus");

@@ -35,7 +35,7 @@ double volume(const WiebeCycle& c, double angle) {
   return c.crank.stroke() / (c.compression_ratio - 1) + c.crank.position(angle * degree);
 }
 
-TEST(WiebePressure, MeetsPeakAndAngleOrSaysWhyNot) {
+TEST(WiebePressure, MeetsPeakAndAngleOrReportsWhyNot) {
   int met = 0;
   for (double ratio = 8; ratio <= 25; ratio += 2.5) {
     for (const double peak : {20e5, 40e5, 62e5, 110e5, 180e5, 250e5}) {
@@ -65,7 +65,7 @@ TEST(WiebePressure, IsPolytropicBeforeAndAfterCombustion) {
   const auto exponent = [&](double a, double b) {
     return -std::log(p.pressure(b) / p.pressure(a)) / std::log(volume(cycle, b) / volume(cycle, a));
   };
-  // 62 bar at 20 degrees ends its combustion of 60 degrees before 100. The angles are no samples: linear interpolation
+  // 62 bar at 20 degrees ends its combustion of 60 degrees before 100. The angles are not samples: linear interpolation
   // over 0.1 degree adds 1e-5.
   EXPECT_NEAR(exponent(-120, -60), exponent(-90, -40), 1e-4);
   EXPECT_NEAR(exponent(100, 125), exponent(-120, -60), 1e-3);
@@ -121,7 +121,7 @@ TEST(WiebePressure, AllowsValvesWithoutOverlap) {
   EXPECT_EQ(p.pressure(373), 0.95e5);
 }
 
-TEST(WiebePressure, RefusesWhatCannotBeAndSaysWhy) {
+TEST(WiebePressure, RefusesWhatCannotBeAndReportsWhy) {
   const ringfilm::traps::NoTraps no_traps;  // a NaN on purpose
   const auto refusal = [](const std::function<void(WiebeCycle&)>& change) {
     auto cycle = petrol();

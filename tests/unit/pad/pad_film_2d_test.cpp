@@ -111,7 +111,7 @@ TEST(Pad2d, WithoutFlowThroughItsSidesItIsTheInfinitelyWidePad) {
     EXPECT_NEAR(s.peak_film_pressure / along.peak_film_pressure, 1, kOfIteration);
     for (const double flow : {s.flow_front, s.flow_back, s.mass_flow_front, s.mass_flow_back}) {
       if (sides == cycle::Sides::kPeriodic) {
-        EXPECT_TRUE(std::isnan(flow)) << "through joined sides nothing is told to flow";
+        EXPECT_TRUE(std::isnan(flow)) << "through joined sides nothing is reported to flow";
       } else {
         EXPECT_EQ(flow, 0);
         EXPECT_FALSE(std::signbit(flow));
@@ -192,7 +192,7 @@ TEST(Pad2d, ASymmetricPocketMakesASymmetricFilm) {
   }
 }
 
-TEST(Pad2d, StepsStandTwiceInTheFieldsInBothDirections) {
+TEST(Pad2d, StepsAreRepeatedInTheFieldsInBothDirections) {
   const PadResult result = solve_pad(pocketed(0.012));
   const auto standing_at = [](const std::vector<double>& places, double place) {
     std::vector<std::size_t> found;
@@ -218,7 +218,7 @@ TEST(Pad2d, StepsStandTwiceInTheFieldsInBothDirections) {
   EXPECT_DOUBLE_EQ(result.profiles.back().film_thickness[i + 1], 15e-6);
 }
 
-TEST(Pad2d, JoinedSidesStandInTheFieldsOnceAtEachEnd) {
+TEST(Pad2d, JoinedSidesAreInTheFieldsOnceAtEachEnd) {
   cycle::Case c = with_width(slider(), 0.02, cycle::Sides::kPeriodic);
   const PadResult result = solve_pad(c);
   EXPECT_EQ(result.y.front(), 0);
@@ -294,11 +294,11 @@ TEST(Pad2d, NoPeakIsMadeUpInACornerWherePressuresJump) {
     (in_x ? c.pad.left_pressure : c.pad.front_pressure) = 7e5;
     const PadResult result = solve_pad(c);
     EXPECT_EQ(result.samples.back().peak_film_pressure, 7e5);
-    const auto is_told = [](const auto& note) { return note.topic == "edge-flow-grows"; };
-    EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(), is_told));
+    const auto is_reported = [](const auto& note) { return note.topic == "edge-flow-grows"; };
+    EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(), is_reported));
     c.pad.left_pressure = c.pad.front_pressure = 0;
     const PadResult without = solve_pad(c);
-    EXPECT_FALSE(std::any_of(without.notes.begin(), without.notes.end(), is_told));
+    EXPECT_FALSE(std::any_of(without.notes.begin(), without.notes.end(), is_reported));
   }
 }
 
@@ -321,7 +321,7 @@ TEST(Pad2d, MassIsKeptWithACavityInAPocket) {
   }
 }
 
-// Square plates that swing: a cavity opens in the middle, and closes.
+// Square plates that oscillate: a cavity opens in the middle, and closes.
 TEST(Pad2d, MassIsKeptWhileACavityOpensAndCloses) {
   cycle::Case c = squeezed_plates(0.01, 0.01);
   c.solver.cells = c.solver.cells_y = 24;
@@ -402,7 +402,7 @@ TEST(Pad2d, BarusFollowsFromTheFilmOfConstantViscosity) {
   EXPECT_LT(difference / largest, 1e-4);  // of second order in both: 3.3e-5 with 48 cells each way
 }
 
-// Between plates that stand still the mass that flows across is the same everywhere: the integral of the density over
+// Between plates that are at rest the mass that flows across is the same everywhere: the integral of the density over
 // the pressure falls on a straight line from side to side, far from the edges in x.
 TEST(Pad2d, DowsonHigginsonBendsTheLineOfPressureAcross) {
   constexpr double a = 6e-10, b = 1.7e-9, front = 3e8, width = 0.01;
@@ -429,7 +429,7 @@ TEST(Pad2d, DowsonHigginsonBendsTheLineOfPressureAcross) {
   EXPECT_GT(bend, 1e-2) << "the density hardly grows";
 }
 
-TEST(Pad2d, ACoarseGridIsTold) {
+TEST(Pad2d, ACoarseGridIsReported) {
   cycle::Case c = with_width(slider(), 0.01);
   c.solver.cells = c.solver.cells_y = 8;
   const PadResult result = solve_pad(c);

@@ -48,7 +48,7 @@ TEST(PadSqueeze, LastStepIsShorterWhereTheStepDoesNotDivideTheTime) {
   EXPECT_NEAR(result.samples[3].separation, 19e-6, 1e-15);
 }
 
-TEST(PadSqueeze, KeepsOnlyTheInstantsThatAreWanted) {
+TEST(PadSqueeze, KeepsOnlyTheRequestedInstants) {
   cycle::Case c = plates(1e-3, 1, [](double t) { return 20e-6 - 1e-3 * t; });
   c.pad.time_step = 1e-4;
   c.pad.output_step = 4e-4;

@@ -169,7 +169,7 @@ TEST(PadStep, IsExactOnAnyGrid) {
     EXPECT_NEAR(s.load / kLoadUnit / load, 1, 1e-9);  // straight lines on both sides: rounding and iteration
     EXPECT_NEAR(s.peak_position / kLength, share, 1e-12);
     EXPECT_NEAR(s.peak_film_pressure, 2 * s.load / kLength, 1e-9 * s.peak_film_pressure);
-    // The step stands twice among the places, with both heights.
+    // The step is twice among the places, with both heights.
     const auto step = std::adjacent_find(result.x.begin(), result.x.end());
     ASSERT_NE(step, result.x.end());
     const auto i = step - result.x.begin();
@@ -194,7 +194,7 @@ cycle::Case parabolic_pad(cycle::Direction direction) {
 }
 
 // Numbers by quadrature of the film up to a rupture with p = p' = 0 (docs/theory/film.md).
-TEST(PadParabola, RupturesWhereTheQuadratureSays) {
+TEST(PadParabola, RupturesWhereTheQuadratureStates) {
   const Sample s = solved(parabolic_pad(cycle::Direction::kPlusX));
   const double cell = 76.2e-3 / 800;
   ASSERT_THAT(s.rupture_positions, SizeIs(1));
@@ -263,7 +263,7 @@ TEST(PadPocket, AgreesWithTheFilmPutTogetherByHand) {
 
 // --- what has no answer ---------------------------------------------------------------------------------------------
 
-TEST(Pad, SaysThatALoadBelowThatOfItsEdgesHasNoSeparation) {
+TEST(Pad, ReportsThatALoadBelowThatOfItsEdgesHasNoSeparation) {
   cycle::Case c = slider();
   c.pad.separation.reset();
   c.pad.left_pressure = c.pad.right_pressure = 1e5;
@@ -294,7 +294,7 @@ TEST(Pad, UnderALoadTakesTheThickerOfTwoFilms) {
   EXPECT_NEAR(s.separation, 4.61e-6, 0.05e-6);  // by hand from the loads at given separations
 }
 
-TEST(Pad, SaysThatAnySeparationCarriesALoadThatOnlyTheEdgesMake) {
+TEST(Pad, ReportsThatAnySeparationCarriesALoadThatOnlyTheEdgesMake) {
   cycle::Case c = slider();
   c.pad.gap_height = {kOutlet, kOutlet};
   c.pad.separation.reset();

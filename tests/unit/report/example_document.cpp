@@ -123,7 +123,7 @@ std::vector<study::LedgerEntry> ledger(double friction) {
   other.mean_absolute_oil_flow *= 0.42;
   study::LedgerEntry lifted{
       .topic = "reynolds-exit-cavitation",
-      .statement = "The film ends where its pressure slope vanishes; nothing is said on how it forms again.",
+      .statement = "The film ends where its pressure slope vanishes; nothing is stated on how it forms again.",
       .consequence = "",
       .source = "docs/theory/assumptions.md#cavitation",
       .can_be_lifted = true,
@@ -253,13 +253,13 @@ void add_node(cycle::UnrolledFields& f, double angle, double x, double y) {
 
 }  // namespace
 
-void add_unrolled_film(io::ResultDocument& document, CircumferentialGrid wanted) {
+void add_unrolled_film(io::ResultDocument& document, CircumferentialGrid expected) {
   cycle::UnrolledFields& f = document.result.unrolled;
   f.circumference = pi * kBore;
   f.end_gap = kEndGap;
   f.gap_position = pi / 3;
   f.y = strips();
-  const bool is_full = wanted == CircumferentialGrid::kFields;
+  const bool is_full = expected == CircumferentialGrid::kFields;
   for (int i = 0; is_full && i <= 120; ++i) f.x.push_back(kFace * i / 120);
   for (int k = 0; k < (is_full ? 24 : 240); ++k) {
     const double angle = k * 720.0 / (is_full ? 24 : 240) + (is_full ? 20 : 0);

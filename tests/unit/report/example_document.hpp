@@ -13,6 +13,6 @@ enum class CircumferentialGrid { kFields, kStripsOnly };
 
 /// Gives the document an unrolled film with a gap of 0.3 mm: thinner pressure towards the ends, a cavity that ends
 /// before them. 24 angles in full or 240 of strips.
-void add_unrolled_film(ringfilm::io::ResultDocument& document, CircumferentialGrid wanted);
+void add_unrolled_film(ringfilm::io::ResultDocument& document, CircumferentialGrid expected);
 
 }  // namespace example

@@ -62,7 +62,7 @@ TEST(ReportPage, KeepsValuesInSiUnits) {
   EXPECT_TRUE(only["inputs"][2]["assumed"].get<bool>());
 }
 
-TEST(ReportPage, HasOneScriptAndOneDataElementWhateverTheTextsSay) {
+TEST(ReportPage, HasOneScriptAndOneDataElementWhateverTheTextsState) {
   const std::size_t harmless = count(report::report_page({example::document("harmless")}, {}), "</script");
   for (const std::string hostile : {"</script><img src=x onerror=alert(1)>", "<!--<script>",
                                     "</title><script>alert(1)</script>", "\"}</SCRIPT >", "{{DATA}} {{TITLE}}"}) {
@@ -87,7 +87,7 @@ TEST(ReportPage, EscapesTheTitle) {
               HasSubstr("<title>a &lt; b &amp; &quot;c&quot;</title>"));
 }
 
-TEST(ReportPage, WritesNullWhereThereIsNoNumber) {
+TEST(ReportPage, WritesNullForAMissingNumber) {
   auto document = example::document("one");
   document.result.samples[3].rupture_position = kNaN;
   document.result.samples[4].power_loss = std::numeric_limits<double>::infinity();
@@ -142,7 +142,7 @@ TEST(ReportPage, ThinsOutFieldsThatAPageCannotCarry) {
   EXPECT_EQ(fields["film_thickness"].size(), 360u);
 }
 
-TEST(ReportPage, TellsAtWhichPressureAFilmWithoutFillIsRuptured) {
+TEST(ReportPage, ReportsAtWhichPressureAFilmWithoutFilmContentIsRuptured) {
   auto document = example::document("around");
   example::add_unrolled_film(document, example::CircumferentialGrid::kFields);
   const auto rupture_pressure = [&document](const std::string& cavitation, const std::string& pressure) {
@@ -191,7 +191,7 @@ TEST(ReportPage, NamesNoOutsideAddress) {
   }
 }
 
-TEST(ReportPage, SaysTheSameTwice) {
+TEST(ReportPage, IsReproducible) {
   EXPECT_EQ(report::report_page({example::document("one")}, {overlay()}),
             report::report_page({example::document("one")}, {overlay()}));
 }

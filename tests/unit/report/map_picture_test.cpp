@@ -60,7 +60,7 @@ TEST(MapPicture, IsMissingWhereMostOfABlockIs) {
   EXPECT_EQ(picture.missing_points, 5u);
 }
 
-TEST(MapPicture, TellsThePeakThatItsMeansHide) {
+TEST(MapPicture, ReportsThePeakThatItsMeansHide) {
   std::vector<double> values(64 * 64, 0.0);
   values[10 * 64 + 20] = 50;
   values[30 * 64 + 40] = -7;

@@ -40,7 +40,7 @@ TEST(MeasurementPage, GivesNumbersInTheUnitsThatPeopleRead) {
   EXPECT_EQ(data.at("fragment"), io::example::measurement().fragment);
 }
 
-TEST(MeasurementPage, SaysWhenALongCurveWasThinned) {
+TEST(MeasurementPage, ReportsWhenALongCurveWasThinned) {
   const json profile = example::data_of(page_of(io::example::measurement())).at("curves").at(0);
   EXPECT_EQ(profile.at("points"), 12000);
   EXPECT_LT(profile.at("drawn").get<int>(), 6000);

@@ -4,7 +4,7 @@
 
 namespace example {
 
-/// What stands between the marks of the data element, read by a JSON parser that shares no line with the page.
+/// What is between the marks of the data element, read by a JSON parser that shares no line with the page.
 inline nlohmann::json data_of(const std::string& page) {
   const std::string begin = "id=\"result-data\">";
   const std::size_t from = page.find(begin) + begin.size();

@@ -64,7 +64,7 @@ std::string study_page(const std::string& lines, const MadeUp& made_up,
   const auto& quantities = cycle::cycle_quantities();
   const std::vector<double> angles = study::kept_angles(keep);
   const auto kept = study::kept_quantities(keep);
-  study::ScenarioChunk chunk{0, {}};
+  study::ScenarioBlock block{0, {}};
   for (std::uint64_t i = 0; i < plan.size(); ++i) {
     const study::Point point = plan.point(i);
     study::ScenarioRow row;
@@ -81,11 +81,11 @@ std::string study_page(const std::string& lines, const MadeUp& made_up,
           row.curves.push_back(static_cast<float>(film * (1.5 - std::cos(angle * M_PI / 180)) * (q == 0 ? 1 : 1e8)));
       }
     }
-    chunk.rows.push_back(std::move(row));
+    block.rows.push_back(std::move(row));
   }
   io::ShardHeader header{"plan", "inputs", "program", 1, 1, 0, plan.size(), quantities.size(), {}, angles.size()};
   for (const cycle::CurveQuantity* quantity : kept) header.curves.push_back(quantity->name);
-  io::ShardWriter(folder / "rows", header).append(chunk);
+  io::ShardWriter(folder / "rows", header).append(block);
   std::vector<io::ShardReader> shards;
   shards.emplace_back(folder / "rows");
   const io::StudyRows rows{file, plan, std::move(shards)};

@@ -13,7 +13,7 @@ namespace example {
 using MadeUp = std::function<double(const std::string& value, const ringfilm::study::Point& point)>;
 
 /// The page of a study whose file holds these lines, with bases "new" and "worn" that have their cases; scenarios of
-/// which `made_up` gives no finite film are not solved. @param files that stand beside it: names and contents
+/// which `made_up` gives no finite film are not solved. @param files that are next to it: names and contents
 std::string study_page(const std::string& lines, const MadeUp& made_up,
                        const std::vector<std::pair<std::string, std::string>>& files = {});
 

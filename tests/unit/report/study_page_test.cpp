@@ -21,7 +21,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(StudyPage, TellsWhatVariedInTheUnitsThatPeopleRead) {
+TEST(StudyPage, ReportsWhatVariedInTheUnitsThatPeopleRead) {
   const json data = example::data_of(example::uncertainty_page());
   EXPECT_EQ(data.at("kind"), "uncertainty");
   EXPECT_EQ(data.at("scenarios"), 64 * 4 * 2);  // rows of A, B and one for each of two groups, for two bases
@@ -50,17 +50,17 @@ TEST(StudyPage, HasStatisticsOfTheSampleAlone) {
   EXPECT_EQ(stages, json({16, 32, 64, 128}));
 }
 
-TEST(StudyPage, TellsWhichInputDecides) {
+TEST(StudyPage, ReportsWhichInputDecides) {
   const json data = example::data_of(example::uncertainty_page());
   const json& indices = data.at("indices").at("min_film_thickness").at(0);
   EXPECT_EQ(indices.at("rows"), 64);
-  // The film of the made-up values knows nothing of the roughness.
+  // The film of the made-up values does not depend on the roughness.
   EXPECT_GT(indices.at("total").at(0).at(0).get<double>(), 0.8);
   EXPECT_LT(indices.at("total").at(1).at(0).get<double>(), 1e-6);
-  const json& swings = data.at("swings").at("min_film_thickness").at(0);
-  const json& warmth = swings.at("factors").at(1);
-  EXPECT_GT(warmth.at(0), swings.at("middle"));
-  EXPECT_LT(warmth.at(1), swings.at("middle"));
+  const json& sensitivities = data.at("sensitivities").at("min_film_thickness").at(0);
+  const json& warmth = sensitivities.at("factors").at(1);
+  EXPECT_GT(warmth.at(0), sensitivities.at("middle"));
+  EXPECT_LT(warmth.at(1), sensitivities.at("middle"));
 }
 
 TEST(StudyPage, ComparesBasesAtTheSamePoints) {
@@ -182,7 +182,7 @@ TEST(StudyPage, ThinsAGridOfManyFactorsToTwoLevelsOfEachOrLeavesItOut) {
   EXPECT_TRUE(grid_of_ten(20, "[0.9, 1.1]").is_null());
 }
 
-TEST(StudyPage, TellsHowAStudyThatWatchesItsStatisticsEnded) {
+TEST(StudyPage, ReportsHowAStudyThatWatchesItsStatisticsEnded) {
   const json data = example::data_of(example::study_page(
       "kind = \"uncertainty\"\n" + kTwoBases + kEvenSpeed +
           "[plan]\nmethod = \"sobol\"\nscenarios = 64\nuntil = { value = \"fmep\", width = \"1 kPa\", most = 128 }\n",
@@ -191,7 +191,7 @@ TEST(StudyPage, TellsHowAStudyThatWatchesItsStatisticsEnded) {
               testing::Contains(HasSubstr("stopped after 64 points")));
 }
 
-TEST(StudyPage, TellsNoConvergenceOfAListThatAnyoneMayHaveSorted) {
+TEST(StudyPage, ReportsNoConvergenceOfAListThatAnyoneMayHaveSorted) {
   std::string table = "speed [rpm]\n";
   for (int i = 0; i < 40; ++i) table += std::to_string(1000 + 50 * i) + "\n";
   const json data = example::data_of(example::study_page(
@@ -201,16 +201,16 @@ TEST(StudyPage, TellsNoConvergenceOfAListThatAnyoneMayHaveSorted) {
   EXPECT_THAT(data.at("notes").get<std::vector<std::string>>(), testing::Contains(HasSubstr("drawn at random")));
 }
 
-TEST(StudyPage, TakesFirstAndLastOfListedValuesForASwing) {
+TEST(StudyPage, TakesFirstAndLastOfListedValuesForASensitivity) {
   const json data =
       example::data_of(example::study_page("kind = \"uncertainty\"\n" + kTwoBases + kSpeed +
                                                "values = [\"1000 rpm\", \"2000 rpm\", \"3000 rpm\", \"4000 rpm\"]\n"
                                                "[plan]\nmethod = \"sobol\"\nscenarios = 64\n",
                                            speed_of));
   EXPECT_TRUE(data.at("factors").at(0).at("listed").get<bool>());
-  const json& swing = data.at("swings").at("fmep").at(0).at("factors").at(0);
-  EXPECT_NEAR(swing.at(0).get<double>(), 1000 * M_PI / 30, 1e-3);
-  EXPECT_NEAR(swing.at(1).get<double>(), 4000 * M_PI / 30, 1e-3);
+  const json& sensitivity = data.at("sensitivities").at("fmep").at(0).at("factors").at(0);
+  EXPECT_NEAR(sensitivity.at(0).get<double>(), 1000 * M_PI / 30, 1e-3);
+  EXPECT_NEAR(sensitivity.at(1).get<double>(), 4000 * M_PI / 30, 1e-3);
 }
 
 TEST(StudyPage, RanksNoFactorThatMovesNothingInABase) {

@@ -10,7 +10,7 @@ namespace {
 using namespace ringfilm;
 using report::PictureLimits;
 
-/// Every value tells its place: 100 x angle + 10 x strip + node.
+/// Every value reports its place: 100 x angle + 10 x strip + node.
 cycle::UnrolledFields fields(int n_angles, int n_strips, int n_nodes) {
   cycle::UnrolledFields f;
   f.circumference = 1;
@@ -57,7 +57,7 @@ TEST(UnrolledPicture, TakesNodesAndNotMeans) {
   EXPECT_NEAR(value(picture.fields[0], (1 * 4 + 2) * 3 + 2), 248, 468.0 / 65534 / 2 * 1.001);
 }
 
-TEST(UnrolledPicture, KeepsTheAngleOfTheHighestPressureAndTellsItsTruePlace) {
+TEST(UnrolledPicture, KeepsTheAngleOfTheHighestPressureAndReportsItsTruePlace) {
   auto all = fields(9, 7, 9);
   all.film_pressure[(3 * 7 + 5) * 9 + 7] = 5000;
   all.film_content[(3 * 7 + 1) * 9 + 1] = 0.25F;

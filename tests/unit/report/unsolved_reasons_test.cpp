@@ -22,7 +22,7 @@ TEST(UnsolvedReasons, CountTheSameWordsTogetherWhateverTheirNumbers) {
   EXPECT_FALSE(found[1].numbers_differ);
 }
 
-TEST(UnsolvedReasons, KeepWordsApartThatNumbersStandIn) {
+TEST(UnsolvedReasons, SeparateWordsThatContainNumbers) {
   UnsolvedReasons reasons;
   reasons.add(0, "1 step");
   reasons.add(1, "1. step");

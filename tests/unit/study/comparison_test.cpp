@@ -69,7 +69,7 @@ TEST(Comparison, NamesNoSettingWhereTheResultAgreesWithinOnePercent) {
   }
 }
 
-TEST(Comparison, NamesNoSettingThatLeadsAwayOrIsNoNumber) {
+TEST(Comparison, NamesNoSettingThatLeadsAwayOrIsNotANumber) {
   LedgerEntry entry;
   entry.variants = {variant("away", 120), variant("no number", std::numeric_limits<double>::quiet_NaN())};
   EXPECT_EQ(compare(with_power(110), {published_power(100)}, {entry}).front().strongest_setting, "");

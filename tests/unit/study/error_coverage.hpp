@@ -53,7 +53,7 @@ struct Coverage {
   std::vector<double> width;  ///< band over true error, where there is one
 
   /// @param band NaN, where there is no estimate, holds nothing
-  /// @param value what has the error; what the iteration leaves of it, 1e-7, is no measure of the width of a band
+  /// @param value what has the error; what the iteration leaves of it, 1e-7, is not a measure of the width of a band
   void add(double error, double band, double value) {
     ++values;
     within += error <= band;

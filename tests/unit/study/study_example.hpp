@@ -60,7 +60,7 @@ inline std::vector<double> values_of(const Plan& plan, const Formula& formula) {
 }
 
 /// The messages of all faults, line by line, and what to do.
-inline std::string told(const Study& study) {
+inline std::string reported(const Study& study) {
   std::string text;
   for (const Fault& fault : faults_of(study)) text += fault.message + " | " + fault.remedy + "\n";
   return text;

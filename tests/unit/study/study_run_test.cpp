@@ -29,11 +29,11 @@ Collected run(const Plan& plan, const ScenarioRange& range, std::uint64_t most_r
   Collected all;
   StudyRunOptions options;
   options.most_rows = most_rows;
-  const auto finished = [&](const ScenarioChunk& chunk) {
-    EXPECT_EQ(chunk.first, range.first + all.rows.size());
-    EXPECT_LE(chunk.rows.size(), most_rows);
-    all.rows.insert(all.rows.end(), chunk.rows.begin(), chunk.rows.end());
-    return ++all.chunks == chunks_wanted ? GoOn::kNo : GoOn::kYes;
+  const auto finished = [&](const ScenarioBlock& block) {
+    EXPECT_EQ(block.first, range.first + all.rows.size());
+    EXPECT_LE(block.rows.size(), most_rows);
+    all.rows.insert(all.rows.end(), block.rows.begin(), block.rows.end());
+    return ++all.chunks == chunks_wanted ? Continuation::kNo : Continuation::kYes;
   };
   all.next = run_scenarios(plan, range, finished, options);
   return all;
@@ -60,11 +60,11 @@ TEST(RunScenarios, ARowHasTheNotesOfItsResult) {
   const Plan plan = speeds({1.0, 0.0});
   const Collected all = run(plan, {0, plan.size()}, 2, 0);
   const auto alone = endings({scenario_case(plan.study(), plan.point(0))});
-  std::set<std::string> wanted, found;
-  for (const cycle::Note& note : alone.front().result.notes) wanted.insert(note.topic);
+  std::set<std::string> expected, found;
+  for (const cycle::Note& note : alone.front().result.notes) expected.insert(note.topic);
   for (const cycle::Note& note : all.rows.at(0).notes) EXPECT_TRUE(found.insert(note.topic).second) << note.topic;
-  EXPECT_FALSE(wanted.empty());
-  EXPECT_EQ(found, wanted);
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(found, expected);
   EXPECT_TRUE(all.rows.at(1).notes.empty());
 }
 
@@ -87,7 +87,7 @@ TEST(RunScenarios, RowsComeInOrderAndARefusalIsARowWithItsReason) {
     EXPECT_EQ(all.rows[3].values[q], alone.front().result.values.*quantities[q].value) << quantities[q].name;
 }
 
-TEST(RunScenarios, StopsAfterTheChunkAndGoesOnWithTheSameNumbers) {
+TEST(RunScenarios, StopsAfterTheBlockAndContinuesWithTheSameNumbers) {
   const Plan plan = speeds({1.0, 1.1, 1.2, 1.3, 1.4, 1.5});
   const Collected whole = run(plan, {0, 6}, 6, 0), begun = run(plan, {0, 6}, 2, 1);
   EXPECT_EQ(begun.next, begun.rows.size());
@@ -101,7 +101,7 @@ TEST(RunScenarios, StopsAfterTheChunkAndGoesOnWithTheSameNumbers) {
 
 TEST(RunScenarios, AnErrorOfTheObserverEndsTheRun) {
   const Plan plan = speeds({1.0, 1.1});
-  const auto full = [](const ScenarioChunk&) -> GoOn { throw OutputError("the disk is full"); };
+  const auto full = [](const ScenarioBlock&) -> Continuation { throw OutputError("the disk is full"); };
   EXPECT_THROW(run_scenarios(plan, {0, 2}, full), OutputError);
 }
 

@@ -27,7 +27,7 @@ TEST(Asperities, OfAPairFollowTheEquationsOfThePaper) {
   EXPECT_NEAR(by_ra.beta_m, 1.566643e-6, 1e-12);
   EXPECT_NEAR(by_ra.sigma_m, std::sqrt(0.41 * 0.41 + 0.26 * 0.26) * 1e-6, 1e-20);
   EXPECT_NEAR(pair_parameters(ring, liner, SigmaRule::rq).sigma_m, std::sqrt(0.52 * 0.52 + 0.33 * 0.33) * 1e-6, 1e-20);
-  EXPECT_DOUBLE_EQ(by_ra.tabor(), by_ra.density_per_m2 * by_ra.beta_m * by_ra.sigma_m);
+  EXPECT_DOUBLE_EQ(by_ra.roughness_parameter(), by_ra.density_per_m2 * by_ra.beta_m * by_ra.sigma_m);
   EXPECT_DOUBLE_EQ(by_ra.slope(), by_ra.sigma_m / by_ra.beta_m);
   EXPECT_THAT(sigma_text(SigmaRule::ra), HasSubstr("Ra"));
   const SpectralMoments back = moments_of(by_ra.density_per_m2, by_ra.beta_m);
@@ -104,7 +104,7 @@ TEST(Summits, OfAGaussianFieldFollowNayak) {
   EXPECT_NEAR(of.mean_curvature_per_m / theory.mean_curvature_per_m, 1, 0.5 * counting + 0.02);
   EXPECT_NEAR(of.mean_height_m / theory.mean_height_m, 1, counting);
   EXPECT_NEAR(of.rms_height_m / theory.rms_height_m, 1, counting);
-  // N and beta of the moments say the same of an isotropic Gaussian surface.
+  // N and beta of the moments state the same of an isotropic Gaussian surface.
   const AsperityParameters parameters = single_parameters(surface_measures(map), SigmaRule::rq);
   EXPECT_NEAR(parameters.density_per_m2 / theory.density_per_m2, 1, 0.05);
   EXPECT_NEAR(parameters.beta_m * theory.mean_curvature_per_m, 1, 0.05);
@@ -164,7 +164,7 @@ TEST(TargetSurface, WhatNoSpectrumHasIsRefused) {
       [&] {
         surface_with({SigmaRule::rq, 0.1e-6, 0.05, 2 * 0.0025 / 1e-14}, grid, 1);
       },
-      ThrowsMessage<InputError>(HasSubstr("no surface with the wanted")));
+      ThrowsMessage<InputError>(HasSubstr("no surface with the target")));
   EXPECT_THROW(surface_with({SigmaRule::rq, 0.1e-6, 0, 1e11}, grid, 1), InputError);
   EXPECT_THROW(counterpart({1e11, 1e-6, 0.2e-6}, {SigmaRule::ra, 0.3e-6, 0.01, 1e10}), InputError);
 }

@@ -78,7 +78,7 @@ TEST(FaceFit, GivesThePolynomialsOfTable4BackFromNoise) {
   }
 }
 
-TEST(FaceFit, TellsThatTheRunInPolynomialTurnsDownInItsLast60Micrometres) {
+TEST(FaceFit, ReportsThatTheRunInPolynomialTurnsDownInItsLast60Micrometres) {
   const FaceFit fit = fit_face(traced(kRunIn, 0.02e-6, 5), as_measured());
   ASSERT_EQ(fit.invented.size(), 1u);
   EXPECT_EQ(fit.invented[0].reason, InventionReason::kFallsTowardsTheEdge);
@@ -89,8 +89,8 @@ TEST(FaceFit, TellsThatTheRunInPolynomialTurnsDownInItsLast60Micrometres) {
   EXPECT_TRUE(fit_face(traced(kEmbedded, 0.02e-6, 5), as_measured()).invented.empty());
 }
 
-TEST(FaceFit, TellsATurnThatTheTraceHasNot) {
-  // Beyond 1.1 mm the trace stays where the polynomial of the run-in ring is highest: it goes on rising a little.
+TEST(FaceFit, ReportsATurnThatTheTraceHasNot) {
+  // Beyond 1.1 mm the trace stays where the polynomial of the run-in ring is highest: it continues rising a little.
   Trace trace = traced(kRunIn, 0.005e-6, 6);
   for (std::size_t i = 0; i < trace.x_m.size(); ++i) {
     const double beyond = trace.x_m[i] - 0.9e-3;
@@ -100,11 +100,11 @@ TEST(FaceFit, TellsATurnThatTheTraceHasNot) {
   rule.spline_cutoff_m = 0.06e-3;
   const FaceFit fit = fit_face(trace, rule);
   EXPECT_TRUE(tells(fit, InventionReason::kDeparts));
-  // Fits of sharp corners swing: at least one swing is a turn.
+  // Fits of sharp corners oscillate: at least one oscillation is a turn.
   EXPECT_TRUE(tells(fit, InventionReason::kTurnNotInTrace));
 }
 
-TEST(FaceFit, TellsWhereABumpIsTooNarrowForThePolynomial) {
+TEST(FaceFit, ReportsWhereABumpIsTooNarrowForThePolynomial) {
   Trace trace = traced(kEmbedded, 0.02e-6, 8);
   for (std::size_t i = 0; i < trace.x_m.size(); ++i) {
     const double d = (trace.x_m[i] - 0.3e-3) / 0.03e-3;
@@ -122,7 +122,7 @@ TEST(FaceFit, TellsWhereABumpIsTooNarrowForThePolynomial) {
 }
 
 TEST(FaceFit, IsQuietAboutNoiseAlone) {
-  // 200 traces of a polynomial with roughness that hangs together over 5 um: no more than 4 false alarms.
+  // 200 traces of a polynomial with roughness that is correlated over 5 um: no more than 4 false alarms.
   int alarms = 0;
   for (std::uint64_t seed = 100; seed < 300; ++seed) {
     Trace trace = traced(kEmbedded, 0, seed);
@@ -138,7 +138,7 @@ TEST(FaceFit, IsQuietAboutNoiseAlone) {
   EXPECT_LE(alarms, 4);
 }
 
-TEST(FaceFit, FindsTheFaceInALongerTraceAndItsLand) {
+TEST(FaceFit, FindsTheFaceInALongerTraceAndItsRunningSurface) {
   // A parabola of 15 um at the edges, its corners rounded off steeply, tilted by the holder, heights of the material.
   Trace trace;
   for (int i = 0; i <= 1600; ++i) {
@@ -154,14 +154,15 @@ TEST(FaceFit, FindsTheFaceInALongerTraceAndItsLand) {
   EXPECT_NEAR(fit.start_m, 2.2e-3, 1e-6);
   EXPECT_NEAR(fit.polynomial_minimum_at_m, 0.6e-3, 2e-6);
   // 1 um above the lowest point of the parabola: +-0.6 mm sqrt(1/15).
-  EXPECT_NEAR(fit.land_to_m - fit.land_from_m, 1.2e-3 * std::sqrt(1 / 15.0), 4e-6);
+  EXPECT_NEAR(fit.running_surface_to_m - fit.running_surface_from_m, 1.2e-3 * std::sqrt(1 / 15.0), 4e-6);
   EXPECT_NEAR(fit.polynomial_end_m[0], 15e-6, 0.2e-6);
   EXPECT_NEAR(fit.polynomial_end_m[1], 15e-6, 0.2e-6);
   EXPECT_NEAR(fit.spline_minimum_m, 0, 1e-12);
 }
 
-TEST(FaceFit, LevelsTheLandOfATiltedTrace) {
-  // A flat land of 0.6 mm with steep flanks, tilted by 2 mrad; the tilt comes off to the errors of the land's own edge.
+TEST(FaceFit, LevelsTheRunningSurfaceOfATiltedTrace) {
+  // A flat running surface of 0.6 mm with steep flanks, tilted by 2 mrad; the tilt comes off to the errors of the
+  // running surface's own edge.
   Trace trace;
   for (int i = 0; i <= 1200; ++i) {
     const double x = 1e-6 * i, off = std::max(0.0, std::abs(x - 0.6e-3) - 0.3e-3);
@@ -169,19 +170,20 @@ TEST(FaceFit, LevelsTheLandOfATiltedTrace) {
     trace.height_m.push_back(20e-6 * std::pow(off / 0.3e-3, 2) + 2e-3 * x);
   }
   FaceRule rule = as_measured();
-  rule.levelling = FaceLevelling::kLand;
+  rule.levelling = FaceLevelling::kRunningSurface;
   EXPECT_NEAR(fit_face(trace, rule).tilt, 2e-3, 2e-5);
   rule.levelling = FaceLevelling::kStated;
   rule.tilt = 2e-3;
   EXPECT_NEAR(fit_face(trace, rule).gap_m.back(), 20e-6, 1e-15);
 }
 
-/// Slope of the line of least squares through the land that is told [-].
+/// Slope of the line of least squares through the running surface that is reported [-].
 double slope_of_land(const FaceFit& fit) {
   double n = 0, x_mean = 0, h_mean = 0, xh = 0, xx = 0;
   const auto over_land = [&](const auto& visit) {
     for (std::size_t i = 0; i < fit.x_m.size(); ++i) {
-      if (fit.x_m[i] >= fit.land_from_m && fit.x_m[i] <= fit.land_to_m) visit(fit.x_m[i], fit.gap_m[i]);
+      if (fit.x_m[i] >= fit.running_surface_from_m && fit.x_m[i] <= fit.running_surface_to_m)
+        visit(fit.x_m[i], fit.gap_m[i]);
     }
   };
   over_land([&](double x, double h) { n += 1, x_mean += x, h_mean += h; });
@@ -192,10 +194,10 @@ double slope_of_land(const FaceFit& fit) {
   return xh / xx;
 }
 
-/// A rough and wavy face, tilted by the holder: crests join the land or leave it as the tilt changes.
-TEST(FaceFit, LevelsALandThatGainsAndLosesParts) {
+/// A rough and wavy face, tilted by the holder: crests join the running surface or leave it as the tilt changes.
+TEST(FaceFit, LevelsARunningSurfaceThatGainsAndLosesParts) {
   FaceRule rule = as_measured();
-  rule.levelling = FaceLevelling::kLand;
+  rule.levelling = FaceLevelling::kRunningSurface;
   Normal normal(1);
   for (int k = 0; k < 24; ++k) {
     Trace trace;
@@ -208,7 +210,7 @@ TEST(FaceFit, LevelsALandThatGainsAndLosesParts) {
     const FaceFit fit = fit_face(trace, rule);
     // A tilt is sought to 1e-10.
     EXPECT_NEAR(slope_of_land(fit), 0, 1e-9) << k;
-    // What is told as taken off is what was taken off.
+    // What is reported as removed is what was removed.
     const double taken = (trace.height_m.back() - fit.gap_m.back()) - (trace.height_m[0] - fit.gap_m[0]);
     EXPECT_NEAR(taken, fit.tilt * kWidth, 1e-15) << k;
   }
@@ -222,7 +224,7 @@ TEST(FaceFit, TurnsTheFaceRound) {
   EXPECT_NEAR(fit.gap_m.front(), table_4(kNew, kWidth), 1e-15);
 }
 
-TEST(FaceFit, LeavesPoresOutWhenToldTo) {
+TEST(FaceFit, OmitsPoresOnRequest) {
   // 15 % of the face are pores 5 um deep and 18 um wide.
   Trace trace = traced(kEmbedded, 0.05e-6, 12);
   for (std::size_t i = 0; i < trace.x_m.size(); ++i) {
@@ -254,7 +256,7 @@ TEST(FaceFit, AveragesATraceOfVeryManyPoints) {
   EXPECT_NEAR(fit.polynomial.height_m(0.6e-3), table_4(kNew, 0.6e-3), 0.01e-6);
 }
 
-TEST(FaceFit, RefusesWhatIsNoFace) {
+TEST(FaceFit, RefusesWhatIsNotAFace) {
   const Trace good = traced(kNew, 0, 1);
   const auto refused = [](const Trace& trace, const FaceRule& rule) {
     EXPECT_THROW(fit_face(trace, rule), InputError);

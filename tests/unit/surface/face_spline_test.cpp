@@ -27,7 +27,7 @@ TEST(SmoothingSpline, LetsHalfOfTheCutOffWavelengthThrough) {
   }
 }
 
-TEST(SmoothingSpline, KeepsStraightLinesAndGoesOnStraight) {
+TEST(SmoothingSpline, KeepsStraightLinesAndContinuesStraight) {
   std::vector<double> x{0, 1e-6, 1.5e-6, 4e-6, 4.2e-6, 6e-6, 7e-6, 9e-6, 10e-6}, line(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) line[i] = 3e-6 - 0.2 * x[i];
   const SmoothingSpline spline(x, line, 8e-6);
@@ -49,7 +49,7 @@ TEST(SmoothingSpline, IsContinuousInItsSlope) {
   }
 }
 
-TEST(SmoothingSpline, KnowsItsOwnError) {
+TEST(SmoothingSpline, EstimatesItsOwnError) {
   const std::vector<double> x = grid(801, 1e-6);
   double squares_inside = 0, squares_end = 0;
   const int trials = 400;

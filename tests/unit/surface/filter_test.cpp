@@ -18,7 +18,7 @@ using ::testing::ThrowsMessage;
 FilterChoice short_filter(double cutoff_m) { return {FilterKind::gaussian, FilterSide::short_cutoff, cutoff_m}; }
 FilterChoice long_filter(double cutoff_m) { return {FilterKind::gaussian, FilterSide::long_cutoff, cutoff_m}; }
 
-/// The law of the standard, written as it stands there.
+/// The law of the standard, written as it is there.
 double law(double wavelength, double cutoff) {
   const double alpha = 0.469718639;
   return std::exp(-std::numbers::pi * (alpha * cutoff / wavelength) * (alpha * cutoff / wavelength));
@@ -40,7 +40,7 @@ TEST(Filter, HalfOfAWaveOfTheCutOffPasses) {
   }
 }
 
-TEST(Filter, OtherWavesPassAsTheLawOfTheStandardSays) {
+TEST(Filter, OtherWavesPassAsTheLawOfTheStandardStates) {
   for (const double cutoff_steps : {8.0, 40.0, 200.0}) {
     for (const double ratio : {0.4, 0.5, 0.8, 1.0, 1.3, 2.0, 3.0, 5.0}) {
       // 8 steps: the nearest alias passes law(1/(8 - 2.5)) = 8e-10; the tail beyond 1.3 cut-offs holds 1e-9.

@@ -24,7 +24,7 @@ double largest(const HeightMap& map) {
   return most;
 }
 
-TEST(Form, APlaneIsTakenOffToRoundOffWithItsSlopes) {
+TEST(Form, APlaneIsRemovedToRoundOffWithItsSlopes) {
   for (const double share_missing : {0.0, 0.3}) {
     HeightMap map = map_of(61, 40, 1e-6, 2e-6, [](double x, double y) { return 3e-6 + 0.01 * x - 0.002 * y; });
     if (share_missing > 0) lose_points(map, share_missing, 3);
@@ -37,7 +37,7 @@ TEST(Form, APlaneIsTakenOffToRoundOffWithItsSlopes) {
   }
 }
 
-TEST(Form, TellsHowLargeItWas) {
+TEST(Form, ReportsHowLargeItWas) {
   HeightMap map = map_of(61, 1, 1e-6, 0, [](double x, double) { return 0.02 * x; });
   // 61 even steps: variance (61^2 - 1)/12 of a step.
   EXPECT_NEAR(remove_form(map, {FormKind::tilt, 1}).rms_m, 0.02e-6 * std::sqrt((61.0 * 61 - 1) / 12), 1e-18);
@@ -51,7 +51,7 @@ TEST(Form, AMapWithoutAMeanKeepsItsTilt) {
   EXPECT_NEAR(map.height_m[4], 2e-6, 1e-20);
 }
 
-TEST(Form, APolynomialIsTakenOffToRoundOffAndAHigherOneIsNot) {
+TEST(Form, APolynomialIsRemovedToRoundOffAndAHigherOneIsNot) {
   const auto cubic = [](double x, double y) {
     const double u = x / 1e-4, v = y / 1e-4;
     return 1e-5 * (0.3 + u - 2 * v + u * v - v * v + u * u * v - 0.5 * u * u * u);
@@ -65,7 +65,7 @@ TEST(Form, APolynomialIsTakenOffToRoundOffAndAHigherOneIsNot) {
   EXPECT_GT(largest(lower), 1e-7);
 }
 
-TEST(Form, AProfileOfDegreeEightIsTakenOff) {
+TEST(Form, AProfileOfDegreeEightIsRemoved) {
   HeightMap map = map_of(300, 1, 1e-6, 0, [](double x, double) { return 1e-5 * std::pow(x / 1e-4 - 1.2, 8); });
   remove_form(map, {FormKind::polynomial, 8});
   EXPECT_LT(largest(map), 1e-15);  // 1e-12 of 3.7e-4 m and the condition of degree 8
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, FormOfACylinder,
                                            CylinderCase{"Strong", 0.0006, -0.3, 0.0, 50e-6, 0}),
                          [](const auto& of) { return of.param.name; });
 
-TEST(Form, ACircleIsTakenOffAProfile) {
+TEST(Form, ACircleIsRemovedFromAProfile) {
   const double R = 0.002;
   HeightMap map = map_of(401, 1, 1e-6, 0,
                          [&](double x, double) { return std::sqrt(R * R - (x - 150e-6) * (x - 150e-6)) - R + 4e-6; });
@@ -136,7 +136,7 @@ TEST(Form, ACylinderThatIsNotThereIsRefused) {
       [&] {
         remove_form(plane, {FormKind::cylinder, 0});
       },
-      ThrowsMessage<InputError>(HasSubstr("curvature of the map does not stand out")));
+      ThrowsMessage<InputError>(HasSubstr("curvature of the map cannot be separated")));
   std::mt19937 generator(4);
   std::normal_distribution<double> normal;
   HeightMap rough = map_of(30, 30, 1e-6, 1e-6, [&](double, double) { return 1e-7 * normal(generator); });

@@ -121,8 +121,8 @@ Coverage coverage(DeviationScale scale, double stated_over_true) {
   return {static_cast<double>(slopes) / trials, static_cast<double>(offsets) / trials};
 }
 
-/// 2000 trials tell a share of 95 % to 0.5 % (one sigma).
-TEST(LineFit, IntervalsHoldTheTruthAsOftenAsTheySay) {
+/// 2000 trials report a share of 95 % to 0.5 % (one sigma).
+TEST(LineFit, IntervalsHoldTheTruthAsOftenAsStated) {
   for (const Coverage c : {coverage(DeviationScale::kStated, 1), coverage(DeviationScale::kFromResiduals, 1),
                            coverage(DeviationScale::kFromResiduals, 5)}) {
     EXPECT_GT(c.slope, 0.93);
@@ -134,7 +134,7 @@ TEST(LineFit, IntervalsHoldTheTruthAsOftenAsTheySay) {
   EXPECT_LT(coverage(DeviationScale::kStated, 0.5).slope, 0.8);
 }
 
-TEST(LineFit, SaysThatStatedDeviationsAreTooSmall) {
+TEST(LineFit, ReportsThatStatedDeviationsAreTooSmall) {
   Normal normal(4);
   std::vector<LinePoint> points;
   for (int i = 0; i < 10; ++i) points.push_back({1.0 * i, i + 0.5 * normal(), 0, 0.1});

@@ -51,22 +51,23 @@ TEST(FrictionLoop, CountsNeighboursThatHangTogetherOnce) {
 }
 
 TEST(FrictionLoop, StandardErrorIsTheScatterOfMeans) {
-  // The standard errors told, against the scatter of 400 loops: its own error is 1/sqrt(800) = 3.5 %; 4 sigma allowed.
+  // The standard errors reported, against the scatter of 400 loops: its own error is 1/sqrt(800) = 3.5 %; 4 sigma
+  // allowed.
   LoopPlan plan;
   plan.loop_noise_V = 0;
   Normal normal(3);
-  double told = 0, squares = 0, sum = 0;
+  double reported = 0, squares = 0, sum = 0;
   const int n = 400;
   for (int i = 0; i < n; ++i) {
     const LoopFriction friction = loop_friction(friction_loop(plan, 1, 1, normal), 0.12);
-    told += friction.tmr_deviation_V / n;
+    reported += friction.tmr_deviation_V / n;
     sum += friction.tmr_V / n;
     squares += (friction.tmr_V - 0.09) * (friction.tmr_V - 0.09) / n;
   }
   EXPECT_NEAR(sum, 0.09, 4 * std::sqrt(squares / n));
-  // White noise counts some lags above zero by chance, which makes the told error larger, never smaller.
-  EXPECT_GT(told, 0.86 * std::sqrt(squares));
-  EXPECT_LT(told, 1.4 * std::sqrt(squares));
+  // White noise counts some lags above zero by chance, which makes the reported error larger, never smaller.
+  EXPECT_GT(reported, 0.86 * std::sqrt(squares));
+  EXPECT_LT(reported, 1.4 * std::sqrt(squares));
 }
 
 TEST(FrictionOfLoads, JoinsLoopsOfOneLoadInRisingOrder) {
@@ -103,7 +104,7 @@ TEST(FrictionLoop, IsMadeOfEachWholeLineOfAScan) {
   EXPECT_THROW(loops_of_scan(0.7, 36, 1e-8, trace, retrace), InputError);
 }
 
-TEST(FrictionLoop, RefusesWhatIsNone) {
+TEST(FrictionLoop, RefusesInvalidInput) {
   Normal normal(1);
   const FrictionLoop good = friction_loop(quiet(), 1, 1, normal);
   EXPECT_NO_THROW(loop_friction(good, 0.1));

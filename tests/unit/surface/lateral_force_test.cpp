@@ -68,7 +68,7 @@ TEST(ShearStrength, IsNeverBelowZero) {
 }
 
 /// The whole chain, loops to zeta, with errors in load and friction and a reference that is off by its deviation.
-TEST(ShearStrength, IntervalsHoldTheTruthAsOftenAsTheySay) {
+TEST(ShearStrength, IntervalsHoldTheTruthAsOftenAsStated) {
   Normal normal(20263);
   LoopPlan plan;
   plan.load_noise = 0.02;
@@ -82,9 +82,9 @@ TEST(ShearStrength, IntervalsHoldTheTruthAsOftenAsTheySay) {
     plan.slope = silicon_slope * zeta / reference;
     const LineFit ring = line_of_loops(plan, normal);
     slopes += std::abs(ring.slope - plan.slope) <= ring.slope_half_width(0.95);
-    const Uncertain told{reference + 0.03 * normal(), 0.03};
+    const Uncertain reported{reference + 0.03 * normal(), 0.03};
     const auto with_reference = boundary_shear_strengths({{"ring", ring, LoadUnit::kVolt}},
-                                                         calibrate_on_silicon(silicon, LoadUnit::kVolt, told));
+                                                         calibrate_on_silicon(silicon, LoadUnit::kVolt, reported));
     zetas += with_reference.samples[0].low <= zeta && zeta <= with_reference.samples[0].high;
     const auto without = boundary_shear_strengths({{"ring", ring, LoadUnit::kVolt}},
                                                   calibrate_on_silicon(silicon, LoadUnit::kVolt, {reference, 0}));
@@ -186,10 +186,10 @@ TEST(WedgeCalibration, FindsFactorAndFrictionFromTheBalanceOfForces) {
   }
 }
 
-TEST(WedgeCalibration, TellsItsErrorFromThatOfTheLines) {
+TEST(WedgeCalibration, SeparatesItsErrorFromThatOfTheLines) {
   Normal normal(9);
   const double alpha = 60e-9, mu = 0.3, noise = 2e-3;
-  double squares = 0, told = 0;
+  double squares = 0, reported = 0;
   const int n = 400;
   for (int t = 0; t < n; ++t) {
     WedgeFacet facets[2];
@@ -205,10 +205,10 @@ TEST(WedgeCalibration, TellsItsErrorFromThatOfTheLines) {
     }
     const WedgeCalibration wedge = calibrate_on_wedge(facets[0], facets[1], LoadUnit::kNewton);
     squares += std::pow(wedge.calibration.psi - alpha, 2) / n;
-    told += wedge.calibration.deviation() / n;
+    reported += wedge.calibration.deviation() / n;
   }
   // The scatter of 400 is known to 3.5 %; 4 sigma allowed.
-  EXPECT_NEAR(told / std::sqrt(squares), 1, 0.15);
+  EXPECT_NEAR(reported / std::sqrt(squares), 1, 0.15);
 }
 
 TEST(WedgeCalibration, RefusesFacetsThatDoNotFit) {

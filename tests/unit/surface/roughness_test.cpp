@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-TEST(Roughness, OfASineIsAsTheTextbookSays) {
+TEST(Roughness, OfASineAgreesWithTheTextbook) {
   const std::size_t points = 100000;  // whole waves: the mean of |sin| is right to (pi/points)^2
   const double a = 0.7e-6;
   const HeightMap map = map_of(points, 1, 1e-6, 0, [&](double x, double) {
@@ -42,7 +42,7 @@ TEST(Roughness, OfFewHeightsIsWhatAHandComputes) {
   EXPECT_DOUBLE_EQ(of.Sp_m, 3);
   EXPECT_DOUBLE_EQ(of.Sv_m, 2);
   EXPECT_DOUBLE_EQ(of.Sz_m, 5);
-  EXPECT_EQ(bearing_curve(map), (std::vector<double>{5, 2, 2, 1, 0}));
+  EXPECT_EQ(material_ratio_curve(map), (std::vector<double>{5, 2, 2, 1, 0}));
 }
 
 TEST(Roughness, OfRowsIsTakenAboutTheirOwnMeans) {
@@ -66,7 +66,7 @@ TEST(Roughness, FlatShortAndUnmeasuredMapsAreRefused) {
   EXPECT_THROW(row_roughness(few), InputError);
   HeightMap bad = few;
   bad.height_m[1] = NAN;
-  EXPECT_THROW(bearing_curve(bad), InputError);
+  EXPECT_THROW(material_ratio_curve(bad), InputError);
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ struct GaussianField {
   std::size_t points;
   double l;  // in steps
   double mean_share() const { return std::numbers::pi * l * l / static_cast<double>(points * points); }
-  /// Without the mean of the map, which is taken off; of rms 1.
+  /// Without the mean of the map, which is removed; of rms 1.
   double R(double steps) const { return (std::exp(-steps * steps / (l * l)) - mean_share()) / (1 - mean_share()); }
   double m2() const { return 2 * (R(0) - R(1)); }
   double m4() const { return 6 * R(0) - 8 * R(1) + 2 * R(2); }
@@ -152,7 +152,7 @@ TEST(SpectralMoments, AreTheSameWithPointsMissing) {
   EXPECT_NEAR(moments_at_angle(table, 0.6).m2 * 32, 1, 5 * field.spread(0.75) + 1.0 / 64);
 }
 
-TEST(SpectralMoments, OfTheFlatsNoiseAreTakenOff) {
+TEST(SpectralMoments, OfTheFlatsNoiseAreRemoved) {
   const SpectralMoments surface{4, 3, 2}, flat{1, 1, 0.5};
   EXPECT_DOUBLE_EQ(without_noise(surface, flat).m0_m2, 3);
   EXPECT_DOUBLE_EQ(without_noise(surface, flat).m2, 2);

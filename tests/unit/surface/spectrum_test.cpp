@@ -18,7 +18,7 @@ double area(const LineSpectrum& of) {
   return sum;
 }
 
-TEST(Spectrum, ASineStandsAtItsFrequencyWithHalfItsSquaredAmplitude) {
+TEST(Spectrum, ASineIsFoundAtItsFrequencyWithHalfItsSquaredAmplitude) {
   const double a = 0.3e-6, wavelength = 12.5e-6;
   const HeightMap map = map_of(500, 40, 1e-6, 2e-6, [&](double x, double y) {
     return 5e-6 + a * std::sin(2 * std::numbers::pi * x / wavelength + y * 1e5);

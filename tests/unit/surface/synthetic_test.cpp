@@ -7,8 +7,8 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/surface/synthetic/random_numbers.hpp"
-#include "ringfilm/surface/topography/bearing.hpp"
 #include "ringfilm/surface/topography/grid_transform.hpp"
+#include "ringfilm/surface/topography/material_ratio.hpp"
 #include "ringfilm/surface/topography/roughness.hpp"
 #include "surface_maps.hpp"
 
@@ -103,7 +103,7 @@ TEST(Synthetic, AHonedSurfaceHasGroovesUnderItsPlateau) {
   HonedSurface of;
   of.plateau_Sq_m = 0.02e-6;
   const HeightMap map = honed_surface({512, 512, 1e-6, 1e-6}, of, 4);
-  const std::vector<double> curve = bearing_curve(map);
+  const std::vector<double> curve = material_ratio_curve(map);
   const auto two = probability_roughness(curve);
   ASSERT_TRUE(two);
   EXPECT_GT(two->Rvq_m, 5 * two->Rpq_m);
@@ -132,13 +132,13 @@ TEST(Synthetic, APorousFaceHasItsShareOfPoresToAPoint) {
   EXPECT_NEAR(out / 51000 - in / 9000, 4e-6, 5 * 0.3e-6 * std::sqrt(std::numbers::pi * 9 / 9000));
   of.fine_Sq_m = 0.05e-6;
   const PorousMap smooth = porous_surface({300, 200, 1e-6, 1e-6}, of, 8);
-  const Cavities found = cavities(bearing_curve(smooth.map), CavityRule::below_plateau);
+  const Cavities found = cavities(material_ratio_curve(smooth.map), CavityRule::below_plateau);
   EXPECT_NEAR(found.area_share, 0.15, 0.01);  // shallow rims of pores, and the 0.1 % beyond 3 sigma
   of.pore_share = 0;
   EXPECT_NO_THROW(porous_surface({30, 20, 1e-6, 1e-6}, of, 8));
 }
 
-TEST(Synthetic, WhatIsNoSurfaceIsRefused) {
+TEST(Synthetic, WhatIsNotASurfaceIsRefused) {
   const PowerSpectrum spectrum = gaussian_correlation(1e-6, 1e-6);
   EXPECT_THROW(gaussian_surface({1, 10, 1e-6, 1e-6}, spectrum, 1e-6, 1), InputError);
   EXPECT_THROW(gaussian_surface({1u << 20, 1u << 20, 1e-6, 1e-6}, spectrum, 1e-6, 1), InputError);

@@ -19,7 +19,7 @@ using surface::FaceRule;
 using surface::FaceZero;
 using surface::HeightSense;
 
-constexpr double kFlatShare = 0.25;    // of a land that is not round
+constexpr double kFlatShare = 0.25;    // of a running surface that is not round
 constexpr double kManyPores = 0.3;     // a sprayed face of styles2014 has 0.15
 constexpr double kEdgeMoved_m = 1e-7;  // as fine as anyone reads the height of an edge
 
@@ -44,10 +44,10 @@ std::string levelling_text(const FaceRule& rule, const FaceFit& fit) {
     case FaceLevelling::kNone:
       return "tilt left as measured";
     case FaceLevelling::kStated:
-      return "the stated tilt of " + tilt + " was taken off";
-    case FaceLevelling::kLand:
-      return fmt::format("the land was made level, at most {} above the lowest point: {} taken off",
-                         micrometres(rule.land_height_m), tilt);
+      return "the stated tilt of " + tilt + " was removed";
+    case FaceLevelling::kRunningSurface:
+      return fmt::format("the running surface was made level, at most {} above the lowest point: {} removed",
+                         micrometres(rule.running_surface_height_m), tilt);
   }
   return "";
 }
@@ -73,7 +73,7 @@ std::vector<std::string> statement_lines(const FaceRule& rule, const FaceFit& fi
   if (rule.direction == FaceDirection::kTurned) lines.push_back("turned about: x = 0 is the end of the trace");
   if (fit.averaged > 1) lines.push_back(fmt::format("{} neighbouring points were averaged into one", fit.averaged));
   if (rule.pore_depth_m) {
-    lines.push_back(fmt::format("points deeper than the spline by more than {} were left out as pores",
+    lines.push_back(fmt::format("points deeper than the spline by more than {} were omitted as pores",
                                 micrometres(*rule.pore_depth_m)));
   }
   lines.push_back(levelling_text(rule, fit));
@@ -101,31 +101,32 @@ class Group {
   io::MeasuredGroup group_;
 };
 
-/// The tilt that comes off with a land of half and of twice the height: a flat land gives the same. NaN where such a
-/// land cannot be made level.
+/// The tilt that comes off with a running surface of half and of twice the height: a flat running surface gives the
+/// same. NaN where such a running surface cannot be made level.
 struct OtherTilts {
   double lower, higher;
   double edge_m;  ///< by which an edge moves between the three, at most
-  /// Width of the flat part: the land of height h is flat + k sqrt(h) wide between flanks that begin as parabolas.
+  /// Width of the flat part: the running surface of height h is flat + k sqrt(h) wide between flanks that begin as
+  /// parabolas.
   double flat_m;
 };
 
 std::optional<OtherTilts> other_tilts(const surface::Trace& trace, const FaceRule& rule, const FaceFit& fit) {
-  if (rule.levelling != FaceLevelling::kLand) return std::nullopt;
-  struct Land {
+  if (rule.levelling != FaceLevelling::kRunningSurface) return std::nullopt;
+  struct RunningSurface {
     double tilt = std::nan(""), width_m = std::nan("");
   };
-  const auto land = [&](double factor) {
+  const auto running_surface = [&](double factor) {
     FaceRule other = rule;
-    other.land_height_m *= factor;
+    other.running_surface_height_m *= factor;
     try {
       const FaceFit of = surface::fit_face(trace, other);
-      return Land{of.tilt, of.land_to_m - of.land_from_m};
+      return RunningSurface{of.tilt, of.running_surface_to_m - of.running_surface_from_m};
     } catch (const InputError&) {
-      return Land{};
+      return RunningSurface{};
     }
   };
-  const Land low = land(0.5), high = land(2);
+  const RunningSurface low = running_surface(0.5), high = running_surface(2);
   const double most = std::fmax(fit.tilt, std::fmax(low.tilt, high.tilt));
   const double least = std::fmin(fit.tilt, std::fmin(low.tilt, high.tilt));
   return OtherTilts{low.tilt, high.tilt, (most - least) * rule.width_m, 2 * low.width_m - high.width_m};
@@ -137,28 +138,34 @@ std::string tilts_text(const FaceRule& rule, const FaceFit& fit, const OtherTilt
   for (const auto& [factor, tilt] :
        {std::pair(0.5, tilts.lower), std::pair(1.0, fit.tilt), std::pair(2.0, tilts.higher)}) {
     if (!heights.empty()) heights += ", ";
-    heights += micrometres(factor * rule.land_height_m);
+    heights += micrometres(factor * rule.running_surface_height_m);
     if (!angles.empty()) angles += ", ";
     angles += std::isnan(tilt) ? std::string("none that can be found") : fmt::format("{:.3g}", tilt * 1e3);
   }
-  return "lands of " + heights + " above the lowest point take " + angles + " mrad off";
+  return "running surfaces of " + heights + " above the lowest point take " + angles + " mrad off";
 }
 
 io::MeasuredGroup face_group(const FaceRule& rule, const FaceFit& fit, const std::optional<OtherTilts>& tilts) {
   Group group("The face");
   group.add("face_width", "width of the face", "b", "m", "mm", rule.width_m);
   group.add("face_start", "where it begins in the trace", "start", "m", "mm", fit.start_m);
-  group.add("tilt", "tilt taken off", "", "rad", "mrad", fit.tilt);
+  group.add("tilt", "tilt removed", "", "rad", "mrad", fit.tilt);
   if (tilts) {
-    group.add("tilt_half_land", "tilt with a land of half the height", "", "rad", "mrad", tilts->lower);
-    group.add("tilt_double_land", "tilt with a land of twice the height", "", "rad", "mrad", tilts->higher);
+    group.add("tilt_half_running_surface", "tilt with a running surface of half the height", "", "rad", "mrad",
+              tilts->lower);
+    group.add("tilt_double_running_surface", "tilt with a running surface of twice the height", "", "rad", "mrad",
+              tilts->higher);
   }
-  const std::string land = "at most " + micrometres(rule.land_height_m) + " above the lowest point";
-  group.add("land_from", "beginning of the land", "land from", "m", "mm", fit.land_from_m, land);
-  group.add("land_to", "end of the land", "land to", "m", "mm", fit.land_to_m, land);
-  group.add("land_width", "width of the land", "land", "m", "mm", fit.land_to_m - fit.land_from_m, land);
+  const std::string running_surface =
+      "at most " + micrometres(rule.running_surface_height_m) + " above the lowest point";
+  group.add("running_surface_from", "beginning of the running surface", "running surface from", "m", "mm",
+            fit.running_surface_from_m, running_surface);
+  group.add("running_surface_to", "end of the running surface", "running surface to", "m", "mm",
+            fit.running_surface_to_m, running_surface);
+  group.add("running_surface_width", "width of the running surface", "running surface", "m", "mm",
+            fit.running_surface_to_m - fit.running_surface_from_m, running_surface);
   group.add("points", "points of the trace in the face", "", "1", "1", static_cast<double>(fit.x_m.size()));
-  if (rule.pore_depth_m) group.add("pore_share", "points left out as pores", "", "1", "%", fit.pore_share);
+  if (rule.pore_depth_m) group.add("pore_share", "points omitted as pores", "", "1", "%", fit.pore_share);
   group.add("noise", "rms of what neither polynomial nor spline follows", "", "m", "um", fit.noise_m);
   return group.done();
 }
@@ -195,7 +202,7 @@ io::MeasuredGroup spline_group(const FaceFit& fit) {
 
 /// In the units of Table 4 of styles2014: x in mm, heights in um.
 io::MeasuredGroup coefficient_group(const FaceFit& fit) {
-  Group group("Coefficients, x in mm and gap in um, highest power first (8 digits stand in the fragment)");
+  Group group("Coefficients, x in mm and gap in um, highest power first (8 digits are in the fragment)");
   const std::vector<double>& coefficients = fit.polynomial.coefficients_mm_um();
   const int degree = static_cast<int>(coefficients.size()) - 1;
   for (int k = 0; k <= degree; ++k) {
@@ -254,7 +261,8 @@ io::MeasuredCurve face_curve(const FaceFit& fit) {
   curve.series = {series("trace", "trace (measured)", fit.gap_m),
                   series("polynomial", "polynomial", polynomial_at_points(fit)),
                   series("spline", "smoothing spline", fit.spline_m)};
-  curve.marks = {{fit.land_from_m, "land from"}, {fit.land_to_m, "land to"}};
+  curve.marks = {{fit.running_surface_from_m, "running surface from"},
+                 {fit.running_surface_to_m, "running surface to"}};
   return curve;
 }
 
@@ -288,15 +296,16 @@ constexpr double kManyNoises = 8;  // of a residual that noise hardly reaches
 std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, const std::optional<OtherTilts>& tilts) {
   std::vector<std::string> notes;
   if (tilts && (tilts->edge_m > kEdgeMoved_m || std::isnan(tilts->lower) || std::isnan(tilts->higher))) {
-    notes.push_back(
-        fmt::format("the land is not flat, and its level depends on where it ends: {}, {} from edge to edge; "
-                    "where the tilt of the holder is known, state it with --tilt",
-                    tilts_text(rule, fit, *tilts), micrometres(tilts->edge_m)));
+    notes.push_back(fmt::format(
+        "the running surface is not flat, and its level depends on where it ends: {}, {} from edge to edge; "
+        "where the tilt of the holder is known, state it with --tilt",
+        tilts_text(rule, fit, *tilts), micrometres(tilts->edge_m)));
   }
-  const double land_m = fit.land_to_m - fit.land_from_m;
+  const double land_m = fit.running_surface_to_m - fit.running_surface_from_m;
   if (tilts && tilts->flat_m < kFlatShare * land_m) {
     notes.push_back(
-        fmt::format("the land is round: hardly any of its {} is flat. A round land is as round when it is tilted, so "
+        fmt::format("the running surface is round: hardly any of its {} is flat. A round running surface is as round "
+                    "when it is tilted, so "
                     "that making it level does not find the tilt of the holder; state that tilt with --tilt, or leave "
                     "the trace as measured with --levelling none",
                     millimetres(land_m)));
@@ -322,14 +331,14 @@ std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, co
   }
   if (fit.pore_share > kManyPores) {
     notes.push_back(
-        fmt::format("{:.3g} % of the points were left out as pores; is the stated depth below the roughness?",
+        fmt::format("{:.3g} % of the points were omitted as pores; is the stated depth below the roughness?",
                     100 * fit.pore_share));
   }
   if (rule.levelling == FaceLevelling::kNone) {
     notes.push_back("tilt was left in: the holder's tilt is then part of the face");
   }
   notes.push_back(
-      fmt::format("the case needs ring.face_width = \"{}\", and says with ring.face.orientation which edge "
+      fmt::format("the case needs ring.face_width = \"{}\", and states with ring.face.orientation which edge "
                   "x = 0 is: the trace does not show it",
                   millimetres(rule.width_m)));
   return notes;
@@ -352,7 +361,7 @@ io::Measurement face_measurement(const TraceFile& file, const FaceRule& rule, co
   all.statements = statement_lines(rule, fit);
   const std::optional<OtherTilts> tilts = other_tilts(file.trace, rule, fit);
   all.notes = note_lines(rule, fit, tilts);
-  all.key_values = {"land_width", "polynomial_residual_rms", "noise"};
+  all.key_values = {"running_surface_width", "polynomial_residual_rms", "noise"};
   all.groups = {face_group(rule, fit, tilts), polynomial_group(rule, fit), spline_group(fit), coefficient_group(fit)};
   if (!fit.invented.empty()) all.tables.push_back(invention_table(fit));
   all.curves = {face_curve(fit), residual_curve(fit)};

@@ -11,7 +11,7 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostLoops = 3;  // in one figure, so that they can be told apart
+constexpr std::size_t kMostLoops = 3;  // in one figure, so that they can be distinguished
 
 constexpr int kLinePoints = 100;  // of a drawn line, so that its signs lie apart from the measured ones
 

@@ -16,9 +16,10 @@ namespace {
 
 using surface::LoadUnit;
 
-constexpr double kTooSmallChance = 0.01;    // of chi squared: the stated deviations are too small, or the line is none
+constexpr double kTooSmallChance =
+    0.01;  // of chi squared: the stated deviations are too small, or the relation is not linear
 constexpr double kLargeShare = 0.5;         // of the variance of a coefficient
-constexpr double kNotableReference = 0.05;  // relative deviation; less is no worry
+constexpr double kNotableReference = 0.05;  // relative deviation; less is harmless
 constexpr double kWideMismatch = 0.1;       // of the widths on two facets
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
@@ -240,7 +241,7 @@ std::vector<std::string> note_lines(std::size_t n_samples, const SampleList& eve
     if (stated(rule) && sample->line.chi_squared_probability < kTooSmallChance) {
       notes.push_back(
           fmt::format("{}: the loads scatter about the line far more than the deviations allow (chance "
-                      "{:.2g} %): they are too small, or the line is none; --deviations from-residuals "
+                      "{:.2g} %): they are too small, or the relation is not linear; --deviations from-residuals "
                       "takes the errors from the scatter",
                       sample->name, 100 * sample->line.chi_squared_probability));
     }
@@ -322,7 +323,7 @@ ForceCalibration wedge_calibration(std::vector<ForceSample> facets, const std::a
                                    const ForceRule& rule) {
   if (facets.size() != 2) {
     throw InputError(fmt::format("the wedge method requires the loops of two facets; {} came", facets.size()),
-                     "one file for each, with unlike names: a line \"# sample: NAME\" tells them apart");
+                     "one file for each, with unlike names: a line \"# sample: NAME\" distinguishes them");
   }
   if (facets[0].load_unit != facets[1].load_unit) {
     throw InputError("the loads of the two facets are not in one kind of unit", "both in volts, or both in newtons");
@@ -344,7 +345,7 @@ ForceCalibration wedge_calibration(std::vector<ForceSample> facets, const std::a
 }
 
 io::Measurement force_measurement(const std::vector<ForceSample>& samples, const ForceCalibration& of,
-                                  const ForceRule& rule, const std::optional<std::size_t>& wanted) {
+                                  const ForceRule& rule, const std::optional<std::size_t>& requested) {
   for (const ForceSample& sample : samples) {
     if (of.silicon) check_apart(sample, *of.silicon, "silicon");
     for (const ForceSample& facet : of.facets) check_apart(sample, facet, "a facet");
@@ -388,7 +389,7 @@ io::Measurement force_measurement(const std::vector<ForceSample>& samples, const
       all.curves.push_back(std::move(curve));
     }
   }
-  const std::optional<std::size_t> chosen = wanted                ? wanted
+  const std::optional<std::size_t> chosen = requested             ? requested
                                             : samples.size() == 1 ? std::optional<std::size_t>(0)
                                                                   : std::nullopt;
   if (chosen) all.fragment = fragment_of(samples[*chosen], strengths.samples[*chosen], of);

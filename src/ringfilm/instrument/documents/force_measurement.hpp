@@ -20,20 +20,20 @@ struct ForceCalibration {
   std::vector<ForceSample> facets;             ///< of CalibrationMethod::kWedge: two
   std::array<surface::Uncertain, 2> angles{};  ///< of the facets [rad]
   std::optional<surface::WedgeCalibration> wedge;
-  std::vector<std::string> sources;  ///< of lever data; those of loops stand with them
+  std::vector<std::string> sources;  ///< of lever data; those of loops are stored with them
 };
 
-/// Throws InputError where the friction on silicon does not rise with load, or the reference is none.
+/// Throws InputError where the friction on silicon does not rise with load, or the reference is invalid.
 ForceCalibration silicon_calibration(ForceSample silicon, surface::Uncertain reference);
 
-/// Throws InputError for samples that have no loops (offsets are wanted), unlike kinds of load, and what the wedge
+/// Throws InputError for samples that have no loops (offsets are required), unlike kinds of load, and what the wedge
 /// method refuses.
 ForceCalibration wedge_calibration(std::vector<ForceSample> facets, const std::array<surface::Uncertain, 2>& angles_rad,
                                    const ForceRule& rule);
 
 /// Everything that is reported of friction loops: lines, calibration, coefficients with their shares of uncertainty.
-/// @param wanted the sample whose fragment is made; absent: of a single sample, else none
+/// @param requested the sample whose fragment is made; absent: of a single sample, else none
 io::Measurement force_measurement(const std::vector<ForceSample>& samples, const ForceCalibration& calibration,
-                                  const ForceRule& rule, const std::optional<std::size_t>& wanted);
+                                  const ForceRule& rule, const std::optional<std::size_t>& requested);
 
 }  // namespace ringfilm::instrument

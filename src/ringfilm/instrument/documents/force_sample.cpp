@@ -36,7 +36,7 @@ double load_deviation(const ForceRule& rule, LoadUnit unit, const io::Units& uni
   return quantity(rule.load_deviation_word, *rule.load_deviation, si_unit(unit), "0.5 nN", units);
 }
 
-/// Says which sample it is, since the analysis does not know.
+/// Reports which sample it is, which the analysis cannot.
 [[noreturn]] void refuse_for(const std::string& name, const InputError& refusal) {
   std::vector<Fault> faults = refusal.faults();
   for (Fault& fault : faults) {
@@ -90,21 +90,21 @@ std::string size_text(const io::ForceFile& file) {
                             : fmt::format("{} friction loops", file.loops.size());
 }
 
-std::size_t channel_of(const std::vector<ChannelValues>& all, const std::string& path, const std::string& wanted) {
+std::size_t channel_of(const std::vector<ChannelValues>& all, const std::string& path, const std::string& requested) {
   std::vector<Channel> channels;
   for (const ChannelValues& one : all) channels.push_back(one.channel);
   std::vector<std::size_t> named;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (channels[i].name == wanted) named.push_back(i);
+    if (channels[i].name == requested) named.push_back(i);
   }
   if (named.size() == 1) return named.front();
   std::size_t number = 0;
-  const char* end = wanted.data() + wanted.size();
-  const auto [rest, error] = std::from_chars(wanted.data(), end, number);
+  const char* end = requested.data() + requested.size();
+  const auto [rest, error] = std::from_chars(requested.data(), end, number);
   if (error == std::errc{} && rest == end && number >= 1 && number <= channels.size()) return number - 1;
   refuse(path,
-         named.empty() ? fmt::format("there is no channel {} among:\n{}", wanted, channel_list(channels))
-                       : fmt::format("{} channels are named {}:\n{}", named.size(), wanted, channel_list(channels)),
+         named.empty() ? fmt::format("there is no channel {} among:\n{}", requested, channel_list(channels))
+                       : fmt::format("{} channels are named {}:\n{}", named.size(), requested, channel_list(channels)),
          "name the lateral signals of trace and retrace: --channels TRACE,RETRACE");
 }
 
@@ -115,8 +115,8 @@ std::vector<double> volts(const ChannelValues& signal, const std::string& path, 
   if (unit.empty() || !units.measures(unit, "V")) {
     refuse(path,
            fmt::format("the lateral signal {} is {}", signal.channel.name,
-                       unit.empty() ? "without a unit" : "in \"" + unit + "\", which is no voltage"),
-           "choose another channel with --channels, or say the unit: --signal-unit mV");
+                       unit.empty() ? "without a unit" : "in \"" + unit + "\", which is not a voltage"),
+           "choose another channel with --channels, or state the unit: --signal-unit mV");
   }
   const io::Scale scale = units.scale(unit, "V");
   std::vector<double> values = signal.value;
@@ -133,7 +133,7 @@ double step_of(const ChannelValues& signal, const std::string& path, const ScanC
   if (signal.step_x > 0 && !signal.step_unit.empty() && units.measures(signal.step_unit, "m")) {
     return units.scale(signal.step_unit, "m").to_si(signal.step_x);
   }
-  refuse(path, "the file does not say the step between its points", "say it, for example --step-x \"20 nm\"");
+  refuse(path, "the file does not state the step between its points", "state it, for example --step-x \"20 nm\"");
 }
 
 LoadUnit kind_of_load(const std::string& load, const io::Units& units) {

@@ -17,7 +17,7 @@ struct ForceRule {
   std::string load_deviation_word = "--load-deviation";  ///< what errors call it: the option, or a function's argument
 };
 
-/// Which channels of a scan are the lateral signals, and what the file does not say.
+/// Which channels of a scan are the lateral signals, and what the file does not state.
 struct ScanChannels {
   std::string trace, retrace;              ///< number counted from 1, or name
   std::optional<std::string> step;         ///< of the points along a line, e.g. "20 nm"
@@ -41,7 +41,7 @@ struct ForceSample {
 std::vector<ForceSample> read_force_samples(const std::vector<std::string>& paths, const ForceRule& rule,
                                             const io::Units& units);
 
-/// One sample of scans, each at the load that stands at its place in `loads` ("10 nN", "0.5 V"); one loop a line.
+/// One sample of scans, each at the load that is at its place in `loads` ("10 nN", "0.5 V"); one loop a line.
 ForceSample read_force_scans(const std::string& name, const std::vector<std::string>& paths,
                              const std::vector<std::string>& loads, const ScanChannels& channels, const ForceRule& rule,
                              const io::Units& units);

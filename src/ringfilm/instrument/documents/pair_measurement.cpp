@@ -52,8 +52,8 @@ io::PairOfSurfaces pair_for_case(const Side& ring, const Side& liner, const Surf
   pair.measured.ring_surface = names_of(ring);
   pair.measured.liner_surface = names_of(liner);
   const PreparedSurface& first = ring.surfaces.front();
-  pair.measured.filter = first.prepared.form.text + " taken off; filter: " + first.prepared.filter_text();
-  if (flat != nullptr) *pair.measured.filter += "; noise of " + file_name(flat->origin.path) + " taken off";
+  pair.measured.filter = first.prepared.form.text + " removed; filter: " + first.prepared.filter_text();
+  if (flat != nullptr) *pair.measured.filter += "; noise of " + file_name(flat->origin.path) + " removed";
   pair.measured.short_cutoff = analysis.preparation.short_cutoff_m;
   pair.measured.long_cutoff = analysis.preparation.long_cutoff_m;
   pair.measured.step = first.map.step_x_m;
@@ -101,7 +101,7 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
   all.statements = analysis_lines(ring.surfaces.front(), analysis);
   all.statements.push_back("sigma: " + sigma_text(analysis.sigma_rule));
   all.statements.push_back("m2 and m4 of both surfaces add up");
-  if (flat != nullptr) all.statements.push_back("moments of the flat " + flat->origin.path + " taken off both");
+  if (flat != nullptr) all.statements.push_back("moments of the flat " + flat->origin.path + " removed both");
   const auto add_notes = [&](const Side& side, const std::vector<SurfaceFile>& files) {
     for (std::size_t k = 0; k < files.size(); ++k) {
       for (const std::string& note : surface_notes(files[k], side.surfaces[k], analysis)) {

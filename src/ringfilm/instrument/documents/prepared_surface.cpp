@@ -29,7 +29,7 @@ std::vector<surface::Region> chosen_regions(const surface::HeightMap& map, const
   return regions;
 }
 
-/// A map is filtered once for each cut-off: of a large one its middle tells as much.
+/// A map is filtered once for each cut-off: of a large one its middle reports as much.
 surface::HeightMap middle_part(const surface::HeightMap& map) {
   constexpr std::size_t kMost = 1024;
   const auto across = std::min(map.points_x, map.is_profile() ? kMost * kMost : kMost);

@@ -15,7 +15,7 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kBearingPoints = 1000;
+constexpr std::size_t kMaterialRatioPoints = 1000;
 
 double height_or_none(const surface::HeightMap& map, std::size_t point) {
   return map.measured(point) ? map.height_m[point] : kNoHeight;
@@ -28,7 +28,7 @@ io::MeasuredMap height_map(const PreparedSurface& surface, const std::string& na
   io::MeasuredMap picture;
   picture.name = name;
   picture.title = "Heights";
-  picture.caption = fmt::format("After: {} taken off; {}.", surface.prepared.form.text, measured_with(surface));
+  picture.caption = fmt::format("After: {} removed; {}.", surface.prepared.form.text, measured_with(surface));
   picture.points_x = map.points_x;
   picture.points_y = map.points_y;
   picture.step_x = map.step_x_m;
@@ -64,16 +64,16 @@ io::MeasuredCurve profile_curve(const PreparedSurface& surface) {
   return curve;
 }
 
-io::MeasuredCurve bearing_curve(const std::vector<double>& falling_heights_m) {
+io::MeasuredCurve material_ratio_curve(const std::vector<double>& falling_heights_m) {
   io::MeasuredCurve curve;
-  curve.name = "bearing_curve";
-  curve.title = "Bearing curve";
+  curve.name = "material_ratio_curve";
+  curve.title = "Material ratio curve";
   curve.caption = "Share of the points that are higher (Abbott curve), all measured points of the map.";
   curve.x_axis = {"material_ratio", "material ratio", "1", "%"};
-  curve.y_axis = {"bearing_height", "height", "m", "um"};
-  io::MeasuredSeries heights{"bearing_height", "height", {}, false};
+  curve.y_axis = {"material_ratio_height", "height", "m", "um"};
+  io::MeasuredSeries heights{"material_ratio_height", "height", {}, false};
   const std::size_t n = falling_heights_m.size();
-  const std::size_t shown = std::min(n, kBearingPoints);
+  const std::size_t shown = std::min(n, kMaterialRatioPoints);
   for (std::size_t k = 0; k < shown; ++k) {
     const std::size_t i = shown == 1 ? 0 : k * (n - 1) / (shown - 1);
     curve.x.push_back((static_cast<double>(i) + 0.5) / static_cast<double>(n));
@@ -145,7 +145,7 @@ io::MeasuredCurve scale_curve(const io::MeasuredTable& table, const SurfaceAnaly
   curve.name = "scale_curve";
   curve.title = "Density and radius of asperities against the short cut-off";
   curve.caption =
-      "Relative to their values without cut-off. There is no single N and beta of a surface: they belong "
+      "Relative to their values without cut-off. N and beta of a surface depend on the cut-off: they belong "
       "to the wavelengths that are let in.";
   curve.x_axis = {"short_cutoff_of_curve", "short cut-off", "m", "um", true};
   curve.y_axis = {"relative_parameter", "relative to no cut-off", "1", "1", true};

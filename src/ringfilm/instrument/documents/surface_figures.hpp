@@ -8,7 +8,7 @@ namespace ringfilm::instrument {
 
 io::MeasuredMap height_map(const PreparedSurface& surface, const std::string& name);
 io::MeasuredCurve profile_curve(const PreparedSurface& surface);
-io::MeasuredCurve bearing_curve(const std::vector<double>& falling_heights_m);
+io::MeasuredCurve material_ratio_curve(const std::vector<double>& falling_heights_m);
 io::MeasuredCurve spectrum_curve(const PreparedSurface& surface);
 
 /// Parameters of a surface alone against the short cut-off: m4, N and beta have no value without it.

@@ -12,14 +12,14 @@
 #include "ringfilm/instrument/documents/surface_values.hpp"
 #include "ringfilm/surface/asperity/scatter.hpp"
 #include "ringfilm/surface/asperity/summits.hpp"
-#include "ringfilm/surface/topography/bearing.hpp"
+#include "ringfilm/surface/topography/material_ratio.hpp"
 #include "ringfilm/surface/topography/roughness.hpp"
 
 namespace ringfilm::instrument {
 namespace {
 
 constexpr double kDegreesPerRadian = 57.29577951308232;
-constexpr std::size_t kEnoughForBearing = 100;  // points of the probability parameters
+constexpr std::size_t kEnoughForMaterialRatio = 100;  // points of the probability parameters
 
 io::MeasuredGroup height_group(const PreparedSurface& surface) {
   const surface::HeightStatistics heights = height_statistics(surface.map);
@@ -40,9 +40,9 @@ io::MeasuredGroup height_group(const PreparedSurface& surface) {
   return group;
 }
 
-io::MeasuredGroup bearing_group(const std::vector<double>& falling, const std::optional<double>& cavity_depth_m,
-                                const std::string& with) {
-  io::MeasuredGroup group{"Bearing curve", {}};
+io::MeasuredGroup material_ratio_group(const std::vector<double>& falling, const std::optional<double>& cavity_depth_m,
+                                       const std::string& with) {
+  io::MeasuredGroup group{"Material ratio curve", {}};
   const auto add = [&](const char* name, const char* words, double value, const char* unit, const char* display) {
     group.values.push_back(value_of(name, words, name, unit, display, value, with));
   };
@@ -134,7 +134,7 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
   std::optional<surface::SpectralMoments> noise;
   if (flat != nullptr) {
     noise = noise_moments(*flat, surface, analysis);
-    all.statements.push_back("moments of the flat " + flat->origin.path + " taken off m0, m2 and m4 of N and beta");
+    all.statements.push_back("moments of the flat " + flat->origin.path + " removed m0, m2 and m4 of N and beta");
   }
   all.notes = surface_notes(file, surface, analysis);
 
@@ -148,21 +148,21 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
   };
   attempt("height statistics", [&] { all.groups.push_back(height_group(surface)); });
   {
-    const std::vector<double> falling = surface::bearing_curve(surface.map);
-    if (falling.size() >= kEnoughForBearing) {
-      attempt("bearing parameters",
-              [&] { all.groups.push_back(bearing_group(falling, analysis.cavity_depth_m, with)); });
+    const std::vector<double> falling = surface::material_ratio_curve(surface.map);
+    if (falling.size() >= kEnoughForMaterialRatio) {
+      attempt("material ratio parameters",
+              [&] { all.groups.push_back(material_ratio_group(falling, analysis.cavity_depth_m, with)); });
     }
     all.curves.push_back(profile_curve(surface));
-    all.curves.push_back(bearing_curve(falling));
+    all.curves.push_back(material_ratio_curve(falling));
     attempt("marks of the core", [&] {
       const surface::CoreRoughness core = surface::core_roughness(falling);
       all.curves.back().marks = {{core.Mr1, "Mr1"}, {core.Mr2, "Mr2"}};
     });
   }
-  const surface::SpectralMoments* const taken_off = noise ? &*noise : nullptr;
-  attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis, taken_off)); });
-  attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, taken_off, all); });
+  const surface::SpectralMoments* const removed = noise ? &*noise : nullptr;
+  attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis, removed)); });
+  attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, removed, all); });
   if (!surface.map.is_profile()) {
     attempt("summits", [&] {
       all.groups.push_back(summit_group(
@@ -206,7 +206,7 @@ io::Measurement surfaces_measurement(const std::vector<SurfaceFile>& files, cons
   if (unlike) all.notes.push_back("the files have different steps: their m4, N and beta do not belong together");
   if (parameters.size() < kEnoughForScatter) all.notes.push_back(few_samples_note(parameters.size()));
   all.statements = analysis_lines(side.surfaces.front(), analysis);
-  if (flat != nullptr) all.statements.push_back("moments of the flat " + flat->origin.path + " taken off m2 and m4");
+  if (flat != nullptr) all.statements.push_back("moments of the flat " + flat->origin.path + " removed m2 and m4");
   const std::string with = measured_with(side.surfaces.front());
   const surface::ParameterScatter scatter = surface::scatter_of(parameters);
   all.groups.push_back(scatter_group(scatter, with, with + "; " + surface_sigma_text(analysis.sigma_rule)));

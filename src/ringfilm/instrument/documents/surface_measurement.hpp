@@ -29,22 +29,22 @@ struct SurfaceAnalysis {
   surface::MomentDirection direction = surface::MomentDirection::mean;
   /// How they are made of neighbouring heights.
   surface::DifferenceScheme scheme = surface::DifferenceScheme::neighbours;
-  surface::SigmaRule sigma_rule = surface::SigmaRule::ra;  ///< does Ra (Sa) or Rq (Sq) stand for sigma?
+  surface::SigmaRule sigma_rule = surface::SigmaRule::ra;  ///< is Ra (Sa) or Rq (Sq) used as sigma?
   std::optional<double> angle_rad;       ///< slopes and curvatures of a map at this angle to x are reported, too
   std::optional<double> cavity_depth_m;  ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
 };
 
 /// A surface file after form and filters.
 struct PreparedSurface {
-  SurfaceOrigin origin;           ///< file, channel, and what the user said
+  SurfaceOrigin origin;           ///< file, channel, and what the user stated
   std::string plausibility_line;  ///< of the map as it was read
-  surface::HeightMap map;         ///< form taken off, filtered
-  surface::HeightMap middle;      ///< part of it, form taken off, not filtered: for what is worked out again and again
-  surface::Prepared prepared;     ///< what was taken off, and with which filters
+  surface::HeightMap map;         ///< form removed, filtered
+  surface::HeightMap middle;      ///< part of it, form removed, not filtered: for what is worked out again and again
+  surface::Prepared prepared;     ///< what was removed, and with which filters
   std::vector<surface::Region> regions;  ///< empty: the whole map
 };
 
-/// Level and filtered as the analysis says.
+/// Level and filtered as the analysis states.
 PreparedSurface prepare_surface(const SurfaceFile& file, const SurfaceAnalysis& analysis);
 
 /// Measures of each region of a prepared surface, or of the whole map, less the moments of the instrument's noise.
@@ -58,14 +58,14 @@ std::vector<surface::SurfaceMeasures> measures_of_regions(const PreparedSurface&
 surface::SpectralMoments noise_moments(const SurfaceFile& flat, const PreparedSurface& surface,
                                        const SurfaceAnalysis& analysis);
 
-/// Lines that state where a map came from: file, format, channel, plausibility, digest, what the user said.
+/// Lines that state where a map came from: file, format, channel, plausibility, digest, what the user stated.
 std::vector<std::string> source_lines(const PreparedSurface& surface);
 
 /// Which filter and pixel the numbers hold for, e.g. "S-filter 2.5 um; pixel 0.5 um".
 std::string measured_with(const PreparedSurface& surface);
 
 /// Everything that is reported of one surface. Throws InputError where the analysis refuses it.
-/// @param flat the instrument's noise; nullptr: not taken off
+/// @param flat the instrument's noise; nullptr: not removed
 io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalysis& analysis, const SurfaceFile* flat);
 
 /// Mean and covariance of N, beta and sigma over files and regions of one surface; two files or more.

@@ -14,11 +14,11 @@
 namespace ringfilm::instrument {
 namespace {
 
-constexpr double kMuchTilt = 0.05;     // of Sq that a plane takes off
+constexpr double kMuchTilt = 0.05;     // of Sq that a plane removes
 constexpr double kManyMissing = 0.05;  // of all points
 constexpr double kSameStep = 1e-6;     // relative
 
-/// Says how much a tilt that was left in adds, if it adds much.
+/// Reports how much a tilt that was left in adds, if it adds much.
 std::optional<std::string> tilt_note(surface::HeightMap map) {
   try {
     const double as_read = height_statistics(map).Sq_m;
@@ -29,7 +29,7 @@ std::optional<std::string> tilt_note(surface::HeightMap map) {
     if (levelled > (1 - kMuchTilt) * as_read) return std::nullopt;
     return "tilt was left in: without it the rms height falls from " + surface::length_text(as_read) + " to " +
            surface::length_text(levelled) + "; --form tilt";
-  } catch (const InputError&) {  // no plane through these points: nothing to say of it
+  } catch (const InputError&) {  // no plane through these points: nothing to state of it
     return std::nullopt;
   }
 }
@@ -132,12 +132,12 @@ std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSu
                     surface::length_text(surface.map.step_x_m) + "; see the table against the cut-off");
   }
   if (regions_overlap(surface.regions)) {
-    notes.push_back("regions overlap: they are no independent samples, and the scatter is too small");
+    notes.push_back("regions overlap: they are not independent samples, and the scatter is too small");
   }
   const double missing = 1 - static_cast<double>(measured_points(file.map)) / static_cast<double>(file.map.points());
   if (missing > kManyMissing) {
     notes.push_back(
-        fmt::format("{:.3g} % of the points were not measured; they are left out everywhere", 100 * missing));
+        fmt::format("{:.3g} % of the points were not measured; they are omitted everywhere", 100 * missing));
   }
   return notes;
 }
@@ -149,8 +149,8 @@ io::MeasuredGroup asperity_group(const std::string& title, const surface::Asperi
       value_of("asperity_density", "density of asperity peaks", "N", "m-2", "mm-2", of.density_per_m2, remark));
   group.values.push_back(value_of("asperity_radius", "mean summit radius", "beta", "m", "um", of.beta_m, remark));
   group.values.push_back(value_of("roughness", "roughness in contact", "sigma", "m", "um", of.sigma_m, sigma_text));
-  group.values.push_back(
-      value_of("tabor_product", "0.03 to 0.05 after Tabor", "N beta sigma", "1", "1", of.tabor(), remark));
+  group.values.push_back(value_of("roughness_parameter", "0.03 to 0.05 for most surfaces", "N beta sigma", "1", "1",
+                                  of.roughness_parameter(), remark));
   group.values.push_back(value_of("slope_ratio", "roughness over radius", "sigma/beta", "1", "1", of.slope(), remark));
   return group;
 }
@@ -184,7 +184,7 @@ void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, c
 }
 
 std::string few_samples_note(std::size_t samples) {
-  return fmt::format("{} samples tell little of deviations and less of correlations: name more files or regions",
+  return fmt::format("{} samples report little of deviations and less of correlations: name more files or regions",
                      samples);
 }
 

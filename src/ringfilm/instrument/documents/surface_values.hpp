@@ -18,7 +18,7 @@ io::MeasuredValue value_of(const std::string& name, const std::string& long_name
 void add_column(io::MeasuredTable& table, const std::string& name, const std::string& long_name,
                 const std::string& symbol, const std::string& unit, const std::string& display_unit);
 
-/// Another row. @param values as many as there are columns, or more, of which the rest is left out
+/// Another row. @param values as many as there are columns, or more, of which the rest is omitted
 void add_row(io::MeasuredTable& table, const std::string& label, std::span<const double> values);
 
 /// Where a region lies on its map.
@@ -40,7 +40,7 @@ std::vector<std::string> analysis_lines(const PreparedSurface& surface, const Su
 std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSurface& surface,
                                        const SurfaceAnalysis& analysis);
 
-/// Which roughness of one surface stands for sigma.
+/// Which roughness of one surface is used as sigma.
 std::string surface_sigma_text(surface::SigmaRule rule);
 
 /// N, beta, sigma, N beta sigma and sigma/beta. @param sigma_text how sigma came about
@@ -59,7 +59,7 @@ void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, c
 io::MeasuredGroup summit_group(const std::string& title, const surface::Summits& summits,
                                const surface::AsperityParameters& of_moments, const std::string& remark);
 
-/// Fewer samples than this tell little of deviations and correlations.
+/// Fewer samples than this report little of deviations and correlations.
 inline constexpr std::size_t kEnoughForScatter = 5;
 std::string few_samples_note(std::size_t samples);
 

@@ -46,7 +46,7 @@ std::string file_bytes(const std::string& path, std::size_t limit) {
 
 std::size_t checked_points(const std::string& file, std::uint64_t points_x, std::uint64_t points_y) {
   if (points_x == 0 || points_y == 0 || (points_x == 1 && points_y == 1)) {
-    refuse(file, fmt::format("the file states {} x {} points", points_x, points_y), "two or more points are wanted");
+    refuse(file, fmt::format("the file states {} x {} points", points_x, points_y), "two or more points are required");
   }
   if (points_x > kMostPoints || points_y > kMostPoints / points_x) {
     refuse(file, fmt::format("the file states {} x {} points, over the limit of {}", points_x, points_y, kMostPoints),

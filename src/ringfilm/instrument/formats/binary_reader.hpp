@@ -62,7 +62,7 @@ class BinaryReader {
   /// Refuses the file if bytes follow `offset`, where `what` ends.
   void end_at(std::size_t offset, const std::string& what) const;
 
-  /// Refuses the file for what stands at `offset`.
+  /// Refuses the file for the content at `offset`.
   [[noreturn]] void refuse_at(std::size_t offset, const std::string& message, const std::string& remedy) const;
 
  private:

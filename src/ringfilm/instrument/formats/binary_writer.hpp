@@ -27,7 +27,7 @@ class BinaryWriter {
     bytes_.replace(offset, length, field);
   }
 
-  /// Puts a number behind all that stands there.
+  /// Appends a number.
   template <class Number>
   void append(Number value) {
     bytes_ += little(value);

@@ -17,7 +17,7 @@ inline constexpr std::size_t kLargestInstrumentFile = std::size_t{1} << 30;
 /// What a file states about one of its maps before the values are read.
 struct Channel {
   std::string name;  ///< as the file writes it; may be empty
-  std::string unit;  ///< of the values, e.g. "um"; empty where the file does not say
+  std::string unit;  ///< of the values, e.g. "um"; empty where the file does not state it
   std::size_t points_x = 0;
   std::size_t points_y = 0;  ///< 1 for a profile
 };
@@ -25,17 +25,17 @@ struct Channel {
 /// One map of any quantity: heights, a lateral signal, a light intensity. Row after row, the first row at y = 0.
 struct ChannelValues {
   Channel channel;
-  double step_x = 0.0;                ///< [step_unit]; 0 where the file does not say
+  double step_x = 0.0;                ///< [step_unit]; 0 where the file does not state it
   double step_y = 0.0;                ///< [step_unit]; 0 where the file does not say, and of a profile
-  std::string step_unit;              ///< e.g. "m"; empty where the file does not say
+  std::string step_unit;              ///< e.g. "m"; empty where the file does not state it
   std::vector<Fault> step_faults;     ///< what is wrong with the size that the file states
   std::vector<double> x;              ///< [step_unit] places of a profile that need not be even; else empty
   std::vector<double> value;          ///< points_x * points_y [channel.unit]; 0 where missing
   std::vector<std::uint8_t> missing;  ///< 1 where nothing was measured; empty if every point was
-  std::vector<std::string> notes;     ///< what a user should know of the values
+  std::vector<std::string> notes;     ///< what a user should consider about the values
 };
 
-/// A file whose header was read and found sound. The values come when asked for, one channel at a time.
+/// A file whose header was read and found valid. The values come when asked for, one channel at a time.
 struct InstrumentFile {
   std::string format;      ///< e.g. "X3P (ISO 25178-72)"
   std::string instrument;  ///< as the file names it; may be empty

@@ -198,7 +198,8 @@ void apply_mirror(Mirror mirror, ChannelValues& values) {
   };
   turn(values.value);
   turn(values.missing);
-  values.notes.push_back("the header says that the surface is inverted; its heights were turned back about their mean");
+  values.notes.push_back(
+      "the header states that the surface is inverted; its heights were turned back about their mean");
 }
 
 template <class Whole>

@@ -10,14 +10,14 @@
 namespace ringfilm::instrument {
 
 /// Reads the header. Heights of 16 and 32 bit, both byte orders, one surface or profile. Points that were not measured
-/// are those two below the smallest height, where the header says that there are any. Throws InputError, also for
+/// are those two below the smallest height, where the header states that there are any. Throws InputError, also for
 /// compressed files and those of several objects or other kinds.
 /// @param file name for messages
 InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const std::string> bytes);
 
 /// The map as the bytes of a .sur file: 32-bit heights in steps of `resolution_m`, lengths in um. The same map gives
 /// the same bytes. Throws InputError if a height does not fit 32 bit.
-/// @param comment what the file says of itself; cut at 2000 bytes
+/// @param comment the description that the file contains; cut at 2000 bytes
 std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_m, const std::string& name,
                                const std::string& comment = "");
 

@@ -33,7 +33,7 @@ class GwyReader {
   Object object(std::size_t offset, std::size_t end, const std::string& name) const {
     const std::string found = name_at(offset, end);
     if (found != name) {
-      in_.refuse_at(offset, fmt::format("a {} is required here, and a {} stands here", name, utf8_from(found)),
+      in_.refuse_at(offset, fmt::format("a {} is required here, not a {}", name, utf8_from(found)),
                     "the file is damaged: save it again");
     }
     offset += found.size() + 1;
@@ -177,7 +177,7 @@ class GwyReader {
   const BinaryReader& in_;
 };
 
-/// Where an image lies, and what its header says.
+/// Where an image lies, and what its header states.
 struct Image {
   Channel channel;
   double step_x = 0, step_y = 0;

@@ -59,7 +59,7 @@ std::optional<std::string> program_path() {
 }
 
 /// While it lives, a wish to end the program waits: first the conversion is stopped and its folder removed. Signals
-/// that the program was told to ignore stay ignored.
+/// that the program was set to ignore stay ignored.
 class HeldSignals {
  public:
   HeldSignals() {
@@ -138,7 +138,7 @@ pid_t start(std::vector<std::string> arguments, std::vector<std::string> environ
   return process;
 }
 
-/// Unknown: where nobody waits for processes that end (SIGCHLD ignored), none tells how it ended.
+/// Unknown: where nobody waits for processes that end (SIGCHLD ignored), none reports how it ended.
 enum class Ending { kGood, kFailed, kNotStarted, kUnknown, kTooLong, kInterrupted };
 
 Ending ending_of(int status) {
@@ -217,8 +217,8 @@ std::shared_ptr<const std::string> converted_by_gwyddion(const std::string& path
   if (how == Ending::kNotStarted) refuse(*program, "the program cannot be started", "reinstall it");
   std::error_code error;
   if (how == Ending::kFailed || !fs::exists(target, error)) {
-    const std::string said = first_words(log, absolute);
-    refuse(path, "gwyddion cannot read the file" + (said.empty() ? "" : ": " + said),
+    const std::string printed = first_words(log, absolute);
+    refuse(path, "gwyddion cannot read the file" + (printed.empty() ? "" : ": " + printed),
            is_talysurf ? talysurf_remedy : "export the measurement as X3P, SDF, SUR or text");
   }
   return std::make_shared<const std::string>(file_bytes(target, limits.output_bytes));

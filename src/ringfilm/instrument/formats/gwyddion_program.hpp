@@ -13,7 +13,7 @@ struct ConversionLimits {
 
 /// The file as .gwy, converted by the installed program `gwyddion`, which runs as a process of its own without display
 /// and with an empty home folder that is removed afterwards. Throws InputError if the program is not installed, does
-/// not know the file or leaves its bounds.
+/// not support the format or leaves its bounds.
 std::shared_ptr<const std::string> converted_by_gwyddion(const std::string& path, const ConversionLimits& limits = {});
 
 /// Is the program installed where PATH leads?

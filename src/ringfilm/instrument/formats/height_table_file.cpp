@@ -45,7 +45,7 @@ bool is_missing_word(std::string_view cell) {
   return word == "nan" || word == "bad" || word == "-nan";
 }
 
-/// The number of a cell; nothing if it is none.
+/// The number of a cell; nothing if it is not a number.
 std::optional<double> number_of(std::string_view cell, bool decimal_commas) {
   if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
   char turned[64];
@@ -67,7 +67,7 @@ char separator_of(std::string_view line) {
   if (inner.find('\t') != std::string_view::npos) return '\t';
   if (inner.find(',') == std::string_view::npos) return ' ';
   if (inner.find(' ') == std::string_view::npos) return ',';
-  // "0,5 0,7": each comma stands between two digits, and blanks part the numbers.
+  // "0,5 0,7": each comma is between two digits, and blanks part the numbers.
   const auto digit = [inner](std::size_t i) { return i < inner.size() && inner[i] >= '0' && inner[i] <= '9'; };
   for (std::size_t i = inner.find(','); i != std::string_view::npos; i = inner.find(',', i + 1)) {
     if (i == 0 || !digit(i - 1) || !digit(i + 1)) return ',';
@@ -75,7 +75,7 @@ char separator_of(std::string_view line) {
   return ' ';
 }
 
-/// Walks over the cells of a line. An empty cell at the end of a line, after its last separator, is none.
+/// Walks over the cells of a line. An empty cell at the end of a line, after its last separator, does not count.
 class Cells {
  public:
   Cells(std::string_view line, char separator) : line_(line), separator_(separator) {}
@@ -240,7 +240,7 @@ class TableReader {
     std::string_view cell;
     bool numbers = true, first = true;
     std::vector<Column> header;
-    // A unit in brackets may stand apart from its name: "x [um] z [um]" is two columns.
+    // A unit in brackets may be separate from its name: "x [um] z [um]" is two columns.
     while (cells.next(cell)) {
       if (first) numbers = is_missing_word(cell) || number_of(cell, decimal_commas_).has_value();
       first = false;
@@ -327,7 +327,7 @@ class TableReader {
     }
     if (row.size() == n_columns_ + 1 && cell.empty()) row.pop_back();
     if (row.size() != n_columns_) {
-      refuse_here(1, fmt::format("the row has {} values, and {} are wanted", row.size(), n_columns_),
+      refuse_here(1, fmt::format("the row has {} values, and {} are required", row.size(), n_columns_),
                   separator_ == ',' && row.size() == 2 * n_columns_
                       ? "with decimal commas, part the columns by semicolons"
                       : "give every row as many values as the first");
@@ -446,7 +446,7 @@ class TableReader {
       if (has_places) {
         check_place(row[x], "x");
         if (!values.x.empty() && !(row[x] > values.x.back())) {
-          refuse_here(1, fmt::format("x falls or stands: {} after {}", row[x], values.x.back()),
+          refuse_here(1, fmt::format("x falls or repeats: {} after {}", row[x], values.x.back()),
                       "sort the rows by x; give each place one height");
         }
         values.x.push_back(row[x]);

@@ -31,10 +31,10 @@ struct TextHead {
 TextHead text_head(const std::string& bytes);
 
 /// Reads values parted by semicolon, tabulator, comma or blanks; decimal commas where they cannot part. Lines that
-/// start with '#' say nothing but "Width", "Height" and "Value units" as Gwyddion writes them, each with its own unit.
-/// An empty cell, nan or BAD is a missing height. A header names the columns x, y and z (or height), each with its unit
-/// in brackets or in the row below if it has one. Points may come in any order on an even grid; row 0 is the smallest
-/// y. Throws InputError with line and column.
+/// start with '#' state nothing but "Width", "Height" and "Value units" as Gwyddion writes them, each with its own
+/// unit. An empty cell, nan or BAD is a missing height. A header names the columns x, y and z (or height), each with
+/// its unit in brackets or in the row below if it has one. Points may come in any order on an even grid; row 0 is the
+/// smallest y. Throws InputError with line and column.
 /// @param file name for messages
 InstrumentFile read_height_table(const std::string& file, const std::string& bytes, TableLayout layout);
 

@@ -48,7 +48,7 @@ MapFormat map_format_of(const std::string& path) {
   if (ending == ".sur") return MapFormat::kDigitalSurf;
   if (ending == ".gsf") return MapFormat::kSimpleField;
   if (ending == ".csv") return MapFormat::kMatrix;
-  throw InputError(path + ": the ending of the name says no format that is written",
+  throw InputError(path + ": the ending of the name is not that of a supported format",
                    "end it in .x3p, .sur, .gsf or .csv");
 }
 

@@ -3,7 +3,7 @@
 
 #include "ringfilm/surface/topography/topography.hpp"
 
-/// Height maps into the formats of instruments, with a text that says where they come from.
+/// Height maps into the formats of instruments, with a text that states where they come from.
 namespace ringfilm::instrument {
 
 enum class MapFormat {

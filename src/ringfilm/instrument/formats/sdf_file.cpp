@@ -43,14 +43,14 @@ void check_header(const BinaryReader& in, const SdfHeader& header) {
   }
   for (const double step : {header.step_x, header.step_y}) {
     if (!std::isfinite(step) || step < 0) {
-      in.refuse_at(0, fmt::format("a step of {} m is none", step),
+      in.refuse_at(0, fmt::format("{} m is not a valid step", step),
                    "the header is damaged, or its byte order is not low byte first");
     }
   }
   checked_points(in.file(), header.points_x, header.points_y);
 }
 
-/// Behind the heights of a binary file may stand a trailer: elements such as <OperatorName>, in text alone.
+/// The heights of a binary file may be followed by a trailer: elements such as <OperatorName>, in text alone.
 void check_trailer(const BinaryReader& in, std::size_t offset, const std::string& map) {
   const std::string_view rest = in.at(offset, in.size() - offset, "the trailer");
   const auto is_text = [](char c) { return (c >= ' ' && c <= '~') || c == '\t' || c == '\r' || c == '\n'; };
@@ -84,7 +84,7 @@ SdfHeader read_binary_header(const BinaryReader& in) {
   const std::size_t needed = header.points_x * header.points_y * kTypeBytes[header.type];
   const std::string map = fmt::format("the map of {} x {} points", header.points_x, header.points_y);
   in.at(header.data, needed, map);
-  // Instruments of one maker put two numbers of 4 bytes behind the header that no standard knows.
+  // Instruments of one maker put two numbers of 4 bytes behind the header that no standard defines.
   if (header.version == "bISO-1.0" && in.size() == header.data + needed + 8 &&
       in.number<std::uint32_t>(header.data, "an extra field") == 5 &&
       in.number<std::uint32_t>(header.data + 4, "an extra field") == 1) {
@@ -296,7 +296,7 @@ InstrumentFile read_sdf(const std::string& file, std::shared_ptr<const std::stri
     values.channel = channel;
     values.step_x = header.step_x;
     values.step_y = channel.points_y > 1 ? header.step_y : 0.0;
-    values.step_unit = values.channel.unit;  // the standard knows metres alone
+    values.step_unit = values.channel.unit;  // the standard allows metres only
     values.value.resize(channel.points_x * channel.points_y);
     if (is_text) {
       read_text(data, header, values);

@@ -11,7 +11,7 @@ namespace ringfilm::instrument {
 /// Does the file start like an SDF, e.g. with "aISO-1.0" or "bBCR-1.0"?
 bool is_sdf(const std::string& bytes);
 
-/// Reads the header; lengths are in metres as the standard says. Missing points: BAD in a text file; in a binary one
+/// Reads the header; lengths are in metres as the standard states. Missing points: BAD in a text file; in a binary one
 /// NaN, the lowest number of a signed or floating type and the highest of an unsigned one of 16 or 32 bit. Throws
 /// InputError.
 /// @param file name for messages

@@ -58,7 +58,7 @@ class SimpleFieldHeader {
     if (entry == entries_.end()) return std::nullopt;
     const double value = number<double>(key, entry->second);
     if (!std::isfinite(value) || value <= 0) {
-      in_.refuse_at(entry->second.offset, fmt::format("{} = {} is no length", key, entry->second.value),
+      in_.refuse_at(entry->second.offset, fmt::format("{} = {} is not a length", key, entry->second.value),
                     "a number above zero is required");
     }
     return value;

@@ -8,7 +8,7 @@
 /// Gwyddion Simple Field (.gsf): lines of text, zeros up to a multiple of four bytes, heights as 32-bit floats.
 namespace ringfilm::instrument {
 
-/// Reads the header. A size that the file leaves out is not taken as 1 m but left open. NaN is a missing point. Throws
+/// Reads the header. A size that the file omits is not taken as 1 m but left open. NaN is a missing point. Throws
 /// InputError. @param file name for messages
 InstrumentFile read_simple_field(const std::string& file, std::shared_ptr<const std::string> bytes);
 

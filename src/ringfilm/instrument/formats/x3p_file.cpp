@@ -117,7 +117,7 @@ std::shared_ptr<pugi::xml_document> parsed(const Description& about, const std::
   return document;
 }
 
-/// The check sum of main.xml stands in an entry of its own. An archive without it is let through with a note.
+/// The check sum of main.xml is stored in an entry of its own. An archive without it is let through with a note.
 void check_main(const Description& about, const ZipArchive& archive, const std::string& xml,
                 std::vector<std::string>& notes) {
   if (const std::size_t zero = xml.find('\0'); zero != std::string::npos) {
@@ -171,7 +171,7 @@ X3pAxis read_axis(const Description& about, const pugi::xml_node& axes, const st
 std::uint64_t size_in(const Description& about, const pugi::xml_node& node, const std::string& name) {
   const double value = number_in(about, name, child_of(about, node, name).text().get());
   if (value < 1 || value > 4294967295.0 || value != std::floor(value)) {
-    refuse_element(about, name, fmt::format("{} is no number of points", value), "a whole number of 1 or more");
+    refuse_element(about, name, fmt::format("{} is not a number of points", value), "a whole number of 1 or more");
   }
   return static_cast<std::uint64_t>(value);
 }
@@ -196,12 +196,12 @@ void read_sizes(Description& about, const pugi::xml_node& record3) {
   about.layers = layers;
 }
 
-/// Of a single row or column, the step across it says nothing: instruments write 0 there. A negative increment of the
+/// Of a single row or column, the step across it has no meaning: instruments write 0 there. A negative increment of the
 /// heights would turn peaks into pits.
 void check_increments(const Description& about) {
   const auto check = [&about](const X3pAxis& axis, std::size_t points, const char* name) {
     if (axis.increment > 0 || (axis.by_step && points == 1)) return;
-    refuse_element(about, fmt::format("{}/Increment", name), fmt::format("{} is no step", axis.increment),
+    refuse_element(about, fmt::format("{}/Increment", name), fmt::format("{} is not a step", axis.increment),
                    "a number above zero is required: export the file again");
   };
   check(about.x, about.points_x, "CX");
@@ -307,7 +307,7 @@ class Collector {
   }
 
  private:
-  /// A stylus may report its places: points that were not measured are left out.
+  /// A stylus may report its places: points that were not measured are omitted.
   ChannelValues profile() {
     ChannelValues values;
     for (std::size_t i = 0; i < value_.size(); ++i) {
@@ -387,7 +387,7 @@ void read_binary(const Description& about, Collector& collector) {
   compare_digest(about, about.valid_entry, about.valid_checksum, valid_digest);
 }
 
-/// A datum is "z", "x;z" or "x;y;z": the axes of even steps may be left out or empty. An empty one is a missing point.
+/// A datum is "z", "x;z" or "x;y;z": the axes of even steps may be omitted or empty. An empty one is a missing point.
 void read_datum(const Description& about, std::size_t number, const std::string& text, Collector& collector) {
   constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
   if (text.find_first_not_of(" \t\r\n;") == std::string::npos) {
@@ -403,9 +403,9 @@ void read_datum(const Description& about, std::size_t number, const std::string&
     start = end + 1;
     if (numbers.size() > 3) break;
   }
-  const std::size_t wanted = 1 + (about.x.by_step ? 0 : 1) + (about.y.by_step ? 0 : 1);
-  if (numbers.size() != wanted && numbers.size() != 3) {
-    refuse_element(about, element, fmt::format("{} numbers, and {} are wanted", numbers.size(), wanted),
+  const std::size_t requested = 1 + (about.x.by_step ? 0 : 1) + (about.y.by_step ? 0 : 1);
+  if (numbers.size() != requested && numbers.size() != 3) {
+    refuse_element(about, element, fmt::format("{} numbers, and {} are required", numbers.size(), requested),
                    "places of the axes of type A, then the height, parted by semicolons");
   }
   std::size_t i = 0;
@@ -449,7 +449,7 @@ InstrumentFile read_x3p(const std::string& path) {
   about.y = read_axis(about, axes, "CY");
   about.z = read_axis(about, axes, "CZ");
   if (about.z.by_step) {
-    refuse_element(about, "CZ/AxisType", "heights of even steps are no heights", "A is required for CZ");
+    refuse_element(about, "CZ/AxisType", "even steps are not allowed for heights", "A is required for CZ");
   }
   about.is_profile = text_of(record1, "FeatureType") == "PRF";
   read_sizes(about, record3);
@@ -476,7 +476,7 @@ InstrumentFile read_x3p(const std::string& path) {
       values.channel.points_x = found.points_x;
       values.channel.points_y = found.points_y;
     }
-    values.step_unit = values.channel.unit;  // the standard knows metres alone
+    values.step_unit = values.channel.unit;  // the standard allows metres only
     return values;
   };
   return result;

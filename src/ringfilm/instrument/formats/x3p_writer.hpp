@@ -8,7 +8,7 @@ namespace ringfilm::instrument {
 /// The type of the heights in a written file.
 enum class X3pHeights { kInt16, kDouble };
 
-/// What a written file says of itself.
+/// The description that a written file contains.
 struct X3pOrigin {
   std::string date = "1970-01-01T00:00:00";  ///< as XML writes it
   std::string manufacturer;

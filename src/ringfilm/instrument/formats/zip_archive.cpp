@@ -57,9 +57,9 @@ void ZipArchive::read_pieces(const std::string& name, std::uint64_t length,
   std::string block(1 << 18, '\0');
   std::uint64_t taken = 0;
   while (true) {
-    // One byte more than is required tells an entry that is longer than it may be.
-    const std::uint64_t wanted = std::min<std::uint64_t>(block.size(), length - taken + 1);
-    const zip_int64_t got = zip_fread(entry.get(), block.data(), wanted);
+    // One byte more than required reveals an entry that is longer than it may be.
+    const std::uint64_t requested = std::min<std::uint64_t>(block.size(), length - taken + 1);
+    const zip_int64_t got = zip_fread(entry.get(), block.data(), requested);
     if (got < 0) {
       refuse(path_, fmt::format("{} cannot be unpacked: {}", name, zip_file_strerror(entry.get())), kCopyAgain);
     }
@@ -72,7 +72,7 @@ void ZipArchive::read_pieces(const std::string& name, std::uint64_t length,
     take(std::string_view(block).substr(0, static_cast<std::size_t>(got)));
   }
   if (taken != length) {
-    refuse(path_, fmt::format("{} holds {} bytes, and {} are wanted", name, taken, length), kCopyAgain);
+    refuse(path_, fmt::format("{} holds {} bytes, and {} are required", name, taken, length), kCopyAgain);
   }
 }
 
@@ -91,8 +91,8 @@ std::string ZipArchive::read(const std::string& name, std::uint64_t limit) const
 
 namespace {
 
-/// Throws for what cannot fail but for want of memory.
-void wanted(bool good) {
+/// Throws for what can fail only for lack of memory.
+void require(bool good) {
   if (!good) throw std::runtime_error("libzip cannot write an archive into memory");
 }
 
@@ -102,25 +102,25 @@ std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& en
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* const target = zip_source_buffer_create(nullptr, 0, 0, &error);
-  wanted(target != nullptr);
+  require(target != nullptr);
   zip_source_keep(target);
   zip_t* const archive = zip_open_from_source(target, ZIP_TRUNCATE, &error);
-  wanted(archive != nullptr);
+  require(archive != nullptr);
   constexpr zip_uint16_t kFirstDay = (1 << 5) | 1;  // 1 January 1980
   for (const auto& [name, bytes] : entries) {
     zip_source_t* const source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);
     const zip_int64_t index = zip_file_add(archive, name.c_str(), source, ZIP_FL_ENC_UTF_8);
-    wanted(index >= 0);
+    require(index >= 0);
     const auto entry = static_cast<zip_uint64_t>(index);
-    wanted(zip_set_file_compression(archive, entry, ZIP_CM_STORE, 0) == 0);
-    wanted(zip_file_set_dostime(archive, entry, 0, kFirstDay, 0) == 0);
+    require(zip_set_file_compression(archive, entry, ZIP_CM_STORE, 0) == 0);
+    require(zip_file_set_dostime(archive, entry, 0, kFirstDay, 0) == 0);
   }
-  wanted(zip_close(archive) == 0);
-  wanted(zip_source_open(target) == 0);
+  require(zip_close(archive) == 0);
+  require(zip_source_open(target) == 0);
   zip_source_seek(target, 0, SEEK_END);
   std::string result(static_cast<std::size_t>(zip_source_tell(target)), '\0');
   zip_source_seek(target, 0, SEEK_SET);
-  wanted(zip_source_read(target, result.data(), result.size()) == static_cast<zip_int64_t>(result.size()));
+  require(zip_source_read(target, result.data(), result.size()) == static_cast<zip_int64_t>(result.size()));
   zip_source_close(target);
   zip_source_free(target);
   return result;

@@ -13,7 +13,7 @@ namespace ringfilm::instrument {
 /// A zip archive that is read entry by entry, each with a bound on what it may unpack to.
 class ZipArchive {
  public:
-  /// Throws InputError if the file is no zip archive or a damaged one. @param path also the name for messages
+  /// Throws InputError if the file is not a zip archive or a damaged one. @param path also the name for messages
   explicit ZipArchive(const std::string& path);
   ~ZipArchive();
   ZipArchive(const ZipArchive&) = delete;

@@ -52,8 +52,8 @@ std::string name_of(surface::FaceLevelling levelling) {
       return "as measured";
     case surface::FaceLevelling::kStated:
       return "stated tilt";
-    case surface::FaceLevelling::kLand:
-      return "land level";
+    case surface::FaceLevelling::kRunningSurface:
+      return "running surface level";
   }
   throw std::logic_error("a rule of levelling without a name");
 }

@@ -58,7 +58,7 @@ class ForceReader {
     return quantity_column(csv_, name, unit, example, units_, faults_);
   }
 
-  /// A column that may be left out.
+  /// A column that may be omitted.
   std::vector<double> optional_column(const std::string& name, const std::string& unit, const std::string& example) {
     return csv_.find(name) ? column(name, unit, example) : std::vector<double>{};
   }
@@ -99,7 +99,7 @@ class ForceReader {
       if (first == i) force_.loops.push_back({load_[i], {}, {}, {}});
       if (i > first && position[i] <= position[i - 1]) {
         add_fault(i, "position", "the position does not rise from the row before to this one of one loop",
-                  "turn the retrace round, so that both ways stand at the same rising positions");
+                  "turn the retrace round, so that both ways have the same rising positions");
       }
       surface::FrictionLoop& loop = force_.loops.back();
       loop.position_m.push_back(position[i]);
@@ -118,7 +118,7 @@ class ForceReader {
     if (end - first >= kShortestLoop) return;
     add_fault(first, "load",
               "the friction loop that begins here has only " + std::to_string(end - first) + " positions",
-              std::to_string(kShortestLoop) + " or more are wanted, and the rows of one loop in one block");
+              std::to_string(kShortestLoop) + " or more are required, and the rows of one loop in one block");
   }
 
   void read_summary() {

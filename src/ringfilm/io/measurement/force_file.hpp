@@ -21,7 +21,7 @@ struct ForceFile {
 
 /// Reads a CSV file. Loops have the columns `load`, `position`, `trace`, `retrace`, one row a place, and `loop`, its
 /// number, where a load has more than one; a new loop begins where load or number change, or the position falls back.
-/// Both ways stand at the same position, rising. A summary has `load` and `tmr` (half of trace minus retrace), and may
+/// Both ways have the same, rising positions. A summary has `load` and `tmr` (half of trace minus retrace), and may
 /// have `load_deviation` and `tmr_deviation`, standard deviations, and `loops`, a count. Loads are in volts or newtons,
 /// signals in volts, with their units in the header. Throws InputError with file and line of each fault.
 ForceFile read_force(const NamedFile& file, const Units& units);

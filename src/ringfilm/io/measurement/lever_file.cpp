@@ -105,7 +105,7 @@ class LeverReader {
       read_text(size, *value, lever);
     } else {
       faults_.push_back({value->mark,
-                         size.key + " = " + value->as_written() + (number ? " has no unit" : " is no text"),
+                         size.key + " = " + value->as_written() + (number ? " has no unit" : " is not a text"),
                          "for example " + size.example});
     }
   }

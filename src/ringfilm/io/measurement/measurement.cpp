@@ -21,7 +21,7 @@ class Names {
     const bool is_word = !name.empty() && is_letter(name.front()) && std::all_of(name.begin(), name.end(), [](char c) {
       return is_letter(c) || is_digit(c) || c == '_';
     });
-    if (!is_word) fail(where_ + ": \"" + name + "\" is no name");
+    if (!is_word) fail(where_ + ": \"" + name + "\" is not a name");
     if (!known_.insert(name).second) fail(where_ + ": two are called " + name);
   }
   bool has(const std::string& name) const { return known_.count(name) > 0; }
@@ -32,7 +32,7 @@ class Names {
 };
 
 bool turns_back(const std::vector<double>& x) {
-  // A NaN is no order either.
+  // A NaN is not an order either.
   const auto disordered = [&](auto before) {
     return std::adjacent_find(x.begin(), x.end(), [&](double a, double b) { return !before(a, b); }) != x.end();
   };
@@ -68,7 +68,7 @@ void check_map(const MeasuredMap& map) {
       map.values.size() % map.points_x != 0) {
     fail(map.name + ": not as many values as points");
   }
-  if (!(map.step_x > 0) || !(map.step_y > 0)) fail(map.name + ": a step that is no length");
+  if (!(map.step_x > 0) || !(map.step_y > 0)) fail(map.name + ": a step that is not a length");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct MeasuredValue {
   std::string remark;  ///< which filter, pixel size and rule it holds for
 };
 
-/// Values that stand together in a table.
+/// Values that form a table.
 struct MeasuredGroup {
   std::string title;
   std::vector<MeasuredValue> values;
@@ -57,7 +57,7 @@ struct MeasuredCurve {
   std::vector<MeasuredMark> marks;     ///< upright lines, for example the cut-off that was used
 };
 
-/// A rectangle of a map that is told apart, for example a region of interest.
+/// A rectangle of a map that is distinguished, for example a region of interest.
 struct MeasuredFrame {
   double x = 0, y = 0, width = 0, height = 0;  ///< [m]
   std::string label;
@@ -89,8 +89,8 @@ struct Measurement {
   std::string title;                    ///< of the page
   std::vector<std::string> sources;     ///< file, format, channel, plausibility: a line each
   std::vector<std::string> statements;  ///< what was done, in its order: form, filters, rules
-  std::vector<std::string> notes;       ///< what the reader should know before using the numbers
-  std::vector<std::string> key_values;  ///< names of the values that stand first on the page; empty: the first three
+  std::vector<std::string> notes;       ///< what the reader should consider before using the numbers
+  std::vector<std::string> key_values;  ///< names of the values that come first on the page; empty: the first three
   std::vector<MeasuredGroup> groups;
   std::vector<MeasuredTable> tables;
   std::vector<MeasuredMap> maps;
@@ -98,8 +98,9 @@ struct Measurement {
   std::string fragment;  ///< TOML that a case includes; empty if none
 };
 
-/// Throws std::logic_error where the document itself is wrong: a name that is no word (a letter, then letters, digits
-/// and "_") or stands twice, lists of unequal length, a line over places that turn back, a key value that is not there.
+/// Throws std::logic_error where the document itself is wrong: a name that is not a word (a letter, then letters,
+/// digits and "_") or is repeated, lists of unequal length, a line over places that turn back, a key value that is not
+/// there.
 void check_measurement(const Measurement& measurement);
 
 }  // namespace ringfilm::io

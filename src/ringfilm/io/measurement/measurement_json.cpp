@@ -11,10 +11,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A long profile has millions of points: they stand in the NetCDF file.
+/// A long profile has millions of points: the NetCDF file contains them.
 constexpr std::size_t kMostPointsOfACurve = 20000;
 
-/// The sign of a zero says nothing, and JSON knows no NaN.
+/// The sign of a zero has no meaning, and JSON has no NaN.
 ordered_json exact(double value) { return std::isfinite(value) ? ordered_json(value + 0.0) : ordered_json(nullptr); }
 
 ordered_json list(const std::vector<double>& values) {

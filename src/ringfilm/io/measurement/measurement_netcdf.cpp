@@ -57,9 +57,9 @@ class Layout {
       labels.push_back(mark.label);
     }
     if (places.empty()) return;
-    file_.numbers({marks.c_str()}, taken({marks + "_place", curve.x_axis.unit, "", "places told apart", "", ""}),
+    file_.numbers({marks.c_str()}, taken({marks + "_place", curve.x_axis.unit, "", "places distinguished", "", ""}),
                   places);
-    file_.texts(marks.c_str(), taken({marks + "_label", "", "", "what stands at each such place", "", ""}), labels);
+    file_.texts(marks.c_str(), taken({marks + "_label", "", "", "text at each such place", "", ""}), labels);
   }
 
   void map(const MeasuredMap& map) {
@@ -72,7 +72,7 @@ class Layout {
   }
 
   void texts(const char* name, const char* long_name, const std::vector<std::string>& lines) {
-    // Not called as the dimension: long texts are no labels.
+    // Not called as the dimension: long texts are not labels.
     if (!lines.empty()) file_.texts(name, taken({name + std::string("_text"), "", "", long_name, "", ""}), lines);
   }
 
@@ -132,7 +132,7 @@ void write_measurement(const std::string& path, const Measurement& measurement, 
   Layout layout(file);
   layout.texts("source", "what was read", measurement.sources);
   layout.texts("statement", "what was done, in its order", measurement.statements);
-  layout.texts("note", "what to know before using the numbers", measurement.notes);
+  layout.texts("note", "what to consider before using the numbers", measurement.notes);
   for (const MeasuredGroup& group : measurement.groups) {
     for (const MeasuredValue& value : group.values) layout.value(value, group.title);
   }

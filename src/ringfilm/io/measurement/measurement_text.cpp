@@ -34,11 +34,11 @@ std::vector<std::string> words(const std::string& text) {
   return words;
 }
 
-/// Lines of at most `room` letters.
-std::vector<std::string> broken(const std::string& text, std::size_t room) {
+/// Lines of at most `space` letters.
+std::vector<std::string> broken(const std::string& text, std::size_t space) {
   std::vector<std::string> lines(1);
   for (const std::string& word : words(text)) {
-    if (!lines.back().empty() && width(lines.back()) + 1 + width(word) > room) lines.emplace_back();
+    if (!lines.back().empty() && width(lines.back()) + 1 + width(word) > space) lines.emplace_back();
     lines.back() += (lines.back().empty() ? "" : " ") + word;
   }
   return lines;
@@ -62,12 +62,12 @@ struct TableCell {
 
 using Row = std::vector<TableCell>;
 
-std::string padded(const TableCell& cell, const std::string& text, std::size_t room) {
-  const std::string blanks(room - std::min(room, width(text)), ' ');
+std::string padded(const TableCell& cell, const std::string& text, std::size_t space) {
+  const std::string blanks(space - std::min(space, width(text)), ' ');
   return cell.align == Align::kLeft ? text + blanks : blanks + text;
 }
 
-/// Rows under each other but empty ones; what is wider than its column goes on in further lines of the row.
+/// Rows under each other but empty ones; what is wider than its column continues in further lines of the row.
 std::string set_out(const std::vector<Row>& rows, const std::vector<std::size_t>& widths) {
   std::string out;
   for (const Row& row : rows) {
@@ -106,7 +106,7 @@ std::string shown_unit(const MeasuredValue& value) {
 
 const std::string& short_name(const MeasuredValue& value) { return value.symbol.empty() ? value.name : value.symbol; }
 
-/// Symbol, value, unit, meaning, and what it holds for; the last two share what room is left.
+/// Symbol, value, unit, meaning, and what it holds for; the last two share the space that is left.
 std::string group_lines(const MeasuredGroup& group, const Units& units) {
   std::vector<Row> rows;
   for (const MeasuredValue& value : group.values) {
@@ -120,16 +120,16 @@ std::string group_lines(const MeasuredGroup& group, const Units& units) {
   if (widths.empty()) return "";
   const std::size_t used = widths[0] + widths[1] + widths[2] + 5 * kGap;
   constexpr std::size_t kLeastOfWords = 40;
-  const std::size_t room = std::max(kLeastOfWords, kLineLength - std::min(kLineLength, used));
-  if (widths[3] + widths[4] > room) {
-    const std::size_t remark = std::min(widths[4], std::max(room / 2, room - std::min(room, widths[3])));
+  const std::size_t space = std::max(kLeastOfWords, kLineLength - std::min(kLineLength, used));
+  if (widths[3] + widths[4] > space) {
+    const std::size_t remark = std::min(widths[4], std::max(space / 2, space - std::min(space, widths[3])));
     widths[4] = remark;
-    widths[3] = std::min(widths[3], room - remark);
+    widths[3] = std::min(widths[3], space - remark);
   }
   return "\n" + group.title + "\n" + set_out(rows, widths);
 }
 
-/// What the heads of a table stand for; a remark that holds for all columns is reported once.
+/// Meaning of the heads of a table; a remark that holds for all columns is reported once.
 std::string meanings(const std::vector<MeasuredValue>& columns) {
   const bool one_remark = std::all_of(columns.begin(), columns.end(),
                                       [&](const auto& column) { return column.remark == columns.front().remark; });
@@ -189,8 +189,8 @@ std::string decimal_text(double value, double error, bool has_error) {
   constexpr int kDigits = 4, kMostDigits = 7;
   if (!has_error) return fmt::format("{:.{}f}", value, std::max(0, decimals_for(std::abs(value), kDigits)));
   const double first_place = std::pow(10, std::floor(std::log10(error)));
-  const int wanted = decimals_for(error, error < 2 * first_place * (1 - 1e-9) ? 2 : 1);
-  const int decimals = value == 0 ? wanted : std::min(wanted, decimals_for(std::abs(value), kMostDigits));
+  const int requested = decimals_for(error, error < 2 * first_place * (1 - 1e-9) ? 2 : 1);
+  const int decimals = value == 0 ? requested : std::min(requested, decimals_for(std::abs(value), kMostDigits));
   const double place = std::pow(10, -decimals);
   const double shown_error = std::ceil(error / place * (1 - 1e-9)) * place;  // 0.02 is not more than 0.02
   return fmt::format("{:.{}f} +- {:.{}f}", std::round(value / place) * place, std::max(decimals, 0), shown_error,

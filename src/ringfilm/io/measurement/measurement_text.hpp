@@ -15,7 +15,7 @@ std::string measurement_text(const Measurement& measurement, const Units& units)
 /// 1), the value to the same place; four digits where there is no error; "none" where there is no value.
 std::string measured_number(const MeasuredValue& described, double value, double standard_error, const Units& units);
 
-/// From SI to the display unit; the SI value stands where no display unit is named.
+/// From SI to the display unit; the SI value is used where no display unit is named.
 Scale display_scale(const std::string& unit, const std::string& display_unit, const Units& units);
 
 }  // namespace ringfilm::io

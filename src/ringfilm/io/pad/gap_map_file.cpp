@@ -11,7 +11,7 @@
 namespace ringfilm::io {
 namespace {
 
-/// A column of the table as numbers, and where it stands.
+/// A column of the table as numbers, and where it is.
 struct Column {
   std::string name;
   std::size_t index = 0;
@@ -44,7 +44,7 @@ class Lines {
       }
       if (a[k] != a[k % n_]) {
         refuse(k, along_,
-               fmt::format("{0} = {1:.6g} mm stands here, where the first {2} has {0} = {3:.6g} mm", along_.name,
+               fmt::format("{0} = {1:.6g} mm is given here, where the first {2} has {0} = {3:.6g} mm", along_.name,
                            1e3 * a[k], across_.name, 1e3 * a[k % n_]));
       }
     }
@@ -74,7 +74,7 @@ class Lines {
       refuse(1, along_, fmt::format("{0} falls within the first {1}", along_.name, across_.name),
              along_.name + " must not fall from point to point: turn the lines round");
     }
-    // A point that is missing in the first line stands in all others.
+    // A point that is missing in the first line is given in all others.
     std::size_t begin = n_, longest = 0, alike = 0, n_lines = 0;
     while (begin < n) {
       std::size_t end = begin + 1;
@@ -154,7 +154,7 @@ std::optional<std::size_t> implausible_height(const std::vector<double>& heights
 }
 
 std::string implausible_height_text(double height) {
-  return fmt::format("a gap of {:.6g} m is no gap of an oil film", height);
+  return fmt::format("{:.6g} m is not the thickness of an oil film", height);
 }
 
 void check_height_column(const CsvFile& csv, const std::string& name, const std::vector<double>& heights,

@@ -34,8 +34,8 @@ struct WrongPlace {
 };
 std::optional<WrongPlace> wrong_place(const std::vector<double>& places);
 
-/// Reports what is wrong with places that stand in a column.
-/// @param mark_of where the place of that number stands in the file
+/// Reports what is wrong with places that are in a column.
+/// @param mark_of where that number is in the file
 void check_gap_column(const std::string& name, const std::vector<double>& places,
                       const std::function<SourceMark(std::size_t)>& mark_of, std::vector<Fault>& faults);
 
@@ -47,7 +47,7 @@ std::string implausible_height_text(double height);
 inline constexpr const char* kImplausibleHeightRemedy =
     "a gap beyond 1 m is refused: look at the unit, and for a number that marks a hole";
 
-/// Reports a height that is beyond `kLargestGap` where it stands in the column.
+/// Reports a height that is beyond `kLargestGap` at its place in the column.
 void check_height_column(const CsvFile& csv, const std::string& name, const std::vector<double>& heights,
                          std::vector<Fault>& faults);
 

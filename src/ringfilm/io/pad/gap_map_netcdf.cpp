@@ -19,7 +19,7 @@ namespace ringfilm::io {
 namespace {
 
 constexpr std::size_t kLargestMap = std::size_t{256} << 20;  // [byte]
-constexpr const char* kWanted = "a variable h(y, x) is required, with coordinates x(x) and y(y), each with units";
+constexpr const char* kExpected = "a variable h(y, x) is required, with coordinates x(x) and y(y), each with units";
 
 [[noreturn]] void refuse(const std::string& shown, const std::string& what, const std::string& remedy) {
   throw InputError(std::vector<Fault>{{{shown, 0, 0, ""}, what, remedy}});
@@ -122,9 +122,9 @@ class MapReader {
 
   GapMap read() const {
     const std::string name = !find_("h") && find_("height") ? "height" : "h";
-    const StoredVariable h = wanted(name), x = wanted("x"), y = wanted("y");
+    const StoredVariable h = variable(name), x = variable("x"), y = variable("y");
     if (x.dimensions.size() != 1 || y.dimensions.size() != 1 || x.dimensions == y.dimensions) {
-      refuse(shown_, "x and y are no two axes", kWanted);
+      refuse(shown_, "x and y are not two axes", kExpected);
     }
     if (h.dimensions != std::vector<int>{y.dimensions[0], x.dimensions[0]}) {
       refuse(shown_, name + " does not run over (y, x)", "store it with a row of all x for each y");
@@ -135,16 +135,16 @@ class MapReader {
   }
 
  private:
-  StoredVariable wanted(const std::string& name) const {
+  StoredVariable variable(const std::string& name) const {
     auto variable = find_(name);
-    if (!variable) refuse(shown_, "the file has no variable " + name, kWanted);
+    if (!variable) refuse(shown_, "the file has no variable " + name, kExpected);
     return std::move(*variable);
   }
 
   void check_length(std::size_t n, const std::string& name) const {
     if (n < 2) {
       refuse(shown_, "the map has " + std::to_string(n) + " places along " + name,
-             "two or more are wanted, of a fixed number");
+             "two or more are required, of a fixed number");
     }
     if (n > kMostGapPlaces) {
       refuse(shown_, fmt::format("the map has {} places along {}", n, name),
@@ -197,7 +197,7 @@ GapMap map_of(const std::string& shown, const std::string& bytes, const Units& u
   }
 }
 
-/// The number of the first value that is none.
+/// The index of the first value that is not a height.
 std::optional<std::size_t> hole(const std::vector<double>& values) {
   const auto found = std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
   return found == values.end() ? std::nullopt : std::optional<std::size_t>(found - values.begin());

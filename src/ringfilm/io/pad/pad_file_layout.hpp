@@ -48,7 +48,7 @@ void put_pad_words(File& file, const PadDocument& document) {
     if (!lines.empty()) file.texts(name, {name + std::string("_text"), "", "", long_name, "", ""}, lines);
   };
   put("input", "the case as it was used, SI", inputs);
-  put("note", "what to know before using the numbers", notes);
+  put("note", "what to consider before using the numbers", notes);
 }
 
 template <class File>

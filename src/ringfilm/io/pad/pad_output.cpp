@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The sign of a zero says nothing.
+/// The sign of a zero has no meaning.
 double unsigned_zero(double value) { return value + 0.0; }
 
 ordered_json history_object(const pad::PadResult& result) {

@@ -19,7 +19,7 @@ struct PadDocument {
 /// The numbers of the last instant as one flat JSON object, SI: title, every entry of
 /// pad::reported_quantities() and of pad::front_quantities() by its name; for an integration in
 /// time `history` with the same as arrays; then `units`, `notes`, `assumed`, `effort`, `program`, `commit`, `kernels`
-/// and `complete`. JSON knows no NaN: such a value is null.
+/// and `complete`. JSON has no NaN: such a value is null.
 std::string pad_json(const PadDocument& document);
 
 /// The film along the pad, with a width on the strip next to its middle, as CSV text: a row for each node at each

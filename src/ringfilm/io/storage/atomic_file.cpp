@@ -37,7 +37,7 @@ class Descriptor {
   }
 
   int number() const { return number_; }
-  /// Closes and says whether all that was written has arrived.
+  /// Closes; returns whether all that was written has arrived.
   bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
  private:
@@ -77,7 +77,7 @@ bool write_all(int file, std::string_view bytes) {
   return true;
 }
 
-/// The process that would have written this partial file of `target`; 0 if it is none.
+/// The process that would have written this partial file of `target`; 0 if it is not such a file.
 long writer_of(const std::string& name, const std::string& target) {
   const std::string start = target + std::string(kPartial);
   if (name.compare(0, start.size(), start) != 0) return 0;
@@ -212,9 +212,9 @@ void AsideFile::append(std::string_view bytes) { write_directly(path_, bytes, O_
 void AsideFile::reserve(std::uint64_t bytes) {
   const auto refuse = [&](int error_number) {
     const double megabytes = static_cast<double>(bytes) / 1e6;
-    char room[64] = "";
-    std::snprintf(room, sizeof room, "up to %.0f MB are wanted: ", megabytes);
-    fail_to_write(target_, std::string(room) + std::strerror(error_number));
+    char text[64] = "";
+    std::snprintf(text, sizeof text, "up to %.0f MB are required: ", megabytes);
+    fail_to_write(target_, std::string(text) + std::strerror(error_number));
   };
   struct rlimit most {};
   if (::getrlimit(RLIMIT_FSIZE, &most) == 0 && most.rlim_cur != RLIM_INFINITY && bytes > most.rlim_cur) refuse(EFBIG);
@@ -237,7 +237,7 @@ void AsideFile::put_in_place() {
   {
     const Descriptor file(::open(path_.c_str(), (is_reserved_ ? O_RDWR : O_RDONLY) | O_CLOEXEC));
     struct stat status {};
-    // Blocks beyond its end belong to a file until it is told its length.
+    // Blocks beyond its end belong to a file until its length is set.
     if (is_reserved_ && ::fstat(file.number(), &status) == 0 && ::ftruncate(file.number(), status.st_size) != 0) {
       fail_to_write(target_, errno);
     }
@@ -246,7 +246,7 @@ void AsideFile::put_in_place() {
   }
   if (::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(target_, errno);
   path_.clear();
-  // The new name itself; some file systems cannot do that, which is no loss.
+  // The new name itself; some file systems cannot do that, which is harmless.
   const Descriptor folder(::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.number() >= 0) ::fsync(folder.number());
 }

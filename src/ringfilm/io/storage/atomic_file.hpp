@@ -5,19 +5,19 @@
 
 namespace ringfilm::io {
 
-/// What may stand under the name of an output.
+/// What may exist under the name of an output.
 enum class Sink {
   kFile,         ///< a file or nothing yet
   kFileOrDevice  ///< also a device or a pipe, e.g. /dev/stdout
 };
 
 /// Can it be written there? Throws InputError if the folder does not exist or is not writable, or if `path` is a folder
-/// or otherwise not what `sink` says, if its name is too long, or if it is the device /dev/full: the program asks this
-/// before it computes. Changes nothing on the disk.
+/// or otherwise not what `sink` states, if its name is too long, or if it is the device /dev/full: the program asks
+/// this before it computes. Changes nothing on the disk.
 void check_can_write(const std::string& path, Sink sink);
 
 /// A file that appears under its name all at once: filled aside in the same folder (`target`.partial-<process>),
-/// flushed to the disk and renamed over what stood there before. A kill leaves the old file and at most the partial
+/// flushed to the disk and renamed over an earlier file. A kill leaves the old file and at most the partial
 /// one, which the next AsideFile of the same target removes. A symbolic link is followed.
 class AsideFile {
  public:
@@ -38,12 +38,12 @@ class AsideFile {
   /// Writes these bytes after those that it has; throws OutputError.
   void append(std::string_view bytes);
 
-  /// Sets room aside on the disk for so many bytes, so that writing them cannot meet a full one; what is not needed is
-  /// given back when the file is put in place. Where the file system cannot do that, the room that is free must do.
-  /// Throws OutputError with the room that is required.
+  /// Reserves so many bytes on the disk, so that writing them cannot meet a full one; what is not needed is
+  /// given back when the file is put in place. Where the file system cannot do that, the free space must suffice.
+  /// Throws OutputError with the space that is required.
   void reserve(std::uint64_t bytes);
 
-  /// Flushes and renames; throws OutputError, what stood there before is then untouched.
+  /// Flushes and renames; throws OutputError, an earlier file is then untouched.
   void put_in_place();
 
  private:

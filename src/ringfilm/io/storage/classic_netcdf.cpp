@@ -29,7 +29,7 @@ std::size_t size_of(std::uint32_t type) {
   return kSizes[type];
 }
 
-/// Numbers stand with their highest byte first.
+/// Numbers are stored with their highest byte first.
 std::uint64_t whole_number(std::string_view bytes) {
   std::uint64_t value = 0;
   for (const char byte : bytes) value = value << 8 | static_cast<unsigned char>(byte);
@@ -97,10 +97,10 @@ class Parser {
   std::uint64_t count() { return whole_number(take(version_ == 5 ? 8 : 4)); }
   std::string name() { return std::string(take_padded(count())); }
 
-  std::uint64_t list(Tag wanted) {
+  std::uint64_t list(Tag requested) {
     const std::uint32_t tag = word();
     const std::uint64_t n = count();
-    if (tag != wanted && !(tag == kAbsent && n == 0)) throw ClassicNetcdfError("a list that is none");
+    if (tag != requested && !(tag == kAbsent && n == 0)) throw ClassicNetcdfError("a list without its tag");
     return n;
   }
 
@@ -129,7 +129,7 @@ class Parser {
       const std::uint64_t length = lengths_[dimension];
       variable.dimensions.push_back(static_cast<int>(dimension));
       variable.lengths.push_back(length);
-      // More than the file is long are reported when they are wanted.
+      // More than the file is long are reported when they are required.
       values = length > bytes_.size() || values > bytes_.size() ? std::numeric_limits<std::uint32_t>::max()
                                                                 : values * length;
     }
@@ -140,7 +140,7 @@ class Parser {
     count();  // size in the file, which the lengths state as well
     const std::uint64_t begin = whole_number(take(version_ == 1 ? 4 : 8));
     variable.values = [bytes = bytes_, type, size, begin, values] {
-      if (type == kChar) throw ClassicNetcdfError("text where numbers are wanted");
+      if (type == kChar) throw ClassicNetcdfError("text where numbers are required");
       if (begin > bytes.size() || values > (bytes.size() - begin) / size) throw ClassicNetcdfError("it ends too early");
       std::vector<double> all;
       all.reserve(values);

@@ -3,8 +3,8 @@
 #include <string_view>
 
 /// The last line of each NetCDF file that ringfilm writes: "ringfilm sha256 " and the digest of all bytes before the
-/// line. HDF5 ends where its first block says, so that other programs read the file without noticing the line. Reading
-/// checks it first, because the HDF5 library can break down on a damaged file.
+/// line. HDF5 ends where its first block states, so that other programs read the file without noticing the line.
+/// Reading checks it first, because the HDF5 library can break down on a damaged file.
 namespace ringfilm::io {
 
 /// Length of the line with its two line ends [byte].

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "ringfilm/base/renamed.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/io/text/units.hpp"
 
@@ -24,7 +25,7 @@ std::string text_of(const TomlValue& table, const std::string& key, std::vector<
   if (value == nullptr) {
     faults.push_back({table.mark, "published." + key + " is missing", ""});
   } else if (value->kind != TomlValue::Kind::kText) {
-    faults.push_back({value->mark, "published." + key + " = " + value->as_written() + " is no text", ""});
+    faults.push_back({value->mark, "published." + key + " = " + value->as_written() + " is not a text", ""});
   } else {
     return value->text;
   }
@@ -49,7 +50,7 @@ double number_of(const TomlValue& table, const std::string& si_unit, const Units
     return 0;
   }
   if (number == 0) {
-    faults.push_back({value->mark, "published.value = " + value->as_written() + " is no number to compare with",
+    faults.push_back({value->mark, "published.value = " + value->as_written() + " is not a number to compare with",
                       si_unit == "1" ? "a number other than 0 is required" : "a number with unit is required, not 0"});
   }
   return number;
@@ -60,8 +61,10 @@ std::string unit_of_column(const TomlValue& table, const std::string& quantity, 
     if (candidate.name == quantity) return candidate.unit;
   }
   if (!quantity.empty()) {
-    faults.push_back({table.mark, "published.quantity = \"" + quantity + "\" is no cycle value",
-                      "the names are those of ringfilm run --json"});
+    const std::string present(present_name(quantity));
+    faults.push_back(
+        {table.mark, "published.quantity = \"" + quantity + "\" is not a cycle value",
+         present.empty() ? "the names are those of ringfilm run --json" : "did you mean " + present + "?"});
   }
   return "1";
 }

@@ -7,7 +7,7 @@
 
 namespace ringfilm::io {
 
-/// Reads what publications say about a case: the tables [[published]] of a TOML file with case = "<name>", each with
+/// Reads published values of a case: the tables [[published]] of a TOML file with case = "<name>", each with
 /// source, quantity (name of a cycle value), statement, value (with its unit where it has one) and decided_by.
 /// Throws InputError with every fault of the file.
 std::vector<study::PublishedValue> read_published(const std::string& path, const std::string& case_name,

@@ -33,7 +33,7 @@ namespace {
 // Blocks, one after the other: the size of the content, its SHA-256 in hexadecimal digits, the content. The first is
 // the header as text; each other begins with first scenario, number of rows and bytes of the notes, then values,
 // curves, reasons as lines, notes as lines. Numbers are little-endian: values of 8 bytes, those of curves of 4.
-constexpr std::uint64_t kDigits = 64, kFrame = 8 + kDigits, kChunkHead = 24;
+constexpr std::uint64_t kDigits = 64, kFrame = 8 + kDigits, kBlockHead = 24;
 constexpr std::uint64_t kLargestHeader = 1 << 16, kLargestBlock = std::uint64_t{1} << 30;
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 constexpr const char* kMagic = "ringfilm study rows 4";
@@ -59,7 +59,7 @@ std::uint64_t number_at(const std::string& bytes, std::size_t at) {
   return number;
 }
 
-std::string block(const std::string& content) { return number_bytes(content.size()) + sha256(content) + content; }
+std::string framed(const std::string& content) { return number_bytes(content.size()) + sha256(content) + content; }
 
 template <class Bits>
 Bits swapped_on_big_endian(Bits bits) {
@@ -112,13 +112,13 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-/// Lines of a topic, the rows of the chunk that carry it as bits in hexadecimal digits, and the message of the first of
+/// Lines of a topic, the rows of the block that carry it as bits in hexadecimal digits, and the message of the first of
 /// them. Of each base and topic one line for the row to show, one for all others; the most serious topics first.
-std::string note_lines(const study::ScenarioChunk& chunk) {
-  using Key = std::tuple<std::size_t, std::string, std::size_t>;  // rank of the topic, topic, base
+std::string note_lines(const study::ScenarioBlock& block) {
+  using Key = std::tuple<std::size_t, std::string, std::size_t>;  // order of the topic, topic, base
   std::map<Key, std::vector<study::ScenarioNote>> carriers;
-  for (std::size_t k = 0; k < chunk.rows.size(); ++k) {
-    const study::ScenarioRow& row = chunk.rows[k];
+  for (std::size_t k = 0; k < block.rows.size(); ++k) {
+    const study::ScenarioRow& row = block.rows[k];
     for (const cycle::Note& note : row.notes) {
       carriers[{cycle::note_rank(note.topic), note.topic, row.base}].push_back(
           {k, note.message, cycle::note_badness(note.topic, row.values)});
@@ -127,7 +127,7 @@ std::string note_lines(const study::ScenarioChunk& chunk) {
   std::string lines;
   const auto append_line = [&](const std::string& topic, std::span<const study::ScenarioNote> notes) {
     if (notes.empty()) return;
-    std::vector<unsigned> digits((chunk.rows.size() + 3) / 4);
+    std::vector<unsigned> digits((block.rows.size() + 3) / 4);
     for (const study::ScenarioNote& note : notes) digits[note.scenario / 4] |= 1U << (note.scenario % 4);
     lines += fmt::format("{} {:x} {}\n", topic, fmt::join(digits, ""), in_one_line(notes.front().message));
   };
@@ -146,19 +146,19 @@ std::string note_lines(const study::ScenarioChunk& chunk) {
   return lines;
 }
 
-std::string content_of(const study::ScenarioChunk& chunk, const ShardHeader& header) {
-  const std::string notes = note_lines(chunk);
-  std::string content = number_bytes(chunk.first) + number_bytes(chunk.rows.size()) + number_bytes(notes.size());
-  content.reserve(content.size() + row_bytes(header) * chunk.rows.size());
+std::string content_of(const study::ScenarioBlock& block, const ShardHeader& header) {
+  const std::string notes = note_lines(block);
+  std::string content = number_bytes(block.first) + number_bytes(block.rows.size()) + number_bytes(notes.size());
+  content.reserve(content.size() + row_bytes(header) * block.rows.size());
   for (std::uint64_t i = 0; i < header.n_values; ++i) {
-    for (const study::ScenarioRow& row : chunk.rows) append_number(content, row.values.at(i));
+    for (const study::ScenarioRow& row : block.rows) append_number(content, row.values.at(i));
   }
   for (std::uint64_t i = 0; i < header.n_curve_numbers(); ++i) {
-    for (const study::ScenarioRow& row : chunk.rows) append_number(content, row.curves.at(i));
+    for (const study::ScenarioRow& row : block.rows) append_number(content, row.curves.at(i));
   }
-  for (std::size_t k = 0; k < chunk.rows.size(); ++k) {
-    if (chunk.rows[k].reason.empty()) continue;
-    content += fmt::format("{} {}\n", chunk.first + k, in_one_line(chunk.rows[k].reason));
+  for (std::size_t k = 0; k < block.rows.size(); ++k) {
+    if (block.rows[k].reason.empty()) continue;
+    content += fmt::format("{} {}\n", block.first + k, in_one_line(block.rows[k].reason));
   }
   return content + notes;
 }
@@ -196,22 +196,22 @@ bool take_lock(int file, const std::string& path) {
 
 }  // namespace
 
-std::string difference(const ShardHeader& found, const ShardHeader& wanted) {
-  if (found.program != wanted.program) return fmt::format("another version of the program, {}", found.program);
-  // A plan knows the digests of its bases, so that changed files would pass for another plan.
-  if (found.inputs != wanted.inputs) return "other input files, or such as have changed since";
-  if (found.plan != wanted.plan) return "another plan: bases, factors, method or seed";
-  if (found.curves != wanted.curves || found.n_angles != wanted.n_angles) return "other curves: keep has changed";
-  if (found.n_values != wanted.n_values) return "other values";
-  if (found.part != wanted.part || found.parts != wanted.parts)
+std::string difference(const ShardHeader& found, const ShardHeader& expected) {
+  if (found.program != expected.program) return fmt::format("another version of the program, {}", found.program);
+  // A plan contains the digests of its bases, so that changed files would pass for another plan.
+  if (found.inputs != expected.inputs) return "other input files, or such as have changed since";
+  if (found.plan != expected.plan) return "another plan: bases, factors, method or seed";
+  if (found.curves != expected.curves || found.n_angles != expected.n_angles) return "other curves: keep has changed";
+  if (found.n_values != expected.n_values) return "other values";
+  if (found.part != expected.part || found.parts != expected.parts)
     return fmt::format("part {} of {}", found.part, found.parts);
-  return found.first != wanted.first || found.end != wanted.end ? "another number of scenarios" : "";
+  return found.first != expected.first || found.end != expected.end ? "another number of scenarios" : "";
 }
 
-bool is_beginning_of(const ShardHeader& found, const ShardHeader& wanted) {
+bool is_beginning_of(const ShardHeader& found, const ShardHeader& expected) {
   ShardHeader longer = found;
-  longer.end = wanted.end;
-  return found.parts == 1 && found.end < wanted.end && difference(longer, wanted).empty();
+  longer.end = expected.end;
+  return found.parts == 1 && found.end < expected.end && difference(longer, expected).empty();
 }
 
 std::uint64_t size_without_rows(const ShardHeader& header) { return kFrame + text_of(header).size(); }
@@ -224,7 +224,7 @@ ShardReader::ShardReader(const std::string& path) : path_(path), file_(::open(pa
   size_ = static_cast<std::uint64_t>(status.st_size);
   try {
     read_header();
-    while (read_chunk()) {
+    while (read_block()) {
     }
   } catch (...) {
     ::close(file_);
@@ -237,18 +237,18 @@ ShardReader::ShardReader(ShardReader&& other) noexcept
       file_(std::exchange(other.file_, -1)),
       size_(other.size_),
       header_bytes_(other.header_bytes_),
-      sound_bytes_(other.sound_bytes_),
+      intact_bytes_(other.intact_bytes_),
       n_unsolved_(other.n_unsolved_),
       reason_bytes_(other.reason_bytes_),
       header_(std::move(other.header_)),
-      chunks_(std::move(other.chunks_)) {}
+      blocks_(std::move(other.blocks_)) {}
 
 ShardReader::~ShardReader() {
   if (file_ >= 0) ::close(file_);
 }
 
 std::uint64_t ShardReader::next() const {
-  return chunks_.empty() ? header_.first : chunks_.back().first + chunks_.back().n_rows;
+  return blocks_.empty() ? header_.first : blocks_.back().first + blocks_.back().n_rows;
 }
 
 void ShardReader::read_bytes(std::uint64_t at, std::uint64_t n, char* to) const {
@@ -267,16 +267,16 @@ std::string ShardReader::bytes(std::uint64_t at, std::uint64_t n) const {
   return all;
 }
 
-void ShardReader::copy_chunks(const std::function<void(const std::string&)>& put) const {
+void ShardReader::copy_blocks(const std::function<void(const std::string&)>& put) const {
   constexpr std::uint64_t kPiece = 1 << 20;
-  for (std::uint64_t at = header_bytes_; at < sound_bytes_; at += kPiece)
-    put(bytes(at, std::min(kPiece, sound_bytes_ - at)));
+  for (std::uint64_t at = header_bytes_; at < intact_bytes_; at += kPiece)
+    put(bytes(at, std::min(kPiece, intact_bytes_ - at)));
 }
 
 void ShardReader::read_header() {
   const InputError no_such_file(fmt::format("{}: this is not a file of rows of a study, or it was cut off", path_),
                                 "delete it to begin anew");
-  const InputError spoilt(
+  const InputError damage(
       fmt::format("{}: the header of this file of rows is corrupted, so that its rows cannot be assigned to a study",
                   path_),
       "take the file from a copy, or delete it to compute its rows again");
@@ -284,7 +284,7 @@ void ShardReader::read_header() {
   // Where the size itself is corrupted, the header is still where it was.
   const std::string_view magic_start = std::string_view(kMagic).substr(0, kMagicStart);
   const std::string start = bytes(kFrame, std::min<std::uint64_t>(magic_start.size(), size_ - kFrame));
-  const InputError& refusal = n_equal(start, magic_start) + 1 >= magic_start.size() ? spoilt : no_such_file;
+  const InputError& refusal = n_equal(start, magic_start) + 1 >= magic_start.size() ? damage : no_such_file;
   const std::uint64_t n = number_at(bytes(0, 8), 0);
   if (n > kLargestHeader || n > size_ - kFrame) throw refusal;
   const std::string text = bytes(kFrame, n);
@@ -308,59 +308,59 @@ void ShardReader::read_header() {
       h.n_angles > study::kMostCurveNumbers || h.n_curve_numbers() > study::kMostCurveNumbers) {
     throw no_such_file;
   }
-  header_bytes_ = sound_bytes_ = kFrame + n;
+  header_bytes_ = intact_bytes_ = kFrame + n;
 }
 
-bool ShardReader::read_chunk() {
-  if (size_ - sound_bytes_ < kFrame) return false;
-  const std::string frame = bytes(sound_bytes_, kFrame);
+bool ShardReader::read_block() {
+  if (size_ - intact_bytes_ < kFrame) return false;
+  const std::string frame = bytes(intact_bytes_, kFrame);
   const std::uint64_t n = number_at(frame, 0);
-  if (n < kChunkHead || n > kLargestBlock || n > size_ - sound_bytes_ - kFrame) return false;
-  const std::string content = bytes(sound_bytes_ + kFrame, n);
+  if (n < kBlockHead || n > kLargestBlock || n > size_ - intact_bytes_ - kFrame) return false;
+  const std::string content = bytes(intact_bytes_ + kFrame, n);
   if (sha256(content) != frame.substr(8)) return false;
-  ChunkPlace place;
+  BlockPlace place;
   place.first = number_at(content, 0);
   place.n_rows = number_at(content, 8);
   place.notes_size = number_at(content, 16);
-  const std::uint64_t most_rows = (n - kChunkHead) / row_bytes(header_);
+  const std::uint64_t most_rows = (n - kBlockHead) / row_bytes(header_);
   if (place.first != next() || place.n_rows == 0 || place.n_rows > most_rows ||
       place.n_rows > header_.end - place.first) {
     return false;
   }
   const std::uint64_t n_bytes = row_bytes(header_) * place.n_rows;
-  if (place.notes_size > n - kChunkHead - n_bytes) return false;
-  place.values_at = sound_bytes_ + kFrame + kChunkHead;
+  if (place.notes_size > n - kBlockHead - n_bytes) return false;
+  place.values_at = intact_bytes_ + kFrame + kBlockHead;
   place.curves_at = place.values_at + sizeof(double) * header_.n_values * place.n_rows;
   place.reasons_at = place.values_at + n_bytes;
-  place.reasons_size = n - kChunkHead - n_bytes - place.notes_size;
+  place.reasons_size = n - kBlockHead - n_bytes - place.notes_size;
   place.notes_at = place.reasons_at + place.reasons_size;
   reason_bytes_ += place.reasons_size;
-  const std::string_view reasons = std::string_view(content).substr(kChunkHead + n_bytes, place.reasons_size);
+  const std::string_view reasons = std::string_view(content).substr(kBlockHead + n_bytes, place.reasons_size);
   n_unsolved_ += static_cast<std::uint64_t>(std::count(reasons.begin(), reasons.end(), '\n'));
-  chunks_.push_back(place);
-  sound_bytes_ += kFrame + n;
+  blocks_.push_back(place);
+  intact_bytes_ += kFrame + n;
   return true;
 }
 
-std::span<const ChunkPlace> ShardReader::chunks_of(const study::ScenarioRange& range) const {
+std::span<const BlockPlace> ShardReader::blocks_of(const study::ScenarioRange& range) const {
   if (range.first < header_.first || range.end > next()) {
     throw std::out_of_range(fmt::format("{}: scenarios {} to {} are not there", path_, range.first, range.end));
   }
-  const auto begin = std::partition_point(chunks_.begin(), chunks_.end(), [&](const ChunkPlace& chunk) {
-    return chunk.first + chunk.n_rows <= range.first;
+  const auto begin = std::partition_point(blocks_.begin(), blocks_.end(), [&](const BlockPlace& block) {
+    return block.first + block.n_rows <= range.first;
   });
   const auto end =
-      std::partition_point(begin, chunks_.end(), [&](const ChunkPlace& chunk) { return chunk.first < range.end; });
+      std::partition_point(begin, blocks_.end(), [&](const BlockPlace& block) { return block.first < range.end; });
   return {begin, end};
 }
 
 void ShardReader::read_values(std::size_t i, const study::ScenarioRange& range, double* to) const {
   std::string raw;
-  for (const ChunkPlace& chunk : chunks_of(range)) {
-    const std::uint64_t begin = std::max(chunk.first, range.first);
-    const std::uint64_t n = std::min(chunk.first + chunk.n_rows, range.end) - begin;
+  for (const BlockPlace& block : blocks_of(range)) {
+    const std::uint64_t begin = std::max(block.first, range.first);
+    const std::uint64_t n = std::min(block.first + block.n_rows, range.end) - begin;
     raw.resize(sizeof(double) * n);
-    read_bytes(chunk.values_at + sizeof(double) * (i * chunk.n_rows + begin - chunk.first), raw.size(), raw.data());
+    read_bytes(block.values_at + sizeof(double) * (i * block.n_rows + begin - block.first), raw.size(), raw.data());
     numbers_of(raw.data(), n, to + (begin - range.first));
   }
 }
@@ -371,14 +371,14 @@ void ShardReader::read_curve(std::size_t i, std::size_t first_angle, std::size_t
     throw std::out_of_range(fmt::format("{}: curve {} at angle {} is not there", path_, i, first_angle));
   }
   std::string raw;
-  for (const ChunkPlace& chunk : chunks_of(range)) {
-    const std::uint64_t begin = std::max(chunk.first, range.first);
-    const std::uint64_t n = std::min(chunk.first + chunk.n_rows, range.end) - begin;
-    raw.resize(sizeof(float) * n_angles * chunk.n_rows);
-    read_bytes(chunk.curves_at + sizeof(float) * (i * header_.n_angles + first_angle) * chunk.n_rows, raw.size(),
+  for (const BlockPlace& block : blocks_of(range)) {
+    const std::uint64_t begin = std::max(block.first, range.first);
+    const std::uint64_t n = std::min(block.first + block.n_rows, range.end) - begin;
+    raw.resize(sizeof(float) * n_angles * block.n_rows);
+    read_bytes(block.curves_at + sizeof(float) * (i * header_.n_angles + first_angle) * block.n_rows, raw.size(),
                raw.data());
     for (std::size_t k = 0; k < n_angles; ++k) {
-      const std::uint64_t at = k * chunk.n_rows + (begin - chunk.first);
+      const std::uint64_t at = k * block.n_rows + (begin - block.first);
       numbers_of(raw.data() + sizeof(float) * at, n, to + k * stride + (begin - range.first));
     }
   }
@@ -391,9 +391,9 @@ void ShardReader::append_values(std::size_t i, std::vector<double>& all) const {
 }
 
 void ShardReader::append_unsolved(const study::ScenarioRange& range, std::vector<Unsolved>& all) const {
-  for (const ChunkPlace& chunk : chunks_of(range)) {
-    if (chunk.reasons_size == 0) continue;
-    std::istringstream lines(bytes(chunk.reasons_at, chunk.reasons_size));
+  for (const BlockPlace& block : blocks_of(range)) {
+    if (block.reasons_size == 0) continue;
+    std::istringstream lines(bytes(block.reasons_at, block.reasons_size));
     Unsolved one{};
     while (lines >> one.scenario && std::getline(lines >> std::ws, one.reason)) {
       if (one.scenario >= range.first && one.scenario < range.end) all.push_back(one);
@@ -404,20 +404,20 @@ void ShardReader::append_unsolved(const study::ScenarioRange& range, std::vector
 void ShardReader::append_unsolved(std::vector<Unsolved>& all) const { append_unsolved({header_.first, next()}, all); }
 
 void ShardReader::append_notes(const study::ScenarioRange& range, std::vector<SharedNote>& all) const {
-  for (const ChunkPlace& chunk : chunks_of(range)) {
-    std::istringstream lines(bytes(chunk.notes_at, chunk.notes_size));
+  for (const BlockPlace& block : blocks_of(range)) {
+    std::istringstream lines(bytes(block.notes_at, block.notes_size));
     SharedNote one;
     for (std::string digits; lines >> one.topic >> digits && std::getline(lines >> std::ws, one.message);) {
       one.scenarios.clear();
       std::optional<std::uint64_t> first;
-      for (std::uint64_t k = 0; k < std::min<std::uint64_t>(chunk.n_rows, 4 * digits.size()); ++k) {
+      for (std::uint64_t k = 0; k < std::min<std::uint64_t>(block.n_rows, 4 * digits.size()); ++k) {
         const std::size_t digit = kHexDigits.find(digits[k / 4]);
-        const std::uint64_t i = chunk.first + k;
+        const std::uint64_t i = block.first + k;
         const bool is_set = digit != std::string_view::npos && (digit >> (k % 4) & 1) != 0;
         if (is_set && !first) first = i;
         if (is_set && i >= range.first && i < range.end) one.scenarios.push_back(i);
       }
-      one.first = first.value_or(chunk.first);
+      one.first = first.value_or(block.first);
       if (!one.scenarios.empty()) all.push_back(one);
     }
   }
@@ -428,10 +428,10 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Ext
   try {
     const std::uint64_t found = open_alone();
     const std::uint64_t size = rows == Rows::kReplaced ? 0 : found;
-    // A header that was cut off says nothing; the rest of one that is there decides.
+    // A header that was cut off contains nothing; the rest of one that is there decides.
     if (size < size_without_rows(header)) {
       if (::ftruncate(file_, 0) != 0) fail_to_write(path, errno);
-      write(block(text_of(header)));
+      write(framed(text_of(header)));
       return;
     }
     std::optional<ShardReader> there(path);
@@ -444,7 +444,7 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Ext
     }
     next_ = there->next();
     n_unsolved_ = there->n_unsolved();
-    length_ = there->sound_bytes();
+    length_ = there->intact_bytes();
     if (::ftruncate(file_, static_cast<off_t>(length_)) != 0) fail_to_write(path, errno);
   } catch (...) {
     if (file_ >= 0) ::close(file_);
@@ -484,10 +484,10 @@ void ShardWriter::check(const ShardHeader& found, Extension longer) const {
                      "results of both must not be mixed: name another output, or replace it with --overwrite");
   }
   if (found.kernels != header_.kernels) {
-    throw InputError(
-        fmt::format("{}: these rows were computed with the kernels {}, not with {}", path_, found.kernels,
-                    header_.kernels),
-        fmt::format("both round differently: go on with RINGFILM_KERNELS={}, or name another output", found.kernels));
+    throw InputError(fmt::format("{}: these rows were computed with the kernels {}, not with {}", path_, found.kernels,
+                                 header_.kernels),
+                     fmt::format("both round differently: continue with RINGFILM_KERNELS={}, or name another output",
+                                 found.kernels));
   }
 }
 
@@ -499,8 +499,8 @@ void ShardWriter::write_anew(const ShardReader& there) {
     const auto put = [&](const std::string& bytes) {
       if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail_to_write(path_, errno);
     };
-    put(block(text_of(header_)));
-    there.copy_chunks(put);
+    put(framed(text_of(header_)));
+    there.copy_blocks(put);
     if (std::fflush(file.get()) != 0) fail_to_write(path_, errno);
   }
   aside.put_in_place();
@@ -508,10 +508,10 @@ void ShardWriter::write_anew(const ShardReader& there) {
 
 ShardWriter::~ShardWriter() { ::close(file_); }
 
-void ShardWriter::append(const study::ScenarioChunk& chunk) {
-  write(block(content_of(chunk, header_)));
-  next_ = chunk.first + chunk.rows.size();
-  for (const study::ScenarioRow& row : chunk.rows) n_unsolved_ += row.reason.empty() ? 0 : 1;
+void ShardWriter::append(const study::ScenarioBlock& block) {
+  write(framed(content_of(block, header_)));
+  next_ = block.first + block.rows.size();
+  for (const study::ScenarioRow& row : block.rows) n_unsolved_ += row.reason.empty() ? 0 : 1;
 }
 
 void ShardWriter::rename(const std::string& to) const {
@@ -528,7 +528,7 @@ void ShardWriter::write(const std::string& bytes) {
   }
   if (error == 0 && ::fdatasync(file_) != 0 && errno != EINVAL) error = errno;
   if (error != 0) {
-    // What was not written in full would be left out by readers anyhow.
+    // What was not written in full would be omitted by readers anyhow.
     [[maybe_unused]] const int ignored = ::ftruncate(file_, static_cast<off_t>(length_));
     throw OutputError(path_ + ": could not be written: " + std::strerror(error) +
                       (length_ > 0 ? " (the rows written before are kept)" : " (it holds no rows)"));

@@ -29,16 +29,16 @@ struct ShardHeader {
 
 /// What differs between two headers, in words ("another plan"); empty if the rows found are of what is required.
 /// Kernels are not compared: rows that are there may be read wherever they were computed.
-std::string difference(const ShardHeader& found, const ShardHeader& wanted);
+std::string difference(const ShardHeader& found, const ShardHeader& expected);
 
-/// Are the rows found the first ones of those wanted, of a study in one part that has only become longer?
-bool is_beginning_of(const ShardHeader& found, const ShardHeader& wanted);
+/// Are the rows found the first ones of those expected, of a study in one part that has only become longer?
+bool is_beginning_of(const ShardHeader& found, const ShardHeader& expected);
 
 /// Bytes of a file that has no row yet.
 std::uint64_t size_without_rows(const ShardHeader& header);
 
-/// Where the sound chunks of a file lie.
-struct ChunkPlace {
+/// Where the intact blocks of a file lie.
+struct BlockPlace {
   std::uint64_t first = 0, n_rows = 0;
   std::uint64_t values_at = 0;  ///< values one after the other, each of all rows
   std::uint64_t curves_at = 0;  ///< then, in single precision, curves, angle by angle, each of all rows
@@ -54,10 +54,10 @@ struct SharedNote {
   std::uint64_t first = 0;               ///< of all scenarios that share it; may lie before the range
 };
 
-/// A file of rows that is there. Chunks after the first that is cut off or spoilt are not seen.
+/// A file of rows that is there. Blocks after the first that is cut off or corrupted are not read.
 class ShardReader {
  public:
-  /// Throws InputError if it cannot be read or is no such file.
+  /// Throws InputError if it cannot be read or is not a such file.
   explicit ShardReader(const std::string& path);
   ShardReader(ShardReader&& other) noexcept;
   ShardReader& operator=(ShardReader&&) = delete;
@@ -67,9 +67,9 @@ class ShardReader {
   const ShardHeader& header() const { return header_; }
   std::uint64_t next() const;  ///< first scenario that is not there
   bool is_complete() const { return next() == header_.end; }
-  std::uint64_t header_bytes() const { return header_bytes_; }  ///< after which the chunks begin
-  std::uint64_t sound_bytes() const { return sound_bytes_; }
-  bool is_sound() const { return sound_bytes_ == size_; }  ///< is nothing cut off or spoilt?
+  std::uint64_t header_bytes() const { return header_bytes_; }  ///< after which the blocks begin
+  std::uint64_t intact_bytes() const { return intact_bytes_; }
+  bool is_intact() const { return intact_bytes_ == size_; }  ///< is nothing cut off or corrupted?
   std::uint64_t n_unsolved() const { return n_unsolved_; }
 
   /// Value `i` of these scenarios, all of which must be there.
@@ -89,26 +89,26 @@ class ShardReader {
   void append_unsolved(std::vector<Unsolved>& all) const;
   void append_unsolved(const study::ScenarioRange& range, std::vector<Unsolved>& all) const;
   std::uint64_t reason_bytes() const { return reason_bytes_; }  ///< of all reasons together
-  /// Appends the notes of some scenarios, chunk by chunk and base by base: a topic may come several times. Of a base
-  /// and chunk the message of the scenario that study::ScenarioNote::comes_before all others is among them.
+  /// Appends the notes of some scenarios, block by block and base by base: a topic may come several times. Of a base
+  /// and block the message of the scenario that study::ScenarioNote::comes_before all others is among them.
   void append_notes(const study::ScenarioRange& range, std::vector<SharedNote>& all) const;
 
-  /// Hands over the bytes of all sound chunks, piece by piece.
-  void copy_chunks(const std::function<void(const std::string&)>& put) const;
+  /// Hands over the bytes of all intact blocks, piece by piece.
+  void copy_blocks(const std::function<void(const std::string&)>& put) const;
 
  private:
   void read_header();
-  bool read_chunk();
+  bool read_block();
   std::string bytes(std::uint64_t at, std::uint64_t n) const;
   void read_bytes(std::uint64_t at, std::uint64_t n, char* to) const;
-  /// Chunks that hold some of these scenarios.
-  std::span<const ChunkPlace> chunks_of(const study::ScenarioRange& range) const;
+  /// Blocks that hold some of these scenarios.
+  std::span<const BlockPlace> blocks_of(const study::ScenarioRange& range) const;
 
   std::string path_;
   int file_ = -1;
-  std::uint64_t size_ = 0, header_bytes_ = 0, sound_bytes_ = 0, n_unsolved_ = 0, reason_bytes_ = 0;
+  std::uint64_t size_ = 0, header_bytes_ = 0, intact_bytes_ = 0, n_unsolved_ = 0, reason_bytes_ = 0;
   ShardHeader header_;
-  std::vector<ChunkPlace> chunks_;
+  std::vector<BlockPlace> blocks_;
 };
 
 /// Throws InputError if a process appends to the file of rows now.
@@ -120,13 +120,13 @@ enum class Extension { kRefused, kAllowed };
 /// What becomes of rows that are there.
 enum class Rows { kContinued, kReplaced };
 
-/// Appends chunks to a file that nobody else appends to. What was appended is on the disk, also if the machine stops.
+/// Appends blocks to a file that nobody else appends to. What was appended is on the disk, also if the machine stops.
 class ShardWriter {
  public:
-  /// Begins the file, or goes on after the last sound chunk of the one that is there. Where it may become longer and
-  /// is_beginning_of the one wanted, it is written anew aside, with its rows. Throws InputError if that one belongs to
-  /// another study, program, input or other kernels, or if another process appends to it; OutputError. Rows that are to
-  /// be replaced are removed once the file is locked, whatever they belong to.
+  /// Begins the file, or continues after the last intact block of the existing one. Where it may become longer and
+  /// is_beginning_of the one expected, it is written anew aside, with its rows. Throws InputError if that one belongs
+  /// to another study, program, input or other kernels, or if another process appends to it; OutputError. Rows that are
+  /// to be replaced are removed once the file is locked, whatever they belong to.
   ShardWriter(const std::string& path, const ShardHeader& header, Extension longer = Extension::kRefused,
               Rows rows = Rows::kContinued);
   ShardWriter(const ShardWriter&) = delete;
@@ -135,8 +135,8 @@ class ShardWriter {
 
   std::uint64_t next() const { return next_; }              ///< first scenario that is not there
   std::uint64_t n_unsolved() const { return n_unsolved_; }  ///< of those that are there
-  /// Throws OutputError; the file then ends with the chunk before.
-  void append(const study::ScenarioChunk& chunk);
+  /// Throws OutputError; the file then ends with the block before.
+  void append(const study::ScenarioBlock& block);
   /// Gives the file its final name while nobody else can lock it; throws OutputError.
   void rename(const std::string& to) const;
 

@@ -7,7 +7,7 @@
 namespace ringfilm::io {
 namespace {
 
-/// None of types of one byte, whose every value may be meant, and of those that are no numbers.
+/// None of types of one byte, whose every value may be meant, and of those that are not numbers.
 std::optional<double> default_fill(int type) {
   switch (type) {
     case NC_SHORT:

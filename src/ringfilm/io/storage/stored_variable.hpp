@@ -16,7 +16,7 @@ struct StoredVariable {
   /// All of them, the last dimension running first. Throws the errors of its file.
   std::function<std::vector<double>()> values;
 
-  /// Where no _FillValue stands, what is never written holds the default of its type: marks that as a hole.
+  /// Without _FillValue, what is never written holds the default of its type: marks that as a hole.
   /// @param type its number, which the classic files and NetCDF-4 share
   void add_default_fill(int type);
 };

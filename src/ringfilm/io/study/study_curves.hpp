@@ -6,7 +6,7 @@
 #include "ringfilm/io/study/study_result.hpp"
 #include "ringfilm/study/statistics/kept_curves.hpp"
 
-/// What the curves of all scenarios say together.
+/// Statistics of the curves of all scenarios.
 namespace ringfilm::io {
 
 /// The axis of the curves that a study keeps, from -360 to below 360 [degree].
@@ -24,9 +24,9 @@ struct CurveBand {
 const std::vector<double>& band_shares();
 
 /// Quantiles over the scenarios of each base, base after base, of each quantity that is kept; of a sample (see
-/// Plan::is_sample), or of all points where the plan is none. Scenarios that were not solved are left out. Empty where
-/// no curves are kept. Each angle has its own quantiles: a band is no curve of any scenario. Curves are read a block of
-/// angles at a time: at most 128 MB of them or one angle, and 12 bytes for each scenario beside.
+/// Plan::is_sample), or of all points where the plan is not a sample. Scenarios that were not solved are omitted. Empty
+/// where no curves are kept. Each angle has its own quantiles: a band is not a curve of any scenario. Curves are read a
+/// block of angles at a time: at most 128 MB of them or one angle, and 12 bytes for each scenario beside.
 std::vector<CurveBand> curve_bands(const StudyRows& rows);
 
 }  // namespace ringfilm::io

@@ -104,7 +104,7 @@ class FactorReader {
     } else if (stated[0] == "values") {
       is_text ? read_choices() : read_levels();
     } else if (is_text) {
-      refuse(table_.find(stated[0]), fmt::format("{} is no number and has no {}", field_->key, stated[0]),
+      refuse(table_.find(stated[0]), fmt::format("{} is not a number and has no {}", field_->key, stated[0]),
              "list its values: values = [..., ...]");
     } else if (stated[0] == "range") {
       read_span();
@@ -159,13 +159,13 @@ class FactorReader {
 
   void read_levels() { factor_.variation = study::Levels{quantities("values")}; }
 
-  /// Both ends of what stands under the key.
+  /// Both ends of the value of the key.
   std::optional<std::pair<double, double>> ends(const std::string& key) {
     if (table_.find(key) == nullptr) return std::nullopt;
     const std::vector<double> both = quantities(key);
     if (both.size() == 2) return std::pair{both[0], both[1]};
     if (faults_.size() == n_before_)
-      refuse(table_.find(key), fmt::format("{} has {} values", key, both.size()), "two are wanted: [lower, upper]");
+      refuse(table_.find(key), fmt::format("{} has {} values", key, both.size()), "two are required: [lower, upper]");
     return std::nullopt;
   }
 
@@ -237,7 +237,7 @@ class FactorReader {
     study::Choices choices;
     for (const TomlValue& item : table_.items("values")) {
       if (item.kind != Kind::kText || item.text.empty()) {
-        refuse(&item, fmt::format("values has {}, which is no text", item.as_written()), "a text stands in quotes");
+        refuse(&item, fmt::format("values has {}, which is not a text", item.as_written()), "a text must be in quotes");
       } else {
         choices.values.push_back({item.text, item.mark});
       }

@@ -19,7 +19,7 @@ struct FactorSources {
 std::optional<study::Factor> read_factor(const TomlValue& table, const FactorSources& sources,
                                          std::vector<Fault>& faults);
 
-/// The bases that a list of names stands for; all where the key `bases` is absent.
+/// The bases that a list of names denotes; all where the key `bases` is absent.
 std::vector<std::size_t> read_base_names(StudyTable& table, const study::Study& study);
 
 }  // namespace ringfilm::io

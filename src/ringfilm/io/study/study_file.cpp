@@ -40,7 +40,7 @@ class StudyReader {
     for (const TomlValue& base : bases) read_base(base);
     if (bases.empty() && faults_.empty())
       faults_.push_back({{path_, 0, 0, ""}, "the study has no base case", "write [[base]] and case = \"...\" below"});
-    // Factors are about bases: where one is missing, nothing sure can be said of them.
+    // Factors are about bases: where one is missing, no interval can be given for them.
     if (!faults_.empty()) throw InputError(faults_);
     read_factors(table);
     if (faults_.empty()) read_measured(table);
@@ -171,7 +171,7 @@ class StudyReader {
     read_until(table);
   }
 
-  /// Keys that the method does not read; of until and indices the plan itself says so.
+  /// Keys that the method does not read; the plan itself reports this for until and indices.
   static void refuse_idle_keys(StudyTable& table, Method method) {
     const auto refuse = [&table](const char* key, const char* remedy) {
       if (const TomlValue* value = table.find(key))

@@ -9,7 +9,7 @@ namespace ringfilm::io {
 /// crank_angle, ring), or their quantiles over (base_case, quantile, crank_angle, ring); docs/manual/study.md. Same
 /// rows, same bytes, however they were split into files. Written block by block beside what curve_bands() takes: memory
 /// does not grow with the number of scenarios but by a few bytes for each. Throws OutputError, before anything is
-/// written where the disk might not have room for all of it.
+/// written where the disk might be too small for all of it.
 void write_study_result(const std::string& path, const StudyRows& rows);
 
 }  // namespace ringfilm::io

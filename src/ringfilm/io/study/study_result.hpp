@@ -80,7 +80,7 @@ std::vector<std::vector<double>> factor_columns(const study::Plan& plan, const s
 
 /// The names of the factors in result files: "factor_face_crown", with a number where two would be called alike.
 std::vector<std::string> factor_variables(const study::Study& study);
-/// The name under which the texts of a choice stand beside it.
+/// The name of the variable with the texts of a choice.
 std::string choice_variable(const std::string& factor_variable);
 
 /// The texts of a factor that is a choice; empty of one that is a number.

@@ -13,7 +13,7 @@ std::vector<std::string> until_notes(const study::Plan& plan, const std::vector<
   if (!study.sampling.until) return {};
   const study::StoppingRule& until = *study.sampling.until;
   const cycle::CycleQuantity& quantity = cycle::cycle_quantities()[*cycle::cycle_quantity_index(until.value)];
-  const auto bases = study::sureness(plan, values);
+  const auto bases = study::interval_widths(plan, values);
   const Units units;
   const auto shown = [&](double width) {
     const double number = units.scale(quantity.display_unit, quantity.unit).from_si(width);

@@ -23,7 +23,7 @@ StudyTable::StudyTable(const TomlValue& table, std::string name, std::vector<std
                        std::vector<Fault>& faults)
     : table_(table), name_(std::move(name)), faults_(faults) {
   if (table.kind != Kind::kTable) {
-    refuse(table.mark, fmt::format("{} is no table", name_), fmt::format("write {} and its keys below", name_));
+    refuse(table.mark, fmt::format("{} is not a table", name_), fmt::format("write {} and its keys below", name_));
   }
   for (const auto& [key, value] : table.members) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
@@ -43,7 +43,7 @@ std::optional<std::string> StudyTable::text(const std::string& key) {
   const TomlValue* value = find(key);
   if (value == nullptr) return std::nullopt;
   if (value->kind == Kind::kText && !value->text.empty()) return value->text;
-  refuse(value->mark, fmt::format("{} = {} is no text", key, value->as_written()), "a text stands in quotes");
+  refuse(value->mark, fmt::format("{} = {} is not a text", key, value->as_written()), "a text must be in quotes");
   return std::nullopt;
 }
 
@@ -60,7 +60,8 @@ std::optional<double> StudyTable::number(const std::string& key) {
   if (value == nullptr) return std::nullopt;
   if ((value->kind == Kind::kNumber || value->kind == Kind::kInteger) && std::isfinite(value->number))
     return value->number;
-  refuse(value->mark, fmt::format("{} = {} is no number", key, value->as_written()), "a bare number is required here");
+  refuse(value->mark, fmt::format("{} = {} is not a number", key, value->as_written()),
+         "a bare number is required here");
   return std::nullopt;
 }
 
@@ -70,7 +71,7 @@ std::optional<std::uint64_t> StudyTable::count(const std::string& key) {
   const bool is_number = value->kind == Kind::kInteger || value->kind == Kind::kNumber;  // 1e6 is whole, too
   if (is_number && value->number >= 0 && value->number <= 0x1p53 && value->number == std::floor(value->number))
     return static_cast<std::uint64_t>(value->number);
-  refuse(value->mark, fmt::format("{} = {} is no whole number", key, value->as_written()),
+  refuse(value->mark, fmt::format("{} = {} is not a whole number", key, value->as_written()),
          "a whole number, 0 or above, is required here");
   return std::nullopt;
 }
@@ -79,8 +80,8 @@ std::vector<TomlValue> StudyTable::items(const std::string& key) {
   const TomlValue* value = find(key);
   if (value == nullptr) return {};
   if (value->kind == Kind::kList) return value->items;
-  refuse(value->mark, fmt::format("{} = {} is no list", key, value->as_written()),
-         "a list stands in brackets: [..., ...]");
+  refuse(value->mark, fmt::format("{} = {} is not a list", key, value->as_written()),
+         "a list must be in brackets: [..., ...]");
   return {};
 }
 
@@ -90,7 +91,8 @@ std::vector<std::string> StudyTable::texts(const std::string& key) {
     if (item.kind == Kind::kText && !item.text.empty()) {
       all.push_back(item.text);
     } else {
-      refuse(item.mark, fmt::format("{} has {}, which is no text", key, item.as_written()), "a text stands in quotes");
+      refuse(item.mark, fmt::format("{} has {}, which is not a text", key, item.as_written()),
+             "a text must be in quotes");
     }
   }
   return all;

@@ -43,7 +43,7 @@ class StudyTable {
     return std::nullopt;
   }
 
-  /// Refuses a word that is none of `names`: did you mean ...?
+  /// Refuses a word that is not one of `names`: did you mean ...?
   void refuse_word(const TomlValue& at, const std::string& key, const std::string& word,
                    const std::vector<std::string>& names);
   void refuse(const SourceMark& mark, const std::string& message, const std::string& remedy);

@@ -87,7 +87,7 @@ class CsvReader {
     }
     if (faults_.empty() && csv_.row_lines.size() < 2) {
       const std::string n_rows = csv_.row_lines.empty() ? "no row" : "only one row";
-      faults_.push_back({csv_.source.mark(0), "the file has " + n_rows + " of numbers", "two or more are wanted"});
+      faults_.push_back({csv_.source.mark(0), "the file has " + n_rows + " of numbers", "two or more are required"});
     }
     if (!faults_.empty()) throw InputError(faults_);
     write_notes();
@@ -100,7 +100,7 @@ class CsvReader {
     const auto& lines = csv_.source.lines;
     std::size_t i = 0;
     while (i < lines.size() && (is_blank(lines[i]) || is_comment(lines[i]))) {
-      if (is_comment(lines[i])) csv_.notes.push_back(csv_.source.path + " says: " + lines[i]);
+      if (is_comment(lines[i])) csv_.notes.push_back(csv_.source.path + " states: " + lines[i]);
       ++i;
     }
     if (i == lines.size()) refuse(csv_.source.mark(0), "the file has no row of numbers", "");

@@ -5,13 +5,13 @@
 
 #include "ringfilm/base/error.hpp"
 
-/// Text files that people write: read whole, refused early where they are none.
+/// Text files that people write: read whole, refused early where they are not text.
 namespace ringfilm::io {
 
 inline constexpr std::size_t kLargestToml = std::size_t{4} << 20;  ///< [byte]
 inline constexpr std::size_t kLargestCsv = std::size_t{64} << 20;  ///< [byte]
 
-/// A file as its lines; line ends of any system are taken off.
+/// A file as its lines; line ends of any system are removed.
 struct SourceText {
   std::string path;                ///< as the messages name it
   std::string text;                ///< UTF-8 without byte-order mark, line ends "\n"
@@ -23,7 +23,7 @@ struct SourceText {
   SourceMark mark(int line, int column = 0) const;
 };
 
-/// Reads the file at `path`, named `shown` in messages. Throws InputError for what is no such text: missing,
+/// Reads the file at `path`, named `shown` in messages. Throws InputError for what is not a such text: missing,
 /// unreadable, a directory, larger than `limit` bytes, empty, binary (control characters) or not UTF-8.
 SourceText read_source_text(const std::string& path, const std::string& shown, std::size_t limit);
 

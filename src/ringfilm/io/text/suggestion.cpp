@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ringfilm/base/renamed.hpp"
+
 namespace ringfilm::io {
 namespace {
 
@@ -29,6 +31,8 @@ std::string last_part(const std::string& key) { return key.substr(key.rfind('.')
 std::string nearest_word(const std::string& written, const std::vector<std::string>& known) {
   constexpr std::size_t kLongestWord = 200;
   if (written.size() > kLongestWord) return "";
+  const std::string_view present = present_name(written);
+  if (!present.empty() && std::find(known.begin(), known.end(), present) != known.end()) return std::string(present);
   std::string nearest;
   std::size_t least = std::max<std::size_t>(2, written.size() / 4) + 1;
   for (const std::string& word : known) {

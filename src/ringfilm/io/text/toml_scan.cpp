@@ -50,7 +50,7 @@ class Scanner {
         advance(multi_line ? 3 : 1);
         return;
       } else if (!multi_line && text_[at_] == '\n') {
-        return;  // the parser will say that the quote is missing
+        return;  // the parser will report that the quote is missing
       } else {
         advance(1);
       }

@@ -77,7 +77,7 @@ TomlValue parsed(const SourceText& source) {
   } catch (const toml::parse_error& error) {
     throw InputError(std::vector<Fault>{
         {mark_of(source, error.source()), "this is not valid TOML: " + std::string(error.description()),
-         "a line is key = value or [section]; texts and values with a unit stand in quotes"}});
+         "a line is key = value or [section]; texts and values with a unit must be in quotes"}});
   }
 }
 

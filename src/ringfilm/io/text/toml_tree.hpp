@@ -42,7 +42,7 @@ struct TomlEntry {
 /// control character; refuses keys that are not ASCII and nesting beyond any case file before the parser sees them.
 TomlValue parse_toml(const SourceText& source);
 
-/// Parses the right-hand side of one key ("3.5", "\"wiebe\"", "[1, 2]"); throws InputError if it is no TOML value.
+/// Parses the right-hand side of one key ("3.5", "\"wiebe\"", "[1, 2]"); throws InputError if it is not a TOML value.
 TomlValue parse_toml_value(const std::string& text);
 
 /// The keys of a tree and, apart, the sections that hold none. Tables inside lists stay values.

@@ -39,7 +39,7 @@ std::mutex& udunits_mutex() {
   return mutex;
 }
 
-/// Names that engineers write and UDUNITS does not know, by what it knows.
+/// Names that engineers write and UDUNITS does not contain, by the names that it contains.
 constexpr std::array<std::pair<const char*, const char*>, 11> kOurNames{{{"cP", "0.001 Pa.s"},
                                                                          {"deg", "degree"},
                                                                          {"degCA", "degree"},
@@ -85,7 +85,7 @@ std::string with_plain_spaces(std::string text) {
   return text;
 }
 
-/// A unit as people write it that is not read, and the unit for which it most likely stands.
+/// A unit as people write it that is not read, and the unit that it most likely means.
 struct Mistaken {
   const char* written;  ///< in small letters
   const char* unit;
@@ -237,7 +237,7 @@ Scale Units::scale(const std::string& written, const std::string& si_unit) const
   if (!system_->same_dimension(given.get(), si.get())) throw wrong_dimension(unit, si_unit);
   const bool rotation = si_unit == "degree" || si_unit == "rad/s";
   if (rotation && !names_rotation(unit)) {
-    throw UnitError("could mean turns or radians: \"" + unit + "\" does not say which",
+    throw UnitError("could mean turns or radians: \"" + unit + "\" is ambiguous",
                     si_unit == "degree" ? "write degree or rad" : "write rpm or rad/s");
   }
   const std::unique_ptr<cv_converter, FreeConverter> converter(ut_get_converter(given.get(), si.get()));
@@ -258,24 +258,24 @@ bool Units::measures(const std::string& unit, const std::string& si_unit) const 
 }
 
 double Units::quantity(const std::string& text, const std::string& si_unit, const std::string& example) const {
-  const std::string wanted = dimension_words(si_unit) + " is required here, for example " + example;
+  const std::string requested = dimension_words(si_unit) + " is required here, for example " + example;
   const std::string written = trimmed(with_plain_spaces(text));
   const char* begin = written.c_str() + (written.rfind('+', 0) == 0 ? 1 : 0);
   const char* end = written.c_str() + written.size();
   double value = 0;
   const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error == std::errc::result_out_of_range) throw UnitError("is out of the range of numbers", wanted);
-  if (error != std::errc{}) throw UnitError("does not start with a number", wanted);
-  if (!std::isfinite(value)) throw UnitError("is not a finite number", wanted);
+  if (error == std::errc::result_out_of_range) throw UnitError("is out of the range of numbers", requested);
+  if (error != std::errc{}) throw UnitError("does not start with a number", requested);
+  if (!std::isfinite(value)) throw UnitError("is not a finite number", requested);
   const std::string unit = trimmed({rest, static_cast<std::size_t>(end - rest)});
-  if (unit.rfind(',', 0) == 0) throw UnitError("has a decimal comma", "write a decimal point; " + wanted);
-  if (unit.empty()) throw UnitError(si_unit == "1" ? "is a number in quotes" : "has no unit", wanted);
+  if (unit.rfind(',', 0) == 0) throw UnitError("has a decimal comma", "write a decimal point; " + requested);
+  if (unit.empty()) throw UnitError(si_unit == "1" ? "is a number in quotes" : "has no unit", requested);
   try {
     const double value_in_si = scale(unit, si_unit).to_si(value);
-    if (!std::isfinite(value_in_si)) throw UnitError("is out of the range of numbers", wanted);
+    if (!std::isfinite(value_in_si)) throw UnitError("is out of the range of numbers", requested);
     return value_in_si;
   } catch (const UnitError& problem) {
-    throw UnitError(problem.what(), problem.remedy.empty() ? wanted : problem.remedy);
+    throw UnitError(problem.what(), problem.remedy.empty() ? requested : problem.remedy);
   }
 }
 

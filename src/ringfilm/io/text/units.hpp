@@ -43,7 +43,7 @@ class Units {
   /// The scale of a unit alone ("mm", or "0.001 m") to `si_unit`. Throws UnitError.
   Scale scale(const std::string& unit, const std::string& si_unit) const;
 
-  /// Is `unit` a unit of the dimension of `si_unit`? False also where it is no unit at all.
+  /// Is `unit` a unit of the dimension of `si_unit`? False also where it is not a unit at all.
   bool measures(const std::string& unit, const std::string& si_unit) const;
 
   /// The value [si_unit] in the unit that people read, with up to 8 digits: "89 mm".

@@ -53,7 +53,7 @@ class Table {
 
   std::string text_of(const std::string& key, const TomlValue& value) {
     if (value.kind == TomlValue::Kind::kText && !value.text.empty()) return value.text;
-    refuse(key, value, "is no text");
+    refuse(key, value, "is not a text");
     return "";
   }
 
@@ -61,7 +61,7 @@ class Table {
     std::vector<std::string> list;
     const TomlValue* found = need(key);
     if (found == nullptr) return list;
-    if (found->kind != TomlValue::Kind::kList) refuse(key, *found, "is no list");
+    if (found->kind != TomlValue::Kind::kList) refuse(key, *found, "is not a list");
     for (const TomlValue& item : found->items) list.push_back(text_of(key, item));
     return list;
   }
@@ -78,7 +78,7 @@ class Table {
       refuse(key, value, problem.what(), problem.remedy);
       return 0;
     }
-    refuse(key, value, si_unit == "1" ? "is no number" : "has no unit",
+    refuse(key, value, si_unit == "1" ? "is not a number" : "has no unit",
            si_unit == "1" ? "" : "a text such as \"1.5 " + si_unit + "\" is required here");
     return 0;
   }
@@ -92,7 +92,7 @@ class Table {
     std::vector<double> list;
     const TomlValue* found = need(key);
     if (found == nullptr) return list;
-    if (found->kind != TomlValue::Kind::kList) refuse(key, *found, "is no list");
+    if (found->kind != TomlValue::Kind::kList) refuse(key, *found, "is not a list");
     for (const TomlValue& item : found->items) list.push_back(number_of(key, item, si_unit));
     return list;
   }
@@ -101,7 +101,7 @@ class Table {
   int count_of(const std::string& key, const TomlValue& value, int fewest) {
     const double number = value.kind == TomlValue::Kind::kInteger ? value.number : 0;
     if (number >= fewest && number <= kMostCount) return static_cast<int>(number);
-    refuse(key, value, "is no count", "a whole number from " + std::to_string(fewest) + " on is required here");
+    refuse(key, value, "is not a count", "a whole number from " + std::to_string(fewest) + " on is required here");
     return fewest;
   }
 
@@ -114,7 +114,7 @@ class Table {
     std::vector<double> list;
     const TomlValue* found = need(key);
     if (found == nullptr) return list;
-    if (found->kind != TomlValue::Kind::kList) refuse(key, *found, "is no list");
+    if (found->kind != TomlValue::Kind::kList) refuse(key, *found, "is not a list");
     for (const TomlValue& item : found->items) list.push_back(count_of(key, item, fewest));
     return list;
   }
@@ -146,7 +146,7 @@ class Table {
     std::vector<std::string> names;
     for (const auto& known : study::measured_quantities()) names.push_back(known.name);
     const std::string nearest = nearest_word(quantity, names);
-    refuse("quantity", "is no quantity of a pad or a ring", nearest.empty() ? "" : "did you mean " + nearest + "?");
+    refuse("quantity", "is not a quantity of a pad or a ring", nearest.empty() ? "" : "did you mean " + nearest + "?");
     return "1";
   }
 
@@ -262,7 +262,7 @@ class VerificationReader {
         run.overrides.push_back({setting.substr(0, equal_sign), setting.substr(equal_sign + 1)});
       }
     }
-    if (!fs::is_regular_file(folder_ / run.path)) table.refuse("case", "is no file");
+    if (!fs::is_regular_file(folder_ / run.path)) table.refuse("case", "is not a file");
     named_[name] = std::move(run);
   }
 
@@ -270,7 +270,7 @@ class VerificationReader {
   std::string run(Table& table, const std::string& name, const std::string& key = "case") {
     if (name.empty()) return name;
     if (named_.count(name) == 0 && !fs::is_regular_file(folder_ / name)) {
-      table.refuse(key, "names " + name + ", which is no file of this folder and no [[run]] above");
+      table.refuse(key, "names " + name + ", which is not a file of this folder and no [[run]] above");
     } else {
       verification_.runs[name];
     }
@@ -296,7 +296,7 @@ class VerificationReader {
       check.manufactured = table.text_of("manufactured", *film);
       const auto& known = study::manufactured_films();
       if (std::find(known.begin(), known.end(), check.manufactured) == known.end()) {
-        table.refuse("manufactured", *film, "is no manufactured film",
+        table.refuse("manufactured", *film, "is not a manufactured film",
                      fmt::format("one of: {}", fmt::join(known, ", ")));
       }
     } else {
@@ -326,7 +326,8 @@ class VerificationReader {
     }
     const bool positive = std::all_of(check.levels.begin(), check.levels.end(), [](double level) { return level > 0; });
     if (static_cast<int>(check.levels.size()) < kFewestLevels || !positive) {
-      table.refuse(in_time == nullptr ? "cells" : steps, "is no ladder", "three positive numbers or more are wanted");
+      table.refuse(in_time == nullptr ? "cells" : steps, "is not a ladder",
+                   "three positive numbers or more are required");
     }
   }
 
@@ -337,7 +338,7 @@ class VerificationReader {
     check.probe = table.probe();
     note_time(table, check.run, check.probe);
     if (table.unit_of(check.probe.quantity) != "m") {
-      table.refuse("quantity", "is no length, which could be counted in cells", "a front, or peak_position");
+      table.refuse("quantity", "is not a length, which could be counted in cells", "a front, or peak_position");
     }
     check.exact = table.number("expected", "m");
     check.fewest_cells = table.count("fewest_cells", kFewestCells);
@@ -383,16 +384,17 @@ class VerificationReader {
     if (name.empty()) return;
     const std::string path = (folder_ / name).string();
     const CsvFile csv = read_csv({path, path}, NaN::kKept);
-    const auto column = [&](const char* key, const std::string& wanted, const std::string& si_unit) {
-      const auto found = csv.find(wanted);
-      if (!found && !wanted.empty()) table.refuse(key, "is no column of " + name, "there are " + csv.names());
+    const auto column = [&](const char* key, const std::string& requested, const std::string& si_unit) {
+      const auto found = csv.find(requested);
+      if (!found && !requested.empty()) table.refuse(key, "is not a column of " + name, "there are " + csv.names());
       return found ? samples(csv, *found, si_unit) : std::vector<double>{};
     };
     check.crank_angle_deg = column("angle_column", angles, "degree");
     check.expected = column("column", values, unit);
   }
 
-  /// A column in the unit of its header, in SI or degrees where it has none. Other columns may hold what is no number.
+  /// A column in the unit of its header, in SI or degrees where it has none. Other columns may hold what is not a
+  /// number.
   std::vector<double> samples(const CsvFile& csv, std::size_t i_column, const std::string& si_unit) {
     const CsvColumn& column = csv.columns[i_column];
     for (std::size_t i = 0; i < column.values.size(); ++i) {
@@ -404,7 +406,7 @@ class VerificationReader {
                        : column.values;
   }
 
-  /// Keeps in mind that the run must reach the time of a probe, until its case is read.
+  /// Records that the run must reach the time of a probe, until its case is read.
   void note_time(Table& table, const std::string& run, const study::Probe& probe) {
     const TomlValue* time = table.find("time");
     if (time != nullptr && !run.empty()) times_.push_back({run, probe.time.value_or(0), *time});

@@ -23,7 +23,7 @@ double wrapped(double angle) {
 }
 
 struct Extent {
-  double least, largest;  // NaN left out
+  double least, largest;  // NaN omitted
   double sum;             // finite only if all are
 };
 

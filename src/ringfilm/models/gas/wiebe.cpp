@@ -63,7 +63,7 @@ class ClosedCharge {
   double duration_;  // [degree]
 };
 
-/// Start of combustion and heat with which the pressure is stationary at the wanted angle and has the wanted value
+/// Start of combustion and heat with which the pressure is stationary at the stated angle and has the stated value
 /// there.
 struct Combustion {
   double start;  // [degree]
@@ -86,9 +86,9 @@ Combustion fitted_combustion(const WiebeCycle& cycle, const ClosedCharge& charge
   // At the peak (k - 1) dQ = k p dV. What is left is how far burning must have come so that p V^k has risen enough.
   const double heat_rate_at_peak =
       kExponent * cycle.peak_pressure * charge.volume_slope(peak) * std::pow(V, kExponent - 1);
-  const double rise_wanted = (cycle.peak_pressure - motored) * std::pow(V, kExponent);
+  const double rise_required = (cycle.peak_pressure - motored) * std::pow(V, kExponent);
   const auto missing = [&](double start) {
-    return rise_wanted - heat_rate_at_peak * charge.heat(peak, start) / charge.heat_rate(peak, start);
+    return rise_required - heat_rate_at_peak * charge.heat(peak, start) / charge.heat_rate(peak, start);
   };
   constexpr double kOverburnt = 2.5;  // burn durations; the burn rate is down to 1e-45 there
   const double latest = peak - 1e-6 * cycle.burn_duration_deg;
@@ -101,7 +101,7 @@ Combustion fitted_combustion(const WiebeCycle& cycle, const ClosedCharge& charge
   const auto [low, high] = boost::math::tools::toms748_solve(missing, earliest, latest,
                                                              boost::math::tools::eps_tolerance<double>(), iterations);
   const double start = (low + high) / 2;
-  return {start, rise_wanted / charge.heat(peak, start)};
+  return {start, rise_required / charge.heat(peak, start)};
 }
 
 struct Samples {

@@ -30,7 +30,7 @@ class OilAtTemperature {
   /// Properties at absolute pressures p [Pa].
   virtual void properties(std::span<const double> p, OilProperties out) const = 0;
 
-  /// Polynomials that may stand for the laws within their range of pressure; nullptr where there are none.
+  /// Polynomials that may replace the laws within their range of pressure; nullptr where there are none.
   virtual const OilFit* fit() const { return nullptr; }
 
   double density(double p) const;    ///< [kg/m3]

@@ -8,7 +8,7 @@
 
 namespace ringfilm::models {
 
-/// Polynomials that stand for an oil's laws in the inner loop, eq-oil-fit: rho/eta, rho and their slopes in pressure
+/// Polynomials that replace an oil's laws in the inner loop, eq-oil-fit: rho/eta, rho and their slopes in pressure
 /// over a range of it, in t = (p - centre)/half_width, lowest power first.
 /// The slopes have polynomials of their own, shorter than the derivatives would be: they steer the iteration, the
 /// values alone decide where it ends.

@@ -4,7 +4,7 @@
 namespace ringfilm::models {
 
 /// Between these temperatures an oil may flow in an engine [K], as the case key operating.oil_temperature has it.
-/// Below, where no base oil flows any more, stand degrees Celsius that were not converted; above it burns.
+/// Below, where no base oil flows any more, values are degrees Celsius that were not converted; above it burns.
 inline constexpr double kColdestOil = 200;
 inline constexpr double kHottestOil = 600;
 

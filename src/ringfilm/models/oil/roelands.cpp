@@ -28,7 +28,7 @@ class RoelandsCurve final : public ViscosityCurve {
     for (int n = 1; n < kTerms; ++n) {
       for (int k = 1; k <= n; ++k) series_[n] += k * a[k] * series_[n - k] / n;
     }
-    // Where the last term is a few roundings of the sum, what is left out is less.
+    // Where the last term is a few roundings of the sum, what is omitted is smaller.
     constexpr double kLastTerm = 1e-15;
     const double converged =
         std::pow(kLastTerm * series_[0] / std::abs(series_[kTerms - 1]), 1.0 / (kTerms - 1)) * kScale;

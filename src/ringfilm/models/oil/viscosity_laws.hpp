@@ -9,7 +9,7 @@
 
 /// The one table of the laws of viscosity against pressure. The choices of `lubricant.viscosity_pressure`, the case
 /// keys of the laws' parameters, the list of keys in the manual and the tests of the laws all walk it; nothing else
-/// knows a law. How to add one: docs/manual/extending/adding-a-law.md.
+/// depends on a single law. How to add one: docs/manual/extending/adding-a-law.md.
 namespace ringfilm::models {
 
 enum class Statement { kDefault, kRequired };
@@ -39,7 +39,7 @@ class ViscosityCurve {
   virtual void viscosity(std::span<const double> p, std::span<double> eta, std::span<double> deta_dp) const = 0;
 };
 
-/// What a law knows of the oil.
+/// Properties of the oil that a law uses.
 struct LawInputs {
   double eta_T;                     ///< viscosity at the temperature of the film and p = 0 [Pa s]
   double eta_0;                     ///< viscosity to which the stated coefficients belong [Pa s]

@@ -11,8 +11,8 @@ namespace ringfilm::report {
 /// What was done: plan, bases, factors, what was not solved, program and files.
 nlohmann::ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const io::Provenance& provenance);
 
-/// Statistics of all cycle values, and of the main ones histograms, indices, swings, convergence, elementary effects
-/// and the comparison of bases and choices, as far as the plan has them.
+/// Statistics of all cycle values, and of the main ones histograms, indices, one-at-a-time sensitivities, convergence,
+/// elementary effects and the comparison of bases and choices, as far as the plan has them.
 void add_study_values(const io::StudyRows& rows, const io::Units& units, nlohmann::ordered_json& payload);
 
 /// Values at the points of a grid, unless it has more than the page can hold, and an even subset of the points of each

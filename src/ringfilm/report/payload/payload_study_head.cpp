@@ -8,7 +8,7 @@
 #include "ringfilm/report/payload/payload_study.hpp"
 #include "ringfilm/report/payload/unsolved_reasons.hpp"
 #include "ringfilm/study/statistics/main_values.hpp"
-#include "ringfilm/study/statistics/swing.hpp"
+#include "ringfilm/study/statistics/one_at_a_time.hpp"
 #include "ringfilm/study/study_words.hpp"
 
 namespace ringfilm::report {
@@ -117,7 +117,7 @@ ordered_json factor_object(const study::Study& study, const study::Factor& facto
           {"display_unit", factor.display_unit},
           {"words", std::visit(VariationWords(factor, units), factor.variation)},
           {"choices", std::move(choices)},
-          {"listed", study::swing_ends(factor.variation) == study::SwingEnds::kValues},
+          {"listed", study::sensitivity_ends(factor.variation) == study::SensitivityEnds::kValues},
           {"logarithmic", std::holds_alternative<study::Span>(factor.variation) &&
                               std::get<study::Span>(factor.variation).spacing == study::Spacing::kLogarithmic},
           {"origin", is_measured ? "measured" : "stated"},

@@ -11,9 +11,9 @@
 #include "ringfilm/study/design/morris.hpp"
 #include "ringfilm/study/statistics/histogram.hpp"
 #include "ringfilm/study/statistics/main_values.hpp"
+#include "ringfilm/study/statistics/one_at_a_time.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
-#include "ringfilm/study/statistics/swing.hpp"
 
 namespace ringfilm::report {
 namespace {
@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 
 constexpr int kValueDigits = 6;
 /// Numbers of factors that are held in memory at once, 8 MB.
-constexpr std::uint64_t kMostSwungNumbers = std::uint64_t{1} << 20;
+constexpr std::uint64_t kMostVariedNumbers = std::uint64_t{1} << 20;
 /// Of the curves of convergence: 5 %, 50 %, 95 %.
 const std::vector<double> kConvergingShares = {0.05, 0.5, 0.95};
 
@@ -42,7 +42,7 @@ ordered_json mean_object(const study::Mean& mean) {
 ordered_json statistics_object(const std::vector<double>& values, const std::vector<double>& sorted, bool is_sample) {
   if (sorted.empty()) return nullptr;
   ordered_json object = {{"n", sorted.size()},
-                         {"left_out", values.size() - sorted.size()},
+                         {"omitted", values.size() - sorted.size()},
                          {"lowest", number(sorted.front())},
                          {"highest", number(sorted.back())}};
   if (!is_sample) {
@@ -66,12 +66,12 @@ class MainValues {
  public:
   MainValues(const io::StudyRows& rows, const io::Units& units, ordered_json& payload)
       : plan_(rows.plan), payload_(payload), groups_(comparison_groups(rows.plan, units)) {
-    for (const char* part : {"histograms", "indices", "swings", "convergence", "effects", "comparison"})
+    for (const char* part : {"histograms", "indices", "sensitivities", "convergence", "effects", "comparison"})
       payload_[part] = ordered_json::object();
     ordered_json names = ordered_json::array();
     for (const ComparisonGroup& group : groups_) names.push_back({{"name", group.name}, {"base", group.base}});
     payload_["comparison_groups"] = std::move(names);
-    if (has_swings()) pick_for_swings();
+    if (has_sensitivities()) pick_for_sensitivities();
   }
 
   void add(const std::string& name, const std::vector<double>& all) {
@@ -82,7 +82,7 @@ class MainValues {
       if (plan_.study().sampling.indices != study::Indices::kNone)
         payload_["indices"][name].push_back(
             indices_object(study::values_of_base(plan_, all, b, study::Among::kAll), b));
-      if (has_swings()) payload_["swings"][name].push_back(swings_object(all, b));
+      if (has_sensitivities()) payload_["sensitivities"][name].push_back(sensitivities_object(all, b));
       if (plan_.study().sampling.method == study::Method::kMorris)
         payload_["effects"][name].push_back(
             effects_object(study::values_of_base(plan_, all, b, study::Among::kAll), b));
@@ -94,7 +94,7 @@ class MainValues {
   /// The first points of a list say nothing about the others: its order is as it was written.
   bool settles() const { return study::has_sample(plan_) && plan_.study().sampling.method != study::Method::kList; }
 
-  bool has_swings() const {
+  bool has_sensitivities() const {
     return study::has_sample(plan_) || plan_.study().sampling.method == study::Method::kOneAtATime;
   }
 
@@ -142,56 +142,59 @@ class MainValues {
       first.push_back(reported(found->first[g]));
       total.push_back(reported(found->total[g]));
     }
-    return {{"rows", found->rows}, {"left_out", found->left_out}, {"first", first}, {"total", total}};
+    return {{"rows", found->rows}, {"omitted", found->omitted}, {"first", first}, {"total", total}};
   }
 
   /// The factors' numbers of all scenarios may not fit into memory: of a large sample an even part of each base.
-  void pick_for_swings() {
+  void pick_for_sensitivities() {
     const study::Study& study = plan_.study();
-    const std::uint64_t most = kMostSwungNumbers / std::max<std::size_t>(study.factors.size() * study.bases.size(), 1);
-    swung_.resize(study.bases.size());
+    const std::uint64_t most = kMostVariedNumbers / std::max<std::size_t>(study.factors.size() * study.bases.size(), 1);
+    varied_.resize(study.bases.size());
     for (std::size_t b = 0; b < study.bases.size(); ++b) {
       std::uint64_t n = 0;
-      for (std::uint64_t p = 0; p < plan_.n_points(b); ++p) n += is_swung(p) ? 1 : 0;
+      for (std::uint64_t p = 0; p < plan_.n_points(b); ++p) n += is_varied(p) ? 1 : 0;
       const std::vector<std::uint64_t> picked = evenly_picked(n, study::has_sample(plan_) ? most : n);
-      swung_[b].factors.resize(study.factors.size());
+      varied_[b].factors.resize(study.factors.size());
       std::uint64_t place = 0;
       auto next = picked.begin();
       for (std::uint64_t p = 0; p < plan_.n_points(b) && next != picked.end(); ++p) {
-        if (!is_swung(p) || place++ != *next) continue;
+        if (!is_varied(p) || place++ != *next) continue;
         ++next;
-        swung_[b].scenarios.push_back(plan_.scenario(b, p));
-        const study::Point point = plan_.point(swung_[b].scenarios.back());
+        varied_[b].scenarios.push_back(plan_.scenario(b, p));
+        const study::Point point = plan_.point(varied_[b].scenarios.back());
         for (std::size_t j = 0; j < study.factors.size(); ++j)
-          swung_[b].factors[j].push_back(point.values[j].value_or(std::nan("")));
+          varied_[b].factors[j].push_back(point.values[j].value_or(std::nan("")));
       }
     }
   }
 
-  bool is_swung(std::uint64_t p) const { return !study::has_sample(plan_) || plan_.is_sample(p); }
+  bool is_varied(std::uint64_t p) const { return !study::has_sample(plan_) || plan_.is_sample(p); }
 
   /// For each factor the value where it is low and where it is high; null where that is unknown.
-  ordered_json swings_object(const std::vector<double>& all, std::size_t base) const {
-    const Swung& swung = swung_[base];
+  ordered_json sensitivities_object(const std::vector<double>& all, std::size_t base) const {
+    const VariedFactors& varied = varied_[base];
     std::vector<double> values;
-    for (const std::uint64_t i : swung.scenarios) values.push_back(all[i]);
-    ordered_json swings = ordered_json::array();
-    for (std::size_t j = 0; j < swung.factors.size(); ++j) {
-      const auto swing =
+    for (const std::uint64_t i : varied.scenarios) values.push_back(all[i]);
+    ordered_json sensitivities = ordered_json::array();
+    for (std::size_t j = 0; j < varied.factors.size(); ++j) {
+      const auto sensitivity =
           study::has_sample(plan_)
-              ? study::swing_of(swung.factors[j], values, study::swing_ends(plan_.study().factors[j].variation))
-              : swing_alone(values, swung.factors[j]);
-      swings.push_back(swing ? ordered_json{number(swing->low), number(swing->high)} : ordered_json(nullptr));
+              ? study::one_at_a_time_sensitivity(varied.factors[j], values,
+                                                 study::sensitivity_ends(plan_.study().factors[j].variation))
+              : sensitivity_alone(values, varied.factors[j]);
+      sensitivities.push_back(sensitivity ? ordered_json{number(sensitivity->low), number(sensitivity->high)}
+                                          : ordered_json(nullptr));
     }
     const auto sorted = study::sorted_values(of_base(all, base));
     const double own = all[plan_.scenario(base, 0)];
     const double middle =
         study::has_sample(plan_) ? (sorted.empty() ? std::nan("") : study::quantile_of(sorted, 0.5).value) : own;
-    return {{"middle", number(middle)}, {"factors", std::move(swings)}};
+    return {{"middle", number(middle)}, {"factors", std::move(sensitivities)}};
   }
 
   /// One at a time: the points that move this factor, at its lowest and its highest value.
-  static std::optional<study::Swing> swing_alone(const std::vector<double>& values, const std::vector<double>& factor) {
+  static std::optional<study::OneAtATimeSensitivity> sensitivity_alone(const std::vector<double>& values,
+                                                                       const std::vector<double>& factor) {
     std::optional<std::size_t> low, high;
     for (std::size_t p = 1; p < factor.size(); ++p) {
       // A factor that another point moves stands as in point 0.
@@ -200,7 +203,7 @@ class MainValues {
       if (!high || factor[p] > factor[*high]) high = p;
     }
     if (!low || !std::isfinite(values[*low]) || !std::isfinite(values[*high])) return std::nullopt;
-    return study::Swing{values[*low], values[*high]};
+    return study::OneAtATimeSensitivity{values[*low], values[*high]};
   }
 
   /// Null for a factor that moves nothing in that base, and where too few scenarios were solved.
@@ -218,7 +221,7 @@ class MainValues {
                          {"half_width", number(study::mean_half_width(effect->count) * effect->mean_absolute_error)},
                          {"deviation", number(effect->deviation)},
                          {"count", effect->count},
-                         {"left_out", effect->left_out}});
+                         {"omitted", effect->omitted}});
     }
     return effects;
   }
@@ -248,12 +251,12 @@ class MainValues {
   ordered_json& payload_;
   std::vector<ComparisonGroup> groups_;
 
-  /// Scenarios of a base from which swings are reported, with the numbers of their factors.
-  struct Swung {
+  /// Scenarios of a base from which sensitivities are reported, with the numbers of their factors.
+  struct VariedFactors {
     std::vector<std::uint64_t> scenarios;
     std::vector<std::vector<double>> factors;
   };
-  std::vector<Swung> swung_;
+  std::vector<VariedFactors> varied_;
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ Ends ends(const Distribution& d) {
   return {d.lower, d.upper};
 }
 
-/// Calls `ask` with the distribution as the library knows it.
+/// Calls `ask` with the distribution of the library.
 template <class Ask>
 double asked(const Distribution& d, const Ask& ask) {
   switch (d.shape) {
@@ -101,7 +101,7 @@ std::vector<Complaint> complaints_of_shape(const Distribution& d) {
   const auto positive = [&found](const char* what, double deviation) {
     if (deviation > 0) return;
     found.push_back({std::string("has the ") + what + " " + shown(deviation),
-                     "it must be above 0; what does not vary is no factor"});
+                     "it must be above 0; what does not vary is not a factor"});
   };
   switch (d.shape) {
     case Shape::kNormal:
@@ -122,7 +122,7 @@ std::vector<Complaint> complaints_of_shape(const Distribution& d) {
     case Shape::kUniform:
       if (d.lower >= d.upper) {
         found.push_back({"has its lower end " + shown(d.lower) + " not below its upper end " + shown(d.upper),
-                         "exchange them, or leave out what does not vary"});
+                         "exchange them, or omit what does not vary"});
       }
       break;
   }
@@ -180,7 +180,7 @@ std::vector<Complaint> complaints(const Distribution& d) {
              "check the bounds of `truncate` against the values that the distribution has"}};
   }
   if (!std::isfinite(quantile(d, 0x1.0p-53)) || !std::isfinite(quantile(d, 1 - 0x1.0p-53))) {
-    return {{"is wider than numbers can tell", "state a smaller deviation"}};
+    return {{"exceeds the range of numbers", "state a smaller deviation"}};
   }
   return {};
 }

@@ -8,7 +8,7 @@ namespace ringfilm::study {
 
 enum class Shape { kNormal, kLognormal, kUniform, kTriangular };
 
-/// How likely each value of a number is. Only the members of its shape count; `unit` stands for the unit of the number.
+/// How likely each value of a number is. Only the members of its shape count; `unit` is the unit of the number.
 /// Made by `normal`, `lognormal`, ... below, or member by member.
 struct Distribution {
   Shape shape = Shape::kNormal;

@@ -24,7 +24,7 @@ struct Target {
   double gain = 1;
 };
 
-/// One of the values of a key that is no number.
+/// One of the values of a key that is not a number.
 struct Choice {
   std::string text;      ///< as one would write it in TOML, without quotes
   SourceMark mark = {};  ///< where it is written in the study's file
@@ -58,14 +58,14 @@ struct Factor {
   Variation variation;
   std::string unit;          ///< SI; "1" for a dimensionless number and for scale, "" for choices
   std::string display_unit;  ///< the unit in which people read it
-  SourceMark mark;           ///< where it stands in the study's file, for what is wrong with it
+  SourceMark mark;           ///< its place in the study's file, for messages about it
   std::string source = {};   ///< where its variation comes from, "assumed: ...", for people; may be empty
 };
 
 /// Does the factor move anything in that base?
 bool applies(const Factor& factor, std::size_t base);
 
-/// How many values the variation has on a grid; 0 where it is none of listed values, listed texts and spans.
+/// How many values the variation has on a grid; 0 unless it is listed values, listed texts or a span.
 std::size_t n_levels(const Variation& variation);
 
 /// The value at that place of the grid, from 0: a number [SI], or the index of a choice.

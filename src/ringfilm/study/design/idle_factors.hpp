@@ -22,7 +22,7 @@ class IdleFactors {
   /// One scenario; `values` as in ScenarioRow. Any order.
   void add(std::uint64_t scenario, std::span<const double> values);
 
-  /// Is no factor idle, whatever comes?
+  /// Are all factors in use, whatever comes?
   bool is_decided() const;
 
   /// One sentence for each idle factor, or one for all of them.

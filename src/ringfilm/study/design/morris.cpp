@@ -62,7 +62,7 @@ std::vector<std::optional<MorrisEffect>> morris_effects(const MorrisTrajectories
                                                         std::span<const double> values) {
   const std::size_t n_factors = trajectories.points_per_trajectory() - 1;
   std::vector<std::vector<double>> effects(n_factors);
-  std::vector<std::uint64_t> left_out(n_factors, 0);
+  std::vector<std::uint64_t> omitted(n_factors, 0);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto step = trajectories.step_to(i);
     if (!step) continue;
@@ -70,7 +70,7 @@ std::vector<std::optional<MorrisEffect>> morris_effects(const MorrisTrajectories
     if (std::isfinite(effect)) {
       effects[step->factor].push_back(effect);
     } else {
-      ++left_out[step->factor];
+      ++omitted[step->factor];
     }
   }
   std::vector<std::optional<MorrisEffect>> results(n_factors);
@@ -90,7 +90,7 @@ std::vector<std::optional<MorrisEffect>> morris_effects(const MorrisTrajectories
     result.deviation = std::sqrt(square / (n - 1));
     result.mean_absolute_error = std::sqrt(square_of_absolute / (n - 1) / n);
     result.count = effects[j].size();
-    result.left_out = left_out[j];
+    result.omitted = omitted[j];
     results[j] = result;
   }
   return results;

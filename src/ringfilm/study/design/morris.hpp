@@ -39,16 +39,16 @@ class MorrisTrajectories {
 
 /// What the elementary effects of one factor are like [unit of the value over the whole range of the factor].
 struct MorrisEffect {
-  double mean = 0;                        ///< mu: effects of both signs cancel
-  double mean_absolute = 0;               ///< mu* of @cite campolongo2007: what ranks the factors
-  double mean_absolute_error = 0;         ///< its standard error
-  double deviation = 0;                   ///< sigma: large where the factor acts nonlinearly or through others
-  std::uint64_t count = 0, left_out = 0;  ///< steps with a value at both ends, and others
+  double mean = 0;                       ///< mu: effects of both signs cancel
+  double mean_absolute = 0;              ///< mu* of @cite campolongo2007: what ranks the factors
+  double mean_absolute_error = 0;        ///< its standard error
+  double deviation = 0;                  ///< sigma: large where the factor acts nonlinearly or through others
+  std::uint64_t count = 0, omitted = 0;  ///< steps with a value at both ends, and others
 };
 
 /// Effects of all factors on a value, from its values at points 0, 1, ...; eq-morris. A trajectory at the end that is
-/// not complete counts as far as it goes. A value that is not finite (a scenario that was not solved) spoils both steps
-/// that touch it. @returns for each factor its effect; nothing where there are fewer than two
+/// not complete counts as far as it goes. A value that is not finite (a scenario that was not solved) invalidates both
+/// steps that touch it. @returns for each factor its effect; nothing where there are fewer than two
 std::vector<std::optional<MorrisEffect>> morris_effects(const MorrisTrajectories& trajectories,
                                                         std::span<const double> values);
 

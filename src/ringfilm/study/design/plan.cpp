@@ -250,11 +250,11 @@ std::vector<std::string> Plan::notes() const {
   const Sampling& sampling = study_.sampling;
   std::vector<std::string> notes;
   if (sampling.method == Method::kLatinHypercube) {
-    notes.push_back("a Latin hypercube of another number of scenarios has other points: this study cannot go on");
+    notes.push_back("a Latin hypercube of another number of scenarios has other points: this study cannot be extended");
   }
   if (sampling.method == Method::kSobol && !std::has_single_bit(sampling.scenarios)) {
     notes.push_back(std::to_string(sampling.scenarios) +
-                    " scenarios are no power of two: Sobol points are evenest at powers of two");
+                    " scenarios are not a power of two: Sobol points are evenest at powers of two");
   }
   if (sampling.method == Method::kSobol || sampling.method == Method::kLatinHypercube) {
     notes.push_back(std::string("the intervals of means and quantiles presume independent points; ") +
@@ -264,7 +264,7 @@ std::vector<std::string> Plan::notes() const {
   if (sampling.method == Method::kList) {
     notes.push_back(
         "means, quantiles and their intervals presume that the points of the list were drawn at random from what the "
-        "factors may be; of points that were chosen otherwise they say nothing about how likely a value is");
+        "factors may be; for points that were chosen otherwise they do not show how likely a value is");
   }
   if (sampling.indices != Indices::kNone && sampling.scenarios < kFewRows) {
     notes.push_back("indices from " + std::to_string(sampling.scenarios) + " rows, fewer than " +
@@ -285,7 +285,7 @@ std::vector<std::string> Plan::notes() const {
     }
   }
   if (sampling.indices == Indices::kFirstAndTotal && groups_.size() < study_.factors.size()) {
-    notes.push_back("correlated factors share one index: what each of them adds cannot be told apart");
+    notes.push_back("correlated factors share one index: the contribution of each cannot be separated");
   }
   return notes;
 }

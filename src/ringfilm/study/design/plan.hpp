@@ -28,8 +28,8 @@ std::vector<Fault> faults_of(const Study& study);
 
 /// All scenarios of a study, by their number. Each costs as much as it has factors, whichever comes first and whatever
 /// was asked for before; nothing is stored for them. The same study gives the same numbers whatever it is split into,
-/// and with Sobol points and Morris trajectories whatever their count: such a study can go on, see can_grow(). A Latin
-/// hypercube, a grid and a list cannot.
+/// and with Sobol points and Morris trajectories whatever their count: such a study can be extended, see can_grow(). A
+/// Latin hypercube, a grid and a list cannot.
 class Plan {
  public:
   /// Throws InputError with all faults_of(study).
@@ -38,15 +38,16 @@ class Plan {
   const Study& study() const { return study_; }
 
   std::uint64_t size() const;  ///< scenarios of all bases
-  std::uint64_t most() const;  ///< up to which the study may go on; size() where it does not
+  std::uint64_t most() const;  ///< up to which the study may be extended; size() where it may not
   bool can_grow() const;       ///< do its scenarios stay the same where there are more of them?
 
   /// Scenario i. Throws std::out_of_range unless i < most().
   Point point(std::uint64_t i) const;
   std::size_t base_of(std::uint64_t i) const { return place(i).base; }
 
-  /// Scenarios of one base, and the number among all of its point p (in its own order, as statistics want them). Points
-  /// of a sample come base after base: the same point of all bases stands side by side, with the same numbers.
+  /// Scenarios of one base, and the number among all of its point p (in its own order, as statistics require them).
+  /// Points of a sample come base after base: the same point of all bases is stored side by side, with the same
+  /// numbers.
   std::uint64_t n_points(std::size_t base) const;
   std::uint64_t scenario(std::size_t base, std::uint64_t p) const;
   /// The point within its base of a scenario.
@@ -55,7 +56,8 @@ class Plan {
   /// Is point p one of a sample of the factors, from which means and quantiles may be taken? Not on a grid, along a
   /// trajectory, nor where points for indices share coordinates with others.
   bool is_sample(std::uint64_t p) const;
-  /// Points that come together (2 + groups with indices, those of a trajectory, otherwise 1): a study goes on by these.
+  /// Points that come together (2 + groups with indices, those of a trajectory, otherwise 1): a study continues by
+  /// these.
   std::uint64_t points_per_row() const;
 
   /// The groups of factors for which indices are reported; each factor alone where none is correlated.

@@ -60,7 +60,8 @@ class FactorCheck {
     } else if (span.spacing == Spacing::kLogarithmic && span.low <= 0) {
       refuse("has a logarithmic range from " + shown(span.low), "both ends must be above 0");
     }
-    if (span.points < 2) refuse("has a range of " + std::to_string(span.points) + " points", "two or more are wanted");
+    if (span.points < 2)
+      refuse("has a range of " + std::to_string(span.points) + " points", "two or more are required");
   }
 
   void check_levels(std::vector<double> values) {
@@ -111,7 +112,7 @@ class FactorCheck {
     switch (entry_of(field)) {
       case Entry::kNone:
       case Entry::kText:
-        refuse("has numbers for " + field.key + ", which is no number", "list the values of the key as text");
+        refuse("has numbers for " + field.key + ", which is not a number", "list the values of the key as text");
         return;
       case Entry::kWholeNumber:
         if (drawn) refuse("draws " + field.key + ", which is a whole number", "list whole numbers as values");
@@ -166,7 +167,7 @@ class FactorCheck {
       if (names && std::find(names->names.begin(), names->names.end(), choice.text) == names->names.end()) {
         std::string all;
         for (const std::string& name : names->names) all.append(all.empty() ? "" : ", ").append(name);
-        refuse("has \"" + choice.text + "\", which " + field.key + " does not know", "choose among " + all);
+        refuse("has \"" + choice.text + "\", which " + field.key + " does not accept", "choose among " + all);
       }
     }
   }
@@ -204,13 +205,13 @@ void check_names(const Study& study, Faults& faults) {
   std::set<std::string> seen;
   for (const Factor& factor : study.factors) {
     if (!seen.insert(factor.name).second) {
-      faults.push_back({factor.mark, called(factor) + " stands twice", "give each factor a name of its own"});
+      faults.push_back({factor.mark, called(factor) + " is repeated", "give each factor a name of its own"});
     }
   }
   std::set<std::string> bases;
   for (const Base& base : study.bases) {
     if (!bases.insert(base.name).second) {
-      faults.push_back({{}, "base \"" + base.name + "\" stands twice", "give each base a name of its own"});
+      faults.push_back({{}, "base \"" + base.name + "\" is repeated", "give each base a name of its own"});
     }
   }
 }
@@ -266,7 +267,7 @@ void check_correlation(const Study& study, const Correlation& one, Faults& fault
     faults.push_back({one.mark, called(a) + " is correlated with itself", "name two factors"});
   } else if (!(std::abs(one.value) < 1)) {
     faults.push_back({one.mark, pair + " is " + shown(one.value),
-                      "it must be above -1 and below 1; what follows from another is no factor of its own"});
+                      "it must be above -1 and below 1; a factor that follows from another is not a separate factor"});
   }
   for (const Factor* factor : {&a, &b}) {
     if (std::holds_alternative<Distribution>(factor->variation) || std::holds_alternative<Span>(factor->variation))
@@ -288,7 +289,7 @@ void check_correlations(const Study& study, Faults& faults) {
     if (!seen.insert(std::minmax(one.first, one.second)).second) {
       faults.push_back({one.mark,
                         "the correlation of " + called(study.factors[one.first]) + " and " +
-                            called(study.factors[one.second]) + " stands twice",
+                            called(study.factors[one.second]) + " is repeated",
                         "keep one of them"});
     }
   }
@@ -333,7 +334,7 @@ void check_until(const Study& study, Faults& faults) {
     faults.push_back({until.mark, message, remedy});
   };
   if (sampling.method != Method::kSobol) {
-    refuse("plan.until: this plan cannot go on", "only Sobol points can: method = \"sobol\"");
+    refuse("plan.until: this plan cannot be extended", "only Sobol points can: method = \"sobol\"");
   }
   if (!cycle::cycle_quantity_index(until.value)) {
     refuse("plan.until: there is no value " + until.value + " of a cycle", "for example fmep");
@@ -389,13 +390,13 @@ void check_sampling(const Study& study, Faults& faults) {
   constexpr double kMost = static_cast<double>(SobolPoints::kMostPoints);
   const bool is_sample = sampling.method == Method::kLatinHypercube || sampling.method == Method::kSobol;
   if (is_sample && (sampling.scenarios == 0 || static_cast<double>(sampling.scenarios) > kMost)) {
-    refuse("plan.scenarios = " + std::to_string(sampling.scenarios), "at least 1 and at most 2^32 are wanted");
+    refuse("plan.scenarios = " + std::to_string(sampling.scenarios), "at least 1 and at most 2^32 are required");
   }
   if (sampling.until && static_cast<double>(sampling.until->most) > kMost) {
-    refuse("plan.until: most = " + std::to_string(sampling.until->most), "at most 2^32 points can be told apart");
+    refuse("plan.until: most = " + std::to_string(sampling.until->most), "at most 2^32 points can be distinguished");
   }
   if (sampling.indices != Indices::kNone && sampling.method != Method::kSobol) {
-    refuse("plan.indices want Sobol points", "method = \"sobol\"");
+    refuse("plan.indices require Sobol points", "method = \"sobol\"");
   }
   const std::size_t n_sets = sampling.indices == Indices::kNone ? 1 : 2;
   if (sampling.method == Method::kSobol && n_sets * study.factors.size() > SobolPoints::kMostDimensions) {
@@ -409,7 +410,7 @@ void check_sampling(const Study& study, Faults& faults) {
                         "state values or a range, or sample: method = \"sobol\""});
     }
     if (grid_points(study) > kMost) {
-      refuse("the grid has " + shown(grid_points(study)) + " points", "at most 2^32 can be told apart");
+      refuse("the grid has " + shown(grid_points(study)) + " points", "at most 2^32 can be distinguished");
     }
   }
   if (sampling.method == Method::kMorris) {
@@ -417,7 +418,7 @@ void check_sampling(const Study& study, Faults& faults) {
       refuse("plan.levels = " + std::to_string(sampling.levels), "an even number from 2 to 1000 is required");
     }
     if (sampling.trajectories < 2 || static_cast<double>(sampling.trajectories) > 1e6) {
-      refuse("plan.trajectories = " + std::to_string(sampling.trajectories), "2 to 10^6 are wanted");
+      refuse("plan.trajectories = " + std::to_string(sampling.trajectories), "2 to 10^6 are required");
     }
   }
   if (sampling.method == Method::kList) check_list(study, faults);

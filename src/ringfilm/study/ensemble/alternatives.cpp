@@ -70,8 +70,8 @@ std::vector<Alternative> other_choices(const std::string& key, const Case& c) {
 std::vector<Alternative> other_numbers(const std::string& key, const Case& c, double in_use, const Unit& unit,
                                        std::initializer_list<double> values) {
   std::vector<Alternative> others;
-  for (const double wanted : values) {
-    const std::string number = four_digits((wanted - unit.zero) / unit.size);
+  for (const double requested : values) {
+    const std::string number = four_digits((requested - unit.zero) / unit.size);
     const double value = std::strtod(number.c_str(), nullptr) * unit.size + unit.zero;
     if (same(value, in_use) || !in_range(key, value)) continue;
     const std::string written = *unit.name ? "\"" + number + " " + unit.name + "\"" : number;

@@ -29,8 +29,8 @@ struct Unit {
   double zero = 0;
 };
 
-/// Other values [SI] of `key`, each rounded to four digits in `unit` before it is applied: what a setting says is what
-/// is run. Values within a thousandth of `in_use` [SI] are left out.
+/// Other values [SI] of `key`, each rounded to four digits in `unit` before it is applied: what a setting states is
+/// what is run. Values within a thousandth of `in_use` [SI] are omitted.
 std::vector<Alternative> other_numbers(const std::string& key, const cycle::Case& c, double in_use, const Unit& unit,
                                        std::initializer_list<double> values);
 

@@ -190,7 +190,7 @@ Assumption oil_temperature(const Case& c) {
 Assumption flooded_inlet(const cycle::Setup& setup) {
   return assumption(
       "flooded-inlet",
-      text("both edges are flooded with oil; at the chamber edge it stands at up to %.3g bar",
+      text("both edges are flooded with oil; at the chamber edge its pressure is up to %.3g bar",
            setup.ring.lands.above.peak() / 1e5),
       "physically that is gas: with gas at the chamber edge friction falls by 30 to 45 %, with the oil that earlier "
       "strokes left as supply most of that comes back");
@@ -201,12 +201,12 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
 Assumption ring_gap(const Case& c) {
   const char* topic = "ring-gap";
   if (!c.is_unrolled()) {
-    Assumption left_out =
-        assumption(topic, "the ends of the ring's gap are left out",
+    Assumption omitted =
+        assumption(topic, "the ends of the ring are omitted",
                    "their share is about that of the gap in the circumference; film.dimension = \"unrolled\" with "
                    "ring.end_gap computes them");
-    left_out.entry.can_be_lifted = true;
-    return left_out;
+    omitted.entry.can_be_lifted = true;
+    return omitted;
   }
   const auto others = other_choices("film.dimension", c);
   if (!c.ring.end_gap) {

@@ -15,7 +15,7 @@ namespace ringfilm::study {
 /// How a batch is computed; none of it changes a number.
 struct BatchOptions {
   int threads = 0;  ///< 0: as many as the machine runs at once
-  /// How a case is made ready: empty, by cycle::prepare. One's own may bring another oil (cycle::OwnOil); it is called
+  /// How a case is set up: empty, by cycle::prepare. One's own may bring another oil (cycle::OwnOil); it is called
   /// from several threads at a time, and an InputError that it throws refuses the case.
   std::function<cycle::Setup(const cycle::Case&)> prepare = {};
   /// Called by every thread now and then from within its integrations, from several at a time. What it throws ends the

@@ -82,7 +82,7 @@ Estimate angle_estimate(const ResultLevels& levels) {
   return {std::fmax(finer, coarser), kNone};
 }
 
-/// What a value cannot be resolved below, whatever the grids say.
+/// What a value cannot be resolved below, whatever the grids give.
 double resolution(const Case& c, const cycle::CycleQuantity& quantity, const CycleResult& result) {
   if (is_angle(quantity)) return 0.5 * c.solver.crank_step_deg;
   const double share = result.values.mixed_share;

@@ -37,8 +37,9 @@ bool has_values(const ErrorEstimate& estimate);
 /// Can a curve have a discretisation error? Not the crank angle itself and not the effort that was spent.
 bool has_error(const cycle::CurveQuantity& quantity);
 
-/// The case on the four other grids that tell its errors: cells doubled and halved, steps halved and doubled. Of an
-/// unrolled film the cells around the ring go with those across the face, and so does the length of those at its ends.
+/// The case on the four other grids from which its errors follow: cells doubled and halved, steps halved and doubled.
+/// Of an unrolled film the cells around the ring go with those across the face, and so does the length of those at its
+/// ends.
 std::vector<cycle::Case> other_grids(const cycle::Case& c);
 
 /// The errors of `result`, a complete result of `c`, from how its `other_grids` ended. One that was not solved, be it
@@ -50,7 +51,7 @@ ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& res
 ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, const Progress& progress = {},
                              const BatchOptions& options = {});
 
-/// What the user must know about the integrations that stopped; empty if none did.
+/// What the user must learn about the integrations that stopped; empty if none did.
 std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate);
 
 /// No error at all: what `values` and `samples` of a result start from.

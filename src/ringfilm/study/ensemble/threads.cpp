@@ -11,8 +11,8 @@
 
 namespace ringfilm::study {
 
-int n_threads(int wanted) {
-  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+int n_threads(int requested) {
+  return requested > 0 ? requested : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 void on_threads(int n, const std::function<void(int)>& work) {

@@ -4,8 +4,8 @@
 /// The only place where threads begin.
 namespace ringfilm::study {
 
-/// As many as wanted; 0: as many as the machine runs at once. At least 1.
-int n_threads(int wanted);
+/// As many as requested; 0: as many as the machine runs at once. At least 1.
+int n_threads(int requested);
 
 /// Does `work(0)` to `work(n - 1)`, each on a thread of its own, the first on that of the caller, and returns when all
 /// have ended. Where the system gives no more threads, the caller does what is left over. Rethrows the first exception.

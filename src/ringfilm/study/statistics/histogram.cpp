@@ -44,8 +44,8 @@ Histogram histogram(const std::vector<std::vector<double>>& sorted) {
     const double half = range.low == 0 ? 0.5 : 0.005 * std::abs(range.low);
     range = {range.low - half, range.high + half};
   }
-  const double wanted = std::sqrt(static_cast<double>(most));
-  const auto n_bins = static_cast<std::size_t>(std::clamp(wanted, kLeastBins, kMostBins));
+  const double requested = std::sqrt(static_cast<double>(most));
+  const auto n_bins = static_cast<std::size_t>(std::clamp(requested, kLeastBins, kMostBins));
   const double step = (range.high - range.low) / static_cast<double>(n_bins);
   for (std::size_t k = 0; k <= n_bins; ++k) result.edges.push_back(range.low + static_cast<double>(k) * step);
   result.edges.back() = range.high;

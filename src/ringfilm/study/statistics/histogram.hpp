@@ -9,7 +9,7 @@ namespace ringfilm::study {
 struct Histogram {
   std::vector<double> edges;                       ///< one more than bins, rising; empty without a finite value
   std::vector<std::vector<std::uint64_t>> counts;  ///< [sample][bin]
-  /// Values beyond the edges, which leave out the outermost 0.5 % on each side where they would thin out the rest.
+  /// Values beyond the edges, which omit the outermost 0.5 % on each side where they would thin out the rest.
   std::vector<std::uint64_t> below, above;
 };
 

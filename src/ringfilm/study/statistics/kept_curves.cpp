@@ -117,7 +117,7 @@ std::vector<Fault> faults_of_keep(const Study& study) {
       const double integration = base.input.solver.crank_step_deg;
       if (divides(integration, keep.crank_step_deg)) continue;
       faults.push_back({keep.crank_step_mark,
-                        step + "is no multiple of solver.crank_step = " + shown(integration) + " degree of base \"" +
+                        step + "is not a multiple of solver.crank_step = " + shown(integration) + " degree of base \"" +
                             base.name + "\"",
                         "take a multiple that divides 720"});
     }

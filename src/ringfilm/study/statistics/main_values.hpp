@@ -9,7 +9,7 @@
 /// Which values of a cycle are reported of every study, and those of one base among all.
 namespace ringfilm::study {
 
-/// Names of cycle values, those that matter most first; the others stand in the files of a study.
+/// Names of cycle values, those that matter most first; the others are in the files of a study.
 const std::vector<std::string>& main_values();
 
 enum class Among {

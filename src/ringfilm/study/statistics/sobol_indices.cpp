@@ -35,7 +35,7 @@ GroupIndices indices_of(const Sums& sums, std::size_t n_groups) {
 struct Rows {
   std::size_t width;
   std::vector<const double*> begins;
-  std::uint64_t left_out = 0;
+  std::uint64_t omitted = 0;
 };
 
 Rows usable_rows(std::span<const double> values, std::size_t n_groups) {
@@ -45,7 +45,7 @@ Rows usable_rows(std::span<const double> values, std::size_t n_groups) {
     if (std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); })) {
       rows.begins.push_back(row.data());
     } else {
-      ++rows.left_out;
+      ++rows.omitted;
     }
   }
   return rows;
@@ -119,7 +119,7 @@ std::optional<SobolIndices> sobol_indices(std::span<const double> values, std::s
   result.mean = mean;
   result.variance = estimate.variance;
   result.rows = rows.begins.size();
-  result.left_out = rows.left_out;
+  result.omitted = rows.omitted;
   for (std::size_t g = 0; g < n_groups; ++g) {
     result.first.push_back(interval_of(estimate.first[g], first[g], options.confidence));
     result.total.push_back(interval_of(estimate.total[g], total[g], options.confidence));

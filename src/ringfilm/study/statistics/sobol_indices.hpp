@@ -16,7 +16,7 @@ struct SobolIndices {
   std::vector<Interval> first;  ///< by the group alone [-]; eq-first-index
   std::vector<Interval> total;  ///< by it and all its interactions [-]; eq-total-index
   double mean = 0, variance = 0;
-  std::uint64_t rows = 0, left_out = 0;  ///< complete rows, and those with a value that is not finite
+  std::uint64_t rows = 0, omitted = 0;  ///< complete rows, and those with a value that is not finite
 };
 
 struct IndexOptions {

@@ -30,7 +30,7 @@ std::optional<Mean> mean_of(std::span<const double> values) {
     ++result.count;
     sum += value;
   }
-  result.left_out = values.size() - result.count;
+  result.omitted = values.size() - result.count;
   if (result.count < 2) return std::nullopt;
   const auto n = static_cast<double>(result.count);
   // A second pass: what the first lost by rounding is in the mean of the rests.
@@ -123,7 +123,7 @@ std::optional<Mean> relative_difference(std::span<const double> first, std::span
   const auto mean = mean_of(base);
   auto result = mean_of(differences);
   if (!mean || !result || mean->value == 0) return std::nullopt;
-  result->left_out = first.size() - result->count;
+  result->omitted = first.size() - result->count;
   result->value /= mean->value;
   result->standard_error /= std::abs(mean->value);
   result->deviation /= std::abs(mean->value);

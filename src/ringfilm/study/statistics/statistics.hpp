@@ -5,7 +5,7 @@
 #include <vector>
 
 /// Statistics of a value over the scenarios of a sample. A value that is not finite belongs to a scenario that was not
-/// solved; it is left out and counted. Confidence intervals presume scenarios that are independent of each other; those
+/// solved; it is omitted and counted. Confidence intervals presume scenarios that are independent of each other; those
 /// of Sobol points and Latin hypercubes are spread more evenly, and intervals are then wider than they need be.
 namespace ringfilm::study {
 
@@ -15,7 +15,7 @@ struct Mean {
   double value = 0;
   double standard_error = 0;  ///< of the mean; eq-standard-error
   double deviation = 0;       ///< standard deviation of the values, n - 1 below
-  std::uint64_t count = 0, left_out = 0;
+  std::uint64_t count = 0, omitted = 0;
 };
 
 /// Mean of the finite ones among the values, nothing if there are fewer than two.
@@ -28,11 +28,11 @@ double mean_half_width(std::uint64_t count, double confidence = kConfidence);
 struct Quantile {
   double value = 0;  ///< median-unbiased whatever the distribution @cite hyndman1996, definition 8; eq-sample-quantile
   /// Two of the values themselves, between which the quantile lies with the confidence asked for or more
-  /// @cite david2003; absent where there are too few values to say; eq-quantile-interval.
+  /// @cite david2003; absent where there are too few values for an interval; eq-quantile-interval.
   std::optional<double> low, high;
 };
 
-/// Values in order, those that are not finite left out.
+/// Values in order, those that are not finite omitted.
 std::vector<double> sorted_values(std::span<const double> values);
 
 /// Quantile of values in order. Throws std::invalid_argument without values or for a share outside (0, 1).
@@ -54,7 +54,7 @@ std::optional<double> interval_width(std::span<const double> values, std::option
                                      double confidence = kConfidence);
 
 /// Mean of the differences of a second sample to a first of the same points, relative to the mean of the first
-/// [-]; eq-paired-difference. Points without a value in one of them are left out. What both have in common cancels, so
+/// [-]; eq-paired-difference. Points without a value in one of them are omitted. What both have in common cancels, so
 /// that the interval is narrower than those of the two means. Nothing if there are fewer than two pairs or the first
 /// mean is 0. @returns standard_error and deviation relative, too
 std::optional<Mean> relative_difference(std::span<const double> first, std::span<const double> second);

@@ -20,7 +20,7 @@ bool is_look(const Study& study, std::uint64_t points) {
   return look == points;
 }
 
-std::vector<IntervalWidth> sureness(const Plan& plan, const std::vector<double>& values) {
+std::vector<IntervalWidth> interval_widths(const Plan& plan, const std::vector<double>& values) {
   const StoppingRule& until = plan.study().sampling.until.value();
   std::vector<IntervalWidth> all;
   for (std::size_t base = 0; base < plan.study().bases.size(); ++base) {

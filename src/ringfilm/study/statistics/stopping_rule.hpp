@@ -7,7 +7,7 @@
 
 #include "ringfilm/study/design/plan.hpp"
 
-/// Studies that go on until a statistic is sure enough; docs/theory/study.md.
+/// Studies that continue until an interval is narrow enough; docs/theory/study.md.
 namespace ringfilm::study {
 
 /// The numbers of points at which such a study looks whether it may stop: plan.scenarios, twice, four times as many and
@@ -18,14 +18,14 @@ std::optional<std::uint64_t> next_look(const StoppingRule& until, std::uint64_t 
 /// Is this one of them, counted from the study's plan.scenarios on?
 bool is_look(const Study& study, std::uint64_t points);
 
-/// How sure a statistic is for one base.
+/// Width of the confidence interval of a statistic for one base.
 struct IntervalWidth {
   std::size_t base = 0;
   std::optional<double> width;  ///< of its confidence interval [unit of the value]; nothing while there are too few
 };
 
 /// @param value of a scenario by its number; NaN where it was not solved
-std::vector<IntervalWidth> sureness(const Plan& plan, const std::vector<double>& values);
+std::vector<IntervalWidth> interval_widths(const Plan& plan, const std::vector<double>& values);
 
 /// Is the interval narrow enough for every base?
 bool is_sure(const StoppingRule& until, const std::vector<IntervalWidth>& bases);

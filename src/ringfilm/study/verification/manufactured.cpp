@@ -19,32 +19,32 @@ struct Varying {
   double value, d_dx, d_dt;
 };
 
-/// p = edge + peak sin^2(pi x/b) (1 + swing cos(omega t)), with its second derivative in place.
+/// p = edge + peak sin^2(pi x/b) (1 + oscillation cos(omega t)), with its second derivative in place.
 struct Pressure : Varying {
   double d2_dx2;
 };
 
-Pressure pressure(double x, double t, double swing) {
+Pressure pressure(double x, double t, double oscillation) {
   const double k = std::numbers::pi / kWidth;
-  const double amplitude = kPeak * (1 + swing * std::cos(kOmega * t));
+  const double amplitude = kPeak * (1 + oscillation * std::cos(kOmega * t));
   const double s = std::sin(k * x), c = std::cos(k * x);
-  return {
-      {kEdge + amplitude * s * s, amplitude * 2 * k * s * c, -kPeak * swing * kOmega * std::sin(kOmega * t) * s * s},
-      amplitude * 2 * k * k * (c * c - s * s)};
+  return {{kEdge + amplitude * s * s, amplitude * 2 * k * s * c,
+           -kPeak * oscillation * kOmega * std::sin(kOmega * t) * s * s},
+          amplitude * 2 * k * k * (c * c - s * s)};
 }
 
-double separation(double t, double swing) { return kFilm * (1 + swing * std::sin(kOmega * t)); }
+double separation(double t, double oscillation) { return kFilm * (1 + oscillation * std::sin(kOmega * t)); }
 double wedge(double x) { return kWedge * (1 - x / kWidth) * (1 - x / kWidth); }
 
-Varying gap(double x, double t, double swing) {
-  return {separation(t, swing) + wedge(x), -2 * kWedge / kWidth * (1 - x / kWidth),
-          kFilm * swing * kOmega * std::cos(kOmega * t)};
+Varying gap(double x, double t, double oscillation) {
+  return {separation(t, oscillation) + wedge(x), -2 * kWedge / kWidth * (1 - x / kWidth),
+          kFilm * oscillation * kOmega * std::cos(kOmega * t)};
 }
 
 /// d(rho h)/dt + d/dx [U rho h/2 - rho h^3 p_x/(12 eta)], every derivative written out.
-double source(double x, double t, double swing) {
-  const Pressure p = pressure(x, t, swing);
-  const Varying h = gap(x, t, swing);
+double source(double x, double t, double oscillation) {
+  const Pressure p = pressure(x, t, oscillation);
+  const Varying h = gap(x, t, oscillation);
   const auto [rho, rho_p] = density(p.value);
   const auto [eta, eta_p] = viscosity(p.value);
   const double storage = rho_p * p.d_dt * h.value + rho * h.d_dt;
@@ -57,7 +57,8 @@ double source(double x, double t, double swing) {
 /// One manufactured film; the inputs at an instant and the state that must come out.
 class Film {
  public:
-  Film(int n_cells, double swing) : oil_(models::closed_form_oil(kEta, kRho, kZ, {kA, kB})), swing_(swing) {
+  Film(int n_cells, double oscillation)
+      : oil_(models::closed_form_oil(kEta, kRho, kZ, {kA, kB})), oscillation_(oscillation) {
     problem_.grid = film::uniform_grid(n_cells, kWidth, wedge);
     problem_.cavitation = film::Cavitation::kMassConserving;
     problem_.tolerance = 1e-13;
@@ -65,12 +66,12 @@ class Film {
 
   film::FilmState prescribed(double t) const {
     film::FilmState state;
-    state.h_m = separation(t, swing_);
+    state.h_m = separation(t, oscillation_);
     for (const double x : problem_.grid.x) {
-      const double p = pressure(x, t, swing_).value;
+      const double p = pressure(x, t, oscillation_).value;
       state.p.push_back(p);
       state.deficit.push_back(0);
-      state.mass_per_area.push_back(density(p).value * gap(x, t, swing_).value);
+      state.mass_per_area.push_back(density(p).value * gap(x, t, oscillation_).value);
     }
     return state;
   }
@@ -83,9 +84,9 @@ class Film {
     inputs.left.pressure = inputs.right.pressure = kEdge;
     inputs.load = kPeak / 2 * kWidth;
     inputs.time_step = time_step;
-    for (const double x : problem_.grid.x) inputs.source.push_back(source(x, t, swing_));
+    for (const double x : problem_.grid.x) inputs.source.push_back(source(x, t, oscillation_));
     film::FilmState state = previous;
-    state.h_m = separation(t, swing_);
+    state.h_m = separation(t, oscillation_);
     film::FilmWorkspace workspace(problem_);
     if (!film::solve_film_at_separation(problem_, inputs, previous, state, workspace).converged) {
       throw ConvergenceError("a manufactured film of " + std::to_string(problem_.grid.n_cells()) +
@@ -97,7 +98,7 @@ class Film {
  private:
   std::shared_ptr<const models::OilAtTemperature> oil_;
   film::FilmProblem problem_;
-  double swing_;
+  double oscillation_;
 };
 
 }  // namespace
@@ -118,7 +119,7 @@ double manufactured_error(const std::string& film, int n_cells, int n_steps) {
     for (double& p : start.p) p = kEdge;
     return difference_from_peak(steady.solved(0, film::kSteady, start), exact);
   }
-  const Film transient(n_cells, kSwing);
+  const Film transient(n_cells, kOscillation);
   const double end = kPeriod / 4;
   film::FilmState state = transient.prescribed(0);
   for (int k = 1; k <= n_steps; ++k) state = transient.solved(end * k / n_steps, end / n_steps, state);

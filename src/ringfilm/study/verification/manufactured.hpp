@@ -6,8 +6,8 @@
 /// them a solution is worked out by hand, and the solver must find them again @cite roache2002.
 namespace ringfilm::study {
 
-/// "steady" and "transient": a compressible, piezoviscous full film, the second with a separation that swings; both "in
-/// two dimensions" as well, with as many cells in y as in x.
+/// "steady" and "transient": a compressible, piezoviscous full film, the second with an oscillating separation; both
+/// "in two dimensions" as well, with as many cells in y as in x.
 const std::vector<std::string>& manufactured_films();
 
 /// Largest error of pressure at the nodes (at the end of the integration), relative to the peak of the prescribed one

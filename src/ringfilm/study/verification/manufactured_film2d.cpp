@@ -16,7 +16,7 @@ namespace {
 using namespace manufactured;
 
 constexpr double kAcross = 2.5e-3;  // in y [m]
-// Swings so fast that a step in time errs more than the cells do.
+// Oscillates so fast that a step in time errs more than the cells do.
 constexpr double kQuick = 10 * kOmega;  // [1/s]
 
 /// A function of one place with two derivatives.
@@ -46,9 +46,9 @@ struct PressureInFilm2d : VaryingInFilm2d {
   double d2_dx2, d2_dy2;
 };
 
-PressureInFilm2d pressure(double x, double y, double t, double swing) {
-  const double amplitude = kPeak * (1 + swing * std::cos(kQuick * t));
-  const double growth = -kPeak * swing * kQuick * std::sin(kQuick * t);
+PressureInFilm2d pressure(double x, double y, double t, double oscillation) {
+  const double amplitude = kPeak * (1 + oscillation * std::cos(kQuick * t));
+  const double growth = -kPeak * oscillation * kQuick * std::sin(kQuick * t);
   const Curve along = hump(x, kWidth), across = leaning_hump(y);
   return {{kEdge + amplitude * along.value * across.value, amplitude * along.slope * across.value,
            amplitude * along.value * across.slope, growth * along.value * across.value},
@@ -56,23 +56,23 @@ PressureInFilm2d pressure(double x, double y, double t, double swing) {
           amplitude * along.value * across.bend};
 }
 
-double film2d_separation(double t, double swing) { return kFilm * (1 + swing * std::sin(kQuick * t)); }
+double film2d_separation(double t, double oscillation) { return kFilm * (1 + oscillation * std::sin(kQuick * t)); }
 
 double pad(double x, double y) {
   const double u = 1 - x / kWidth;
   return kWedge * u * u * (1 + 0.5 * y / kAcross);
 }
 
-VaryingInFilm2d gap(double x, double y, double t, double swing) {
+VaryingInFilm2d gap(double x, double y, double t, double oscillation) {
   const double u = 1 - x / kWidth;
-  return {film2d_separation(t, swing) + pad(x, y), -2 * kWedge / kWidth * u * (1 + 0.5 * y / kAcross),
-          kWedge * u * u * 0.5 / kAcross, kFilm * swing * kQuick * std::cos(kQuick * t)};
+  return {film2d_separation(t, oscillation) + pad(x, y), -2 * kWedge / kWidth * u * (1 + 0.5 * y / kAcross),
+          kWedge * u * u * 0.5 / kAcross, kFilm * oscillation * kQuick * std::cos(kQuick * t)};
 }
 
 /// d(rho h)/dt + d/dx [U rho h/2 - M p_x] - d/dy [M p_y] with M = rho h^3/(12 eta), every derivative written out.
-double source(double x, double y, double t, double swing) {
-  const PressureInFilm2d p = pressure(x, y, t, swing);
-  const VaryingInFilm2d h = gap(x, y, t, swing);
+double source(double x, double y, double t, double oscillation) {
+  const PressureInFilm2d p = pressure(x, y, t, oscillation);
+  const VaryingInFilm2d h = gap(x, y, t, oscillation);
   const auto [rho, rho_p] = density(p.value);
   const auto [eta, eta_p] = viscosity(p.value);
   const double storage = rho_p * p.d_dt * h.value + rho * h.d_dt;
@@ -95,7 +95,8 @@ film::CircumferentialGrid crowded_around(int n_cells) {
 /// One manufactured film; the inputs at an instant and the state that must come out.
 class Film2d {
  public:
-  Film2d(int n_cells, double swing) : oil_(models::closed_form_oil(kEta, kRho, kZ, {kA, kB})), swing_(swing) {
+  Film2d(int n_cells, double oscillation)
+      : oil_(models::closed_form_oil(kEta, kRho, kZ, {kA, kB})), oscillation_(oscillation) {
     problem_.strip.grid = film::uniform_grid(n_cells, kWidth, [](double) { return 0.0; });
     problem_.strip.cavitation = film::Cavitation::kMassConserving;
     problem_.strip.tolerance = 1e-11;
@@ -113,12 +114,12 @@ class Film2d {
 
   film::FilmState prescribed(double t) const {
     film::FilmState state;
-    state.h_m = film2d_separation(t, swing_);
+    state.h_m = film2d_separation(t, oscillation_);
     for (const double y : problem_.around.y) {
       for (const double x : problem_.strip.grid.x) {
-        const double p = pressure(x, y, t, swing_).value;
+        const double p = pressure(x, y, t, oscillation_).value;
         state.p.push_back(p);
-        state.mass_per_area.push_back(density(p).value * gap(x, y, t, swing_).value);
+        state.mass_per_area.push_back(density(p).value * gap(x, y, t, oscillation_).value);
       }
     }
     state.deficit.assign(state.p.size(), 0.0);
@@ -134,10 +135,10 @@ class Film2d {
     inputs.strip.load = kPeak / 2 * kWidth;
     inputs.strip.time_step = time_step;
     for (const double y : problem_.around.y) {
-      for (const double x : problem_.strip.grid.x) inputs.strip.source.push_back(source(x, y, t, swing_));
+      for (const double x : problem_.strip.grid.x) inputs.strip.source.push_back(source(x, y, t, oscillation_));
     }
     film::FilmState state = previous;
-    state.h_m = film2d_separation(t, swing_);
+    state.h_m = film2d_separation(t, oscillation_);
     film::Film2dWorkspace workspace(problem_);
     if (!film::solve_film2d_at_separation(problem_, inputs, previous, state, workspace).converged) {
       throw ConvergenceError("a manufactured film of " + std::to_string(problem_.strip.grid.n_cells()) +
@@ -149,7 +150,7 @@ class Film2d {
  private:
   std::shared_ptr<const models::OilAtTemperature> oil_;
   film::Film2dProblem problem_;
-  double swing_;
+  double oscillation_;
 };
 
 }  // namespace
@@ -162,7 +163,7 @@ double manufactured_film2d_error(int n_cells, int n_steps) {
     std::fill(start.p.begin(), start.p.end(), kEdge);
     return difference_from_peak(steady.solved(0, film::kSteady, start), exact);
   }
-  const Film2d transient(n_cells, kSwing);
+  const Film2d transient(n_cells, kOscillation);
   const double end = 0.5 * std::numbers::pi / kQuick;
   film::FilmState state = transient.prescribed(0);
   for (int k = 1; k <= n_steps; ++k) state = transient.solved(end * k / n_steps, end / n_steps, state);

@@ -9,11 +9,12 @@
 /// The oil and the scales of the manufactured films, written out without the program's own laws.
 namespace ringfilm::study::manufactured {
 
-inline constexpr double kWidth = 1.5e-3, kSpeed = 7;                 // [m], [m/s]
-inline constexpr double kEta = 0.008, kRho = 800, kZ = 0.5;          // [Pa s], [kg/m3], [-]
-inline constexpr double kA = 6.0e-10, kB = 1.7e-9, kAtm = 101325;    // density of pressure [1/Pa], [Pa]
-inline constexpr double kPeak = 6e7, kEdge = 2e5;                    // prescribed pressure [Pa]
-inline constexpr double kFilm = 2e-6, kWedge = 3e-6, kSwing = 0.25;  // separation and its share that swings [m], [-]
+inline constexpr double kWidth = 1.5e-3, kSpeed = 7;               // [m], [m/s]
+inline constexpr double kEta = 0.008, kRho = 800, kZ = 0.5;        // [Pa s], [kg/m3], [-]
+inline constexpr double kA = 6.0e-10, kB = 1.7e-9, kAtm = 101325;  // density of pressure [1/Pa], [Pa]
+inline constexpr double kPeak = 6e7, kEdge = 2e5;                  // prescribed pressure [Pa]
+inline constexpr double kFilm = 2e-6, kWedge = 3e-6,
+                        kOscillation = 0.25;  // separation and its oscillating share [m], [-]
 inline constexpr double kPeriod = 2e-3, kOmega = 2 * std::numbers::pi / kPeriod;  // [s], [1/s]
 
 /// A property of pressure with its slope.

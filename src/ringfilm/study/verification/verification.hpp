@@ -47,7 +47,7 @@ struct OrderCheck : Check {
 };
 
 /// How far a place may be off on any of many grids, counted in their cells. The error of a front scatters with where in
-/// its cell it lies, so that a slope through some levels would tell which levels were chosen.
+/// its cell it lies, so that a slope through some levels would depend on the choice of levels.
 struct BoundCheck : Check {
   std::string run;
   Probe probe;                           ///< of a length

@@ -6,7 +6,7 @@
 
 namespace ringfilm::surface {
 
-/// Which height statistic stands for sigma.
+/// Which height statistic is used as sigma.
 enum class SigmaRule {
   ra,  ///< Ra (Sa of a map), as in styles2014
   rq   ///< Rq (Sq of a map)
@@ -25,12 +25,12 @@ struct AsperityParameters {
   double beta_m = 0.0;          ///< mean summit radius [m]
   double sigma_m = 0.0;         ///< composite roughness [m]
 
-  double tabor() const { return density_per_m2 * beta_m * sigma_m; }  ///< N beta sigma [-]
-  double slope() const { return sigma_m / beta_m; }                   ///< sigma/beta [-]
+  double roughness_parameter() const { return density_per_m2 * beta_m * sigma_m; }  ///< N beta sigma [-]
+  double slope() const { return sigma_m / beta_m; }                                 ///< sigma/beta [-]
 };
 
 /// Measures of a map that was levelled and filtered.
-/// @throws InputError for flat surfaces, too few points, heights that are no numbers
+/// @throws InputError for flat surfaces, too few points, heights that are not numbers
 SurfaceMeasures surface_measures(const HeightMap& map, MomentDirection direction = MomentDirection::mean,
                                  DifferenceScheme scheme = DifferenceScheme::neighbours);
 

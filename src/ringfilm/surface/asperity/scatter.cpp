@@ -94,7 +94,8 @@ double ParameterScatter::correlation(std::size_t first, std::size_t second) cons
 
 ParameterScatter scatter_of(std::span<const AsperityParameters> samples) {
   if (samples.size() < 2) {
-    throw InputError("the scatter of one region is not known", "measure two regions or more; ten tell more than two");
+    throw InputError("the scatter of one region is not known",
+                     "measure two regions or more; ten give a better estimate than two");
   }
   std::vector<Vector> values, logs;
   for (const AsperityParameters& sample : samples) {

@@ -17,7 +17,7 @@ struct ParameterScatter {
   std::array<double, 3> mean_log{};  ///< of the natural logarithms, in SI
   Matrix covariance{};               ///< of one region, n - 1 below [products of the units of the means]
   Matrix covariance_log{};           ///< of the logarithms: relative, and what a study draws from (all stay positive)
-  Matrix mean_covariance_log{};      ///< of the mean of the logarithms: the squares of standard errors stand in it
+  Matrix mean_covariance_log{};      ///< of the mean of the logarithms: it contains the squares of standard errors
 
   /// Standard error of a mean, relative.
   double relative_standard_error(std::size_t parameter) const;
@@ -29,13 +29,13 @@ struct ParameterScatter {
 double correlation(const ParameterScatter::Matrix& covariance, std::size_t first, std::size_t second);
 
 /// Of parameters that were each taken from a region of its own. Regions that overlap or lie within a correlation length
-/// are no independent samples: the standard error then is too small.
+/// are not independent samples: the standard error then is too small.
 /// @throws InputError for fewer than two
 ParameterScatter scatter_of(std::span<const AsperityParameters> samples);
 
 /// Of a pair whose surfaces were measured on different places: the parameters of the mean moments of both, and the
 /// covariances of the logarithms as each surface varies against the mean of the other, added up (both are independent).
-/// One surface may have a single measurement: it adds no scatter, and `without_scatter` says so.
+/// One surface may have a single measurement: it adds no scatter, and `without_scatter` is set.
 struct PairScatter {
   AsperityParameters central;                      ///< of the mean m2, m4 and roughness of both
   ParameterScatter::Matrix covariance_log{};       ///< of one region of each

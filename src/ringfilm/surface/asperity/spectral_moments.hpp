@@ -44,7 +44,7 @@ struct MomentTable {
   std::size_t stencils = 0;     ///< complete ones along x of the curvature
 };
 
-/// Means over all complete stencils: one that meets a missing point or the edge is left out.
+/// Means over all complete stencils: one that meets a missing point or the edge is omitted.
 /// A curvature that is only the round-off of the heights counts as 0.
 /// @throws InputError where there are fewer than 16 complete stencils in a direction, or no curvature in any
 MomentTable moment_table(const HeightMap& map, DifferenceScheme scheme = DifferenceScheme::neighbours);

@@ -38,7 +38,7 @@ Trace gap_trace(const Trace& trace, HeightSense sense) {
   if (trace.x_m.size() != trace.height_m.size()) {
     throw InputError("the trace has " + std::to_string(trace.x_m.size()) + " places and " +
                          std::to_string(trace.height_m.size()) + " heights",
-                     "as many of both are wanted");
+                     "equally many of both are required");
   }
   if (trace.x_m.size() < 2) {
     throw InputError("the trace has too few points, " + std::to_string(trace.x_m.size()), "give the whole trace");
@@ -46,7 +46,7 @@ Trace gap_trace(const Trace& trace, HeightSense sense) {
   for (std::size_t i = 0; i < trace.x_m.size(); ++i) {
     const bool is_place = !std::isfinite(trace.x_m[i]);
     if (!is_place && std::isfinite(trace.height_m[i])) continue;
-    throw InputError("the trace holds a value that is no number: point " + std::to_string(i + 1) + " has the " +
+    throw InputError("the trace holds a value that is not a number: point " + std::to_string(i + 1) + " has the " +
                          (is_place ? "place " + number_text(trace.x_m[i]) : "height " + number_text(trace.height_m[i])),
                      "leave points that were not measured out");
   }
@@ -130,30 +130,30 @@ Trace without_pores(Trace trace, double depth, double cutoff) {
   return trace;
 }
 
-Land land_of(const std::vector<double>& smooth, double land_height) {
+RunningSurface running_surface_of(const std::vector<double>& smooth, double running_surface_height) {
   const std::size_t lowest = static_cast<std::size_t>(std::min_element(smooth.begin(), smooth.end()) - smooth.begin());
-  const double limit = smooth[lowest] + land_height;
-  Land land{lowest, lowest};
-  while (land.first > 0 && smooth[land.first - 1] <= limit) --land.first;
-  while (land.last + 1 < smooth.size() && smooth[land.last + 1] <= limit) ++land.last;
-  return land;
+  const double limit = smooth[lowest] + running_surface_height;
+  RunningSurface running_surface{lowest, lowest};
+  while (running_surface.first > 0 && smooth[running_surface.first - 1] <= limit) --running_surface.first;
+  while (running_surface.last + 1 < smooth.size() && smooth[running_surface.last + 1] <= limit) ++running_surface.last;
+  return running_surface;
 }
 
-double slope_over(const Trace& trace, const Land& land) {
+double slope_over(const Trace& trace, const RunningSurface& running_surface) {
   double x_mean = 0, h_mean = 0, xh = 0, xx = 0;
-  const double n = static_cast<double>(land.last - land.first + 1);
-  for (std::size_t i = land.first; i <= land.last; ++i) {
+  const double n = static_cast<double>(running_surface.last - running_surface.first + 1);
+  for (std::size_t i = running_surface.first; i <= running_surface.last; ++i) {
     x_mean += trace.x_m[i] / n;
     h_mean += trace.height_m[i] / n;
   }
-  for (std::size_t i = land.first; i <= land.last; ++i) {
+  for (std::size_t i = running_surface.first; i <= running_surface.last; ++i) {
     xh += (trace.x_m[i] - x_mean) * (trace.height_m[i] - h_mean);
     xx += (trace.x_m[i] - x_mean) * (trace.x_m[i] - x_mean);
   }
   return xx > 0 ? xh / xx : 0.0;
 }
 
-void take_off(Trace& trace, double tilt) {
+void remove_tilt(Trace& trace, double tilt) {
   for (std::size_t i = 0; i < trace.x_m.size(); ++i) trace.height_m[i] -= tilt * (trace.x_m[i] - trace.x_m.front());
 }
 

@@ -23,18 +23,18 @@ Trace averaged(const Trace& gap, std::size_t group);
 /// the spline down with it. The edges stay.
 Trace without_pores(Trace gap, double depth, double cutoff);
 
-/// First and last point of the land.
-struct Land {
+/// First and last point of the running surface.
+struct RunningSurface {
   std::size_t first, last;
 };
 
-/// The connected part around the lowest point that is at most `land_height` above it.
-Land land_of(const std::vector<double>& smooth, double land_height);
+/// The connected part around the lowest point that is at most `running_surface_height` above it.
+RunningSurface running_surface_of(const std::vector<double>& smooth, double running_surface_height);
 
-/// Slope of the line through the land [-].
-double slope_over(const Trace& gap, const Land& land);
+/// Slope of the line through the running surface [-].
+double slope_over(const Trace& gap, const RunningSurface& running_surface);
 
 /// Takes a tilt off, about the first point.
-void take_off(Trace& gap, double tilt);
+void remove_tilt(Trace& gap, double tilt);
 
 }  // namespace ringfilm::surface

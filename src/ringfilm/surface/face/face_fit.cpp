@@ -21,8 +21,9 @@ constexpr int kMostPassesOfFit = 80;
 constexpr int kFreePasses = 8;  ///< steps of the slope itself between a tilt too small and one too large
 constexpr double kTiltSettled = 1e-10;
 
-/// Seeks the tilt with which the land is level. Its slope jumps where a part joins the land or leaves it, and steps of
-/// the slope alone may go round there for ever: between tilts too small and too large the middle is tried.
+/// Seeks the tilt with which the running surface is level. Its slope jumps where a part joins the running surface or
+/// leaves it, and steps of the slope alone may go round there for ever: between tilts too small and too large the
+/// middle is tried.
 class TiltSearch {
  public:
   /// The tilt to try next, after the slope that one left; nothing where it is found.
@@ -79,8 +80,8 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
   if (!std::isfinite(rule.width_m) || rule.width_m <= 0) {
     throw InputError("the width of the face is not a length above zero", "for example 1.2 mm");
   }
-  if (!std::isfinite(rule.land_height_m) || rule.land_height_m <= 0) {
-    throw InputError("the height of the land is not a length above zero", "for example 1 um");
+  if (!std::isfinite(rule.running_surface_height_m) || rule.running_surface_height_m <= 0) {
+    throw InputError("the height of the running surface is not a length above zero", "for example 1 um");
   }
   if (!std::isfinite(rule.tilt)) {
     throw InputError("the tilt of the face is not a finite number", "a slope is required, for example 0.002");
@@ -92,7 +93,7 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
                      "a slope of -0.1 to 0.1 is expected, for example 2 mrad");
   }
   if (rule.pore_depth_m && (!std::isfinite(*rule.pore_depth_m) || *rule.pore_depth_m <= 0)) {
-    throw InputError("the depth from which on pores are left out is not a length above zero",
+    throw InputError("the depth from which on pores are omitted is not a length above zero",
                      "some three times the roughness, for example 1 um");
   }
   const double length = trace.x_m.back() - trace.x_m.front();
@@ -132,11 +133,11 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
   if (rule.levelling == FaceLevelling::kStated) fit.tilt = rule.tilt;
   TiltSearch search;
   Trace gap;
-  Land land{};
+  RunningSurface running_surface{};
   std::vector<double> smooth;
   for (int pass = 1;; ++pass) {
     Trace whole = untilted;
-    take_off(whole, fit.tilt);
+    remove_tilt(whole, fit.tilt);
     fit.start_m = std::clamp(rule.start_m.value_or(found_start(whole, rule.width_m)), whole.x_m.front(),
                              std::max(whole.x_m.front(), whole.x_m.back() - rule.width_m));
     gap = window(whole, fit.start_m, rule.width_m);
@@ -148,14 +149,15 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
       fit.pore_share = static_cast<double>(before - gap.x_m.size()) / static_cast<double>(before);
     }
     smooth = SmoothingSpline(gap.x_m, gap.height_m, fit.spline_cutoff_m).height_m();
-    land = land_of(smooth, rule.land_height_m);
-    if (rule.levelling != FaceLevelling::kLand) break;
-    const std::optional<double> tilt = search.next(fit.tilt, slope_over(gap, land));
+    running_surface = running_surface_of(smooth, rule.running_surface_height_m);
+    if (rule.levelling != FaceLevelling::kRunningSurface) break;
+    const std::optional<double> tilt = search.next(fit.tilt, slope_over(gap, running_surface));
     if (!tilt) break;
     if (pass == kMostPassesOfFit) {
       throw InputError(
-          "the land of the face cannot be made level: with each tilt another part of the trace is the land",
-          "state the tilt, take the trace as it is, or state a larger height of the land");
+          "the running surface of the face cannot be made level: with each tilt another part of the trace is the "
+          "running surface",
+          "state the tilt, take the trace as it is, or state a larger height of the running surface");
     }
     fit.tilt = *tilt;
   }
@@ -164,10 +166,10 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
     std::reverse(gap.x_m.begin(), gap.x_m.end());
     std::reverse(gap.height_m.begin(), gap.height_m.end());
     std::reverse(smooth.begin(), smooth.end());
-    land = {gap.x_m.size() - 1 - land.last, gap.x_m.size() - 1 - land.first};
+    running_surface = {gap.x_m.size() - 1 - running_surface.last, gap.x_m.size() - 1 - running_surface.first};
   }
-  fit.land_from_m = gap.x_m[land.first];
-  fit.land_to_m = gap.x_m[land.last];
+  fit.running_surface_from_m = gap.x_m[running_surface.first];
+  fit.running_surface_to_m = gap.x_m[running_surface.last];
   if (rule.zero == FaceZero::kLowestPoint) {
     const double lowest = *std::min_element(smooth.begin(), smooth.end());
     for (double& h : gap.height_m) h -= lowest;

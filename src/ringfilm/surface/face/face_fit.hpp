@@ -12,15 +12,15 @@ namespace ringfilm::surface {
 
 /// Which way the heights of a trace count.
 enum class HeightSense {
-  kMaterial,  ///< heights count away from the ring, as a stylus has them: the land is high
-  kGap        ///< heights are the gap to a straight liner, as in a case: the land is low
+  kMaterial,  ///< heights count away from the ring, as a stylus has them: the running surface is high
+  kGap        ///< heights are the gap to a straight liner, as in a case: the running surface is low
 };
 
-/// How the tilt of the holder is taken off.
+/// How the tilt of the holder is removed.
 enum class FaceLevelling {
-  kNone,    ///< as measured
-  kStated,  ///< the stated tilt is taken off
-  kLand     ///< the line through the land is made level
+  kNone,           ///< as measured
+  kStated,         ///< the stated tilt is removed
+  kRunningSurface  ///< the line through the running surface is made level
 };
 
 /// Which end of the face is x = 0.
@@ -40,12 +40,12 @@ struct FaceRule {
   HeightSense sense{};            ///< which way the heights of the trace count
   double width_m = 0;             ///< of the face, b [m]
   std::optional<double> start_m;  ///< where the face begins in the trace [m]; absent: where its mean gap is least
-  FaceDirection direction = FaceDirection::kAsMeasured;  ///< which end of the trace becomes x = 0
-  FaceLevelling levelling = FaceLevelling::kLand;        ///< how the tilt of the holder is taken off
-  double tilt = 0;                                       ///< slope of the gap to take off, of kStated [-]
-  FaceZero zero = FaceZero::kLowestPoint;                ///< of the heights; the film does not depend on it
-  double land_height_m = 1e-6;  ///< the land is where the gap is at most this above its least [m]
-  /// Points that lie deeper than the spline by more than this are pores and left out [m]; absent: none is.
+  FaceDirection direction = FaceDirection::kAsMeasured;      ///< which end of the trace becomes x = 0
+  FaceLevelling levelling = FaceLevelling::kRunningSurface;  ///< how the tilt of the holder is removed
+  double tilt = 0;                                           ///< slope of the gap to remove, of kStated [-]
+  FaceZero zero = FaceZero::kLowestPoint;                    ///< of the heights; the film does not depend on it
+  double running_surface_height_m = 1e-6;  ///< the running surface is where the gap is at most this above its least [m]
+  /// Points that lie deeper than the spline by more than this are pores and omitted [m]; absent: none is.
   std::optional<double> pore_depth_m;
   std::optional<double> spline_cutoff_m;  ///< stiffness of the spline [m]; absent: a tenth of the width
   int degree = 6;                         ///< of the polynomial
@@ -80,9 +80,9 @@ struct FaceFit {
   std::vector<double> x_m;              ///< from 0 to the width [m]
   std::vector<double> gap_m;            ///< of the trace, levelled and aligned [m]
   double start_m = 0;                   ///< place in the trace that became x = 0, or x = b where turned
-  double tilt = 0;                      ///< taken off [-]
-  double land_from_m = 0;               ///< x where the land begins [m]
-  double land_to_m = 0;                 ///< x where it ends [m]
+  double tilt = 0;                      ///< removed [-]
+  double running_surface_from_m = 0;    ///< x where the running surface begins [m]
+  double running_surface_to_m = 0;      ///< x where it ends [m]
   FacePolynomial polynomial;            ///< of `gap_m` over `x_m`, least squares
   std::vector<double> spline_m;         ///< smoothed gap at x_m [m]
   double spline_cutoff_m = 0;           ///< wavelength of which the spline lets half the amplitude through [m]
@@ -96,7 +96,7 @@ struct FaceFit {
   double spline_end_m[2] = {0, 0};      ///< spline at x = 0 and b, above its minimum [m]
   double noise_m = 0;                   ///< rms of what neither polynomial nor spline follows [m]
   std::vector<FitArtifact> invented;    ///< from x = 0 on; empty: the polynomial has nothing that the trace has not
-  double pore_share = 0;                ///< of the points, left out as pores [-]
+  double pore_share = 0;                ///< of the points, omitted as pores [-]
   int averaged = 1;                     ///< neighbouring points of the trace that were averaged into one
 };
 

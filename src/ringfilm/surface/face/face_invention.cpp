@@ -8,9 +8,9 @@
 namespace ringfilm::surface {
 namespace {
 
-/// Beyond so many standard errors a departure is none of noise: some 20 independent places are looked at.
+/// Beyond so many standard errors a departure is not noise: some 20 independent places are looked at.
 constexpr double kSure = 4;
-/// Rounding of heights is no departure, however quiet the trace [m].
+/// Rounding of heights is not a departure, however quiet the trace [m].
 constexpr double kSmallest = 1e-10;
 
 std::vector<double> difference(const Trace& gap, const FacePolynomial& polynomial) {

@@ -23,7 +23,7 @@ class Departure {
   const FacePolynomial& polynomial_;
   SmoothingSpline spline_;
   double noise_m_ = 0;
-  double memory_ = 1;        ///< by how much neighbours that hang together widen the error, as a variance
+  double memory_ = 1;        ///< by how much correlated neighbours widen the error, as a variance
   double polynomial_m_ = 0;  ///< standard error of the polynomial [m]
 };
 

@@ -54,7 +54,7 @@ FacePolynomial FacePolynomial::fit(const std::vector<double>& x_m, const std::ve
   Eigen::MatrixXd basis(n, degree + 1);
   Eigen::VectorXd heights(n);
   for (int i = 0; i < n; ++i) {
-    // Each point counts with the length of trace for which it stands.
+    // Each point counts with the length of trace that it represents.
     const double length = (x_m[std::min(i + 1, n - 1)] - x_m[std::max(i - 1, 0)]) / 2;
     const double root = std::sqrt(length / width_m), t = 2 * x_m[i] / width_m - 1;
     basis(i, 0) = root;

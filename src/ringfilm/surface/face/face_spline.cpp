@@ -21,11 +21,11 @@ void check(const std::vector<double>& x, const std::vector<double>& height, doub
   if (x.size() != height.size() || x.size() < kFewestSplinePoints) {
     throw InputError("a trace of " + std::to_string(x.size()) + " places and " + std::to_string(height.size()) +
                          " heights cannot be smoothed",
-                     "as many of both are wanted, " + std::to_string(kFewestSplinePoints) + " or more");
+                     "equally many of both are required, " + std::to_string(kFewestSplinePoints) + " or more");
   }
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::all_of(x.begin(), x.end(), finite) || !std::all_of(height.begin(), height.end(), finite)) {
-    throw InputError("the trace holds a value that is no number", "leave points that were not measured out");
+    throw InputError("the trace holds a value that is not a number", "leave points that were not measured out");
   }
   if (!std::is_sorted(x.begin(), x.end(), std::less_equal<>())) {
     throw InputError("the places of the trace do not rise", "x must increase from point to point");
@@ -39,7 +39,7 @@ void check(const std::vector<double>& x, const std::vector<double>& height, doub
   }
 }
 
-/// The length of trace that each point stands for.
+/// The length of trace that each point represents.
 std::vector<double> lengths(const std::vector<double>& x) {
   std::vector<double> w(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {

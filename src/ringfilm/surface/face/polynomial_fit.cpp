@@ -141,7 +141,7 @@ PolynomialForm fit_polynomial(const HeightMap& map, int degree) {
   }
   normal.triangularView<Eigen::StrictlyUpper>() = normal.transpose();
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver;
-  solver.setThreshold(1e-11);  // the normal equations know nothing finer
+  solver.setThreshold(1e-11);  // the resolution of the normal equations
   solver.compute(normal);
   if (solver.rank() < count) {
     throw InputError("the measured points do not determine a form of degree " + std::to_string(degree),

@@ -81,8 +81,8 @@ struct WedgeCalibration {
 /// Two facets of one material at unlike angles @cite ogletree1996, eq-wedge-width to eq-wedge-ratio; one may be flat
 /// @cite varenberg2003. Only slopes over load enter, so that adhesion, as long as it does not change with load, and the
 /// zero of the lateral signal drop out; cross-talk of the normal signal drops out in the difference of the offsets.
-/// The angles' share stands in reference_deviation. Throws InputError where the angles are one, or no coefficient of
-/// friction below 1 explains the lines.
+/// The angles' share is contained in reference_deviation. Throws InputError where the angles are one, or no coefficient
+/// of friction below 1 explains the lines.
 WedgeCalibration calibrate_on_wedge(const WedgeFacet& first, const WedgeFacet& second, LoadUnit load_unit);
 
 }  // namespace ringfilm::surface

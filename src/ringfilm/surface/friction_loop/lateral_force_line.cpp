@@ -24,7 +24,7 @@ void check_points(const std::vector<LinePoint>& points) {
   }
   for (const LinePoint& p : points) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.x_deviation) || !std::isfinite(p.y_deviation)) {
-      throw InputError("a point of the line is no number", "leave it out");
+      throw InputError("a point of the line is not a number", "leave it out");
     }
     if (p.x_deviation < 0 || p.y_deviation < 0 || (p.x_deviation == 0 && p.y_deviation == 0)) {
       throw InputError("a point of the line has no standard deviation in either direction",

@@ -24,7 +24,7 @@ struct LineFit {
   double covariance = 0;                             ///< of slope and offset
   double chi_squared = 0;                            ///< weighted squares about the line, deviations as stated
   double chi_squared_probability = 0;  ///< that stated deviations alone give as much or more [-]; below 0.01 they are
-                                       ///< too small, or the line is none
+                                       ///< too small, or the relation is not linear
   int points = 0;
   DeviationScale scale = DeviationScale::kFromResiduals;
 
@@ -36,7 +36,7 @@ struct LineFit {
 };
 
 /// Weighted total least squares, eq-line-weights to eq-line-errors: the solution of York @cite york2004 for errors that
-/// do not hang together. Equal deviations of all points give the Deming regression, x deviations of 0 the usual
+/// do not are correlated. Equal deviations of all points give the Deming regression, x deviations of 0 the usual
 /// weighted one. Throws InputError for less than 3 points, NaN, a point without any deviation, and loads that are all
 /// one.
 LineFit fit_line(const std::vector<LinePoint>& points, DeviationScale scale);

@@ -46,10 +46,10 @@ void check_loop(const FrictionLoop& loop) {
     throw InputError("a friction loop has " + std::to_string(loop.position_m.size()) + " positions, " +
                          std::to_string(loop.trace_V.size()) + " values of the trace and " +
                          std::to_string(loop.retrace_V.size()) + " of the retrace",
-                     "both ways are wanted at the same positions");
+                     "both ways are required at the same positions");
   }
   if (!std::isfinite(loop.load) || !finite(loop.position_m) || !finite(loop.trace_V) || !finite(loop.retrace_V)) {
-    throw InputError("a friction loop holds a value that is no number", "leave the line out");
+    throw InputError("a friction loop holds a value that is not a number", "leave the line out");
   }
   if (!std::is_sorted(loop.position_m.begin(), loop.position_m.end(), std::less_equal<>())) {
     throw InputError("the positions of a friction loop do not rise", "turn the retrace round, so that both rise");

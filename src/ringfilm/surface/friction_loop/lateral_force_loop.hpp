@@ -17,8 +17,8 @@ struct FrictionLoop {
 };
 
 /// One loop a line of a scan at one load, from the two lateral channels of an instrument: row after row, both ways at
-/// the same places. Lines with a value that is no number are left out.
-/// Throws InputError for sizes that do not fit, a step that is no length, and where no line is left.
+/// the same places. Lines with a value that is not a number are omitted.
+/// Throws InputError for sizes that do not fit, a step that is not a length, and where no line is left.
 std::vector<FrictionLoop> loops_of_scan(double load, std::size_t points_x, double step_m,
                                         const std::vector<double>& trace_V, const std::vector<double>& retrace_V);
 
@@ -33,7 +33,7 @@ struct LoopFriction {
 
 /// @param end_share share of the scan length that is cut off at each end [-], from 0 to below 0.5: there the lever
 /// turns over, and the signal is not yet that of sliding.
-/// Neighbouring points hang together, so that the scatter is divided by the number of independent points.
+/// Neighbouring points are correlated, so that the scatter is divided by the number of independent points.
 /// Throws InputError for lists of different lengths, positions that do not rise, NaN, and less than 8 points kept.
 LoopFriction loop_friction(const FrictionLoop& loop, double end_share);
 
@@ -51,12 +51,12 @@ struct LoadFriction {
 
 /// The friction signal of each load, in rising order. With two or more loops at some load the standard errors come from
 /// the scatter between the loops of equal load, pooled over the loads; with one loop a load from the scatter along it.
-/// Throws InputError as loop_friction, and for a load that is no number.
+/// Throws InputError as loop_friction, and for a load that is not a number.
 std::vector<LoadFriction> friction_of_loads(const std::vector<FrictionLoop>& loops, double end_share,
                                             double load_deviation);
 
-/// How many of n points that hang together count as independent: n over the integrated autocorrelation, which is summed
-/// up to its first value below zero; between 1 and n.
+/// How many of n points that are correlated count as independent: n over the integrated autocorrelation, which is
+/// summed up to its first value below zero; between 1 and n.
 double independent_points(const std::vector<double>& values);
 
 }  // namespace ringfilm::surface

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSteepestFacet = 1.4;  // [rad]
 constexpr double kLowestFriction = 1e-6, kHighestFriction = 1.0 - 1e-9;
 
-/// What the wedge equations want: slopes over load of the half width on the steep facet and of the difference of the
+/// Input of the wedge equations: slopes over load of the half width on the steep facet and of the difference of the
 /// offsets, and both angles. The steep facet climbs.
 enum Input { kWidth, kOffsets, kSteep, kOther, kInputs };
 using Inputs = std::array<double, kInputs>;
@@ -67,7 +67,7 @@ WedgeCalibration calibrate_on_wedge(const WedgeFacet& first, const WedgeFacet& s
   const double turn = first.angle_rad.value < 0 ? -1 : 1;
   const double steep = turn * first.angle_rad.value, other = turn * second.angle_rad.value;
   if (!(steep > other) || !(steep < kSteepestFacet)) {
-    throw InputError("the two facets of the grating want unlike angles below 80 degrees",
+    throw InputError("the two facets of the grating require unequal angles below 80 degrees",
                      "give the angle of each to the base, with its sign: for example 54.7 and -54.7, or 54.7 and 0");
   }
   const Inputs in{first.half_width.slope, turn * (first.offset.slope - second.offset.slope), steep, other};

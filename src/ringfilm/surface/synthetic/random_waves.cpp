@@ -47,7 +47,7 @@ HeightMap RandomWaves::surface(const PowerSpectrum& spectrum) const {
       const bool mean = k == 0 && m == 0;
       const double density = mean ? 0.0 : spectrum(static_cast<double>(m) * per_x, wave_number(k, whole_y_) * per_y);
       if (!(std::isfinite(density) && density >= 0)) {
-        throw InputError("the power spectrum of a made surface is negative or not a number");
+        throw InputError("the power spectrum of a synthetic surface is negative or not a number");
       }
       const bool own_mirror = m == 0 || 2 * m == whole_x_;
       row_power += (own_mirror ? 1 : 2) * density;
@@ -56,7 +56,7 @@ HeightMap RandomWaves::surface(const PowerSpectrum& spectrum) const {
     power += row_power;
   }
   if (!(power > 0)) {
-    throw InputError("the power spectrum of a made surface is zero on all waves of its grid",
+    throw InputError("the power spectrum of a synthetic surface is zero on all waves of its grid",
                      "take finer steps or more points");
   }
   const std::vector<double> heights = values_of(std::move(waves), whole_x_, whole_y_);

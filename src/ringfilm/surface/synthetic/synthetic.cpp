@@ -14,7 +14,7 @@ namespace {
 
 void check_positive(double value, const char* name) {
   if (std::isfinite(value) && value > 0) return;
-  throw InputError("a made surface needs a positive " + std::string(name) + ", not " + length_text(value));
+  throw InputError("a synthetic surface needs a positive " + std::string(name) + ", not " + length_text(value));
 }
 
 /// Seeds of the parts of one surface.

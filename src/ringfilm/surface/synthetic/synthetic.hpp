@@ -27,7 +27,7 @@ PowerSpectrum gaussian_correlation(double length_x_m, double length_y_m);
 /// @param short_m wavelength below which the power falls off
 PowerSpectrum self_affine(double hurst, double roll_off_m, double short_m);
 
-/// How the rms of a made surface is meant.
+/// How the rms of a synthetic surface is meant.
 enum class MadeRms {
   expected,  ///< over many seeds
   exact      ///< of this surface, to round-off
@@ -35,7 +35,7 @@ enum class MadeRms {
 
 /// A Gaussian surface of mean 0 with the given spectrum and rms; eq-synthetic. Sums of random waves: every seed gives
 /// another surface of the same statistics.
-/// @throws InputError for a grid or spectrum that is none: more than 2^28 points, no power
+/// @throws InputError for an invalid grid or spectrum: more than 2^28 points, no power
 HeightMap gaussian_surface(const SurfaceGrid& grid, const PowerSpectrum& spectrum, double Sq_m, std::uint64_t seed,
                            MadeRms rms = MadeRms::expected);
 
@@ -63,7 +63,7 @@ struct PorousSurface {
   double pore_depth_m = 4e-6;    ///< mean [m]
 };
 
-/// A made face, and where its pores are: what a test wants to find again.
+/// A made face, and where its pores are, which a test must find again.
 struct PorousMap {
   HeightMap map;                   ///< with the pores in it, every point measured
   std::vector<std::uint8_t> pore;  ///< 1 where a pore is

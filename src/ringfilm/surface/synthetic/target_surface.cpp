@@ -22,9 +22,10 @@ constexpr int kMostSearchSteps = 60;
 using Pair = Eigen::Vector2d;
 
 [[noreturn]] void not_found() {
-  throw InputError("no surface with the wanted roughness, m2 and m4 is found on this grid",
-                   "the short waves, about 2 pi times the root of m2/m4, want 8 steps or more; the map some roll-off "
-                   "lengths; roughness^2 m4/m2^2 must be clearly above 3");
+  throw InputError(
+      "no surface with the target roughness, m2 and m4 is found on this grid",
+      "the short waves, about 2 pi times the root of m2/m4, require 8 steps or more; the map some roll-off "
+      "lengths; roughness^2 m4/m2^2 must be clearly above 3");
 }
 
 PowerSpectrum spectrum_of(const Pair& lengths) {
@@ -91,20 +92,20 @@ TargetSurface counterpart(const AsperityParameters& pair, const TargetSurface& f
   return second;
 }
 
-HeightMap surface_with(const TargetSurface& wanted, const SurfaceGrid& grid, std::uint64_t seed,
+HeightMap surface_with(const TargetSurface& target, const SurfaceGrid& grid, std::uint64_t seed,
                        const SurfaceMeasuring& measuring) {
-  const Pair goal = ratios(wanted.roughness_m, wanted.m2, wanted.m4_per_m2);
+  const Pair goal = ratios(target.roughness_m, target.m2, target.m4_per_m2);
   const auto measures = [&](const HeightMap& map) { return measuring ? measuring(map) : surface_measures(map); };
-  const auto roughness = [&](const SurfaceMeasures& of) { return wanted.rule == SigmaRule::ra ? of.Sa_m : of.Sq_m; };
+  const auto roughness = [&](const SurfaceMeasures& of) { return target.rule == SigmaRule::ra ? of.Sa_m : of.Sq_m; };
   const RandomWaves waves(grid, seed);
-  const double per_rms = wanted.rule == SigmaRule::ra ? std::sqrt(2 / std::numbers::pi) : 1.0;
-  // Heights of about the wanted size, so that what measures them meets no surprise.
+  const double per_rms = target.rule == SigmaRule::ra ? std::sqrt(2 / std::numbers::pi) : 1.0;
+  // Heights of about the target size, within the range of what measures them.
   const auto made = [&](const Pair& lengths) {
     HeightMap map = waves.surface(spectrum_of(lengths));
-    for (double& height : map.height_m) height *= wanted.roughness_m / per_rms;
+    for (double& height : map.height_m) height *= target.roughness_m / per_rms;
     return map;
   };
-  const double short_wave = 2 * std::numbers::pi * std::sqrt(wanted.m2 / wanted.m4_per_m2);
+  const double short_wave = 2 * std::numbers::pi * std::sqrt(target.m2 / target.m4_per_m2);
   Pair lengths(std::log(10 * short_wave), std::log(0.5 * short_wave));
   lengths = solve(
       lengths, [&](const Pair& at) -> Pair { return expected_ratios(at, per_rms) - goal; }, 1e-6);
@@ -117,11 +118,11 @@ HeightMap surface_with(const TargetSurface& wanted, const SurfaceGrid& grid, std
       },
       kClose);
   HeightMap map = made(lengths);
-  const double factor = wanted.roughness_m / roughness(measures(map));
+  const double factor = target.roughness_m / roughness(measures(map));
   for (double& height : map.height_m) height *= factor;
   const SurfaceMeasures found = measures(map);
   const Pair rest = ratios(roughness(found), found.moments.m2, found.moments.m4_per_m2) - goal;
-  if (rest.cwiseAbs().maxCoeff() > 100 * kClose || std::abs(roughness(found) / wanted.roughness_m - 1) > 100 * kClose) {
+  if (rest.cwiseAbs().maxCoeff() > 100 * kClose || std::abs(roughness(found) / target.roughness_m - 1) > 100 * kClose) {
     not_found();
   }
   return map;

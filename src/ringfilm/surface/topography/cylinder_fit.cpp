@@ -102,7 +102,7 @@ Parameters first_guess(const HeightMap& map) {
 }
 
 [[noreturn]] void no_curvature() {
-  throw InputError("no cylinder is found: the curvature of the map does not stand out of its roughness",
+  throw InputError("no cylinder is found: the curvature of the map cannot be separated from its roughness",
                    "take the tilt off instead");
 }
 

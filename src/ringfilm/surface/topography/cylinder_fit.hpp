@@ -30,7 +30,7 @@ class CylinderForm {
 };
 
 /// Least squares of the heights over all five parameters (a profile: circle, three).
-/// @throws InputError where no curvature stands out or the map reaches over the side of the cylinder
+/// @throws InputError where no curvature can be found or the map reaches over the side of the cylinder
 CylinderForm fit_cylinder(const HeightMap& map);
 
 }  // namespace ringfilm::surface

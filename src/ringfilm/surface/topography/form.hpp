@@ -7,7 +7,7 @@
 
 namespace ringfilm::surface {
 
-/// What shape is taken off before statistics (F-operation).
+/// What shape is removed before statistics (F-operation).
 enum class FormKind { none, mean, tilt, cylinder, polynomial };
 
 struct FormChoice {
@@ -24,14 +24,14 @@ struct Cylinder {
   double ridge_offset_m = 0.0;  ///< distance of the ridge from the centre of the map, across the axis
 };
 
-/// What was taken off.
+/// What was removed.
 struct FormRemoved {
   FormKind kind = FormKind::none;
   int degree = 0;
   double mean_m = 0.0;   ///< height of the form at the centre of the map [m]
   double slope_x = 0.0;  ///< of the form at the centre [-]
   double slope_y = 0.0;
-  double rms_m = 0.0;  ///< rms of what was taken off about its own mean [m]
+  double rms_m = 0.0;  ///< rms of what was removed about its own mean [m]
   std::optional<Cylinder> cylinder;
   std::string text;  ///< one line for tables and files, for example "least-squares plane"
 };

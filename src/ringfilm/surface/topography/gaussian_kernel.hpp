@@ -11,8 +11,8 @@ namespace ringfilm::surface {
 /// @param cutoff_steps cut-off in steps, 2 or more
 std::vector<double> gaussian_kernel(double cutoff_steps);
 
-/// Convolves lines of equal length with a symmetric kernel; beyond the ends stands 0. Short kernels are summed, long
-/// ones go through a Fourier transform of two lines at a time.
+/// Convolves lines of equal length with a symmetric kernel; beyond the ends the data are 0. Short kernels are summed,
+/// long ones go through a Fourier transform of two lines at a time.
 class LineConvolution {
  public:
   LineConvolution(std::span<const double> kernel, std::size_t points);

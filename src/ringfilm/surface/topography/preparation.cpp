@@ -5,7 +5,7 @@
 namespace ringfilm::surface {
 
 std::vector<std::string> Prepared::lines() const {
-  std::vector<std::string> lines = {"form taken off: " + form.text};
+  std::vector<std::string> lines = {"form removed: " + form.text};
   for (const FilterApplied& filter : filters) lines.push_back(filter.text);
   if (filters.empty()) lines.push_back("no filter");
   return lines;
@@ -22,7 +22,7 @@ Prepared prepare(HeightMap& map, const Preparation& preparation) {
   if (shortest && longest && !(*shortest < *longest)) {
     throw InputError(
         "the short cut-off of " + length_text(*shortest) + " is not below the long one of " + length_text(*longest),
-        "the short one takes off what is finer, the long one what is coarser");
+        "the short one removes what is finer, the long one what is coarser");
   }
   Prepared prepared;
   prepared.form = remove_form(map, preparation.form);

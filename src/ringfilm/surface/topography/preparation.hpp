@@ -11,7 +11,7 @@ namespace ringfilm::surface {
 
 /// What happens to a map between the instrument and its statistics, in this order: form, short cut-off, long cut-off.
 struct Preparation {
-  FormChoice form{FormKind::none};           ///< what shape is taken off
+  FormChoice form{FormKind::none};           ///< what shape is removed
   std::optional<double> short_cutoff_m;      ///< S-filter [m]
   std::optional<double> long_cutoff_m;       ///< L-filter [m]
   FilterKind filter = FilterKind::gaussian;  ///< of both cut-offs
@@ -19,7 +19,7 @@ struct Preparation {
 
 /// What happened.
 struct Prepared {
-  FormRemoved form;                    ///< the shape that was taken off
+  FormRemoved form;                    ///< the shape that was removed
   std::vector<FilterApplied> filters;  ///< in the order in which they were applied; empty: none
 
   /// A line for each step, for tables and files.

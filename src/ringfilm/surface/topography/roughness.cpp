@@ -124,7 +124,7 @@ RowRoughness row_roughness(const HeightMap& map) {
   return of;
 }
 
-std::vector<double> bearing_curve(const HeightMap& map) {
+std::vector<double> material_ratio_curve(const HeightMap& map) {
   check_map(map);
   std::vector<double> heights;
   heights.reserve(map.points());

@@ -11,7 +11,7 @@ namespace ringfilm::surface {
 struct HeightStatistics {
   std::size_t points = 0;   ///< measured ones, which all the rest is of
   std::size_t missing = 0;  ///< not measured
-  double mean_m = 0.0;      ///< taken off before the rest [m]
+  double mean_m = 0.0;      ///< removed before the rest [m]
   double Sa_m = 0.0;        ///< mean absolute deviation (Ra of a profile) [m]
   double Sq_m = 0.0;        ///< rms (Rq of a profile) [m]
   double Ssk = 0.0;         ///< skewness [-]
@@ -25,18 +25,18 @@ struct HeightStatistics {
 HeightStatistics height_statistics(const HeightMap& map);
 
 /// Ra and Rq of the rows of a map, each about its own mean: the mean of Ra, the root of the mean square of Rq. Rows
-/// with fewer than 8 measured points are left out.
+/// with fewer than 8 measured points are omitted.
 struct RowRoughness {
   double Ra_m = 0.0;     ///< mean of Ra over the rows [m]
   double Rq_m = 0.0;     ///< root of the mean square of Rq over the rows [m]
-  std::size_t rows = 0;  ///< that were not left out
+  std::size_t rows = 0;  ///< that were not omitted
 };
 
 /// @throws InputError where no row has 8 measured points
 RowRoughness row_roughness(const HeightMap& map);
 
-/// Heights of the measured points, falling: the bearing (Abbott) curve. Point i of n stands at a material ratio of
+/// Heights of the measured points, falling: the material ratio (Abbott) curve. Point i of n is at a material ratio of
 /// (i + 1/2)/n.
-std::vector<double> bearing_curve(const HeightMap& map);
+std::vector<double> material_ratio_curve(const HeightMap& map);
 
 }  // namespace ringfilm::surface

@@ -28,7 +28,7 @@ enum class LineDirection { x, y };
 inline constexpr const char* kSpectrumWindow = "Hann";
 
 /// Each line about its mean, under a Hann window. Missing points have no weight in it: a line with many of them shows
-/// its window too. Lines with fewer than half of their points, or fewer than 16, are left out.
+/// its window too. Lines with fewer than half of their points, or fewer than 16, are omitted.
 /// @throws InputError where no line is left
 LineSpectrum line_spectrum(const HeightMap& map, LineDirection direction);
 

@@ -25,8 +25,8 @@ struct HeightMap {
   bool is_profile() const { return points_y == 1; }                                          ///< one row
 };
 
-/// Refuses a map that no analysis can take: sizes that do not fit, steps that are no positive lengths, a map of one
-/// column, a height that is no finite number, fewer measured points than wanted.
+/// Refuses a map that no analysis can take: sizes that do not fit, steps that are not positive lengths, a map of one
+/// column, a height that is not a finite number, fewer measured points than required.
 /// @param least_points how many measured points the caller needs
 void check_map(const HeightMap& map, std::size_t least_points = 1);
 

@@ -44,7 +44,7 @@ TEST(CaseFile, KeepsTheDigestOfEveryFileItRead) {
   EXPECT_EQ(c.files[1].sha256, "a0ecc53b6e48ed8f3fd2d488182c73fe5f6c010d9a142fbaa2ac4e063fb5913a");
 }
 
-TEST(CaseFile, TitleIsNoBook) {
+TEST(CaseFile, TitleIsNotTooLong) {
   EXPECT_THAT(CaseFolder().read({{"title", std::string(1000, 'a')}}).title, testing::SizeIs(1000));
   EXPECT_THAT(CaseFolder().faults({{"title", std::string(1001, 'a')}}), HasSubstr("has 1001 characters"));
 }
@@ -69,9 +69,9 @@ std::string with_more(std::string CaseText::*part, const std::string& text) {
 
 class Mistakes : public ::testing::TestWithParam<Mistake> {};
 
-TEST_P(Mistakes, AreToldWithPlaceValueAndRemedy) {
-  const std::string told = GetParam().faults();
-  for (const std::string& part : GetParam().parts) EXPECT_THAT(told, HasSubstr(part));
+TEST_P(Mistakes, AreReportedWithPlaceValueAndRemedy) {
+  const std::string reported = GetParam().faults();
+  for (const std::string& part : GetParam().parts) EXPECT_THAT(reported, HasSubstr(part));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -245,21 +245,21 @@ INSTANTIATE_TEST_SUITE_P(
                 {"lubricant.viscosity_pressure is not used in this case", "no lubricant.table"}}),
     [](const auto& mistake) { return mistake.param.name; });
 
-TEST(CaseFile, TellsAllFaultsOfAllFilesAtOnce) {
+TEST(CaseFile, ReportsAllFaultsOfAllFilesAtOnce) {
   CaseText text;
   text.top += "include = [\"fragment.toml\"]\n";
   text.ring = "[ring]\nface_width = 1.2\nelastic_pressure = \"2 N\"\n";
   const CaseFolder folder(text);
   folder.write("fragment.toml", "[film]\ncavitaton = \"none\"\n");
   folder.write("p.csv", "crank_angle [degree],p [bar]\n0,1\n1,x\n");
-  const std::string told = folder.faults();
-  EXPECT_THAT(told, HasSubstr("ring.face_width = 1.2 has no unit"));
-  EXPECT_THAT(told, HasSubstr("ring.elastic_pressure = \"2 N\" is not a pressure"));
-  EXPECT_THAT(told, HasSubstr("fragment.toml:2:1: unknown key film.cavitaton; did you mean film.cavitation?"));
-  EXPECT_THAT(told, HasSubstr("p.csv:3:3: \"x\" is not a number"));
+  const std::string reported = folder.faults();
+  EXPECT_THAT(reported, HasSubstr("ring.face_width = 1.2 has no unit"));
+  EXPECT_THAT(reported, HasSubstr("ring.elastic_pressure = \"2 N\" is not a pressure"));
+  EXPECT_THAT(reported, HasSubstr("fragment.toml:2:1: unknown key film.cavitaton; did you mean film.cavitation?"));
+  EXPECT_THAT(reported, HasSubstr("p.csv:3:3: \"x\" is not a number"));
 }
 
-TEST(CaseFile, SaysAMisspeltKeyOnceAndNotThatItIsMissingToo) {
+TEST(CaseFile, ReportsAMisspeltKeyOnceAndNotAsMissing) {
   CaseText text;
   text.ring = "[ring]\nface_widht = \"1.2 mm\"\nelastic_pressure = \"0.2 MPa\"\n";
   EXPECT_THAT(faults_of(text), Not(HasSubstr("missing")));

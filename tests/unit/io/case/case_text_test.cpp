@@ -78,7 +78,7 @@ TEST(ResolvedCase, GivesTheSameBitsForWiebePolynomialAndTables) {
   }());
 }
 
-TEST(CaseEntries, TellWhatIsAssumed) {
+TEST(CaseEntries, ReportWhatIsAssumed) {
   const std::vector<CaseEntry> entries = case_entries(CaseFolder().read());
   const auto entry = [&entries](const std::string& key) {
     const auto found =
@@ -108,7 +108,7 @@ TEST(CaseEntries, ListTheDefaultsOfTheWiebeModel) {
   ADD_FAILURE() << "gas.intake_pressure is in use and not listed";
 }
 
-TEST(StartingCase, CanBeReadAsItStands) {
+TEST(StartingCase, CanBeReadUnchanged) {
   const ScratchFolder folder;
   write_text(folder / "my.toml", starting_case());
   const cycle::Case c = read_case(folder / "my.toml");

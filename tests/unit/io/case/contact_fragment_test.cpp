@@ -155,7 +155,7 @@ TEST(ContactFragment, HoldsForTheWidthThatWasFittedOnly) {
   }
 }
 
-TEST(ContactFragment, TellsWhereThePolynomialInventsShape) {
+TEST(ContactFragment, ReportsWhereThePolynomialInventsShape) {
   surface::FaceFit fit = surface::fit_face(face_trace(), face_rule());
   EXPECT_THAT(face_polynomial_fragment(fit, face_rule(), "a.csv", {}), Not(HasSubstr("fit_artifact")));
   fit.invented.push_back({1.14e-3, 1.2e-3, surface::InventionReason::kFallsTowardsTheEdge, 0.3e-6});
@@ -169,45 +169,47 @@ TEST(ContactFragment, AKeyInFragmentAndCaseNamesBothPlaces) {
   text.face = CaseText().face;
   const CaseFolder folder(text);
   folder.write("pair.toml", contact_fragment(pair_of_surfaces(), {}));
-  const std::string told = folder.faults();
-  EXPECT_THAT(told, HasSubstr("contact.roughness is given twice"));
-  EXPECT_THAT(told, HasSubstr("it is given at pair.toml:4:1 too"));
+  const std::string reported = folder.faults();
+  EXPECT_THAT(reported, HasSubstr("contact.roughness is given twice"));
+  EXPECT_THAT(reported, HasSubstr("it is given at pair.toml:4:1 too"));
 }
 
 TEST(MeasuredContact, IsRefusedWhereItCannotBe) {
-  const auto told = [](const std::string& more) {
+  const auto reported = [](const std::string& more) {
     CaseText text;
     text.more = more;
     return faults_of(text);
   };
-  EXPECT_EQ(told("[contact.measured]\nstep = \"1 um\"\nshort_cutoff = \"2.5 um\"\nlong_cutoff = \"0.8 mm\"\n"), "");
-  EXPECT_THAT(told("[contact.measured]\nshort_cutoff = \"2 mm\"\nlong_cutoff = \"0.8 mm\"\n"),
+  EXPECT_EQ(reported("[contact.measured]\nstep = \"1 um\"\nshort_cutoff = \"2.5 um\"\nlong_cutoff = \"0.8 mm\"\n"), "");
+  EXPECT_THAT(reported("[contact.measured]\nshort_cutoff = \"2 mm\"\nlong_cutoff = \"0.8 mm\"\n"),
               HasSubstr("is not below"));
-  EXPECT_THAT(told("[contact.measured]\nstep = \"3 um\"\nshort_cutoff = \"2 um\"\n"), HasSubstr("is above"));
-  EXPECT_THAT(told("[contact.measured]\nregions = 2.5\n"), HasSubstr("is not a whole number"));
-  EXPECT_THAT(told("[contact.measured]\ndensity_radius_correlation = 0.5\n"), HasSubstr("standard deviations of both"));
+  EXPECT_THAT(reported("[contact.measured]\nstep = \"3 um\"\nshort_cutoff = \"2 um\"\n"), HasSubstr("is above"));
+  EXPECT_THAT(reported("[contact.measured]\nregions = 2.5\n"), HasSubstr("is not a whole number"));
+  EXPECT_THAT(reported("[contact.measured]\ndensity_radius_correlation = 0.5\n"),
+              HasSubstr("standard deviations of both"));
   const std::string deviations =
       "asperity_density_deviation = \"0.01 um-2\"\nasperity_radius_deviation = \"0.1 um\"\n"
       "roughness_deviation = \"0.01 um\"\n";
-  EXPECT_THAT(told("[contact.measured]\n" + deviations +
-                   "density_radius_correlation = 0.9\ndensity_roughness_correlation = 0.9\n"
-                   "radius_roughness_correlation = -0.9\n"),
+  EXPECT_THAT(reported("[contact.measured]\n" + deviations +
+                       "density_radius_correlation = 0.9\ndensity_roughness_correlation = 0.9\n"
+                       "radius_roughness_correlation = -0.9\n"),
               HasSubstr("cannot hold at once"));
-  EXPECT_THAT(told("[contact.measured.shear_strength]\nmethod = \"guess\"\n"), HasSubstr("\"guess\" is unknown"));
-  EXPECT_THAT(told("[contact.measured.shear_strength]\nreference_deviation = 0.1\n"),
+  EXPECT_THAT(reported("[contact.measured.shear_strength]\nmethod = \"guess\"\n"), HasSubstr("\"guess\" is unknown"));
+  EXPECT_THAT(reported("[contact.measured.shear_strength]\nreference_deviation = 0.1\n"),
               HasSubstr("calibration is missing"));
 }
 
 TEST(Coating, AsksForItsPoissonsRatioAndAUse) {
-  const auto told = [](const std::string& more) {
+  const auto reported = [](const std::string& more) {
     CaseText text;
     text.more = more;
     return faults_of(text);
   };
-  EXPECT_EQ(told("[ring.coating]\nyoungs_modulus = \"280 GPa\"\npoissons_ratio = 0.3\nthickness = \"100 um\"\n"), "");
-  EXPECT_THAT(told("[ring.coating]\nyoungs_modulus = \"280 GPa\"\n"),
+  EXPECT_EQ(reported("[ring.coating]\nyoungs_modulus = \"280 GPa\"\npoissons_ratio = 0.3\nthickness = \"100 um\"\n"),
+            "");
+  EXPECT_THAT(reported("[ring.coating]\nyoungs_modulus = \"280 GPa\"\n"),
               HasSubstr("the key ring.coating.poissons_ratio is missing"));
-  EXPECT_THAT(told("[ring.coating]\nthickness = \"100 um\"\n"), HasSubstr("ring.coating.thickness is not used"));
+  EXPECT_THAT(reported("[ring.coating]\nthickness = \"100 um\"\n"), HasSubstr("ring.coating.thickness is not used"));
   CaseText text;
   text.contact += "composite_modulus = \"190 GPa\"\n";
   text.more = "[ring.coating]\nyoungs_modulus = \"280 GPa\"\n";

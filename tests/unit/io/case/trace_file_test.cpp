@@ -19,7 +19,7 @@ class Trace : public ::testing::Test {
     write_text(folder_ / "p.csv", text);
     return read_trace({folder_ / "p.csv", "p.csv"}, stated, units_);
   }
-  std::string told(const std::string& text, const TraceColumns& stated = {}) {
+  std::string reported(const std::string& text, const TraceColumns& stated = {}) {
     try {
       read(text, stated);
     } catch (const InputError& error) {
@@ -76,22 +76,22 @@ TEST_F(Trace, TakesTheNamedColumnOfSeveral) {
   TraceColumns stated;
   stated.pressure_unit = "Pa";
   stated.angle_unit = "degree";
-  EXPECT_THAT(told(text, stated), HasSubstr("2 columns of the file may be the pressure"));
-  EXPECT_THAT(told(text, stated), HasSubstr("gas.pressure_column; the file has: CAD_0=firing_TDC, p_Pa_load25"));
+  EXPECT_THAT(reported(text, stated), HasSubstr("2 columns of the file may be the pressure"));
+  EXPECT_THAT(reported(text, stated), HasSubstr("gas.pressure_column; the file has: CAD_0=firing_TDC, p_Pa_load25"));
   stated.pressure_column = "p_Pa_load50";
   EXPECT_THAT(read(text, stated).samples.value, ElementsAre(232080, 233920));
   stated.pressure_column = "p_Pa_load75";
-  EXPECT_THAT(told(text, stated), HasSubstr("the file has no column p_Pa_load75 (gas.pressure_column)"));
+  EXPECT_THAT(reported(text, stated), HasSubstr("the file has no column p_Pa_load75 (gas.pressure_column)"));
 }
 
 TEST_F(Trace, AsksForUnitsOnceAndRefusesContradictions) {
   const std::string bare = "crank_angle,p\n0,1e5\n1,2e5\n";
-  EXPECT_THAT(told(bare), HasSubstr("p.csv:1:1: the column crank_angle has no unit"));
-  EXPECT_THAT(told(bare), HasSubstr("p.csv:1:13: the column p has no unit"));
-  EXPECT_THAT(told(bare), HasSubstr("or state gas.pressure_unit"));
+  EXPECT_THAT(reported(bare), HasSubstr("p.csv:1:1: the column crank_angle has no unit"));
+  EXPECT_THAT(reported(bare), HasSubstr("p.csv:1:13: the column p has no unit"));
+  EXPECT_THAT(reported(bare), HasSubstr("or state gas.pressure_unit"));
   TraceColumns stated;
   stated.pressure_unit = "bar";
-  EXPECT_THAT(told("crank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n", stated),
+  EXPECT_THAT(reported("crank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n", stated),
               HasSubstr("p.csv:1:22: the file states Pa, gas.pressure_unit says bar"));
   stated.pressure_unit = "Pa";
   EXPECT_EQ(read("crank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n", stated).samples.value.size(), 2u);
@@ -115,64 +115,65 @@ TEST_F(Trace, ComparesTheRowOfUnitsWithWhatIsStated) {
   const std::string rows = "0,1\n1,2\n";
   TraceColumns stated;
   stated.pressure_unit = "MPa";
-  EXPECT_THAT(told("crank_angle,p\ndeg,bar\n" + rows, stated),
+  EXPECT_THAT(reported("crank_angle,p\ndeg,bar\n" + rows, stated),
               HasSubstr("p.csv:2:5: the file states bar, gas.pressure_unit says MPa"));
   stated.pressure_unit = "bar";
   EXPECT_THAT(read("crank_angle,p\ndeg,bar\n" + rows, stated).samples.value, ElementsAre(1e5, 2e5));
-  EXPECT_THAT(told("crank_angle [deg],p [Pa]\ndeg,bar\n" + rows),
+  EXPECT_THAT(reported("crank_angle [deg],p [Pa]\ndeg,bar\n" + rows),
               HasSubstr("p.csv:2:5: the unit of p is bar here and Pa in the header"));
   stated = {};
   stated.reference = cycle::PressureReference::kGauge;
-  EXPECT_THAT(told("crank_angle,p\ndeg,bara\n" + rows, stated), HasSubstr("p.csv:2:5: the unit bara is absolute"));
-  EXPECT_THAT(told("crank_angle,p\ndeg,barg\n" + rows), HasSubstr("p.csv:2:5: the column p is a gauge pressure"));
+  EXPECT_THAT(reported("crank_angle,p\ndeg,bara\n" + rows, stated), HasSubstr("p.csv:2:5: the unit bara is absolute"));
+  EXPECT_THAT(reported("crank_angle,p\ndeg,barg\n" + rows), HasSubstr("p.csv:2:5: the column p is a gauge pressure"));
 }
 
 TEST_F(Trace, RefusesAnUnknownUnitInTheRowOfUnits) {
-  EXPECT_THAT(told("crank_angle,p\ndeg,kp/cmm\n0,1\n1,2\n"),
+  EXPECT_THAT(reported("crank_angle,p\ndeg,kp/cmm\n0,1\n1,2\n"),
               HasSubstr("no column of the file is a pressure: crank_angle is not a pressure: \"deg\" measures "
                         "something else, p has an unknown unit \"kp/cmm\""));
   TraceColumns stated;
   stated.pressure_column = "p";
-  EXPECT_THAT(told("crank_angle,p\ndeg,kp/cmm\n0,1\n1,2\n", stated),
+  EXPECT_THAT(reported("crank_angle,p\ndeg,kp/cmm\n0,1\n1,2\n", stated),
               HasSubstr("p.csv:2:5: the column p has an unknown unit \"kp/cmm\""));
-  EXPECT_THAT(told("crank_angle;p\n-;bar\n0;1\n1;2\n"),
+  EXPECT_THAT(reported("crank_angle;p\n-;bar\n0;1\n1;2\n"),
               HasSubstr("no column of the file is a crank angle: crank_angle is dimensionless, not an angle, "));
   // Text between the numbers, or below the units, is not a row of units.
-  EXPECT_THAT(told("crank_angle,p\ndeg,3 bar\n0,1\n1,2\n"), HasSubstr("p.csv:2:1: \"deg\" is not a number"));
-  EXPECT_THAT(told("crank_angle,p\ndeg,bar\ndeg,bar\n1,2\n"), HasSubstr("p.csv:3:1: \"deg\" is not a number"));
+  EXPECT_THAT(reported("crank_angle,p\ndeg,3 bar\n0,1\n1,2\n"), HasSubstr("p.csv:2:1: \"deg\" is not a number"));
+  EXPECT_THAT(reported("crank_angle,p\ndeg,bar\ndeg,bar\n1,2\n"), HasSubstr("p.csv:3:1: \"deg\" is not a number"));
 }
 
-TEST_F(Trace, RefusesWhatIsNoTraceWithLineAndColumn) {
+TEST_F(Trace, RefusesWhatIsNotATraceWithLineAndColumn) {
   const std::string head = "crank_angle [degree],p [Pa]\n";
-  EXPECT_THAT(told(head), HasSubstr("p.csv: the file has no row of numbers"));
-  EXPECT_THAT(told(head + "0,1e5\n"), HasSubstr("p.csv: the file has only one row of numbers"));
-  EXPECT_THAT(told("0,1e5\n1,2e5\n"), HasSubstr("p.csv:1:1: the first line must name the columns"));
-  EXPECT_THAT(told(head + "0,1e5\n1,2e5\n1,3e5\n"), HasSubstr("p.csv:4:1: the crank angle 1 degree comes twice"));
-  EXPECT_THAT(told(head + "0,1e5\n2,2e5\n1,3e5\n"), HasSubstr("p.csv:4:1: the crank angle falls from 2 to 1 degree"));
-  EXPECT_THAT(told(head + "0,1e5\n1,nan\n2,inf\n"), HasSubstr("p.csv:3:3: nan is not a finite number"));
-  EXPECT_THAT(told(head + "0,1e5\n1,nan\n2,inf\n"), HasSubstr("p.csv:4:3: inf is not a finite number"));
-  EXPECT_THAT(told(head + "0,1e5\n1,high\n"), HasSubstr("p.csv:3:3: \"high\" is not a number"));
-  EXPECT_THAT(told(head + "0,1e5\n1,\n"), HasSubstr("p.csv:3:3: a value is missing"));
-  EXPECT_THAT(told(head + "0,1e5\n1\n"), HasSubstr("p.csv:3:1: the row has 1 values, the header names 2 columns"));
-  EXPECT_THAT(told(head + "0,0,100000,5\n0,1,100000,6\n"), HasSubstr("separate the columns by semicolons"));
-  EXPECT_THAT(told(head + "0,1e5\n721,2e5\n"), HasSubstr("the crank angles span 721 degree"));
-  EXPECT_THAT(told("crank_angle [degree],p [N]\n0,1\n1,2\n"), HasSubstr("no column of the file is a pressure"));
-  EXPECT_THAT(told("t [s],p [Pa]\n0,1e5\n1,2e5\n"), HasSubstr("no column of the file is a crank angle"));
+  EXPECT_THAT(reported(head), HasSubstr("p.csv: the file has no row of numbers"));
+  EXPECT_THAT(reported(head + "0,1e5\n"), HasSubstr("p.csv: the file has only one row of numbers"));
+  EXPECT_THAT(reported("0,1e5\n1,2e5\n"), HasSubstr("p.csv:1:1: the first line must name the columns"));
+  EXPECT_THAT(reported(head + "0,1e5\n1,2e5\n1,3e5\n"), HasSubstr("p.csv:4:1: the crank angle 1 degree comes twice"));
+  EXPECT_THAT(reported(head + "0,1e5\n2,2e5\n1,3e5\n"),
+              HasSubstr("p.csv:4:1: the crank angle falls from 2 to 1 degree"));
+  EXPECT_THAT(reported(head + "0,1e5\n1,nan\n2,inf\n"), HasSubstr("p.csv:3:3: nan is not a finite number"));
+  EXPECT_THAT(reported(head + "0,1e5\n1,nan\n2,inf\n"), HasSubstr("p.csv:4:3: inf is not a finite number"));
+  EXPECT_THAT(reported(head + "0,1e5\n1,high\n"), HasSubstr("p.csv:3:3: \"high\" is not a number"));
+  EXPECT_THAT(reported(head + "0,1e5\n1,\n"), HasSubstr("p.csv:3:3: a value is missing"));
+  EXPECT_THAT(reported(head + "0,1e5\n1\n"), HasSubstr("p.csv:3:1: the row has 1 values, the header names 2 columns"));
+  EXPECT_THAT(reported(head + "0,0,100000,5\n0,1,100000,6\n"), HasSubstr("separate the columns by semicolons"));
+  EXPECT_THAT(reported(head + "0,1e5\n721,2e5\n"), HasSubstr("the crank angles span 721 degree"));
+  EXPECT_THAT(reported("crank_angle [degree],p [N]\n0,1\n1,2\n"), HasSubstr("no column of the file is a pressure"));
+  EXPECT_THAT(reported("t [s],p [Pa]\n0,1e5\n1,2e5\n"), HasSubstr("no column of the file is a crank angle"));
 }
 
 TEST_F(Trace, RefusesPressuresThatCannotBe) {
   const std::string head = "crank_angle [degree],p [Pa]\n";
-  EXPECT_THAT(told(head + "0,-500\n1,6e6\n"),
+  EXPECT_THAT(reported(head + "0,-500\n1,6e6\n"),
               HasSubstr("p.csv:2:3: the pressure is -500 Pa; an absolute pressure is above 0"));
-  EXPECT_THAT(told(head + "0,0\n1,6e6\n"), HasSubstr("the pressure is 0 Pa; an absolute pressure is above 0"));
-  EXPECT_THAT(told(head + "0,-500\n1,6e6\n"), HasSubstr("gas.pressure_reference = \"gauge\""));
+  EXPECT_THAT(reported(head + "0,0\n1,6e6\n"), HasSubstr("the pressure is 0 Pa; an absolute pressure is above 0"));
+  EXPECT_THAT(reported(head + "0,-500\n1,6e6\n"), HasSubstr("gas.pressure_reference = \"gauge\""));
   TraceColumns gauge;
   gauge.reference = cycle::PressureReference::kGauge;
   EXPECT_THAT(read(head + "0,-500\n1,6e6\n", gauge).samples.value, ElementsAre(-500, 6e6));
-  EXPECT_THAT(told(head + "0,1\n1,62\n"), HasSubstr("the highest pressure of the trace is 0.00062 bar"));
-  EXPECT_THAT(told("crank_angle [degree],p [barg]\n0,1\n1,62\n", gauge),
+  EXPECT_THAT(reported(head + "0,1\n1,62\n"), HasSubstr("the highest pressure of the trace is 0.00062 bar"));
+  EXPECT_THAT(reported("crank_angle [degree],p [barg]\n0,1\n1,62\n", gauge),
               HasSubstr("write the unit without the g, and state gas.pressure_reference"));
-  EXPECT_THAT(told("crank_angle [degree],p [bara]\n0,1\n1,62\n", gauge), HasSubstr("the unit bara is absolute"));
+  EXPECT_THAT(reported("crank_angle [degree],p [bara]\n0,1\n1,62\n", gauge), HasSubstr("the unit bara is absolute"));
 }
 
 TEST_F(Trace, CrankcaseMayBeNearTheAtmosphere) {
@@ -180,31 +181,32 @@ TEST_F(Trace, CrankcaseMayBeNearTheAtmosphere) {
   crankcase.reference = cycle::PressureReference::kGauge;
   crankcase.place = TracePlace::kCrankcase;
   EXPECT_THAT(read("crank_angle [degree],p [mbar]\n0,30\n5,-20\n", crankcase).samples.value, ElementsAre(3000, -2000));
-  EXPECT_THAT(told("crank_angle [degree],p [mbar]\n0,30\n5,-1020\n", crankcase),
+  EXPECT_THAT(reported("crank_angle [degree],p [mbar]\n0,30\n5,-1020\n", crankcase),
               HasSubstr("gauge pressure is above -1.01325 bar"));
 }
 
-TEST_F(Trace, RepeatsAfterACycleOrIsTold) {
+TEST_F(Trace, RepeatsAfterACycleOrIsReported) {
   std::string head = "crank_angle [degree],p [bar]\n0,20\n";
   for (int angle = 10; angle < 720; angle += 10) head += std::to_string(angle) + ",10\n";
   head += "720,";
   EXPECT_THAT(read(head + "20.01\n").notes, ::testing::IsEmpty());
   EXPECT_THAT(read(head + "20.5\n").notes, ElementsAre(HasSubstr("20.5 bar one cycle later, at 720 degree")));
-  EXPECT_THAT(told(head + "90\n"), HasSubstr("p.csv:74:5: the pressure is 20 bar at 0 degree and 90 bar one cycle"));
+  EXPECT_THAT(reported(head + "90\n"),
+              HasSubstr("p.csv:74:5: the pressure is 20 bar at 0 degree and 90 bar one cycle"));
 }
 
-TEST_F(Trace, HoleInsideIsToldAsTheHole) {
+TEST_F(Trace, HoleInsideIsReportedAsTheHole) {
   std::string text = "crank_angle [degree],p [bar]\n";
   for (int angle = 0; angle < 720; ++angle) {
     if (angle <= 400 || angle >= 411) text += std::to_string(angle) + "," + (angle < 90 ? "9" : "2") + "\n";
   }
-  EXPECT_THAT(told(text), HasSubstr("no samples between 400 and 411 degree"));
+  EXPECT_THAT(reported(text), HasSubstr("no samples between 400 and 411 degree"));
 }
 
 // However coarse the trace is elsewhere: the manual promises 10 degree to every trace.
 TEST_F(Trace, SamplesAreNowhereMoreThanTenDegreesApart) {
   const std::string head = "crank_angle [degree],p [bar]\n";
-  EXPECT_THAT(told(head + "0,62\n180,2\n360,1\n540,1\n"),
+  EXPECT_THAT(reported(head + "0,62\n180,2\n360,1\n540,1\n"),
               ::testing::AllOf(HasSubstr("p.csv:3:1: no samples between 0 and 180 degree, nor in 2 more steps"),
                                HasSubstr("10 degree apart at the most")));
   const auto every = [&](int step) {
@@ -212,11 +214,11 @@ TEST_F(Trace, SamplesAreNowhereMoreThanTenDegreesApart) {
     for (int angle = 0; angle < 720; angle += step) text += std::to_string(angle) + ",1\n";
     return text;
   };
-  EXPECT_EQ(told(every(10)), "");
-  EXPECT_THAT(told(every(12)), HasSubstr("no samples between 0 and 12 degree"));
+  EXPECT_EQ(reported(every(10)), "");
+  EXPECT_THAT(reported(every(12)), HasSubstr("no samples between 0 and 12 degree"));
   TraceColumns crankcase;
   crankcase.place = TracePlace::kCrankcase;
-  EXPECT_THAT(told(every(12), crankcase), HasSubstr("no samples between 0 and 12 degree"));
+  EXPECT_THAT(reported(every(12), crankcase), HasSubstr("no samples between 0 and 12 degree"));
 }
 
 TEST(PartialTrace, OfOneRevolutionIsRefusedWithTheCycleThatIsExpected) {
@@ -228,7 +230,7 @@ TEST(PartialTrace, OfOneRevolutionIsRefusedWithTheCycleThatIsExpected) {
                                          "degrees is expected, and gas.intake_pressure is not stated"));
 }
 
-TEST(PartialTrace, WantsThePressuresThatJoinIt) {
+TEST(PartialTrace, RequiresThePressuresThatJoinIt) {
   const CaseFolder folder;
   std::string text = "crank_angle [degree],p [bar]\n";
   for (int angle = -143; angle <= 123; ++angle) text += std::to_string(angle) + ",2\n";

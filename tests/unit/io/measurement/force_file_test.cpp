@@ -16,7 +16,7 @@ ForceFile read_text(const std::string& text) {
   return read_force({folder / "f.csv", "f.csv"}, Units());
 }
 
-std::string told_of_forces(const std::string& text) {
+std::string reported_of_forces(const std::string& text) {
   try {
     read_text(text);
   } catch (const InputError& error) {
@@ -49,7 +49,7 @@ TEST(ForceFile, ReadsLoopsAndTheSample) {
   EXPECT_TRUE(force.loads.empty());
 }
 
-TEST(ForceFile, TellsLoopsApartByNumberOrPosition) {
+TEST(ForceFile, DistinguishesLoopsByNumberOrPosition) {
   EXPECT_EQ(read_text(kNumbered + rows("10", "1", 12, 5) + rows("10", "2", 12, 6)).loops.size(), 2u);
   EXPECT_EQ(read_text(kHeader + rows("10", "", 12, 5) + rows("10", "", 12, 6)).loops.size(), 2u);
 }
@@ -72,26 +72,27 @@ TEST(ForceFile, ReadsDeviationsOfASummary) {
   EXPECT_EQ(force.loads[1].loops, 5);
 }
 
-TEST(ForceFile, TellsFileAndLineOfAFault) {
-  EXPECT_THAT(told_of_forces(kHeader + rows("10", "", 3, 5) + rows("20", "", 12, 5)),
+TEST(ForceFile, ReportsFileAndLineOfAFault) {
+  EXPECT_THAT(reported_of_forces(kHeader + rows("10", "", 3, 5) + rows("20", "", 12, 5)),
               HasSubstr("f.csv:2:1: the friction loop that begins here has only 3 positions"));
-  EXPECT_THAT(told_of_forces(kNumbered + rows("10", "1", 12, 5) + "10,1,4,305,295\n"),
+  EXPECT_THAT(reported_of_forces(kNumbered + rows("10", "1", 12, 5) + "10,1,4,305,295\n"),
               HasSubstr("f.csv:14:6: the position does not rise"));
-  EXPECT_THAT(told_of_forces(kNumbered + rows("10", "1.5", 12, 5)), HasSubstr("f.csv:2:4: loop is not a whole number"));
-  EXPECT_THAT(told_of_forces("load [nN],tmr [mV],tmr_deviation [mV]\n1,2,0.1\n2,3,0\n"),
+  EXPECT_THAT(reported_of_forces(kNumbered + rows("10", "1.5", 12, 5)),
+              HasSubstr("f.csv:2:4: loop is not a whole number"));
+  EXPECT_THAT(reported_of_forces("load [nN],tmr [mV],tmr_deviation [mV]\n1,2,0.1\n2,3,0\n"),
               HasSubstr("f.csv:3:5: the standard"));
-  EXPECT_THAT(told_of_forces("load [nN],tmr [mV],load_deviation [nN]\n1,2,-0.1\n2,3,0\n"),
+  EXPECT_THAT(reported_of_forces("load [nN],tmr [mV],load_deviation [nN]\n1,2,-0.1\n2,3,0\n"),
               HasSubstr("f.csv:2:5: a standard"));
 }
 
 TEST(ForceFile, AsksForUnitsAndColumns) {
-  EXPECT_THAT(told_of_forces("load,tmr [mV]\n1,2\n2,3\n"), HasSubstr("the column load has no unit"));
-  EXPECT_THAT(told_of_forces("load [bar],tmr [mV]\n1,2\n2,3\n"), HasSubstr("f.csv:1:1: the column load"));
-  EXPECT_THAT(told_of_forces("load [nN],tmr [nN]\n1,2\n2,3\n"), HasSubstr("the column tmr"));
-  EXPECT_THAT(told_of_forces("load [nN],trace [mV]\n1,2\n2,3\n"), HasSubstr("the file has no column retrace"));
-  EXPECT_THAT(told_of_forces("load [nN],friction [mV]\n1,2\n2,3\n"),
+  EXPECT_THAT(reported_of_forces("load,tmr [mV]\n1,2\n2,3\n"), HasSubstr("the column load has no unit"));
+  EXPECT_THAT(reported_of_forces("load [bar],tmr [mV]\n1,2\n2,3\n"), HasSubstr("f.csv:1:1: the column load"));
+  EXPECT_THAT(reported_of_forces("load [nN],tmr [nN]\n1,2\n2,3\n"), HasSubstr("the column tmr"));
+  EXPECT_THAT(reported_of_forces("load [nN],trace [mV]\n1,2\n2,3\n"), HasSubstr("the file has no column retrace"));
+  EXPECT_THAT(reported_of_forces("load [nN],friction [mV]\n1,2\n2,3\n"),
               HasSubstr("neither friction loops nor their summary"));
-  EXPECT_THAT(told_of_forces("load [nN],tmr [mV],trace [mV]\n1,2,3\n2,3,4\n"), HasSubstr("in one table"));
+  EXPECT_THAT(reported_of_forces("load [nN],tmr [mV],trace [mV]\n1,2,3\n2,3,4\n"), HasSubstr("in one table"));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(LeverFile, HoldsSizesWithTheirDeviations) {
   EXPECT_DOUBLE_EQ(lever.torsional_sensitivity_V_per_m.value, 5e7);
 }
 
-TEST(LeverFile, WantsTheSectionForLoadsInNewtonsOnly) {
+TEST(LeverFile, RequiresTheSectionForLoadsInNewtonsOnly) {
   EXPECT_DOUBLE_EQ(read_text(kSmall, LoadUnit::kVolt).lever.sensitivity_ratio.value, 1);
   const std::string words = told_of_lever(kSmall, LoadUnit::kNewton);
   for (const char* key : {"youngs_modulus", "width", "thickness", "torsional_sensitivity"}) {
@@ -57,7 +57,7 @@ TEST(LeverFile, WantsTheSectionForLoadsInNewtonsOnly) {
   }
 }
 
-TEST(LeverFile, TellsEveryFaultWithItsPlace) {
+TEST(LeverFile, ReportsEveryFaultWithItsPlace) {
   const std::string words =
       told_of_lever("shape = \"round\"\nlenght = \"450 um\"\ntip_height = 17\npoissons_ratio = \"a third\"\n");
   EXPECT_THAT(words, HasSubstr("lever.toml:1:9: shape = \"round\" is unknown"));
@@ -66,7 +66,7 @@ TEST(LeverFile, TellsEveryFaultWithItsPlace) {
   EXPECT_THAT(words, HasSubstr("length is missing"));
   EXPECT_THAT(words, HasSubstr("lever.toml:3:14: tip_height = 17 has no unit"));
   EXPECT_THAT(words, HasSubstr("lever.toml:4:18: poissons_ratio = \"a third\" does not start with a number"));
-  EXPECT_THAT(told_of_lever("length = [1]\n"), HasSubstr("is no text"));
+  EXPECT_THAT(told_of_lever("length = [1]\n"), HasSubstr("is not a text"));
   EXPECT_THAT(told_of_lever("length = \n"), HasSubstr("lever.toml:1"));
   EXPECT_THAT(told_of_lever(kWhole, LoadUnit::kNewton), Not(HasSubstr("lever")));
 }

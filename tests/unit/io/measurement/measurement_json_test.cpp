@@ -52,7 +52,7 @@ TEST(MeasurementJson, HoldsTablesAndCurvesWithGapsAsNull) {
   EXPECT_FALSE(object.at("maps").at("surface_height").contains("values"));
 }
 
-TEST(MeasurementJson, ThinsALongCurveToItsLowsAndHighsAndSaysSo) {
+TEST(MeasurementJson, ThinsALongCurveToItsLowsAndHighsAndReportsIt) {
   Measurement document = example::measurement();
   MeasuredCurve curve;
   curve.name = "long_profile";

@@ -49,7 +49,7 @@ TEST(MeasuredNumber, TakesPowersOfTenFarFromOne) {
   EXPECT_EQ(number(1.23456e9, 2.1e7, "m-2", ""), "(1.23 +- 0.03)e9");
 }
 
-TEST(MeasuredNumber, IsNoneWhereThereIsNone) { EXPECT_EQ(number(kNone, 0.1), "none"); }
+TEST(MeasuredNumber, IsNoneWithoutAValue) { EXPECT_EQ(number(kNone, 0.1), "none"); }
 
 TEST(MeasuredNumber, GivesTheSpreadOfATemperatureWithoutItsOffset) {
   EXPECT_EQ(number(293.15, 2.0, "K", "degC"), "20 +- 2");
@@ -58,7 +58,7 @@ TEST(MeasuredNumber, GivesTheSpreadOfATemperatureWithoutItsOffset) {
 TEST(MeasurementText, NamesFilterAndPixelBesideEachParameter) {
   const std::string text = measurement_text(example::measurement(), Units());
   EXPECT_THAT(text, HasSubstr("read: cases/measured/liner.x3p"));
-  EXPECT_THAT(text, HasSubstr("done: a plane was taken off"));
+  EXPECT_THAT(text, HasSubstr("done: a plane was removed"));
   EXPECT_THAT(text, HasSubstr("note: N depends on the cut-off"));
   std::istringstream lines(text);
   int n_found = 0;
@@ -108,9 +108,9 @@ TEST(MeasurementText, HasNoLineForUnitsWhereThereAreNone) {
 }
 
 TEST(Measurement, WithoutOrderIsRefused) {
-  const auto refused = [](auto spoil) {
+  const auto refused = [](auto corrupt) {
     Measurement document = example::measurement();
-    spoil(document);
+    corrupt(document);
     EXPECT_THROW(check_measurement(document), std::logic_error);
   };
   EXPECT_NO_THROW(check_measurement(example::measurement()));

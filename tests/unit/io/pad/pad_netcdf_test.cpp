@@ -100,7 +100,7 @@ TEST(PadNetcdf, HoldsTheFieldsOfAPadWithAWidth) {
   for (pad::Sample& sample : document.result.samples) sample.flow_front = std::nan("");
   write_pad(folder / "joined.nc", document);
   const OpenedPad joined(folder / "joined.nc");
-  EXPECT_FALSE(joined.has("flow_front")) << "a flow that is not told";
+  EXPECT_FALSE(joined.has("flow_front")) << "a flow that is not reported";
   EXPECT_TRUE(joined.has("flow_back"));
 }
 

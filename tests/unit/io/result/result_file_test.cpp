@@ -264,7 +264,7 @@ TEST(ResultFile, ForeignFilesAreRefusedWithTheirName) {
   EXPECT_THAT(refusal_of_result(folder / "other.nc"), HasSubstr("not one of ringfilm"));
 }
 
-/// As nc_copy_var, which knows no texts; without attributes.
+/// As nc_copy_var, which does not copy texts; without attributes.
 void copy_variable(int from, int number, int to) {
   char name[NC_MAX_NAME + 1] = {};
   int type = 0, n_dimensions = 0, dimensions[NC_MAX_VAR_DIMS] = {}, variable = 0;

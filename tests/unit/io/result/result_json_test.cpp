@@ -25,13 +25,13 @@ TEST(ResultJson, HoldsEveryCycleValueByNameWithItsUnit) {
   EXPECT_EQ(object.at("complete"), true);
 }
 
-TEST(ResultJson, NumberThatIsNoneIsNull) {
+TEST(ResultJson, NotANumberIsNull) {
   ResultDocument document = example_document();
   document.result.values.fmep = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(nlohmann::json::parse(result_json(document)).at("fmep").is_null());
 }
 
-TEST(ResultJson, ErrorsGoByTheNamesOfTheValuesAndTellTheirGrids) {
+TEST(ResultJson, ErrorsGoByTheNamesOfTheValuesAndReportTheirGrids) {
   ResultDocument document = example_document();
   const auto object = nlohmann::json::parse(result_json(document));
   EXPECT_EQ(object.at("errors").size(), cycle::cycle_quantities().size());

@@ -19,7 +19,7 @@ namespace {
 using namespace ringfilm;
 using testing::HasSubstr;
 
-/// Two angles, three strips, two nodes across; every value tells its place: 100 x angle + 10 x strip + node.
+/// Two angles, three strips, two nodes across; every value reports its place: 100 x angle + 10 x strip + node.
 cycle::UnrolledFields fields(double end_gap) {
   cycle::UnrolledFields f;
   f.circumference = 0.28;
@@ -107,7 +107,7 @@ TEST(VtsFile, PutsTheRingOnItsBore) {
     EXPECT_NEAR(std::hypot(points[3 * k], points[3 * k + 1]), radius, kRounding);
     EXPECT_DOUBLE_EQ(points[3 * k + 2], k % 2 == 0 ? 0 : -0.0012);
   }
-  // The ends stand half a gap before and behind 0.5 rad.
+  // The ends are half a gap before and behind 0.5 rad.
   EXPECT_NEAR(std::atan2(points[1], points[0]), 0.5 + 0.00015 / radius, 1e-14);
   EXPECT_NEAR(std::atan2(points[13], points[12]), 0.5 - 0.00015 / radius, 1e-13);
 }

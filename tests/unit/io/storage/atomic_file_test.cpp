@@ -145,7 +145,7 @@ TEST(AtomicFile, FoldersAndUnwritablePlacesAreRefusedBeforehand) {
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
 }
 
-TEST(AsideFile, RoomThatIsSetAsideDoesNotShowInTheFile) {
+TEST(AsideFile, ReservedSpaceDoesNotShowInTheFile) {
   const ScratchFolder folder;
   const std::string path = folder / "a";
   AsideFile aside(path);
@@ -155,7 +155,7 @@ TEST(AsideFile, RoomThatIsSetAsideDoesNotShowInTheFile) {
   EXPECT_EQ(std::filesystem::file_size(path), 5u);
 }
 
-TEST(AsideFile, RoomThatIsNotThereIsRefused) {
+TEST(AsideFile, MissingSpaceIsRefused) {
   const ScratchFolder folder;
   AsideFile aside(folder / "a");
   EXPECT_THROW(aside.reserve(std::uint64_t{1} << 60), OutputError);

@@ -61,7 +61,7 @@ TEST(PublishedFile, GivesTheValuesOfOneCaseInSi) {
 }
 
 TEST(PublishedFile, RefusesWhatCannotBeCompared) {
-  EXPECT_THAT(refusal_of_published(replaced("\"fmep\"", "\"fmeep\"")), HasSubstr("no cycle value"));
+  EXPECT_THAT(refusal_of_published(replaced("\"fmep\"", "\"fmeep\"")), HasSubstr("not a cycle value"));
   EXPECT_THAT(refusal_of_published(replaced("\"19 kPa\"", "19")), HasSubstr("unit"));
   EXPECT_THAT(refusal_of_published(replaced("\"19 kPa\"", "\"19 kg\"")), HasSubstr("19 kg"));
   EXPECT_THAT(refusal_of_published(replaced("\"19 kPa\"", "\"0 kPa\"")), HasSubstr("not 0"));
@@ -70,7 +70,7 @@ TEST(PublishedFile, RefusesWhatCannotBeCompared) {
   EXPECT_THAT(refusal_of_published("title = \"nothing\"\n"), HasSubstr("[[published]]"));
 }
 
-TEST(PublishedFile, ShippedOneHoldsWhatThePaperSaysOfEachRing) {
+TEST(PublishedFile, ShippedOneHoldsWhatThePaperReportsOfEachRing) {
   const std::string path = std::string(RINGFILM_SOURCE_FOLDER) + "/cases/styles2014/published.toml";
   for (const char* ring : {"new", "run-in", "embedded"})
     EXPECT_FALSE(read_published(path, ring, Units()).empty()) << ring;

@@ -21,17 +21,17 @@ ShardHeader header() {
   return {std::string(64, 'a'), std::string(64, 'b'), "ringfilm 9.9 commit c compiler d e", 2, 3, 10, 16, 2};
 }
 
-study::ScenarioChunk chunk(std::uint64_t first, std::uint64_t n) {
+study::ScenarioBlock block(std::uint64_t first, std::uint64_t n) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  study::ScenarioChunk chunk{first, {}};
+  study::ScenarioBlock block{first, {}};
   for (std::uint64_t i = first; i < first + n; ++i) {
     if (i == 12) {
-      chunk.rows.push_back({{none, none}, "no film at 20 degree\nof the cycle"});
+      block.rows.push_back({{none, none}, "no film at 20 degree\nof the cycle"});
     } else {
-      chunk.rows.push_back({{static_cast<double>(i), 1.0 / static_cast<double>(i)}, ""});
+      block.rows.push_back({{static_cast<double>(i), 1.0 / static_cast<double>(i)}, ""});
     }
   }
-  return chunk;
+  return block;
 }
 
 std::string bytes_of_shard(const std::string& path) {
@@ -39,12 +39,12 @@ std::string bytes_of_shard(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Two chunks of three rows each.
+/// Two blocks of three rows each.
 std::string whole(const ScratchFolder& folder, const std::string& name) {
   const std::string path = folder / name;
   ShardWriter writer(path, header());
-  writer.append(chunk(10, 3));
-  writer.append(chunk(13, 3));
+  writer.append(block(10, 3));
+  writer.append(block(13, 3));
   return path;
 }
 
@@ -79,7 +79,7 @@ TEST(ShardFile, GivesBackTheNotesOfItsRows) {
   const std::string path = folder / "rows";
   {
     ShardWriter writer(path, header());
-    study::ScenarioChunk five = chunk(10, 5), last = chunk(15, 1);
+    study::ScenarioBlock five = block(10, 5), last = block(15, 1);
     five.rows[0].notes = {{"film-thin", "at 1 degree", 3}, {"shear-rate-high", "1e7 1/s\nof the cycle", 1}};
     five.rows[4].notes = {{"shear-rate-high", "2e7 1/s", 1}};
     last.rows[0].notes = {{"shear-rate-high", "3e7 1/s", 1}};
@@ -105,28 +105,28 @@ TEST(ShardFile, GivesBackTheNotesOfItsRows) {
   EXPECT_EQ(notes[0].first, 10u) << "the scenario of the message, before the range";
 }
 
-TEST(ShardFile, GoesOnWhereverItWasCutOff) {
+TEST(ShardFile, ContinuesWhereverItWasCutOff) {
   const ScratchFolder folder;
   const std::string all = bytes_of_shard(whole(folder, "rows"));
   for (std::size_t n = 0; n < all.size(); ++n) {
     const std::string path = folder.write("cut", all.substr(0, n));
     ShardWriter writer(path, header());
     ASSERT_TRUE(writer.next() == 10 || writer.next() == 13) << n;
-    if (writer.next() == 10) writer.append(chunk(10, 3));
-    writer.append(chunk(13, 3));
+    if (writer.next() == 10) writer.append(block(10, 3));
+    writer.append(block(13, 3));
     ASSERT_EQ(bytes_of_shard(path), all) << n;
   }
 }
 
-TEST(ShardFile, SeesASpoiltChunkWhereverItIsSpoilt) {
+TEST(ShardFile, FindsACorruptedBlockAnywhere) {
   const ScratchFolder folder;
   const std::string all = bytes_of_shard(whole(folder, "rows"));
   ShardWriter(folder / "empty", header());
   const std::size_t header_size = std::filesystem::file_size(folder / "empty");
   for (std::size_t n = 0; n < all.size(); ++n) {
-    std::string spoilt = all;
-    spoilt[n] ^= 4;
-    const std::string path = folder.write("spoilt", spoilt);
+    std::string corrupted = all;
+    corrupted[n] ^= 4;
+    const std::string path = folder.write("corrupted", corrupted);
     if (n < header_size) {
       EXPECT_THROW(ShardReader{path}, InputError) << n;
     } else {
@@ -157,9 +157,9 @@ ShardHeader header_with_curves() {
   return with;
 }
 
-/// Curves whose numbers say where they stand.
-study::ScenarioChunk chunk_with_curves(std::uint64_t first, std::uint64_t n) {
-  study::ScenarioChunk with = chunk(first, n);
+/// Curves whose numbers state where they are.
+study::ScenarioBlock block_with_curves(std::uint64_t first, std::uint64_t n) {
+  study::ScenarioBlock with = block(first, n);
   for (std::uint64_t k = 0; k < n; ++k) {
     for (int q = 0; q < 2; ++q)
       for (int a = 0; a < 3; ++a)
@@ -174,9 +174,9 @@ TEST(ShardFile, GivesBackAnyPartOfTheCurves) {
   const std::string path = folder / "rows";
   {
     ShardWriter writer(path, header_with_curves());
-    writer.append(chunk_with_curves(10, 1));
-    writer.append(chunk_with_curves(11, 3));
-    writer.append(chunk_with_curves(14, 2));
+    writer.append(block_with_curves(10, 1));
+    writer.append(block_with_curves(11, 3));
+    writer.append(block_with_curves(14, 2));
   }
   const ShardReader shard(path);
   EXPECT_EQ(difference(shard.header(), header_with_curves()), "");
@@ -219,13 +219,13 @@ TEST(ShardFile, BecomesLongerWithTheBytesOfTheLongOne) {
   const ScratchFolder folder;
   {
     ShardWriter writer(folder / "long", alone(1016));
-    writer.append(chunk(10, 3));
-    writer.append(chunk(13, 3));
+    writer.append(block(10, 3));
+    writer.append(block(13, 3));
   }
   const std::string path = folder / "rows";
   {
     ShardWriter writer(path, alone(13));
-    writer.append(chunk(10, 3));
+    writer.append(block(10, 3));
   }
   const std::string before = bytes_of_shard(path);
   EXPECT_THROW(ShardWriter(path, alone(1016)), InputError);
@@ -236,7 +236,7 @@ TEST(ShardFile, BecomesLongerWithTheBytesOfTheLongOne) {
     EXPECT_EQ(writer.next(), 13u);
     EXPECT_EQ(writer.n_unsolved(), 1u);
     EXPECT_THROW(ShardWriter(path, alone(1016)), InputError) << "somebody else may write to it";
-    writer.append(chunk(13, 3));
+    writer.append(block(13, 3));
   }
   EXPECT_EQ(bytes_of_shard(path), bytes_of_shard(folder / "long"));
   ShardHeader of_two = header();
@@ -285,7 +285,7 @@ TEST(ShardFile, IsOpenedWhileAnotherOnlyAsksWhetherItIsWritten) {
   asking.join();
 }
 
-TEST(ShardFile, RefusesWhatIsNone) {
+TEST(ShardFile, RefusesInvalidInput) {
   const ScratchFolder folder;
   EXPECT_THROW(ShardReader(folder / "none"), InputError);
   EXPECT_THROW(ShardReader(folder.write("text", std::string(1000, '\xff'))), InputError);

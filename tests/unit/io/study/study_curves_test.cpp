@@ -89,7 +89,7 @@ TEST_F(StudyCurves, BandsAreQuantilesOverTheScenariosOfEachBase) {
   EXPECT_EQ(bands[1].values[4][0], 108);
 }
 
-TEST_F(StudyCurves, NoneAreToldWhereNoneAreKept) {
+TEST_F(StudyCurves, NoneAreReportedWhereNoneAreKept) {
   const StudyFile file = study("none");
   const study::Plan plan(file.study);
   EXPECT_TRUE(curve_bands(StudyRows{file, plan, {}}).empty());

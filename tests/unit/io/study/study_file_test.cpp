@@ -33,7 +33,7 @@ class StudyFolder {
         "title = \"a study\"\nseed = 3\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n" + factors + plan));
   }
 
-  /// What is said of a study that is refused.
+  /// What is stated of a study that is refused.
   std::string refusal(const std::string& factors, const std::string& plan = kPlan) const {
     try {
       study::Plan(read(factors, plan).study);
@@ -91,11 +91,11 @@ TEST(StudyFile, PutsTheContentOfAFileIntoScenarios) {
   const study::Plan plan(file.study);
   const cycle::Case c = study::scenario_case(plan.study(), plan.point(0));
   EXPECT_EQ(c.gas.cylinder_pressure->value, file.study.bases[0].input.gas.cylinder_pressure->value);
-  // The study, its case and its trace, each told once.
+  // The study, its case and its trace, each reported once.
   EXPECT_EQ(file.files.size(), 3u);
 }
 
-// The file of an oil brings the whole table; what is chosen or set beside it must stand in the scenario all the same,
+// The file of an oil brings the whole table; what is chosen or set beside it must be in the scenario all the same,
 // whatever the order of the factors.
 TEST(StudyFile, AFileThatIsChosenUndoesNoOtherFactor) {
   CaseText text;
@@ -124,7 +124,7 @@ TEST(StudyFile, AFileThatIsChosenUndoesNoOtherFactor) {
       seen.insert({c.lubricant.file.value(), static_cast<int>(c.lubricant.viscosity_pressure)});
       std::size_t n_oils = 0;
       for (const cycle::InputFile& input : c.files) n_oils += input.role.rfind("lubricant", 0) == 0;
-      EXPECT_EQ(n_oils, 1u) << "the file of another scenario or of none is told";
+      EXPECT_EQ(n_oils, 1u) << "the file of another scenario or of none is reported";
     }
     EXPECT_EQ(seen.size(), 4u);
   }
@@ -264,7 +264,7 @@ TEST(StudyFile, TakesAListWithItsUnitsInAnyOrder) {
   EXPECT_DOUBLE_EQ(study.sampling.list[1][1], 0.25e-6);
 }
 
-TEST(StudyFile, TellsWhereAFaultLiesAndWhatMayBeMeant) {
+TEST(StudyFile, ReportsWhereAFaultLiesAndWhatMayBeMeant) {
   const StudyFolder folder;
   EXPECT_THAT(folder.refusal("[[factor]]\nkey = \"operating.sped\"\nvalues = [\"60 rpm\"]\n"),
               ::testing::AllOf(HasSubstr("study.toml:7:"), HasSubstr("did you mean operating.speed?")));
@@ -306,7 +306,7 @@ TEST(StudyFile, RefusesKeysOfThePlanThatNobodyReads) {
               ::testing::AllOf(HasSubstr("plan.csv:1:"), HasSubstr("the column note is of no factor")));
 }
 
-TEST(StudyFile, TellsAWidthAsItIsWrittenAndCountsWhatIsWhole) {
+TEST(StudyFile, ReportsAWidthAsItIsWrittenAndCountsWhatIsWhole) {
   const StudyFolder folder;
   const auto until = [&](const std::string& width, const std::string& most) {
     return folder.refusal(kSpeed + "range = [\"60 rpm\", \"120 rpm\"]\n",
@@ -316,7 +316,7 @@ TEST(StudyFile, TellsAWidthAsItIsWrittenAndCountsWhatIsWhole) {
   EXPECT_THAT(until("\"-2 kPa\"", "1000"), ::testing::AllOf(HasSubstr("study.toml:13:"), HasSubstr("\"-2 kPa\"")));
   EXPECT_THAT(until("\"2 kPa\"", "4"),
               ::testing::AllOf(HasSubstr("study.toml:13:"), HasSubstr("below plan.scenarios")));
-  EXPECT_THAT(until("\"2 kPa\"", "1000.5"), HasSubstr("is no whole number"));
+  EXPECT_THAT(until("\"2 kPa\"", "1000.5"), HasSubstr("is not a whole number"));
 }
 
 TEST(StudyFile, RefusesEveryValueOfTheWrongKind) {

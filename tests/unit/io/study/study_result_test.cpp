@@ -33,13 +33,13 @@ class StudyResult : public ::testing::Test {
     const std::size_t n_values = cycle::cycle_quantities().size();
     {
       ShardWriter writer(folder_ / "rows", {"plan", "inputs", "program", 1, 1, 0, 4, n_values});
-      study::ScenarioChunk chunk{0, {}};
+      study::ScenarioBlock block{0, {}};
       const double none = std::numeric_limits<double>::quiet_NaN();
       for (const double value : {0.0, 1.0, none, 3.0})
-        chunk.rows.push_back({std::vector<double>(n_values, value), std::isnan(value) ? "no \"film\", none" : ""});
-      chunk.rows[1].notes = {{"shear-rate-high", "up to 1e7 1/s", 5}};
-      chunk.rows[3].notes = {{"film-thin", "of 1 nm", 1}, {"shear-rate-high", "up to 2e7 1/s", 2}};
-      writer.append(chunk);
+        block.rows.push_back({std::vector<double>(n_values, value), std::isnan(value) ? "no \"film\", none" : ""});
+      block.rows[1].notes = {{"shear-rate-high", "up to 1e7 1/s", 5}};
+      block.rows[3].notes = {{"film-thin", "of 1 nm", 1}, {"shear-rate-high", "up to 2e7 1/s", 2}};
+      writer.append(block);
     }
     std::vector<ShardReader> shards;
     shards.emplace_back(folder_ / "rows");
@@ -125,7 +125,7 @@ TEST_F(StudyResult, NetCdfHasTheNotesOfEveryResult) {
 StudyRows rows_of_two_bases(const ScratchFolder& folder, const StudyFile& file, const study::Plan& plan,
                             const std::vector<double>& films) {
   const auto& quantities = cycle::cycle_quantities();
-  study::ScenarioChunk chunk{0, {}};
+  study::ScenarioBlock block{0, {}};
   for (std::uint64_t i = 0; i < plan.size(); ++i) {
     study::ScenarioRow row{std::vector<double>(quantities.size(), 1), ""};
     row.values[*cycle::cycle_quantity_index("min_film_thickness")] = films[i];
@@ -133,9 +133,9 @@ StudyRows rows_of_two_bases(const ScratchFolder& folder, const StudyFile& file, 
     const std::string words = std::to_string(static_cast<int>(films[i]));
     row.notes = {{"film-below-molecules", words, 1}, {"shear-rate-high", words, 1}};
     if (i == 0) row.notes.clear();
-    chunk.rows.push_back(row);
+    block.rows.push_back(row);
   }
-  ShardWriter(folder / "two", {"plan", "inputs", "program", 1, 1, 0, plan.size(), quantities.size()}).append(chunk);
+  ShardWriter(folder / "two", {"plan", "inputs", "program", 1, 1, 0, plan.size(), quantities.size()}).append(block);
   std::vector<ShardReader> shards;
   shards.emplace_back(folder / "two");
   return {file, plan, std::move(shards)};
@@ -205,7 +205,7 @@ TEST(FactorVariables, AreNeverAlike) {
   EXPECT_EQ(factor_variables(study), (std::vector<std::string>{"factor_a_b", "factor_a_b_2", "factor_c"}));
 }
 
-TEST(FactorVariables, LeaveRoomForTheTextsOfChoices) {
+TEST(FactorVariables, LeaveSpaceForTheTextsOfChoices) {
   study::Study study;
   study.factors.resize(4);
   const std::vector<std::string> names = {"oil", "oil choice", "law choice", "law"};

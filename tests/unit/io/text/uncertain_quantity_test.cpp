@@ -35,7 +35,7 @@ TEST(UncertainQuantity, ReadsEveryWayToWriteIt) {
   EXPECT_DOUBLE_EQ(number("2e-1+-1e-2").deviation, 0.01);
 }
 
-TEST(UncertainQuantity, RefusesWhatIsNone) {
+TEST(UncertainQuantity, RefusesInvalidInput) {
   EXPECT_THAT(told_of_quantity("450", "m"), HasSubstr("has no unit"));
   EXPECT_THAT(told_of_quantity("450 +- 5", "m"), HasSubstr("has no unit"));
   EXPECT_THAT(told_of_quantity("450 um +- 5", "m"), HasSubstr("has no unit"));

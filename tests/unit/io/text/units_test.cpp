@@ -58,7 +58,7 @@ struct Refusal {
 
 class UnitsRefuse : public ::testing::TestWithParam<Refusal> {};
 
-TEST_P(UnitsRefuse, SayWhatIsWrongAndWhatToWrite) {
+TEST_P(UnitsRefuse, StateWhatIsWrongAndWhatToWrite) {
   const Units units;
   const auto [text, si_unit, message, remedy] = GetParam();
   try {

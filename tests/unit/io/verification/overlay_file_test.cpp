@@ -63,7 +63,7 @@ TEST_F(OverlayFile, TakesItsUnitsFromARowBelowTheNames) {
   EXPECT_THAT(curves[1].value, ElementsAre(0.01, 0.15));
 }
 
-TEST_F(OverlayFile, RefusesWhatIsNoCurveOrHasNoUnit) {
+TEST_F(OverlayFile, RefusesWhatIsNotACurveOrHasNoUnit) {
   EXPECT_THAT(refusal("crank_angle [degree],frction_on_liner [N]\n0,1\n1,2\n"), HasSubstr("friction_on_liner"));
   EXPECT_THAT(refusal("crank_angle [degree],friction_on_liner\n0,1\n1,2\n"), HasSubstr("unit"));
   EXPECT_THAT(refusal("crank_angle [degree],friction_on_liner [um]\n0,1\n1,2\n"), HasSubstr("friction_on_liner"));
@@ -81,11 +81,11 @@ TEST_F(OverlayFile, RefusesAnglesThatFallOrLieOutsideOfACycle) {
   EXPECT_EQ(refusal(head + "0,1\n720,2\n"), "not refused");
 }
 
-TEST_F(OverlayFile, TellsAllFaultsAtOnce) {
-  const std::string said = refusal("crank_angle,frction_on_liner [N],power_loss [m]\n0,1,2\n1,2,3\n");
-  EXPECT_THAT(said, HasSubstr("crank_angle"));
-  EXPECT_THAT(said, HasSubstr("frction_on_liner"));
-  EXPECT_THAT(said, HasSubstr("power_loss"));
+TEST_F(OverlayFile, ReportsAllFaultsAtOnce) {
+  const std::string printed = refusal("crank_angle,frction_on_liner [N],power_loss [m]\n0,1,2\n1,2,3\n");
+  EXPECT_THAT(printed, HasSubstr("crank_angle"));
+  EXPECT_THAT(printed, HasSubstr("frction_on_liner"));
+  EXPECT_THAT(printed, HasSubstr("power_loss"));
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST(IdleFactors, ALastBitIsAnEffect) {
               ElementsAre(HasSubstr("\"operating.speed\""), HasSubstr("\"ring.face_width\"")));
 }
 
-// The plan is longer than what is remembered: whole sets of other numbers are left out, never a part of one.
+// The plan is longer than what is remembered: whole sets of other numbers are omitted, never a part of one.
 TEST(IdleFactors, AreFoundInALongPlan) {
   Study study = grid();
   study.factors[0].variation = Span{100, 200, 200, Spacing::kLinear};

@@ -22,7 +22,7 @@ cycle::Case measured_case(double zeta) {
   m.roughness_deviation = 0.05 * c.contact.roughness;
   m.density_radius_correlation = -0.6;
   m.radius_roughness_correlation = 0.2;
-  m.shear_strength.calibration = "March";
+  m.shear_strength.calibration = "May";
   m.shear_strength.slope_deviation = 0.02;
   m.shear_strength.calibration_deviation = 0.1 * zeta;
   m.shear_strength.reference_deviation = 0.53 * zeta;
@@ -44,14 +44,14 @@ std::vector<std::string> names(const Study& study) {
 TEST(MeasuredFactors, SurfacesAreEachForThemselvesAndTheCalibrationIsOneForAll) {
   Study study = three_states();
   add_measured_factors(study, {0, 1, 2});
-  EXPECT_THAT(names(study), ::testing::ElementsAre(
-                                "asperity_density of new", "asperity_radius of new", "roughness of new",
-                                "slope of zeta of new", "calibration of March", "reference of March",
-                                "asperity_density of run-in", "asperity_radius of run-in", "roughness of run-in",
-                                "slope of zeta of run-in", "asperity_density of embedded",
-                                "asperity_radius of embedded", "roughness of embedded", "slope of zeta of embedded"));
+  EXPECT_THAT(names(study),
+              ::testing::ElementsAre(
+                  "asperity_density of new", "asperity_radius of new", "roughness of new", "slope of zeta of new",
+                  "calibration of May", "reference of May", "asperity_density of run-in", "asperity_radius of run-in",
+                  "roughness of run-in", "slope of zeta of run-in", "asperity_density of embedded",
+                  "asperity_radius of embedded", "roughness of embedded", "slope of zeta of embedded"));
   EXPECT_EQ(study.correlations.size(), 6u);
-  EXPECT_EQ(told(study), "");
+  EXPECT_EQ(reported(study), "");
   // What is common moves all bases by the same share.
   const Plan plan(study);
   for (std::uint64_t p = 0; p < 20; ++p) {
@@ -97,11 +97,11 @@ TEST(MeasuredFactors, ErrorsMayStandApart) {
   Study study = three_states();
   add_measured_factors(study, {0, 2}, {Shared::kApart, Shared::kCommon});
   EXPECT_THAT(names(study),
-              ::testing::IsSupersetOf({"calibration of new", "calibration of embedded", "reference of March"}));
+              ::testing::IsSupersetOf({"calibration of new", "calibration of embedded", "reference of May"}));
   study = three_states();
   study.bases[1].input.contact.measured.shear_strength.calibration = "April";
   add_measured_factors(study, {0, 1, 2});
-  EXPECT_THAT(names(study), ::testing::IsSupersetOf({"calibration of March", "calibration of April"}));
+  EXPECT_THAT(names(study), ::testing::IsSupersetOf({"calibration of May", "calibration of April"}));
 }
 
 TEST(MeasuredFactors, NoFactorWithoutScatter) {
@@ -128,21 +128,21 @@ TEST(MeasuredFactors, OneErrorHasOneSize) {
     add_measured_factors(study, {0, 1, 2});
     FAIL() << "one error cannot have two sizes";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("the calibration of March has the relative deviation 0.1 in one base and 0.12 in "
-                          "base \"embedded\""));
+    EXPECT_THAT(error.what(), HasSubstr("the calibration of May has the relative deviation 0.1 in one base and 0.12 in "
+                                        "base \"embedded\""));
   }
 }
 
-TEST(MeasuredFactors, BadScatterIsToldByTheFactor) {
+TEST(MeasuredFactors, BadScatterIsReportedByTheFactor) {
   Study study = three_states();
   study.bases[0].input.contact.measured.roughness_deviation = -1e-8;
   add_measured_factors(study, {0});
-  EXPECT_THAT(told(study), HasSubstr("factor \"roughness of new\" has the standard deviation -1e-08"));
+  EXPECT_THAT(reported(study), HasSubstr("factor \"roughness of new\" has the standard deviation -1e-08"));
   study = three_states();
   study.bases[0].input.contact.measured.density_roughness_correlation = 0.9;
   add_measured_factors(study, {0});
-  EXPECT_THAT(told(study), HasSubstr("their matrix is not positive definite, as factor \"roughness of new\" shows"));
+  EXPECT_THAT(reported(study),
+              HasSubstr("their matrix is not positive definite, as factor \"roughness of new\" shows"));
 }
 
 }  // namespace

@@ -104,10 +104,10 @@ TEST(Morris, AScenarioThatWasNotSolvedSpoilsTheStepsThatTouchIt) {
   const auto effects = morris_effects(trajectories, values);
   for (const std::size_t j : {0u, 1u}) {
     EXPECT_EQ(effects[j]->count, 4u);
-    EXPECT_EQ(effects[j]->left_out, 1u);
+    EXPECT_EQ(effects[j]->omitted, 1u);
     EXPECT_NEAR(effects[j]->mean, static_cast<double>(j) + 1, 1e-12);
   }
-  EXPECT_FALSE(morris_effects(trajectories, std::span(values).first(3))[0]) << "one effect says nothing of scatter";
+  EXPECT_FALSE(morris_effects(trajectories, std::span(values).first(3))[0]) << "one effect states nothing of scatter";
 }
 
 TEST(Morris, PlanPutsLevelsIntoTheRangesOfFactors) {

@@ -37,7 +37,7 @@ TEST(Plan, ScenariosDoNotDependOnTheOrderInWhichTheyAreAskedFor) {
   }
 }
 
-TEST(Plan, SobolPointsAndTrajectoriesGoOnWhereMoreAreWanted) {
+TEST(Plan, SobolPointsAndTrajectoriesAreExtendedWhereMoreAreRequested) {
   const Plan few(sampled(Method::kSobol, 16)), many(sampled(Method::kSobol, 1000));
   for (std::uint64_t i = 0; i < few.size(); ++i) EXPECT_EQ(few.point(i).values, many.point(i).values);
   EXPECT_EQ(few.digest_text(), many.digest_text());
@@ -60,13 +60,13 @@ TEST(Plan, SobolPointsAndTrajectoriesGoOnWhereMoreAreWanted) {
   EXPECT_EQ(few_walks.digest_text(), many_walks.digest_text());
 }
 
-TEST(Plan, ALatinHypercubeOfAnotherCountIsAnotherAndSaysSo) {
+TEST(Plan, ALatinHypercubeOfAnotherCountIsAnotherAndReportsIt) {
   const Plan few(sampled(Method::kLatinHypercube, 16)), many(sampled(Method::kLatinHypercube, 32));
   EXPECT_NE(few.point(0).values, many.point(0).values);
   EXPECT_NE(few.digest_text(), many.digest_text());
-  EXPECT_THAT(few.notes(), Contains(HasSubstr("cannot go on")));
+  EXPECT_THAT(few.notes(), Contains(HasSubstr("cannot be extended")));
   EXPECT_THAT(Plan(sampled(Method::kSobol, 16)).notes(), ElementsAre(HasSubstr("wider than need be")));
-  EXPECT_THAT(Plan(sampled(Method::kSobol, 17)).notes(), Contains(HasSubstr("no power of two")));
+  EXPECT_THAT(Plan(sampled(Method::kSobol, 17)).notes(), Contains(HasSubstr("not a power of two")));
 }
 
 TEST(Plan, SamplesAreSpreadOverEachFactor) {
@@ -105,7 +105,7 @@ TEST(Plan, AMillionScenariosNeedNoTable) {
   }
 }
 
-TEST(Plan, BasesStandSideBySideAtTheSamePoint) {
+TEST(Plan, BasesAreSideBySideAtTheSamePoint) {
   Study study = sampled(Method::kSobol, 8);
   study.bases.push_back({"run-in", coarse_case()});
   study.factors[1].targets[0].base = 1;
@@ -169,7 +169,7 @@ TEST(Plan, OneAtATimeBeginsAtTheBase) {
   EXPECT_THAT(plan.notes(), Contains(HasSubstr("from their 5 % to their 95 % quantile")));
 }
 
-TEST(Plan, AListIsRunAsItStands) {
+TEST(Plan, AListIsRunUnchanged) {
   Study study = study_of({factor("operating.speed", Listed{}), factor("contact.roughness", Listed{})}, Method::kList);
   study.sampling.list = {{100, 1e-7}, {200, 2e-7}};
   study.bases.push_back({"run-in", coarse_case()});
@@ -213,7 +213,7 @@ TEST(Plan, CorrelatedFactorsChangeMatrixTogether) {
   EXPECT_THAT(plan.notes(), Contains(HasSubstr("correlated factors share one index")));
 }
 
-TEST(Plan, GoesOnNoFurtherThanAllowed) {
+TEST(Plan, IsExtendedNoFurtherThanAllowed) {
   Study study = sampled(Method::kSobol, 16);
   study.bases.push_back({"run-in", coarse_case()});
   study.sampling.until = StoppingRule{"fmep", 0.95, 100, 64};
@@ -225,7 +225,7 @@ TEST(Plan, GoesOnNoFurtherThanAllowed) {
   EXPECT_EQ(plan.scenario(1, 63), 127u);
 }
 
-TEST(Plan, DigestTextTellsEverythingThatMovesANumber) {
+TEST(Plan, DigestTextContainsEverythingThatMovesANumber) {
   const Study study = sampled(Method::kSobol, 16);
   std::set<std::string> texts = {Plan(study).digest_text()};
   const auto expect_other = [&](const char* what, const std::function<void(Study&)>& change) {
@@ -255,7 +255,7 @@ TEST(Plan, DigestTextTellsEverythingThatMovesANumber) {
 }
 
 // As first computed: the same study must give the same numbers in every later version, or a study that was begun cannot
-// go on.
+// continue.
 TEST(Plan, NumbersAreFrozen) {
   const Plan sobol(study_of({factor("operating.speed", uniform(0x1p-10, 1024 + 0x1p-10))}, Method::kSobol, 4));
   const Plan hypercube(

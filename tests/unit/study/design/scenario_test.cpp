@@ -151,7 +151,7 @@ TEST(Scenario, APlanOfWhichNothingCanRunIsRefusedBeforehand) {
       Plan(study_of({factor("operating.speed", Levels{{-900, -800, -700, 100}}, FactorMode::kAdd)}, Method::kGrid))));
 }
 
-TEST(Scenario, EveryKeySaysHowItTakesANumber) {
+TEST(Scenario, EveryKeyReportsHowItTakesANumber) {
   // A key of a kind that is not known here would throw.
   std::set<Entry> seen;
   for (const cycle::Field& field : cycle::case_fields()) seen.insert(entry_of(field));
@@ -163,7 +163,7 @@ TEST(Scenario, EveryKeySaysHowItTakesANumber) {
   EXPECT_FALSE(is_file(*cycle::find_field("film.cavitation")));
 }
 
-TEST(Scenario, DigestTextTellsCasesApart) {
+TEST(Scenario, DigestTextDistinguishesCases) {
   const cycle::Case base = coarse_case();
   cycle::Case other = base;
   other.contact.roughness *= 1 + 1e-15;

@@ -129,8 +129,8 @@ TEST(SobolPoints, EveryPointIsEvenOverTheSeeds) {
   }
 }
 
-TEST(SobolPoints, DigitsAreFlippedByWhatStandsBeforeThem) {
-  // Nested scrambling, not one flip for a digit wherever it stands: among points with equal first digits a flip is
+TEST(SobolPoints, DigitsAreFlippedByThePrecedingDigits) {
+  // Nested scrambling, not one flip for a digit wherever it is: among points with equal first digits a flip is
   // common, between others it is not.
   int common = 0, other = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -174,7 +174,7 @@ TEST(SobolPoints, NeverTouchTheEnds) {
   EXPECT_EQ(share_of(~std::uint64_t{0}), 1 - 0x1.0p-53);
 }
 
-TEST(SobolPoints, TellsWhatItCannotGive) {
+TEST(SobolPoints, ReportsWhatItCannotGive) {
   EXPECT_NO_THROW(SobolPoints(SobolPoints::kMostDimensions, 1));
   EXPECT_THROW(SobolPoints(SobolPoints::kMostDimensions + 1, 1), std::invalid_argument);
   const SobolPoints points(2, 1);

@@ -64,7 +64,7 @@ std::optional<std::string> held(const cycle::Field& field, Case& c) {
 }
 
 /// The right-hand side of a setting in the same form.
-std::string said(std::string value) {
+std::string printed(std::string value) {
   value.erase(std::remove(value.begin(), value.end(), '"'), value.end());
   char* end = nullptr;
   const double number = std::strtod(value.c_str(), &end);
@@ -90,7 +90,7 @@ void expect_settings_tell_the_truth(const Case& c) {
       ASSERT_NE(cycle::find_field(key), nullptr);
       for (const cycle::Field& field : cycle::case_fields()) {
         if (field.key == key) {
-          EXPECT_EQ(held(field, after), said(alternative.setting.substr(equals + 3)));
+          EXPECT_EQ(held(field, after), printed(alternative.setting.substr(equals + 3)));
           EXPECT_NE(held(field, after), held(field, before));
         } else {
           EXPECT_EQ(held(field, after), held(field, before)) << field.key;
@@ -101,9 +101,9 @@ void expect_settings_tell_the_truth(const Case& c) {
   }
 }
 
-TEST(Assumptions, SettingsSayExactlyWhatTheyApply) { expect_settings_tell_the_truth(coarse_case()); }
+TEST(Assumptions, SettingsStateExactlyWhatTheyApply) { expect_settings_tell_the_truth(coarse_case()); }
 
-TEST(Assumptions, SettingsSayWhatTheyApplyForEveryWayToStateTheTension) {
+TEST(Assumptions, SettingsStateWhatTheyApplyForEveryWayToStateTheTension) {
   Case by_force = coarse_case();
   by_force.ring.elastic_pressure.reset();
   by_force.ring.tangential_force = 10.6789;  // four digits are written, so 20 % of it must be rounded first
@@ -192,9 +192,9 @@ std::string statement(const Case& c, const std::string& topic) {
   return "not assumed";
 }
 
-TEST(Assumptions, TheGapOfTheRingIsLeftOutClosedOrThere) {
+TEST(Assumptions, TheEndGapIsOmittedClosedOrGiven) {
   Case c = coarse_case();
-  EXPECT_EQ(statement(c, "ring-gap"), "the ends of the ring's gap are left out");
+  EXPECT_EQ(statement(c, "ring-gap"), "the ends of the ring are omitted");
   EXPECT_TRUE(settings(c, "ring-gap").empty());
   c.film.dimension = cycle::FilmDimension::kUnrolled;
   EXPECT_NE(statement(c, "ring-gap").find("closed"), std::string::npos);

@@ -36,7 +36,7 @@ std::vector<Case> mixed_cases() {
     if (i % 2 == 1) c.film.cavitation = cycle::Cavitation::kMassConserving;
     cases.push_back(c);
   }
-  cases[kStops].contact.composite_modulus = 1e4;  // asperities of jelly carry nothing, nor does a film that stands
+  cases[kStops].contact.composite_modulus = 1e4;  // asperities of jelly carry nothing, nor does a film that is
   cases[kStops].operating.speed = 1e-3;
   cases[kRefused].lubricant = outside_its_table(cases[kRefused]).lubricant;
   return cases;
@@ -132,7 +132,7 @@ TEST(Batch, EachOfMoreThanAreReadAheadEndsOnce) {
   EXPECT_GT(effort.lanes.sweeps, 0);
 }
 
-TEST(Batch, CasesAreMadeReadyAsTheCallerWants) {
+TEST(Batch, CasesAreSetUpAsTheCallerRequires) {
   const std::vector<Case> cases(3, testing::coarse_case());
   std::size_t n_given = 0;
   std::vector<Ending> ended(cases.size());
@@ -151,7 +151,7 @@ TEST(Batch, CasesAreMadeReadyAsTheCallerWants) {
   }
 }
 
-TEST(Batch, ReadsNoFurtherAheadThanItSays) {
+TEST(Batch, ReadsNoFurtherAheadThanStated) {
   const std::vector<Case> cases(300, testing::coarse_case());
   std::size_t n_given = 0;
   const auto refuse = [&](const Ending&) {
@@ -161,26 +161,26 @@ TEST(Batch, ReadsNoFurtherAheadThanItSays) {
   EXPECT_THROW(simulate_cases(source_of(cases, n_given), refuse, {1}), std::runtime_error);
 }
 
-TEST(Batch, AnExceptionOfWhoIsToldEndsIt) {
+TEST(Batch, AnExceptionOfTheObserverEndsIt) {
   std::vector<Case> cases(200, testing::coarse_case());
   for (Case& c : cases) {
     c.solver.cells = 10;
     c.solver.crank_step_deg = 8;
   }
   std::size_t n_given = 0;
-  int told = 0;
+  int reported = 0;
   const auto full = [&](const Ending&) {
-    if (++told == 3) throw std::runtime_error("the disk is full");
+    if (++reported == 3) throw std::runtime_error("the disk is full");
   };
   EXPECT_THROW(simulate_cases(source_of(cases, n_given), full, {2}), std::runtime_error);
-  EXPECT_EQ(told, 3);
+  EXPECT_EQ(reported, 3);
 }
 
 TEST(Batch, NobodyIsCalledAgainAfterAnException) {
   const Case refused = outside_its_table(testing::coarse_case());  // each thread is back at once, to call again
   for (int repetition = 0; repetition < 50; ++repetition) {
     const bool by_source = repetition % 2 == 0;
-    int n_given = 0, n_told = 0, n_too_late = 0;
+    int n_given = 0, n_reported = 0, n_too_late = 0;
     bool has_thrown = false;
     const auto called = [&](bool fails) {
       if (has_thrown) ++n_too_late;
@@ -192,8 +192,8 @@ TEST(Batch, NobodyIsCalledAgainAfterAnException) {
       called(++n_given == 300 && by_source);
       return refused;
     };
-    const auto told = [&](const Ending&) { called(++n_told == 20 && !by_source); };
-    EXPECT_THROW(simulate_cases(next, told, {4}), std::runtime_error);
+    const auto reported = [&](const Ending&) { called(++n_reported == 20 && !by_source); };
+    EXPECT_THROW(simulate_cases(next, reported, {4}), std::runtime_error);
     EXPECT_EQ(n_too_late, 0);
   }
 }
@@ -207,10 +207,10 @@ TEST(Batch, APulseThatThrowsEndsItInTheMidstOfAnIntegration) {
   options.pulse = [&] {
     if (++pulses == 5) throw std::runtime_error("enough");
   };
-  const auto told = [](const Ending&) {
+  const auto reported = [](const Ending&) {
     ADD_FAILURE() << "five pulses are fewer than the steps of any of these cycles";
   };
-  EXPECT_THROW(simulate_cases(source_of(cases, n_given), told, options), std::runtime_error);
+  EXPECT_THROW(simulate_cases(source_of(cases, n_given), reported, options), std::runtime_error);
 }
 
 TEST(Batch, AnExceptionOfTheSourceEndsIt) {
@@ -218,16 +218,16 @@ TEST(Batch, AnExceptionOfTheSourceEndsIt) {
   EXPECT_THROW(simulate_cases(broken, [](const Ending&) {}, {2}), std::logic_error);
 }
 
-TEST(Batch, TellsHowManyHaveEnded) {
-  std::vector<int> told;
+TEST(Batch, ReportsHowManyHaveEnded) {
+  std::vector<int> reported;
   const auto progress = [&](int done, int total) {
-    told.push_back(done);
+    reported.push_back(done);
     EXPECT_EQ(total, 11);
   };
   endings(mixed_cases(), progress, {3});
   std::vector<int> all(11);
   std::iota(all.begin(), all.end(), 1);
-  EXPECT_EQ(told, all);
+  EXPECT_EQ(reported, all);
 }
 
 }  // namespace

@@ -47,12 +47,12 @@ TEST(ErrorEstimate, IntegratesTheCaseOnGridsTwiceAndHalfAsFine) {
   cycle::Case c = coarse_case();
   c.solver.cells = 41;
   c.solver.crank_step_control = cycle::StepControl::kAdaptive;
-  int told = 0;
+  int reported = 0;
   const ErrorEstimate errors = study::error_estimate(c, cycle::testing::simulated(c), [&](int done, int total) {
-    EXPECT_EQ(done, ++told);
+    EXPECT_EQ(done, ++reported);
     EXPECT_EQ(total, 4);
   });
-  EXPECT_EQ(told, 4);
+  EXPECT_EQ(reported, 4);
   ASSERT_EQ(errors.runs.size(), 5u);
   const auto expect = [&](std::size_t i, long cells, double step_deg, double step_error) {
     EXPECT_EQ(errors.runs[i].cells, cells);
@@ -96,7 +96,7 @@ TEST(ErrorEstimate, CellsThatAreAllAlikeStayAlikeOnHalfOfAnOddNumber) {
 }
 
 // 601 x 1001 nodes are allowed, four times as many are not.
-TEST(ErrorEstimate, AGridWithTooManyNodesIsRefusedAndTold) {
+TEST(ErrorEstimate, AGridWithTooManyNodesIsRefusedAndReported) {
   cycle::Case c = coarse_case();
   c.film.dimension = cycle::FilmDimension::kUnrolled;
   c.ring.end_gap = 0.3e-3;
@@ -146,7 +146,7 @@ TEST(ErrorEstimate, NeedsAnEndingOnEachOtherGrid) {
   EXPECT_THROW(study::error_estimate(c, cycle::CycleResult(), std::span(ended).first(3)), std::logic_error);
 }
 
-TEST(ErrorEstimate, TellsWhichIntegrationStoppedAndWhetherAnythingIsLeft) {
+TEST(ErrorEstimate, ReportsWhichIntegrationStoppedAndWhetherAnythingIsLeft) {
   ErrorEstimate errors = study::no_estimate(1);
   errors.runs = {{100, 1, 1e-3, true, ""},
                  {200, 1, 1e-3, false, "no balance at 12 degree"},
@@ -176,7 +176,7 @@ TEST(ErrorEstimate, HoldsTheTrueErrorOfNineteenValuesInTwenty) {
   EXPECT_GT(curves.values, 50000);
   EXPECT_GE(values.share(), 0.95);
   EXPECT_GE(curves.share(), 0.95);
-  // A band that is far too wide says nothing.
+  // A band that is far too wide states nothing.
   EXPECT_LT(values.median_width(), 10);
   EXPECT_LT(curves.median_width(), 10);
 }

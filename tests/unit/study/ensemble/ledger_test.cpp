@@ -38,9 +38,9 @@ void expect_same_values(const cycle::CycleValues& variant, const Case& changed) 
 
 TEST(Ledger, VariantsEqualADirectRunOfTheChangedCase) {
   const Case c = coarse_case();
-  int told = 0, last_done = 0, last_total = 0;
+  int reported = 0, last_done = 0, last_total = 0;
   const auto ledger = study::ledger(c, [&](int done, int total) {
-    ++told;
+    ++reported;
     last_done = done;
     last_total = total;
   });
@@ -61,9 +61,9 @@ TEST(Ledger, VariantsEqualADirectRunOfTheChangedCase) {
     const bool by_a_case_of_its_own = entry.topic == "ring-gap";
     EXPECT_EQ(entry.can_be_lifted, !entry.variants.empty() || by_a_case_of_its_own) << entry.topic;
   }
-  EXPECT_EQ(told, variants + 1);  // and the case itself
-  EXPECT_EQ(last_done, told);
-  EXPECT_EQ(last_total, told);
+  EXPECT_EQ(reported, variants + 1);  // and the case itself
+  EXPECT_EQ(last_done, reported);
+  EXPECT_EQ(last_total, reported);
 }
 
 TEST(Ledger, AValueThatASettingDoesNotMoveIsThatOfTheResult) {

@@ -57,7 +57,7 @@ TEST(Threads, WhatLookingAfterWorkFindsOutIsRethrownWhenTheWorkHasEnded) {
   const auto work = [&] {
     while (!is_to_end) std::this_thread::yield();
     has_ended = true;
-    throw std::logic_error("of the work, which was told to end");
+    throw std::logic_error("of the work, which was reported to end");
   };
   const auto look = [&] {
     is_to_end = true;
@@ -71,7 +71,7 @@ TEST(Threads, WhatWorkThrowsThatIsLookedAfterIsRethrown) {
   EXPECT_THROW(run_while_polling([] { throw std::runtime_error("from the work"); }, [] {}), std::runtime_error);
 }
 
-TEST(Threads, AsManyAsWantedAndAtLeastOne) {
+TEST(Threads, AsManyAsRequestedAndAtLeastOne) {
   EXPECT_EQ(n_threads(5), 5);
   EXPECT_GE(n_threads(0), 1);
 }

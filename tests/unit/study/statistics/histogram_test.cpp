@@ -29,7 +29,7 @@ TEST(Histogram, CountsEveryValueOnceInBinsThatSamplesShare) {
   EXPECT_GT(found.counts[1].back(), 0u);  // the largest value lies in the last bin, not beyond it
 }
 
-TEST(Histogram, LeavesOutFarTailsAndCountsThem) {
+TEST(Histogram, OmitsFarTailsAndCountsThem) {
   std::vector<double> values = even(1000, 0, 1);
   values.push_back(1e6);
   const Histogram found = histogram({values});

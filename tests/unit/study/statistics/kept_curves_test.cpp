@@ -12,8 +12,8 @@ namespace {
 
 using testing::coarse_case;
 using testing::factor;
+using testing::reported;
 using testing::study_of;
-using testing::told;
 
 OutputSelection all_curves(double crank_step_deg) {
   OutputSelection keep;
@@ -31,9 +31,9 @@ Study small_study(const OutputSelection& keep) {
 std::vector<ScenarioRow> rows_of(const Study& study) {
   std::vector<ScenarioRow> rows;
   const Plan plan(study);
-  run_scenarios(plan, {0, plan.size()}, [&rows](const ScenarioChunk& chunk) {
-    rows.insert(rows.end(), chunk.rows.begin(), chunk.rows.end());
-    return GoOn::kYes;
+  run_scenarios(plan, {0, plan.size()}, [&rows](const ScenarioBlock& block) {
+    rows.insert(rows.end(), block.rows.begin(), block.rows.end());
+    return Continuation::kYes;
   });
   return rows;
 }
@@ -96,20 +96,21 @@ TEST(KeptCurves, MinimumOfTheCurveIsThatOfTheCycle) {
 }
 
 TEST(KeptCurves, WhatCannotBeKeptIsRefused) {
-  EXPECT_EQ(told(small_study(all_curves(4))), "");
-  EXPECT_NE(told(small_study(all_curves(7))).find("does not divide the cycle"), std::string::npos);
-  EXPECT_NE(told(small_study(all_curves(0))).find("does not divide the cycle"), std::string::npos);
-  EXPECT_NE(told(small_study(all_curves(2))).find("no multiple of solver.crank_step = 4 degree"), std::string::npos);
+  EXPECT_EQ(reported(small_study(all_curves(4))), "");
+  EXPECT_NE(reported(small_study(all_curves(7))).find("does not divide the cycle"), std::string::npos);
+  EXPECT_NE(reported(small_study(all_curves(0))).find("does not divide the cycle"), std::string::npos);
+  EXPECT_NE(reported(small_study(all_curves(2))).find("not a multiple of solver.crank_step = 4 degree"),
+            std::string::npos);
   OutputSelection keep = all_curves(4);
   keep.quantities = {"min_film_thickness", "crank_angle", "min_film_thickness"};
-  EXPECT_NE(told(small_study(keep)).find("no curve crank_angle"), std::string::npos);
-  EXPECT_NE(told(small_study(keep)).find("min_film_thickness twice"), std::string::npos);
+  EXPECT_NE(reported(small_study(keep)).find("no curve crank_angle"), std::string::npos);
+  EXPECT_NE(reported(small_study(keep)).find("min_film_thickness twice"), std::string::npos);
   keep.quantities.clear();
-  EXPECT_NE(told(small_study(keep)).find("names no curve"), std::string::npos);
+  EXPECT_NE(reported(small_study(keep)).find("names no curve"), std::string::npos);
   Study fine = small_study(all_curves(0.01));
-  EXPECT_NE(told(fine).find("numbers, more than"), std::string::npos);
+  EXPECT_NE(reported(fine).find("numbers, more than"), std::string::npos);
   fine.keep.curves = Curves::kNone;
-  EXPECT_EQ(told(fine), "");
+  EXPECT_EQ(reported(fine), "");
 }
 
 }  // namespace

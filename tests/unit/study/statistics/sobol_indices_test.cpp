@@ -44,7 +44,7 @@ const std::vector<double> kSlopes = {1, -2, 0.5, 3};
 const std::vector<double> kDeviations = {2, 0.7, 1, 0.1};
 
 double linear(const std::vector<double>& x) {
-  double y = 1000;  // a large mean must not spoil the estimate
+  double y = 1000;  // a large mean must not corrupt the estimate
   for (std::size_t j = 0; j < x.size(); ++j) y += kSlopes[j] * x[j];
   return y;
 }
@@ -179,7 +179,7 @@ Coverage coverage(int seeds, const Exact& exact, const std::function<std::vector
 // Of 200 seeds with three or four factors that are not independent of each other, 95 % is certain to about 1.5 % (one
 // standard deviation of 200 throws). Intervals between percentiles of the bootstrap are known to fall short of their
 // confidence by some 1 % at 256 rows: 90 % to 99 % is required.
-TEST(SobolIndices, IntervalsCoverAsOftenAsTheySayWhereRowsAreIndependent) {
+TEST(SobolIndices, IntervalsCoverAsOftenAsStatedWhereRowsAreIndependent) {
   const Coverage of_ishigami = coverage(200, exact_ishigami(), [](std::uint64_t seed) {
     return independent_rows(
         3, 256, seed, [](double share, std::size_t) { return std::numbers::pi * (2 * share - 1); }, ishigami);
@@ -210,7 +210,7 @@ TEST(SobolIndices, IntervalsOfScrambledPointsAreOnTheSafeSide) {
   EXPECT_LT(scrambled_points.error_of_first, 0.5 * chance.error_of_first) << "that is what Sobol points are for";
 }
 
-TEST(SobolIndices, RowsWithoutAValueAreLeftOutAndCounted) {
+TEST(SobolIndices, RowsWithoutAValueAreOmittedAndCounted) {
   const Plan plan(linear_study(512, 3));
   std::vector<double> values = values_of(plan, linear);
   const auto whole = sobol_indices(std::span(values).first(6 * 511), 4);
@@ -218,7 +218,7 @@ TEST(SobolIndices, RowsWithoutAValueAreLeftOutAndCounted) {
   const auto found = sobol_indices(values, 4);
   ASSERT_TRUE(found && whole);
   EXPECT_EQ(found->rows, 511u);
-  EXPECT_EQ(found->left_out, 1u);
+  EXPECT_EQ(found->omitted, 1u);
   EXPECT_EQ(found->first[1].value, whole->first[1].value);
   EXPECT_EQ(found->total[1].low, whole->total[1].low);
   // A last row that is only begun.

@@ -33,7 +33,7 @@ TEST(Statistics, MeanAndItsStandardError) {
   EXPECT_DOUBLE_EQ(mean->deviation, std::sqrt(5.0 / 3));
   EXPECT_DOUBLE_EQ(mean->standard_error, std::sqrt(5.0 / 12));
   EXPECT_EQ(mean->count, 4u);
-  EXPECT_EQ(mean->left_out, 2u);
+  EXPECT_EQ(mean->omitted, 2u);
   EXPECT_FALSE(mean_of(std::vector<double>{1, kNan}));
 }
 
@@ -101,7 +101,7 @@ TEST(Statistics, PlacesAreTheNarrowestThatHoldTheConfidence) {
   }
 }
 
-TEST(Statistics, IntervalsOfQuantilesCoverAsOftenAsTheySay) {
+TEST(Statistics, IntervalsOfQuantilesCoverAsOftenAsStated) {
   constexpr int kSamples = 4000;
   constexpr std::size_t kValues = 150;
   for (const double share : {0.05, 0.5, 0.95}) {
@@ -130,7 +130,7 @@ TEST(Statistics, IntervalsOfQuantilesCoverAsOftenAsTheySay) {
   }
 }
 
-TEST(Statistics, IntervalsOfMeansCoverAsOftenAsTheySay) {
+TEST(Statistics, IntervalsOfMeansCoverAsOftenAsStated) {
   constexpr int kSamples = 4000;
   int covered = 0;
   for (int s = 0; s < kSamples; ++s) {
@@ -165,16 +165,16 @@ TEST(Statistics, ConvergenceIsTheStatisticsOfEachBeginning) {
     EXPECT_EQ(stages[s].n, counts[s]);
     const auto begin = std::span(values).first(counts[s]);
     EXPECT_EQ(stages[s].mean->value, mean_of(begin)->value);
-    EXPECT_EQ(stages[s].mean->left_out, 1u);
+    EXPECT_EQ(stages[s].mean->omitted, 1u);
     EXPECT_EQ(stages[s].quantiles.at(1).value, quantile_of(sorted_values(begin), 0.5).value);
   }
-  EXPECT_FALSE(stages[0].quantiles[0].low) << "16 values say nothing of what is below their 5 % quantile";
+  EXPECT_FALSE(stages[0].quantiles[0].low) << "16 values state nothing of what is below their 5 % quantile";
   ASSERT_EQ(convergence({}, {0.5}).size(), 1u);
   EXPECT_FALSE(convergence({}, {0.5})[0].mean);
   EXPECT_TRUE(convergence({}, {0.5})[0].quantiles.empty());
 }
 
-TEST(Statistics, DifferencesOfTheSamePointsAreSurerThanTheirLevels) {
+TEST(Statistics, DifferencesOfTheSamePointsHaveNarrowerIntervalsThanTheirLevels) {
   std::vector<double> first, second;
   for (std::uint64_t i = 0; i < 200; ++i) {
     const double common = 10 + 5 * normal_quantile(share_of(hash(1, i)));
@@ -188,7 +188,7 @@ TEST(Statistics, DifferencesOfTheSamePointsAreSurerThanTheirLevels) {
   EXPECT_NEAR(difference->value, -0.1, 1e-12);
   EXPECT_NEAR(difference->standard_error, 0.1 * mean->standard_error / mean->value, 1e-12);
   EXPECT_EQ(difference->count, 199u);
-  EXPECT_EQ(difference->left_out, 1u);
+  EXPECT_EQ(difference->omitted, 1u);
   EXPECT_FALSE(relative_difference(std::vector<double>{0, 0}, std::vector<double>{1, 2}));
   EXPECT_THROW(relative_difference(first, std::vector<double>{1}), std::invalid_argument);
 }

@@ -53,7 +53,7 @@ TEST(Verification, NumberThatARunDoesNotHaveFails) {
   EXPECT_EQ(outcome.verdict(), Verdict::kFails);
 }
 
-TEST(Verification, RunWithoutSolutionIsToldAndFails) {
+TEST(Verification, RunWithoutSolutionIsReportedAndFails) {
   Verification verification = with_load(35000, {Tolerance::Kind::kRelative, 1e-9});
   verification.runs["channel"].pad.separation.reset();
   verification.runs["channel"].pad.load = 1.0;  // below what the edges alone press

@@ -19,7 +19,7 @@ struct CoreRoughness {
 
 /// The line through the 40 % of the curve with the least fall (the first of equals), by least squares along the height;
 /// the areas above and below the core as triangles of equal area.
-/// @param falling_heights_m bearing curve, 20 points or more [m]
+/// @param falling_heights_m material ratio curve, 20 points or more [m]
 CoreRoughness core_roughness(std::span<const double> falling_heights_m);
 
 /// Roughness of a surface made in two steps after @cite iso13565_3, eq-surface-probability.
@@ -32,7 +32,7 @@ struct ProbabilityRoughness {
 /// Two straight lines of least squares on the curve over normal probability from -3 to 3 standard deviations, their
 /// parting where both together leave least; the standard finds the parting with a fitted conic. Nothing where one line
 /// is as good, a surface made in one step, or where both do not meet on the curve.
-/// @param falling_heights_m bearing curve, 100 points or more [m]
+/// @param falling_heights_m material ratio curve, 100 points or more [m]
 std::optional<ProbabilityRoughness> probability_roughness(std::span<const double> falling_heights_m);
 
 /// Which points count as cavities (pores, grooves).
@@ -40,7 +40,7 @@ enum class CavityRule {
   below_depth,    ///< deeper than a stated depth below the median height
   below_plateau,  ///< deeper than 3 standard deviations of the plateau below the median; these are 1.4826 times the
                   ///< median distance of the points above the median from it
-  below_core,     ///< below the core of the bearing curve: a share of 1 - Mr2
+  below_core,     ///< below the core of the material ratio curve: a share of 1 - Mr2
 };
 
 /// Cavities of a surface: what lies below a threshold.

@@ -1,4 +1,4 @@
-#include "ringfilm/study/statistics/swing.hpp"
+#include "ringfilm/study/statistics/one_at_a_time.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +18,13 @@ double median(std::vector<double> values) { return quantile_of(sorted_values(val
 
 }  // namespace
 
-SwingEnds swing_ends(const Variation& variation) {
+SensitivityEnds sensitivity_ends(const Variation& variation) {
   const bool is_listed = std::holds_alternative<Levels>(variation) || std::holds_alternative<Choices>(variation);
-  return is_listed ? SwingEnds::kValues : SwingEnds::kThirds;
+  return is_listed ? SensitivityEnds::kValues : SensitivityEnds::kThirds;
 }
 
-std::optional<Swing> swing_of(std::span<const double> factor, std::span<const double> values, SwingEnds ends) {
+std::optional<OneAtATimeSensitivity> one_at_a_time_sensitivity(std::span<const double> factor,
+                                                               std::span<const double> values, SensitivityEnds ends) {
   if (factor.size() != values.size()) throw std::invalid_argument("a factor and values of different scenarios");
   std::vector<std::pair<double, double>> pairs;
   // A value of which no scenario was solved is an end nevertheless: another would be reported in its place.
@@ -34,11 +35,11 @@ std::optional<Swing> swing_of(std::span<const double> factor, std::span<const do
     highest = std::max(highest, factor[i]);
     if (std::isfinite(values[i])) pairs.emplace_back(factor[i], values[i]);
   }
-  const std::size_t least = ends == SwingEnds::kThirds ? 3 * kLeast : 2 * kLeast;
+  const std::size_t least = ends == SensitivityEnds::kThirds ? 3 * kLeast : 2 * kLeast;
   if (pairs.size() < least || lowest == highest) return std::nullopt;
   std::sort(pairs.begin(), pairs.end());
   double low = lowest, high = highest;
-  if (ends == SwingEnds::kThirds) {
+  if (ends == SensitivityEnds::kThirds) {
     // Bounds by value, so that scenarios with one value of the factor stay together.
     const std::size_t third = (pairs.size() - 1) / 3;
     const double below = pairs[third].first, above = pairs[pairs.size() - 1 - third].first;
@@ -52,7 +53,7 @@ std::optional<Swing> swing_of(std::span<const double> factor, std::span<const do
     if (x >= high) highs.push_back(y);
   }
   if (low >= high || lows.size() < kLeast || highs.size() < kLeast) return std::nullopt;
-  return Swing{median(std::move(lows)), median(std::move(highs))};
+  return OneAtATimeSensitivity{median(std::move(lows)), median(std::move(highs))};
 }
 
 }  // namespace ringfilm::study

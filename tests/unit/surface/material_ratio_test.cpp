@@ -1,4 +1,4 @@
-#include "ringfilm/surface/topography/bearing.hpp"
+#include "ringfilm/surface/topography/material_ratio.hpp"
 
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ TEST(Bearing, TwoLinesOverProbabilityAreFoundAgain) {
 
 TEST(Bearing, ASurfaceMadeInOneStepHasNoSecondLine) {
   EXPECT_FALSE(probability_roughness(curve([](double m) { return -1e-7 * quantile(m); })));
-  // Steep peaks over a flat rest are no plateau with valleys.
+  // Steep peaks over a flat rest are not a plateau with valleys.
   EXPECT_FALSE(probability_roughness(curve([](double m) {
     const double s = quantile(m);
     return s < -1 ? -5 * (s + 1) + 1 : -s;

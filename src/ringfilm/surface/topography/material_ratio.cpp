@@ -1,4 +1,4 @@
-#include "ringfilm/surface/topography/bearing.hpp"
+#include "ringfilm/surface/topography/material_ratio.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kLeastPointsOfBearing = 20;
+constexpr std::size_t kLeastPointsOfMaterialRatio = 20;
 constexpr std::size_t kLeastPointsOfTwoLines = 100;
 constexpr double kCoreShare = 0.4;
 constexpr double kProbabilityRange = 3;  // standard deviations to both sides
@@ -19,16 +19,16 @@ constexpr double kWorthASecondLine = 0.5;  // of the squares that one line leave
 
 void check_curve(std::span<const double> z, std::size_t least) {
   if (z.size() < least) {
-    throw InputError("a bearing curve of " + std::to_string(z.size()) + " points is too short",
+    throw InputError("a material ratio curve of " + std::to_string(z.size()) + " points is too short",
                      std::to_string(least) + " points or more are needed");
   }
   for (std::size_t i = 0; i < z.size(); ++i) {
     if (!std::isfinite(z[i]) || (i > 0 && z[i] > z[i - 1])) {
-      throw InputError("the heights of a bearing curve do not fall at point " + std::to_string(i + 1));
+      throw InputError("the heights of a material ratio curve do not fall at point " + std::to_string(i + 1));
     }
   }
   if (!(z.front() > z.back())) {
-    throw InputError("all heights of the bearing curve are the same", "choose another channel or region");
+    throw InputError("all heights of the material ratio curve are the same", "choose another channel or region");
   }
 }
 
@@ -54,7 +54,7 @@ double ratio_at(std::span<const double> z, double height) {
 }  // namespace
 
 CoreRoughness core_roughness(std::span<const double> z) {
-  check_curve(z, kLeastPointsOfBearing);
+  check_curve(z, kLeastPointsOfMaterialRatio);
   const std::size_t n = z.size(), width = std::max<std::size_t>(
                                       2, static_cast<std::size_t>(std::lround(kCoreShare * static_cast<double>(n))));
   std::size_t start = 0;
@@ -146,7 +146,7 @@ std::optional<ProbabilityRoughness> probability_roughness(std::span<const double
 }
 
 Cavities cavities(std::span<const double> z, CavityRule rule, double depth_m) {
-  check_curve(z, kLeastPointsOfBearing);
+  check_curve(z, kLeastPointsOfMaterialRatio);
   const double median = height_at(z, 0.5);
   Cavities of;
   if (rule == CavityRule::below_core) {
