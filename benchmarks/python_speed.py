@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """What it costs to call from Python: import, one case, a batch; each beside the same work in C++.
 
-usage: PYTHONPATH=build-ci/python benchmarks/python_speed.py [--cases N] [--threads N] [--program build-ci/benchmarks/case_speed]
+usage: PYTHONPATH=build-ci/python benchmarks/python_speed.py [--cases N] [--threads N] [--program
+    build-ci/benchmarks/case_speed]
 
 The C++ side is `case_speed`, which runs the same cases by the same calls of the library; both sides take the best of
 several turns, one after the other, so that another load on the machine meets both.
@@ -48,7 +49,10 @@ def main():
         return float(subprocess.check_output([chosen.program, what, str(CASE), *map(str, words)]))
 
     def reported(name, own, other):
-        print(f"{name}: {own:.4f} s from Python, {other:.4f} s in C++, {100 * (own / other - 1):+.1f} % (requested: below +5 %)")
+        print(
+            f"{name}: {own:.4f} s from Python, {other:.4f} s in C++, "
+            f"{100 * (own / other - 1):+.1f} % (requested: below +5 %)"
+        )
 
     runs = 20
     own, other = [], []

@@ -9,10 +9,14 @@ def cell(text):
 
 
 def page(listing):
-    """docs/manual/case-keys.txt as Markdown: a table for each section, its columns as the heading of the list has them."""
-    out = ["# Every key of a case", "",
-           "What `ringfilm fields` prints, and the [case file](case-file.md) explains. A key without default is omitted "
-           "or stated; a required one must be stated where it is used.", ""]
+    """docs/manual/case-keys.txt as Markdown: a table for each section, with the columns of that list."""
+    out = [
+        "# Every key of a case",
+        "",
+        "What `ringfilm fields` prints, and the [case file](case-file.md) explains. A key without default is omitted "
+        "or stated; a required one must be stated where it is used.",
+        "",
+    ]
     columns = None
     for line in listing.split("\n"):
         if not line.strip():

@@ -84,7 +84,12 @@ def of_class(node, prefix):
         if isinstance(member, ast.FunctionDef) and not member.name.startswith("_"):
             content += of_function(member, prefix, inside=True)
     bases = ", ".join(ast.unparse(base) for base in node.bases)
-    return block("class", f"{prefix}.{node.name}" + (f"({bases})" if bases and "Exception" not in bases else ""), content, fence="````")
+    return block(
+        "class",
+        f"{prefix}.{node.name}" + (f"({bases})" if bases and "Exception" not in bases else ""),
+        content,
+        fence="````",
+    )
 
 
 def public_names(path):
@@ -107,15 +112,26 @@ def definitions(*paths):
 
 def python_page():
     """Every public name of the module."""
-    out = ["# The Python module, name by name", "",
-           "[From Python](../manual/python.md) shows how these are used. Numbers are in SI, crank angles in degrees.", ""]
+    out = [
+        "# The Python module, name by name",
+        "",
+        "[From Python](../manual/python.md) shows how these are used. Numbers are in SI, crank angles in degrees.",
+        "",
+    ]
     stubs = PACKAGE / "_ringfilm"
-    modules = [("ringfilm", PACKAGE / "__init__.py", [PACKAGE / "_batch.py", PACKAGE / "errors.py", stubs / "__init__.pyi"])]
+    modules = [
+        ("ringfilm", PACKAGE / "__init__.py", [PACKAGE / "_batch.py", PACKAGE / "errors.py", stubs / "__init__.pyi"])
+    ]
     for name in ("surface", "face", "lateral_force", "laws"):
         modules.append((f"ringfilm.{name}", PACKAGE / f"{name}.py", [PACKAGE / f"{name}.py", stubs / f"{name}.pyi"]))
     for module, source, files in modules:
         known = definitions(*files)
-        out += [f"## {module}", "", *prose(ast.get_docstring(ast.parse(source.read_text(encoding="utf-8")), clean=False)), ""]
+        out += [
+            f"## {module}",
+            "",
+            *prose(ast.get_docstring(ast.parse(source.read_text(encoding="utf-8")), clean=False)),
+            "",
+        ]
         for name in public_names(source):
             node = known.get(name)
             if isinstance(node, ast.ClassDef):
@@ -144,8 +160,11 @@ def folder_page(namespace, headers):
     listed = ", ".join(f"`{header.removeprefix('src/')}`" for header in headers if f"/{folder}/" in header)
     directive = f"```{{doxygennamespace}} {namespace}\n:project: ringfilm\n:members:\n```\n"
     if folder == "base":  # the namespace ringfilm itself holds all others
-        directive = "".join(f"```{{doxygenfile}} {header.removeprefix('src/')}\n:project: ringfilm\n```\n\n"
-                            for header in headers if f"/{folder}/" in header)
+        directive = "".join(
+            f"```{{doxygenfile}} {header.removeprefix('src/')}\n:project: ringfilm\n```\n\n"
+            for header in headers
+            if f"/{folder}/" in header
+        )
     return f"# {title}\n\nFrom {listed}.\n\n{directive}"
 
 
@@ -156,10 +175,18 @@ def main(stage, headers):
     folders = {header.split("/")[2] for header in headers}
     left = folders - {folder for _, folder in MODULES.values()}
     if left:
-        raise SystemExit(f"docs: the public headers of {', '.join(sorted(left))} have no page in docs/site/interfaces.py")
-    out = ["# The C++ library, name by name", "",
-           "What `ringfilm/ringfilm.hpp` includes is public. [The library](../manual/library.md) shows how it is used.", "",
-           "```{toctree}", ":maxdepth: 1", ""]
+        raise SystemExit(
+            f"docs: the public headers of {', '.join(sorted(left))} have no page in docs/site/interfaces.py"
+        )
+    out = [
+        "# The C++ library, name by name",
+        "",
+        "What `ringfilm/ringfilm.hpp` includes is public. [The library](../manual/library.md) shows how it is used.",
+        "",
+        "```{toctree}",
+        ":maxdepth: 1",
+        "",
+    ]
     for namespace, (_, folder) in MODULES.items():
         if folder in folders:
             (api / "cpp" / f"{folder}.md").write_text(folder_page(namespace, headers), encoding="utf-8")

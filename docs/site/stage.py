@@ -1,7 +1,9 @@
 """Lays out what Sphinx reads: the Markdown of the checkout, with its links made into those of the site.
 
-The pages in docs/ stay plain Markdown that reads well by itself, so they contain no markup of Sphinx. Here each link to a
-place in a page gets a label, each link to a file beside the pages a copy of that file, and the pages that are made (keys
+The pages in docs/ stay plain Markdown that reads well by itself, so they contain no markup of Sphinx. Here each
+link to a
+place in a page gets a label, each link to a file beside the pages a copy of that file, and the pages that are made
+(keys
 of a case, sources, decisions, navigation) are written.
 
 usage: stage.py CHECKOUT FOLDER
@@ -23,8 +25,14 @@ HEADING = re.compile(r"^(#{1,6}) +(.*)$")
 
 def pages_of(root):
     """Names of all pages of the checkout that belong to the site, as paths from its root."""
-    patterns = ["docs/**/*.md", "verification/*/README.md", "cases/measured/README.md", "examples/*/README.md",
-                "CONTRIBUTING.md", "CHANGELOG.md"]
+    patterns = [
+        "docs/**/*.md",
+        "verification/*/README.md",
+        "cases/measured/README.md",
+        "examples/*/README.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+    ]
     found = {path.relative_to(root).as_posix() for pattern in patterns for path in root.glob(pattern)}
     return sorted(page for page in found - {"docs/manual/README.md"} if not page.startswith("docs/site/"))
 
@@ -71,8 +79,12 @@ class Stage:
         for name in (path, posixpath.join(path, "README.md")):
             if name in self.pages or name in self.made:
                 return name, place
-        return {"docs/manual/case-keys.txt": "docs/manual/case-keys.md", "docs/references.bib": "docs/references.md",
-                "docs/manual/README.md": "index.md", "README.md": "index.md"}.get(path, path), place
+        return {
+            "docs/manual/case-keys.txt": "docs/manual/case-keys.md",
+            "docs/references.bib": "docs/references.md",
+            "docs/manual/README.md": "index.md",
+            "README.md": "index.md",
+        }.get(path, path), place
 
     def links(self, page, text):
         """The links of a page are those of the site."""
@@ -169,16 +181,40 @@ def index(stage, others):
 
 def references(root):
     """The bibliography as a page, an anchor for each key."""
-    lines = ["# Sources", "", "Keys are author and year. The list is [references.bib](references.bib) of the sources.", ""]
+    lines = [
+        "# Sources",
+        "",
+        "Keys are author and year. The list is [references.bib](references.bib) of the sources.",
+        "",
+    ]
     text = (root / "docs/references.bib").read_text(encoding="utf-8")
     for key, body in sorted(re.findall(r"^@\w+\{(\w+),\n(.*?)^\}", text, re.M | re.S)):
-        fields = {name.lower(): re.sub(r"[{}]", "", value).replace("--", "–").replace("\\&", "&")
-                  for name, value in re.findall(r"^\s*(\w+)\s*=\s*\{(.*)\},?\s*$", body, re.M)}
-        where = ", ".join(fields[name] for name in ("journal", "booktitle", "publisher", "institution", "edition", "volume",
-                                                     "number", "pages", "note", "howpublished") if name in fields)
+        fields = {
+            name.lower(): re.sub(r"[{}]", "", value).replace("--", "–").replace("\\&", "&")
+            for name, value in re.findall(r"^\s*(\w+)\s*=\s*\{(.*)\},?\s*$", body, re.M)
+        }
+        where = ", ".join(
+            fields[name]
+            for name in (
+                "journal",
+                "booktitle",
+                "publisher",
+                "institution",
+                "edition",
+                "volume",
+                "number",
+                "pages",
+                "note",
+                "howpublished",
+            )
+            if name in fields
+        )
         doi = f" [doi:{fields['doi']}](https://doi.org/{fields['doi']})" if "doi" in fields else ""
-        lines += [f"**{key}** {fields.get('author', '').replace(' and ', ', ')} ({fields.get('year', 'no year')}): "
-                  f"*{fields.get('title', '')}*. {where}.{doi}", ""]
+        lines += [
+            f"**{key}** {fields.get('author', '').replace(' and ', ', ')} ({fields.get('year', 'no year')}): "
+            f"*{fields.get('title', '')}*. {where}.{doi}",
+            "",
+        ]
     return "\n".join(lines)
 
 
@@ -187,9 +223,13 @@ def main(root, folder, others):
     stage = Stage(root, folder)
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    stage.made["docs/manual/case-keys.md"] = cases.page((root / "docs/manual/case-keys.txt").read_text(encoding="utf-8"))
+    stage.made["docs/manual/case-keys.md"] = cases.page(
+        (root / "docs/manual/case-keys.txt").read_text(encoding="utf-8")
+    )
     stage.made["docs/references.md"] = references(root).replace("(references.bib)", "(references-file)")
-    stage.made["docs/references.md"] = stage.made["docs/references.md"].replace("[references.bib](references-file)", "`docs/references.bib`")
+    stage.made["docs/references.md"] = stage.made["docs/references.md"].replace(
+        "[references.bib](references-file)", "`docs/references.bib`"
+    )
     stage.made["index.md"] = index(stage, others)
     stage.write()
     for fault in stage.faults:

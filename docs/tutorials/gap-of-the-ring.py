@@ -32,7 +32,9 @@ whole = case.run()
 data = whole.to_xarray().isel(field_crank_angle=0)
 end = data.sel(y=slice(0, 3e-3))
 figure, axes = plt.subplots(figsize=(7.5, 3.2), layout="constrained")
-mesh = axes.pcolormesh(end.y * 1e3, end.x * 1e3, end.unrolled_film_pressure.transpose("x", "y") * 1e-5, shading="nearest", cmap="viridis")
+mesh = axes.pcolormesh(
+    end.y * 1e3, end.x * 1e3, end.unrolled_film_pressure.transpose("x", "y") * 1e-5, shading="nearest", cmap="viridis"
+)
 axes.invert_yaxis()
 axes.set(xlabel="distance from the end of the ring [mm]", ylabel="from the chamber edge [mm]")
 figure.colorbar(mesh, label="film pressure [bar]")
@@ -44,10 +46,15 @@ plt.show()
 # ## What the end does to the whole
 
 # %%
-for name, label, factor, unit in (("mean_power_loss", "mean friction power", 1, "W"), ("min_film_thickness", "minimum film thickness", 1e6, "um"),
-                                  ("mean_absolute_oil_flow", "mean absolute oil flow", 1e6, "mg/s")):
+for name, label, factor, unit in (
+    ("mean_power_loss", "mean friction power", 1, "W"),
+    ("min_film_thickness", "minimum film thickness", 1e6, "um"),
+    ("mean_absolute_oil_flow", "mean absolute oil flow", 1e6, "mg/s"),
+):
     one, other = face.values[name] * factor, whole.values[name] * factor
-    print(f"{label:26s} alike all around {one:9.4f} {unit:5s} with its end gap {other:9.4f} {unit:5s} {100 * (other / one - 1):+.3f} %")
+    print(
+        f"{label:26s} alike all around {one:9.4f} {unit:5s} with its end gap {other:9.4f} {unit:5s} {100 * (other / one - 1):+.3f} %"
+    )
 gap, bore = case["ring.end_gap"], case["engine.bore"]
 print(f"The end gap itself is {100 * gap / (np.pi * bore):.3f} % of the circumference.")
 

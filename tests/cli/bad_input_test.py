@@ -31,10 +31,14 @@ class BadCase(program.ProgramTest):
         self.refuse_case(replaced("face_width", "face_widht"), "case.toml:15:1", "ring.face_widht", "ring.face_width")
 
     def test_keys_of_earlier_versions_are_named_with_their_present_names(self):
-        self.refuse("unknown key contact.film_parameter; did you mean contact.lambda_ratio?",
-                    words=("--set", "contact.film_parameter=minimum"))
-        self.refuse_case(replaced("[contact]", "[contact]\nfilm_parameter = \"minimum\""),
-                         "unknown key contact.film_parameter; did you mean contact.lambda_ratio?")
+        self.refuse(
+            "unknown key contact.film_parameter; did you mean contact.lambda_ratio?",
+            words=("--set", "contact.film_parameter=minimum"),
+        )
+        self.refuse_case(
+            replaced("[contact]", '[contact]\nfilm_parameter = "minimum"'),
+            "unknown key contact.film_parameter; did you mean contact.lambda_ratio?",
+        )
 
     def test_missing_key(self):
         self.refuse_case(replaced('bore = "89 mm"\n', ""), "engine.bore")
@@ -57,8 +61,11 @@ class BadCase(program.ProgramTest):
         self.refuse_case(replaced('bore = "89 mm"\n', 'bore = "89 mm"\nbore = "90 mm"\n'), "bore")
 
     def test_two_tensions(self):
-        self.refuse_case(replaced('elastic_pressure = "0.2 MPa"', 'elastic_pressure = "0.2 MPa"\ntangential_force = "10 N"'),
-                         "ring.elastic_pressure", "ring.tangential_force")
+        self.refuse_case(
+            replaced('elastic_pressure = "0.2 MPa"', 'elastic_pressure = "0.2 MPa"\ntangential_force = "10 N"'),
+            "ring.elastic_pressure",
+            "ring.tangential_force",
+        )
 
     def test_gauge_or_absolute_not_stated(self):
         self.refuse_case(replaced('pressure_reference = "absolute"\n', ""), "gas.pressure_reference")
@@ -67,7 +74,9 @@ class BadCase(program.ProgramTest):
         self.refuse_case(replaced('angle_zero = "firing-tdc"\n', ""), "gas.angle_zero")
 
     def test_all_faults_at_once(self):
-        text = replaced('"89 mm"', '"89 kg"').replace("face_width", "face_widht").replace('model = "trace"', 'model = "x"')
+        text = (
+            replaced('"89 mm"', '"89 kg"').replace("face_width", "face_widht").replace('model = "trace"', 'model = "x"')
+        )
         self.refuse_case(text, "engine.bore", "ring.face_widht", "gas.model")
 
     def test_empty_and_one_line_trace(self):
@@ -84,10 +93,7 @@ class BadCase(program.ProgramTest):
         self.refuse_trace(program.TRACE.replace(" [bar]", ""), "unit")
 
     def test_decimal_comma_and_byte_order_mark_are_read_or_reported(self):
-        traces = {
-            "comma": program.TRACE.replace(",", ";").replace(".", ","),
-            "mark": "\ufeff" + program.TRACE,
-        }
+        traces = {"comma": program.TRACE.replace(",", ";").replace(".", ","), "mark": "\ufeff" + program.TRACE}
         for name, text in traces.items():
             with self.subTest(name):
                 (self.folder / "trace.csv").write_text(text, encoding="utf-8")
@@ -100,8 +106,11 @@ class BadCase(program.ProgramTest):
 
     def test_face_points_that_do_not_cover_the_width(self):
         (self.folder / "face.csv").write_text("x [mm],height [um]\n0,5\n0.5,0\n1.0,5\n")
-        self.refuse_case(replaced('form = "parabola"\ncrown_height = "15 um"', 'form = "points"\nfile = "face.csv"'),
-                         "face.csv", "mm")
+        self.refuse_case(
+            replaced('form = "parabola"\ncrown_height = "15 um"', 'form = "points"\nfile = "face.csv"'),
+            "face.csv",
+            "mm",
+        )
 
     def test_missing_files(self):
         self.refuse("nowhere.toml", case="nowhere.toml")
@@ -140,7 +149,9 @@ class BadCase(program.ProgramTest):
             resource.setrlimit(resource.RLIMIT_CPU, (10, 10))
 
         done = self.run_program("check", "case.toml", preexec_fn=ten_seconds)
-        self.assert_refused(done, "unknown section [s0]", "unknown section [s99]", " more\n200", " errors; nothing was run")
+        self.assert_refused(
+            done, "unknown section [s0]", "unknown section [s99]", " more\n200", " errors; nothing was run"
+        )
         self.assertNotIn("[s100]", done.stderr)
 
     def test_a_long_list_in_one_line_does_not_fill_the_memory(self):
@@ -155,8 +166,11 @@ class BadCase(program.ProgramTest):
         self.assert_refused(done, "case.toml:1:12: include = 1 is not a file name", "20000 errors")
 
     def test_a_setting_is_given_once(self):
-        self.refuse("--set solver.cells is given more than once", "keep one of them",
-                    words=("--set", "solver.cells=60", "--set", "solver.cells=80"))
+        self.refuse(
+            "--set solver.cells is given more than once",
+            "keep one of them",
+            words=("--set", "solver.cells=60", "--set", "solver.cells=80"),
+        )
         self.refuse("--set solver.cells is given more than once", words=("--set", "solver.cells=60", "solver.cells=60"))
 
     def test_settings_on_the_command_line(self):
@@ -225,8 +239,15 @@ class BadOutput(program.ProgramTest):
 
 class BadCommandLine(program.ProgramTest):
     def test_usage_errors_are_exit_code_2(self):
-        for words in ((), ("run",), ("fly",), ("run", "case.toml", "--nonsense"), ("report", "a.nc"),
-                      ("report", "--output", "x.html"), ("run", "case.toml", "case.toml")):
+        for words in (
+            (),
+            ("run",),
+            ("fly",),
+            ("run", "case.toml", "--nonsense"),
+            ("report", "a.nc"),
+            ("report", "--output", "x.html"),
+            ("run", "case.toml", "case.toml"),
+        ):
             with self.subTest(words):
                 done = self.run_program(*words)
                 self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
@@ -234,11 +255,12 @@ class BadCommandLine(program.ProgramTest):
 
     def test_an_option_that_is_given_twice_or_without_its_value_is_reported_in_plain_words(self):
         for words, printed in (
-                (("run", "case.toml", "--output", "a.nc", "--output=b.nc"), "--output is given twice"),
-                (("run", "case.toml", "-o", "a.nc", "-o", "b.nc", "--output", "c.nc"), "--output is given 3 times"),
-                (("run", "case.toml", "-oa.nc", "-ob.nc"), "--output is given twice"),
-                (("study", "study.toml", "--threads", "2", "--threads", "3"), "--threads is given twice"),
-                (("run", "case.toml", "--output"), "--output has no value")):
+            (("run", "case.toml", "--output", "a.nc", "--output=b.nc"), "--output is given twice"),
+            (("run", "case.toml", "-o", "a.nc", "-o", "b.nc", "--output", "c.nc"), "--output is given 3 times"),
+            (("run", "case.toml", "-oa.nc", "-ob.nc"), "--output is given twice"),
+            (("study", "study.toml", "--threads", "2", "--threads", "3"), "--threads is given twice"),
+            (("run", "case.toml", "--output"), "--output has no value"),
+        ):
             with self.subTest(words):
                 done = self.run_program(*words)
                 self.assert_refused(done, printed)
@@ -246,11 +268,12 @@ class BadCommandLine(program.ProgramTest):
 
     def test_a_misspelt_command_or_option_is_named_with_the_nearest(self):
         for words, fragments in (
-                (("runn", "case.toml"), ("ringfilm runn: this is not a command; did you mean run?", "lateral-force")),
-                (("fly",), ("ringfilm fly: this is not a command",)),
-                (("run", "case.toml", "--jsn"), ("--jsn: ringfilm run has no such option; did you mean --json?",)),
-                (("run", "--outptu=x.nc"), ("--outptu: ringfilm run has no such option; did you mean --output?",)),
-                (("study", "submit", "study.toml", "--resme", "--", "--partiton=long"), ("did you mean --resume?",))):
+            (("runn", "case.toml"), ("ringfilm runn: this is not a command; did you mean run?", "lateral-force")),
+            (("fly",), ("ringfilm fly: this is not a command",)),
+            (("run", "case.toml", "--jsn"), ("--jsn: ringfilm run has no such option; did you mean --json?",)),
+            (("run", "--outptu=x.nc"), ("--outptu: ringfilm run has no such option; did you mean --output?",)),
+            (("study", "submit", "study.toml", "--resme", "--", "--partiton=long"), ("did you mean --resume?",)),
+        ):
             with self.subTest(words):
                 self.assert_refused(self.run_program(*words), *fragments)
 
@@ -268,9 +291,12 @@ class BadCommandLine(program.ProgramTest):
     def test_a_number_in_quotes_is_called_so(self):
         (self.folder / "study.toml").write_text(
             '[[base]]\ncase = "case.toml"\n[[factor]]\nkey = "contact.boundary_shear_strength_coefficient"\n'
-            'values = ["1"]\n[plan]\nmethod = "grid"\n')
+            'values = ["1"]\n[plan]\nmethod = "grid"\n'
+        )
         done = self.run_program("study", "study.toml", "-o", "out")
-        self.assert_refused(done, 'values = "1" is a number in quotes', "a number without unit is required here, for example 1\n")
+        self.assert_refused(
+            done, 'values = "1" is a number in quotes', "a number without unit is required here, for example 1\n"
+        )
 
     def test_unknown_publication(self):
         self.assert_refused(self.run_program("reproduce", "smith2020"), "smith2020", "styles2014")

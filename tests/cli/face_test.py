@@ -49,8 +49,10 @@ class Numbers(FaceTest):
     def test_the_run_in_face_of_table_4_comes_back(self):
         reported = self.json_of(*PLACED)
         self.assertEqual(reported["kind"], "face")
-        fitted = [reported[f"coefficient_{letter}"] * 1e6 * 1e-3**power
-                  for letter, power in zip("abcdef", range(6, 0, -1), strict=True)]
+        fitted = [
+            reported[f"coefficient_{letter}"] * 1e6 * 1e-3**power
+            for letter, power in zip("abcdef", range(6, 0, -1), strict=True)
+        ]
         for x in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.15):
             # Shapes agree but for a constant. 2401 points of 50 nm fix a fit of 7 numbers to 3 nm inside.
             got = polynomial((*fitted, 0), x) - polynomial((*fitted, 0), 0.6)
@@ -72,7 +74,9 @@ class Numbers(FaceTest):
     def test_a_running_surface_that_is_not_flat_is_reported(self):
         (self.folder / "trace_of_face.csv").write_text(trace(NEW))
         reported = self.json_of(*STATED, "--start", "0.3 mm", "--running-surface-height", "2 um")
-        self.assertNotAlmostEqual(reported["tilt_half_running_surface"], reported["tilt_double_running_surface"], delta=1e-3)
+        self.assertNotAlmostEqual(
+            reported["tilt_half_running_surface"], reported["tilt_double_running_surface"], delta=1e-3
+        )
         self.assertIn("the running surface is not flat", " ".join(reported["notes"]))
         self.assertNotIn("the running surface is not flat", " ".join(self.json_of(*PLACED)["notes"]))
 
@@ -104,8 +108,14 @@ class Numbers(FaceTest):
 
     def test_the_table_for_people(self):
         reported = self.run_well("face", "trace_of_face.csv", *PLACED)
-        for words in ("the stated tilt of -3 mrad was removed", "residual rms", "running surface", "edge x = b",
-                      "Where the polynomial invents shape", "ring.face_width = \"1.2 mm\""):
+        for words in (
+            "the stated tilt of -3 mrad was removed",
+            "residual rms",
+            "running surface",
+            "edge x = b",
+            "Where the polynomial invents shape",
+            'ring.face_width = "1.2 mm"',
+        ):
             self.assertIn(words, reported)
 
 
@@ -141,20 +151,36 @@ class Fragments(FaceTest):
         self.assertAlmostEqual(self.least_film() / of_polynomial, 1, delta=0.02)
 
     def test_points_require_a_fragment(self):
-        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--as", "points"),
-                            "beside the fragment", "--fragment face.toml")
+        self.assert_refused(
+            self.run_program("face", "trace_of_face.csv", *PLACED, "--as", "points"),
+            "beside the fragment",
+            "--fragment face.toml",
+        )
 
     def test_points_do_not_replace_the_trace(self):
         before = (self.folder / "trace_of_face.csv").read_bytes()
-        done = self.run_program("face", "trace_of_face.csv", *PLACED, "--as", "points", "--fragment", "trace_of_face.toml")
+        done = self.run_program(
+            "face", "trace_of_face.csv", *PLACED, "--as", "points", "--fragment", "trace_of_face.toml"
+        )
         self.assert_refused(done, "which is the trace")
         self.assertEqual((self.folder / "trace_of_face.csv").read_bytes(), before)
 
 
 class Outputs(FaceTest):
     def test_all_are_written(self):
-        reported = self.run_well("face", "trace_of_face.csv", *PLACED, "--output", "face.nc", "--html", "face.html",
-                             "--fragment", "face.toml", "--as", "points")
+        reported = self.run_well(
+            "face",
+            "trace_of_face.csv",
+            *PLACED,
+            "--output",
+            "face.nc",
+            "--html",
+            "face.html",
+            "--fragment",
+            "face.toml",
+            "--as",
+            "points",
+        )
         for name in OUTPUTS:
             self.assertIn(name, self.names())
         self.assertIn("wrote face.nc", reported)
@@ -163,17 +189,35 @@ class Outputs(FaceTest):
     def test_a_refusal_leaves_what_stood_there(self):
         for name in OUTPUTS:
             (self.folder / name).write_text("kept")
-        done = self.run_program("face", "trace_of_face.csv", "--heights", "material", "--width", "5 mm", "--output",
-                                "face.nc", "--html", "face.html", "--fragment", "face.toml", "--as", "points")
+        done = self.run_program(
+            "face",
+            "trace_of_face.csv",
+            "--heights",
+            "material",
+            "--width",
+            "5 mm",
+            "--output",
+            "face.nc",
+            "--html",
+            "face.html",
+            "--fragment",
+            "face.toml",
+            "--as",
+            "points",
+        )
         self.assert_refused(done, "does not cover the face")
         for name in OUTPUTS:
             self.assertEqual((self.folder / name).read_text(), "kept")
 
     def test_outputs_are_apart(self):
-        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--html", "trace_of_face.csv"),
-                            "would replace what is read")
-        self.assert_refused(self.run_program("face", "trace_of_face.csv", *PLACED, "--fragment", "a", "--html", "a"),
-                            "--fragment and --html name the same file a")
+        self.assert_refused(
+            self.run_program("face", "trace_of_face.csv", *PLACED, "--html", "trace_of_face.csv"),
+            "would replace what is read",
+        )
+        self.assert_refused(
+            self.run_program("face", "trace_of_face.csv", *PLACED, "--fragment", "a", "--html", "a"),
+            "--fragment and --html name the same file a",
+        )
 
 
 class Refusals(FaceTest):
@@ -182,12 +226,21 @@ class Refusals(FaceTest):
         self.assertEqual(self.names(), self.inputs, "something was written")
 
     def test_everything_that_is_missing_is_reported_at_once(self):
-        self.refuse("--heights is missing", "--width is missing", "--running-surface-height", "has no unit", "one of: running-surface, none",
-                    "4 errors", words=("--running-surface-height", "1", "--levelling", "flat"))
+        self.refuse(
+            "--heights is missing",
+            "--width is missing",
+            "--running-surface-height",
+            "has no unit",
+            "one of: running-surface, none",
+            "4 errors",
+            words=("--running-surface-height", "1", "--levelling", "flat"),
+        )
 
     def test_options_of_earlier_versions_are_named_with_their_present_names(self):
-        self.refuse("--land-height: ringfilm face has no such option; did you mean --running-surface-height?",
-                    words=(*STATED, "--land-height", "1 um"))
+        self.refuse(
+            "--land-height: ringfilm face has no such option; did you mean --running-surface-height?",
+            words=(*STATED, "--land-height", "1 um"),
+        )
         self.refuse("did you mean --levelling running-surface?", words=(*STATED, "--levelling", "land"))
 
     def test_values(self):

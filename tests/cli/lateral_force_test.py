@@ -31,13 +31,16 @@ def loops(name, slope, offset=1.0, noise=0.0, seed=1, unit="nN"):
             for i in range(101):
                 there, back = min(1, i / 5), min(1, (100 - i) / 5)
                 wave = 3 + math.sin(i / 4) + 0.05 * i
-                rows.append(f"{load},{number},{i / 10:.2f},{wave + tmr * (2 * there - 1):.9f},"
-                            f"{wave - tmr * (2 * back - 1):.9f}")
+                rows.append(
+                    f"{load},{number},{i / 10:.2f},{wave + tmr * (2 * there - 1):.9f},"
+                    f"{wave - tmr * (2 * back - 1):.9f}"
+                )
     return "\n".join(rows) + "\n"
 
 
 def gwy(path, channels):
     """A Gwyddion file of square fields in volts, 20 nm apart."""
+
     def text(value):
         return value.encode() + b"\0"
 
@@ -50,12 +53,17 @@ def gwy(path, channels):
     body = b""
     for number, (title, values) in enumerate(channels):
         size = round(math.sqrt(len(values)))
-        field = b"".join((
-            item("xres", b"i", struct.pack("<i", size)), item("yres", b"i", struct.pack("<i", size)),
-            item("xreal", b"d", struct.pack("<d", size * 20e-9)), item("yreal", b"d", struct.pack("<d", size * 20e-9)),
-            item("si_unit_xy", b"o", thing("GwySIUnit", item("unitstr", b"s", text("m")))),
-            item("si_unit_z", b"o", thing("GwySIUnit", item("unitstr", b"s", text("V")))),
-            item("data", b"D", struct.pack("<I", len(values)) + struct.pack(f"<{len(values)}d", *values))))
+        field = b"".join(
+            (
+                item("xres", b"i", struct.pack("<i", size)),
+                item("yres", b"i", struct.pack("<i", size)),
+                item("xreal", b"d", struct.pack("<d", size * 20e-9)),
+                item("yreal", b"d", struct.pack("<d", size * 20e-9)),
+                item("si_unit_xy", b"o", thing("GwySIUnit", item("unitstr", b"s", text("m")))),
+                item("si_unit_z", b"o", thing("GwySIUnit", item("unitstr", b"s", text("V")))),
+                item("data", b"D", struct.pack("<I", len(values)) + struct.pack(f"<{len(values)}d", *values)),
+            )
+        )
         body += item(f"/{number}/data", b"o", thing("GwyDataField", field))
         body += item(f"/{number}/data/title", b"s", text(title))
     path.write_bytes(b"GWYP" + thing("GwyContainer", body))
@@ -146,15 +154,27 @@ class Numbers(LateralForceTest):
             angle = math.radians(40) * sign
             rows = [f"# sample: {name}", "load [nN],position [um],trace [mV],retrace [mV]"]
             for load in LOADS:
+
                 def force(s, load=load, angle=angle):
                     return (load * (math.sin(angle) + s * 0.25 * math.cos(angle)) + s * 0.25 * 5) / (
-                        math.cos(angle) - s * 0.25 * math.sin(angle))
+                        math.cos(angle) - s * 0.25 * math.sin(angle)
+                    )
+
                 cross_talk = 0.05 * load
                 for i in range(40):
                     rows.append(f"{load},{i / 10},{force(1) / 2 + cross_talk},{force(-1) / 2 + cross_talk}")
             (self.folder / f"{name}.csv").write_text("\n".join(rows) + "\n")
-        reported = self.json_of(self.rings[0], "--wedge", "up.csv", "--wedge", "down.csv", "--wedge-angle",
-                            "40 deg +- 0.5 deg", "--wedge-angle", "-40 deg +- 0.5 deg")
+        reported = self.json_of(
+            self.rings[0],
+            "--wedge",
+            "up.csv",
+            "--wedge",
+            "down.csv",
+            "--wedge-angle",
+            "40 deg +- 0.5 deg",
+            "--wedge-angle",
+            "-40 deg +- 0.5 deg",
+        )
         self.assertAlmostEqual(reported["psi"], 2e-9 / 1e-3, delta=1e-12)
         self.assertAlmostEqual(reported["grating_friction"], 0.25, delta=1e-6)
         self.assertGreater(reported["reference_deviation"], 0)
@@ -165,20 +185,30 @@ class Numbers(LateralForceTest):
         for load in LOADS:
             tmr = (0.5 + SILICON_SLOPE * 0.3581 / REFERENCE * load) * 1e-3
             wave = [1e-3 * math.sin(i) for i in range(24 * 24)]
-            gwy(self.folder / f"scan_{load}.gwy", [("Height", [0.0] * 576), ("Trace", [w + tmr for w in wave]),
-                                                   ("Retrace", [w - tmr for w in wave])])
+            gwy(
+                self.folder / f"scan_{load}.gwy",
+                [("Height", [0.0] * 576), ("Trace", [w + tmr for w in wave]), ("Retrace", [w - tmr for w in wave])],
+            )
             words += ["--load", f"{load} nN"]
         files = [f"scan_{load}.gwy" for load in LOADS]
         for channels in (("2", "3"), ("Trace", "Retrace")):
             reported = self.json_of(*files, *words, "--channels", *channels, "--name", "scanned", *ON_SILICON)
             self.assertAlmostEqual(reported["boundary_shear_strength_coefficient"], 0.3581, delta=1e-7)
         self.assertIn("24 of 24 lines at 5 nN", " ".join(reported["sources"]))
-        self.assert_refused(self.run_program("lateral-force", *files, *words, "--channels", "2", "2", *ON_SILICON),
-                            "trace and retrace are one channel")
-        self.assert_refused(self.run_program("lateral-force", *files, *words, "--channels", "2", "9", *ON_SILICON),
-                            "scan_5.gwy", "there is no channel 9", "Retrace")
-        self.assert_refused(self.run_program("lateral-force", *files, *words[2:], "--channels", "2", "3", *ON_SILICON),
-                            "6 scans, but 5 loads")
+        self.assert_refused(
+            self.run_program("lateral-force", *files, *words, "--channels", "2", "2", *ON_SILICON),
+            "trace and retrace are one channel",
+        )
+        self.assert_refused(
+            self.run_program("lateral-force", *files, *words, "--channels", "2", "9", *ON_SILICON),
+            "scan_5.gwy",
+            "there is no channel 9",
+            "Retrace",
+        )
+        self.assert_refused(
+            self.run_program("lateral-force", *files, *words[2:], "--channels", "2", "3", *ON_SILICON),
+            "6 scans, but 5 loads",
+        )
 
 
 class Fragments(LateralForceTest):
@@ -198,10 +228,17 @@ class Fragments(LateralForceTest):
 
     def test_several_samples_require_one_named(self):
         before = self.names()
-        self.assert_refused(self.run_program("lateral-force", *self.rings, *ON_SILICON, "--fragment", "shear.toml"),
-                            "3 samples", "--sample NAME", "bedded ring")
-        self.assert_refused(self.run_program("lateral-force", *self.rings, *ON_SILICON, "--sample", "old ring"),
-                            "there is no such sample", "new ring, run-in ring, bedded ring")
+        self.assert_refused(
+            self.run_program("lateral-force", *self.rings, *ON_SILICON, "--fragment", "shear.toml"),
+            "3 samples",
+            "--sample NAME",
+            "bedded ring",
+        )
+        self.assert_refused(
+            self.run_program("lateral-force", *self.rings, *ON_SILICON, "--sample", "old ring"),
+            "there is no such sample",
+            "new ring, run-in ring, bedded ring",
+        )
         self.assertEqual(self.names(), before)
         self.run_well("lateral-force", *self.rings, *ON_SILICON, "--sample", "run-in ring", "--fragment", "shear.toml")
         self.assertIn("coefficient = 0.2565", (self.folder / "shear.toml").read_text())
@@ -235,14 +272,18 @@ class Outputs(LateralForceTest):
         for name in self.WRITTEN:
             (self.folder / name).write_text("kept")
         (self.folder / "falling.csv").write_text(loops("falling", -0.1, offset=20))
-        self.assert_refused(self.run_program("lateral-force", "falling.csv", *ON_SILICON, *self.WORDS),
-                            "falling does not rise with load")
+        self.assert_refused(
+            self.run_program("lateral-force", "falling.csv", *ON_SILICON, *self.WORDS),
+            "falling does not rise with load",
+        )
         for name in self.WRITTEN:
             self.assertEqual((self.folder / name).read_text(), "kept")
 
     def test_outputs_do_not_replace_inputs(self):
-        self.assert_refused(self.run_program("lateral-force", self.rings[0], *ON_SILICON, "--output", "silicon.csv"),
-                            "would replace what is read")
+        self.assert_refused(
+            self.run_program("lateral-force", self.rings[0], *ON_SILICON, "--output", "silicon.csv"),
+            "would replace what is read",
+        )
 
 
 class Refusals(LateralForceTest):
@@ -265,11 +306,18 @@ class Refusals(LateralForceTest):
         self.refuse(*same, "(sub/copy.csv)", "(silicon.csv)", words=("sub/copy.csv", *ON_SILICON))
 
     def test_no_reference_is_a_default(self):
-        self.refuse("--silicon without --reference", "ahimou2007", "warmack1994",
-                    words=(self.rings[0], "--silicon", "silicon.csv"))
-        self.refuse("has more than a number", words=(self.rings[0], "--silicon", "silicon.csv", "--reference", "0.19 N"))
-        self.refuse("a deviation below zero",
-                    words=(self.rings[0], "--silicon", "silicon.csv", "--reference", "0.19 +- -0.1"))
+        self.refuse(
+            "--silicon without --reference",
+            "ahimou2007",
+            "warmack1994",
+            words=(self.rings[0], "--silicon", "silicon.csv"),
+        )
+        self.refuse(
+            "has more than a number", words=(self.rings[0], "--silicon", "silicon.csv", "--reference", "0.19 N")
+        )
+        self.refuse(
+            "a deviation below zero", words=(self.rings[0], "--silicon", "silicon.csv", "--reference", "0.19 +- -0.1")
+        )
 
     def test_values(self):
         self.refuse("is not between 0 and 0.49", words=(self.rings[0], *ON_SILICON, "--end-share", "0.5"))
@@ -293,6 +341,7 @@ class Refusals(LateralForceTest):
         def lever(text, *fragments):
             (self.folder / "lever.toml").write_text(text)
             self.refuse(*fragments, words=(self.rings[0], "--lever", "lever.toml"))
+
         lever(LEVER, "youngs_modulus is missing: the loads are in newtons", "4 errors")
         lever(LEVER.replace("rectangular", "v-shaped"), "youngs_modulus", "missing")
         lever(LEVER.replace("length", "lenght"), "lever.toml:2:1", "did you mean length?")

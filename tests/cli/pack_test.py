@@ -123,11 +123,13 @@ class Pack(program.ProgramTest):
         self.assertIn("ring.2.pressure_above is the pressure below ring 1", refused)
 
     def test_unknown_keys_rings_and_mixtures_are_refused(self):
-        self.assertIn("did you mean ring.2.face_width?",
-                      self.refused("run", "pack.toml", "--set", "ring.2.face_widht=1 mm"))
+        self.assertIn(
+            "did you mean ring.2.face_width?", self.refused("run", "pack.toml", "--set", "ring.2.face_widht=1 mm")
+        )
         self.assertIn("there are 3 rings", self.refused("run", "pack.toml", "--set", "ring.4.face_width=1 mm"))
-        self.assertIn("belongs to no ring of the pack",
-                      self.refused("run", "pack.toml", "--set", "ring.face_width=1 mm"))
+        self.assertIn(
+            "belongs to no ring of the pack", self.refused("run", "pack.toml", "--set", "ring.face_width=1 mm")
+        )
 
     def test_missing_keys_name_their_ring(self):
         refused = self.refused("run", "pack.toml", "--set", "ring.2.face_width=")

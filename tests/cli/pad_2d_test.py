@@ -2,7 +2,6 @@
 
 import unittest
 
-import program
 from classic_netcdf import gap_map
 from pad_test import PAD, PadTest
 
@@ -33,7 +32,10 @@ class Numbers(Film2dTest):
         self.assertAlmostEqual(reported["peak_position_y"], 0.01, delta=1e-6)
         self.assertEqual(reported["units"]["flow_front"], "m3/s")
         # What comes in at the left goes out at the right and at the sides.
-        inflow, outflow = 0.02 * reported["flow_left"], 0.02 * reported["flow_right"] + reported["flow_back"] - reported["flow_front"]
+        inflow, outflow = (
+            0.02 * reported["flow_left"],
+            0.02 * reported["flow_right"] + reported["flow_back"] - reported["flow_front"],
+        )
         self.assertAlmostEqual(inflow / outflow, 1, delta=1e-7)
         self.assertLess(reported["mass_residual"], 1e-7)
 
@@ -91,8 +93,9 @@ class Numbers(Film2dTest):
         self.assert_refused(self.run_program("report", "film.nc", "--output", "film.html"), "the film of a pad")
 
     def test_a_history_has_its_numbers_over_time(self):
-        reported = self.json_of("--set", "pad.separation=", "--set", "pad.separation_history=h.csv", "--set",
-                            "pad.time_step=0.5 ms")
+        reported = self.json_of(
+            "--set", "pad.separation=", "--set", "pad.separation_history=h.csv", "--set", "pad.time_step=0.5 ms"
+        )
         self.assertEqual(len(reported["history"]["total_load"]), 5)
         self.assertGreater(reported["history"]["total_load"][2], reported["history"]["total_load"][0])
 
@@ -118,8 +121,12 @@ class Refusals(Film2dTest):
 
     def test_pressures_at_sides_that_have_none(self):
         for sides in ("periodic", "closed"):
-            self.refuse("pad.front_pressure is not used", "pad.back_pressure is not used", 'pad.sides = "open"',
-                        words=("--set", f"pad.sides={sides}"))
+            self.refuse(
+                "pad.front_pressure is not used",
+                "pad.back_pressure is not used",
+                'pad.sides = "open"',
+                words=("--set", f"pad.sides={sides}"),
+            )
 
     def test_keys_of_a_ring_name_themselves_and_not_the_section_that_pads_need(self):
         self.refuse("take film.dimension out", words=("--set", "film.dimension=unrolled"))
@@ -133,12 +140,25 @@ class Refusals(Film2dTest):
 
     def test_edges_below_the_cavitation_pressure(self):
         for side in ("left", "right", "front", "back"):
-            self.refuse(f"pad.{side}_pressure = -1 bar is below film.cavitation_pressure = 0 bar",
-                        "lower film.cavitation_pressure", words=("--set", f"pad.{side}_pressure=-1 bar"))
+            self.refuse(
+                f"pad.{side}_pressure = -1 bar is below film.cavitation_pressure = 0 bar",
+                "lower film.cavitation_pressure",
+                words=("--set", f"pad.{side}_pressure=-1 bar"),
+            )
 
     def test_a_map_and_no_width(self):
-        words = ("--set", "pad.width=", "--set", "pad.front_pressure=", "--set", "pad.back_pressure=", "--set",
-                 "solver.cells_y=", "--set", "pad.gap=map.csv")
+        words = (
+            "--set",
+            "pad.width=",
+            "--set",
+            "pad.front_pressure=",
+            "--set",
+            "pad.back_pressure=",
+            "--set",
+            "solver.cells_y=",
+            "--set",
+            "pad.gap=map.csv",
+        )
         self.refuse("a map over x and y", "state pad.width", words=words)
 
     def test_a_map_of_another_size(self):
@@ -146,12 +166,17 @@ class Refusals(Film2dTest):
         self.refuse_map(MAP.replace(",20,", ",18,"), "from y = 0 to 18 mm", "the pad from 0 to 20 mm", "pad.width")
 
     def test_a_map_that_is_not_a_full_rectangle(self):
-        self.refuse_map(HEAD + "0,0,20\n10,0,10\n0,20,20\n", "map.csv:4:3", "the last y has 1 points, the first 2",
-                        "full rectangle")
-        self.refuse_map(HEAD + "0,0,20\n5,0,15\n10,0,10\n0,20,20\n6,20,15\n10,20,10\n", "map.csv:6:1",
-                        "x = 6 mm is given here, where the first y has x = 5 mm")
-        self.refuse_map(HEAD + "0,0,20\n5,0,15\n10,0,10\n0,20,20\n5,20,15\n10,21,10\n", "map.csv:7:4",
-                        "y changes after 2 points")
+        self.refuse_map(
+            HEAD + "0,0,20\n10,0,10\n0,20,20\n", "map.csv:4:3", "the last y has 1 points, the first 2", "full rectangle"
+        )
+        self.refuse_map(
+            HEAD + "0,0,20\n5,0,15\n10,0,10\n0,20,20\n6,20,15\n10,20,10\n",
+            "map.csv:6:1",
+            "x = 6 mm is given here, where the first y has x = 5 mm",
+        )
+        self.refuse_map(
+            HEAD + "0,0,20\n5,0,15\n10,0,10\n0,20,20\n5,20,15\n10,21,10\n", "map.csv:7:4", "y changes after 2 points"
+        )
         self.refuse_map(HEAD + "0,0,20\n10,0,10\n", "only one y")
 
     def test_a_map_whose_places_do_not_rise(self):
@@ -166,31 +191,42 @@ class Refusals(Film2dTest):
         self.refuse_map(MAP.replace("0,20,20", "0,20,"), "map.csv:4", "a value is missing")
         x, y = [0, 10], [0, 20]
         self.refuse_netcdf(gap_map(x, y, [20, 10, float("nan"), 10]), "a hole at x = 0 mm, y = 20 mm")
-        self.refuse_netcdf(gap_map(x, y, [20, 10, 20, -99], attributes={"units": "um", "_FillValue": -99.0}),
-                           "a hole at x = 10 mm, y = 20 mm")
+        self.refuse_netcdf(
+            gap_map(x, y, [20, 10, 20, -99], attributes={"units": "um", "_FillValue": -99.0}),
+            "a hole at x = 10 mm, y = 20 mm",
+        )
         # What NetCDF leaves where nothing is written.
         self.refuse_netcdf(gap_map(x, y, [20, 10, 9.9692099683868690e36, 10]), "a hole at x = 0 mm, y = 20 mm")
 
     def test_heights_beyond_reason(self):
-        self.refuse_map(MAP.replace("0,20,20", "0,20,9.969e36"), "map.csv:4", "not the thickness of an oil film", "marks a hole")
+        self.refuse_map(
+            MAP.replace("0,20,20", "0,20,9.969e36"), "map.csv:4", "not the thickness of an oil film", "marks a hole"
+        )
 
     def test_netcdf_that_is_not_a_map(self):
         x, y, h = [0, 5, 10], [0, 20], [20, 15, 10, 20, 15, 10]
         self.refuse_netcdf(gap_map(x, y, h, over=("x", "y")), "h does not run over (y, x)", "a row of all x for each y")
-        self.refuse_netcdf(gap_map(x, y, h, attributes={}), "the variable h has no units", "for example \"mm\"")
+        self.refuse_netcdf(gap_map(x, y, h, attributes={}), "the variable h has no units", 'for example "mm"')
         self.refuse_netcdf(gap_map(x, y, h, attributes={"units": "kg"}), "the variable h", "length")
-        self.refuse_netcdf(gap_map(x, y, h, attributes={"units": "um", "scale_factor": 2.0}), "packed with scale_factor")
+        self.refuse_netcdf(
+            gap_map(x, y, h, attributes={"units": "um", "scale_factor": 2.0}), "packed with scale_factor"
+        )
         self.refuse_netcdf(gap_map(x, [20, 0], h), "y[1] = 0 mm lies below y[0] = 20 mm")
         self.refuse_netcdf(gap_map(x, y, h)[:60], "cannot be read as NetCDF")
         self.refuse_netcdf(gap_map(x, y, h).replace(b"\0\0\0\1h\0", b"\0\0\0\1g\0"), "no variable h")
 
     def test_a_film_of_no_thickness_reports_both_places(self):
-        self.refuse_map(MAP.replace("10,20,10", "10,20,-1"), "at x = 10 mm, y = 20 mm the gap is -1 um",
-                        "no film is left")
+        self.refuse_map(
+            MAP.replace("10,20,10", "10,20,-1"), "at x = 10 mm, y = 20 mm the gap is -1 um", "no film is left"
+        )
 
     def test_joined_sides_of_different_gaps(self):
-        self.refuse_map(MAP.replace("0,20,20", "0,20,21"), "joins the sides", "20 um at y = 0 and 21 um at y = width",
-                        words=PERIODIC)
+        self.refuse_map(
+            MAP.replace("0,20,20", "0,20,21"),
+            "joins the sides",
+            "20 um at y = 0 and 21 um at y = width",
+            words=PERIODIC,
+        )
 
     def test_grids_beyond_reason(self):
         self.refuse("more than 2e+06", "fewer cells", words=("--set", "solver.cells_y=100000"))

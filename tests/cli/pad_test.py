@@ -111,12 +111,28 @@ class Numbers(PadTest):
         self.assertIn("separation-adds-to-gap", [note["topic"] for note in reported["notes"]])
 
     def test_a_history_gives_arrays_over_time_and_the_last_instant(self):
-        reported = self.json_of("--csv", "out.csv", "--set", "pad.separation=", "--set", "pad.separation_history=h.csv",
-                            "--set", "pad.time_step=0.25 ms")
+        reported = self.json_of(
+            "--csv",
+            "out.csv",
+            "--set",
+            "pad.separation=",
+            "--set",
+            "pad.separation_history=h.csv",
+            "--set",
+            "pad.time_step=0.25 ms",
+        )
         history = reported["history"]
         self.assertEqual(len(history["time"]), 9)
-        for name in ("load", "friction_moving", "flow_left", "peak_film_pressure", "rupture_positions",
-                     "reformation_positions", "min_film_thickness", "cavitated_fraction"):
+        for name in (
+            "load",
+            "friction_moving",
+            "flow_left",
+            "peak_film_pressure",
+            "rupture_positions",
+            "reformation_positions",
+            "min_film_thickness",
+            "cavitated_fraction",
+        ):
             self.assertEqual(len(history[name]), 9, name)
         self.assertEqual(reported["time"], 0.002)
         self.assertEqual(reported["load"], history["load"][-1])
@@ -125,8 +141,18 @@ class Numbers(PadTest):
         self.assertEqual(len(self.rows("out.csv")), 1 + 9 * 101)
 
     def test_only_the_requested_instants_are_kept(self):
-        reported = self.json_of("--set", "pad.separation=", "--set", "pad.separation_history=h.csv", "--set",
-                            "pad.time_step=0.1 ms", "--set", "pad.output_step=1 ms", "--set", "pad.end_time=1.5 ms")
+        reported = self.json_of(
+            "--set",
+            "pad.separation=",
+            "--set",
+            "pad.separation_history=h.csv",
+            "--set",
+            "pad.time_step=0.1 ms",
+            "--set",
+            "pad.output_step=1 ms",
+            "--set",
+            "pad.end_time=1.5 ms",
+        )
         self.assertEqual([round(1e3 * t, 9) for t in reported["history"]["time"]], [0, 1, 1.5])
         self.assertEqual(reported["effort"]["time_steps"], 15)
 
@@ -139,11 +165,13 @@ class Numbers(PadTest):
 
     def test_barus_and_dowson_higginson_change_the_film(self):
         plain = self.json_of()["load"]
-        barus = self.json_of("--set", "lubricant.viscosity_pressure=barus", "--set",
-                             "lubricant.pressure_viscosity_coefficient=2e-8 m2/N")["load"]
+        barus = self.json_of(
+            "--set", "lubricant.viscosity_pressure=barus", "--set", "lubricant.pressure_viscosity_coefficient=2e-8 m2/N"
+        )["load"]
         self.assertGreater(barus, 1.01 * plain)
-        dense = self.json_of("--set", "lubricant.compressibility=dowson-higginson", "--set",
-                             "lubricant.dh_a=1e-8 1/Pa")["load"]
+        dense = self.json_of(
+            "--set", "lubricant.compressibility=dowson-higginson", "--set", "lubricant.dh_a=1e-8 1/Pa"
+        )["load"]
         self.assertNotAlmostEqual(dense / plain, 1, delta=1e-4)
 
     def test_a_case_without_title_is_complete(self):
@@ -186,7 +214,9 @@ class Refusals(PadTest):
         self.refuse_set("pad.separation=", "exactly one of")
 
     def test_keys_of_an_engine(self):
-        (self.folder / "pad.toml").write_text(PAD + '[engine]\nbore = "89 mm"\nstroke = "80 mm"\n[ring]\nface_width = "1 mm"\n')
+        (self.folder / "pad.toml").write_text(
+            PAD + '[engine]\nbore = "89 mm"\nstroke = "80 mm"\n[ring]\nface_width = "1 mm"\n'
+        )
         self.refuse("pad.toml:17:1", "engine.bore", "without engine, gas and ring", "take [ring] out", "2 errors")
 
     def test_missing_keys(self):
@@ -245,8 +275,20 @@ class Refusals(PadTest):
         self.refuse("--ledger", words=("--ledger",))
 
     def test_a_load_that_nothing_carries_is_exit_code_3(self):
-        done = self.run_program("run", "pad.toml", "--set", "pad.separation=", "--set", "pad.load=1 N/m", "--set",
-                                "pad.left_pressure=1 bar", "--set", "pad.right_pressure=1 bar", "--csv", "out.csv")
+        done = self.run_program(
+            "run",
+            "pad.toml",
+            "--set",
+            "pad.separation=",
+            "--set",
+            "pad.load=1 N/m",
+            "--set",
+            "pad.left_pressure=1 bar",
+            "--set",
+            "pad.right_pressure=1 bar",
+            "--csv",
+            "out.csv",
+        )
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("the films that were tried carry from 1000 N/m", done.stderr)
         self.assertNotIn("out.csv", self.names())

@@ -26,7 +26,8 @@ class Report(program.ProgramTest):
     def test_overlay_is_laid_over_and_named(self):
         (self.folder / "floating_liner.csv").write_text(
             "crank_angle [degree],friction_on_liner [N],min_film_thickness [um],friction_coefficient\n"
-            "-20,10.5,1.25,0.01\n0,-3,0.8,0.1\n20,-50,0.7,0.15\n")
+            "-20,10.5,1.25,0.01\n0,-3,0.8,0.1\n20,-50,0.7,0.15\n"
+        )
         self.run_well("report", "a.nc", "--overlay", "floating_liner.csv", "--output", "page.html")
         self.assertIn("floating_liner", (self.folder / "page.html").read_text())
 
@@ -47,8 +48,12 @@ class Report(program.ProgramTest):
 
     def test_what_is_not_a_result_is_refused(self):
         (self.folder / "cut.nc").write_bytes((self.folder / "a.nc").read_bytes()[:20000])
-        for name, fragment in (("none.nc", "no such file"), ("case.toml", "not a NetCDF file"), ("cut.nc", "cut.nc"),
-                               (".", "folder")):
+        for name, fragment in (
+            ("none.nc", "no such file"),
+            ("case.toml", "not a NetCDF file"),
+            ("cut.nc", "cut.nc"),
+            (".", "folder"),
+        ):
             with self.subTest(name):
                 done = self.run_program("report", name, "--output", "page.html")
                 self.assert_refused(done, fragment)
@@ -61,14 +66,23 @@ class Report(program.ProgramTest):
 
     def test_a_name_that_ends_like_another_kind_of_file_is_refused(self):
         before = self.names()
-        self.assert_refused(self.run_program("report", "a.nc", "--output", "page.nc"),
-                            "--output page.nc: a web page is written here, and .nc is the ending of a NetCDF file",
-                            "the ending .html")
-        self.assert_refused(self.run_program("run", "case.toml", "-o", "X.HTML"),
-                            "--output X.HTML: a NetCDF file is written here", "the ending .nc")
-        self.assert_refused(self.run_program("run", "case.toml", "--output", "a.html", "--csv", "a.nc"),
-                            "--output a.html: a NetCDF file is written here", "the ending .nc",
-                            "--csv a.nc: a CSV file is written here", "the ending .csv")
+        self.assert_refused(
+            self.run_program("report", "a.nc", "--output", "page.nc"),
+            "--output page.nc: a web page is written here, and .nc is the ending of a NetCDF file",
+            "the ending .html",
+        )
+        self.assert_refused(
+            self.run_program("run", "case.toml", "-o", "X.HTML"),
+            "--output X.HTML: a NetCDF file is written here",
+            "the ending .nc",
+        )
+        self.assert_refused(
+            self.run_program("run", "case.toml", "--output", "a.html", "--csv", "a.nc"),
+            "--output a.html: a NetCDF file is written here",
+            "the ending .nc",
+            "--csv a.nc: a CSV file is written here",
+            "the ending .csv",
+        )
         self.assertEqual(self.names(), before)
 
     def test_a_result_with_one_changed_byte_is_refused_before_it_is_parsed(self):
@@ -76,7 +90,7 @@ class Report(program.ProgramTest):
         step = len(whole) // 60
         for at in [*range(0, 120, 5), *range(120, len(whole), step), len(whole) - 1]:
             with self.subTest(at):
-                (self.folder / "b.nc").write_bytes(whole[:at] + bytes([whole[at] ^ 1 << at % 8]) + whole[at + 1:])
+                (self.folder / "b.nc").write_bytes(whole[:at] + bytes([whole[at] ^ 1 << at % 8]) + whole[at + 1 :])
                 self.assert_refused(self.run_program("report", "b.nc", "--output", "page.html"), "b.nc: ")
                 self.assertFalse((self.folder / "page.html").exists())
 
@@ -89,7 +103,9 @@ class Report(program.ProgramTest):
         data = xarray.load_dataset(self.folder / "a.nc")
         data.attrs["title"] = "another title"
         data.to_netcdf(self.folder / "a.nc")
-        self.assert_refused(self.run_program("report", "a.nc", "--output", "page.html"), "SHA-256 digest", "run its case again")
+        self.assert_refused(
+            self.run_program("report", "a.nc", "--output", "page.html"), "SHA-256 digest", "run its case again"
+        )
 
     def test_page_never_replaces_what_it_is_drawn_from(self):
         result = (self.folder / "a.nc").read_bytes()
@@ -98,19 +114,36 @@ class Report(program.ProgramTest):
 
 
 class FieldsForParaView(program.ProgramTest):
-    UNROLLED = ("--set", "film.dimension=unrolled", "--set", "ring.end_gap=0.3 mm", "--set", "solver.cells=24",
-                "--set", "solver.cells_y=32", "--set", "solver.crank_step=6 degree", "--set",
-                "output.crank_angles=6 degree", "--set", 'output.fields=["0 degree", "18 degree", "180 degree"]')
+    UNROLLED = (
+        "--set",
+        "film.dimension=unrolled",
+        "--set",
+        "ring.end_gap=0.3 mm",
+        "--set",
+        "solver.cells=24",
+        "--set",
+        "solver.cells_y=32",
+        "--set",
+        "solver.crank_step=6 degree",
+        "--set",
+        "output.crank_angles=6 degree",
+        "--set",
+        'output.fields=["0 degree", "18 degree", "180 degree"]',
+    )
 
     def test_a_series_and_a_page_are_drawn_from_the_result(self):
         self.run_well("run", "case.toml", *self.UNROLLED, "--output", "ring.nc")
         printed = self.run_well("report", "ring.nc", "--vts", "fields", "--output", "page.html")
         self.assertIn("fields/ring.pvd", printed)
-        self.assertEqual([name for name in self.names() if name.startswith("fields/")],
-                         ["fields/ring.pvd", "fields/ring_0000.vts", "fields/ring_0001.vts", "fields/ring_0002.vts"])
+        self.assertEqual(
+            [name for name in self.names() if name.startswith("fields/")],
+            ["fields/ring.pvd", "fields/ring_0000.vts", "fields/ring_0001.vts", "fields/ring_0002.vts"],
+        )
         listed = xml.etree.ElementTree.parse(self.folder / "fields" / "ring.pvd")
-        self.assertEqual([(one.get("timestep"), one.get("file")) for one in listed.iter("DataSet")],
-                         [("0", "ring_0000.vts"), ("18", "ring_0001.vts"), ("180", "ring_0002.vts")])
+        self.assertEqual(
+            [(one.get("timestep"), one.get("file")) for one in listed.iter("DataSet")],
+            [("0", "ring_0000.vts"), ("18", "ring_0001.vts"), ("180", "ring_0002.vts")],
+        )
         self.assertIn('"film_pressure":{"low":', (self.folder / "page.html").read_text())
 
     def test_cylinder_and_plane_hold_the_same_pressures(self):
@@ -138,19 +171,27 @@ class FieldsForParaView(program.ProgramTest):
 
         flat = numbers(piece.find("Points/DataArray"), "d", 8)
         return list(zip(flat[::3], flat[1::3], flat[2::3])), numbers(
-            piece.find("PointData/DataArray[@Name='film_pressure']"), "f", 4)
+            piece.find("PointData/DataArray[@Name='film_pressure']"), "f", 4
+        )
 
     def test_what_has_no_such_fields_is_refused(self):
         self.run_well("run", "case.toml", "--output", "face.nc")
         before = self.names()
-        self.assert_refused(self.run_program("report", "face.nc", "--vts", "fields", "--output", "page.html"),
-                            'film.dimension = "unrolled"')
+        self.assert_refused(
+            self.run_program("report", "face.nc", "--vts", "fields", "--output", "page.html"),
+            'film.dimension = "unrolled"',
+        )
         self.assert_refused(self.run_program("report", "face.nc", "--vts", "case.toml"), "not a folder")
         self.assert_refused(self.run_program("report", "face.nc", "--vts", "none/fields"), "does not exist")
         self.assert_refused(self.run_program("report", "face.nc", "face.nc", "--vts", "fields"), "one result at a time")
-        self.assert_refused(self.run_program("report", "face.nc", "--vts", "fields", "--vts-shape", "ball"), "cylinder, plane")
-        self.assert_refused(self.run_program("report", "face.nc", "--vts-shape", "plane", "--output", "page.html"),
-                            "--vts-shape", "add --vts DIR")
+        self.assert_refused(
+            self.run_program("report", "face.nc", "--vts", "fields", "--vts-shape", "ball"), "cylinder, plane"
+        )
+        self.assert_refused(
+            self.run_program("report", "face.nc", "--vts-shape", "plane", "--output", "page.html"),
+            "--vts-shape",
+            "add --vts DIR",
+        )
         self.assert_refused(self.run_program("report", "face.nc"), "--output", "--vts")
         self.assertEqual(self.names(), before)
 
@@ -160,7 +201,13 @@ class Reproduce(program.ProgramTest):
         printed = self.run_well("reproduce", "styles2014", "--output", "paper")
         names = sorted(path.name for path in (self.folder / "paper").iterdir())
         self.assertEqual(names, ["embedded.nc", "new.nc", "report.html", "run-in.nc"])
-        for fragment in ("SYNTHETIC", "paper, section 4", "independent implementation", "report.html", "mean friction power"):
+        for fragment in (
+            "SYNTHETIC",
+            "paper, section 4",
+            "independent implementation",
+            "report.html",
+            "mean friction power",
+        ):
             self.assertIn(fragment, printed)
         page = (self.folder / "paper" / "report.html").read_text()
         for title in ("new ring", "run-in ring", "embedded ring"):

@@ -31,8 +31,18 @@ class Run(program.ProgramTest):
     def test_prints_a_summary_in_engineers_units_and_writes_nothing_unasked(self):
         before = self.names()
         printed = self.run_well("run", "case.toml")
-        for fragment in ("a small case", "1500 rpm", "kPa", " W ", "um ", "mg/s", "boundary", "Newton iterations",
-                         "film.cavitation = mass-conserving", "assumed:"):
+        for fragment in (
+            "a small case",
+            "1500 rpm",
+            "kPa",
+            " W ",
+            "um ",
+            "mg/s",
+            "boundary",
+            "Newton iterations",
+            "film.cavitation = mass-conserving",
+            "assumed:",
+        ):
             self.assertIn(fragment, printed)
         self.assertEqual(self.names(), before)
 
@@ -50,8 +60,9 @@ class Run(program.ProgramTest):
         for row in rows:
             at = {name: row[i] for name, i in column.items()}
             # Newton stops at 1e-8 of film and pressure; 1e-6 leaves room for the slope of the load.
-            self.assertAlmostEqual(at["hydrodynamic_load"] + at["asperity_load"], at["applied_load"],
-                                   delta=1e-6 * at["applied_load"])
+            self.assertAlmostEqual(
+                at["hydrodynamic_load"] + at["asperity_load"], at["applied_load"], delta=1e-6 * at["applied_load"]
+            )
             load = (p_e + at["gas_pressure"]) * 3.141592653589793 * bore * width
             self.assertAlmostEqual(at["applied_load"], load, delta=1e-9 * load)
             self.assertAlmostEqual(at["total_friction"], at["boundary_friction"] + at["viscous_friction"], places=9)
@@ -62,7 +73,9 @@ class Run(program.ProgramTest):
         column = {name.split(" [")[0]: i for i, name in enumerate(header)}
         values = self.values()
         power = sum(row[column["power_loss"]] for row in rows) / len(rows)
-        self.assertAlmostEqual(values["mean_power_loss"], power, delta=0.005 * power)  # 720 points against the integration
+        self.assertAlmostEqual(
+            values["mean_power_loss"], power, delta=0.005 * power
+        )  # 720 points against the integration
         swept = 3.141592653589793 / 4 * 0.089**2 * 0.0795
         self.assertAlmostEqual(values["fmep"], values["energy_per_cycle"] / swept, delta=1e-6 * values["fmep"])
         self.assertLessEqual(values["min_film_thickness"], 1.0001 * min(r[column["min_film_thickness"]] for r in rows))
@@ -88,8 +101,9 @@ class Run(program.ProgramTest):
         self.assertRegex(printed, r"\d \+- [0-9.]+ kPa +friction mean effective pressure")
         self.assertIn("80 cells at 2 degree", " ".join(printed.split()))
         values = self.values(*coarse)
-        fine = self.values("--set", "solver.cells=160", "--set", "solver.crank_step=0.5 degree",
-                           "--set", "solver.step_error=6.25e-5")
+        fine = self.values(
+            "--set", "solver.cells=160", "--set", "solver.crank_step=0.5 degree", "--set", "solver.step_error=6.25e-5"
+        )
         for name in ("fmep", "mean_absolute_oil_flow", "max_film_thickness"):
             self.assertLessEqual(abs(values[name] - fine[name]), values["errors"][name], name)
         self.assertEqual([run["cells"] for run in values["error_estimate"]["runs"]], [40, 80, 20, 40, 40])
@@ -135,8 +149,17 @@ class Run(program.ProgramTest):
             import xarray
         except ImportError:
             program.skip_loudly(self, "python3-xarray and python3-netcdf4 are not installed")
-        self.run_well("run", "case.toml", "--output", "a.nc", "--csv", "a.csv", "--ledger",
-                      "--set", 'output.fields=["0 degree", "20 degree"]')
+        self.run_well(
+            "run",
+            "case.toml",
+            "--output",
+            "a.nc",
+            "--csv",
+            "a.csv",
+            "--ledger",
+            "--set",
+            'output.fields=["0 degree", "20 degree"]',
+        )
         with open(self.folder / "a.csv", newline="") as stream:
             curves = list(csv.DictReader(stream))
         with xarray.open_dataset(self.folder / "a.nc") as data:
@@ -162,8 +185,18 @@ class Run(program.ProgramTest):
     def test_cycle_without_a_balance_is_exit_code_3_and_keeps_the_old_files(self):
         (self.folder / "a.nc").write_text("old")
         # Asperities of a rubber-like modulus carry at most some bar, and a film that hardly moves carries nothing.
-        done = self.run_program("run", "case.toml", "--output", "a.nc", "--csv", "a.csv",
-                                "--set", "contact.composite_modulus=0.1 GPa", "--set", "operating.speed=1e-6 rpm")
+        done = self.run_program(
+            "run",
+            "case.toml",
+            "--output",
+            "a.nc",
+            "--csv",
+            "a.csv",
+            "--set",
+            "contact.composite_modulus=0.1 GPa",
+            "--set",
+            "operating.speed=1e-6 rpm",
+        )
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
         self.assertIn("exit code 3", done.stderr)
         self.assertIn("nothing was written", done.stderr)
@@ -177,9 +210,20 @@ class Run(program.ProgramTest):
 
     def test_an_integration_that_stops_writes_what_it_had_solved_and_reports_that_it_is_a_part(self):
         # So few asperities carry nothing, and a face that is lowest at its edge has a wedge in one direction only.
-        done = self.run_program("run", "case.toml", "--output", "a.nc", "--csv", "a.csv", "--set",
-                                "operating.speed=30 rpm", "--set", "contact.asperity_density=1e-4 um-2", "--set",
-                                "ring.face.apex=1")
+        done = self.run_program(
+            "run",
+            "case.toml",
+            "--output",
+            "a.nc",
+            "--csv",
+            "a.csv",
+            "--set",
+            "operating.speed=30 rpm",
+            "--set",
+            "contact.asperity_density=1e-4 um-2",
+            "--set",
+            "ring.face.apex=1",
+        )
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
         self.assertIn("neither the film nor the asperities carry", done.stderr)
         with open(self.folder / "a.csv", newline="") as stream:
@@ -191,8 +235,18 @@ class Run(program.ProgramTest):
         self.assertIn("wrote", page)
 
     def test_progress_is_shown_on_a_terminal_only(self):
-        command = [program.PROGRAM, "run", "case.toml", "--ledger", "--jobs", "1", "--set", "solver.cells=800",
-                   "--set", "solver.crank_step=0.5 degree"]
+        command = [
+            program.PROGRAM,
+            "run",
+            "case.toml",
+            "--ledger",
+            "--jobs",
+            "1",
+            "--set",
+            "solver.cells=800",
+            "--set",
+            "solver.crank_step=0.5 degree",
+        ]
         try:
             main, side = pty.openpty()
         except OSError as none:

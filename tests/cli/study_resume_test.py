@@ -1,4 +1,4 @@
-"""Studies that continue: with corrupted rows, with more scenarios, with a narrower interval, with parts under other names."""
+"""Studies that continue: corrupted rows, more scenarios, a narrower interval, parts under other names."""
 
 import csv
 import signal
@@ -21,12 +21,18 @@ class ResumedStudy(StudyFolder):
         (self.folder / "study.toml").write_text(text)
 
     def write_until(self, width, most=64, scenarios=8):
-        self.write_study(STUDY.replace("SCENARIOS", str(scenarios)).replace(
-            "[plan]\n", f'[plan]\nuntil = {{ value = "fmep", width = "{width}", most = {most} }}\n'))
+        self.write_study(
+            STUDY.replace("SCENARIOS", str(scenarios)).replace(
+                "[plan]\n", f'[plan]\nuntil = {{ value = "fmep", width = "{width}", most = {most} }}\n'
+            )
+        )
 
     def write_morris(self, trajectories):
-        self.write_study(STUDY.replace('method = "sobol"', 'method = "morris"').replace(
-            "scenarios = SCENARIOS", f"trajectories = {trajectories}"))
+        self.write_study(
+            STUDY.replace('method = "sobol"', 'method = "morris"').replace(
+                "scenarios = SCENARIOS", f"trajectories = {trajectories}"
+            )
+        )
 
     def study(self, *words, output="out"):
         return ["study", *words, "study.toml", "-o", output]
@@ -50,8 +56,11 @@ class ResumedStudy(StudyFolder):
         rows = self.folder / "out" / ROWS
         for at in (-100, 1200):  # in the last block, in the first
             self.corrupt(rows, at)
-            self.assert_refused(self.run_program(*self.study("merge")), "not complete, since a block of it is corrupted",
-                                "ringfilm study study.toml -o out --resume")
+            self.assert_refused(
+                self.run_program(*self.study("merge")),
+                "not complete, since a block of it is corrupted",
+                "ringfilm study study.toml -o out --resume",
+            )
             self.assertIn("gave up after 64 points", self.resume())
             self.assertEqual(self.contents("out"), whole)
 
@@ -80,8 +89,13 @@ class ResumedStudy(StudyFolder):
         self.run_well(*self.study())
         self.write_scenarios(20000)
         rows = self.folder / "out" / ROWS
-        run = subprocess.Popen([PROGRAM, *self.study(), "--overwrite"], cwd=self.folder, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.PIPE, text=True)
+        run = subprocess.Popen(
+            [PROGRAM, *self.study(), "--overwrite"],
+            cwd=self.folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         growing = rows.with_suffix(".growing")
         while not growing.exists() or growing.stat().st_size < 2000:
             self.assertIsNone(run.poll(), "it ended before it was disturbed")
@@ -92,8 +106,13 @@ class ResumedStudy(StudyFolder):
         self.assertIn("to continue: ringfilm study study.toml -o out --resume", printed)
         self.assertFalse(rows.exists())
         kept = growing.stat().st_size
-        run = subprocess.Popen([PROGRAM, *self.study(), "--resume"], cwd=self.folder, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.PIPE, text=True)
+        run = subprocess.Popen(
+            [PROGRAM, *self.study(), "--resume"],
+            cwd=self.folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         while run.poll() is None and growing.stat().st_size <= kept:
             time.sleep(0.01)
         run.send_signal(signal.SIGINT)
@@ -103,8 +122,11 @@ class ResumedStudy(StudyFolder):
 
     def test_a_report_of_a_study_names_its_page(self):
         self.run_well(*self.study())
-        self.assert_refused(self.run_program("report", "out/study.nc", "-o", "page.html"),
-                            "out/study.nc: the result of a study", "out/study.html")
+        self.assert_refused(
+            self.run_program("report", "out/study.nc", "-o", "page.html"),
+            "out/study.nc: the result of a study",
+            "out/study.html",
+        )
 
     def test_the_status_reports_corrupted_rows(self):
         self.run_well(*self.study())
@@ -118,16 +140,20 @@ class ResumedStudy(StudyFolder):
         for at in (3, 20, 80, 200):  # size, digest, first line and plan of the header
             self.corrupt(rows, at)
             self.assertIn("the header of this file of rows is corrupted", self.run_well(*self.study("status")))
-            self.assert_refused(self.run_program(*self.study(), "--resume"), "the header of this file of rows is corrupted")
+            self.assert_refused(
+                self.run_program(*self.study(), "--resume"), "the header of this file of rows is corrupted"
+            )
             self.corrupt(rows, at)
 
     def test_a_gas_model_without_its_trace_has_the_reason_that_a_case_has(self):
         case = (self.folder / "case.toml").read_text()
-        gas = case[case.index("[gas]"):case.index("[ring]")]
+        gas = case[case.index("[gas]") : case.index("[ring]")]
         wiebe = '[gas]\nmodel = "wiebe"\ncompression_ratio = 17\npeak_pressure = "100 bar"\npeak_angle = "12 degree"\n'
         (self.folder / "case.toml").write_text(case.replace(gas, wiebe))
-        self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "gas.model"\n'
-                         'values = ["wiebe", "trace"]\n[plan]\nmethod = "grid"\n')
+        self.write_study(
+            STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "gas.model"\n'
+            'values = ["wiebe", "trace"]\n[plan]\nmethod = "grid"\n'
+        )
         self.run_well(*self.study())
         printed = self.run_well(*self.study("status"))
         self.assertIn("scenario 1: the key gas.cylinder_pressure is missing", printed)
@@ -164,8 +190,9 @@ class ResumedStudy(StudyFolder):
                 tail = first[1200:]
                 self.assertIn(tail, (self.folder / out / ROWS).read_bytes())
                 write(few)
-                self.assert_refused(self.run_program(*self.study(output=out), "--resume"),
-                                    "another number of scenarios")
+                self.assert_refused(
+                    self.run_program(*self.study(output=out), "--resume"), "another number of scenarios"
+                )
 
     def test_one_that_was_stopped_may_become_longer(self):
         self.run_well(*self.study())
@@ -179,8 +206,9 @@ class ResumedStudy(StudyFolder):
     def test_parts_and_hypercubes_do_not_become_longer(self):
         self.run_well(*self.study(), "--shard", "1/2")
         self.write_scenarios(32)
-        self.assert_refused(self.run_program(*self.study(), "--shard", "1/2", "--resume"),
-                            "another number of scenarios")
+        self.assert_refused(
+            self.run_program(*self.study(), "--shard", "1/2", "--resume"), "another number of scenarios"
+        )
         hypercube = STUDY.replace('"sobol"', '"latin-hypercube"')
         self.write_study(hypercube.replace("SCENARIOS", "16"))
         self.run_well(*self.study(output="cube"))
@@ -192,12 +220,16 @@ class ResumedStudy(StudyFolder):
             self.run_well(*self.study(), "--shard", f"{part}/4")
             out = self.folder / "out"
             (out / f"study.part-{part}-of-4.rows").rename(out / f"study.part-{part}-of-2.rows")
-        for words in (self.study("merge"), self.study("submit") + ["--engine", "slurm", "--dry-run"],
-                      self.study() + ["--shard", "1/2", "--resume"]):
+        for words in (
+            self.study("merge"),
+            self.study("submit") + ["--engine", "slurm", "--dry-run"],
+            self.study() + ["--shard", "1/2", "--resume"],
+        ):
             self.assert_refused(self.run_program(*words), "these rows are of part 1 of 4")
 
     def with_kernels(self, name):
         import os
+
         return {**os.environ, "RINGFILM_KERNELS": name}
 
     def test_rows_of_other_kernels_are_reported(self):
@@ -206,22 +238,31 @@ class ResumedStudy(StudyFolder):
         done = self.run_program("study", "study.toml", "-o", "out", "--shard", "2/2", env=self.with_kernels("avx2"))
         if "RINGFILM_KERNELS" in done.stderr:
             from program import skip_loudly
+
             skip_loudly(self, "this machine has no avx2")
         self.assertEqual(done.returncode, 0, done.stderr)
         rows = self.folder / "out" / "study.part-1-of-2.rows"
         rows.rename(rows.with_suffix(".growing"))
         words = ["study", "study.toml", "-o", "out", "--shard", "1/2", "--resume"]
-        self.assert_refused(self.run_program(*words, env=self.with_kernels("avx2")), "with the kernels baseline",
-                            "RINGFILM_KERNELS=baseline")
+        self.assert_refused(
+            self.run_program(*words, env=self.with_kernels("avx2")),
+            "with the kernels baseline",
+            "RINGFILM_KERNELS=baseline",
+        )
         self.assertEqual(self.run_program(*words, env=self.with_kernels("baseline")).returncode, 0)
         printed = self.run_well(*self.study("merge"))
         self.assertIn("different kernels (avx2, baseline)", printed)
 
     def test_a_signal_that_is_ignored_stays_so(self):
         self.write_scenarios(1024)
-        run = subprocess.Popen([PROGRAM, "study", "study.toml", "-o", "out"], cwd=self.folder,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+        run = subprocess.Popen(
+            [PROGRAM, "study", "study.toml", "-o", "out"],
+            cwd=self.folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN),
+        )
         while not (self.folder / "out" / "study.part-1-of-1.growing").exists():
             self.assertIsNone(run.poll(), "it ended before it was disturbed")
             time.sleep(0.01)
@@ -235,8 +276,13 @@ class ResumedStudy(StudyFolder):
         for name in ("case.toml", "trace.csv"):
             (self.folder / "a b" / name).write_text((self.folder / name).read_text())
         (self.folder / "a b" / "study.toml").write_text(STUDY.replace("SCENARIOS", "100000"))
-        run = subprocess.Popen([PROGRAM, "study", "a b/study.toml", "-o", "c d", "--threads", "2"], cwd=self.folder,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        run = subprocess.Popen(
+            [PROGRAM, "study", "a b/study.toml", "-o", "c d", "--threads", "2"],
+            cwd=self.folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         growing = self.folder / "c d" / "study.part-1-of-1.growing"
         while not growing.exists() or growing.stat().st_size < 2000:
             self.assertIsNone(run.poll(), "it ended before it was disturbed")
@@ -247,10 +293,12 @@ class ResumedStudy(StudyFolder):
         self.assertIn("to continue: ringfilm study 'a b/study.toml' -o 'c d' --threads 2 --resume", printed)
 
     def test_choices_and_factors_of_like_names_have_variables_of_their_own(self):
-        self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nname = "law"\n'
-                         'key = "lubricant.viscosity_pressure"\nvalues = ["roelands", "barus"]\n'
-                         '[[factor]]\nname = "law choice"\nkey = "operating.speed"\n'
-                         'values = ["1500 rpm", "2000 rpm"]\n[plan]\nmethod = "grid"\n')
+        self.write_study(
+            STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nname = "law"\n'
+            'key = "lubricant.viscosity_pressure"\nvalues = ["roelands", "barus"]\n'
+            '[[factor]]\nname = "law choice"\nkey = "operating.speed"\n'
+            'values = ["1500 rpm", "2000 rpm"]\n[plan]\nmethod = "grid"\n'
+        )
         self.run_well(*self.study())
         with open(self.folder / "out" / "study.csv", newline="") as file:
             header = next(csv.reader(file))
@@ -258,16 +306,21 @@ class ResumedStudy(StudyFolder):
         self.assertIn("factor_law_choice_2 [rad/s]", header)
 
     def test_keys_that_nobody_reads_are_refused(self):
-        grid = STUDY[: STUDY.index("[[factor]]")] + ('[[factor]]\nname = "speed"\nkey = "operating.speed"\n'
-                                                     'values = ["1500 rpm", "2000 rpm"]\n[plan]\nmethod = "grid"\n')
+        grid = STUDY[: STUDY.index("[[factor]]")] + (
+            '[[factor]]\nname = "speed"\nkey = "operating.speed"\n'
+            'values = ["1500 rpm", "2000 rpm"]\n[plan]\nmethod = "grid"\n'
+        )
         for text, *reported in (
-            (grid + "scenarios = 8\n", "study.toml:", "plan.scenarios means nothing with method = \"grid\""),
+            (grid + "scenarios = 8\n", "study.toml:", 'plan.scenarios means nothing with method = "grid"'),
             (grid + "trajectories = 8\n", "plan.trajectories means nothing"),
-            (grid + "list = \"plan.csv\"\n", "plan.list means nothing"),
+            (grid + 'list = "plan.csv"\n', "plan.list means nothing"),
             (grid.replace('"grid"', '"morris"') + "scenarios = 8\n", "plan.scenarios means nothing"),
             (STUDY.replace("SCENARIOS", "8") + "levels = 4\n", "plan.levels means nothing"),
-            (grid.replace('values = ["1500 rpm", "2000 rpm"]\n', "").replace('"grid"', '"list"\nlist = "plan.csv"'),
-             "plan.csv:1:", "the column sped is of no factor"),
+            (
+                grid.replace('values = ["1500 rpm", "2000 rpm"]\n', "").replace('"grid"', '"list"\nlist = "plan.csv"'),
+                "plan.csv:1:",
+                "the column sped is of no factor",
+            ),
         ):
             with self.subTest(reported):
                 (self.folder / "plan.csv").write_text("speed [rpm],sped [rpm]\n1200,1\n1800,2\n")

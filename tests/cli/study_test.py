@@ -52,7 +52,7 @@ class StudyTest(ProgramTest):
         for outside in ('src="http', "src='http", 'href="http', "@import", "url(http"):
             self.assertNotIn(outside, page)
         self.assertIn("default-src 'none'", page)
-        data = page[page.index('id="result-data">') + len('id="result-data">'):]
+        data = page[page.index('id="result-data">') + len('id="result-data">') :]
         data = json.loads(data[: data.index("</script>")])
         self.assertEqual(data["title"], "</script><b>small")
         self.assertEqual(data["statistics"]["fmep"][0]["n"], 16)
@@ -60,8 +60,11 @@ class StudyTest(ProgramTest):
         self.assertAlmostEqual(data["statistics"]["fmep"][0]["mean"][0] / mean, 1, delta=1e-5)  # six digits
 
     def test_screening_ranks_its_factors(self):
-        self.write_study(STUDY.replace('method = "sobol"', 'method = "morris"').replace("scenarios = SCENARIOS",
-                         "trajectories = 4").replace('kind = "uncertainty"', 'kind = "screening"'))
+        self.write_study(
+            STUDY.replace('method = "sobol"', 'method = "morris"')
+            .replace("scenarios = SCENARIOS", "trajectories = 4")
+            .replace('kind = "uncertainty"', 'kind = "screening"')
+        )
         printed = self.run_well("study", "study.toml", "-o", "out")
         self.assertIn("elementary effects on fmep", printed)
         ranked = [line.split()[0] for line in printed.splitlines() if "mu*" in line]
@@ -69,8 +72,10 @@ class StudyTest(ProgramTest):
         self.assertEqual(len(self.table()), 4 * 3)
 
     def test_one_scenario_is_the_case_itself(self):
-        self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
-                         'values = ["1500 rpm", "2000 rpm"]\n[plan]\nmethod = "grid"\n')
+        self.write_study(
+            STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
+            'values = ["1500 rpm", "2000 rpm"]\n[plan]\nmethod = "grid"\n'
+        )
         self.run_well("study", "study.toml", "-o", "out")
         alone = json.loads(self.run_well("run", "case.toml", "--json"))
         # Lanes of a vector add in another order than a case that is integrated alone.
@@ -86,8 +91,9 @@ class StudyTest(ProgramTest):
         self.run_well("study", "study.toml", "-o", "whole")
         for part in ("3/3", "1/3"):
             self.run_well("study", "study.toml", "-o", "out", "--shard", part)
-        self.assert_refused(self.run_program("study", "merge", "study.toml", "-o", "out"), "part 2 of 3 is missing",
-                            "--shard 2/3")
+        self.assert_refused(
+            self.run_program("study", "merge", "study.toml", "-o", "out"), "part 2 of 3 is missing", "--shard 2/3"
+        )
         self.assertIn("part 2 of 3: not begun", self.run_well("study", "status", "study.toml", "-o", "out"))
         self.assertNotIn("out/study.nc", self.names())
         self.run_well("study", "study.toml", "-o", "out", "--shard", "2/3")
@@ -101,35 +107,58 @@ class StudyTest(ProgramTest):
     def test_a_finished_study_is_replaced_with_overwrite_only(self):
         self.run_well("study", "study.toml", "-o", "out")
         before = self.contents("out")
-        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "a finished study of this plan",
-                            "--overwrite", "--resume", "another output")
+        self.assert_refused(
+            self.run_program("study", "study.toml", "-o", "out"),
+            "a finished study of this plan",
+            "--overwrite",
+            "--resume",
+            "another output",
+        )
         self.write_study(STUDY.replace("SCENARIOS", "16").replace("seed = 5", "seed = 6"))
-        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "a finished study of another plan",
-                            "--overwrite")
+        self.assert_refused(
+            self.run_program("study", "study.toml", "-o", "out"), "a finished study of another plan", "--overwrite"
+        )
         (self.folder / "out" / "study.part-1-of-1.rows").unlink()
-        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "out/study.nc: there are results",
-                            "--overwrite")
+        self.assert_refused(
+            self.run_program("study", "study.toml", "-o", "out"), "out/study.nc: there are results", "--overwrite"
+        )
         self.assertEqual(self.contents("out"), before)
         nc = self.folder / "out" / "study.nc"
         nc.rename(self.folder / "kept.nc")
-        self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "out/study.csv: there are results",
-                            "out/study.html: there are results", "--overwrite")
+        self.assert_refused(
+            self.run_program("study", "study.toml", "-o", "out"),
+            "out/study.csv: there are results",
+            "out/study.html: there are results",
+            "--overwrite",
+        )
         (self.folder / "kept.nc").rename(nc)
         self.run_well("study", "study.toml", "-o", "out", "--overwrite")
         self.assertNotEqual(self.contents("out"), before)
-        self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--overwrite", "--resume"),
-                            "keep one of the two")
+        self.assert_refused(
+            self.run_program("study", "study.toml", "-o", "out", "--overwrite", "--resume"), "keep one of the two"
+        )
         self.run_well("study", "study.toml", "-o", "parts", "--shard", "1/2")
-        self.assert_refused(self.run_program("study", "study.toml", "-o", "parts", "--shard", "1/2"),
-                            "a finished part of this plan", "--overwrite")
+        self.assert_refused(
+            self.run_program("study", "study.toml", "-o", "parts", "--shard", "1/2"),
+            "a finished part of this plan",
+            "--overwrite",
+        )
 
     def test_processes_that_replace_one_study_leave_a_whole_one(self):
         self.write_study(STUDY.replace("SCENARIOS", "64"))
         self.run_well("study", "study.toml", "-o", "out")
         before = self.contents("out")
         for _ in range(4):
-            runs = [subprocess.Popen([PROGRAM, "study", "study.toml", "-o", "out", "--overwrite"], cwd=self.folder,
-                                     stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) for _ in range(3)]
+            runs = [
+                subprocess.Popen(
+                    [PROGRAM, "study", "study.toml", "-o", "out", "--overwrite"],
+                    cwd=self.folder,
+                    stdout=subprocess.DEVNULL,
+                    stderr=subprocess.PIPE,
+                    text=True,
+                )
+                for _ in range(3)
+            ]
             printed = [run.communicate(timeout=100)[1] for run in runs]
             self.assertIn(0, [run.returncode for run in runs], printed)
             for run, words in zip(runs, printed):
@@ -140,8 +169,12 @@ class StudyTest(ProgramTest):
 
     def test_a_study_that_runs_is_not_advised_to_be_deleted(self):
         self.write_study(STUDY.replace("SCENARIOS", "100000"))
-        run = subprocess.Popen([PROGRAM, "study", "study.toml", "-o", "out"], cwd=self.folder,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        run = subprocess.Popen(
+            [PROGRAM, "study", "study.toml", "-o", "out"],
+            cwd=self.folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
         try:
             while not (self.folder / "out" / "study.part-1-of-1.growing").exists():
                 self.assertIsNone(run.poll(), "it ended before it was disturbed")
@@ -162,14 +195,21 @@ class StudyTest(ProgramTest):
         self.run_well("study", "study.toml", "-o", "out", "--shard", "1/2")
         self.write_study(STUDY.replace("SCENARIOS", "16").replace("seed = 5", "seed = 6"))
         self.run_well("study", "study.toml", "-o", "out", "--shard", "2/2")
-        self.assert_refused(self.run_program("study", "merge", "study.toml", "-o", "out"), "part-1-of-2",
-                            "another plan")
-        self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "1/2"),
-                            "a finished part of another plan", "--overwrite")
+        self.assert_refused(
+            self.run_program("study", "merge", "study.toml", "-o", "out"), "part-1-of-2", "another plan"
+        )
+        self.assert_refused(
+            self.run_program("study", "study.toml", "-o", "out", "--shard", "1/2"),
+            "a finished part of another plan",
+            "--overwrite",
+        )
         trace = self.folder / "trace.csv"
         trace.write_text("# another day\n" + trace.read_text())
-        self.assert_refused(self.run_program("study", "study.toml", "-o", "out", "--shard", "2/2", "--resume"),
-                            "have changed since", "must not be mixed")
+        self.assert_refused(
+            self.run_program("study", "study.toml", "-o", "out", "--shard", "2/2", "--resume"),
+            "have changed since",
+            "must not be mixed",
+        )
 
     def test_another_number_of_parts_is_refused(self):
         self.run_well("study", "study.toml", "-o", "out", "--shard", "1/2")
@@ -177,8 +217,13 @@ class StudyTest(ProgramTest):
         self.assert_refused(self.run_program("study", "merge", "study.toml", "-o", "out"), "parts of 2 and parts of 3")
 
     def killed(self, output, seconds, number):
-        run = subprocess.Popen([PROGRAM, "study", "study.toml", "-o", output, "--resume"], cwd=self.folder,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        run = subprocess.Popen(
+            [PROGRAM, "study", "study.toml", "-o", output, "--resume"],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         time.sleep(seconds)
         run.send_signal(number)
         _, printed = run.communicate(timeout=100)
@@ -261,14 +306,18 @@ class StudyTest(ProgramTest):
         self.assertEqual(len(set(speeds)), 8)
 
     def test_curve_of_a_scenario_is_that_of_its_case(self):
-        self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
-                         'values = ["2000 rpm"]\n[plan]\nmethod = "grid"\n[keep]\ncurves = "all"\n'
-                         'quantities = ["friction_on_liner"]\ncrank_step = "10 degree"\n')
+        self.write_study(
+            STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
+            'values = ["2000 rpm"]\n[plan]\nmethod = "grid"\n[keep]\ncurves = "all"\n'
+            'quantities = ["friction_on_liner"]\ncrank_step = "10 degree"\n'
+        )
         self.run_well("study", "study.toml", "-o", "out")
         self.run_well("run", "case.toml", "--set", 'operating.speed="2000 rpm"', "--csv", "case.csv")
         with open(self.folder / "case.csv", newline="") as stream:
-            case = {float(row["crank_angle [degree]"]): float(row["friction_on_liner [N]"])
-                    for row in csv.DictReader(stream)}
+            case = {
+                float(row["crank_angle [degree]"]): float(row["friction_on_liner [N]"])
+                for row in csv.DictReader(stream)
+            }
         try:
             import netCDF4
         except ImportError:
@@ -284,6 +333,7 @@ class StudyTest(ProgramTest):
         full = self.curves_of("all", output="full")
         data = self.curves_of("quantiles")
         import numpy
+
         band = data.curve_power_loss_quantile
         self.assertEqual(band.dims, ("base_case", "quantile", "crank_angle", "ring"))
         self.assertEqual(data["quantile"].values.tolist(), [0.05, 0.25, 0.5, 0.75, 0.95])
@@ -312,8 +362,10 @@ class StudyTest(ProgramTest):
         self.run_well("study", "study.toml", "-o", "whole")
         whole = time.monotonic() - begun
         moments = random.Random(2)
-        n_killed = sum(self.killed("out", moments.uniform(0.1, 0.5) * whole, signal.SIGKILL)[0] == -signal.SIGKILL
-                       for _ in range(3))
+        n_killed = sum(
+            self.killed("out", moments.uniform(0.1, 0.5) * whole, signal.SIGKILL)[0] == -signal.SIGKILL
+            for _ in range(3)
+        )
         self.assertGreater(n_killed, 0)
         if (self.folder / "out" / "study.part-1-of-1.growing").exists():
             self.write_study(STUDY.replace("SCENARIOS", "512") + keep.replace("4 degree", "8 degree"))
@@ -340,20 +392,21 @@ class StudyTest(ProgramTest):
         self.assertNotIn("out", self.names())
 
     def test_faults_of_what_is_kept_have_their_place(self):
-        good = STUDY.replace("SCENARIOS", "16") + ('[keep]\ncurves = "all"\nquantities = ["power_loss"]\n'
-                                                   'crank_step = "2 degree"\n')
+        good = STUDY.replace("SCENARIOS", "16") + (
+            '[keep]\ncurves = "all"\nquantities = ["power_loss"]\n' 'crank_step = "2 degree"\n'
+        )
         line = good.splitlines().index("[keep]") + 1
         for old, new, *reported in (
             ('curves = "all"', 'curves = "al"', f"study.toml:{line + 1}:10:", "did you mean all?"),
             ('"power_loss"', '"power_los"', f"study.toml:{line + 2}:14:", "did you mean power_loss?"),
             ('"power_loss"', '"film_parameter"', f"study.toml:{line + 2}:14:", "did you mean lambda_ratio?"),
             ('"power_loss"', '"crank_angle"', f"study.toml:{line + 2}:14:", "is not known"),
-            ('["power_loss"]', '[]', f"study.toml:{line + 2}:14:", "names no curve"),
+            ('["power_loss"]', "[]", f"study.toml:{line + 2}:14:", "names no curve"),
             ('"power_loss"', '"power_loss", "power_loss"', f"study.toml:{line + 2}:14:", "twice"),
             ('"2 degree"', '"7 degree"', f"study.toml:{line + 3}:14:", "does not divide"),
             ('"2 degree"', '"1.5 degree"', f"study.toml:{line + 3}:14:", "not a multiple of solver.crank_step"),
             ('"2 degree"', '"2"', f"study.toml:{line + 3}:14:", "has no unit"),
-            ('"2 degree"', '2', f"study.toml:{line + 3}:14:", "text"),
+            ('"2 degree"', "2", f"study.toml:{line + 3}:14:", "text"),
             ("crank_step", "crank_steps", f"study.toml:{line + 3}:1:", "did you mean crank_step?"),
         ):
             with self.subTest(new):
@@ -404,8 +457,9 @@ class StudyTest(ProgramTest):
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
     def test_a_scenario_that_cannot_be_made_is_a_row_with_its_reason(self):
-        self.write_study(STUDY.replace("SCENARIOS", "16").replace("deviation = 0.1\ntruncate = [0.5, 1.5]",
-                                                                  "deviation = 1.0"))
+        self.write_study(
+            STUDY.replace("SCENARIOS", "16").replace("deviation = 0.1\ntruncate = [0.5, 1.5]", "deviation = 1.0")
+        )
         self.assertIn("were not solved", self.run_well("study", "study.toml", "-o", "out"))
         rows = self.table()
         reasons = [row["reason"] for row in rows if row["reason"]]
@@ -418,13 +472,15 @@ class StudyTest(ProgramTest):
         self.write_study(
             STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nname = "law"\nkey = "lubricant.viscosity_pressure"\n'
             'values = ["roelands", "barus"]\n[[factor]]\nkey = "operating.oil_temperature"\nhow = "add"\n'
-            'name = "warmer"\nvalues = ["-5 degC", "5 K"]\n[plan]\nmethod = "one-at-a-time"\n')
+            'name = "warmer"\nvalues = ["-5 degC", "5 K"]\n[plan]\nmethod = "one-at-a-time"\n'
+        )
         self.run_well("study", "study.toml", "-o", "out")
         self.assertEqual([row["factor_law"] for row in self.table()], ["nan", "roelands", "barus", "nan", "nan"])
         self.assertEqual([row["factor_warmer [K]"] for row in self.table()], ["nan", "nan", "nan", "-5", "5"])
         self.write_study(
             STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nname = "speed"\nkey = "operating.speed"\n'
-            '[plan]\nmethod = "list"\nlist = "plan.csv"\n')
+            '[plan]\nmethod = "list"\nlist = "plan.csv"\n'
+        )
         (self.folder / "plan.csv").write_text("speed [rpm]\n1200\n1800\n2400\n")
         self.run_well("study", "study.toml", "-o", "listed")
         self.assertEqual(len(self.table("listed")), 3)
@@ -439,8 +495,9 @@ class StudyTest(ProgramTest):
 
     def test_it_continues_until_the_interval_is_narrow(self):
         def until(width, most=64):
-            return STUDY.replace("SCENARIOS", "8").replace("[plan]\n", '[plan]\nuntil = { value = "fmep", '
-                                                          f'width = "{width}", most = {most} }}\n')
+            return STUDY.replace("SCENARIOS", "8").replace(
+                "[plan]\n", '[plan]\nuntil = { value = "fmep", ' f'width = "{width}", most = {most} }}\n'
+            )
 
         def mean_width(rows):
             # Student's t of 0.975 with 7, 15, 31 and 63 degrees of freedom, from a table.
@@ -493,8 +550,10 @@ class StudyTest(ProgramTest):
             self.assert_refused(self.run_program(*words), "another number of scenarios")
 
     def test_a_large_grid_requires_confirmation(self):
-        self.write_study(STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
-                         'range = ["1000 rpm", "3000 rpm"]\npoints = 10001\n[plan]\nmethod = "grid"\n')
+        self.write_study(
+            STUDY[: STUDY.index("[[factor]]")] + '[[factor]]\nkey = "operating.speed"\n'
+            'range = ["1000 rpm", "3000 rpm"]\npoints = 10001\n[plan]\nmethod = "grid"\n'
+        )
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "10001 points", "--yes")
         self.assertNotIn("out", self.names())
 
@@ -508,7 +567,7 @@ class StudyTest(ProgramTest):
             ('case = "case.toml"', 'case = "none.toml"', "study.toml:7:", "none.toml"),
             ("scenarios = 16", "scenario = 16", "study.toml:", "did you mean scenarios?"),
             ('method = "sobol"', 'method = "sobols"', "did you mean sobol?"),
-            ('truncate = [0.5, 1.5]', 'truncate = [50, 51]', "study.toml:14:", "no support"),
+            ("truncate = [0.5, 1.5]", "truncate = [50, 51]", "study.toml:14:", "no support"),
             ('name = "new"', 'nam = "new"', "study.toml:6:", "did you mean name?"),
         ):
             with self.subTest(new):

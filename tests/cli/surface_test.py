@@ -1,4 +1,4 @@
-"""Measured surfaces: `ringfilm surface` and `ringfilm pair`, their numbers, files and refusals. Every map is made here."""
+"""Measured surfaces: `ringfilm surface` and `ringfilm pair`, numbers, files and refusals. Every map is made here."""
 
 import csv
 import json
@@ -26,10 +26,12 @@ def matrix_text(rows):
 
 def moments_of(rows):
     """Mean of the squares of central differences over whole waves, from the sums of sines themselves [-, 1/m2]."""
+
     def one(waves, amplitude):
         k = 2 * math.pi / waves
         slope = 2 / STEP * math.sin(k / 2)  # of two neighbours
         return amplitude**2 / 2 * slope**2, amplitude**2 / 2 * slope**4
+
     (m2_x, m4_x), (m2_y, m4_y) = one(12, 0.2e-6), one(16, 0.2e-6)
     return (m2_x + m2_y) / 2, (m4_x + m4_y) / 2
 
@@ -122,7 +124,6 @@ class Numbers(SurfaceTest):
         of = self.json_of("rough.csv", *self.STATED, "--grid", "2x2", "--region", "8, 8, 8, 8 um")
         self.assertTrue(any("overlap" in note for note in of["notes"]))
 
-
     def test_files_of_one_surface_give_a_mean_and_a_covariance(self):
         (self.folder / "other.csv").write_text(matrix_text(heights(lambda i, j: wave(i, j, 0.3e-6))))
         both = self.json_of("map.csv", "other.csv", *self.STATED)
@@ -130,7 +131,7 @@ class Numbers(SurfaceTest):
         self.assertAlmostEqual(both["roughness"], (one["roughness"] + other["roughness"]) / 2, delta=1e-14)
         # N does not depend on the amplitude; ln sigma differs by ln 1.5: a variance of half its square.
         covariance = both["tables"]["covariance"]["columns"]
-        self.assertAlmostEqual(covariance["covariance_with_roughness"]["values"][2], math.log(1.5)**2 / 2, delta=1e-7)
+        self.assertAlmostEqual(covariance["covariance_with_roughness"]["values"][2], math.log(1.5) ** 2 / 2, delta=1e-7)
         self.assertAlmostEqual(covariance["covariance_with_asperity_density"]["values"][0], 0, delta=1e-7)
 
     def test_slopes_at_an_angle_and_cavities_of_a_depth(self):
@@ -148,12 +149,28 @@ class Files(SurfaceTest):
 
     def test_the_fragment_of_a_pair_is_read_by_a_case(self):
         (self.folder / "other.csv").write_text(matrix_text(heights(lambda i, j: wave(j, i, 0.1e-6))))
-        self.run_well("pair", "--ring", "map.csv", "--liner", "map.csv", "other.csv", *self.STATED, "--grid", "2x2",
-                      "--fragment", "contact.toml")
+        self.run_well(
+            "pair",
+            "--ring",
+            "map.csv",
+            "--liner",
+            "map.csv",
+            "other.csv",
+            *self.STATED,
+            "--grid",
+            "2x2",
+            "--fragment",
+            "contact.toml",
+        )
         lines = program.CASE.splitlines()
         begin, end = lines.index("[contact]"), lines.index("[lubricant]")
-        case = ['include = ["contact.toml"]', *lines[:begin], "[contact]",
-                "boundary_shear_strength_coefficient = 0.3581", *lines[end:]]
+        case = [
+            'include = ["contact.toml"]',
+            *lines[:begin],
+            "[contact]",
+            "boundary_shear_strength_coefficient = 0.3581",
+            *lines[end:],
+        ]
         (self.folder / "case.toml").write_text("\n".join(case) + "\n")
         self.run_well("check", "case.toml")
         shown = self.run_well("run", "case.toml", "--json")
@@ -200,7 +217,11 @@ class Refusals(SurfaceTest):
                 self.refused("surface", "map.csv", *self.STATED, *words, fragments=[printed])
 
     def test_invalid_files(self):
-        for name, bytes_ in [("empty.csv", b""), ("zeros.x3p", b"PK\x03\x04" + bytes(40)), ("words.csv", b"a,b\nc,d\n")]:
+        for name, bytes_ in [
+            ("empty.csv", b""),
+            ("zeros.x3p", b"PK\x03\x04" + bytes(40)),
+            ("words.csv", b"a,b\nc,d\n"),
+        ]:
             (self.folder / name).write_bytes(bytes_)
             with self.subTest(name):
                 self.refused("surface", name, *self.STATED, fragments=[name])

@@ -24,8 +24,18 @@ class Kinds(SyntheticTest):
     def test_a_gaussian_surface_has_its_rms_height_and_correlation(self):
         for ending in ENDINGS:
             name = "a." + ending
-            self.made("gaussian", name, "--points", "256x128", "--step", "1 um", "--sq", "0.25 um",
-                      "--correlation-length", "8 um")
+            self.made(
+                "gaussian",
+                name,
+                "--points",
+                "256x128",
+                "--step",
+                "1 um",
+                "--sq",
+                "0.25 um",
+                "--correlation-length",
+                "8 um",
+            )
             of = self.measured(name)
             self.assertEqual((of["points_x"], of["points_y"], of["missing"]), (256, 128, 0))
             self.assertAlmostEqual(of["width"] / 256e-6, 1, delta=1e-6)  # SUR keeps the step in single precision
@@ -35,8 +45,16 @@ class Kinds(SyntheticTest):
             self.assertAlmostEqual(of["Sdq"] / (2 * 0.25 / 8), 1, delta=0.1)
 
     def test_n_beta_and_sigma_come_back(self):
-        words = ("--points", "256x256", "--asperity-density", "0.05 um-2", "--asperity-radius", "2 um", "--roughness",
-                 "0.4 um")
+        words = (
+            "--points",
+            "256x256",
+            "--asperity-density",
+            "0.05 um-2",
+            "--asperity-radius",
+            "2 um",
+            "--roughness",
+            "0.4 um",
+        )
         for rule in ("Ra", "Rq"):
             self.made("gaussian", "a.x3p", *words, "--sigma", rule)
             of = self.measured("a.x3p", "--sigma", rule)
@@ -46,8 +64,22 @@ class Kinds(SyntheticTest):
 
     def test_a_honed_surface_has_a_plateau_and_valleys(self):
         for ending in ENDINGS:
-            self.made("honed", "a." + ending, "--points", "256x256", "--step", "1 um", "--groove-depth", "3 um",
-                      "--groove-width", "10 um", "--groove-spacing", "50 um", "--sq", "0.05 um")
+            self.made(
+                "honed",
+                "a." + ending,
+                "--points",
+                "256x256",
+                "--step",
+                "1 um",
+                "--groove-depth",
+                "3 um",
+                "--groove-width",
+                "10 um",
+                "--groove-spacing",
+                "50 um",
+                "--sq",
+                "0.05 um",
+            )
             of = self.measured("a." + ending)
             self.assertLess(of["Ssk"], -1)  # grooves
             self.assertGreater(of["Rvk"], 10 * of["Rpk"])
@@ -65,8 +97,20 @@ class Kinds(SyntheticTest):
 
     def test_the_share_of_pores_holds(self):
         for ending in ENDINGS:
-            self.made("porous", "a." + ending, "--points", "128x128", "--sq", "0.01 um", "--pore-share", "0.2",
-                      "--pore-depth", "5 um", "--pore-length", "10 um")
+            self.made(
+                "porous",
+                "a." + ending,
+                "--points",
+                "128x128",
+                "--sq",
+                "0.01 um",
+                "--pore-share",
+                "0.2",
+                "--pore-depth",
+                "5 um",
+                "--pore-length",
+                "10 um",
+            )
             self.run_well("surface", "a." + ending, "--heights", "h.csv")
             heights = [float(line.split(",")[2]) for line in (self.folder / "h.csv").read_text().splitlines()[1:]]
             deep = sum(z < -0.05e-6 for z in heights) / len(heights)  # five times the roughness
@@ -122,10 +166,28 @@ class Refusals(SyntheticTest):
         self.refused("gaussian", "a.sdf", fragments=["a.sdf: the ending", ".x3p, .sur, .gsf or .csv"])
 
     def test_all_that_is_wrong_is_reported_at_once(self):
-        self.refused("honed", "a.x3p", "--points", "4x4", "--seed", "one", "--sq", "0.1", "--groove-depth", "-1 um",
-                     "--hatch-angle", "45 um",
-                     fragments=["--points 4x4", "--seed one", '--sq "0.1" has no unit', '--groove-depth "-1 um"',
-                                '--hatch-angle "45 um"', "5 errors"])
+        self.refused(
+            "honed",
+            "a.x3p",
+            "--points",
+            "4x4",
+            "--seed",
+            "one",
+            "--sq",
+            "0.1",
+            "--groove-depth",
+            "-1 um",
+            "--hatch-angle",
+            "45 um",
+            fragments=[
+                "--points 4x4",
+                "--seed one",
+                '--sq "0.1" has no unit',
+                '--groove-depth "-1 um"',
+                '--hatch-angle "45 um"',
+                "5 errors",
+            ],
+        )
 
     def test_sizes_that_fit_no_memory(self):
         for points in ("1000000x1000000", "18446744073709551615x2", "512", "512x", "512x512x2", "-5x16"):
@@ -137,8 +199,19 @@ class Refusals(SyntheticTest):
         self.refused("gaussian", "a.x3p", *expected[:4], fragments=["belong together"])
 
     def test_a_surface_that_no_spectrum_has(self):
-        self.refused("gaussian", "a.x3p", "--points", "64x64", "--asperity-density", "5 um-2", "--asperity-radius",
-                     "2 um", "--roughness", "0.4 um", fragments=["no surface with the target roughness"])
+        self.refused(
+            "gaussian",
+            "a.x3p",
+            "--points",
+            "64x64",
+            "--asperity-density",
+            "5 um-2",
+            "--asperity-radius",
+            "2 um",
+            "--roughness",
+            "0.4 um",
+            fragments=["no surface with the target roughness"],
+        )
 
     def test_shares_and_grooves_out_of_range(self):
         self.refused("porous", "a.x3p", "--pore-share", "0.95", fragments=["--pore-share 0.95", "between 0 and 0.9"])

@@ -33,14 +33,22 @@ class Unrolled(program.ProgramTest):
         with open(self.folder / "curves.csv", newline="") as stream:
             rows = list(csv.DictReader(stream))
         leakage = [float(row["gap_leakage [kg/s]"]) for row in rows]
-        self.assertAlmostEqual(sum(leakage) / len(leakage), values["mean_gap_leakage"],
-                               delta=1e-9 * values["mean_absolute_gap_leakage"])
-        self.assertAlmostEqual(float(rows[0]["applied_load [N]"]),
-                               (0.2e6 + float(rows[0]["gas_pressure [Pa]"])) * 1.2e-3 * (3.141592653589793 * 0.089 - 0.3e-3),
-                               places=6)
+        self.assertAlmostEqual(
+            sum(leakage) / len(leakage), values["mean_gap_leakage"], delta=1e-9 * values["mean_absolute_gap_leakage"]
+        )
+        self.assertAlmostEqual(
+            float(rows[0]["applied_load [N]"]),
+            (0.2e6 + float(rows[0]["gas_pressure [Pa]"])) * 1.2e-3 * (3.141592653589793 * 0.089 - 0.3e-3),
+            places=6,
+        )
         printed = " ".join(self.run_well("run", "case.toml", *UNROLLED, *GAP).split())
-        for fragment in ("film on the unrolled ring: 40 x 32 cells", "gap of 0.3 mm", "oil into the gap",
-                         "share of the ends in load", "note: the cells at the ends of the gap"):
+        for fragment in (
+            "film on the unrolled ring: 40 x 32 cells",
+            "gap of 0.3 mm",
+            "oil into the gap",
+            "share of the ends in load",
+            "note: the cells at the ends of the gap",
+        ):
             self.assertIn(fragment, printed)
 
     def test_the_result_holds_the_fields_in_full_or_by_strips(self):
@@ -54,16 +62,26 @@ class Unrolled(program.ProgramTest):
             pressure = file["unrolled_film_pressure"]
             self.assertEqual(pressure.dimensions, ("field_crank_angle", "y", "x"))
             self.assertEqual(pressure.shape, (2, 33, 41))
-            self.assertAlmostEqual(float(pressure[1, 0, 20] / ((file["gas_pressure"][5] + file["crankcase_pressure"][5]) / 2)),
-                                   1, places=6)
+            self.assertAlmostEqual(
+                float(pressure[1, 0, 20] / ((file["gas_pressure"][5] + file["crankcase_pressure"][5]) / 2)), 1, places=6
+            )
             self.assertNotIn("strip_asperity_load", file.variables)
             self.assertGreater(float(file["cycle_mean_absolute_gap_leakage"][...]), 0)
             (self.folder / "again.toml").write_text(str(file["resolved_case"][...]))
         self.run_well("run", "again.toml", "--output", "again.nc")
         with netCDF4.Dataset(self.folder / "full.nc") as a, netCDF4.Dataset(self.folder / "again.nc") as b:
             self.assertEqual(a["gap_leakage"][:].tolist(), b["gap_leakage"][:].tolist())
-        self.run_well("run", "case.toml", *UNROLLED, *GAP, *fields, "--set", "output.reduction=along-face",
-                      "--output", "strips.nc")
+        self.run_well(
+            "run",
+            "case.toml",
+            *UNROLLED,
+            *GAP,
+            *fields,
+            "--set",
+            "output.reduction=along-face",
+            "--output",
+            "strips.nc"
+        )
         with netCDF4.Dataset(self.folder / "strips.nc") as file:
             self.assertEqual(file["strip_peak_film_pressure"].dimensions, ("field_crank_angle", "y"))
             self.assertNotIn("unrolled_film_pressure", file.variables)
@@ -76,7 +94,7 @@ class Unrolled(program.ProgramTest):
     def test_bad_input_is_refused(self):
         cases = {
             "the circumference of the bore": ("film.dimension=unrolled", "ring.end_gap=280 mm"),
-            "ring.end_gap = \"-0.3 mm\" is out of range": ("film.dimension=unrolled", "ring.end_gap=-0.3 mm"),
+            'ring.end_gap = "-0.3 mm" is out of range': ("film.dimension=unrolled", "ring.end_gap=-0.3 mm"),
             'film.dimension = "unrolled"': ("ring.end_gap=0.3 mm",),
             "ring.gap_position": ("film.dimension=unrolled", "ring.gap_position=10 degree"),
             "coupled-newton": ("film.dimension=unrolled", "solver.method=point-relaxation"),

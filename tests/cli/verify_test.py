@@ -105,11 +105,18 @@ class VerifyTest(ProgramTest):
         text = text.replace('quantity = "load"', 'quantity = "laod"', 1).replace("relative_tolerance", "tolerance", 1)
         path.write_text(text.replace('expected = "4125347.7 Pa"', "expected = 4125347.7"))
         done = self.verify_in(shipped)
-        self.assert_refused(done, "reference.toml:4:12", "did you mean load?", "value.expected = 4125347.7 has no unit",
-                            "unknown key value.tolerance")
+        self.assert_refused(
+            done,
+            "reference.toml:4:12",
+            "did you mean load?",
+            "value.expected = 4125347.7 has no unit",
+            "unknown key value.tolerance",
+        )
 
     def test_ladders_times_and_columns_that_cannot_be_are_reported_with_their_place(self):
-        shipped = self.copy_of_shipped("roache2002_manufactured", "reynolds1886_squeezed_plates", "styles2014_independent_model")
+        shipped = self.copy_of_shipped(
+            "roache2002_manufactured", "reynolds1886_squeezed_plates", "styles2014_independent_model"
+        )
         shutil.copytree(SOURCES / "cases" / "styles2014", shipped / "cases" / "styles2014")
 
         def with_change(name, file, before, after):
@@ -123,13 +130,23 @@ class VerifyTest(ProgramTest):
 
         manufactured = lambda before, after: with_change("roache2002_manufactured", "reference.toml", before, after)
         self.assert_refused(manufactured("cells = 1600\n", ""), "order.cells is missing")
-        self.assert_refused(manufactured("cells = 1600", "cells = -2"), "order.cells = -2 is not a count", "whole number from 2 on")
+        self.assert_refused(
+            manufactured("cells = 1600", "cells = -2"), "order.cells = -2 is not a count", "whole number from 2 on"
+        )
         self.assert_refused(manufactured("[50, 100", "[50.5, 100"), "order.cells = 50.5 is not a count")
         plates = lambda before, after: with_change("reynolds1886_squeezed_plates", "reference.toml", before, after)
-        self.assert_refused(plates('time = "5 ms"', 'time = "10 s"'), "reference.toml:5:8", "outside the history of approach.toml")
+        self.assert_refused(
+            plates('time = "5 ms"', 'time = "10 s"'), "reference.toml:5:8", "outside the history of approach.toml"
+        )
         curve = lambda file, before, after: with_change("styles2014_independent_model", file, before, after)
-        self.assert_refused(curve("new_1500_reynolds.csv", "hmin_m,", "hmin_m [s],"), "new_1500_reynolds.csv:1:", "hmin_m")
-        self.assert_refused(curve("reference.toml", 'column = "hmin_m"', 'column = "xcav1_m"'), "new_1500_reynolds.csv:2:", "nan is not a finite number")
+        self.assert_refused(
+            curve("new_1500_reynolds.csv", "hmin_m,", "hmin_m [s],"), "new_1500_reynolds.csv:1:", "hmin_m"
+        )
+        self.assert_refused(
+            curve("reference.toml", 'column = "hmin_m"', 'column = "xcav1_m"'),
+            "new_1500_reynolds.csv:2:",
+            "nan is not a finite number",
+        )
 
     def test_unknown_name_is_refused(self):
         done = self.run_program("verify", "rayleigh1918_stepp")
@@ -146,7 +163,9 @@ class OracleTest(ProgramTest):
             script = CASES / case["name"] / "reference.py"
             if not script.exists():
                 continue
-            numbers = json.loads(subprocess.run(["/usr/bin/python3", str(script)], capture_output=True, text=True, check=True).stdout)
+            numbers = json.loads(
+                subprocess.run(["/usr/bin/python3", str(script)], capture_output=True, text=True, check=True).stdout
+            )
             labels = {row["label"] for row in case["rows"]}
             self.assertLessEqual(set(numbers), labels, case["name"])
             for row in case["rows"]:
@@ -173,7 +192,9 @@ class OracleTest(ProgramTest):
     def test_shapes_are_those_that_the_scripts_write(self):
         for script in CASES.glob("*/reference.py"):
             if "--gap" in script.read_text():
-                rows = subprocess.run(["/usr/bin/python3", str(script), "--gap"], capture_output=True, text=True, check=True)
+                rows = subprocess.run(
+                    ["/usr/bin/python3", str(script), "--gap"], capture_output=True, text=True, check=True
+                )
                 self.assertEqual(rows.stdout, (script.parent / "gap.csv").read_text(), script.parent.name)
 
     def test_maps_and_histories_are_those_that_the_oracles_write(self):
@@ -185,7 +206,9 @@ class OracleTest(ProgramTest):
         }
         for file, options in written.items():
             script = (CASES / file).parent / "oracle.py"
-            rows = subprocess.run(["/usr/bin/python3", str(script), *options], capture_output=True, text=True, check=True)
+            rows = subprocess.run(
+                ["/usr/bin/python3", str(script), *options], capture_output=True, text=True, check=True
+            )
             self.assertEqual(rows.stdout, (CASES / file).read_text(), file)
 
 

@@ -51,8 +51,9 @@ class StudyOnSlurm(StudyFolder):
         return self.run_well("study", "status", "study.toml", "-o", output)
 
     def logs(self):
-        return "".join(f"{path.name}: {path.read_text(errors='replace')}"
-                       for path in sorted(self.folder.glob("out/*.log")))
+        return "".join(
+            f"{path.name}: {path.read_text(errors='replace')}" for path in sorted(self.folder.glob("out/*.log"))
+        )
 
     def wait_for_result(self):
         SLURM.wait_until_empty(LONGEST)
@@ -62,8 +63,11 @@ class StudyOnSlurm(StudyFolder):
         self.run_well("study", "study.toml", "-o", "whole")
         array, merge = self.submit("--parts", "5", "--", "--comment=two words")
         self.assertEqual(int(merge), int(array) + 1)
-        self.assert_refused(self.run_program("study", "submit", "study.toml", "-o", "out", "--engine", "slurm"),
-                            f"in the queue already, as jobs {array} and {merge}", "scancel")
+        self.assert_refused(
+            self.run_program("study", "submit", "study.toml", "-o", "out", "--engine", "slurm"),
+            f"in the queue already, as jobs {array} and {merge}",
+            "scancel",
+        )
         self.wait_for_result()
         self.assertEqual(self.contents("whole"), self.contents("out"))
         self.assertIn("part 5 of 5", self.status())
@@ -118,15 +122,17 @@ class StudyOnSlurm(StudyFolder):
 
     @staticmethod
     def begin_at_once(array):
-        """What looks after a cluster does: a task that was put back waits two minutes otherwise, and Slurm drains a node
+        """What looks after a cluster does: a task that was put back waits two minutes otherwise, and Slurm drains
+        a node
         and holds a task that it tried to start there while the one before was still ending."""
         time.sleep(0.5)
         if SLURM.say("sinfo", "-h", "-o", "%T").startswith(("drain", "down")):
             SLURM.say("scontrol", "update", f"nodename={SLURM.node}", "state=resume")
         for job, state, reason in SLURM.in_queue():
             if state == "PENDING" and job.startswith(f"{array}_"):
-                SLURM.say("scontrol", *(["release", job] if "held" in reason else
-                                        ["update", f"jobid={job}", "StartTime=now"]))
+                SLURM.say(
+                    "scontrol", *(["release", job] if "held" in reason else ["update", f"jobid={job}", "StartTime=now"])
+                )
 
     def test_where_a_part_fails_nothing_is_joined_and_status_reports_why(self):
         self.run_well("study", "study.toml", "-o", "whole")
@@ -157,8 +163,9 @@ class StudyOnSlurm(StudyFolder):
         self.assertEqual(self.contents("whole"), self.contents("out"))
 
     def test_what_sbatch_refuses_is_reported(self):
-        done = self.run_program("study", "submit", "study.toml", "-o", "out", "--engine", "slurm", "--",
-                                "--partition=none")
+        done = self.run_program(
+            "study", "submit", "study.toml", "-o", "out", "--engine", "slurm", "--", "--partition=none"
+        )
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertIn("invalid partition", done.stderr)
         self.assertIn("to try by hand, in out: sbatch", done.stderr)
@@ -166,10 +173,21 @@ class StudyOnSlurm(StudyFolder):
     def test_the_scripts_can_be_submitted_by_hand(self):
         self.run_well("study", "study.toml", "-o", "whole")
         self.submit("--parts", "3", "--dry-run")
-        printed = subprocess.run(["sbatch", "--parsable", "study.array.sh"], cwd=self.folder / "out", text=True,
-                              env=SLURM.environment, capture_output=True, check=True).stdout
-        subprocess.run(["sbatch", f"--dependency=afterok:{printed.strip()}", "study.merge.sh"], cwd=self.folder / "out",
-                       env=SLURM.environment, capture_output=True, check=True)
+        printed = subprocess.run(
+            ["sbatch", "--parsable", "study.array.sh"],
+            cwd=self.folder / "out",
+            text=True,
+            env=SLURM.environment,
+            capture_output=True,
+            check=True,
+        ).stdout
+        subprocess.run(
+            ["sbatch", f"--dependency=afterok:{printed.strip()}", "study.merge.sh"],
+            cwd=self.folder / "out",
+            env=SLURM.environment,
+            capture_output=True,
+            check=True,
+        )
         self.wait_for_result()
         self.assertEqual(self.contents("whole"), self.contents("out"))
 

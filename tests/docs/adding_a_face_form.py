@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Does what docs/manual/extending/adding-a-face-form.md states, to a copy of the project: its sources compile with the warnings of
+"""Does what docs/manual/extending/adding-a-face-form.md states, to a copy of the project: its sources compile with
+the warnings of
 the build, and the laws of faces hold for the form of the page. What a case makes of the form would take a new build of
 all that depends on a case, and is left to the reader's own.
 
@@ -14,14 +15,16 @@ FACE = "src/ringfilm/models/ring.cpp"
 
 with Project("docs/manual/extending/adding-a-face-form.md") as project:
     changed = sorted(project.changes())
-    expected = sorted([LAWS, *CYCLE, FACE, "src/ringfilm/models/ring.hpp", "src/ringfilm/cycle/case/case.hpp",
-                       "docs/theory/ring.md"])
+    expected = sorted(
+        [LAWS, *CYCLE, FACE, "src/ringfilm/models/ring.hpp", "src/ringfilm/cycle/case/case.hpp", "docs/theory/ring.md"]
+    )
     if changed != expected or project.changed_files() != expected:
         project.fail(f"it should change {expected}, and changes {project.changed_files()}")
     for source in CYCLE:
         project.compiled(source, "libringfilm_cycle.a")
-    laws = project.linked("tests/laws", [project.compiled(FACE, "libringfilm_models.a"),
-                                         project.compiled(LAWS, "tests/laws")])
+    laws = project.linked(
+        "tests/laws", [project.compiled(FACE, "libringfilm_models.a"), project.compiled(LAWS, "tests/laws")]
+    )
     if "[       OK ] FaceLaws.TurningMirrorsEveryForm" not in project.run(laws, "--gtest_filter=FaceLaws.*"):
         project.fail("the laws of faces were not run")
 print("the form of the page compiles and keeps the laws of faces")

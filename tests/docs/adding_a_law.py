@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Does what docs/manual/extending/adding-a-law.md states, to a copy of the project, and looks whether all comes that it promises.
+"""Does what docs/manual/extending/adding-a-law.md states, to a copy of the project, and looks whether all comes
+that it promises.
 
 usage: adding_a_law.py SOURCE_FOLDER BUILD_FOLDER
 """
@@ -28,12 +29,16 @@ def check_cases(project, program):
 
     def call(lines, *words, expect=0):
         (scratch / "case.toml").write_text(CASE.replace("[lubricant]\n", "[lubricant]\n" + lines), encoding="utf-8")
-        return project.run(program, *words, expect=expect, cwd=scratch, env={**os.environ, "RINGFILM_DATA": str(SOURCE)})
+        return project.run(
+            program, *words, expect=expect, cwd=scratch, env={**os.environ, "RINGFILM_DATA": str(SOURCE)}
+        )
 
     if "lubricant.cameron_coefficient" not in call(law, "check", "case.toml", expect=2):
         project.fail("a missing number is not reported by its key")
     of_another = 'pressure_viscosity_coefficient = "1e-8 Pa-1"\n'
-    if "pressure_viscosity_coefficient is not used" not in call(law + numbers + of_another, "check", "case.toml", expect=2):
+    if "pressure_viscosity_coefficient is not used" not in call(
+        law + numbers + of_another, "check", "case.toml", expect=2
+    ):
         project.fail("a number of another law is not refused")
     call(law + numbers, "run", "case.toml", "--output", "result.nc")
     result = (scratch / "result.nc").read_bytes()
@@ -62,8 +67,13 @@ def check_python(project, law):
     package = project.scratch / "python" / "ringfilm"
     shutil.copytree(built, package)
     shutil.move(project.linked(module.relative_to(BUILD).as_posix(), law), package / module.name)
-    project.run("/usr/bin/python3", "-c", IN_PYTHON, cwd=project.scratch,
-                env={**os.environ, "PYTHONPATH": str(package.parent), "RINGFILM_DATA": str(SOURCE)})
+    project.run(
+        "/usr/bin/python3",
+        "-c",
+        IN_PYTHON,
+        cwd=project.scratch,
+        env={**os.environ, "PYTHONPATH": str(package.parent), "RINGFILM_DATA": str(SOURCE)},
+    )
 
 
 with Project(PAGE) as project:

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Does what docs/manual/extending/adding-a-study.md states, to a copy of the project: its study is planned and its first part run,
+"""Does what docs/manual/extending/adding-a-study.md states, to a copy of the project: its study is planned and its
+first part run,
 its verification passes, and fails when its expected number is corrupted.
 
 usage: adding_a_study.py SOURCE_FOLDER BUILD_FOLDER

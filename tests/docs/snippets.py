@@ -4,17 +4,21 @@
 usage: snippets.py PROGRAM MODULE_FOLDER [PAGE...]
        snippets.py --commands PAGE        print the commands of a page that are run, to be run elsewhere
 
-The folder has cases/, data/ and build/ringfilm of the checkout, and `ringfilm` is in PATH. What a page takes for granted
+The folder has cases/, data/ and build/ringfilm of the checkout, and `ringfilm` is in PATH. What a page takes for
+granted
 or is written in comments of Markdown before a block, which no reader sees:
 
-    <!-- given: COMMANDS -->       run before the block (or before the page's next one): files that the reader would have
+    <!-- given: COMMANDS -->       run before the block (or before the page's next one): files that the reader
+                                  would have
     <!-- file: NAME -->            the block is this file; written before anything of the page is run
     <!-- file: NAME, checked -->   the same, and `ringfilm check` or Study.read must accept it
-    <!-- printed -->               each line of the block was printed by the commands before it; "..." stands for any text
+    <!-- printed -->               each line of the block was printed by the commands before it; "..." stands for
+                                  any text
     <!-- not run: REASON -->       the block is shown only
 
 Blocks of sh and python are run, those of matlab where Octave is installed; toml, json and yaml must at least be that.
-Every other block is text. A page with a test of its own, tests/docs/NAME_OF_THE_PAGE.py, is left to that. Exit code 1 if
+Every other block is text. A page with a test of its own, tests/docs/NAME_OF_THE_PAGE.py, is left to that. Exit
+code 1 if
 anything fails.
 """
 
@@ -70,7 +74,9 @@ class Block:
 def blocks_of(page):
     """All blocks of a page. A comment counts for the block that follows it."""
     text = (ROOT / page).read_text(encoding="utf-8")
-    pattern = re.compile(r"^<!-- (given|file|printed|not run)(?:: (.*?))? ?-->$|^( *)```(\w*)[^\n]*\n(.*?)^ *```$", re.M | re.S)
+    pattern = re.compile(
+        r"^<!-- (given|file|printed|not run)(?:: (.*?))? ?-->$|^( *)```(\w*)[^\n]*\n(.*?)^ *```$", re.M | re.S
+    )
     marks, found = [], []
     for match in pattern.finditer(text):
         if match.group(1):
@@ -91,8 +97,16 @@ class Page:
 
     def command(self, words, what, **more):
         """Runs a command; its output is kept for what follows."""
-        done = subprocess.run(words, cwd=self.folder, env=self.environment, capture_output=True, text=True,
-                              timeout=SECONDS_A_BLOCK, stdin=subprocess.DEVNULL, **more)
+        done = subprocess.run(
+            words,
+            cwd=self.folder,
+            env=self.environment,
+            capture_output=True,
+            text=True,
+            timeout=SECONDS_A_BLOCK,
+            stdin=subprocess.DEVNULL,
+            **more,
+        )
         self.output = done.stdout + done.stderr
         if done.returncode != 0:
             raise Failure(f"{what} ended with {done.returncode}:\n{self.output[-3000:]}")
@@ -138,8 +152,14 @@ class Page:
     def script(self, text):
         """Python, in one interpreter for the whole page: names continue from block to block."""
         if self.interpreter is None:
-            self.interpreter = subprocess.Popen([PYTHON, "-c", INTERPRETER], cwd=self.folder, env=self.environment,
-                                                stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+            self.interpreter = subprocess.Popen(
+                [PYTHON, "-c", INTERPRETER],
+                cwd=self.folder,
+                env=self.environment,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                text=True,
+            )
         self.interpreter.stdin.write(json.dumps(text) + "\n")
         self.interpreter.stdin.flush()
         answer = self.interpreter.stdout.readline()
@@ -194,8 +214,15 @@ def main(program, module, pages):
                 shutil.copytree(ROOT / part, folder / part)
             (folder / "build").mkdir()
             (folder / "build" / "ringfilm").symlink_to(program)
-            environment = {**os.environ, "PATH": f"{folder / 'build'}:{os.environ['PATH']}", "RINGFILM_DATA": str(ROOT),
-                           "PYTHONPATH": str(module), "MPLBACKEND": "Agg", "PYTHONDONTWRITEBYTECODE": "1", "HOME": name}
+            environment = {
+                **os.environ,
+                "PATH": f"{folder / 'build'}:{os.environ['PATH']}",
+                "RINGFILM_DATA": str(ROOT),
+                "PYTHONPATH": str(module),
+                "MPLBACKEND": "Agg",
+                "PYTHONDONTWRITEBYTECODE": "1",
+                "HOME": name,
+            }
             here = Page(folder, environment, count)
             for block in blocks:
                 if block.file:
@@ -208,10 +235,12 @@ def main(program, module, pages):
                     print(f"FAILED {failures[-1]}", flush=True)
             here.end()
         print(f"{page}: {len(blocks)} blocks, {time.monotonic() - started:.0f} s", flush=True)
-    print(f"snippets: {count['run']} run, {count['checked']} files of cases and studies checked of {count['files']}, "
-          f"{count['printed']} outputs compared, {count['read']} parts of files read, {count['text']} are text, "
-          f"{count['elsewhere']} have a test of their own; "
-          f"{len(count['not run'])} not run:")
+    print(
+        f"snippets: {count['run']} run, {count['checked']} files of cases and studies checked of {count['files']}, "
+        f"{count['printed']} outputs compared, {count['read']} parts of files read, {count['text']} are text, "
+        f"{count['elsewhere']} have a test of their own; "
+        f"{len(count['not run'])} not run:"
+    )
     for line in count["not run"]:
         print(f"  {line}")
     print(f"snippets: {len(failures)} failed")

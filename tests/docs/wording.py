@@ -21,8 +21,11 @@ RULES = [
     (r"\b(left|leaves?|leaving) out\b", "omitted, omit"),
     (r"\b(taken?|takes) off\b", "removed, remove, subtract"),
     (r"\b(made|makes?) ready\b", "set up"),
-    (r"(?<!\bthere )(?<!\bnothing )\b(is|are|was|were) no (?!longer|more|less|other|further|one|later|finer|better|"
-     r"larger|smaller|greater|wider|worse|such|obstacle)[a-z]", "is not a ..."),
+    (
+        r"(?<!\bthere )(?<!\bnothing )\b(is|are|was|were) no (?!longer|more|less|other|further|one|later|finer|better|"
+        r"larger|smaller|greater|wider|worse|such|obstacle)[a-z]",
+        "is not a ...",
+    ),
     (r"(?<!\bthere )\b(is|are|was|were) (?-i:none)\b", "is not ..."),
     (r"\bhangs? together\b", "are correlated"),
     (r"\bhouse\b", "architecture"),
@@ -44,32 +47,55 @@ RULES = [
 ]
 
 # Folders whose comments and messages are still to be written in these terms.
-PENDING = ("src/ringfilm/film/", "src/ringfilm/cycle/", "src/ringfilm/io/case/", "src/ringfilm/io/result/",
-           "src/ringfilm/report/", "src/ringfilm/pad/", "python/", "script/", "cmake/", "cases/measured/fragments/")
+PENDING = (
+    "src/ringfilm/film/",
+    "src/ringfilm/cycle/",
+    "src/ringfilm/io/case/",
+    "src/ringfilm/io/result/",
+    "src/ringfilm/report/",
+    "src/ringfilm/pad/",
+    "python/",
+    "script/",
+    "cmake/",
+    "cases/measured/fragments/",
+)
 
 # Where an expression may stand: (path, text of the line). Names of earlier versions, quotations, other programs.
 EXCEPTIONS = [
     (r"^tests/docs/wording\.py$", r""),
-    (r"^(verification|tests/unit/(pad|film))/", r"(?i)\bland\b"),             # of a step bearing
-    (r"^docs/glossary\.md$", r"^\| (`lambda_ratio`|running surface) \|"),    # synonyms
-    (r"^tests/cli/face_test\.py$", r"--land-height|--levelling"),            # names of an earlier version
+    (r"^(verification|tests/unit/(pad|film))/", r"(?i)\bland\b"),  # of a step bearing
+    (r"^docs/glossary\.md$", r"^\| (`lambda_ratio`|running surface) \|"),  # synonyms
+    (r"^tests/cli/face_test\.py$", r"--land-height|--levelling"),  # names of an earlier version
     (r"^src/ringfilm/base/renamed\.hpp$", r"^ +\{\""),
     (r"^verification/.*\.py$", r"--swing"),
     (r"^tests/cli/verify_test\.py$", r"--swing"),
     (r"^tests/unit/io/case/trace_file_test\.cpp$", r"gas\.pressure_unit says"),  # message of a pending folder
-    (r"^tests/cli/bench_compare_test\.py$", r"script/bench-compare|Google Benchmark|no percentage"),  # messages of a pending folder
+    (
+        r"^tests/cli/bench_compare_test\.py$",
+        r"script/bench-compare|Google Benchmark|no percentage",
+    ),  # messages of a pending folder
     (r"^tests/cli/face_test\.py$", r"mrad taken off"),
 ]
 
 SKIPPED = re.compile(r"^(fuzz/(corpus|beside)/|docs/renamed\.csv|LICENSE|docs/references\.bib)")
 HASH = re.compile(r"""(?P<text>'''.*?'''|\"\"\".*?\"\"\"|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|\#[^\n]*)""", re.S)
 SLASH = re.compile(
-    r"""(?P<text>//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\2"|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|`[^`]*`)""", re.S)
+    r"""(?P<text>//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\2"|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|`[^`]*`)""", re.S
+)
 MARK = "\x01"
 # End of a line, and the mark of a comment that continues in the next one.
 JOINT = re.compile(r"\"?[ \t]*\n[ \t]*(?:///?<?|#|%|\")?[ \t]*")
-LANGUAGES = {".py": HASH, ".pyi": HASH, ".toml": HASH, ".cmake": HASH, ".cpp": SLASH, ".hpp": SLASH, ".js": SLASH,
-             ".mjs": SLASH, ".css": SLASH}
+LANGUAGES = {
+    ".py": HASH,
+    ".pyi": HASH,
+    ".toml": HASH,
+    ".cmake": HASH,
+    ".cpp": SLASH,
+    ".hpp": SLASH,
+    ".js": SLASH,
+    ".mjs": SLASH,
+    ".css": SLASH,
+}
 
 
 def files(root):
@@ -90,7 +116,7 @@ def prose(path, text):
         return ""
     kept, end = [], 0
     for hit in LANGUAGES[ending].finditer(text):
-        kept += [blank(text[end:hit.start()]), hit.group()]
+        kept += [blank(text[end : hit.start()]), hit.group()]
         end = hit.end()
     return "".join(kept) + blank(text[end:])
 
@@ -104,7 +130,7 @@ def joined(text):
     """Lines of one comment or literal joined with a blank, and the number of the line of each character."""
     parts, lines, end, line = [], [], 0, 1
     for hit in [*JOINT.finditer(text), None]:
-        part = text[end:hit.start()] if hit else text[end:]
+        part = text[end : hit.start()] if hit else text[end:]
         parts.append(part)
         lines += [line] * len(part)
         if hit:
@@ -131,14 +157,16 @@ def findings(root):
             for hit in rule.finditer(flat):
                 line = lines[hit.start()]
                 if not any(a.search(path) and b.search(written[line - 1]) for a, b in allowed):
-                    yield f"{path}:{line}: \"{hit.group()}\": write {better}: {written[line - 1].strip()[:160]}"
+                    yield f'{path}:{line}: "{hit.group()}": write {better}: {written[line - 1].strip()[:160]}'
 
 
 def check_itself():
     """The rules find their words in code of each kind, and over the end of a line."""
-    for path, text, hits in (("a.cpp", 'int told = 1;  // what is told\nfail("x is none");', 2),
-                             ("a.md", "`says` says", 1),
-                             ("a.py", '# a part that is left\n# out of it\nsaid = "a house"', 2)):
+    for path, text, hits in (
+        ("a.cpp", 'int told = 1;  // what is told\nfail("x is none");', 2),
+        ("a.md", "`says` says", 1),
+        ("a.py", '# a part that is left\n# out of it\nsaid = "a house"', 2),
+    ):
         flat = joined(prose(path, text))[0]
         assert sum(bool(re.search(rule, flat)) for rule, _ in RULES) == hits, (path, flat)
 

@@ -27,8 +27,12 @@ class TheInstalledPackage(unittest.TestCase):
         cls.folder = pathlib.Path(scratch.name)
         first = cls.folder / "first"
         for component in ("program", "library"):
-            subprocess.run([CMAKE, "--install", BUILD, "--component", component, "--prefix", str(first)], check=True,
-                           stdout=subprocess.DEVNULL, timeout=120)
+            subprocess.run(
+                [CMAKE, "--install", BUILD, "--component", component, "--prefix", str(first)],
+                check=True,
+                stdout=subprocess.DEVNULL,
+                timeout=120,
+            )
         cls.prefix = cls.folder / "elsewhere" / "prefix"  # all of it can be moved
         cls.prefix.parent.mkdir()
         first.rename(cls.prefix)
@@ -36,8 +40,14 @@ class TheInstalledPackage(unittest.TestCase):
         cls.case = cls.prefix / "share" / "ringfilm" / "cases" / "styles2014" / "new.toml"
 
     def done(self, *words, **how):
-        done = subprocess.run([str(word) for word in words], cwd=self.folder, capture_output=True, text=True,
-                              timeout=500, **{"env": ENVIRONMENT, **how})
+        done = subprocess.run(
+            [str(word) for word in words],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=500,
+            **{"env": ENVIRONMENT, **how},
+        )
         self.assertEqual(done.returncode, 0, f"{words}\n{done.stdout}{done.stderr}")
         return done.stdout
 
@@ -46,8 +56,16 @@ class TheInstalledPackage(unittest.TestCase):
 
     def built(self, example):
         build = self.folder / example
-        self.done(CMAKE, "-S", SOURCES / "examples" / "cpp" / example, "-B", build, "-G", "Ninja",
-                  f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.done(
+            CMAKE,
+            "-S",
+            SOURCES / "examples" / "cpp" / example,
+            "-B",
+            build,
+            "-G",
+            "Ninja",
+            f"-DCMAKE_PREFIX_PATH={self.prefix}",
+        )
         self.done(CMAKE, "--build", build)
         return build / example
 
@@ -63,8 +81,13 @@ class TheInstalledPackage(unittest.TestCase):
 
     def test_one_cycle(self):
         program = self.built("one_cycle")
-        reported = self.done(program, self.case, "result.nc", "page.html",
-                         env={**ENVIRONMENT, "XDG_DATA_DIRS": str(self.prefix / "share")})
+        reported = self.done(
+            program,
+            self.case,
+            "result.nc",
+            "page.html",
+            env={**ENVIRONMENT, "XDG_DATA_DIRS": str(self.prefix / "share")},
+        )
         row = next(line for line in reported.splitlines() if line.startswith("mean_power_loss"))
         self.assertEqual(row.split()[1], f"{self.values('--set', 'operating.speed=2000 rpm')['mean_power_loss']:.5g}")
         self.assertIn("the film is thinnest", reported)
@@ -74,8 +97,11 @@ class TheInstalledPackage(unittest.TestCase):
         self.assertEqual(page, (self.folder / "again.html").read_text())
 
     def test_an_oil_of_ones_own(self):
-        reported = self.done(self.built("own_oil"), self.case,
-                         env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")})
+        reported = self.done(
+            self.built("own_oil"),
+            self.case,
+            env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")},
+        )
         lines = reported.splitlines()
         of_the_case, own = (float(lines[1].split(word)[1].split()[0]) for word in ("the case", "own law"))
         self.assertAlmostEqual(of_the_case, self.values()["mean_power_loss"], delta=1e-4)  # as it is printed
@@ -88,8 +114,12 @@ class TheInstalledPackage(unittest.TestCase):
         self.assertAlmostEqual(float(first.split()[2]), own, delta=1e-3)
 
     def test_a_batch(self):
-        reported = self.done(self.built("batch"), self.case, "20",
-                         env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")})
+        reported = self.done(
+            self.built("batch"),
+            self.case,
+            "20",
+            env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")},
+        )
         self.assertIn("20 scenarios, 0 not solved", reported)
         self.assertIn("scenario 18:", reported)
 
@@ -101,10 +131,23 @@ class TheInstalledPackage(unittest.TestCase):
         env = {**ENVIRONMENT, "PKG_CONFIG_PATH": str(pc.parent)}
         flags = self.done("pkg-config", "--cflags", "--libs", "ringfilm", env=env).split()
         source = SOURCES / "examples" / "cpp" / "one_cycle" / "one_cycle.cpp"
-        self.done(os.environ.get("CXX", "g++"), "-std=c++20", *os.environ.get("CXXFLAGS", "").split(), source, *flags,
-                  "-o", "by_pkg_config", env=env)
-        reported = self.done(self.folder / "by_pkg_config", self.case, "p.nc", "p.html",
-                         env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")})
+        self.done(
+            os.environ.get("CXX", "g++"),
+            "-std=c++20",
+            *os.environ.get("CXXFLAGS", "").split(),
+            source,
+            *flags,
+            "-o",
+            "by_pkg_config",
+            env=env,
+        )
+        reported = self.done(
+            self.folder / "by_pkg_config",
+            self.case,
+            "p.nc",
+            "p.html",
+            env={**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")},
+        )
         self.assertIn("mean_power_loss", reported)
 
 

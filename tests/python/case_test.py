@@ -30,7 +30,9 @@ def test_a_unit_string_and_a_number_in_si_state_the_same(case):
     assert case.text("operating.oil_temperature") == '"100 degC"'
 
 
-@pytest.mark.parametrize("value", [numpy.float64(200.0), numpy.float32(200.0), numpy.int64(200), 200, 200.0, numpy.array(200.0)])
+@pytest.mark.parametrize(
+    "value", [numpy.float64(200.0), numpy.float32(200.0), numpy.int64(200), 200, 200.0, numpy.array(200.0)]
+)
 def test_any_number_of_numpy_is_a_number(case, value):
     case["operating.speed"] = ringfilm.SI(value)
     assert case["operating.speed"] == 200.0
@@ -44,7 +46,11 @@ def test_a_key_that_does_not_exist_is_a_key_error_and_the_nearest_is_reported(ca
     assert isinstance(refused.value, ringfilm.InputError)
     assert str(refused.value) == "unknown key engine.bor; did you mean engine.bore?"
     assert refused.value.faults[0].message == str(refused.value)
-    for act in (lambda: case.__delitem__("engine.bor"), lambda: case.__setitem__("engine.bor", 1.0), lambda: case.text("x")):
+    for act in (
+        lambda: case.__delitem__("engine.bor"),
+        lambda: case.__setitem__("engine.bor", 1.0),
+        lambda: case.text("x"),
+    ):
         with pytest.raises(ringfilm.UnknownKeyError):
             act()
     copied = pickle.loads(pickle.dumps(refused.value))
@@ -100,7 +106,9 @@ def test_what_is_not_a_value_is_a_type_error(case, value):
 
 
 def test_a_bad_file_is_refused_with_the_text_of_the_program(folder, run_program):
-    (folder / "case.toml").write_text((folder / "case.toml").read_text().replace('"89 mm"', "89").replace("stroke", "strok"))
+    (folder / "case.toml").write_text(
+        (folder / "case.toml").read_text().replace('"89 mm"', "89").replace("stroke", "strok")
+    )
     reported = run_program("check", "case.toml").stderr
     with pytest.raises(ringfilm.InputError) as refusal:
         ringfilm.Case.read("case.toml")
@@ -160,7 +168,9 @@ def test_keys_that_only_fit_together_are_changed_at_once(case, folder):
     with pytest.raises(TypeError, match="a key of update must be a text"):
         case.update({1: "90 mm"})
     assert case == before
-    case.update({"gas.cylinder_pressure": folder / "two.csv", "gas.pressure_column": "p2", "solver.cells": ringfilm.SI(None)})
+    case.update(
+        {"gas.cylinder_pressure": folder / "two.csv", "gas.pressure_column": "p2", "solver.cells": ringfilm.SI(None)}
+    )
     assert case["gas.pressure_column"] == "p2" and "solver.cells" not in case
     case.check()
     case.update({"gas.pressure_column": None, "gas.cylinder_pressure": "trace.csv"})
@@ -171,7 +181,10 @@ def test_keys_that_only_fit_together_are_changed_at_once(case, folder):
 def test_overrides_replace_what_a_file_lacks(folder):
     text = (folder / "case.toml").read_text().replace('elastic_pressure = "0.2 MPa"\n', "")
     (folder / "case.toml").write_text(text)
-    case = ringfilm.Case.read("case.toml", {"ring.elastic_pressure": ringfilm.SI(0.2e6), "operating.speed": "3000 rpm", "ring.face.crown_height": "10 um"})
+    case = ringfilm.Case.read(
+        "case.toml",
+        {"ring.elastic_pressure": ringfilm.SI(0.2e6), "operating.speed": "3000 rpm", "ring.face.crown_height": "10 um"},
+    )
     assert case["ring.elastic_pressure"] == 0.2e6
     assert case["ring.face.crown_height"] == 10e-6
     with pytest.raises(ringfilm.InputError, match="ring.elastic_pressure = 200000 has no unit"):
@@ -186,7 +199,12 @@ def test_an_oil_file_takes_the_place_of_the_oil(case):
 
 
 def test_copies_are_independent(case):
-    for other in (case.copy(), copy.copy(case), copy.deepcopy(case), *(pickle.loads(pickle.dumps(case, protocol)) for protocol in range(6))):
+    for other in (
+        case.copy(),
+        copy.copy(case),
+        copy.deepcopy(case),
+        *(pickle.loads(pickle.dumps(case, protocol)) for protocol in range(6)),
+    ):
         assert other == case
         other["operating.speed"] = "3000 rpm"
         assert other != case
@@ -344,7 +362,8 @@ for one in sorted(classes, key=lambda each: each.__name__):
     uses.update({name: lambda name=name: getattr(empty, name) for name in dir(one)
                  if isinstance(inspect.getattr_static(one, name), property)})
     uses.update({f"pickle {k}": lambda k=k: pickle.dumps(empty, k) for k in range(6)})
-    uses.update({"copy": lambda: copy.copy(empty), "deepcopy": lambda: copy.deepcopy(empty), "repr": lambda: repr(empty)})
+    uses.update({"copy": lambda: copy.copy(empty), "deepcopy": lambda: copy.deepcopy(empty)})
+    uses["repr"] = lambda: repr(empty)
     for name, use in uses.items():
         print(one.__name__, name, file=sys.stderr, flush=True)
         if name == "repr" and "__repr__" in of_object:
@@ -378,5 +397,10 @@ def test_an_object_that_was_never_constructed_is_a_type_error():
 def test_what_cannot_be_pickled_is_a_type_error(protocol):
     with pytest.raises(TypeError, match="ringfilm.Field cannot be pickled or copied"):
         pickle.dumps(ringfilm.fields()[0], protocol)
-    for made in (ringfilm.SI(2.5), ringfilm.BatchResult([]), ringfilm.InputError("a", []), ringfilm.ConvergenceError("b")):
+    for made in (
+        ringfilm.SI(2.5),
+        ringfilm.BatchResult([]),
+        ringfilm.InputError("a", []),
+        ringfilm.ConvergenceError("b"),
+    ):
         assert repr(pickle.loads(pickle.dumps(made, protocol))) == repr(made) == repr(copy.copy(made))

@@ -8,7 +8,6 @@ import sys
 import numpy
 import pytest
 
-import ringfilm
 from conftest import SOURCES
 from ringfilm import face, lateral_force, laws, surface
 
@@ -82,7 +81,12 @@ MADE = {
 def test_copies_and_pickles_are_the_same(name):
     one = MADE[name]()
     assert type(one).__name__ == name
-    for other in [MADE[name](), *(pickle.loads(pickle.dumps(one, protocol)) for protocol in range(6)), copy.copy(one), copy.deepcopy(one)]:
+    for other in [
+        MADE[name](),
+        *(pickle.loads(pickle.dumps(one, protocol)) for protocol in range(6)),
+        copy.copy(one),
+        copy.deepcopy(one),
+    ]:
         assert other is not one
         assert other == one and not other != one
         assert repr(other) == repr(one)
@@ -115,10 +119,22 @@ def test_other_values_are_not_the_same():
 def test_a_pickle_works_on_in_another_process(tmp_path):
     (tmp_path / "all.pickle").write_bytes(pickle.dumps([fit(), sample(), contact()]))
     reported = subprocess.run(
-        [sys.executable, "-c", "import pickle, sys; fit, sample, contact = pickle.load(open(sys.argv[1], 'rb'));"
-         "print(repr(fit.height(0.3e-3)), repr(sample.line.slope), repr(contact.pressure(1e-6)))",
-         tmp_path / "all.pickle"], capture_output=True, text=True, check=True)
-    assert reported.stdout.split() == [repr(fit().height(0.3e-3)), repr(sample().line.slope), repr(contact().pressure(1e-6))]
+        [
+            sys.executable,
+            "-c",
+            "import pickle, sys; fit, sample, contact = pickle.load(open(sys.argv[1], 'rb'));"
+            "print(repr(fit.height(0.3e-3)), repr(sample.line.slope), repr(contact.pressure(1e-6)))",
+            tmp_path / "all.pickle",
+        ],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert reported.stdout.split() == [
+        repr(fit().height(0.3e-3)),
+        repr(sample().line.slope),
+        repr(contact().pressure(1e-6)),
+    ]
 
 
 def test_what_is_hidden_travels_too():

@@ -21,8 +21,14 @@ OPERATORS = ("__getitem__", "__setitem__", "__len__", "__call__")
 
 def public_modules():
     """The package and what it has of modules, public by their names: none is omitted for not being listed somewhere."""
-    return ["ringfilm", *(f"ringfilm.{module.name}" for module in pkgutil.iter_modules(ringfilm.__path__)
-                          if not module.name.startswith("_"))]
+    return [
+        "ringfilm",
+        *(
+            f"ringfilm.{module.name}"
+            for module in pkgutil.iter_modules(ringfilm.__path__)
+            if not module.name.startswith("_")
+        ),
+    ]
 
 
 def public_names():
@@ -39,7 +45,7 @@ def public_names():
 
 
 def own_words(thing):
-    """The docstring without the signature that pybind11 puts in front; nothing for words that Python itself puts there."""
+    """The docstring without the signature that pybind11 puts in front; nothing for words of Python itself."""
     doc = inspect.getdoc(thing) or ""
     if doc.startswith("Alias for field number"):
         return ""
@@ -71,8 +77,12 @@ def test_every_result_of_a_function_is_of_a_public_class():
 
     named = {thing for _, thing in public_names() if inspect.isclass(thing)}
     inner = [compiled, *(thing for thing in vars(compiled).values() if inspect.ismodule(thing))]
-    hidden = [thing.__name__ for module in inner for thing in vars(module).values()
-              if inspect.isclass(thing) and thing not in named]
+    hidden = [
+        thing.__name__
+        for module in inner
+        for thing in vars(module).values()
+        if inspect.isclass(thing) and thing not in named
+    ]
     assert len(inner) > 4
     assert hidden == []
 
@@ -84,7 +94,9 @@ def test_functions_that_take_arrays_state_their_unit():
 
 
 def test_the_stubs_agree_with_the_module():
-    done = subprocess.run([sys.executable, str(SOURCES / "script" / "python-stubs"), "--check"], capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, str(SOURCES / "script" / "python-stubs"), "--check"], capture_output=True, text=True
+    )
     assert done.returncode == 0, done.stderr
 
 
@@ -95,7 +107,9 @@ def test_the_examples_of_the_manual_run(tmp_path, monkeypatch):
         shutil.copytree(SOURCES / name, tmp_path / name)
     monkeypatch.chdir(tmp_path)
     page = SOURCES / "docs" / "manual" / "python.md"
-    failed, tried = doctest.testfile(str(page), module_relative=False, optionflags=doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE)
+    failed, tried = doctest.testfile(
+        str(page), module_relative=False, optionflags=doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+    )
     assert tried > 30 and failed == 0
 
 

@@ -8,7 +8,8 @@ import pytest
 import ringfilm
 
 FACE = 'face = { form = "parabola", crown_height = "15 um" }\n'
-CASE = """
+CASE = (
+    """
 title = "pack"
 [engine]
 bore = "89 mm"
@@ -38,12 +39,16 @@ fields = ["20 degree"]
 face_width = "1.2 mm"
 elastic_pressure = "0.2 MPa"
 pressure_below = "2.5 bar"
-""" + FACE + """
+"""
+    + FACE
+    + """
 [[ring]]
 face_width = "1.5 mm"
 elastic_pressure = "0.15 MPa"
 contact = { roughness = "0.6 um" }
-""" + FACE
+"""
+    + FACE
+)
 
 
 @pytest.fixture

@@ -184,7 +184,7 @@ def test_an_integration_that_stopped_is_not_reported_as_a_batch(case):
 
 
 def test_a_batch_without_curves_reports_how_to_have_them(case):
-    with pytest.raises(ValueError, match="curves=\"all\""):
+    with pytest.raises(ValueError, match='curves="all"'):
         ringfilm.simulate_many([case], curves="none")[0].plot()
 
 

@@ -66,7 +66,9 @@ def test_statistics_are_those_of_numpy(study):
     reported = result.statistics("fmep")
     assert reported["mean"] == pytest.approx(result["fmep"].mean(), rel=1e-12)
     assert reported["deviation"] == pytest.approx(result["fmep"].std(ddof=1), rel=1e-12)
-    assert reported["quantiles"][0.5] == pytest.approx(numpy.quantile(result["fmep"], 0.5, method="median_unbiased"), rel=1e-12)
+    assert reported["quantiles"][0.5] == pytest.approx(
+        numpy.quantile(result["fmep"], 0.5, method="median_unbiased"), rel=1e-12
+    )
     with pytest.raises(ringfilm.InputError, match="no points for Sobol indices"):
         result.sobol_indices("fmep")
     with pytest.raises(ringfilm.UnknownKeyError, match="no value of a cycle"):
@@ -95,7 +97,9 @@ def test_tables(study):
 
 
 def test_curves_of_all_scenarios(folder):
-    (folder / "study.toml").write_text(STUDY + '[keep]\ncurves = "all"\nquantities = ["min_film_thickness", "power_loss"]\n')
+    (folder / "study.toml").write_text(
+        STUDY + '[keep]\ncurves = "all"\nquantities = ["min_film_thickness", "power_loss"]\n'
+    )
     study = ringfilm.Study.read("study.toml")
     result = study.run()
     curves = result.curves("power_loss")
@@ -156,8 +160,13 @@ def batch(case):
     cases = [case.copy() for _ in range(4)]
     for rpm, one in zip((1000, 2000, 2500, 3000), cases):
         one["operating.speed"] = f"{rpm} rpm"
-    for key, text in (("contact.asperity_density", "1e-6 um-2"), ("contact.roughness", "0.01 um"),
-                      ("ring.elastic_pressure", "60 MPa"), ("ring.face.crown_height", "200 um"), ("ring.face.apex", 0.0)):
+    for key, text in (
+        ("contact.asperity_density", "1e-6 um-2"),
+        ("contact.roughness", "0.01 um"),
+        ("ring.elastic_pressure", "60 MPa"),
+        ("ring.face.crown_height", "200 um"),
+        ("ring.face.apex", 0.0),
+    ):
         cases[2][key] = text
     cases[3]["output.crank_angles"] = [0.0, 20.0]
     batch = ringfilm.simulate_many(cases)
@@ -259,5 +268,6 @@ def test_a_column_that_is_chosen_gives_the_pressures_of_its_own(folder):
     batch = ringfilm.simulate_many(cases)
     assert list(result["peak_gas_pressure"]) == list(batch["peak_gas_pressure"])
     assert result["peak_gas_pressure"][1] > 1.9 * result["peak_gas_pressure"][0]
-    assert {topic: cases for topic, (_, cases) in batch.notes.items()} == \
-        {topic: scenarios for topic, (_, scenarios) in result.notes.items()}
+    assert {topic: cases for topic, (_, cases) in batch.notes.items()} == {
+        topic: scenarios for topic, (_, scenarios) in result.notes.items()
+    }

@@ -8,9 +8,13 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const [pagesFolder, packagesFolder] = process.argv.slice(2);
-const program = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((path) => existsSync(path));
+const program = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((path) =>
+  existsSync(path),
+);
 if (!program) {
-  console.log('SKIPPED: no chromium is installed (apt-get install chromium); the report page was not tested in a browser.');
+  console.log(
+    'SKIPPED: no chromium is installed (apt-get install chromium); the report page was not tested in a browser.',
+  );
   process.exit(77);
 }
 const { chromium } = createRequire(join(packagesFolder, 'package.json'))('playwright-core');
@@ -18,7 +22,14 @@ const { chromium } = createRequire(join(packagesFolder, 'package.json'))('playwr
 const profile = mkdtempSync(join(tmpdir(), 'report-page-'));
 const browser = await chromium.launchPersistentContext(profile, {
   executablePath: program,
-  args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
+  args: [
+    '--no-sandbox',
+    '--disable-gpu',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+    '--no-first-run',
+  ],
   acceptDownloads: true,
 });
 
@@ -29,11 +40,16 @@ async function opened(name, width) {
   const faults = [];
   // "ResizeObserver loop completed ..." reaches the window only.
   await page.exposeFunction('toldToWindow', (message) => faults.push(`window error: ${message}`));
-  await page.addInitScript(() => window.addEventListener('error', (event) => window.toldToWindow(event.message)));
+  await page.addInitScript(() =>
+    window.addEventListener('error', (event) => window.toldToWindow(event.message)),
+  );
   page.on('pageerror', (error) => faults.push(`page error: ${error.stack}`));
   // Reading pixels back is this test's doing, not the page's.
   const mine = /willReadFrequently/;
-  page.on('console', (message) => { if (['error', 'warning'].includes(message.type()) && !mine.test(message.text())) faults.push(`console: ${message.text()}`); });
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type()) && !mine.test(message.text()))
+      faults.push(`console: ${message.text()}`);
+  });
   await page.route('**/*', (route) => {
     const url = route.request().url();
     if (/^(file|data|blob):/.test(url)) return route.continue();
@@ -50,7 +66,12 @@ function colouredPixels(page, selector) {
   return page.$eval(`${selector} canvas`, (canvas) => {
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
     let n = 0;
-    for (let k = 0; k < data.length; k += 4) if (data[k + 3] > 0 && Math.max(data[k], data[k + 1], data[k + 2]) - Math.min(data[k], data[k + 1], data[k + 2]) > 40) n++;
+    for (let k = 0; k < data.length; k += 4)
+      if (
+        data[k + 3] > 0 &&
+        Math.max(data[k], data[k + 1], data[k + 2]) - Math.min(data[k], data[k + 1], data[k + 2]) > 40
+      )
+        n++;
     return n;
   });
 }
@@ -61,7 +82,10 @@ function bandPixels(page, selector) {
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
     let n = 0;
     for (let k = 0; k < data.length; k += 4) {
-      const [high, low] = [Math.max(data[k], data[k + 1], data[k + 2]), Math.min(data[k], data[k + 1], data[k + 2])];
+      const [high, low] = [
+        Math.max(data[k], data[k + 1], data[k + 2]),
+        Math.min(data[k], data[k + 1], data[k + 2]),
+      ];
       if (data[k + 3] > 250 && high > 200 && high - low >= 15 && high - low < 70) n++;
     }
     return n;
@@ -70,11 +94,19 @@ function bandPixels(page, selector) {
 
 /** Left edge of the plotting area of every chart over the cycle. */
 function plotEdges(page) {
-  return page.$$eval('#cycle .u-over', (overs) => overs.map((o) => { const b = o.getBoundingClientRect(); return [Math.round(b.left), Math.round(b.right)].join(); }));
+  return page.$$eval('#cycle .u-over', (overs) =>
+    overs.map((o) => {
+      const b = o.getBoundingClientRect();
+      return [Math.round(b.left), Math.round(b.right)].join();
+    }),
+  );
 }
 
 async function downloaded(page, figure, label) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#${figure} .download:text-is("${label}")`)]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.click(`#${figure} .download:text-is("${label}")`),
+  ]);
   const path = await download.path();
   return { name: download.suggestedFilename(), bytes: readFileSync(path) };
 }
@@ -87,7 +119,10 @@ for (const width of [390, 1400]) {
     test(`${name} opens at ${width} px without error, outside request or sideways scroll`, async () => {
       const { page, faults } = await opened(name, width);
       await page.waitForTimeout(200);
-      const [wide, shown] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+      const [wide, shown] = await page.evaluate(() => [
+        document.documentElement.scrollWidth,
+        window.innerWidth,
+      ]);
       assert.ok(wide <= shown, `the page is ${wide} px wide in a window of ${shown} px`);
       assert.deepEqual(faults, []);
       await page.close();
@@ -96,8 +131,16 @@ for (const width of [390, 1400]) {
 
   test(`curves are drawn and cycle charts are under each other at ${width} px`, async () => {
     const { page, faults } = await opened('three.html', width);
-    for (const id of ['total-friction', 'friction-on-liner', 'friction-firing', 'stribeck', 'archard-wear-load-stroke', 'ring-faces', 'along-the-face']) {
-      assert.ok(await colouredPixels(page, `#${id}`) > 200, `${id} shows no curve`);
+    for (const id of [
+      'total-friction',
+      'friction-on-liner',
+      'friction-firing',
+      'stribeck',
+      'archard-wear-load-stroke',
+      'ring-faces',
+      'along-the-face',
+    ]) {
+      assert.ok((await colouredPixels(page, `#${id}`)) > 200, `${id} shows no curve`);
     }
     const edges = await plotEdges(page);
     assert.ok(edges.length >= 7);
@@ -113,16 +156,25 @@ for (const width of [390, 1400]) {
     for (const figure of ['min-film-thickness', 'lambda-ratio']) {
       assert.ok((await bandPixels(alone.page, `#${figure}`)) > 1000, `no band in ${figure}`);
     }
-    assert.ok((await bandPixels(alone.page, '#cylinder-pressure')) < 200, 'an input has no band, only the soft edges of its curve');
+    assert.ok(
+      (await bandPixels(alone.page, '#cylinder-pressure')) < 200,
+      'an input has no band, only the soft edges of its curve',
+    );
     assert.deepEqual(alone.faults, []);
     await alone.page.close();
     const { page, faults } = await opened('three.html', width);
-    assert.match(await page.textContent('#total-friction figcaption'), /Light band: how far cells and crank steps/);
+    assert.match(
+      await page.textContent('#total-friction figcaption'),
+      /Light band: how far cells and crank steps/,
+    );
     assert.match(await page.textContent('#cycle-values'), /400 cells at 1\.00°/);
     assert.match(await page.textContent('#cycle-values td'), /^[\d.]+ ± [\d.]+$/);
     const svg = (await downloaded(page, 'total-friction', 'SVG')).bytes.toString('utf8');
     assert.equal(svg.match(/class="band"/g).length, 3, 'one band a case');
-    assert.match((await downloaded(page, 'total-friction', 'CSV')).bytes.toString('utf8'), /error of total friction \[N\]/);
+    assert.match(
+      (await downloaded(page, 'total-friction', 'CSV')).bytes.toString('utf8'),
+      /error of total friction \[N\]/,
+    );
     assert.deepEqual(faults, []);
     await page.close();
   });
@@ -147,7 +199,10 @@ function mapPixels(page, n) {
 for (const width of [390, 1400]) {
   test(`the film around the ring is drawn, read and enlarged at ${width} px`, async () => {
     const { page, faults } = await opened('unrolled.html', width);
-    const [wide, shown] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+    const [wide, shown] = await page.evaluate(() => [
+      document.documentElement.scrollWidth,
+      window.innerWidth,
+    ]);
     assert.ok(wide <= shown, `the page is ${wide} px wide in a window of ${shown} px`);
     // At the peak of the gas pressure: all colours, and a cavity that takes 0.22 of the face.
     assert.match(await page.textContent('#around-the-ring output'), /20° after firing TDC/);
@@ -168,8 +223,14 @@ for (const width of [390, 1400]) {
     await page.mouse.move(box.x + box.width / 2, box.y + 50);
     assert.match(await page.textContent('#around-the-ring .map-value'), /in the gap of the ring/);
     await page.mouse.move(box.x + box.width - 4, box.y + 30);
-    assert.match(await page.textContent('#around-the-ring .map-value'), /^x [\d.]+\smm, y [\d.]+\smm \([\d.]+° around the bore\): p [\d.]+\sbar, θ 1.00, h [\d.]+\sµm$/);
-    assert.match(await page.textContent('#around-the-ring figcaption'), /from one end of the ring's gap of 0.30.mm.*Highest: .*bar 20° after firing TDC.*face widths.*Hatched: cavities.*61 of 121 nodes/s);
+    assert.match(
+      await page.textContent('#around-the-ring .map-value'),
+      /^x [\d.]+\smm, y [\d.]+\smm \([\d.]+° around the bore\): p [\d.]+\sbar, θ 1.00, h [\d.]+\sµm$/,
+    );
+    assert.match(
+      await page.textContent('#around-the-ring figcaption'),
+      /from one end of the ring's gap of 0.30.mm.*Highest: .*bar 20° after firing TDC.*face widths.*Hatched: cavities.*61 of 121 nodes/s,
+    );
     assert.deepEqual(faults, []);
     await page.close();
   });
@@ -193,7 +254,12 @@ test('the slider moves the maps around the ring, and their colours follow if ask
 
 test('sums of strips are drawn over the cycle, and a case without an unrolled film has no map', async () => {
   const { page, faults } = await opened('unrolled.html', 1400);
-  assert.deepEqual(await page.$$eval('#around-the-ring .choices .tools:first-child button', (list) => list.map((b) => b.textContent)), ['fields', 'strips']);
+  assert.deepEqual(
+    await page.$$eval('#around-the-ring .choices .tools:first-child button', (list) =>
+      list.map((b) => b.textContent),
+    ),
+    ['fields', 'strips'],
+  );
   await page.click('#around-the-ring button:text-is("strips")');
   assert.equal(await page.isVisible('#around-angle'), false);
   assert.match(await page.textContent('#around-the-ring figcaption'), /sums over the strips/);
@@ -203,8 +269,11 @@ test('sums of strips are drawn over the cycle, and a case without an unrolled fi
   const rows = (await downloaded(page, 'around-the-ring', 'CSV')).bytes.toString('utf8').trim().split('\r\n');
   assert.match(rows[0], /^"crank angle \[degree\]","y \[mm\]"/);
   assert.ok(rows.length > 240 * 50);
-  assert.ok(await colouredPixels(page, '#gap-of-the-ring') > 200);
-  assert.match(await page.textContent('#gap-of-the-ring figcaption'), /between film and gap: 7\.0.*mg\/s.*0\.012\s%.*mean load: 0\.20\s%/s);
+  assert.ok((await colouredPixels(page, '#gap-of-the-ring')) > 200);
+  assert.match(
+    await page.textContent('#gap-of-the-ring figcaption'),
+    /between film and gap: 7\.0.*mg\/s.*0\.012\s%.*mean load: 0\.20\s%/s,
+  );
   await page.emulateMedia({ media: 'print' });
   await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
   assert.equal(await page.locator('#around-the-ring .print-only image').count(), 2);
@@ -218,12 +287,37 @@ test('sums of strips are drawn over the cycle, and a case without an unrolled fi
 test('every part of the report is there, in order', async () => {
   const { page } = await opened('three.html', 1400);
   const ids = await page.$$eval('main figure, main section[id]', (nodes) => nodes.map((n) => n.id));
-  assert.deepEqual(ids, ['cycle', 'cylinder-pressure', 'min-film-thickness', 'lambda-ratio', 'total-friction', 'friction-on-liner', 'oil-flow-middle', 'other-quantity',
-    'friction', 'friction-firing', 'stribeck', 'archard-wear-load-stroke', 'energy-by-stroke', 'face', 'ring-faces', 'along-the-face',
-    'cycle-values', 'comparison', 'ledger', 'influences', 'validity', 'inputs', 'provenance']);
+  assert.deepEqual(ids, [
+    'cycle',
+    'cylinder-pressure',
+    'min-film-thickness',
+    'lambda-ratio',
+    'total-friction',
+    'friction-on-liner',
+    'oil-flow-middle',
+    'other-quantity',
+    'friction',
+    'friction-firing',
+    'stribeck',
+    'archard-wear-load-stroke',
+    'energy-by-stroke',
+    'face',
+    'ring-faces',
+    'along-the-face',
+    'cycle-values',
+    'comparison',
+    'ledger',
+    'influences',
+    'validity',
+    'inputs',
+    'provenance',
+  ]);
   assert.match(await page.textContent('.warning'), /SYNTHETIC/);
   assert.match(await page.textContent('#cylinder-pressure'), /SYNTHETIC/);
-  assert.match(await page.textContent('.cards'), /118 ± 4\s*W.*19\.1\s*kPa.*0\.617 ± 0\.019\s*µm.*20° after TDC.*56\.1 ± 1\.7\s*%/s);
+  assert.match(
+    await page.textContent('.cards'),
+    /118 ± 4\s*W.*19\.1\s*kPa.*0\.617 ± 0\.019\s*µm.*20° after TDC.*56\.1 ± 1\.7\s*%/s,
+  );
   await page.close();
 });
 
@@ -232,7 +326,10 @@ test('no width of the window upsets the page', async () => {
   for (let width = 320; width <= 1440; width += 35) {
     await page.setViewportSize({ width, height: 900 });
     await page.waitForTimeout(40);
-    const [wide, shown] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+    const [wide, shown] = await page.evaluate(() => [
+      document.documentElement.scrollWidth,
+      window.innerWidth,
+    ]);
     assert.ok(wide <= shown, `the page is ${wide} px wide in a window of ${shown} px`);
   }
   assert.deepEqual(faults, []);
@@ -242,10 +339,20 @@ test('no width of the window upsets the page', async () => {
 test('on a phone every button of the bar can be reached', async () => {
   const { page } = await opened('three.html', 390);
   await page.$eval('#lambda-ratio', (node) => node.scrollIntoView());
-  const outside = await page.$$eval('.toolbar button', (buttons) => buttons.filter((b) => {
-    const box = b.getBoundingClientRect();
-    return box.left < 0 || box.right > window.innerWidth || document.elementFromPoint((box.left + box.right) / 2, (box.top + box.bottom) / 2)?.closest('button') !== b;
-  }).map((b) => b.textContent));
+  const outside = await page.$$eval('.toolbar button', (buttons) =>
+    buttons
+      .filter((b) => {
+        const box = b.getBoundingClientRect();
+        return (
+          box.left < 0 ||
+          box.right > window.innerWidth ||
+          document
+            .elementFromPoint((box.left + box.right) / 2, (box.top + box.bottom) / 2)
+            ?.closest('button') !== b
+        );
+      })
+      .map((b) => b.textContent),
+  );
   assert.deepEqual(outside, []);
   await page.close();
 });
@@ -267,7 +374,11 @@ test('an incomplete result states this first and draws what there is', async () 
 for (const name of ['three.html', 'hostile.html', 'bare.html']) {
   test(`${name} shows no number that is not finite`, async () => {
     const { page } = await opened(name, 1400);
-    const text = await page.evaluate(() => [...document.querySelectorAll('main, main [aria-label], main [title]')].map((n) => [n.innerText, n.getAttribute('aria-label'), n.getAttribute('title')].join(' ')).join('\n'));
+    const text = await page.evaluate(() =>
+      [...document.querySelectorAll('main, main [aria-label], main [title]')]
+        .map((n) => [n.innerText, n.getAttribute('aria-label'), n.getAttribute('title')].join(' '))
+        .join('\n'),
+    );
     assert.doesNotMatch(text, /\b(nan|NaN|inf|Infinity|undefined)\b/);
     await page.close();
   });
@@ -284,9 +395,12 @@ test('files are without the folders of one machine, notes with their count in wo
 
 test('no setting is named where computed and published agree', async () => {
   const { page } = await opened('three.html', 1400);
-  const rows = await page.$$eval('#comparison tbody tr', (list) => list.map((r) => [r.children[3].textContent, r.children[6].textContent]));
+  const rows = await page.$$eval('#comparison tbody tr', (list) =>
+    list.map((r) => [r.children[3].textContent, r.children[6].textContent]),
+  );
   assert.ok(rows.some(([, setting]) => setting.includes('190 GPa')));
-  for (const [deviation, setting] of rows) if (Math.abs(parseFloat(deviation.replace('−', '-'))) < 1) assert.equal(setting, '–');
+  for (const [deviation, setting] of rows)
+    if (Math.abs(parseFloat(deviation.replace('−', '-'))) < 1) assert.equal(setting, '–');
   await page.close();
 });
 
@@ -315,7 +429,11 @@ test('the slider moves the fields along the face', async () => {
 
 test('a name in the legend hides its case in the whole page and brings it back', async () => {
   const { page, faults } = await opened('three.html', 1400);
-  const counted = async () => [await colouredPixels(page, '#total-friction'), await colouredPixels(page, '#stribeck'), (await page.$$('#energy-by-stroke .bars > svg rect title')).length];
+  const counted = async () => [
+    await colouredPixels(page, '#total-friction'),
+    await colouredPixels(page, '#stribeck'),
+    (await page.$$('#energy-by-stroke .bars > svg rect title')).length,
+  ];
   const all = await counted();
   await page.click('#total-friction .entry[data-case="0"]');
   await page.waitForTimeout(100);
@@ -371,8 +489,19 @@ test('every figure can be taken away as PNG, SVG and CSV', async () => {
     assert.equal(png.bytes.subarray(1, 4).toString(), 'PNG', id);
     assert.ok(png.bytes.length > 5000, `${id}: PNG of ${png.bytes.length} bytes`);
     const svg = (await downloaded(page, id, 'SVG')).bytes.toString();
-    assert.ok(svg.startsWith('<svg') && !svg.includes('NaN') && !svg.includes('undefined'), `${id}: a broken SVG`);
-    assert.equal(await page.evaluate((text) => new DOMParser().parseFromString(text, 'image/svg+xml').querySelectorAll('parsererror').length, svg), 0, id);
+    assert.ok(
+      svg.startsWith('<svg') && !svg.includes('NaN') && !svg.includes('undefined'),
+      `${id}: a broken SVG`,
+    );
+    assert.equal(
+      await page.evaluate(
+        (text) =>
+          new DOMParser().parseFromString(text, 'image/svg+xml').querySelectorAll('parsererror').length,
+        svg,
+      ),
+      0,
+      id,
+    );
     const csv = (await downloaded(page, id, 'CSV')).bytes.toString().trim().split('\r\n');
     assert.ok(csv.length > 3 && csv[0].includes('['), `${id}: CSV ${csv[0]}`);
   }
@@ -387,12 +516,26 @@ test('in print every figure is a drawing and no button is left', async () => {
   const { page, faults } = await opened('three.html', 1400);
   await page.emulateMedia({ media: 'print' });
   await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
-  const figures = await page.$$eval('main figure', (nodes) => nodes.map((n) => n.querySelector('.print-only svg')?.getBoundingClientRect().width ?? 0));
+  const figures = await page.$$eval('main figure', (nodes) =>
+    nodes.map((n) => n.querySelector('.print-only svg')?.getBoundingClientRect().width ?? 0),
+  );
   figures.forEach((width) => assert.ok(width > 300));
-  assert.equal(await page.$$eval('.downloads, .toolbar, .panels', (nodes) => nodes.filter((n) => n.offsetParent !== null).length), 0);
+  assert.equal(
+    await page.$$eval(
+      '.downloads, .toolbar, .panels',
+      (nodes) => nodes.filter((n) => n.offsetParent !== null).length,
+    ),
+    0,
+  );
   // Paper is narrower than the screens on which tables fold, and is not a phone.
   await page.setViewportSize({ width: 690, height: 900 });
-  assert.equal(await page.$$eval('table.folds tr', (rows) => rows.filter((r) => getComputedStyle(r).display !== 'table-row').length), 0);
+  assert.equal(
+    await page.$$eval(
+      'table.folds tr',
+      (rows) => rows.filter((r) => getComputedStyle(r).display !== 'table-row').length,
+    ),
+    0,
+  );
   const pdf = await page.pdf({ format: 'A4' });
   assert.ok(pdf.length > 20000);
   assert.deepEqual(faults, []);
@@ -401,8 +544,17 @@ test('in print every figure is a drawing and no button is left', async () => {
 
 test('what a screen reader needs is there', async () => {
   const { page } = await opened('three.html', 1400);
-  assert.equal(await page.$$eval('[role=img]', (nodes) => nodes.filter((n) => !n.getAttribute('aria-label')).length), 0);
-  assert.equal(await page.$$eval('table', (nodes) => nodes.filter((n) => !n.caption || n.querySelectorAll('th[scope=col]').length === 0).length), 0);
+  assert.equal(
+    await page.$$eval('[role=img]', (nodes) => nodes.filter((n) => !n.getAttribute('aria-label')).length),
+    0,
+  );
+  assert.equal(
+    await page.$$eval(
+      'table',
+      (nodes) => nodes.filter((n) => !n.caption || n.querySelectorAll('th[scope=col]').length === 0).length,
+    ),
+    0,
+  );
   assert.equal(await page.$$eval('button', (nodes) => nodes.filter((n) => !n.textContent.trim()).length), 0);
   assert.equal(await page.$$eval('h1', (nodes) => nodes.length), 1);
   assert.equal(await page.getAttribute('html', 'lang'), 'en');

@@ -4,7 +4,26 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
-const { angleInWords, crankTicks, display, howOften, logTicks, number, numberOrCount, percent, sentence, shortPath, ticks, tickText, typesetSymbol, typesetUnit, withError, withErrorAndPower, withUnit, wrapped } = await load('units.js');
+const {
+  angleInWords,
+  crankTicks,
+  display,
+  howOften,
+  logTicks,
+  number,
+  numberOrCount,
+  percent,
+  sentence,
+  shortPath,
+  ticks,
+  tickText,
+  typesetSymbol,
+  typesetUnit,
+  withError,
+  withErrorAndPower,
+  withUnit,
+  wrapped,
+} = await load('units.js');
 const { namesByInputs, onCycleAxis, shortNames, stoppedAt } = await load('model.js');
 const { figureCsv, fileStem } = await load('downloads.js');
 const { figureSvg } = await load('plot/svg.js');
@@ -57,14 +76,23 @@ test('units and symbols are printed as people write them', () => {
   assert.equal(typesetSymbol('m4'), 'm4');
   assert.equal(typesetSymbol('sigma_1'), 'σ_1');
   assert.equal(typesetSymbol('constructor'), 'constructor');
-  assert.deepEqual([3e-3, 5e-5, 1e-9].map((v) => lengthUnit(v, 2).unit), ['mm', 'µm', 'nm']);
+  assert.deepEqual(
+    [3e-3, 5e-5, 1e-9].map((v) => lengthUnit(v, 2).unit),
+    ['mm', 'µm', 'nm'],
+  );
 });
 
 /** CIELAB (CIE 1976) of sRGB, D65: shares no line with the making of the colours. */
 function lab(rgb) {
-  const [r, g, b] = rgb.map((v) => v / 255).map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4));
-  const f = (t) => (t > 216 / 24389 ? Math.cbrt(t) : (24389 / 27 * t + 16) / 116);
-  const [x, y, z] = [(0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505, 0.2126 * r + 0.7152 * g + 0.0722 * b, (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089].map(f);
+  const [r, g, b] = rgb
+    .map((v) => v / 255)
+    .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4));
+  const f = (t) => (t > 216 / 24389 ? Math.cbrt(t) : ((24389 / 27) * t + 16) / 116);
+  const [x, y, z] = [
+    (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505,
+    0.2126 * r + 0.7152 * g + 0.0722 * b,
+    (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089,
+  ].map(f);
   return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
 }
 const apart = (a, b) => Math.hypot(...a.map((v, i) => v - b[i]));
@@ -83,28 +111,74 @@ test('colours of heights rise evenly in lightness, and no height is grey', () =>
 });
 
 test('labels of upright lines are in rows and inside the plot', () => {
-  const places = markPlaces([{ at: 10, label: 'used' }, { at: 15, label: 'other' }, { at: 98, label: 'last' }, { at: 120, label: 'outside' }], (v) => v, () => 30, 0, 100);
-  assert.deepEqual(places.map((p) => p.label), ['used', 'other', 'last']);
-  assert.deepEqual(places.map((p) => p.row), [0, 1, 0]);
+  const places = markPlaces(
+    [
+      { at: 10, label: 'used' },
+      { at: 15, label: 'other' },
+      { at: 98, label: 'last' },
+      { at: 120, label: 'outside' },
+    ],
+    (v) => v,
+    () => 30,
+    0,
+    100,
+  );
+  assert.deepEqual(
+    places.map((p) => p.label),
+    ['used', 'other', 'last'],
+  );
+  assert.deepEqual(
+    places.map((p) => p.row),
+    [0, 1, 0],
+  );
   assert.ok(places.every((p) => p.left >= 0 && p.left + 30 <= 100));
 });
 
 test('points are all marked, and marks of a line keep even distances on a logarithmic axis', () => {
   const x = Array.from({ length: 400 }, (_, k) => k + 1);
-  assert.deepEqual(markIndices({ part: 'points', caseIndex: null, x: [1, null, 3], y: [1, 1, null] }, 0, 4, 1), [0]);
+  assert.deepEqual(
+    markIndices({ part: 'points', caseIndex: null, x: [1, null, 3], y: [1, 1, null] }, 0, 4, 1),
+    [0],
+  );
   const marks = markIndices({ part: null, caseIndex: 0, x, y: x }, 1, 400, 2, 'log').map((k) => x[k]);
-  const ratios = marks.slice(1).map((v, k) => v / marks[k]).slice(2);
+  const ratios = marks
+    .slice(1)
+    .map((v, k) => v / marks[k])
+    .slice(2);
   assert.ok(Math.max(...ratios) / Math.min(...ratios) < 1.2, String(ratios));
 });
 
 test('a curve has no point where a logarithmic axis has no place, and is stated to have none at all', () => {
   const axis = (logarithmic) => ({ long_name: 'x', unit: 'um', logarithmic });
-  const curve = { name: 'c', title: 'Curve', caption: 'Given.', x: axis(true), y: axis(true), points: 4, drawn: 4, marks: [{ at: null, label: 'none' }], series: [{ label: 'a', points: false, x: [0, 1, 3, 2], y: [1, -1, 5, 4] }] };
-  const { panels: [panel], caption } = curveFigure(curve);
-  assert.deepEqual([panel.series[0].x, panel.series[0].y], [[1, 2, 3], [null, 4, 5]]);
+  const curve = {
+    name: 'c',
+    title: 'Curve',
+    caption: 'Given.',
+    x: axis(true),
+    y: axis(true),
+    points: 4,
+    drawn: 4,
+    marks: [{ at: null, label: 'none' }],
+    series: [{ label: 'a', points: false, x: [0, 1, 3, 2], y: [1, -1, 5, 4] }],
+  };
+  const {
+    panels: [panel],
+    caption,
+  } = curveFigure(curve);
+  assert.deepEqual(
+    [panel.series[0].x, panel.series[0].y],
+    [
+      [1, 2, 3],
+      [null, 4, 5],
+    ],
+  );
   assert.deepEqual([panel.xScale, panel.xUnit, panel.xMarks.length, caption], ['log', 'µm', 0, 'Given.']);
   assert.match(curveFigure({ ...curve, points: 9000 }).caption, /Drawn from 4 of 9000 points/);
-  assert.deepEqual(withoutPoints([curve, { ...curve, series: [{ ...curve.series[0], y: [null, null, null, null] }] }]).length, 1);
+  assert.deepEqual(
+    withoutPoints([curve, { ...curve, series: [{ ...curve.series[0], y: [null, null, null, null] }] }])
+      .length,
+    1,
+  );
 });
 
 test('an error is rounded up to a digit, and its value to the same place', () => {
@@ -120,8 +194,23 @@ test('an error is rounded up to a digit, and its value to the same place', () =>
 });
 
 test('a band has an outline for each piece of its curve', () => {
-  assert.deepEqual(bandOutlines({ x: [0, 1, 2, 3, 4, 5], y: [1, 1, null, 2, 2, null], error: [0.5, 0.5, null, 1, 1, null] }),
-    [[[0, 1.5], [1, 1.5], [1, 0.5], [0, 0.5]], [[3, 3], [4, 3], [4, 1], [3, 1]]]);
+  assert.deepEqual(
+    bandOutlines({ x: [0, 1, 2, 3, 4, 5], y: [1, 1, null, 2, 2, null], error: [0.5, 0.5, null, 1, 1, null] }),
+    [
+      [
+        [0, 1.5],
+        [1, 1.5],
+        [1, 0.5],
+        [0, 0.5],
+      ],
+      [
+        [3, 3],
+        [4, 3],
+        [4, 1],
+        [3, 1],
+      ],
+    ],
+  );
   assert.deepEqual(bandOutlines({ x: [0, 1], y: [1, 1], error: null }), []);
 });
 
@@ -156,7 +245,10 @@ test('display units divide by their size in SI', () => {
   near(shown('Pa', 'kPa', 19093.66), 19.09366);
   near(shown('K', 'degC', 393.15), 120);
   assert.equal(shown('m', 'um', null), null);
-  assert.deepEqual([display({ unit: 'furlong', display_unit: 'league' }).unit, shown('furlong', 'league', 3)], ['furlong', 3]);
+  assert.deepEqual(
+    [display({ unit: 'furlong', display_unit: 'league' }).unit, shown('furlong', 'league', 3)],
+    ['furlong', 3],
+  );
 });
 
 test('statements become sentences with printed units', () => {
@@ -181,7 +273,10 @@ test('paths lose the folders of one machine and nothing is added', () => {
 });
 
 test('counts are reported of the whole only where it is known', () => {
-  assert.deepEqual([howOften(634, 720), howOften(634, null), howOften(1, null)], ['634 of 720 crank angles', '634 times', 'once']);
+  assert.deepEqual(
+    [howOften(634, 720), howOften(634, null), howOften(1, null)],
+    ['634 of 720 crank angles', '634 times', 'once'],
+  );
 });
 
 test('an integration stops before the gap in its samples, wherever the axis begins', () => {
@@ -218,42 +313,89 @@ test('no line is drawn over missing samples', () => {
 });
 
 test('titles are distinguished by what differs', () => {
-  assert.deepEqual(shortNames(['Styles et al. 2014, new ring', 'Styles et al. 2014, run-in ring']), { shared: 'Styles et al. 2014', names: ['new ring', 'run-in ring'] });
+  assert.deepEqual(shortNames(['Styles et al. 2014, new ring', 'Styles et al. 2014, run-in ring']), {
+    shared: 'Styles et al. 2014',
+    names: ['new ring', 'run-in ring'],
+  });
   assert.equal(shortNames(['same', 'same']), null);
   assert.deepEqual(shortNames(['engine A', 'boat']), { shared: '', names: ['engine A', 'boat'] });
 });
 
 test('cases of one title are named after the inputs in which they differ', () => {
-  const cases = (...speeds) => speeds.map((shown) => ({ inputs: [{ key: 'engine.bore', shown: '89 mm' }, { key: 'operating.speed', shown }, { key: 'output.fields', shown: `${shown}!` }] }));
+  const cases = (...speeds) =>
+    speeds.map((shown) => ({
+      inputs: [
+        { key: 'engine.bore', shown: '89 mm' },
+        { key: 'operating.speed', shown },
+        { key: 'output.fields', shown: `${shown}!` },
+      ],
+    }));
   assert.deepEqual(namesByInputs(cases('1500 rpm', '3000 rpm')), ['speed 1500 rpm', 'speed 3000 rpm']);
-  assert.deepEqual(namesByInputs(cases('/home/x/y/a.csv', '/home/x/y/b.csv')), ['speed y/a.csv', 'speed y/b.csv']);
+  assert.deepEqual(namesByInputs(cases('/home/x/y/a.csv', '/home/x/y/b.csv')), [
+    'speed y/a.csv',
+    'speed y/b.csv',
+  ]);
   assert.deepEqual(namesByInputs(cases('1500 rpm', '1500 rpm')), ['case 1', 'case 2']);
-  assert.deepEqual(namesByInputs(cases('1500 rpm', '1500 rpm', '3000 rpm')), ['1: speed 1500 rpm', '2: speed 1500 rpm', '3: speed 3000 rpm']);
+  assert.deepEqual(namesByInputs(cases('1500 rpm', '1500 rpm', '3000 rpm')), [
+    '1: speed 1500 rpm',
+    '2: speed 1500 rpm',
+    '3: speed 3000 rpm',
+  ]);
 });
 
 test('every place belongs to the nearest node, and none outside', () => {
   const edges = cellEdges([0, 1, 4], 0, 4);
   assert.deepEqual(edges, [0, 0.5, 2.5, 4]);
-  assert.deepEqual([-0.1, 0, 0.49, 0.5, 2.4, 4, 4.1].map((v) => cellAt(edges, v)), [-1, 0, 0, 1, 1, 2, -1]);
+  assert.deepEqual(
+    [-0.1, 0, 0.49, 0.5, 2.4, 4, 4.1].map((v) => cellAt(edges, v)),
+    [-1, 0, 0, 1, 1, 2, -1],
+  );
 });
 
 /** A ring of 100 mm with three strips 0, 40 and L; one angle, two nodes, values 0 to 5 bar. */
 function smallRing(endGap, more = {}) {
   const words = (...list) => Buffer.from(Uint16Array.from(list).buffer).toString('base64');
-  const quantity = (name, displayUnit) => ({ name, unit: displayUnit === 'bar' ? 'Pa' : '1', display_unit: displayUnit, long_name: name });
-  return new Unrolled({
-    circumference: 0.1, end_gap: endGap, gap_position: Math.PI / 2, stored: { angles: 1, y: 3, x: 2 }, crank_angle: [20], x: [0, 1e-3], y: [0, 0.04, endGap ? 0.1 - endGap : 0.09],
-    fields: { film_pressure: { low: 0, high: 5e5, data: words(0, 13107, 26214, 39320, 52427, 65534) }, film_content: { low: 0.5, high: 1, data: words(65534, 65534, 0, 65534, 65535, 65534) } },
-    highest_pressure: [{ x: 1e-3, y: 0.09, value: 5e5 }], lowest_film_content: [{ x: 0, y: 0.04, value: 0.5 }], strips: { crank_angle: [], y: [], fields: {} }, ...more,
-  }, { fields: [quantity('film_pressure', 'bar'), quantity('film_content', '1')], strips: [] });
+  const quantity = (name, displayUnit) => ({
+    name,
+    unit: displayUnit === 'bar' ? 'Pa' : '1',
+    display_unit: displayUnit,
+    long_name: name,
+  });
+  return new Unrolled(
+    {
+      circumference: 0.1,
+      end_gap: endGap,
+      gap_position: Math.PI / 2,
+      stored: { angles: 1, y: 3, x: 2 },
+      crank_angle: [20],
+      x: [0, 1e-3],
+      y: [0, 0.04, endGap ? 0.1 - endGap : 0.09],
+      fields: {
+        film_pressure: { low: 0, high: 5e5, data: words(0, 13107, 26214, 39320, 52427, 65534) },
+        film_content: { low: 0.5, high: 1, data: words(65534, 65534, 0, 65534, 65535, 65534) },
+      },
+      highest_pressure: [{ x: 1e-3, y: 0.09, value: 5e5 }],
+      lowest_film_content: [{ x: 0, y: 0.04, value: 0.5 }],
+      strips: { crank_angle: [], y: [], fields: {} },
+      ...more,
+    },
+    { fields: [quantity('film_pressure', 'bar'), quantity('film_content', '1')], strips: [] },
+  );
 }
 
 test('fields around the ring come back from their words', () => {
   const ring = smallRing(0.01);
   // Half a step of 5 bar in 65534.
-  [[0, 0, 0], [1, 0, 2], [2, 1, 5]].forEach(([j, i, bar]) => assert.ok(Math.abs(ring.value('film_pressure', 0, j, i) - bar) < 5e-5));
+  [
+    [0, 0, 0],
+    [1, 0, 2],
+    [2, 1, 5],
+  ].forEach(([j, i, bar]) => assert.ok(Math.abs(ring.value('film_pressure', 0, j, i) - bar) < 5e-5));
   assert.equal(ring.value('film_content', 0, 2, 0), null);
-  assert.deepEqual([ring.isCavity(0, 0, 0), ring.isCavity(0, 1, 0), ring.isCavity(0, 2, 0)], [false, true, false]);
+  assert.deepEqual(
+    [ring.isCavity(0, 0, 0), ring.isCavity(0, 1, 0), ring.isCavity(0, 2, 0)],
+    [false, true, false],
+  );
 });
 
 test('a model without a film content has cavities where the pressure is theirs', () => {
@@ -263,7 +405,10 @@ test('a model without a film content has cavities where the pressure is theirs',
   ring.x = [-1, ...ring.x.slice(0, 1), 1];
   ring.value = (name, k, j, i) => (j === 1 && i === 1 ? 0 : 2);
   assert.deepEqual([ring.isCavity(0, 0, 1), ring.isCavity(0, 1, 1), ring.hasCavity(0)], [false, true, true]);
-  assert.match(fieldCaption(ring, ''), /Hatched: cavities, where the pressure is that of a cavity; .* Reynolds' exit, does not define how much oil.*at 1 of the 1 angles/);
+  assert.match(
+    fieldCaption(ring, ''),
+    /Hatched: cavities, where the pressure is that of a cavity; .* Reynolds' exit, does not define how much oil.*at 1 of the 1 angles/,
+  );
   assert.match(fieldCaption(smallRing(0.01, { rupture_pressure: -1e5 }), ''), /No angle has a cavity/);
   assert.doesNotMatch(fieldCaption(smallRing(0.01), ''), /Reynolds/);
 });
@@ -281,29 +426,63 @@ test('the gap is felt as far as pressures differ from those opposite', () => {
 test('the ends of the ring lie beside each other with the gap between them', () => {
   const ring = smallRing(0.01);
   const axis = ringAxis(ring, { ends: true, face: 2 });
-  assert.deepEqual([axis.from, axis.to, axis.pieces], [-11, 11, [[-11, -5], [5, 11]]]);
-  assert.deepEqual([-5.5, -4, 0, 4, 5.5].map((v) => axis.index(v)), [2, -1, -1, -1, 0]);
-  assert.deepEqual([-11, -5, 5, 11].map((v) => Math.round(1e6 * axis.y(v)) / 1e6), [84, 90, 0, 6]);
+  assert.deepEqual(
+    [axis.from, axis.to, axis.pieces],
+    [
+      -11,
+      11,
+      [
+        [-11, -5],
+        [5, 11],
+      ],
+    ],
+  );
+  assert.deepEqual(
+    [-5.5, -4, 0, 4, 5.5].map((v) => axis.index(v)),
+    [2, -1, -1, -1, 0],
+  );
+  assert.deepEqual(
+    [-11, -5, 5, 11].map((v) => Math.round(1e6 * axis.y(v)) / 1e6),
+    [84, 90, 0, 6],
+  );
   // The gap of 36 degree has its middle at 90 degree.
-  assert.deepEqual([0, 90].map((y) => Math.round(ring.around(y))), [108, 72]);
+  assert.deepEqual(
+    [0, 90].map((y) => Math.round(ring.around(y))),
+    [108, 72],
+  );
 });
 
 test('a closed ring begins again where its last strip ends', () => {
   const axis = ringAxis(smallRing(0), { ends: false, face: 2 });
-  assert.deepEqual([0, 19, 21, 64, 66, 94, 96, 100].map((v) => axis.index(v)), [0, 0, 1, 1, 2, 2, 0, 0]);
+  assert.deepEqual(
+    [0, 19, 21, 64, 66, 94, 96, 100].map((v) => axis.index(v)),
+    [0, 0, 1, 1, 2, 2, 0, 0],
+  );
 });
 
 test('crank angles of the file find their place on the axis of the charts', () => {
   const axis = crankAxis([0, 180, 360, 540]);
-  assert.deepEqual([0, 80, 100, 180, 360, -180, -350, -260].map((v) => axis.index(v)), [0, 0, 1, 1, 2, 3, 2, 3]);
+  assert.deepEqual(
+    [0, 80, 100, 180, 360, -180, -350, -260].map((v) => axis.index(v)),
+    [0, 0, 1, 1, 2, 3, 2, 3],
+  );
   const few = crankAxis([0, 10]);
-  assert.deepEqual([-6, -4, 4, 6, 14, 16].map((v) => few.index(v)), [-1, 0, 0, 1, 1, -1]);
+  assert.deepEqual(
+    [-6, -4, 4, 6, 14, 16].map((v) => few.index(v)),
+    [-1, 0, 0, 1, 1, -1],
+  );
 });
 
 test('one crank angle alone has a place of some degrees', () => {
   const one = crankAxis([20]);
-  assert.deepEqual([17, 18, 20, 22, 23].map((v) => one.index(v)), [-1, 0, 0, 0, -1]);
-  assert.deepEqual([-342, -340, -338, 20].map((v) => crankAxis([380]).index(v)), [0, 0, 0, -1]);
+  assert.deepEqual(
+    [17, 18, 20, 22, 23].map((v) => one.index(v)),
+    [-1, 0, 0, 0, -1],
+  );
+  assert.deepEqual(
+    [-342, -340, -338, 20].map((v) => crankAxis([380]).index(v)),
+    [0, 0, 0, -1],
+  );
 });
 
 test('maps over the crank angle name strokes and dead centres, other maps do not', () => {
@@ -319,11 +498,21 @@ test('maps over the crank angle name strokes and dead centres, other maps do not
 });
 
 const series = (label, x, y) => ({ caseIndex: 0, part: null, label, x, y });
-const figure = (list) => ({ id: 'f', title: 'a < b', panels: [{ id: 'p', yLabel: 'film', yUnit: 'µm', xLabel: 'x', xUnit: 'mm', series: list }] });
+const figure = (list) => ({
+  id: 'f',
+  title: 'a < b',
+  panels: [{ id: 'p', yLabel: 'film', yUnit: 'µm', xLabel: 'x', xUnit: 'mm', series: list }],
+});
 
 test('a CSV has one x column where all curves share it, else a pair a curve', () => {
-  assert.equal(figureCsv(figure([series('a', [0, 1], [2, null]), series('b', [0, 1], [3, 4])])), '"x [mm]","a: film [µm]","b: film [µm]"\r\n0,2,3\r\n1,,4\r\n');
-  assert.equal(figureCsv(figure([series('a', [0], [2]), series('b', [5, 6], [3, 4])])), '"a: x [mm]","a: film [µm]","b: x [mm]","b: film [µm]"\r\n0,2,5,3\r\n,,6,4\r\n');
+  assert.equal(
+    figureCsv(figure([series('a', [0, 1], [2, null]), series('b', [0, 1], [3, 4])])),
+    '"x [mm]","a: film [µm]","b: film [µm]"\r\n0,2,3\r\n1,,4\r\n',
+  );
+  assert.equal(
+    figureCsv(figure([series('a', [0], [2]), series('b', [5, 6], [3, 4])])),
+    '"a: x [mm]","a: film [µm]","b: x [mm]","b: film [µm]"\r\n0,2,5,3\r\n,,6,4\r\n',
+  );
 });
 
 test('a spreadsheet takes no case name for a formula', () => {

@@ -10,17 +10,49 @@ import { gridCurvesFigure, GridValues, MapChoice, mapFigure } from './study_map.
 import { StudyModel } from './study_model.js';
 import { convergenceFigure, histogramFigure } from './study_spread.js';
 import { stribeckFigure } from './study_stribeck.js';
-import { differencesTable, firstScreen, indicesTable, notesSection, provenanceSection, statisticsSection, unsolvedSection, variedSection } from './study_tables.js';
+import {
+  differencesTable,
+  firstScreen,
+  indicesTable,
+  notesSection,
+  provenanceSection,
+  statisticsSection,
+  unsolvedSection,
+  variedSection,
+} from './study_tables.js';
 import { section } from '../tables.js';
 
 /** A main value (and base) that the reader picks for the figures of a section. @param figures (model, chosen) to a figure or null */
 function pickedFigures(model, context, values, figures, { withBase = false } = {}) {
   const chosen = { value: values[0].name, base: 0 };
-  const views = figures.map((make) => make(model, chosen)).filter(Boolean).map((figure) => new DrawingView(figure, context));
+  const views = figures
+    .map((make) => make(model, chosen))
+    .filter(Boolean)
+    .map((figure) => new DrawingView(figure, context));
   const redraw = () => views.forEach((view) => view.redraw());
   const choices = [
-    values.length > 1 ? picker('Value', values.map((q) => [q.name, q.short_name]), chosen.value, (name) => { chosen.value = name; redraw(); }) : null,
-    withBase && model.several ? picker('Base', model.bases.map((b) => [b.index, b.name]), 0, (base) => { chosen.base = Number(base); redraw(); }) : null,
+    values.length > 1
+      ? picker(
+          'Value',
+          values.map((q) => [q.name, q.short_name]),
+          chosen.value,
+          (name) => {
+            chosen.value = name;
+            redraw();
+          },
+        )
+      : null,
+    withBase && model.several
+      ? picker(
+          'Base',
+          model.bases.map((b) => [b.index, b.name]),
+          0,
+          (base) => {
+            chosen.base = Number(base);
+            redraw();
+          },
+        )
+      : null,
   ].filter(Boolean);
   return { views, choices: choices.length ? element('div', { class: 'choices' }, choices) : null };
 }
@@ -29,45 +61,107 @@ const kMostListed = 400;
 
 /** What is drawn of a grid, with the choice of its axes. */
 function gridPart(model, context) {
-  if (!model.grid) return model.method === 'grid' ? { views: [], choices: element('p', { class: 'how' }, 'No maps are drawn: even with two levels of each factor the grid has more points than a page can hold. The result file has all of them.') } : null;
+  if (!model.grid)
+    return model.method === 'grid'
+      ? {
+          views: [],
+          choices: element(
+            'p',
+            { class: 'how' },
+            'No maps are drawn: even with two levels of each factor the grid has more points than a page can hold. The result file has all of them.',
+          ),
+        }
+      : null;
   const shown = model.grid.quantities.map((name) => model.quantity.get(name));
   const choice = new MapChoice(model);
   if (choice.up === undefined) {
-    const views = shown.map((q) => gridCurvesFigure(model, q)).filter(Boolean).map((figure) => new DrawingView(figure, context));
+    const views = shown
+      .map((q) => gridCurvesFigure(model, q))
+      .filter(Boolean)
+      .map((figure) => new DrawingView(figure, context));
     return views.length ? { views, choices: null } : null;
   }
   const views = shown.map((q) => new DrawingView(mapFigure(model, q, choice), context));
   const host = element('div', { class: 'choices' });
-  const redraw = (act) => (value) => { const focused = [...host.querySelectorAll('select, input')].indexOf(document.activeElement); act(Number(value)); build(); host.querySelectorAll('select, input')[focused]?.focus(); views.forEach((view) => view.redraw()); };
+  const redraw = (act) => (value) => {
+    const focused = [...host.querySelectorAll('select, input')].indexOf(document.activeElement);
+    act(Number(value));
+    build();
+    host.querySelectorAll('select, input')[focused]?.focus();
+    views.forEach((view) => view.redraw());
+  };
   const axis = (label, which, other) => {
     const numeric = choice.grid.numeric();
     if (numeric.length < 2) return null;
-    return picker(label, numeric.map((a) => [choice.grid.axes.indexOf(a), a.factor.name]), choice[which], redraw((k) => {
-      if (k === choice[other]) choice[other] = choice[which];
-      choice[which] = k;
-    }));
+    return picker(
+      label,
+      numeric.map((a) => [choice.grid.axes.indexOf(a), a.factor.name]),
+      choice[which],
+      redraw((k) => {
+        if (k === choice[other]) choice[other] = choice[which];
+        choice[which] = k;
+      }),
+    );
   };
-  const build = () => host.replaceChildren(...[
-    model.several ? picker('Base', model.bases.map((b) => [b.index, b.name]), choice.base, redraw((b) => choice.setBase(b))) : null,
-    axis('Across', 'across', 'up'), axis('Up', 'up', 'across'),
-    ...choice.grid.axes.map((a, k) => (k === choice.across || k === choice.up || a.levels.length < 2 ? null
-      : picker(a.factor.name, a.levels.slice(0, kMostListed).map((level, i) => [i, model.levelText(a.factor, level)]), choice.places[k], redraw((i) => { choice.places[k] = i; })))),
-  ].filter(Boolean));
+  const build = () =>
+    host.replaceChildren(
+      ...[
+        model.several
+          ? picker(
+              'Base',
+              model.bases.map((b) => [b.index, b.name]),
+              choice.base,
+              redraw((b) => choice.setBase(b)),
+            )
+          : null,
+        axis('Across', 'across', 'up'),
+        axis('Up', 'up', 'across'),
+        ...choice.grid.axes.map((a, k) =>
+          k === choice.across || k === choice.up || a.levels.length < 2
+            ? null
+            : picker(
+                a.factor.name,
+                a.levels.slice(0, kMostListed).map((level, i) => [i, model.levelText(a.factor, level)]),
+                choice.places[k],
+                redraw((i) => {
+                  choice.places[k] = i;
+                }),
+              ),
+        ),
+      ].filter(Boolean),
+    );
   build();
   return { views, choices: host };
 }
 
 function buildPage(model) {
-  const context = { group: null, besidePaper: false, stem: model.title || 'study', subtitle: `${model.title}, ${model.counted(model.scenarios)}` };
+  const context = {
+    group: null,
+    besidePaper: false,
+    stem: model.title || 'study',
+    subtitle: `${model.title}, ${model.counted(model.scenarios)}`,
+  };
   const views = [];
-  const kept = (list) => { views.push(...list); return list.map((view) => view.node); };
+  const kept = (list) => {
+    views.push(...list);
+    return list.map((view) => view.node);
+  };
   const drawing = (figure) => (figure ? kept([new DrawingView(figure, context)]) : []);
   const charts = (nodes) => element('div', { class: 'charts' }, nodes);
   const any = model.solved > 0;
-  const with_ = (part) => model.mainValues.filter((q) => model[part][q.name]?.some((one) => one && (one.factors ? one.factors.some(Boolean) : Array.isArray(one) ? one.some(Boolean) : true)));
+  const with_ = (part) =>
+    model.mainValues.filter((q) =>
+      model[part][q.name]?.some(
+        (one) =>
+          one && (one.factors ? one.factors.some(Boolean) : Array.isArray(one) ? one.some(Boolean) : true),
+      ),
+    );
 
   const parts = [];
-  const add = (id, label, heading, content) => { const nodes = content.flat(Infinity).filter(Boolean); if (nodes.length) parts.push({ id, label, node: section(id, heading, nodes) }); };
+  const add = (id, label, heading, content) => {
+    const nodes = content.flat(Infinity).filter(Boolean);
+    if (nodes.length) parts.push({ id, label, node: section(id, heading, nodes) });
+  };
 
   const maps = () => {
     const found = any ? gridPart(model, context) : null;
@@ -85,7 +179,14 @@ function buildPage(model) {
     const hasIndices = with_('indices').length > 0;
     const values = hasIndices ? with_('indices') : with_('sensitivities');
     if (values.length === 0) return [];
-    const found = pickedFigures(model, context, values, [hasIndices ? indicesFigure : null, with_('sensitivities').length ? sensitivityFigure : null].filter(Boolean));
+    const found = pickedFigures(
+      model,
+      context,
+      values,
+      [hasIndices ? indicesFigure : null, with_('sensitivities').length ? sensitivityFigure : null].filter(
+        Boolean,
+      ),
+    );
     return [found.choices, charts(kept(found.views)), indicesTable(model)];
   };
   const compare = () => {
@@ -94,14 +195,31 @@ function buildPage(model) {
   };
   const curves = () => {
     const figures = bandFigures(model);
-    if (figures.length === 0) return any && (model.kind === 'uncertainty' || model.kind === 'compare') ? [element('p', { class: 'how' }, 'No curves over crank angle were kept. To have their bands, write curves = "quantiles" into [keep] of the study and run it anew.')] : [];
+    if (figures.length === 0)
+      return any && (model.kind === 'uncertainty' || model.kind === 'compare')
+        ? [
+            element(
+              'p',
+              { class: 'how' },
+              'No curves over crank angle were kept. To have their bands, write curves = "quantiles" into [keep] of the study and run it anew.',
+            ),
+          ]
+        : [];
     const visibility = new Visibility();
     const group = new CycleGroup();
-    return [element('p', { class: 'how' }, `Drag across a chart to zoom all of them, double-click for the whole cycle.${model.several ? ' A name in a legend hides that base.' : ''}`),
-      kept(figures.map((figure) => new FigureView(figure, { ...context, visibility, group })))];
+    return [
+      element(
+        'p',
+        { class: 'how' },
+        `Drag across a chart to zoom all of them, double-click for the whole cycle.${model.several ? ' A name in a legend hides that base.' : ''}`,
+      ),
+      kept(figures.map((figure) => new FigureView(figure, { ...context, visibility, group }))),
+    ];
   };
   const settle = () => {
-    const values = model.mainValues.filter((q) => model.convergence[q.name]?.some((c) => c && c.n.length > 1));
+    const values = model.mainValues.filter((q) =>
+      model.convergence[q.name]?.some((c) => c && c.n.length > 1),
+    );
     if (values.length === 0) return [];
     const found = pickedFigures(model, context, values, [convergenceFigure]);
     return [found.choices, kept(found.views)];
@@ -115,7 +233,9 @@ function buildPage(model) {
   };
   const makers = {
     maps: () => {
-      const curve = model.grid?.bases.every((_, b) => new GridValues(model, b).numeric().length < 2) ? new GridValues(model, 0).numeric()[0] : null;
+      const curve = model.grid?.bases.every((_, b) => new GridValues(model, b).numeric().length < 2)
+        ? new GridValues(model, 0).numeric()[0]
+        : null;
       const label = curve ? `Over ${curve.factor.name}` : 'Maps';
       add('maps', label, label, maps());
     },
@@ -128,16 +248,30 @@ function buildPage(model) {
     settle: () => add('settle', 'Convergence', 'How sure the statistics are', settle()),
   };
   (order[model.kind] ?? order.uncertainty).forEach((name) => makers[name]());
-  const rest = [['values', 'Cycle values', any ? statisticsSection(model, context) : null], ['notes', 'Notes', notesSection(model)], ['varied', 'What varied', variedSection(model)], ['unsolved', 'Not solved', unsolvedSection(model)], ['provenance', 'Provenance', provenanceSection(model)]]
-    .filter(([, , node]) => node).map(([id, label, node]) => ({ id, label, node }));
+  const rest = [
+    ['values', 'Cycle values', any ? statisticsSection(model, context) : null],
+    ['notes', 'Notes', notesSection(model)],
+    ['varied', 'What varied', variedSection(model)],
+    ['unsolved', 'Not solved', unsolvedSection(model)],
+    ['provenance', 'Provenance', provenanceSection(model)],
+  ]
+    .filter(([, , node]) => node)
+    .map(([id, label, node]) => ({ id, label, node }));
   const all = [...parts, ...rest];
   document.getElementById('report').replaceChildren(
     firstScreen(model),
-    element('nav', { class: 'contents', 'aria-label': 'Contents' }, all.map(({ id, label }) => element('a', { href: `#${id}` }, label))),
-    ...all.map(({ node }) => node));
+    element(
+      'nav',
+      { class: 'contents', 'aria-label': 'Contents' },
+      all.map(({ id, label }) => element('a', { href: `#${id}` }, label)),
+    ),
+    ...all.map(({ node }) => node),
+  );
   views.forEach((view) => view.start());
   window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details.fold').forEach((fold) => { fold.open = true; });
+    document.querySelectorAll('details.fold').forEach((fold) => {
+      fold.open = true;
+    });
     views.forEach((view) => view.beforePrint());
   });
 }

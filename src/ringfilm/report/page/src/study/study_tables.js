@@ -29,29 +29,53 @@ export function swatch(base) {
 function points(model) {
   const n = model.scenarios / model.bases.length;
   const rows = model.points_per_row > 1 ? `${count(n / model.points_per_row)} ` : '';
-  return {
-    grid: 'full grid', 'one-at-a-time': 'one factor at a time', list: `list of ${count(n)} points`, 'latin-hypercube': `Latin hypercube of ${count(n)} points`,
-    sobol: model.has_indices ? `scrambled Sobol points, ${rows}rows of ${model.points_per_row} for the indices` : `${count(n)} scrambled Sobol points`,
-    morris: `${rows}trajectories after Morris`,
-  }[model.method] ?? model.method;
+  return (
+    {
+      grid: 'full grid',
+      'one-at-a-time': 'one factor at a time',
+      list: `list of ${count(n)} points`,
+      'latin-hypercube': `Latin hypercube of ${count(n)} points`,
+      sobol: model.has_indices
+        ? `scrambled Sobol points, ${rows}rows of ${model.points_per_row} for the indices`
+        : `${count(n)} scrambled Sobol points`,
+      morris: `${rows}trajectories after Morris`,
+    }[model.method] ?? model.method
+  );
 }
 
 function card(model, name) {
   const q = model.quantity.get(name);
   const rows = model.bases.map((b) => {
     const s = model.statistics[name][b.index];
-    const [middle, low, high] = !s ? [null, null, null] : model.has_sample ? [s.quantiles[2][0], s.quantiles[0][0], s.quantiles[4][0]] : [s.median, s.lowest, s.highest];
+    const [middle, low, high] = !s
+      ? [null, null, null]
+      : model.has_sample
+        ? [s.quantiles[2][0], s.quantiles[0][0], s.quantiles[4][0]]
+        : [s.median, s.lowest, s.highest];
     const [m, l, h] = [middle, low, high].map((v) => q.convert(v));
-    return element('div', { class: 'card-row' },
+    return element(
+      'div',
+      { class: 'card-row' },
       model.several ? element('span', { class: 'card-name' }, swatch(b.index), b.name) : null,
-      element('span', { class: 'card-value' }, element('b', {}, number(m, 3)), q.shown && m !== null ? ` ${q.shown}` : ''),
-      element('span', { class: 'card-detail' }, m === null ? 'not solved' : `${number(l, 3)} to ${number(h, 3)}`));
+      element(
+        'span',
+        { class: 'card-value' },
+        element('b', {}, number(m, 3)),
+        q.shown && m !== null ? ` ${q.shown}` : '',
+      ),
+      element(
+        'span',
+        { class: 'card-detail' },
+        m === null ? 'not solved' : `${number(l, 3)} to ${number(h, 3)}`,
+      ),
+    );
   });
   return element('section', { class: 'card' }, element('h2', {}, q.short_name), rows);
 }
 
 /** Reasons that differ in their numbers alone are reported with those of the first. */
-const reasonText = (r) => `${sentence(r.reason)}${r.numbers_differ ? ' The numbers are those of the first.' : ''}`;
+const reasonText = (r) =>
+  `${sentence(r.reason)}${r.numbers_differ ? ' The numbers are those of the first.' : ''}`;
 
 /** Notes on results that mean little in their order of severity, then the most frequent. */
 function byWeight(scenarioNotes) {
@@ -65,87 +89,291 @@ export function firstScreen(model) {
   const [first] = byWeight(model.scenario_notes);
   if (first) {
     const others = model.scenario_notes.length - 1;
-    notes.unshift(element('li', {}, `${count(first.count)} of ${count(model.scenarios)} scenarios: ${sentence(first.message)} `,
-      element('a', { href: '#notes' }, others > 0 ? `${others} more ${others === 1 ? 'note' : 'notes'} on results` : 'Which ones')));
+    notes.unshift(
+      element(
+        'li',
+        {},
+        `${count(first.count)} of ${count(model.scenarios)} scenarios: ${sentence(first.message)} `,
+        element(
+          'a',
+          { href: '#notes' },
+          others > 0 ? `${others} more ${others === 1 ? 'note' : 'notes'} on results` : 'Which ones',
+        ),
+      ),
+    );
   }
-  return element('header', { class: 'first-screen' },
+  return element(
+    'header',
+    { class: 'first-screen' },
     element('p', { class: 'kind' }, kKinds[model.kind] ?? 'A study'),
     element('h1', {}, model.title || 'A study'),
-    element('p', { class: 'operating' }, `${count(model.scenarios)} scenarios: ${model.several ? `${model.bases.length} bases (${model.bases.map((b) => b.name).join(', ')})` : `base ${model.bases[0].name}`}, ${model.factors.length} ${model.factors.length === 1 ? 'factor' : 'factors'}, ${points(model)}, seed ${model.seed}`),
-    failed > 0 ? element('div', { class: 'warning stopped', role: 'alert' }, element('p', {}, element('strong', {}, `${count(failed)} of ${count(model.scenarios)} scenarios NOT SOLVED. `),
-      `${model.unsolved.reasons[0].count > 1 ? 'Most often' : 'The first'}: ${reasonText(model.unsolved.reasons[0])} `, element('a', { href: '#unsolved' }, 'All reasons'))) : null,
-    model.solved > 0 ? element('div', { class: 'cards' }, kCards.map((name) => card(model, name))) : null,
-    model.solved > 0 ? element('p', { class: 'how' }, model.has_sample ? 'Median, and 5 % to 95 % of the scenarios.' : 'Median, lowest and highest of the scenarios.') : null,
-    notes.length ? element('div', { class: 'warning', role: 'note' }, element('strong', {}, 'Mind: '), element('ul', { class: 'notes' }, notes.slice(0, kNotesShown)),
-      notes.length > kNotesShown ? element('details', { class: 'fold' }, element('summary', {}, `${notes.length - kNotesShown} more notes`), element('ul', { class: 'notes' }, notes.slice(kNotesShown))) : null) : null);
+    element(
+      'p',
+      { class: 'operating' },
+      `${count(model.scenarios)} scenarios: ${model.several ? `${model.bases.length} bases (${model.bases.map((b) => b.name).join(', ')})` : `base ${model.bases[0].name}`}, ${model.factors.length} ${model.factors.length === 1 ? 'factor' : 'factors'}, ${points(model)}, seed ${model.seed}`,
+    ),
+    failed > 0
+      ? element(
+          'div',
+          { class: 'warning stopped', role: 'alert' },
+          element(
+            'p',
+            {},
+            element('strong', {}, `${count(failed)} of ${count(model.scenarios)} scenarios NOT SOLVED. `),
+            `${model.unsolved.reasons[0].count > 1 ? 'Most often' : 'The first'}: ${reasonText(model.unsolved.reasons[0])} `,
+            element('a', { href: '#unsolved' }, 'All reasons'),
+          ),
+        )
+      : null,
+    model.solved > 0
+      ? element(
+          'div',
+          { class: 'cards' },
+          kCards.map((name) => card(model, name)),
+        )
+      : null,
+    model.solved > 0
+      ? element(
+          'p',
+          { class: 'how' },
+          model.has_sample
+            ? 'Median, and 5 % to 95 % of the scenarios.'
+            : 'Median, lowest and highest of the scenarios.',
+        )
+      : null,
+    notes.length
+      ? element(
+          'div',
+          { class: 'warning', role: 'note' },
+          element('strong', {}, 'Mind: '),
+          element('ul', { class: 'notes' }, notes.slice(0, kNotesShown)),
+          notes.length > kNotesShown
+            ? element(
+                'details',
+                { class: 'fold' },
+                element('summary', {}, `${notes.length - kNotesShown} more notes`),
+                element('ul', { class: 'notes' }, notes.slice(kNotesShown)),
+              )
+            : null,
+        )
+      : null,
+  );
 }
 
 const kHow = { set: 'is', scale: 'times the base’s', add: 'added to the base’s' };
 
 export function variedSection(model) {
   const rows = model.factors.map((f) => [
-    f.name, { text: f.keys.flatMap((key, i) => [i ? ', ' : '', code(key)]) }, kHow[f.how] ?? f.how, typeset(f.words),
-    ...(model.several ? [f.bases.length === model.bases.length ? 'all' : f.bases.map((b) => model.bases[b].name).join(', ') || 'none'] : []),
-    f.source || 'not stated']);
+    f.name,
+    { text: f.keys.flatMap((key, i) => [i ? ', ' : '', code(key)]) },
+    kHow[f.how] ?? f.how,
+    typeset(f.words),
+    ...(model.several
+      ? [
+          f.bases.length === model.bases.length
+            ? 'all'
+            : f.bases.map((b) => model.bases[b].name).join(', ') || 'none',
+        ]
+      : []),
+    f.source || 'not stated',
+  ]);
   const measured = model.factors.filter((f) => f.origin === 'measured').length;
-  const correlations = model.correlations.map((c) => `${model.factors[c.factors[0]].name} and ${model.factors[c.factors[1]].name} ${number(c.value, 2)}`);
-  return section('varied', 'What varied',
-    element('p', {}, `${measured === 0 ? 'No scatter was taken over from a measurement: ranges and distributions are as the study’s file states them, with what it says of their source.' : measured === model.factors.length ? 'All scatter is what was measured.' : `${measured} of ${model.factors.length} factors have the scatter that was measured; the others are as the study’s file states them.`}`,
-      correlations.length ? ` Correlations of the normal scores: ${correlations.join('; ')}.` : ''),
-    table('Factors', ['factor', 'key of the case', 'the number', 'varies', ...(model.several ? ['bases'] : []), 'where from'], rows, { folds: true }),
-    model.several ? table('Bases', ['base', 'case', right('scenarios')], model.bases.map((b) => [{ text: [swatch(b.index), ' ', b.name] }, b.title || '–', right(count(b.points))]), { folds: true }) : null);
+  const correlations = model.correlations.map(
+    (c) =>
+      `${model.factors[c.factors[0]].name} and ${model.factors[c.factors[1]].name} ${number(c.value, 2)}`,
+  );
+  return section(
+    'varied',
+    'What varied',
+    element(
+      'p',
+      {},
+      `${measured === 0 ? 'No scatter was taken over from a measurement: ranges and distributions are as the study’s file states them, with what it says of their source.' : measured === model.factors.length ? 'All scatter is what was measured.' : `${measured} of ${model.factors.length} factors have the scatter that was measured; the others are as the study’s file states them.`}`,
+      correlations.length ? ` Correlations of the normal scores: ${correlations.join('; ')}.` : '',
+    ),
+    table(
+      'Factors',
+      [
+        'factor',
+        'key of the case',
+        'the number',
+        'varies',
+        ...(model.several ? ['bases'] : []),
+        'where from',
+      ],
+      rows,
+      { folds: true },
+    ),
+    model.several
+      ? table(
+          'Bases',
+          ['base', 'case', right('scenarios')],
+          model.bases.map((b) => [
+            { text: [swatch(b.index), ' ', b.name] },
+            b.title || '–',
+            right(count(b.points)),
+          ]),
+          { folds: true },
+        )
+      : null,
+  );
 }
 
 const interval = (q, triple, digits) => {
   const [value, low, high] = triple.map((v) => q.convert(v));
-  const ends = low === null && high === null ? '' : `${low === null ? '…' : number(low, digits)} to ${high === null ? '…' : number(high, digits)}`;
-  return { text: [number(value, digits), ends ? element('span', { class: 'interval' }, ends) : ''], attributes: { class: 'number' } };
+  const ends =
+    low === null && high === null
+      ? ''
+      : `${low === null ? '…' : number(low, digits)} to ${high === null ? '…' : number(high, digits)}`;
+  return {
+    text: [number(value, digits), ends ? element('span', { class: 'interval' }, ends) : ''],
+    attributes: { class: 'number' },
+  };
 };
 
 export function statisticsSection(model, context) {
   const kShown = [0, 2, 4];
-  const heads = model.has_sample ? ['quantity', right('mean'), ...kShown.map((k) => right(shareText(model.shares[k])))] : ['quantity', right('lowest'), right('median'), right('highest')];
-  const rows = (b) => model.quantities.map((described) => {
-    const q = model.quantity.get(described.name);
-    const s = model.statistics[q.name][b];
-    const name = { text: [q.long_name, q.shown ? element('span', { class: 'unit' }, ` [${q.shown}]`) : ''] };
-    if (!s) return [name, ...heads.slice(1).map(() => right('–'))];
-    if (!model.has_sample) return [name, ...[s.lowest, s.median, s.highest].map((v) => right(number(q.convert(v), 4)))];
-    return [name, s.mean ? interval(q, s.mean, 4) : right('–'), ...kShown.map((k) => interval(q, s.quantiles[k], 4))];
-  });
+  const heads = model.has_sample
+    ? ['quantity', right('mean'), ...kShown.map((k) => right(shareText(model.shares[k])))]
+    : ['quantity', right('lowest'), right('median'), right('highest')];
+  const rows = (b) =>
+    model.quantities.map((described) => {
+      const q = model.quantity.get(described.name);
+      const s = model.statistics[q.name][b];
+      const name = {
+        text: [q.long_name, q.shown ? element('span', { class: 'unit' }, ` [${q.shown}]`) : ''],
+      };
+      if (!s) return [name, ...heads.slice(1).map(() => right('–'))];
+      if (!model.has_sample)
+        return [name, ...[s.lowest, s.median, s.highest].map((v) => right(number(q.convert(v), 4)))];
+      return [
+        name,
+        s.mean ? interval(q, s.mean, 4) : right('–'),
+        ...kShown.map((k) => interval(q, s.quantiles[k], 4)),
+      ];
+    });
   const columns = () => {
-    const all = model.bases.flatMap((b) => model.quantities.map((described) => ({ b, q: model.quantity.get(described.name), s: model.statistics[described.name][b.index] })));
-    const fixed = [{ title: 'base', values: all.map(({ b }) => b.name) }, { title: 'quantity', values: all.map(({ q }) => q.name) }, { title: 'unit', values: all.map(({ q }) => q.shown) }, { title: 'scenarios', values: all.map(({ s }) => s?.n ?? 0) }];
-    if (!model.has_sample) return [...fixed, ...['lowest', 'median', 'highest'].map((key) => ({ title: key, values: all.map(({ q, s }) => (s ? q.convert(s[key]) : null)) }))];
-    const triple = (title, of) => ['', ', low', ', high'].map((end, i) => ({ title: title + end, values: all.map(({ q, s }) => { const t = s && of(s); return t ? q.convert(t[i]) : null; }) }));
-    return [...fixed, ...triple('mean', (s) => s.mean), { title: 'standard deviation', values: all.map(({ q, s }) => (s ? q.convert(s.deviation) : null)) }, ...model.shares.flatMap((share, k) => triple(`${100 * share} %`, (s) => s.quantiles[k]))];
+    const all = model.bases.flatMap((b) =>
+      model.quantities.map((described) => ({
+        b,
+        q: model.quantity.get(described.name),
+        s: model.statistics[described.name][b.index],
+      })),
+    );
+    const fixed = [
+      { title: 'base', values: all.map(({ b }) => b.name) },
+      { title: 'quantity', values: all.map(({ q }) => q.name) },
+      { title: 'unit', values: all.map(({ q }) => q.shown) },
+      { title: 'scenarios', values: all.map(({ s }) => s?.n ?? 0) },
+    ];
+    if (!model.has_sample)
+      return [
+        ...fixed,
+        ...['lowest', 'median', 'highest'].map((key) => ({
+          title: key,
+          values: all.map(({ q, s }) => (s ? q.convert(s[key]) : null)),
+        })),
+      ];
+    const triple = (title, of) =>
+      ['', ', low', ', high'].map((end, i) => ({
+        title: title + end,
+        values: all.map(({ q, s }) => {
+          const t = s && of(s);
+          return t ? q.convert(t[i]) : null;
+        }),
+      }));
+    return [
+      ...fixed,
+      ...triple('mean', (s) => s.mean),
+      { title: 'standard deviation', values: all.map(({ q, s }) => (s ? q.convert(s.deviation) : null)) },
+      ...model.shares.flatMap((share, k) => triple(`${100 * share} %`, (s) => s.quantiles[k])),
+    ];
   };
   const counts = model.bases.map((b) => model.statistics[model.main_values[0]][b.index]);
-  const button = element('button', { type: 'button', class: 'download', 'aria-label': 'Values of the cycle as CSV', onclick: () => save(`${fileStem(context.stem, 'values')}.csv`, 'text/csv', columnsCsv(columns())) }, 'CSV');
-  return section('values', 'Values of the cycle',
-    element('div', { class: 'table-heading' }, element('p', {}, model.has_sample
-      ? `Over the scenarios of the sample (${[...new Set(counts.map((s) => count(s?.n ?? 0)))].join(', ')}${model.several ? ' of each base' : ''}${counts.some((s) => s?.omitted) ? `, without ${counts.map((s) => count(s?.omitted ?? 0)).join(', ')} that were not solved` : ''}); in small type the 95 % confidence interval of each number, … where so few scenarios cannot tell it.`
-      : 'Over all scenarios of the plan, which are no sample: nothing is said of how likely a value is.'), element('span', { class: 'downloads' }, button)),
+  const button = element(
+    'button',
+    {
+      type: 'button',
+      class: 'download',
+      'aria-label': 'Values of the cycle as CSV',
+      onclick: () => save(`${fileStem(context.stem, 'values')}.csv`, 'text/csv', columnsCsv(columns())),
+    },
+    'CSV',
+  );
+  return section(
+    'values',
+    'Values of the cycle',
+    element(
+      'div',
+      { class: 'table-heading' },
+      element(
+        'p',
+        {},
+        model.has_sample
+          ? `Over the scenarios of the sample (${[...new Set(counts.map((s) => count(s?.n ?? 0)))].join(', ')}${model.several ? ' of each base' : ''}${counts.some((s) => s?.omitted) ? `, without ${counts.map((s) => count(s?.omitted ?? 0)).join(', ')} that were not solved` : ''}); in small type the 95 % confidence interval of each number, … where so few scenarios cannot tell it.`
+          : 'Over all scenarios of the plan, which are no sample: nothing is said of how likely a value is.',
+      ),
+      element('span', { class: 'downloads' }, button),
+    ),
     model.bases.map((b) => {
-      const content = table(`Values of the cycle, ${b.name}`, heads, rows(b.index), { classes: 'statistics titled' });
-      return model.several ? element('details', { class: 'fold', open: b.index === 0 }, element('summary', {}, swatch(b.index), ' ', b.name), content) : content;
-    }));
+      const content = table(`Values of the cycle, ${b.name}`, heads, rows(b.index), {
+        classes: 'statistics titled',
+      });
+      return model.several
+        ? element(
+            'details',
+            { class: 'fold', open: b.index === 0 },
+            element('summary', {}, swatch(b.index), ' ', b.name),
+            content,
+          )
+        : content;
+    }),
+  );
 }
 
 export function differencesTable(model) {
   const shown = model.mainValues.filter((q) => model.comparison[q.name]);
   const groups = model.comparison_groups;
-  const middle = (q, s) => (!s ? '–' : withUnit(q.convert(model.has_sample ? s.quantiles[2][0] : s.median), '', 4));
-  const others = groups.slice(1).map((_, i) => shown.some((q) => model.comparison[q.name][i + 1]?.difference));
+  const middle = (q, s) =>
+    !s ? '–' : withUnit(q.convert(model.has_sample ? s.quantiles[2][0] : s.median), '', 4);
+  const others = groups
+    .slice(1)
+    .map((_, i) => shown.some((q) => model.comparison[q.name][i + 1]?.difference));
   const [paired, alone] = [others.some(Boolean), model.has_sample && others.some((one) => !one)];
   const whom = alone ? 'Where an interval stands, both' : groups.length > 2 ? 'All' : 'Both';
-  const rows = groups.map((g, k) => [g.name, ...shown.map((q) => {
-    const difference = differenceOf(model, q, k);
-    return { text: [middle(q, model.comparison[q.name][k]), difference ? element('span', { class: `change ${difference.sure ? 'strong' : ''}` }, difference.text) : '', difference?.interval ? element('span', { class: 'interval' }, difference.interval) : ''], attributes: { class: 'number' } };
-  })]);
+  const rows = groups.map((g, k) => [
+    g.name,
+    ...shown.map((q) => {
+      const difference = differenceOf(model, q, k);
+      return {
+        text: [
+          middle(q, model.comparison[q.name][k]),
+          difference
+            ? element('span', { class: `change ${difference.sure ? 'strong' : ''}` }, difference.text)
+            : '',
+          difference?.interval ? element('span', { class: 'interval' }, difference.interval) : '',
+        ],
+        attributes: { class: 'number' },
+      };
+    }),
+  ]);
   return [
-    element('p', {}, `Median, and the change against ${groups[0].name}.`, paired ? ` ${whom} were run at the same points, so that what they have in common cancels: the change is that of the mean, with its 95 % confidence interval below it; in bold where that leaves no doubt about the sign.${alone ? ' Without one the points differ, and the change is that of the median.' : ''}` : alone ? ' The points differ, and the change is that of the median.' : ''),
-    table(`Against ${groups[0].name}`, ['', ...shown.map((q) => right(axisTitle(q.short_name, q.shown)))], rows, { folds: true, classes: 'differences' }),
+    element(
+      'p',
+      {},
+      `Median, and the change against ${groups[0].name}.`,
+      paired
+        ? ` ${whom} were run at the same points, so that what they have in common cancels: the change is that of the mean, with its 95 % confidence interval below it; in bold where that leaves no doubt about the sign.${alone ? ' Without one the points differ, and the change is that of the median.' : ''}`
+        : alone
+          ? ' The points differ, and the change is that of the median.'
+          : '',
+    ),
+    table(
+      `Against ${groups[0].name}`,
+      ['', ...shown.map((q) => right(axisTitle(q.short_name, q.shown)))],
+      rows,
+      { folds: true, classes: 'differences' },
+    ),
   ];
 }
 
@@ -153,10 +381,41 @@ export function differencesTable(model) {
 export function indicesTable(model) {
   const shown = model.mainValues.filter((q) => model.indices[q.name]?.some(Boolean));
   if (shown.length === 0) return null;
-  return model.bases.map((b) => element('details', { class: 'fold', open: b.index === 0 && window.innerWidth > 760 }, element('summary', {}, model.several ? [swatch(b.index), ` Total indices of all main values, ${b.name}`] : 'Total indices of all main values'), table(`Total indices, ${b.name}`, ['factor', ...shown.map((q) => right(q.short_name))], model.groups.map((name, g) => ({ name, g })).filter(({ g }) => shown.some((q) => model.indices[q.name][b.index]?.total[g])).map(({ name, g }) => [name, ...shown.map((q) => {
-    const t = model.indices[q.name][b.index]?.total[g];
-    return right(t ? number(Math.max(0, t[0]), 2) : '–', t ? { style: `background: rgba(0, 63, 125, ${Math.min(0.35, Math.max(0, 0.35 * t[0])).toFixed(3)})` } : {});
-  })]), { classes: 'titled' })));
+  return model.bases.map((b) =>
+    element(
+      'details',
+      { class: 'fold', open: b.index === 0 && window.innerWidth > 760 },
+      element(
+        'summary',
+        {},
+        model.several
+          ? [swatch(b.index), ` Total indices of all main values, ${b.name}`]
+          : 'Total indices of all main values',
+      ),
+      table(
+        `Total indices, ${b.name}`,
+        ['factor', ...shown.map((q) => right(q.short_name))],
+        model.groups
+          .map((name, g) => ({ name, g }))
+          .filter(({ g }) => shown.some((q) => model.indices[q.name][b.index]?.total[g]))
+          .map(({ name, g }) => [
+            name,
+            ...shown.map((q) => {
+              const t = model.indices[q.name][b.index]?.total[g];
+              return right(
+                t ? number(Math.max(0, t[0]), 2) : '–',
+                t
+                  ? {
+                      style: `background: rgba(0, 63, 125, ${Math.min(0.35, Math.max(0, 0.35 * t[0])).toFixed(3)})`,
+                    }
+                  : {},
+              );
+            }),
+          ]),
+        { classes: 'titled' },
+      ),
+    ),
+  );
 }
 
 /** Notes on the results of single scenarios, those on results that mean little first, then the most frequent. */
@@ -164,23 +423,75 @@ export function notesSection(model) {
   if (model.scenario_notes.length === 0) return null;
   const notes = byWeight(model.scenario_notes);
   const bases = model.several ? model.bases : [];
-  return section('notes', 'Notes on the results',
-    element('p', {}, `What single results note: a model beyond its range, a remedy of the solver. Such scenarios count in all statistics. The figures are those of the scenario in the last column: where the note is worst, or, if no value of the cycle measures that, the first one with it. The result file lists all scenarios.`),
-    table('Notes', [right('scenarios'), ...bases.map((b) => right(b.name)), 'note', 'topic', right('figures of')],
-      notes.map((n) => [right(`${count(n.count)} of ${count(model.scenarios)}`), ...bases.map((b) => right(count(n.counts[b.index]))), sentence(n.message), { text: code(n.topic) }, right(`${n.is_worst ? 'worst: ' : 'first: '}${n.scenario}`)]), { folds: true }));
+  return section(
+    'notes',
+    'Notes on the results',
+    element(
+      'p',
+      {},
+      `What single results note: a model beyond its range, a remedy of the solver. Such scenarios count in all statistics. The figures are those of the scenario in the last column: where the note is worst, or, if no value of the cycle measures that, the first one with it. The result file lists all scenarios.`,
+    ),
+    table(
+      'Notes',
+      [right('scenarios'), ...bases.map((b) => right(b.name)), 'note', 'topic', right('figures of')],
+      notes.map((n) => [
+        right(`${count(n.count)} of ${count(model.scenarios)}`),
+        ...bases.map((b) => right(count(n.counts[b.index]))),
+        sentence(n.message),
+        { text: code(n.topic) },
+        right(`${n.is_worst ? 'worst: ' : 'first: '}${n.scenario}`),
+      ]),
+      { folds: true },
+    ),
+  );
 }
 
 export function unsolvedSection(model) {
   const { count: failed, n_reasons: n, reasons } = model.unsolved;
   if (failed === 0) return null;
-  return section('unsolved', 'Scenarios that were not solved',
-    element('p', {}, `${count(failed)} of ${count(model.scenarios)} (${percent(failed / model.scenarios).replace('+', '')}). They are left out of all statistics, which are those of what could be run.${n > reasons.length ? ` The ${reasons.length} most frequent of ${n} reasons; the result file has all.` : ''}`),
-    table('Reasons', [right('scenarios'), 'reason', right('the first')], reasons.map((r) => [right(count(r.count)), reasonText(r), right(String(r.first))]), { folds: true }));
+  return section(
+    'unsolved',
+    'Scenarios that were not solved',
+    element(
+      'p',
+      {},
+      `${count(failed)} of ${count(model.scenarios)} (${percent(failed / model.scenarios).replace('+', '')}). They are left out of all statistics, which are those of what could be run.${n > reasons.length ? ` The ${reasons.length} most frequent of ${n} reasons; the result file has all.` : ''}`,
+    ),
+    table(
+      'Reasons',
+      [right('scenarios'), 'reason', right('the first')],
+      reasons.map((r) => [right(count(r.count)), reasonText(r), right(String(r.first))]),
+      { folds: true },
+    ),
+  );
 }
 
 export function provenanceSection(model) {
-  return section('provenance', 'Where this comes from',
-    table('Program and plan', ['what', ''], [...['program', 'commit', 'compiler'].map((key) => [key, model.provenance[key] || '–']), ['plan', `${points(model)}, seed ${model.seed}: the same file gives the same scenarios`]]),
-    element('details', { class: 'fold', open: window.innerWidth > 760 }, element('summary', {}, `${model.files.length} files read, with their hashes`),
-      table('Files read', ['file', 'role', 'SHA-256'], model.files.map((f) => [{ text: code(shortPath(f.path), { title: f.path }) }, f.role, { text: element('code', { class: 'hash' }, f.sha256) }]), { folds: true })));
+  return section(
+    'provenance',
+    'Where this comes from',
+    table(
+      'Program and plan',
+      ['what', ''],
+      [
+        ...['program', 'commit', 'compiler'].map((key) => [key, model.provenance[key] || '–']),
+        ['plan', `${points(model)}, seed ${model.seed}: the same file gives the same scenarios`],
+      ],
+    ),
+    element(
+      'details',
+      { class: 'fold', open: window.innerWidth > 760 },
+      element('summary', {}, `${model.files.length} files read, with their hashes`),
+      table(
+        'Files read',
+        ['file', 'role', 'SHA-256'],
+        model.files.map((f) => [
+          { text: code(shortPath(f.path), { title: f.path }) },
+          f.role,
+          { text: element('code', { class: 'hash' }, f.sha256) },
+        ]),
+        { folds: true },
+      ),
+    ),
+  );
 }
