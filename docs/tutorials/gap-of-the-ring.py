@@ -53,7 +53,8 @@ for name, label, factor, unit in (
 ):
     one, other = face.values[name] * factor, whole.values[name] * factor
     print(
-        f"{label:26s} alike all around {one:9.4f} {unit:5s} with its end gap {other:9.4f} {unit:5s} {100 * (other / one - 1):+.3f} %"
+        f"{label:26s} alike all around {one:9.4f} {unit:5s} with its end gap {other:9.4f} {unit:5s} "
+        f"{100 * (other / one - 1):+.3f} %"
     )
 gap, bore = case["ring.end_gap"], case["engine.bore"]
 print(f"The end gap itself is {100 * gap / (np.pi * bore):.3f} % of the circumference.")

@@ -329,7 +329,8 @@ ledger: also run the other choice for every assumption that can be lifted; see R
 error_estimate: also run finer and coarser cells and crank steps, about four times the work; the errors stand beside
     their quantities: result["cycle_fmep_error"], result["min_film_thickness_error"]. Rings only.
 threads: for these others, 1 to 1024; None: as many as the machine runs at once. The numbers do not depend on it.
-Returns a Result, of a ring pack a PackResult, of a pad a PadResult. Other threads go on meanwhile; Ctrl-C ends the run with KeyboardInterrupt.
+Returns a Result, of a ring pack a PackResult, of a pad a PadResult. Other threads continue meanwhile; Ctrl-C
+ends the run with KeyboardInterrupt.
 Raises InputError, and ConvergenceError with all up to the last good crank angle in its attribute `result`.
 Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`.)");
   type.def(

@@ -1,4 +1,5 @@
-// What the page makes of numbers, angles, titles and gaps, without a browser: node text_test.mjs SOURCE_FOLDER_OF_THE_PAGE
+// What the page makes of numbers, angles, titles and gaps, without a browser
+// usage: node text_test.mjs SOURCE_FOLDER_OF_THE_PAGE
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -407,7 +408,7 @@ test('a model without a film content has cavities where the pressure is theirs',
   assert.deepEqual([ring.isCavity(0, 0, 1), ring.isCavity(0, 1, 1), ring.hasCavity(0)], [false, true, true]);
   assert.match(
     fieldCaption(ring, ''),
-    /Hatched: cavities, where the pressure is that of a cavity; .* Reynolds' exit, does not define how much oil.*at 1 of the 1 angles/,
+    /where the pressure is that of a cavity; .* Reynolds' exit, does not define how much oil.*at 1 of the 1 angles/,
   );
   assert.match(fieldCaption(smallRing(0.01, { rupture_pressure: -1e5 }), ''), /No angle has a cavity/);
   assert.doesNotMatch(fieldCaption(smallRing(0.01), ''), /Reynolds/);

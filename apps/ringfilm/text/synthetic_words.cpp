@@ -17,8 +17,8 @@ constexpr const char* kSyntheticFooter = R"(Examples:
   ringfilm synthetic honed liner.x3p --points 1024x1024 --step "1 um" --hatch-angle "45 degree"
   ringfilm synthetic porous sprayed.gsf --pore-share 0.15 --pore-depth "4 um"
 
-The ending of the name selects the format: .x3p, .sur, .gsf or .csv. The file is marked as synthetic and describes how it
-was made; the same words give the same bytes. Without --seed the seed is 1.
+The ending of the name selects the format: .x3p, .sur, .gsf or .csv. The file is marked as synthetic and describes how
+it was made; the same words give the same bytes. Without --seed the seed is 1.
 )";
 
 /// A line of help with the length that holds where none is stated.

@@ -22,7 +22,10 @@ import {
 } from './study_tables.js';
 import { section } from '../tables.js';
 
-/** A main value (and base) that the reader picks for the figures of a section. @param figures (model, chosen) to a figure or null */
+/**
+ * A main value (and base) that the reader picks for the figures of a section. @param figures (model,
+ * chosen) to a figure or null
+ */
 function pickedFigures(model, context, values, figures, { withBase = false } = {}) {
   const chosen = { value: values[0].name, base: 0 };
   const views = figures
@@ -68,7 +71,8 @@ function gridPart(model, context) {
           choices: element(
             'p',
             { class: 'how' },
-            'No maps are drawn: even with two levels of each factor the grid has more points than a page can hold. The result file has all of them.',
+            'No maps are drawn: even with two levels of each factor the grid has more points than a page can hold. \
+The result file has all of them.',
           ),
         }
       : null;
@@ -201,7 +205,8 @@ function buildPage(model) {
             element(
               'p',
               { class: 'how' },
-              'No curves over crank angle were kept. To have their bands, write curves = "quantiles" into [keep] of the study and run it anew.',
+              'No curves over crank angle were kept. To have their bands, write curves = "quantiles" into [keep] of \
+the study and run it anew.',
             ),
           ]
         : [];
@@ -211,7 +216,12 @@ function buildPage(model) {
       element(
         'p',
         { class: 'how' },
-        `Drag across a chart to zoom all of them, double-click for the whole cycle.${model.several ? ' A name in a legend hides that base.' : ''}`,
+        `Drag across a chart to zoom all of them, double-click for the whole cycle.${
+          model.several
+            ? ' A name in a \
+legend hides that base.'
+            : ''
+        }`,
       ),
       kept(figures.map((figure) => new FigureView(figure, { ...context, visibility, group }))),
     ];

@@ -8,7 +8,10 @@ import { number, percent, ticks, tickText, withUnit } from '../units.js';
 const kBar = 10;
 const kHead = 20;
 
-/** Rows of lying bars with a name above each: @param rows { name, bars: how many, shapes(x, top) }, range of the axis. */
+/**
+ * Rows of lying bars with a name above each: @param rows { name, bars: how many, shapes(x, top) },
+ * range of the axis.
+ */
 function lyingRows(rows, axis, width, top) {
   const [left, right] = [12, width - 46];
   const x = scaler(false, axis.low, axis.high, left, right);
@@ -91,7 +94,8 @@ export function indicesFigure(model, chosen) {
                 const [from, to] = [Math.min(x(0), x(value)), Math.max(x(0), x(value))];
                 const inside = (v) => x(Math.min(axis.high, Math.max(axis.low, v)));
                 return [
-                  `<rect x="${px(from)}" y="${px(y)}" width="${px(Math.max(0.6, to - from))}" height="${kBar - 2}" fill="${caseColour(b)}" ${i ? `fill-opacity="0.3" stroke="${caseColour(b)}" stroke-width="0.8"` : ''}><title>${safe(`${model.bases[b].name}, ${name}: ${i ? 'total' : 'first'} index ${number(value, 2)} (${number(low, 2)} to ${number(high, 2)})`)}</title></rect>`,
+                  `<rect x="${px(from)}" y="${px(y)}" width="${px(Math.max(0.6, to - from))}" height="${kBar - 2}" \
+fill="${caseColour(b)}" ${i ? `fill-opacity="0.3" stroke="${caseColour(b)}" stroke-width="0.8"` : ''}><title>${safe(`${model.bases[b].name}, ${name}: ${i ? 'total' : 'first'} index ${number(value, 2)} (${number(low, 2)} to ${number(high, 2)})`)}</title></rect>`,
                   rule(inside(low), y + kBar / 2 - 1, inside(high), y + kBar / 2 - 1, kInk, 1.2),
                   rule(inside(low), y + 1, inside(low), y + kBar - 3, kInk, 1.2),
                   rule(inside(high), y + 1, inside(high), y + kBar - 3, kInk, 1.2),
@@ -112,7 +116,12 @@ export function indicesFigure(model, chosen) {
           all()[b.index] ? 1 - all()[b.index].first.reduce((sum, t) => sum + (t?.[0] ?? 0), 0) : null,
         )
         .filter((v) => v !== null);
-      return `Sobol indices of ${q.short_name} from ${first.rows} rows${first.omitted ? ` (${first.omitted} with a scenario that was not solved left out)` : ''}; thin lines: 95 % confidence intervals by the bootstrap. First index: share of the variance that would go if the factor were known; total index: what would stay if all others were. Strongest: ${strongest.name}. What no factor does alone: ${rest.map((v) => percent(Math.max(0, v), 0).replace(/[+±]/, '')).join(', ')} of the variance.${model.groups.length < model.factors.length ? ' Correlated factors share one index.' : ''}`;
+      return `Sobol indices of ${q.short_name} from ${first.rows} rows${
+        first.omitted
+          ? ` (${first.omitted} with a \
+scenario that was not solved left out)`
+          : ''
+      }; thin lines: 95 % confidence intervals by the bootstrap. First index: share of the variance that would go if the factor were known; total index: what would stay if all others were. Strongest: ${strongest.name}. What no factor does alone: ${rest.map((v) => percent(Math.max(0, v), 0).replace(/[+±]/, '')).join(', ')} of the variance.${model.groups.length < model.factors.length ? ' Correlated factors share one index.' : ''}`;
     },
     columns: () => [
       { title: 'factor', values: model.groups },
@@ -184,7 +193,8 @@ export function sensitivityFigure(model, chosen) {
             .flatMap(({ pair, b }, place) => {
               const y = top + place * (kBar + 3);
               const bar = (v, high) =>
-                `<rect x="${px(Math.min(x(0), x(v)))}" y="${px(y + (Math.sign(pair[0]) === Math.sign(pair[1]) && high ? 3 : 0))}" width="${px(Math.max(0.8, Math.abs(x(v) - x(0))))}" height="${Math.sign(pair[0]) === Math.sign(pair[1]) && high ? kBar - 6 : kBar}" fill="${caseColour(b)}" ${high ? '' : `fill-opacity="0.3" stroke="${caseColour(b)}" stroke-width="0.8"`}><title>${safe(`${model.bases[b].name}, ${f.name} ${high ? 'high' : 'low'}: ${relative() ? percent(v / 100) : withUnit(v, q().shown)}`)}</title></rect>`;
+                `<rect x="${px(Math.min(x(0), x(v)))}" \
+y="${px(y + (Math.sign(pair[0]) === Math.sign(pair[1]) && high ? 3 : 0))}" width="${px(Math.max(0.8, Math.abs(x(v) - x(0))))}" height="${Math.sign(pair[0]) === Math.sign(pair[1]) && high ? kBar - 6 : kBar}" fill="${caseColour(b)}" ${high ? '' : `fill-opacity="0.3" stroke="${caseColour(b)}" stroke-width="0.8"`}><title>${safe(`${model.bases[b].name}, ${f.name} ${high ? 'high' : 'low'}: ${relative() ? percent(v / 100) : withUnit(v, q().shown)}`)}</title></rect>`;
               const [least, most] = [Math.min(...pair, 0), Math.max(...pair, 0)];
               const label = (v) => (relative() ? percent(v / 100) : number(v, 3));
               return [
@@ -202,14 +212,16 @@ export function sensitivityFigure(model, chosen) {
     },
     caption: () =>
       model.has_sample
-        ? `Median of ${q().short_name} over the scenarios with the lowest third of each factor (light) and with its highest third (solid)${model.factors.some((f) => f.listed) ? ', of listed values and choices with the lowest (first) and the highest (last) of them,' : ','} against the median of all (${all()
+        ? `Median of ${q().short_name} over the scenarios with the lowest third of each factor (light) and with its \
+highest third (solid)${model.factors.some((f) => f.listed) ? ', of listed values and choices with the lowest (first) and the highest (last) of them,' : ','} against the median of all (${all()
             .map(
               (s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.valueText(q(), s.middle)}`,
             )
             .join(
               ', ',
             )}); all other factors vary as they do. Of correlated factors it holds what comes with them.`
-        : `${q().short_name} with each factor alone at its lowest value (light) and at its highest (solid), against the scenario that moves none (${all()
+        : `${q().short_name} with each factor alone at its lowest value (light) and at its highest (solid), against \
+the scenario that moves none (${all()
             .map(
               (s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.valueText(q(), s.middle)}`,
             )
@@ -226,7 +238,10 @@ export function sensitivityFigure(model, chosen) {
   };
 }
 
-/** Factors of one base, strongest first: { factor, rank, mean_absolute, half_width, deviation, mean } in shown units. */
+/**
+ * Factors of one base, strongest first: { factor, rank, mean_absolute, half_width, deviation, mean }
+ * in shown units.
+ */
 function rankedEffects(model, chosen, base) {
   const q = model.quantity.get(chosen.value);
   const effects = model.effects[chosen.value]?.[base] ?? [];
@@ -302,7 +317,8 @@ export function effectsFigure(model, chosen) {
           mark(chosen.base, x(e.mean_absolute), at, 4.2, {
             fill: caseColour(chosen.base),
             tooltip: safe(
-              `${e.factor.name}: µ* ${withUnit(e.mean_absolute, q().shown)} ± ${number(e.half_width, 2)}, σ ${number(e.deviation)}`,
+              `${e.factor.name}: µ* ${withUnit(e.mean_absolute, q().shown)} ± ${number(e.half_width, 2)}, σ \
+${number(e.deviation)}`,
             ),
           }),
         );
@@ -329,7 +345,8 @@ export function effectsFigure(model, chosen) {
       return { shapes: [...out, ...edges], height };
     },
     caption: () =>
-      `Elementary effects on ${q().short_name}${model.several ? ` of ${model.bases[chosen.base].name}` : ''} over the whole range of each factor, of ${Math.max(0, ...list().map((e) => e.count))} trajectories; thin lines: 95 % confidence interval of µ*. Far right: the factor matters. Above the dashed line (σ = µ*): its effect is curved or depends on the others. Factors without room for their name have their rank.`,
+      `Elementary effects on ${q().short_name}${model.several ? ` of ${model.bases[chosen.base].name}` : ''} over the \
+whole range of each factor, of ${Math.max(0, ...list().map((e) => e.count))} trajectories; thin lines: 95 % confidence interval of µ*. Far right: the factor matters. Above the dashed line (σ = µ*): its effect is curved or depends on the others. Factors without room for their name have their rank.`,
     columns: () => effectColumns(model, chosen, list()),
   };
 }
@@ -359,14 +376,16 @@ export function rankingFigure(model, chosen) {
             x(e.mean_absolute + e.half_width),
           ];
           return [
-            `<rect x="${px(x(0))}" y="${px(y)}" width="${px(Math.max(0.8, x(e.mean_absolute) - x(0)))}" height="${kBar}" fill="${colour}"/>`,
+            `<rect x="${px(x(0))}" y="${px(y)}" width="${px(Math.max(0.8, x(e.mean_absolute) - x(0)))}" \
+height="${kBar}" fill="${colour}"/>`,
             rule(low, y + kBar / 2, high, y + kBar / 2, kInk, 1.3),
             rule(low, y + 1, low, y + kBar - 1, kInk, 1.3),
             rule(high, y + 1, high, y + kBar - 1, kInk, 1.3),
             text(
               high + 5,
               y + 9,
-              `${number(e.mean_absolute, 3)} ${Math.abs(e.mean) > 0.9 * e.mean_absolute ? (e.mean > 0 ? '↑' : '↓') : '↕'}`,
+              `${number(e.mean_absolute, 3)} \
+${Math.abs(e.mean) > 0.9 * e.mean_absolute ? (e.mean > 0 ? '↑' : '↓') : '↕'}`,
               { size: 11, halo: '#fff' },
             ),
           ];
@@ -376,7 +395,8 @@ export function rankingFigure(model, chosen) {
       return { shapes: drawn.shapes, height: drawn.bottom };
     },
     caption: () =>
-      `µ* with its 95 % confidence interval, strongest first. ↑: ${q().short_name} rises with the factor, ↓: it falls, ↕: both, depending on where the factors stand. Intervals that overlap leave the order open.`,
+      `µ* with its 95 % confidence interval, strongest first. ↑: ${q().short_name} rises with the factor, ↓: it \
+falls, ↕: both, depending on where the factors stand. Intervals that overlap leave the order open.`,
     columns: () => effectColumns(model, chosen, list()),
   };
 }

@@ -110,7 +110,12 @@ export function firstScreen(model) {
     element(
       'p',
       { class: 'operating' },
-      `${count(model.scenarios)} scenarios: ${model.several ? `${model.bases.length} bases (${model.bases.map((b) => b.name).join(', ')})` : `base ${model.bases[0].name}`}, ${model.factors.length} ${model.factors.length === 1 ? 'factor' : 'factors'}, ${points(model)}, seed ${model.seed}`,
+      `${count(model.scenarios)} scenarios: ${
+        model.several
+          ? `${model.bases.length} bases \
+(${model.bases.map((b) => b.name).join(', ')})`
+          : `base ${model.bases[0].name}`
+      }, ${model.factors.length} ${model.factors.length === 1 ? 'factor' : 'factors'}, ${points(model)}, seed ${model.seed}`,
     ),
     failed > 0
       ? element(
@@ -120,7 +125,8 @@ export function firstScreen(model) {
             'p',
             {},
             element('strong', {}, `${count(failed)} of ${count(model.scenarios)} scenarios NOT SOLVED. `),
-            `${model.unsolved.reasons[0].count > 1 ? 'Most often' : 'The first'}: ${reasonText(model.unsolved.reasons[0])} `,
+            `${model.unsolved.reasons[0].count > 1 ? 'Most often' : 'The first'}: \
+${reasonText(model.unsolved.reasons[0])} `,
             element('a', { href: '#unsolved' }, 'All reasons'),
           ),
         )
@@ -188,7 +194,14 @@ export function variedSection(model) {
     element(
       'p',
       {},
-      `${measured === 0 ? 'No scatter was taken over from a measurement: ranges and distributions are as the study’s file states them, with what it says of their source.' : measured === model.factors.length ? 'All scatter is what was measured.' : `${measured} of ${model.factors.length} factors have the scatter that was measured; the others are as the study’s file states them.`}`,
+      `${
+        measured === 0
+          ? 'No scatter was taken over from a measurement: ranges and distributions are as the study’s \
+file states them, with what it says of their source.'
+          : measured === model.factors.length
+            ? 'All scatter is what was measured.'
+            : `${measured} of ${model.factors.length} factors have the scatter that was measured; the others are as the study’s file states them.`
+      }`,
       correlations.length ? ` Correlations of the normal scores: ${correlations.join('; ')}.` : '',
     ),
     table(
@@ -310,7 +323,10 @@ export function statisticsSection(model, context) {
         'p',
         {},
         model.has_sample
-          ? `Over the scenarios of the sample (${[...new Set(counts.map((s) => count(s?.n ?? 0)))].join(', ')}${model.several ? ' of each base' : ''}${counts.some((s) => s?.omitted) ? `, without ${counts.map((s) => count(s?.omitted ?? 0)).join(', ')} that were not solved` : ''}); in small type the 95 % confidence interval of each number, … where so few scenarios cannot tell it.`
+          ? `Over the scenarios of the sample (${[...new Set(counts.map((s) => count(s?.n ?? 0)))].join(
+              ', \
+',
+            )}${model.several ? ' of each base' : ''}${counts.some((s) => s?.omitted) ? `, without ${counts.map((s) => count(s?.omitted ?? 0)).join(', ')} that were not solved` : ''}); in small type the 95 % confidence interval of each number, … where so few scenarios cannot tell it.`
           : 'Over all scenarios of the plan, which are no sample: nothing is said of how likely a value is.',
       ),
       element('span', { class: 'downloads' }, button),
@@ -363,7 +379,8 @@ export function differencesTable(model) {
       {},
       `Median, and the change against ${groups[0].name}.`,
       paired
-        ? ` ${whom} were run at the same points, so that what they have in common cancels: the change is that of the mean, with its 95 % confidence interval below it; in bold where that leaves no doubt about the sign.${alone ? ' Without one the points differ, and the change is that of the median.' : ''}`
+        ? ` ${whom} were run at the same points, so that what they have in common cancels: the change is that of the \
+mean, with its 95 % confidence interval below it; in bold where that leaves no doubt about the sign.${alone ? ' Without one the points differ, and the change is that of the median.' : ''}`
         : alone
           ? ' The points differ, and the change is that of the median.'
           : '',
@@ -429,7 +446,8 @@ export function notesSection(model) {
     element(
       'p',
       {},
-      `What single results note: a model beyond its range, a remedy of the solver. Such scenarios count in all statistics. The figures are those of the scenario in the last column: where the note is worst, or, if no value of the cycle measures that, the first one with it. The result file lists all scenarios.`,
+      `What single results note: a model beyond its range, a remedy of the solver. Such scenarios count in all \
+statistics. The figures are those of the scenario in the last column: where the note is worst, or, if no value of the cycle measures that, the first one with it. The result file lists all scenarios.`,
     ),
     table(
       'Notes',
@@ -455,7 +473,8 @@ export function unsolvedSection(model) {
     element(
       'p',
       {},
-      `${count(failed)} of ${count(model.scenarios)} (${percent(failed / model.scenarios).replace('+', '')}). They are left out of all statistics, which are those of what could be run.${n > reasons.length ? ` The ${reasons.length} most frequent of ${n} reasons; the result file has all.` : ''}`,
+      `${count(failed)} of ${count(model.scenarios)} (${percent(failed / model.scenarios).replace('+', '')}). They \
+are left out of all statistics, which are those of what could be run.${n > reasons.length ? ` The ${reasons.length} most frequent of ${n} reasons; the result file has all.` : ''}`,
     ),
     table(
       'Reasons',
