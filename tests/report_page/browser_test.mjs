@@ -229,7 +229,7 @@ for (const width of [390, 1400]) {
     );
     assert.match(
       await page.textContent('#around-the-ring figcaption'),
-      /from one end of the ring's gap of 0.30.mm.*Highest: .*after firing TDC.*face widths.*Hatched: cavities.*61 of 121 nodes/s,
+      /from one end of the ring's gap of 0.30.mm.*Highest: .*face widths.*Hatched: cavities.*61 of 121 nodes/s,
     );
     assert.deepEqual(faults, []);
     await page.close();

@@ -95,7 +95,13 @@ export function indicesFigure(model, chosen) {
                 const inside = (v) => x(Math.min(axis.high, Math.max(axis.low, v)));
                 return [
                   `<rect x="${px(from)}" y="${px(y)}" width="${px(Math.max(0.6, to - from))}" height="${kBar - 2}" \
-fill="${caseColour(b)}" ${i ? `fill-opacity="0.3" stroke="${caseColour(b)}" stroke-width="0.8"` : ''}><title>${safe(`${model.bases[b].name}, ${name}: ${i ? 'total' : 'first'} index ${number(value, 2)} (${number(low, 2)} to ${number(high, 2)})`)}</title></rect>`,
+fill="${caseColour(b)}" ${
+                    i
+                      ? `fill-opacity="0.3" stroke="${caseColour(b)}" \
+stroke-width="0.8"`
+                      : ''
+                  }><title>${safe(`${model.bases[b].name}, ${name}: ${i ? 'total' : 'first'} index \
+${number(value, 2)} (${number(low, 2)} to ${number(high, 2)})`)}</title></rect>`,
                   rule(inside(low), y + kBar / 2 - 1, inside(high), y + kBar / 2 - 1, kInk, 1.2),
                   rule(inside(low), y + 1, inside(low), y + kBar - 3, kInk, 1.2),
                   rule(inside(high), y + 1, inside(high), y + kBar - 3, kInk, 1.2),
@@ -121,7 +127,10 @@ fill="${caseColour(b)}" ${i ? `fill-opacity="0.3" stroke="${caseColour(b)}" stro
           ? ` (${first.omitted} with a \
 scenario that was not solved left out)`
           : ''
-      }; thin lines: 95 % confidence intervals by the bootstrap. First index: share of the variance that would go if the factor were known; total index: what would stay if all others were. Strongest: ${strongest.name}. What no factor does alone: ${rest.map((v) => percent(Math.max(0, v), 0).replace(/[+±]/, '')).join(', ')} of the variance.${model.groups.length < model.factors.length ? ' Correlated factors share one index.' : ''}`;
+      }; thin lines: 95 % confidence intervals by the bootstrap. First index: share of the variance that would go if \
+the factor were known; total index: what would stay if all others were. Strongest: ${strongest.name}. What no factor \
+does alone: ${rest.map((v) => percent(Math.max(0, v), 0).replace(/[+±]/, '')).join(', ')} of the \
+variance.${model.groups.length < model.factors.length ? ' Correlated factors share one index.' : ''}`;
     },
     columns: () => [
       { title: 'factor', values: model.groups },
@@ -194,7 +203,16 @@ export function sensitivityFigure(model, chosen) {
               const y = top + place * (kBar + 3);
               const bar = (v, high) =>
                 `<rect x="${px(Math.min(x(0), x(v)))}" \
-y="${px(y + (Math.sign(pair[0]) === Math.sign(pair[1]) && high ? 3 : 0))}" width="${px(Math.max(0.8, Math.abs(x(v) - x(0))))}" height="${Math.sign(pair[0]) === Math.sign(pair[1]) && high ? kBar - 6 : kBar}" fill="${caseColour(b)}" ${high ? '' : `fill-opacity="0.3" stroke="${caseColour(b)}" stroke-width="0.8"`}><title>${safe(`${model.bases[b].name}, ${f.name} ${high ? 'high' : 'low'}: ${relative() ? percent(v / 100) : withUnit(v, q().shown)}`)}</title></rect>`;
+y="${px(y + (Math.sign(pair[0]) === Math.sign(pair[1]) && high ? 3 : 0))}" \
+width="${px(Math.max(0.8, Math.abs(x(v) - x(0))))}" \
+height="${Math.sign(pair[0]) === Math.sign(pair[1]) && high ? kBar - 6 : kBar}" fill="${caseColour(b)}" \
+${
+  high
+    ? ''
+    : `fill-opacity="0.3" stroke="${caseColour(b)}" \
+stroke-width="0.8"`
+}><title>${safe(`${model.bases[b].name}, ${f.name} ${high ? 'high' : 'low'}: \
+${relative() ? percent(v / 100) : withUnit(v, q().shown)}`)}</title></rect>`;
               const [least, most] = [Math.min(...pair, 0), Math.max(...pair, 0)];
               const label = (v) => (relative() ? percent(v / 100) : number(v, 3));
               return [
@@ -213,7 +231,12 @@ y="${px(y + (Math.sign(pair[0]) === Math.sign(pair[1]) && high ? 3 : 0))}" width
     caption: () =>
       model.has_sample
         ? `Median of ${q().short_name} over the scenarios with the lowest third of each factor (light) and with its \
-highest third (solid)${model.factors.some((f) => f.listed) ? ', of listed values and choices with the lowest (first) and the highest (last) of them,' : ','} against the median of all (${all()
+highest third (solid)${
+            model.factors.some((f) => f.listed)
+              ? ', of listed values and choices with the lowest (first) \
+and the highest (last) of them,'
+              : ','
+          } against the median of all (${all()
             .map(
               (s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.valueText(q(), s.middle)}`,
             )
@@ -346,7 +369,9 @@ ${number(e.deviation)}`,
     },
     caption: () =>
       `Elementary effects on ${q().short_name}${model.several ? ` of ${model.bases[chosen.base].name}` : ''} over the \
-whole range of each factor, of ${Math.max(0, ...list().map((e) => e.count))} trajectories; thin lines: 95 % confidence interval of µ*. Far right: the factor matters. Above the dashed line (σ = µ*): its effect is curved or depends on the others. Factors without room for their name have their rank.`,
+whole range of each factor, of ${Math.max(0, ...list().map((e) => e.count))} trajectories; thin lines: 95 % \
+confidence interval of µ*. Far right: the factor matters. Above the dashed line (σ = µ*): its effect is curved or \
+depends on the others. Factors without room for their name have their rank.`,
     columns: () => effectColumns(model, chosen, list()),
   };
 }

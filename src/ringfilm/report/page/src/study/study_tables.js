@@ -115,7 +115,8 @@ export function firstScreen(model) {
           ? `${model.bases.length} bases \
 (${model.bases.map((b) => b.name).join(', ')})`
           : `base ${model.bases[0].name}`
-      }, ${model.factors.length} ${model.factors.length === 1 ? 'factor' : 'factors'}, ${points(model)}, seed ${model.seed}`,
+      }, ${model.factors.length} ${model.factors.length === 1 ? 'factor' : 'factors'}, ${points(model)}, seed \
+${model.seed}`,
     ),
     failed > 0
       ? element(
@@ -200,7 +201,8 @@ export function variedSection(model) {
 file states them, with what it says of their source.'
           : measured === model.factors.length
             ? 'All scatter is what was measured.'
-            : `${measured} of ${model.factors.length} factors have the scatter that was measured; the others are as the study’s file states them.`
+            : `${measured} of ${model.factors.length} factors have the scatter that was measured; the others are as \
+the study’s file states them.`
       }`,
       correlations.length ? ` Correlations of the normal scores: ${correlations.join('; ')}.` : '',
     ),
@@ -326,7 +328,13 @@ export function statisticsSection(model, context) {
           ? `Over the scenarios of the sample (${[...new Set(counts.map((s) => count(s?.n ?? 0)))].join(
               ', \
 ',
-            )}${model.several ? ' of each base' : ''}${counts.some((s) => s?.omitted) ? `, without ${counts.map((s) => count(s?.omitted ?? 0)).join(', ')} that were not solved` : ''}); in small type the 95 % confidence interval of each number, … where so few scenarios cannot tell it.`
+            )}${model.several ? ' of each base' : ''}${
+              counts.some((s) => s?.omitted)
+                ? `, without \
+${counts.map((s) => count(s?.omitted ?? 0)).join(', ')} that were not solved`
+                : ''
+            }); in small type the 95 % \
+confidence interval of each number, … where so few scenarios cannot tell it.`
           : 'Over all scenarios of the plan, which are no sample: nothing is said of how likely a value is.',
       ),
       element('span', { class: 'downloads' }, button),
@@ -380,7 +388,12 @@ export function differencesTable(model) {
       `Median, and the change against ${groups[0].name}.`,
       paired
         ? ` ${whom} were run at the same points, so that what they have in common cancels: the change is that of the \
-mean, with its 95 % confidence interval below it; in bold where that leaves no doubt about the sign.${alone ? ' Without one the points differ, and the change is that of the median.' : ''}`
+mean, with its 95 % confidence interval below it; in bold where that leaves no doubt about the sign.${
+            alone
+              ? ' \
+Without one the points differ, and the change is that of the median.'
+              : ''
+          }`
         : alone
           ? ' The points differ, and the change is that of the median.'
           : '',
@@ -447,7 +460,8 @@ export function notesSection(model) {
       'p',
       {},
       `What single results note: a model beyond its range, a remedy of the solver. Such scenarios count in all \
-statistics. The figures are those of the scenario in the last column: where the note is worst, or, if no value of the cycle measures that, the first one with it. The result file lists all scenarios.`,
+statistics. The figures are those of the scenario in the last column: where the note is worst, or, if no value of the \
+cycle measures that, the first one with it. The result file lists all scenarios.`,
     ),
     table(
       'Notes',
@@ -474,7 +488,12 @@ export function unsolvedSection(model) {
       'p',
       {},
       `${count(failed)} of ${count(model.scenarios)} (${percent(failed / model.scenarios).replace('+', '')}). They \
-are left out of all statistics, which are those of what could be run.${n > reasons.length ? ` The ${reasons.length} most frequent of ${n} reasons; the result file has all.` : ''}`,
+are left out of all statistics, which are those of what could be run.${
+        n > reasons.length
+          ? ` The ${reasons.length} \
+most frequent of ${n} reasons; the result file has all.`
+          : ''
+      }`,
     ),
     table(
       'Reasons',
