@@ -143,6 +143,12 @@ class Film2dBalance {
     (-(from.by_left * per_diagonal)).store(to.low + place);
     (on.by_right * per_diagonal).store(to.high + place);
     (by_h * per_diagonal).store(b_.column + place);
+    if (b_.own_column != nullptr) {
+      const Real scale = per_diagonal * ln_h_scale_;
+      ((volume * filled + (out.by_h - in.by_h)) * scale).store(b_.own_column + place);
+      (-(from.by_h * scale)).store(b_.low_column + place);
+      (on.by_h * scale).store(b_.high_column + place);
+    }
     (-(residual * per_diagonal)).store(b_.rhs + place);
     select(here.is_film, share * Real::load(b_.weight + strip), Real(0)).store(b_.load_row + place);
     diagonal.store(to.diagonal + place);
