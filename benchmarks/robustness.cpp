@@ -67,7 +67,7 @@ struct Outcome {
 
 bool is_finite(const film::FilmState& state) {
   double sum = state.h_m;
-  for (std::size_t i = 0; i < state.p.size(); ++i) sum += state.p[i] + state.deficit[i] + state.content[i];
+  for (std::size_t i = 0; i < state.p.size(); ++i) sum += state.p[i] + state.deficit[i] + state.mass_per_area[i];
   return std::isfinite(sum);
 }
 

@@ -70,6 +70,17 @@ CircumferentialGrid refined_around(int n_cells, double length, double end_cell) 
   return around_at(std::move(y), length, Ends::kOpen);
 }
 
+std::vector<double> rise_of_strips(const Film2dProblem& problem, const Film2dInputs& inputs,
+                                   const std::vector<double>& amplitudes) {
+  std::vector<double> rise = inputs.rise;
+  if (amplitudes.empty()) return rise;
+  rise.resize(problem.around.y.size(), 0.0);
+  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+    for (std::size_t j = 0; j < rise.size(); ++j) rise[j] += amplitudes[k] * problem.shapes.shape[k][j];
+  }
+  return rise;
+}
+
 Film2dGap gap_of_strips(const FilmGrid& across, const CircumferentialGrid& around) {
   Film2dGap gap;
   const auto append = [](std::vector<double>& to, const std::vector<double>& strip) {

@@ -58,11 +58,22 @@ struct Film2dGap {
 /// The same in each strip, that of the grid across.
 Film2dGap gap_of_strips(const FilmGrid& across, const CircumferentialGrid& around);
 
+/// Shapes in which the ring stands off from `h_m` as far as film and asperities bend it (eq-film-2d-shapes).
+struct RingShapes {
+  std::vector<std::vector<double>> shape;  ///< phi_k at each strip; none: the ring is rigid [-]
+  /// S_kl, row after row: the force per length in y in shape k by which the ring resists an amplitude of shape l.
+  /// Symmetric, not negative [N/m2].
+  std::vector<double> stiffness;
+
+  int count() const { return static_cast<int>(shape.size()); }
+};
+
 /// What does not change over a cycle.
 struct Film2dProblem {
   FilmProblem strip;  ///< grid across, contact, cavitation, tolerance; heights of its grid: of contact alone
   CircumferentialGrid around;
   Film2dGap gap;
+  RingShapes shapes;
 
   int n_across() const { return strip.grid.n_cells() + 1; }
   std::size_t n_nodes() const { return static_cast<std::size_t>(n_across()) * around.n_strips(); }
@@ -73,8 +84,17 @@ struct Film2dProblem {
 struct Film2dInputs {
   FilmInputs strip;
   double p_low = 0, p_high = 0;  ///< at y = 0 and at y = length, where open; not below p_c [Pa]
-  /// By how much the ring stands further off at each strip than `h_m`: for a ring that bends. Empty: not at all [m].
+  /// By how much the ring stands further off at each strip than `h_m`, whatever it carries. Empty: not at all [m].
   std::vector<double> rise;
+  /// Load of each strip, with the mean `strip.load`. Empty: that of all [N/m].
+  std::vector<double> strip_loads;
+
+  double load_of(int strip_number) const { return strip_loads.empty() ? strip.load : strip_loads[strip_number]; }
 };
+
+/// By how much the ring stands further off at each strip than `h_m`, in its shapes too; empty: not at all [m].
+/// @param amplitudes of the shapes; none: all 0 [m]
+std::vector<double> rise_of_strips(const Film2dProblem& problem, const Film2dInputs& inputs,
+                                   const std::vector<double>& amplitudes);
 
 }  // namespace ringfilm::film

@@ -12,7 +12,12 @@ namespace {
 class Strips {
  public:
   Strips(const Film2dProblem& problem, const Film2dInputs& inputs, const FilmState& previous, const FilmState& state)
-      : problem_(problem), inputs_(inputs), previous_(previous), state_(state), strip_(problem.strip) {}
+      : problem_(problem),
+        inputs_(inputs),
+        previous_(previous),
+        state_(state),
+        rise_(rise_of_strips(problem, inputs, state.amplitudes)),
+        strip_(problem.strip) {}
 
   FilmIntegrals integrals(int j) {
     const int n_across = problem_.n_across();
@@ -22,7 +27,7 @@ class Strips {
     };
     strip_.grid.node_height = row(problem_.gap.node, n_across);
     strip_.grid.face_height = row(problem_.gap.face_x, n_across - 1);
-    now_.h_m = state_.h_m + (inputs_.rise.empty() ? 0.0 : inputs_.rise[j]);
+    now_.h_m = state_.h_m + (rise_.empty() ? 0.0 : rise_[j]);
     now_.laws = state_.laws;
     now_.p = row(state_.p, n_across);
     now_.deficit = row(state_.deficit, n_across);
@@ -43,7 +48,7 @@ class Strips {
     const int high = (cell + 1) % around.n_strips();
     const auto low_row = static_cast<std::size_t>(cell) * n_across,
                high_row = static_cast<std::size_t>(high) * n_across;
-    const double h_m = state_.h_m + (inputs_.rise.empty() ? 0.0 : 0.5 * (inputs_.rise[cell] + inputs_.rise[high]));
+    const double h_m = state_.h_m + (rise_.empty() ? 0.0 : 0.5 * (rise_[cell] + rise_[high]));
     double flow = 0;
     for (int i = 1; i + 1 < n_across; ++i) {
       const double h = h_m + problem_.gap.face_y[low_row + i];
@@ -100,6 +105,7 @@ class Strips {
   const Film2dProblem& problem_;
   const Film2dInputs& inputs_;
   const FilmState &previous_, &state_;
+  const std::vector<double> rise_;
   FilmProblem strip_;
   FilmState now_, before_;
 };

@@ -119,6 +119,7 @@ struct FilmState {
   std::vector<double> p;        ///< pressure at the nodes, absolute [Pa]
   std::vector<double> deficit;  ///< 0 where the film is full; 1 - theta, or the scaled multiplier of Reynolds exit [-]
   std::vector<double> mass_per_area;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
+  std::vector<double> amplitudes;     ///< of a ring that bends, in its shapes; empty: none [m]
   LaneLaws laws = LaneLaws::kGiven;   ///< whose oil a solved film holds: kGiven, that of the laws themselves
 };
 

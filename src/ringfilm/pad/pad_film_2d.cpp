@@ -24,7 +24,7 @@ bool contains(const std::vector<int>& numbers, int number) {
 PadFilm2d::PadFilm2d(const PadSetup& setup, Cells cells)
     : PadFilm(setup),
       grid_(pad_grid_2d(*setup.surface, cells, ends_of(setup.input.pad.sides))),
-      problem_{setup.problem(grid_.grid), grid_.around, grid_.gap},
+      problem_{setup.problem(grid_.grid), grid_.around, grid_.gap, {}},
       workspace_(problem_) {}
 
 film::Film2dInputs PadFilm2d::inputs_of(const film::FilmInputs& inputs) const {

@@ -70,7 +70,7 @@ film::CircumferentialGrid strips_of(const Case& c) {
 
 film::Film2dInputs film2d_inputs(const film::FilmInputs& inputs) {
   const double p_end = 0.5 * (inputs.left.pressure + inputs.right.pressure);
-  return {inputs, p_end, p_end, {}};
+  return {inputs, p_end, p_end, {}, {}};
 }
 
 CycleFilm::Workspace CycleFilm::workspace_of(const Setup& setup, const CycleFilm& film) {

@@ -32,8 +32,10 @@ struct Film2dBlock {
   double *face_x_second, *face_x_third, *low_second, *low_third, *high_second, *high_third;  ///< moments about them
   double *rho, *drho_dp, *K, *dK_dp;  ///< filled by the oil kernel, or by the caller with LaneLaws::kGiven
   double* column;                     ///< slope of the balance in ln h_m
-  double* rhs;                        ///< minus the balance
-  double* load_row;                   ///< slope of the load in z [m]
+  /// Of it, by the separation of the strip itself and at the faces to the strips beside; nullptr: not asked for
+  double *own_column, *low_column, *high_column;
+  double* rhs;       ///< minus the balance
+  double* load_row;  ///< slope of the load in z [m]
 
   // Of strips
   double* h_m;                                 ///< separation [m]

@@ -15,7 +15,9 @@ RINGFILM_INLINE void for_packs(const ZebraShape& shape, const Body& body) {
   }
 }
 
-template <class Real, LaneCavity kCavity, bool kSteps, Bounds kBounds>
+/// @tparam kShapes the ring bends: slopes by the separations of the strips apart. A choice of the compiler, not of the
+/// machine: which products and sums it fuses, and so the last bit, depends on all that is done with them.
+template <class Real, LaneCavity kCavity, bool kSteps, Bounds kBounds, bool kShapes>
 class Film2dBalance {
   using Mask = typename Real::Mask;
   static constexpr bool kFilmContent = kCavity == LaneCavity::kFilmContent;
@@ -143,6 +145,12 @@ class Film2dBalance {
     (-(from.by_left * per_diagonal)).store(to.low + place);
     (on.by_right * per_diagonal).store(to.high + place);
     (by_h * per_diagonal).store(b_.column + place);
+    if constexpr (kShapes) {
+      const Real scale = per_diagonal * ln_h_scale_;
+      ((volume * filled + (out.by_h - in.by_h)) * scale).store(b_.own_column + place);
+      (-(from.by_h * scale)).store(b_.low_column + place);
+      (on.by_h * scale).store(b_.high_column + place);
+    }
     (-(residual * per_diagonal)).store(b_.rhs + place);
     select(here.is_film, share * Real::load(b_.weight + strip), Real(0)).store(b_.load_row + place);
     diagonal.store(to.diagonal + place);
@@ -200,12 +208,21 @@ void oil(Film2dBlock& b) {
   }
 }
 
+template <class Real, LaneCavity kCavity, bool kSteps, Bounds kBounds>
+void balance_of_steps(Film2dBlock& b) {
+  if (b.own_column != nullptr) {
+    Film2dBalance<Real, kCavity, kSteps, kBounds, true>(b).run();
+  } else {
+    Film2dBalance<Real, kCavity, kSteps, kBounds, false>(b).run();
+  }
+}
+
 template <class Real, LaneCavity kCavity, Bounds kBounds>
 void balance_of(Film2dBlock& b) {
   if (b.has_steps) {
-    Film2dBalance<Real, kCavity, true, kBounds>(b).run();
+    balance_of_steps<Real, kCavity, true, kBounds>(b);
   } else {
-    Film2dBalance<Real, kCavity, false, kBounds>(b).run();
+    balance_of_steps<Real, kCavity, false, kBounds>(b);
   }
 }
 

@@ -12,7 +12,11 @@ namespace ringfilm::film {
 /// The fits if the oil of the step has them.
 LaneLaws best_laws(const FilmInputs& inputs);
 
-enum class Unknowns { kFilmAndSeparation, kFilmAlone };
+enum class Unknowns {
+  kFilmAndSeparation,  ///< in two dimensions with the amplitudes of the ring's shapes
+  kFilmAndShapes,      ///< at the h_m that is given; in two dimensions alone
+  kFilmAlone,          ///< at the separation that is given
+};
 
 /// The coupled Newton method for as many films as there are lanes, each at its own iteration of its own step. What
 /// happens in one lane depends on no other.

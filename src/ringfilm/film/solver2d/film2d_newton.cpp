@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ringfilm/base/aligned.hpp"
 #include "ringfilm/film/cavitation.hpp"
@@ -30,6 +31,12 @@ StripPlaces places_of(const CircumferentialGrid& around, int first, int n_strips
   return places;
 }
 
+/// Before and after strip j. Next to the first and the last strip of a closed film there is none, and nothing flows.
+std::pair<int, int> strips_beside(int j, int n_strips, Ends ends) {
+  const bool joined = ends == Ends::kJoined;
+  return {j > 0 ? j - 1 : (joined ? n_strips - 1 : j), j + 1 < n_strips ? j + 1 : (joined ? 0 : j)};
+}
+
 int solved_strips(const CircumferentialGrid& around) {
   return around.ends == Ends::kOpen ? around.n_strips() - 2 : around.n_strips();
 }
@@ -41,11 +48,13 @@ Film2dNewton::Film2dNewton(const Film2dProblem& problem)
       shape_(problem.n_across(), solved_strips(problem.around)),
       ends_(problem.around.ends),
       first_(problem.around.ends == Ends::kOpen ? 1 : 0),
-      gmres_(*kernels_, shape_.size() + 1),
-      step_(shape_.size() + 1, 0.0),
-      rhs_(shape_.size() + 1, 0.0),
+      gmres_(*kernels_, shape_.size() + 1 + problem.shapes.count()),
+      step_(shape_.size() + 1 + problem.shapes.count(), 0.0),
+      rhs_(step_),
       product_(shape_.size(), 0.0),
-      column_solution_(shape_.size(), 0.0) {
+      excess_(1 + problem.shapes.count(), 0.0),
+      border_step_(excess_),
+      shapes_(problem.shapes.shape) {
   StripSystem& system = block_.system;
   system.shape = shape_;
   block_.has_steps = !problem.gap.face_x_second.empty();
@@ -59,6 +68,9 @@ Film2dNewton::Film2dNewton(const Film2dProblem& problem)
                             &block_.high_second, &block_.high_third}) {
       nodal.push_back(moment);
     }
+  }
+  if (!shapes_.empty()) {
+    for (double** slopes : {&block_.own_column, &block_.low_column, &block_.high_column}) nodal.push_back(slopes);
   }
   const std::vector<double**> of_strips = {
       &block_.h_m,          &block_.low_h_m,         &block_.high_h_m,         &block_.is_strip,
@@ -85,6 +97,7 @@ Film2dNewton::Film2dNewton(const Film2dProblem& problem)
   for (double* ones : {block_.z, block_.rho, block_.K, system.diagonal}) std::fill_n(ones, shape_.size(), 1.0);
   for (double* ones : {block_.h_m, block_.low_h_m, block_.high_h_m}) std::fill_n(ones, shape_.strip_size(), 1.0);
   set_gap(problem);
+  border_.emplace(*kernels_, shape_.size(), 1 + problem.shapes.count(), block_.column, block_.load_row);
   multigrid_.emplace(*kernels_, system, places_of(problem.around, first_, shape_.n_strips), grid.width);
 }
 
@@ -92,7 +105,11 @@ void Film2dNewton::set_gap(const Film2dProblem& problem) {
   const CircumferentialGrid& around = problem.around;
   const Film2dGap& gap = problem.gap;
   const int n_across = shape_.n_across, n_strips = around.n_strips(), n_cells = around.n_cells();
-  for (int j = 0; j < n_strips; ++j) block_.weight[shape_.strip(strip_of(j))] = around.share[j] / around.length;
+  for (int j = 0; j < n_strips; ++j) {
+    block_.weight[shape_.strip(strip_of(j))] = around.share[j] / around.length;
+    const auto strip = gap.node.begin() + static_cast<std::ptrdiff_t>(j) * n_across;
+    lowest_.push_back(*std::min_element(strip, strip + n_across));
+  }
   for (int s = 0; s < shape_.n_strips; ++s) {
     const int j = s + first_;
     const std::size_t strip = shape_.strip(s);
@@ -124,18 +141,17 @@ void Film2dNewton::set_gap(const Film2dProblem& problem) {
   }
 }
 
-void Film2dNewton::set_separation(const Film2dInputs& inputs, double h_m) {
-  block_.ln_h_scale = h_m;
+void Film2dNewton::set_separation(const Film2dProblem& problem, const Film2dInputs& inputs) {
+  rise_ = rise_of_strips(problem, inputs, amplitudes_);
+  block_.ln_h_scale = h_m_;
+  const auto rise = [&](int strip) { return rise_.empty() ? 0.0 : rise_[strip]; };
   for (int s = 0; s < shape_.n_strips; ++s) {
-    const int j = s + first_, n = static_cast<int>(inputs.rise.size());
-    const bool joined = ends_ == Ends::kJoined;
-    const auto rise = [&](int strip) { return inputs.rise.empty() ? 0.0 : inputs.rise[strip]; };
-    // Beside the first and the last strip of a closed two-dimensional film there is none, and nothing flows.
-    const int low = j > 0 ? j - 1 : (joined ? n - 1 : j), high = j + 1 < n ? j + 1 : (joined ? 0 : j);
+    const int j = s + first_;
+    const auto [low, high] = strips_beside(j, problem.around.n_strips(), ends_);
     const std::size_t place = shape_.strip(s);
-    block_.h_m[place] = h_m + rise(j);
-    block_.low_h_m[place] = h_m + 0.5 * (rise(low) + rise(j));
-    block_.high_h_m[place] = h_m + 0.5 * (rise(j) + rise(high));
+    block_.h_m[place] = h_m_ + rise(j);
+    block_.low_h_m[place] = h_m_ + 0.5 * (rise(low) + rise(j));
+    block_.high_h_m[place] = h_m_ + 0.5 * (rise(j) + rise(high));
   }
 }
 
@@ -197,7 +213,10 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   }
   if (ends_ == Ends::kJoined) StripMultigrid::join_ends(shape_, ends_, block_.bound);
   set_given(inputs);
-  set_separation(inputs, guess.h_m);
+  h_m_ = guess.h_m;
+  amplitudes_ = guess.amplitudes;
+  amplitudes_.resize(shapes_.size(), 0.0);
+  set_separation(problem, inputs);
 }
 
 void Film2dNewton::give_oil(const models::OilAtTemperature& oil) {
@@ -219,78 +238,165 @@ void Film2dNewton::give_oil(const models::OilAtTemperature& oil) {
   }
 }
 
-Film2dNewton::LoadRow Film2dNewton::load_row(const Film2dProblem& problem, const Film2dInputs& inputs,
-                                             double h_m) const {
-  LoadRow row{block_.load - inputs.strip.load, 0};
-  if (problem.strip.contact == nullptr) return row;
-  const CircumferentialGrid& around = problem.around;
-  const auto add = [&](double rise, double share) {
-    double slope = 0;
-    row.excess += share * asperity_load(problem.strip, h_m + rise, &slope);
-    row.slope += share * slope * h_m;
-  };
-  if (inputs.rise.empty()) {
-    add(0, 1);
-  } else {
-    for (int j = 0; j < around.n_strips(); ++j) add(inputs.rise[j], around.share[j] / around.length);
+double Film2dNewton::film_load(int j) const {
+  double load = 0;
+  for (int i = 0; i < shape_.n_across; ++i) {
+    const std::size_t place = shape_.at(i, strip_of(j));
+    load += block_.share[i] * (block_.p_cavitation + block_.bound[place] + std::max(0.0, block_.z[place]));
   }
-  return row;
+  return load;
 }
 
-bool Film2dNewton::solve_at(double d_ln_h, double reduction) {
+void Film2dNewton::set_loads(const Film2dProblem& problem, const Film2dInputs& inputs) {
+  const CircumferentialGrid& around = problem.around;
+  const int count = border_->count();
+  for (int k = 0; k < count; ++k) {
+    excess_[k] = 0;
+    for (int l = 0; l < count; ++l) border_->corner(k, l) = 0;
+  }
+  excess_[0] = block_.load - inputs.strip.load;
+  const auto add = [&](double rise, double share) {
+    double slope = 0;
+    const double load = asperity_load(problem.strip, h_m_ + rise, &slope);
+    excess_[0] += share * load;
+    border_->corner(0, 0) += share * slope * h_m_;
+    return std::pair(load, slope);
+  };
+  if (rise_.empty()) {
+    if (problem.strip.contact != nullptr) add(0, 1);
+    return;
+  }
+  for (int j = 0; j < around.n_strips(); ++j) {
+    const double share = around.share[j] / around.length;
+    const auto [asperities, slope] = add(rise_[j], share);
+    if (count == 1) continue;
+    const double excess = film_load(j) + asperities - inputs.load_of(j);
+    for (int k = 1; k < count; ++k) {
+      const double in_shape = share * shapes_[k - 1][j];
+      excess_[k] += in_shape * excess;
+      border_->corner(0, k) += in_shape * slope * h_m_;
+      border_->corner(k, 0) += in_shape * slope * h_m_;
+      for (int l = 1; l < count; ++l) border_->corner(k, l) += in_shape * shapes_[l - 1][j] * slope * h_m_;
+    }
+  }
+  const auto stiffness = [&](int k, int l) { return problem.shapes.stiffness[(k - 1) * (count - 1) + l - 1]; };
+  for (int k = 1; k < count && !problem.shapes.stiffness.empty(); ++k) {
+    for (int l = 1; l < count; ++l) {
+      excess_[k] -= stiffness(k, l) * amplitudes_[l - 1];
+      border_->corner(k, l) -= stiffness(k, l) * h_m_;
+    }
+  }
+}
+
+void Film2dNewton::set_border(const Film2dProblem& problem) {
+  const int n_strips = problem.around.n_strips();
+  for (int k = 1; k < border_->count(); ++k) {
+    const std::vector<double>& shape = shapes_[k - 1];
+    double *column = border_->column(k), *row = border_->row(k);
+    for (int s = 0; s < shape_.n_strips; ++s) {
+      const int j = s + first_;
+      const auto [low, high] = strips_beside(j, n_strips, ends_);
+      const double at_low = 0.5 * (shape[low] + shape[j]), at_high = 0.5 * (shape[j] + shape[high]);
+      for (int i = 1; i + 1 < shape_.n_across; ++i) {
+        const std::size_t place = shape_.at(i, s);
+        column[place] = block_.own_column[place] * shape[j] + block_.low_column[place] * at_low +
+                        block_.high_column[place] * at_high;
+        row[place] = block_.load_row[place] * shape[j];
+      }
+    }
+  }
+}
+
+bool Film2dNewton::solve_at_border_step(double reduction) {
   const std::size_t n = shape_.size();
+  std::vector<double> back;
+  for (const double step : border_step_) back.push_back(-step);
   std::copy_n(block_.rhs, n, rhs_.begin());
-  kernels_->add(-d_ln_h, block_.column, rhs_.data(), n);
+  border_->add_columns(back.data(), rhs_.data());
   multigrid_->solve(rhs_.data(), product_.data());
   std::copy_n(product_.begin(), n, rhs_.begin());
-  rhs_[n] = 0;
+  std::fill(rhs_.begin() + static_cast<std::ptrdiff_t>(n), rhs_.end(), 0.0);
   const auto map = [&](const double* x, double* y) {
     kernels_->product(block_.system, x, product_.data());
     multigrid_->solve(product_.data(), y);
-    y[n] = x[n];
+    std::copy_n(x + n, border_->count(), y + n);
   };
   left_ = gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction;
   return left_ < kUnsolved;
 }
 
-std::optional<double> Film2dNewton::solve_linear(const LoadRow& load, Unknowns unknowns, double reduction,
-                                                 int iteration) {
+bool Film2dNewton::solve_linear(int first, double reduction, int iteration) {
   multigrid_->prepare(block_.z);
-  if (unknowns == Unknowns::kFilmAlone) {
-    return solve_at(0, reduction) ? std::optional(0.0) : std::nullopt;
-  }
-  // The border is eliminated with what the preconditioner makes of its column. That changes little within a step, and
+  const int count = border_->count();
+  std::fill(border_step_.begin(), border_step_.end(), 0.0);
+  if (first == count) return solve_at_border_step(reduction);
+  // The border is eliminated with what the preconditioner makes of its columns. These change little within a step, and
   // GMRES makes up for it.
+  bool falls = iteration > 1 && border_->factor(first);
+  if (!falls) {
+    border_->solve_columns([&](const double* rhs, double* x) { multigrid_->solve(rhs, x); });
+    falls = border_->factor(first);
+  }
+  if (!falls) {
+    if (first == 0) border_step_[0] = excess_[0] < 0 ? -kSignOnlyStep : kSignOnlyStep;
+    return solve_at_border_step(reduction);
+  }
   const std::size_t n = shape_.size();
-  const auto corner_with = [&] { return load.slope - kernels_->dot(block_.load_row, column_solution_.data(), n); };
-  double corner = iteration > 1 ? corner_with() : 0;
-  if (!(corner < 0)) {
-    multigrid_->solve(block_.column, column_solution_.data());
-    corner = corner_with();
-  }
-  if (!(corner < 0)) {
-    const double blind = load.excess < 0 ? -kSignOnlyStep : kSignOnlyStep;
-    return solve_at(blind, reduction) ? std::optional(blind) : std::nullopt;
-  }
-  const auto precondition = [&](const double* mass, double border, double* x) {
+  std::vector<double> b(count), g(count);
+  const auto precondition = [&](const double* mass, const double* border, double* x) {
     multigrid_->solve(mass, x);
-    const double d_ln_h = (border - kernels_->dot(block_.load_row, x, n)) / corner;
-    kernels_->add(-d_ln_h, column_solution_.data(), x, n);
-    x[n] = d_ln_h * border_scale_;
+    border_->eliminate(border, x, b.data());
+    for (int k = 0; k < count; ++k) x[n + k] = b[k] * border_scale_;
   };
   const auto map = [&](const double* x, double* y) {
-    const double d_ln_h = x[n] / border_scale_;
+    for (int k = 0; k < count; ++k) b[k] = x[n + k] / border_scale_;
     kernels_->product(block_.system, x, product_.data());
-    kernels_->add(d_ln_h, block_.column, product_.data(), n);
-    precondition(product_.data(), kernels_->dot(block_.load_row, x, n) + load.slope * d_ln_h, y);
+    border_->add_columns(b.data(), product_.data());
+    border_->multiply(x, b.data(), g.data());
+    precondition(product_.data(), g.data(), y);
   };
-  precondition(block_.rhs, -load.excess, rhs_.data());
+  for (int k = 0; k < count; ++k) g[k] = -excess_[k];
+  precondition(block_.rhs, g.data(), rhs_.data());
   left_ = gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction;
-  if (!(left_ < kUnsolved)) return std::nullopt;
-  const double d_ln_h = step_[n] / border_scale_;
-  const double limited = std::clamp(d_ln_h, kLargestFall, kLargestRise);
-  if (limited != d_ln_h && !solve_at(limited, reduction)) return std::nullopt;
-  return limited;
+  if (!(left_ < kUnsolved)) return false;
+  for (int k = 0; k < count; ++k) border_step_[k] = step_[n + k] / border_scale_;
+  return !limit_border_step() || solve_at_border_step(reduction);
+}
+
+double Film2dNewton::change_of_strip(int j) const {
+  double change = border_step_[0];
+  for (std::size_t k = 0; k < shapes_.size(); ++k) change += border_step_[k + 1] * shapes_[k][j];
+  return change * h_m_;
+}
+
+bool Film2dNewton::has_film_everywhere() const {
+  for (std::size_t j = 0; j < rise_.size() && !shapes_.empty(); ++j) {
+    if (h_m_ + rise_[j] + lowest_[j] < kThinnest) return false;
+  }
+  return true;
+}
+
+/// True if the step would have changed the film by too much.
+bool Film2dNewton::limit_border_step() {
+  const double d_ln_h = border_step_[0], limited = std::clamp(d_ln_h, kLargestFall, kLargestRise);
+  if (shapes_.empty()) {
+    border_step_[0] = limited;
+    return limited != d_ln_h;
+  }
+  double share = limited != d_ln_h ? limited / d_ln_h : 1;
+  for (std::size_t j = 0; j < rise_.size(); ++j) {
+    const double film = h_m_ + rise_[j] + lowest_[j], change = change_of_strip(static_cast<int>(j));
+    const double most = (change < 0 ? std::expm1(kLargestFall) : std::expm1(kLargestRise)) * film;
+    if (std::abs(change) > std::abs(most)) share = std::min(share, most / change);
+  }
+  for (double& step : border_step_) step *= share;
+  return share < 1;
+}
+
+void Film2dNewton::move_border(const Film2dProblem& problem, const Film2dInputs& inputs) {
+  for (std::size_t k = 0; k < shapes_.size(); ++k) amplitudes_[k] += border_step_[k + 1] * h_m_;
+  h_m_ *= std::exp(border_step_[0]);
+  set_separation(problem, inputs);
 }
 
 void Film2dNewton::advance_fronts(bool only_advanced) {
@@ -306,26 +412,31 @@ Film2dNewton::Outcome Film2dNewton::solve(const Film2dProblem& problem, const Fi
                                           FilmState& state) {
   set_step(problem, inputs, previous, laws, state);
   const double enough = enough_of_newton(problem.strip);
+  const int count = border_->count();
   const int most_iterations =
       unknowns == Unknowns::kFilmAndSeparation ? kMostIterationsOfStrips : kMostIterationsOfStrips + shape_.n_across;
   Outcome outcome;
-  double h_m = state.h_m;
   outcome.last_step = 1;
-  while (outcome.iterations < most_iterations) {
+  const int first = unknowns == Unknowns::kFilmAndSeparation ? 0 : unknowns == Unknowns::kFilmAndShapes ? 1 : count;
+  while (outcome.iterations < most_iterations && has_film_everywhere()) {
     ++outcome.iterations;
     give_oil(*inputs.strip.oil);
     kernels_->balance(block_);
-    const LoadRow load = load_row(problem, inputs, h_m);
+    set_loads(problem, inputs);
+    set_border(problem);
     const double reduction = outcome.last_step > kFarStep ? std::max(kLooseReduction, enough) : enough;
-    const auto d_ln_h = solve_linear(load, unknowns, reduction, outcome.iterations);
-    if (!d_ln_h) break;
+    if (!solve_linear(first, reduction, outcome.iterations)) break;
     kernels_->update(block_, step_.data());
-    if (!std::isfinite(block_.check) || !std::isfinite(block_.largest) || !std::isfinite(*d_ln_h)) break;
-    outcome.last_step = std::max(block_.largest, std::abs(*d_ln_h));
-    if (*d_ln_h != 0) {
-      h_m *= std::exp(*d_ln_h);
-      if (h_m < kThinnest || h_m > thickest(problem.strip)) break;
-      set_separation(inputs, h_m);
+    double moved = std::abs(border_step_[0]);
+    for (std::size_t j = 0; j < rise_.size() && count > 1; ++j) {
+      const double film = h_m_ + rise_[j] + lowest_[j];
+      moved = std::max(std::abs(change_of_strip(static_cast<int>(j))) / film, moved);  // a NaN stays
+    }
+    if (!std::isfinite(block_.check) || !std::isfinite(block_.largest) || !std::isfinite(moved)) break;
+    outcome.last_step = std::max(block_.largest, moved);
+    if (moved != 0) {
+      move_border(problem, inputs);
+      if (h_m_ < kThinnest || h_m_ > thickest(problem.strip)) break;
     }
     const bool nothing_crossed = !block_.to_film && !block_.to_cavity;
     // What the linear system left of the step is an error like that of Newton's method, the square of the step.
@@ -334,7 +445,8 @@ Film2dNewton::Outcome Film2dNewton::solve(const Film2dProblem& problem, const Fi
     if (outcome.solved) break;
     advance_fronts(block_.to_film && !block_.to_cavity);
   }
-  state.h_m = h_m;
+  state.h_m = h_m_;
+  state.amplitudes = amplitudes_;
   read(problem, inputs, state);
   outcome.peak_pressure =
       std::max({inputs.strip.p_cavitation + block_.peak, inputs.strip.left.pressure, inputs.strip.right.pressure});

@@ -67,7 +67,8 @@ class Film2dSearch : public FilmAtSeparation {
   bool solve_at(double h_m) override {
     state_ = solved_;
     state_.h_m = h_m;
-    const bool solved = solve(Unknowns::kFilmAlone, LaneLaws::kGiven);
+    for (double& amplitude : state_.amplitudes) amplitude *= h_m / solved_.h_m;
+    const bool solved = solve(Unknowns::kFilmAndShapes, LaneLaws::kGiven);
     if (solved) solved_ = state_;
     return solved;
   }
@@ -114,6 +115,7 @@ film::FilmState of_strips(const Film2dProblem& problem, const FilmState& strip) 
   FilmState film2d;
   film2d.h_m = strip.h_m;
   film2d.laws = strip.laws;
+  film2d.amplitudes.assign(problem.shapes.count(), 0.0);
   const auto repeat = [&](const std::vector<double>& along) {
     std::vector<double> all;
     all.reserve(problem.n_nodes());
@@ -130,9 +132,10 @@ void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, Fi
   const int n_across = problem.n_across();
   const models::OilAtTemperature& oil = *inputs.strip.oil;
   const bool fitted = state.laws == LaneLaws::kFitted;
+  const std::vector<double> rise = rise_of_strips(problem, inputs, state.amplitudes);
   state.mass_per_area.resize(problem.n_nodes());
   for (int j = 0; j < problem.around.n_strips(); ++j) {
-    const double h_m = state.h_m + (inputs.rise.empty() ? 0.0 : inputs.rise[j]);
+    const double h_m = state.h_m + (rise.empty() ? 0.0 : rise[j]);
     for (int i = 0; i < n_across; ++i) {
       const auto node = static_cast<std::size_t>(j) * n_across + i;
       const double p = state.p[node];
@@ -146,13 +149,14 @@ void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, Fi
 double mean_load(const Film2dProblem& problem, const Film2dInputs& inputs, const FilmState& state) {
   const CircumferentialGrid& around = problem.around;
   const FilmGrid& grid = problem.strip.grid;
-  const bool bent = !inputs.rise.empty();
+  const std::vector<double> rise = rise_of_strips(problem, inputs, state.amplitudes);
+  const bool bent = !rise.empty();
   double load = bent ? 0 : asperity_load(problem.strip, state.h_m);
   for (int j = 0; j < around.n_strips(); ++j) {
     const double share = around.share[j] / around.length;
     const auto first = static_cast<std::size_t>(j) * problem.n_across();
     for (int i = 0; i < problem.n_across(); ++i) load += share * grid.share[i] * state.p[first + i];
-    if (bent) load += share * asperity_load(problem.strip, state.h_m + inputs.rise[j]);
+    if (bent) load += share * asperity_load(problem.strip, state.h_m + rise[j]);
   }
   return load;
 }
