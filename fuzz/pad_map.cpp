@@ -5,8 +5,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/pad/pad_file.hpp"
 
-/// The gap of a pad over x and y, as CSV or NetCDF. Of NetCDF only the classic form, ours to read: for the other there
-/// is a library, whose faults are not ours to find.
+/// The gap of a pad over x and y, as CSV. NetCDF-4 is read by a library, whose faults are not ours to find.
 RINGFILM_FUZZ_TARGET(pad_map) {
   using namespace ringfilm;
   static const io::Units units;

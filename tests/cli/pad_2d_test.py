@@ -2,7 +2,6 @@
 
 import unittest
 
-from classic_netcdf import gap_map
 from pad_test import PAD, PadTest
 
 SHEET = PAD.replace(
@@ -59,10 +58,8 @@ class Numbers(Film2dTest):
 
     def test_a_map_and_the_same_gap_along_x_give_the_same(self):
         along = self.json_of()
-        for name in ("map.csv", "map.nc"):
-            (self.folder / "map.nc").write_bytes(gap_map([0, 10], [0, 20], [20, 10, 20, 10]))
-            over = self.json_of("--set", f"pad.gap={name}")
-            self.assertAlmostEqual(over["load"] / along["load"], 1, delta=1e-9, msg=name)
+        over = self.json_of("--set", "pad.gap=map.csv")
+        self.assertAlmostEqual(over["load"] / along["load"], 1, delta=1e-9)
 
     def test_side_flows_are_reported_in_milligrams_and_no_number_fills_the_line(self):
         printed = self.run_well("run", "pad.toml")
@@ -189,31 +186,15 @@ class Refusals(Film2dTest):
     def test_a_map_with_holes(self):
         self.refuse_map(MAP.replace("0,20,20", "0,20,nan"), "map.csv:4", "not a finite number")
         self.refuse_map(MAP.replace("0,20,20", "0,20,"), "map.csv:4", "a value is missing")
-        x, y = [0, 10], [0, 20]
-        self.refuse_netcdf(gap_map(x, y, [20, 10, float("nan"), 10]), "a hole at x = 0 mm, y = 20 mm")
-        self.refuse_netcdf(
-            gap_map(x, y, [20, 10, 20, -99], attributes={"units": "um", "_FillValue": -99.0}),
-            "a hole at x = 10 mm, y = 20 mm",
-        )
-        # What NetCDF leaves where nothing is written.
-        self.refuse_netcdf(gap_map(x, y, [20, 10, 9.9692099683868690e36, 10]), "a hole at x = 0 mm, y = 20 mm")
 
     def test_heights_beyond_reason(self):
         self.refuse_map(
             MAP.replace("0,20,20", "0,20,9.969e36"), "map.csv:4", "not the thickness of an oil film", "marks a hole"
         )
 
-    def test_netcdf_that_is_not_a_map(self):
-        x, y, h = [0, 5, 10], [0, 20], [20, 15, 10, 20, 15, 10]
-        self.refuse_netcdf(gap_map(x, y, h, over=("x", "y")), "h does not run over (y, x)", "a row of all x for each y")
-        self.refuse_netcdf(gap_map(x, y, h, attributes={}), "the variable h has no units", 'for example "mm"')
-        self.refuse_netcdf(gap_map(x, y, h, attributes={"units": "kg"}), "the variable h", "length")
-        self.refuse_netcdf(
-            gap_map(x, y, h, attributes={"units": "um", "scale_factor": 2.0}), "packed with scale_factor"
-        )
-        self.refuse_netcdf(gap_map(x, [20, 0], h), "y[1] = 0 mm lies below y[0] = 20 mm")
-        self.refuse_netcdf(gap_map(x, y, h)[:60], "cannot be read as NetCDF")
-        self.refuse_netcdf(gap_map(x, y, h).replace(b"\0\0\0\1h\0", b"\0\0\0\1g\0"), "no variable h")
+    def test_classic_and_damaged_netcdf(self):
+        self.refuse_netcdf(b"CDF\x01" + bytes(60), "only NetCDF-4 is read", "nccopy -k nc4 map.nc map-nc4.nc")
+        self.refuse_netcdf(b"\x89HDF\r\n\x1a\n" + bytes(60), "cannot be read as NetCDF")
 
     def test_a_film_of_no_thickness_reports_both_places(self):
         self.refuse_map(

@@ -56,7 +56,7 @@ void check_height_column(const CsvFile& csv, const std::string& name, const std:
 /// rectangle, more than `kMostGapPlaces` of x or y, a height beyond `kLargestGap`.
 GapMap gap_map_of(const CsvFile& csv, const Units& units);
 
-/// Is the file one of NetCDF, by its first bytes?
+/// Is the file NetCDF of any format, by its first bytes?
 bool is_netcdf(const std::string& path);
 
 struct GapMapFile {
@@ -65,8 +65,8 @@ struct GapMapFile {
 };
 
 /// Reads the variable `h(y, x)` (or `height`) and the coordinates `x` and `y`, each with the attribute `units`. Throws
-/// InputError with its faults: the above, values that are missing or not finite; one that was
-/// never written, which holds its type's default fill, is missing.
+/// InputError with its faults: the above, a classic format instead of NetCDF-4, values that are missing or not finite;
+/// one that was never written, which holds its type's default fill, is missing.
 GapMapFile read_gap_netcdf(const NamedFile& file, const Units& units);
 
 }  // namespace ringfilm::io

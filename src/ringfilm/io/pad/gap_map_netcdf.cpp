@@ -7,12 +7,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <optional>
+#include <string_view>
 
 #include "ringfilm/io/pad/gap_map_file.hpp"
 #include "ringfilm/io/result/result_file_netcdf.hpp"
-#include "ringfilm/io/storage/classic_netcdf.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 
 namespace ringfilm::io {
@@ -25,179 +24,192 @@ constexpr const char* kExpected = "a variable h(y, x) is required, with coordina
   throw InputError(std::vector<Fault>{{{shown, 0, 0, ""}, what, remedy}});
 }
 
-[[noreturn]] void refuse_damaged(const std::string& shown, const std::string& what) {
-  refuse(shown, "cannot be read as NetCDF: " + what, "the file may be damaged or cut off");
+/// CDF-1, CDF-2 and CDF-5 of the format specification.
+bool is_classic(std::string_view start) { return start.substr(0, 3) == "CDF"; }
+
+/// `gap.nc` becomes `gap-nc4.nc`.
+std::string converted_name(const std::string& name) {
+  const std::filesystem::path path(name);
+  return (path.parent_path() / (path.stem().string() + "-nc4" + path.extension().string())).string();
 }
 
-/// A file of NetCDF-4, open as long as this lives.
-class OpenFile {
+/// The value that NetCDF leaves where nothing is written. Empty for types of one byte, whose every value may be meant,
+/// and for those that are not numbers.
+std::optional<double> default_fill(nc_type type) {
+  switch (type) {
+    case NC_SHORT:
+      return NC_FILL_SHORT;
+    case NC_USHORT:
+      return NC_FILL_USHORT;
+    case NC_INT:
+      return NC_FILL_INT;
+    case NC_UINT:
+      return NC_FILL_UINT;
+    case NC_INT64:
+      return static_cast<double>(NC_FILL_INT64);
+    case NC_UINT64:
+      return static_cast<double>(NC_FILL_UINT64);
+    case NC_FLOAT:
+      return static_cast<double>(NC_FILL_FLOAT);
+    case NC_DOUBLE:
+      return NC_FILL_DOUBLE;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// A variable of the file.
+struct Variable {
+  std::string name;
+  int id = 0;
+  std::vector<int> dimensions;       ///< their numbers in the file
+  std::vector<std::size_t> lengths;  ///< of each
+};
+
+/// Reads the map of a NetCDF-4 file.
+class MapReader {
  public:
-  OpenFile(const std::string& shown, const std::string& bytes) : shown_(shown) {
+  MapReader(const std::string& shown, const std::string& bytes, const Units& units) : shown_(shown), units_(units) {
     // The library promises not to write into memory that is opened NC_NOWRITE.
     check(nc_open_mem("gap", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file_), "the file");
   }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  ~OpenFile() {
+  MapReader(const MapReader&) = delete;
+  MapReader& operator=(const MapReader&) = delete;
+  ~MapReader() {
     if (file_ >= 0) nc_close(file_);
   }
 
-  std::optional<StoredVariable> find(const std::string& name) const {
-    int variable = 0, n = 0;
-    if (nc_inq_varid(file_, name.c_str(), &variable) != NC_NOERR) return std::nullopt;
-    check(nc_inq_varndims(file_, variable, &n), name);
-    StoredVariable found;
-    found.dimensions.resize(static_cast<std::size_t>(n));
-    check(nc_inq_vardimid(file_, variable, found.dimensions.data()), name);
-    std::size_t all = 1;
-    for (const int dimension : found.dimensions) {
-      std::size_t length = 0;
-      check(nc_inq_dimlen(file_, dimension, &length), name);
-      found.lengths.push_back(length);
-      all *= length;
+  GapMap read() const {
+    const std::string name = !contains("h") && contains("height") ? "height" : "h";
+    const Variable h = required_variable(name), x = required_variable("x"), y = required_variable("y");
+    if (x.dimensions.size() != 1 || y.dimensions.size() != 1 || x.dimensions == y.dimensions) {
+      refuse(shown_, "x and y are no two axes", kExpected);
     }
-    found.units = units_of(variable, name);
-    for (const char* packed : {"scale_factor", "add_offset"}) {
-      if (nc_inq_att(file_, variable, packed, nullptr, nullptr) == NC_NOERR) found.packed_by = packed;
+    if (h.dimensions != std::vector<int>{y.dimensions[0], x.dimensions[0]}) {
+      refuse(shown_, name + " does not run over (y, x)", "store it with a row of all x for each y");
     }
-    for (const char* mark : {"_FillValue", "missing_value"}) {
-      std::size_t size = 0;
-      double missing = 0;
-      if (nc_inq_attlen(file_, variable, mark, &size) == NC_NOERR && size == 1 &&
-          nc_get_att_double(file_, variable, mark, &missing) == NC_NOERR) {
-        found.missing.push_back(missing);
-        found.has_fill = found.has_fill || mark == std::string_view("_FillValue");
-      }
-    }
-    nc_type type = 0;
-    check(nc_inq_vartype(file_, variable, &type), name);
-    found.add_default_fill(type);
-    found.values = [this, variable, name, all] {
-      std::vector<double> values(all);
-      check(nc_get_var_double(file_, variable, values.data()), name);
-      return values;
-    };
-    return found;
+    check_length(x);
+    check_length(y);
+    return {values(x), values(y), values(h)};
   }
 
  private:
   void check(int status, const std::string& what) const {
-    if (status != NC_NOERR) refuse_damaged(shown_, what + ": " + nc_strerror(status));
+    if (status == NC_NOERR) return;
+    refuse(shown_, "cannot be read as NetCDF: " + what + ": " + nc_strerror(status),
+           "the file may be damaged or cut off");
   }
 
-  /// Empty for none.
-  std::string units_of(int variable, const std::string& name) const {
+  bool contains(const std::string& name) const {
+    int id = 0;
+    return nc_inq_varid(file_, name.c_str(), &id) == NC_NOERR;
+  }
+
+  Variable required_variable(const std::string& name) const {
+    Variable variable{name, 0, {}, {}};
+    if (nc_inq_varid(file_, name.c_str(), &variable.id) != NC_NOERR) {
+      refuse(shown_, "the file has no variable " + name, kExpected);
+    }
+    int n = 0;
+    check(nc_inq_varndims(file_, variable.id, &n), name);
+    variable.dimensions.resize(static_cast<std::size_t>(n));
+    check(nc_inq_vardimid(file_, variable.id, variable.dimensions.data()), name);
+    for (const int dimension : variable.dimensions) {
+      check(nc_inq_dimlen(file_, dimension, &variable.lengths.emplace_back()), name);
+    }
+    return variable;
+  }
+
+  void check_length(const Variable& axis) const {
+    const std::size_t n = axis.lengths[0];
+    if (n < 2) {
+      refuse(shown_, fmt::format("the map has {} places along {}", n, axis.name),
+             "two or more are required, of a fixed number");
+    }
+    if (n > kMostGapPlaces) {
+      refuse(shown_, fmt::format("the map has {} places along {}", n, axis.name),
+             fmt::format("at the most {} are read; thin it out", kMostGapPlaces));
+    }
+  }
+
+  /// In metres; a value that the file marks as missing is a NaN.
+  std::vector<double> values(const Variable& variable) const {
+    const std::string called = "the variable " + variable.name + " ";
+    for (const char* packed : {"scale_factor", "add_offset"}) {
+      if (nc_inq_att(file_, variable.id, packed, nullptr, nullptr) != NC_NOERR) continue;
+      refuse(shown_, called + "is packed with " + packed, "store the values themselves");
+    }
+    const std::string unit = units_of(variable);
+    if (unit.empty()) refuse(shown_, called + "has no units", "give it the attribute units, for example \"mm\"");
+    std::size_t n = 1;
+    for (const std::size_t length : variable.lengths) n *= length;
+    std::vector<double> all(n);
+    check(nc_get_var_double(file_, variable.id, all.data()), variable.name);
+    for (const double hole : missing(variable)) std::replace(all.begin(), all.end(), hole, std::nan(""));
+    try {
+      const Scale scale = units_.scale(unit, "m");
+      for (double& value : all) value = scale.to_si(value);
+    } catch (const UnitError& problem) {
+      refuse(shown_, called + problem.what(), problem.remedy.empty() ? "for example \"mm\"" : problem.remedy);
+    }
+    return all;
+  }
+
+  /// The values that mark a hole.
+  std::vector<double> missing(const Variable& variable) const {
+    std::vector<double> marks;
+    const auto add = [&](const char* attribute) {
+      std::size_t size = 0;
+      double mark = 0;
+      const bool is_number = nc_inq_attlen(file_, variable.id, attribute, &size) == NC_NOERR && size == 1 &&
+                             nc_get_att_double(file_, variable.id, attribute, &mark) == NC_NOERR;
+      if (is_number) marks.push_back(mark);
+      return is_number;
+    };
+    add("missing_value");
+    if (add("_FillValue")) return marks;
+    nc_type type = 0;
+    check(nc_inq_vartype(file_, variable.id, &type), variable.name);
+    if (const auto fill = default_fill(type)) marks.push_back(*fill);
+    return marks;
+  }
+
+  /// Empty if the variable has none.
+  std::string units_of(const Variable& variable) const {
     nc_type type = 0;
     std::size_t size = 0;
     constexpr std::size_t kLongest = 100;
-    const int status = nc_inq_att(file_, variable, "units", &type, &size);
-    if (status == NC_NOERR && type == NC_STRING && size == 1) return string_of(variable, name);
+    const int status = nc_inq_att(file_, variable.id, "units", &type, &size);
+    if (status == NC_NOERR && type == NC_STRING && size == 1) return string_of(variable);
     if (status != NC_NOERR || type != NC_CHAR || size == 0 || size > kLongest) return "";
     std::string text(size, '\0');
-    check(nc_get_att_text(file_, variable, "units", text.data()), name);
+    check(nc_get_att_text(file_, variable.id, "units", text.data()), variable.name);
     return text.substr(0, text.find('\0'));
   }
 
   /// An attribute that is one string of any length, as some programs write what is not ASCII.
-  std::string string_of(int variable, const std::string& name) const {
+  std::string string_of(const Variable& variable) const {
     char* stored = nullptr;
-    check(nc_get_att_string(file_, variable, "units", &stored), name);
+    check(nc_get_att_string(file_, variable.id, "units", &stored), variable.name);
     const std::string text = stored == nullptr ? "" : stored;
     if (stored != nullptr) nc_free_string(1, &stored);
     return text;
   }
 
   std::string shown_;
+  const Units& units_;
   NetcdfInUse in_use_;
   int file_ = -1;
 };
 
-using Find = std::function<std::optional<StoredVariable>(const std::string& name)>;
-
-/// The map of a file, whatever reads it.
-class MapReader {
- public:
-  MapReader(const std::string& shown, const Find& find, const Units& units)
-      : shown_(shown), find_(find), units_(units) {}
-
-  GapMap read() const {
-    const std::string name = !find_("h") && find_("height") ? "height" : "h";
-    const StoredVariable h = variable(name), x = variable("x"), y = variable("y");
-    if (x.dimensions.size() != 1 || y.dimensions.size() != 1 || x.dimensions == y.dimensions) {
-      refuse(shown_, "x and y are not two axes", kExpected);
-    }
-    if (h.dimensions != std::vector<int>{y.dimensions[0], x.dimensions[0]}) {
-      refuse(shown_, name + " does not run over (y, x)", "store it with a row of all x for each y");
-    }
-    check_length(x.lengths[0], "x");
-    check_length(y.lengths[0], "y");
-    return {values(x, "x"), values(y, "y"), values(h, name)};
-  }
-
- private:
-  StoredVariable variable(const std::string& name) const {
-    auto variable = find_(name);
-    if (!variable) refuse(shown_, "the file has no variable " + name, kExpected);
-    return std::move(*variable);
-  }
-
-  void check_length(std::size_t n, const std::string& name) const {
-    if (n < 2) {
-      refuse(shown_, "the map has " + std::to_string(n) + " places along " + name,
-             "two or more are required, of a fixed number");
-    }
-    if (n > kMostGapPlaces) {
-      refuse(shown_, fmt::format("the map has {} places along {}", n, name),
-             fmt::format("at the most {} are read; thin it out", kMostGapPlaces));
-    }
-  }
-
-  /// In metres; a value that the file marks as missing is a NaN.
-  std::vector<double> values(const StoredVariable& variable, const std::string& name) const {
-    if (!variable.packed_by.empty()) {
-      refuse(shown_, "the variable " + name + " is packed with " + variable.packed_by, "store the values themselves");
-    }
-    if (variable.units.empty()) {
-      refuse(shown_, "the variable " + name + " has no units", "give it the attribute units, for example \"mm\"");
-    }
-    std::vector<double> all = variable.values();
-    for (const double missing : variable.missing) {
-      for (double& value : all) value = value == missing ? std::nan("") : value;
-    }
-    try {
-      const Scale scale = units_.scale(variable.units, "m");
-      for (double& value : all) value = scale.to_si(value);
-    } catch (const UnitError& problem) {
-      refuse(shown_, "the variable " + name + " " + problem.what(),
-             problem.remedy.empty() ? "for example \"mm\"" : problem.remedy);
-    }
-    return all;
-  }
-
-  std::string shown_;
-  const Find& find_;
-  const Units& units_;
-};
-
-GapMap map_of(const std::string& shown, const std::string& bytes, const Units& units) {
-  if (bytes.rfind("CDF", 0) != 0) {
-    const OpenFile file(shown, bytes);
-    const Find find = [&file](const std::string& name) { return file.find(name); };
-    return MapReader(shown, find, units).read();
-  }
-  try {
-    const auto all = classic_netcdf_variables(bytes);
-    const Find find = [&all](const std::string& name) {
-      const auto found = all.find(name);
-      return found == all.end() ? std::nullopt : std::optional(found->second);
-    };
-    return MapReader(shown, find, units).read();
-  } catch (const ClassicNetcdfError& problem) {
-    refuse_damaged(shown, problem.what());
-  }
+/// The library ends in a segmentation fault on some damaged files of the classic formats (docs/decisions/0010).
+void refuse_classic(const NamedFile& file, const std::string& bytes) {
+  if (!is_classic(bytes)) return;
+  refuse(file.shown, "is a NetCDF file of a classic format; only NetCDF-4 is read",
+         fmt::format("convert it: nccopy -k nc4 {0} {1}", file.shown, converted_name(file.shown)));
 }
 
-/// The index of the first value that is not a height.
+/// The number of the first value that is none.
 std::optional<std::size_t> hole(const std::vector<double>& values) {
   const auto found = std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
   return found == values.end() ? std::nullopt : std::optional<std::size_t>(found - values.begin());
@@ -238,12 +250,13 @@ bool is_netcdf(const std::string& path) {
   std::array<char, 8> head{};
   std::ifstream(path, std::ios::binary).read(head.data(), head.size());
   const std::string_view start(head.data(), head.size());
-  return start == "\x89HDF\r\n\x1a\n" || start.substr(0, 3) == "CDF";
+  return start == "\x89HDF\r\n\x1a\n" || is_classic(start);
 }
 
 GapMapFile read_gap_netcdf(const NamedFile& file, const Units& units) {
   const std::string bytes = read_source_bytes(file.path, file.shown, kLargestMap);
-  GapMapFile read{map_of(file.shown, bytes, units), sha256(bytes)};
+  refuse_classic(file, bytes);
+  GapMapFile read{MapReader(file.shown, bytes, units).read(), sha256(bytes)};
   const GapMap& map = read.map;
   std::vector<Fault> faults;
   check_axis(file.shown, "x", map.x, faults);

@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
+#include <cmath>
+
 #include "../case_example.hpp"
 #include "ringfilm/io/pad/pad_file.hpp"
 
 namespace ringfilm::io {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -49,18 +52,18 @@ TEST(GapMapFile, KeepsStepsOfBothDirections) {
   EXPECT_DOUBLE_EQ(gap.height[9], 10e-6);
 }
 
-TEST(GapMapFile, RefusesWhatIsNotAFullRectangle) {
+TEST(GapMapFile, RefusesWhatIsNoFullRectangle) {
   const std::string head = kHead;
   EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n0,2,3\n"),
               HasSubstr("gap.csv:4:3: the last y has 1 points, the first 2"));
-  EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n0,2,3\n4,2,4\n"), HasSubstr("gap.csv:5:1: x = 4 mm is given here"));
-  EXPECT_THAT(map_refusal(head + "0,0,1\n0,2,1\n5,0,2\n5,3,4\n"), HasSubstr("gap.csv:5:3: y = 30 mm is given here"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n0,2,3\n4,2,4\n"), HasSubstr("gap.csv:5:1: x = 4 mm stands here"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n0,2,1\n5,0,2\n5,3,4\n"), HasSubstr("gap.csv:5:3: y = 30 mm stands here"));
   EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n"), HasSubstr("only one y"));
   EXPECT_THAT(map_refusal(head + "0,0,1\n0,2,2\n"), HasSubstr("only one x"));
   EXPECT_THAT(map_refusal("x [mm],y,h [um]\n0,0,1\n5,0,2\n"), HasSubstr("the column y has no unit"));
 }
 
-TEST(GapMapFile, ReportsWhatIsWrongWithTheFirstLineOfItAlone) {
+TEST(GapMapFile, TellsWhatIsWrongWithTheFirstLineOfItAlone) {
   const std::string head = kHead;
   EXPECT_THAT(map_refusal(head + "5,0,1\n0,0,2\n5,2,3\n0,2,4\n"), HasSubstr("gap.csv:3:1: x falls within the first y"));
   EXPECT_THAT(map_refusal(head + "0,2,1\n0,0,2\n5,2,3\n5,0,4\n"), HasSubstr("gap.csv:3:3: y falls within the first x"));
@@ -99,9 +102,9 @@ TEST(GapMapFile, RefusesMorePlacesThanAreRead) {
 TEST(GapMapFile, RefusesHeightsThatNoOilFilmHas) {
   // The default fill of NetCDF as a table would print it.
   EXPECT_THAT(map_refusal(std::string(kHead) + "0,0,1\n5,0,2\n0,2,3\n5,2,9.969e36\n"),
-              HasSubstr("gap.csv:5:5: 9.969e+30 m is not the thickness of an oil film"));
+              HasSubstr("gap.csv:5:5: a gap of 9.969e+30 m is no gap of an oil film"));
   EXPECT_THAT(map_refusal(std::string(kHead) + "0,0,1\n5,0,-1.1e6\n0,2,3\n5,2,4\n"),
-              HasSubstr("gap.csv:3:5: -1.1 m is not"));
+              HasSubstr("gap.csv:3:5: a gap of -1.1 m"));
   EXPECT_EQ(map_refusal(std::string(kHead) + "0,0,1\n5,0,1e6\n0,2,3\n5,2,4\n"), "");  // a metre is allowed
 }
 
@@ -111,6 +114,9 @@ struct Netcdf {
   nc_type type = NC_DOUBLE;
   std::size_t n_written = 6;  ///< of the heights; the others are left to the library
   int kind = NC_NETCDF4;
+  bool x_first = false;  ///< h(x, y)
+  std::string name = "height", unit = "um";
+  std::vector<std::pair<std::string, double>> attributes = {};  ///< of the heights
 };
 
 /// A file with h(y, x), as most programs write it.
@@ -122,16 +128,20 @@ void write_netcdf(const std::string& path, const Netcdf& map = {}) {
   int x = 0, y = 0;
   const auto define = [&](const char* name, nc_type type, int n, const int* of, const char* unit, int* number) {
     ASSERT_EQ(nc_def_var(file, name, type, n, of, number), NC_NOERR);
-    nc_put_att_text(file, *number, "units", std::string(unit).size(), unit);
+    if (*unit != '\0') nc_put_att_text(file, *number, "units", std::string(unit).size(), unit);
   };
   define("x", NC_DOUBLE, 1, &dimensions[1], "mm", &x);
   define("y", NC_DOUBLE, 1, &dimensions[0], "m", &y);
-  define("height", map.type, 2, dimensions, "um", &variable);
+  const int turned[] = {dimensions[1], dimensions[0]};
+  define(map.name.c_str(), map.type, 2, map.x_first ? turned : dimensions, map.unit.c_str(), &variable);
+  for (const auto& [name, value] : map.attributes) {
+    ASSERT_EQ(nc_put_att_double(file, variable, name.c_str(), map.type, 1, &value), NC_NOERR);
+  }
   ASSERT_EQ(nc_enddef(file), NC_NOERR);
   ASSERT_EQ(nc_put_var_double(file, x, map.x.data()), NC_NOERR);
   ASSERT_EQ(nc_put_var_double(file, y, map.y.data()), NC_NOERR);
   for (std::size_t k = 0; k < map.n_written; ++k) {
-    const std::size_t at[] = {k / map.x.size(), k % map.x.size()};
+    const std::size_t n = map.x_first ? map.y.size() : map.x.size(), at[] = {k / n, k % n};
     ASSERT_EQ(nc_put_var1_double(file, variable, at, &map.height[k]), NC_NOERR);
   }
   nc_close(file);
@@ -172,31 +182,64 @@ TEST(GapMapFile, ReadsUnitsThatAreStoredAsAString) {
   EXPECT_THAT(read_gap({path, "gap.nc"}, Units()).height, ElementsAre(1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6));
 }
 
-// NetCDF leaves what is never written at the default fill of its type, without an attribute that states this.
+// NetCDF leaves what is never written at the default fill of its type, without an attribute that says so.
 TEST(GapMapFile, PointsOfNetcdfThatWereNeverWrittenAreHoles) {
-  for (const int kind : {NC_NETCDF4, NC_CLASSIC_MODEL, NC_64BIT_OFFSET}) {
-    for (const nc_type type : {NC_DOUBLE, NC_FLOAT, NC_INT, NC_SHORT}) {
-      Netcdf map;
-      map.kind = kind;
-      map.type = type;
-      EXPECT_EQ(netcdf_refusal(map), "") << kind << " " << type;
-      map.n_written = 4;
-      EXPECT_THAT(netcdf_refusal(map), HasSubstr("the map has a hole at x = 2 mm, y = 500 mm")) << kind << " " << type;
-    }
+  for (const nc_type type : {NC_DOUBLE, NC_FLOAT, NC_INT, NC_SHORT}) {
+    Netcdf map;
+    map.type = type;
+    EXPECT_EQ(netcdf_refusal(map), "") << type;
+    map.n_written = 4;
+    EXPECT_THAT(netcdf_refusal(map), HasSubstr("the map has a hole at x = 2 mm, y = 500 mm")) << type;
+  }
+}
+
+// The library ends in a segmentation fault on some damaged files of the classic formats.
+TEST(GapMapFile, RefusesClassicNetcdfWithTheCommandThatConvertsIt) {
+  for (const int kind : {NC_CLASSIC_MODEL, NC_64BIT_OFFSET, NC_64BIT_DATA}) {
+    Netcdf map;
+    map.kind = kind;
+    EXPECT_THAT(netcdf_refusal(map),
+                AllOf(HasSubstr("gap.nc: is a NetCDF file of a classic format; only NetCDF-4 is read"),
+                      HasSubstr("convert it: nccopy -k nc4 gap.nc gap-nc4.nc")))
+        << kind;
   }
 }
 
 TEST(GapMapFile, RefusesHeightsInNetcdfThatNoOilFilmHas) {
-  for (const int kind : {NC_NETCDF4, NC_CLASSIC_MODEL}) {
-    Netcdf map;
-    map.kind = kind;
-    map.height[5] = -1e20;  // a hole of some program, in um
-    EXPECT_THAT(netcdf_refusal(map),
-                HasSubstr("at x = 6 mm, y = 500 mm: -1e+14 m is not the thickness of an oil film"));
+  Netcdf map;
+  map.height[5] = -1e20;  // a hole of some program, in um
+  EXPECT_THAT(netcdf_refusal(map), HasSubstr("at x = 6 mm, y = 500 mm: a gap of -1e+14 m is no gap of an oil film"));
+}
+
+TEST(GapMapFile, RefusesHolesOfNetcdf) {
+  Netcdf nan;
+  nan.height[3] = std::nan("");
+  EXPECT_THAT(netcdf_refusal(nan), HasSubstr("a hole at x = 0 mm, y = 500 mm"));
+  for (const char* attribute : {"_FillValue", "missing_value"}) {
+    Netcdf marked;
+    marked.attributes = {{attribute, -99}};
+    EXPECT_EQ(netcdf_refusal(marked), "");
+    marked.height[5] = -99;
+    EXPECT_THAT(netcdf_refusal(marked), HasSubstr("a hole at x = 6 mm, y = 500 mm")) << attribute;
   }
 }
 
-TEST(GapMapFile, FindsAxesOfNetcdfByTheirIndex) {
+TEST(GapMapFile, RefusesNetcdfThatIsNoMap) {
+  Netcdf turned, bare, mass, packed, other;
+  turned.x_first = true;
+  EXPECT_THAT(netcdf_refusal(turned),
+              AllOf(HasSubstr("height does not run over (y, x)"), HasSubstr("a row of all x for each y")));
+  bare.unit = "";
+  EXPECT_THAT(netcdf_refusal(bare), AllOf(HasSubstr("the variable height has no units"), HasSubstr("for example")));
+  mass.unit = "kg";
+  EXPECT_THAT(netcdf_refusal(mass), AllOf(HasSubstr("the variable height"), HasSubstr("length")));
+  packed.attributes = {{"scale_factor", 2}};
+  EXPECT_THAT(netcdf_refusal(packed), HasSubstr("packed with scale_factor"));
+  other.name = "g";
+  EXPECT_THAT(netcdf_refusal(other), HasSubstr("no variable h"));
+}
+
+TEST(GapMapFile, TellsAxesOfNetcdfByTheirIndex) {
   Netcdf falls;
   falls.x = {0, 6, 2};
   EXPECT_THAT(netcdf_refusal(falls), HasSubstr("gap.nc: x[2] = 2 mm lies below x[1] = 6 mm"));
