@@ -83,11 +83,16 @@ void sort_notes(std::vector<Note>& notes) {
                    [](const Note& a, const Note& b) { return note_rank(a.topic) < note_rank(b.topic); });
 }
 
-std::optional<double> note_badness(const std::string& topic, std::span<const double> values) {
+std::optional<double> note_badness(const std::string& topic, const std::function<double(std::size_t)>& value) {
   const NoteTopic* entry = note_topic(topic);
   if (entry == nullptr || entry->measure == nullptr) return std::nullopt;
-  const double badness = entry->badness(values[*cycle_quantity_index(entry->measure)]);
-  return std::isfinite(badness) ? std::optional(badness) : std::nullopt;
+  const double measured = value(*cycle_quantity_index(entry->measure));
+  if (!std::isfinite(measured)) return std::nullopt;
+  return entry->bad_end == BadEnd::kHighest ? measured : -measured;
+}
+
+std::optional<double> note_badness(const std::string& topic, std::span<const double> values) {
+  return note_badness(topic, [values](std::size_t i) { return values[i]; });
 }
 
 }  // namespace ringfilm::cycle

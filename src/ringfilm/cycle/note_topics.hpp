@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,9 +33,6 @@ struct NoteTopic {
   NoteCount count;                    ///< what the note counts
   const char* measure = nullptr;      ///< value of the cycle by which two results compare; nullptr: there is none
   BadEnd bad_end = BadEnd::kHighest;  ///< of that value
-
-  /// How bad a result with this value of `measure` is of those with the note: the larger the worse.
-  double badness(double value) const { return bad_end == BadEnd::kHighest ? value : -value; }
 };
 
 /// All topics of notes on results of cycles and pads, the most serious first: the order of all lists of notes.
@@ -49,7 +47,10 @@ std::size_t note_rank(const std::string& topic);
 /// The most serious note first; notes of one topic stay in their order.
 void sort_notes(std::vector<Note>& notes);
 
-/// How bad a result is of those that carry a note of this topic; the larger the worse. Nothing without a measure.
+/// How bad a result is of those that carry a note of this topic; the larger the worse. Nothing without a measure, and
+/// where its value is not finite.
+/// @param value the cycle value of that index in cycle_quantities()
+std::optional<double> note_badness(const std::string& topic, const std::function<double(std::size_t)>& value);
 /// @param values in the order of cycle_quantities()
 std::optional<double> note_badness(const std::string& topic, std::span<const double> values);
 

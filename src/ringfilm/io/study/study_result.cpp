@@ -141,12 +141,6 @@ class NotesByTopic {
 
 }  // namespace
 
-std::optional<double> StudyRows::badness(const std::string& topic, std::uint64_t scenario) const {
-  const cycle::NoteTopic* entry = cycle::note_topic(topic);
-  if (entry == nullptr || entry->measure == nullptr) return std::nullopt;
-  return entry->badness(values(*cycle::cycle_quantity_index(entry->measure), {scenario, scenario + 1}).front());
-}
-
 StudyRows::Notes StudyRows::read_notes() const {
   const std::optional<study::StoppingRule>& until = plan.study().sampling.until;
   const std::size_t n_values = cycle::cycle_quantities().size();
@@ -155,8 +149,10 @@ StudyRows::Notes StudyRows::read_notes() const {
   std::vector<double> of_until;
   for (std::uint64_t first = 0; first < plan.size(); first += kRowsReadAtATime) {
     const study::ScenarioRange block{first, std::min(first + kRowsReadAtATime, plan.size())};
-    for (const SharedNote& note : notes_of(block))
-      by_topic.add(note, {note.first, note.message, badness(note.topic, note.first)});
+    for (const SharedNote& note : notes_of(block)) {
+      const auto value = [&](std::size_t i) { return values(i, {note.first, note.first + 1}).front(); };
+      by_topic.add(note, {note.first, note.message, cycle::note_badness(note.topic, value)});
+    }
     if (until) {
       const std::vector<double> part = values(*cycle::cycle_quantity_index(until->value), block);
       of_until.insert(of_until.end(), part.begin(), part.end());

@@ -63,7 +63,6 @@ class StudyRows {
   };
   const Notes& all_notes() const;
   Notes read_notes() const;
-  std::optional<double> badness(const std::string& topic, std::uint64_t scenario) const;
 
   /// Calls for each shard that has some of the scenarios: the shard, which of them, and how many come before.
   template <class Read>

@@ -130,7 +130,7 @@ StudyRows rows_of_two_bases(const ScratchFolder& folder, const StudyFile& file, 
     study::ScenarioRow row{std::vector<double>(quantities.size(), 1), ""};
     row.values[*cycle::cycle_quantity_index("min_film_thickness")] = films[i];
     row.base = plan.base_of(i);
-    const std::string words = std::to_string(static_cast<int>(films[i]));
+    const std::string words = std::to_string(films[i]);
     row.notes = {{"film-below-molecules", words, 1}, {"shear-rate-high", words, 1}};
     if (i == 0) row.notes.clear();
     block.rows.push_back(row);
@@ -164,14 +164,26 @@ TEST_F(StudyResult, NotesOfABaseHaveTheFiguresOfItsWorstElseOfItsFirstScenario) 
     const auto& shear = rows.scenario_notes()[1].bases[b];
     EXPECT_EQ(thin.count, carriers.size());
     EXPECT_EQ(thin.shown->scenario, worst);
-    EXPECT_EQ(thin.shown->message, std::to_string(static_cast<int>(films[worst])));
+    EXPECT_EQ(thin.shown->message, std::to_string(films[worst]));
     EXPECT_EQ(shear.count, carriers.size());
     EXPECT_EQ(shear.shown->scenario, carriers.front());
-    EXPECT_EQ(shear.shown->message, std::to_string(static_cast<int>(films[carriers.front()])));
+    EXPECT_EQ(shear.shown->message, std::to_string(films[carriers.front()]));
     EXPECT_FALSE(shear.shown->badness);
   }
   EXPECT_EQ(rows.scenario_notes()[0].shown().scenario, 4u);
   EXPECT_EQ(rows.scenario_notes()[0].count(), 5u);
+}
+
+TEST_F(StudyResult, NotesWithoutAFiniteValueAreNotTheWorst) {
+  const StudyFile file = read_study(
+      folder_.write("three.toml",
+                    "[[base]]\nname = \"a\"\ncase = \"case.toml\"\n"
+                    "[[factor]]\nkey = \"operating.speed\"\nvalues = [\"1000 rpm\", \"2000 rpm\", \"3000 rpm\"]\n"
+                    "[plan]\nmethod = \"grid\"\n"));
+  const study::Plan plan(file.study);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const StudyRows rows = rows_of_two_bases(folder_, file, plan, {1, -infinity, 7});
+  EXPECT_EQ(rows.scenario_notes()[0].shown().scenario, 2u);
 }
 
 TEST_F(StudyResult, CsvHasTheTopicsOfNotes) {
