@@ -86,7 +86,7 @@ double from_firing(const Gas& gas, double trace_angle_deg) {
 
 /// Volume above the piston, in strokes.
 double volume_above(const Case& c, double crank_angle_deg, double compression_ratio) {
-  const models::CrankSlider crank(c.engine.stroke / 2, c.engine.connecting_rod_length);
+  const models::CrankSlider crank{c.engine.stroke / 2, c.engine.connecting_rod_length};
   return 1 / (compression_ratio - 1) + crank.position(crank_angle_deg * std::numbers::pi / 180) / crank.stroke();
 }
 
