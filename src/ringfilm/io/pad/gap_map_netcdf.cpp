@@ -83,7 +83,7 @@ class MapReader {
     const std::string name = !contains("h") && contains("height") ? "height" : "h";
     const Variable h = required_variable(name), x = required_variable("x"), y = required_variable("y");
     if (x.dimensions.size() != 1 || y.dimensions.size() != 1 || x.dimensions == y.dimensions) {
-      refuse(shown_, "x and y are no two axes", kExpected);
+      refuse(shown_, "x and y are not two axes", kExpected);
     }
     if (h.dimensions != std::vector<int>{y.dimensions[0], x.dimensions[0]}) {
       refuse(shown_, name + " does not run over (y, x)", "store it with a row of all x for each y");
@@ -209,7 +209,7 @@ void refuse_classic(const NamedFile& file, const std::string& bytes) {
          fmt::format("convert it: nccopy -k nc4 {0} {1}", file.shown, converted_name(file.shown)));
 }
 
-/// The number of the first value that is none.
+/// The index of the first value that is missing.
 std::optional<std::size_t> hole(const std::vector<double>& values) {
   const auto found = std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
   return found == values.end() ? std::nullopt : std::optional<std::size_t>(found - values.begin());

@@ -56,8 +56,8 @@ TEST(GapMapFile, RefusesWhatIsNoFullRectangle) {
   const std::string head = kHead;
   EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n0,2,3\n"),
               HasSubstr("gap.csv:4:3: the last y has 1 points, the first 2"));
-  EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n0,2,3\n4,2,4\n"), HasSubstr("gap.csv:5:1: x = 4 mm stands here"));
-  EXPECT_THAT(map_refusal(head + "0,0,1\n0,2,1\n5,0,2\n5,3,4\n"), HasSubstr("gap.csv:5:3: y = 30 mm stands here"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n0,2,3\n4,2,4\n"), HasSubstr("gap.csv:5:1: x = 4 mm is given here"));
+  EXPECT_THAT(map_refusal(head + "0,0,1\n0,2,1\n5,0,2\n5,3,4\n"), HasSubstr("gap.csv:5:3: y = 30 mm is given here"));
   EXPECT_THAT(map_refusal(head + "0,0,1\n5,0,2\n"), HasSubstr("only one y"));
   EXPECT_THAT(map_refusal(head + "0,0,1\n0,2,2\n"), HasSubstr("only one x"));
   EXPECT_THAT(map_refusal("x [mm],y,h [um]\n0,0,1\n5,0,2\n"), HasSubstr("the column y has no unit"));
@@ -102,9 +102,8 @@ TEST(GapMapFile, RefusesMorePlacesThanAreRead) {
 TEST(GapMapFile, RefusesHeightsThatNoOilFilmHas) {
   // The default fill of NetCDF as a table would print it.
   EXPECT_THAT(map_refusal(std::string(kHead) + "0,0,1\n5,0,2\n0,2,3\n5,2,9.969e36\n"),
-              HasSubstr("gap.csv:5:5: a gap of 9.969e+30 m is no gap of an oil film"));
-  EXPECT_THAT(map_refusal(std::string(kHead) + "0,0,1\n5,0,-1.1e6\n0,2,3\n5,2,4\n"),
-              HasSubstr("gap.csv:3:5: a gap of -1.1 m"));
+              HasSubstr("gap.csv:5:5: 9.969e+30 m is not the thickness of an oil film"));
+  EXPECT_THAT(map_refusal(std::string(kHead) + "0,0,1\n5,0,-1.1e6\n0,2,3\n5,2,4\n"), HasSubstr("gap.csv:3:5: -1.1 m"));
   EXPECT_EQ(map_refusal(std::string(kHead) + "0,0,1\n5,0,1e6\n0,2,3\n5,2,4\n"), "");  // a metre is allowed
 }
 
@@ -182,7 +181,7 @@ TEST(GapMapFile, ReadsUnitsThatAreStoredAsAString) {
   EXPECT_THAT(read_gap({path, "gap.nc"}, Units()).height, ElementsAre(1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6));
 }
 
-// NetCDF leaves what is never written at the default fill of its type, without an attribute that says so.
+// NetCDF leaves what is never written at the default fill of its type, without an attribute that states it.
 TEST(GapMapFile, PointsOfNetcdfThatWereNeverWrittenAreHoles) {
   for (const nc_type type : {NC_DOUBLE, NC_FLOAT, NC_INT, NC_SHORT}) {
     Netcdf map;
@@ -208,7 +207,7 @@ TEST(GapMapFile, RefusesClassicNetcdfWithTheCommandThatConvertsIt) {
 TEST(GapMapFile, RefusesHeightsInNetcdfThatNoOilFilmHas) {
   Netcdf map;
   map.height[5] = -1e20;  // a hole of some program, in um
-  EXPECT_THAT(netcdf_refusal(map), HasSubstr("at x = 6 mm, y = 500 mm: a gap of -1e+14 m is no gap of an oil film"));
+  EXPECT_THAT(netcdf_refusal(map), HasSubstr("at x = 6 mm, y = 500 mm: -1e+14 m is not the thickness of an oil film"));
 }
 
 TEST(GapMapFile, RefusesHolesOfNetcdf) {
