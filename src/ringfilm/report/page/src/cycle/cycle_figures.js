@@ -136,7 +136,7 @@ function pressureFigure(model) {
   const synthetic = model.cases.some((c) => model.isSynthetic(c));
   return {
     id: 'cylinder-pressure',
-    title: synthetic ? 'Cylinder pressure (SYNTHETIC)' : 'Cylinder pressure',
+    title: synthetic ? 'Gas pressure above the ring (SYNTHETIC)' : 'Gas pressure above the ring',
     paper: 'Fig. 7',
     panels: [cyclePanel(model, 'gas_pressure')],
     caption:

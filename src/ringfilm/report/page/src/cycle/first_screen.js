@@ -129,7 +129,7 @@ export function firstScreen(model) {
       : element(
           'p',
           { class: 'warning', role: 'note' },
-          element('strong', {}, 'Mind: '),
+          element('strong', {}, 'Warning: '),
           typeset(found[0]),
           several > 0
             ? [

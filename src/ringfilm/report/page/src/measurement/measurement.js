@@ -62,7 +62,7 @@ function notesBox(notes) {
   return element(
     'div',
     { class: 'warning', role: 'note' },
-    element('strong', {}, 'Mind: '),
+    element('strong', {}, 'Warning: '),
     notes.length === 1 ? sentence(notes[0]) : noteList(shown),
     others.length
       ? element(

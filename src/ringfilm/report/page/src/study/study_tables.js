@@ -152,7 +152,7 @@ ${reasonText(model.unsolved.reasons[0])} `,
       ? element(
           'div',
           { class: 'warning', role: 'note' },
-          element('strong', {}, 'Mind: '),
+          element('strong', {}, 'Warning: '),
           element('ul', { class: 'notes' }, notes.slice(0, kNotesShown)),
           notes.length > kNotesShown
             ? element(
