@@ -440,7 +440,7 @@ const io::ResultDocument& ResultObject::document() const {
   if (input_) {
     document_.title = input_->title;
     document_.inputs = io::case_entries(*input_);
-    document_.resolved_case = io::resolved_case(*input_);
+    document_.resolved_case = io::case_text(document_.inputs);
     document_.files = input_->files;
     document_.input_notes = input_->notes;
     document_.ledger = study::assumptions(*input_);

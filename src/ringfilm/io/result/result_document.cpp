@@ -29,7 +29,7 @@ ResultDocument result_document(const cycle::Case& c, cycle::CycleResult result) 
   ResultDocument document;
   document.title = c.title;
   document.inputs = case_entries(c);
-  document.resolved_case = resolved_case(c);
+  document.resolved_case = case_text(document.inputs);
   document.files = c.files;
   document.input_notes = c.notes;
   document.provenance = this_run();
