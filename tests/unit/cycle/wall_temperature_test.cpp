@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
@@ -120,6 +121,17 @@ TEST(WallTemperatures, KeepMassWithTheDensityOfEachStep) {
   Case c = coarse(warm_case());
   c.solver.tolerance = 1e-11;
   EXPECT_LT(simulate(prepare(c)).effort.max_mass_residual, 1e-8);
+}
+
+TEST(WallTemperatures, HaveNoNoteOnADensityThatIsOneValue) {
+  Case c = warm_case();
+  const auto extrapolates_density = [](const Case& one) {
+    const std::vector<Note> notes = prepare(one).notes;
+    return std::any_of(notes.begin(), notes.end(), [](const Note& n) { return n.topic == "density-extrapolated"; });
+  };
+  EXPECT_TRUE(extrapolates_density(c));  // measured between 15 and 40 degC
+  c.lubricant.constant_density = 800;
+  EXPECT_FALSE(extrapolates_density(c));
 }
 
 std::vector<std::string> broken(const Case& c) {

@@ -34,7 +34,7 @@ std::vector<double> values(const std::vector<TemperatureValue>& points) {
   return out;
 }
 
-models::OilLaws oil_laws(const Lubricant& oil, double temperature) {
+models::OilLaws oil_laws(const Lubricant& oil) {
   if (!oil.constant_density && oil.density.empty()) {
     throw InputError("lubricant.density has no value", "state one, or values at temperatures");
   }
@@ -46,7 +46,8 @@ models::OilLaws oil_laws(const Lubricant& oil, double temperature) {
                       ? models::DensityTemperatureLaw::kTable
                       : models::DensityTemperatureLaw::kThermalExpansivity,
                   oil.thermal_expansivity, oil.reference_temperature};
-  if (oil.constant_density) laws.density = {{temperature}, {*oil.constant_density}};
+  if (oil.constant_density)
+    laws.density = {{oil.reference_temperature}, {*oil.constant_density}};  // at any temperature
   laws.viscosity_temperature_law = oil.viscosity_temperature == ViscosityTemperature::kWalther
                                        ? models::ViscosityTemperatureLaw::kWalther
                                        : models::ViscosityTemperatureLaw::kHoupert;
@@ -59,16 +60,11 @@ models::OilLaws oil_laws(const Lubricant& oil, double temperature) {
   return laws;
 }
 
-std::shared_ptr<const models::OilAtTemperature> oil_at_temperature(const Lubricant& lubricant, double temperature) {
-  if (lubricant.table_file) return models::tabulated_oil(*lubricant.table, temperature);
-  return models::closed_form_oil(oil_laws(lubricant, temperature), temperature);
-}
-
 std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaws& laws,
                                       const models::WallTemperatures::Range& range) {
   std::vector<Note> notes;
   const bool of_density = laws.density.extrapolates(range.low) || laws.density.extrapolates(range.high);
-  if (oil.density_temperature == DensityTemperature::kTable && of_density) {
+  if (!oil.constant_density && oil.density_temperature == DensityTemperature::kTable && of_density) {
     const double temperature = laws.density.extrapolates(range.low) ? range.low : range.high;
     const auto [low, high] = std::minmax_element(laws.density.temperature.begin(), laws.density.temperature.end());
     notes.push_back({"density-extrapolated",
@@ -119,16 +115,18 @@ PreparedOil prepared_oil(const Lubricant& lubricant, std::optional<models::WallT
                          const OilConditions& conditions) {
   const double T = walls ? walls->film(0.5 * conditions.stroke) : conditions.temperature;
   const auto range = walls ? walls->film_range() : models::WallTemperatures::Range{T, T};
-  auto oil = std::make_shared<models::OilOverTemperature>(
-      [lubricant](double at) { return oil_at_temperature(lubricant, at); }, range.low, range.high);
   if (lubricant.table_file) {
-    oil_at_temperature(lubricant, range.low);  // refused where the table does not reach
-    oil_at_temperature(lubricant, range.high);
+    const auto of_table = [table = lubricant.table](double at) { return models::tabulated_oil(*table, at); };
+    of_table(range.low);  // refused where the table does not reach
+    of_table(range.high);
+    auto oil = std::make_shared<models::OilOverTemperature>(of_table, range.low, range.high);
     const auto at = oil->at(T);
     return {
         {std::move(walls), oil, T, at->viscosity(base::kAtmosphere), at->density(base::kAtmosphere)}, oil, range, {}};
   }
-  const models::OilLaws laws = oil_laws(lubricant, T);
+  const models::OilLaws laws = oil_laws(lubricant);
+  auto oil = std::make_shared<models::OilOverTemperature>(
+      [laws](double at) { return models::closed_form_oil(laws, at); }, range.low, range.high);
   const models::OilState at = models::oil_state(laws, T);
   return {{std::move(walls), oil, T, at.eta_T, at.rho_T}, oil, range, extrapolation_notes(lubricant, laws, range)};
 }

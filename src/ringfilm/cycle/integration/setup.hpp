@@ -41,9 +41,6 @@ struct OilSetup {
   double temperature;                                       ///< of the film; with walls in the middle of the stroke [K]
   double viscosity;                                         ///< at `temperature` and no pressure [Pa s]
   double density;                                           ///< likewise [kg/m3]
-
-  /// Of the film at a distance [m] of the ring below its TDC position [K].
-  double film_temperature(double distance) const { return walls ? walls->film(distance) : temperature; }
 };
 
 /// One ring and what it meets.
