@@ -72,7 +72,7 @@ std::vector<std::string> keys_in_use(const CaseObject& self) {
     const Case& of = n_rings == 0 ? c : c.rings[ring == 0 ? 0 : ring - 1];
     for (const Field& field : cycle::case_fields()) {
       const bool is_listed = n_rings == 0 || cycle::is_of_ring(field.key) == (ring > 0);
-      const bool is_implied = ring > 1 && field.key == "ring.pressure_above";
+      const bool is_implied = cycle::is_implied_in_pack(ring, field.key);
       if (!is_listed || is_implied || !cycle::belongs(field, of) || !cycle::is_active(field, of)) continue;
       keys.push_back(ring > 0 ? cycle::pack_key(ring, field.key) : field.key);
     }

@@ -64,7 +64,7 @@ cycle::Case checked_case(const RunOptions& options) {
 /// Why the integration stopped, and what there is of it now.
 ConvergenceError named_stop(const RunOptions& options, const Computation& done) {
   std::size_t n_solved = 0;
-  for (const io::ResultDocument& ring : io::single_rings({done.document})) n_solved += ring.result.samples.size();
+  for (const io::ResultDocument& ring : io::rings_of(done.document)) n_solved += ring.result.samples.size();
   std::string text = done.stopped->what();
   if (n_solved == 0) {
     text += "\nno crank angle of those asked for was finished; nothing was written, files that exist are unchanged";
@@ -81,7 +81,7 @@ void run(const RunOptions& options) {
   if (input.problem == cycle::Problem::kPad) return run_pad(options, input);
   const Computation done =
       computations({{input, options.ledger, options.errors, options.case_path}}, {options.jobs}).front();
-  const std::vector<io::ResultDocument> rings = io::single_rings({done.document});
+  const std::span<const io::ResultDocument> rings = io::rings_of(done.document);
   const bool is_worth_writing =
       std::any_of(rings.begin(), rings.end(), [](const auto& ring) { return !ring.result.samples.empty(); });
   if (options.output && is_worth_writing) io::write_result(*options.output, done.document);

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/report/html_text.hpp"
 #include "ringfilm/report/page_template.hpp"
 #include "ringfilm/report/payload/payload.hpp"
@@ -48,7 +47,7 @@ std::string report_page(const std::vector<io::ResultDocument>& documents, const 
   std::string page(parts.before_title);
   page += html_text(page_title(documents));
   page += parts.before_data;
-  page += payload(io::single_rings(documents), overlays);
+  page += payload(documents, overlays);
   page += parts.after_data;
   return page;
 }

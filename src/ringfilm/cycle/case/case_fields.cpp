@@ -98,6 +98,8 @@ std::string pack_key(std::size_t ring, const std::string& key) {
   return "ring." + std::to_string(ring) + "." + rest;
 }
 
+bool is_implied_in_pack(std::size_t ring, const std::string& key) { return ring > 1 && key == "ring.pressure_above"; }
+
 bool is_of_ring(const std::string& key) { return key.rfind("ring.", 0) == 0 || key.rfind("contact.", 0) == 0; }
 
 bool belongs(const Field& field, const Case& c) { return !field.problem || *field.problem == c.problem; }

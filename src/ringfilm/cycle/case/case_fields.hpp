@@ -128,6 +128,8 @@ struct RingKey {
 std::optional<RingKey> ring_key(const std::string& key);
 /// The key of a pack for a key of the case of its ring; of the others as it is.
 std::string pack_key(std::size_t ring, const std::string& key);
+/// Does the pack state that key of a ring by another one? The pressure above a ring is that below the one above it.
+bool is_implied_in_pack(std::size_t ring, const std::string& key);
 /// Does the key belong to a ring of its own, and not to the engine?
 bool is_of_ring(const std::string& key);
 

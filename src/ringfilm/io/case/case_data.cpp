@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/io/case/face_file.hpp"
 #include "ringfilm/io/case/oil_file.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
@@ -73,14 +72,13 @@ void append_gas_files(const cycle::Gas& gas, const Units& units, std::vector<Dat
 }
 
 /// A land pressure where it is a file.
-void append_land_file(const std::string& key, cycle::LandPressure& (*land)(Case&), const Case& c, const Units& units,
-                      std::vector<DataFile>& files) {
-  Case copy = c;
-  const std::optional<std::string> name = land(copy).file;
+void append_land_file(const std::string& key, cycle::LandPressure cycle::Ring::*land, const cycle::Ring& ring,
+                      const Units& units, std::vector<DataFile>& files) {
+  const std::optional<std::string>& name = (ring.*land).file;
   if (!name) return;
   files.push_back({key, *name, [&units, land](const NamedFile& file, Case& to) -> ReadData {
                      TraceFile trace = read_trace(file, trace_columns(to.gas, TracePlace::kCrankcase), units);
-                     land(to).trace = std::move(trace.samples);
+                     (to.ring.*land).trace = std::move(trace.samples);
                      return {trace.sha256, trace.notes};
                    }});
 }
@@ -91,10 +89,8 @@ std::vector<DataFile> data_files(const Case& c, const Units& units) {
   if (c.problem == cycle::Problem::kPad) return pad_files(c.pad, units);
   std::vector<DataFile> files;
   append_gas_files(c.gas, units, files);
-  for (const char* key : {"ring.pressure_above", "ring.pressure_below"}) {
-    const auto& kind = std::get<cycle::OptionalNumberOrFileKind>(cycle::find_field(key)->kind);
-    append_land_file(key, kind.ref, c, units, files);
-  }
+  append_land_file("ring.pressure_above", &cycle::Ring::pressure_above, c.ring, units, files);
+  append_land_file("ring.pressure_below", &cycle::Ring::pressure_below, c.ring, units, files);
   if (c.ring.face.form == cycle::FaceForm::kPoints && !c.ring.face.points_file.empty()) {
     files.push_back({"ring.face.file", c.ring.face.points_file, [&units](const NamedFile& file, Case& to) -> ReadData {
                        FaceFile points = read_face(file, units);

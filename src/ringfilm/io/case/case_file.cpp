@@ -1,9 +1,11 @@
 #include "ringfilm/io/case/case_file.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <tuple>
 
+#include "ringfilm/base/append_new.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/io/case/case_checks.hpp"
 #include "ringfilm/io/case/case_data.hpp"
@@ -112,15 +114,10 @@ cycle::Case ring_pack(std::vector<cycle::Case> rings) {
   pack.stated.clear();
   for (std::size_t i = 0; i < rings.size(); ++i) {
     for (const std::string& key : rings[i].stated) {
-      if (i == 0 || key != "ring.pressure_above") pack.stated.insert(cycle::pack_key(i + 1, key));
+      if (!cycle::is_implied_in_pack(i + 1, key)) pack.stated.insert(cycle::pack_key(i + 1, key));
     }
-    for (const cycle::InputFile& file : rings[i].files) {
-      const auto is_same = [&file](const cycle::InputFile& other) { return other.path == file.path; };
-      if (std::none_of(pack.files.begin(), pack.files.end(), is_same)) pack.files.push_back(file);
-    }
-    for (const std::string& note : rings[i].notes) {
-      if (std::find(pack.notes.begin(), pack.notes.end(), note) == pack.notes.end()) pack.notes.push_back(note);
-    }
+    append_new(pack.files, rings[i].files, [](const auto& a, const auto& b) { return a.path == b.path; });
+    append_new(pack.notes, rings[i].notes, std::equal_to());
   }
   pack.rings = std::move(rings);
   return pack;
@@ -139,9 +136,8 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
     cases.push_back(CaseReader(std::move(pack.trees[i]), units).read(of_ring));
     for (Fault& fault : of_ring) {
       if (pack.is_pack && fault.mark.line == 0) fault.message = "ring " + std::to_string(i + 1) + ": " + fault.message;
-      const auto is_same = [&fault](const Fault& other) { return same(fault, other); };
-      if (std::none_of(faults.begin(), faults.end(), is_same)) faults.push_back(std::move(fault));
     }
+    append_new(faults, std::move(of_ring), same);
   }
   if (!faults.empty()) throw InputError(std::move(faults));
   return pack.is_pack ? ring_pack(std::move(cases)) : std::move(cases.front());

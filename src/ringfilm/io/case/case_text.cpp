@@ -135,8 +135,7 @@ std::vector<CaseEntry> pack_entries(const std::vector<std::vector<CaseEntry>>& r
   }
   for (std::size_t i = 0; i < rings.size(); ++i) {
     for (CaseEntry entry : rings[i]) {
-      const bool is_implied = i > 0 && entry.key == "ring.pressure_above";
-      if (!cycle::is_of_ring(entry.key) || is_implied) continue;
+      if (!cycle::is_of_ring(entry.key) || cycle::is_implied_in_pack(i + 1, entry.key)) continue;
       entry.key = cycle::pack_key(i + 1, entry.key);
       entries.push_back(std::move(entry));
     }
@@ -173,9 +172,8 @@ std::string case_text(const std::vector<CaseEntry>& entries) {
     if (entry.key == "lubricant.file") continue;
     const auto of_ring = cycle::ring_key(entry.key);
     const std::size_t ring = of_ring ? of_ring->ring : 0;
-    const std::string key = of_ring && of_ring->key.rfind("ring.", 0) != 0 ? "ring." + of_ring->key
-                            : of_ring                                      ? of_ring->key
-                                                                           : entry.key;
+    // `ring.2.contact.roughness` is `roughness` in [ring.contact] of the second [[ring]].
+    const std::string key = of_ring ? "ring" + entry.key.substr(entry.key.find('.', 5)) : entry.key;
     const std::size_t dot = key.rfind('.');
     const std::string section = dot == std::string::npos ? "" : key.substr(0, dot);
     if (ring != last_ring) {

@@ -1,8 +1,10 @@
 #include "ringfilm/io/result/result_document.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
+#include "ringfilm/base/append_new.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 
 namespace ringfilm::io {
@@ -14,13 +16,6 @@ std::string ring_title(const std::string& pack, std::size_t number, const Result
     if (entry.key == "ring.name" && !entry.shown.empty()) title += " (" + entry.shown + ")";
   }
   return title;
-}
-
-template <class Row, class Same>
-void append_new(std::vector<Row>& all, const std::vector<Row>& rows, const Same& same) {
-  for (const Row& row : rows) {
-    if (std::none_of(all.begin(), all.end(), [&](const Row& other) { return same(row, other); })) all.push_back(row);
-  }
 }
 
 }  // namespace
@@ -50,7 +45,7 @@ ResultDocument pack_document(const std::string& title, std::vector<ResultDocumen
     ResultDocument& ring = rings[i];
     ring.title = ring_title(title, i + 1, ring);
     append_new(pack.files, ring.files, [](const auto& a, const auto& b) { return a.path == b.path; });
-    append_new(pack.input_notes, ring.input_notes, [](const auto& a, const auto& b) { return a == b; });
+    append_new(pack.input_notes, ring.input_notes, std::equal_to());
     pack.result.complete = pack.result.complete && ring.result.complete;
     for (double cycle::CycleValues::*sum :
          {&cycle::CycleValues::fmep, &cycle::CycleValues::energy_per_cycle, &cycle::CycleValues::mean_power_loss}) {
@@ -61,16 +56,8 @@ ResultDocument pack_document(const std::string& title, std::vector<ResultDocumen
   return pack;
 }
 
-std::vector<ResultDocument> single_rings(const std::vector<ResultDocument>& documents) {
-  std::vector<ResultDocument> all;
-  for (const ResultDocument& document : documents) {
-    if (document.is_pack()) {
-      all.insert(all.end(), document.rings.begin(), document.rings.end());
-    } else {
-      all.push_back(document);
-    }
-  }
-  return all;
+std::span<const ResultDocument> rings_of(const ResultDocument& document) {
+  return document.is_pack() ? std::span(document.rings) : std::span(&document, 1);
 }
 
 }  // namespace ringfilm::io

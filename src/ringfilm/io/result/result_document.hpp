@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,11 @@ namespace ringfilm::io {
 /// computed it, and the result. Ledger, comparison and error estimate remain empty.
 ResultDocument result_document(const cycle::Case& c, cycle::CycleResult result);
 
-/// The result of a ring pack from those of its rings, whose titles become "TITLE: ring 1 (NAME)" unless they have names
-/// in a pack already. @param title of the pack
+/// The result of a ring pack from those of its rings, whose titles become "TITLE: ring 1 (NAME)".
+/// @param title of the pack
 ResultDocument pack_document(const std::string& title, std::vector<ResultDocument> rings);
 
-/// Each ring by itself, with the result files of single rings as they are.
-std::vector<ResultDocument> single_rings(const std::vector<ResultDocument>& documents);
+/// The rings of a pack, or the one ring of a document that is not a pack; a view of the document.
+std::span<const ResultDocument> rings_of(const ResultDocument& document);
 
 }  // namespace ringfilm::io

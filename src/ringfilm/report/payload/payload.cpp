@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_unrolled.hpp"
@@ -239,7 +240,9 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
   root["unrolled_fields"] = described_all(cycle::unrolled_fields());
   root["strip_fields"] = described_all(cycle::strip_fields());
   root["cases"] = ordered_json::array();
-  for (const io::ResultDocument& d : documents) root["cases"].push_back(document(d));
+  for (const io::ResultDocument& d : documents) {
+    for (const io::ResultDocument& ring : io::rings_of(d)) root["cases"].push_back(document(ring));
+  }
   root["overlays"] = ordered_json::array();
   for (const Overlay& o : overlays) {
     root["overlays"].push_back({{"name", o.name},

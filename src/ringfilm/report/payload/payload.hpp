@@ -6,9 +6,9 @@
 
 namespace ringfilm::report {
 
-/// The documents and overlays as JSON, SI, for the script of the page. A number that is not finite becomes null; curves
-/// keep 7 significant digits and fields 5, which is more than a screen shows, the result file has all. No "<" is left
-/// in it, so it may stand inside a script element whatever the texts say.
+/// The documents, each ring of a pack by itself, and overlays as JSON, SI, for the script of the page. A number that is
+/// not finite becomes null; curves keep 7 significant digits and fields 5, which is more than a screen shows, the
+/// result file has all. No "<" is left in it, so it may stand inside a script element whatever the texts say.
 std::string payload(const std::vector<io::ResultDocument>& documents, const std::vector<Overlay>& overlays);
 
 }  // namespace ringfilm::report
