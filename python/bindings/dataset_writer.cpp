@@ -6,12 +6,7 @@ namespace ringfilm::python {
 
 void DatasetWriter::scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
                             const std::map<std::string, double>& values) {
-  for (const auto& [key, value] : values) {
-    const auto found = std::find_if(known.begin(), known.end(), [&key = key](const auto& q) { return q.name == key; });
-    cycle::Quantity quantity = found == known.end() ? cycle::Quantity{} : *found;
-    quantity.name = prefix + key;
-    scalar(quantity, value);
-  }
+  io::put_scalars(prefix, known, values, [this](const auto& quantity, double value) { scalar(quantity, value); });
 }
 
 py::object DatasetWriter::objects(const py::list& texts) {

@@ -7,6 +7,7 @@
 #include "array_view.hpp"
 #include "result_object.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/result/result_file_quantities.hpp"
 
 namespace ringfilm::python {
 
@@ -44,10 +45,9 @@ class DatasetWriter {
       for (const Row& row : rows) texts.append(part(row).*member);
       put({dimension}, quantity, objects(texts));
     } else {
-      using Stored = std::conditional_t<std::is_same_v<Value, bool>, signed char,
-                                        std::conditional_t<std::is_same_v<Value, long>, std::int64_t, double>>;
+      using Stored = decltype(io::stored(std::declval<const Value&>()));
       std::vector<Stored> values;
-      for (const Row& row : rows) values.push_back(number(part(row).*member));
+      for (const Row& row : rows) values.push_back(io::stored(part(row).*member));
       put({dimension}, quantity, py::array_t<Stored>(static_cast<py::ssize_t>(values.size()), values.data()));
     }
   }
@@ -101,12 +101,6 @@ class DatasetWriter {
   const py::dict& variables() const { return variables_; }
 
  private:
-  static signed char number(const bool& value) { return value ? 1 : 0; }
-  static std::int64_t number(const long& value) { return value; }
-  static double number(const double& value) { return value; }
-  static double number(const std::optional<double>& value) {
-    return value.value_or(std::numeric_limits<double>::quiet_NaN());
-  }
   static py::object objects(const py::list& texts);
   /// Nothing where there is nothing to tell.
   std::optional<std::vector<py::ssize_t>> shape_of(const std::vector<const char*>& dimensions, std::size_t n_values);

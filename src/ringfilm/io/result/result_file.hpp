@@ -29,7 +29,7 @@ struct Provenance {
 };
 Provenance this_program();  ///< of this build
 
-/// The same for a run of this program that integrations by itself, in one lane.
+/// The same for a run of this program that integrates by itself, in one lane.
 Provenance this_run();
 
 /// All that a result file holds; a report can be drawn again from it alone.

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -48,6 +50,19 @@ inline long stored(const long& value) { return value; }
 inline double stored(const double& value) { return value; }
 inline double stored(const std::optional<double>& value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// Hands each of `values` to `put(quantity, value)` as the variable `prefix`name, described where `known` has its name.
+template <class Put>
+void put_scalars(const std::string& prefix, const std::vector<cycle::Quantity>& known,
+                 const std::map<std::string, double>& values, const Put& put) {
+  for (const auto& [name, value] : values) {
+    const auto match = std::find_if(known.begin(), known.end(),
+                                    [&of = name](const cycle::Quantity& quantity) { return quantity.name == of; });
+    cycle::Quantity variable = match == known.end() ? cycle::Quantity{} : *match;
+    variable.name = prefix + name;
+    put(variable, value);
+  }
 }
 
 /// Where the i-th entry of an array of `lengths` is in one of the larger `shape`, both row-major.

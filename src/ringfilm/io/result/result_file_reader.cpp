@@ -52,7 +52,7 @@ void ResultFileReader::attribute(const char* name, std::string& text) const {
 }
 
 void ResultFileReader::attribute(const char* name, double& value) const {
-  if (ring_) return scalar(described(name, "", ""), value);
+  if (ring_) return read_one(described(name, "", ""), value);
   std::size_t size = 0;
   check(nc_inq_attlen(file_, NC_GLOBAL, name, &size), name);
   if (size != 1) refuse(std::string(name) + " is no single number");
@@ -60,12 +60,7 @@ void ResultFileReader::attribute(const char* name, double& value) const {
 }
 
 void ResultFileReader::attribute(const char* name, long& value) const {
-  if (ring_) {
-    std::vector<long> one;
-    read({}, described(name, "", ""), one);
-    value = one.front();
-    return;
-  }
+  if (ring_) return read_one(described(name, "", ""), value);
   std::size_t size = 0;
   check(nc_inq_attlen(file_, NC_GLOBAL, name, &size), name);
   if (size != 1) refuse(std::string(name) + " is no single number");
@@ -74,9 +69,9 @@ void ResultFileReader::attribute(const char* name, long& value) const {
 
 void ResultFileReader::attribute(const char* name, bool& value) const {
   if (ring_) {
-    std::vector<signed char> one;
-    read({}, described(name, "", ""), one);
-    value = one.front() != 0;
+    signed char stored = 0;
+    read_one(described(name, "", ""), stored);
+    value = stored != 0;
     return;
   }
   long number = 0;
@@ -200,17 +195,16 @@ void ResultFileReader::get(int variable, const std::string& name, std::vector<st
   nc_free_string(texts.size(), texts.data());
 }
 
-void ResultFileReader::scalar(const cycle::Quantity& quantity, double& value) const {
-  std::vector<double> one;
+template <class Value>
+void ResultFileReader::read_one(const cycle::Quantity& quantity, Value& value) const {
+  std::vector<Value> one;
   read({}, quantity, one);
   value = one.front();
 }
 
-void ResultFileReader::scalar(const cycle::Quantity& quantity, std::string& text) const {
-  std::vector<std::string> one;
-  read({}, quantity, one);
-  text = one.front();
-}
+void ResultFileReader::scalar(const cycle::Quantity& quantity, double& value) const { read_one(quantity, value); }
+
+void ResultFileReader::scalar(const cycle::Quantity& quantity, std::string& text) const { read_one(quantity, text); }
 
 void ResultFileReader::scalars(const std::string& prefix, const std::vector<cycle::Quantity>&,
                                std::map<std::string, double>& values) const {

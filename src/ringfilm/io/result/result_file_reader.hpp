@@ -93,6 +93,8 @@ class ResultFileReader {
   template <class Value>
   void read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
             std::vector<Value>& values) const;
+  template <class Value>
+  void read_one(const cycle::Quantity& quantity, Value& value) const;
   /// All values of a variable.
   void get(int variable, const std::string& name, std::vector<double>& values) const;
   void get(int variable, const std::string& name, std::vector<float>& values) const;

@@ -202,13 +202,7 @@ void ResultFileWriter::numbers(const std::vector<const char*>& dimensions, const
 
 void ResultFileWriter::scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
                                const std::map<std::string, double>& values) {
-  for (const auto& [name, value] : values) {
-    const auto match = std::find_if(known.begin(), known.end(),
-                                    [&wanted = name](const auto& quantity) { return quantity.name == wanted; });
-    cycle::Quantity variable = match == known.end() ? cycle::Quantity{} : *match;
-    variable.name = prefix + name;
-    scalar(variable, value);
-  }
+  put_scalars(prefix, known, values, [this](const auto& quantity, double value) { scalar(quantity, value); });
 }
 
 void ResultFileWriter::describe(const std::string& variable, const char* attribute, const std::string& text) {

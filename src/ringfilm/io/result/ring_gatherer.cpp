@@ -36,13 +36,7 @@ void RingGatherer::put(const cycle::Quantity& quantity, const std::vector<const 
 
 void RingGatherer::scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
                            const std::map<std::string, double>& values) {
-  for (const auto& [name, value] : values) {
-    const auto match = std::find_if(known.begin(), known.end(),
-                                    [&of = name](const cycle::Quantity& quantity) { return quantity.name == of; });
-    cycle::Quantity variable = match == known.end() ? cycle::Quantity{} : *match;
-    variable.name = prefix + name;
-    scalar(variable, value);
-  }
+  put_scalars(prefix, known, values, [this](const auto& quantity, double value) { scalar(quantity, value); });
 }
 
 const RingGatherer::Values* RingGatherer::shared_coordinate(const Variable& variable) const {
