@@ -34,10 +34,10 @@ std::vector<TemperatureValue> from_pairs(const py::handle& list) {
   return values;
 }
 
-/// The value of a key in SI. The table hands out references to members that may change, so it walks a case of its own.
+/// The value of a key in SI.
 class SiValue {
  public:
-  explicit SiValue(Case& c) : case_(c) {}
+  explicit SiValue(const Case& c) : case_(c) {}
 
   py::object operator()(const cycle::NumberKind& kind) const { return py::float_(kind.ref(case_)); }
   py::object operator()(const cycle::OptionalNumberKind& kind) const { return optional_object(kind.ref(case_)); }
@@ -81,13 +81,13 @@ class SiValue {
   }
 
  private:
-  Case& case_;
+  const Case& case_;
 };
 
 /// What a pickle holds beyond SiValue, and how it comes back.
 class Stored {
  public:
-  explicit Stored(Case& c) : case_(c) {}
+  explicit Stored(const Case& c) : case_(c) {}
 
   py::object operator()(const cycle::NumberOrFileKind& kind) const {
     return py::make_tuple(kind.number(case_), kind.file(case_));
@@ -121,7 +121,7 @@ class Stored {
   }
 
  private:
-  Case& case_;
+  const Case& case_;
 };
 
 class Restore {
@@ -322,9 +322,6 @@ class Toml {
   const Field& field_;
 };
 
-/// The table refers to members of a case that may change; reading leaves them as they are.
-Case& readable(const Case& c) { return const_cast<Case&>(c); }
-
 }  // namespace
 
 bool is_missing(const Field& field, const Case& c) {
@@ -334,7 +331,7 @@ bool is_missing(const Field& field, const Case& c) {
 }
 
 py::object si_value(const Field& field, const Case& c) {
-  return is_missing(field, c) ? py::none() : std::visit(SiValue(readable(c)), field.kind);
+  return is_missing(field, c) ? py::none() : std::visit(SiValue(c), field.kind);
 }
 
 std::optional<TomlValue> toml_value(const py::handle& value, const Field& field) {
@@ -364,7 +361,7 @@ std::string written(const TomlValue& value) {
   }
 }
 
-py::object stored_value(const Field& field, const Case& c) { return std::visit(Stored(readable(c)), field.kind); }
+py::object stored_value(const Field& field, const Case& c) { return std::visit(Stored(c), field.kind); }
 
 void restore_value(const Field& field, const py::handle& stored, Case& c) {
   std::visit(Restore(c, stored), field.kind);

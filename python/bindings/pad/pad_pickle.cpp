@@ -5,7 +5,7 @@
 namespace ringfilm::python {
 namespace {
 
-constexpr int kPadStateVersion = 1;
+constexpr int kPadStateVersion = 2;
 
 std::vector<pad::PadQuantity> numbers() {
   std::vector<pad::PadQuantity> all = pad::pad_quantities();
@@ -79,7 +79,8 @@ py::tuple pad_state(const PadObject& self) {
   const pad::PadResult& result = document.result;
   py::list inputs, notes;
   for (const io::CaseEntry& entry : document.inputs)
-    inputs.append(py::make_tuple(entry.key, entry.value, entry.shown, entry.assumed, entry.help));
+    inputs.append(
+        py::make_tuple(entry.key, entry.value, entry.shown, entry.assumed, entry.help, entry.value_si, entry.unit));
   for (const cycle::Note& note : result.notes) notes.append(py::make_tuple(note.topic, note.message, note.count));
   const io::Provenance& from = document.provenance;
   return py::make_tuple(kPadStateVersion, document.title, inputs, document.input_notes,
@@ -97,7 +98,8 @@ PadObject pad_of_state(const py::tuple& state) {
     const auto entry = py::cast<py::tuple>(item);
     document.inputs.push_back({py::cast<std::string>(entry[0]), py::cast<std::string>(entry[1]),
                                py::cast<std::string>(entry[2]), py::cast<bool>(entry[3]),
-                               py::cast<std::string>(entry[4])});
+                               py::cast<std::string>(entry[4]), py::cast<double>(entry[5]),
+                               py::cast<std::string>(entry[6])});
   }
   document.input_notes = py::cast<std::vector<std::string>>(state[3]);
   const auto from = py::cast<std::vector<std::string>>(state[4]);

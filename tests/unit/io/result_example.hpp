@@ -14,8 +14,9 @@ inline ResultDocument example_document(int n_samples = 5) {
 
   ResultDocument document;
   document.title = "Example, \"quoted\" \xC2\xB5m";
-  document.inputs = {{"engine.bore", "0.089", "89 mm", false, "cylinder bore"},
-                     {"film.cavitation", "\"mass-conserving\"", "mass-conserving", true, "cavitation model"}};
+  document.inputs = {
+      {"engine.bore", "0.089", "89 mm", false, "cylinder bore", 0.089, "m"},
+      {"film.cavitation", "\"mass-conserving\"", "mass-conserving", true, "cavitation model", std::nan(""), ""}};
   document.resolved_case = "title = \"Example\"\n[engine]\nbore = 0.089\n";
   document.files = {{"case", "example.toml", std::string(64, 'a')},
                     {"gas.cylinder_pressure", "p.csv", std::string(64, 'b')}};

@@ -163,19 +163,18 @@ study::ErrorEstimate errors(const cycle::CycleResult& result) {
 io::ResultDocument document(const std::string& title, double friction) {
   io::ResultDocument d;
   d.title = title;
-  d.inputs = {
-      {"engine.bore", "0.089", "89 mm", false, "cylinder bore, B"},
-      {"engine.stroke", "0.0795", "79.5 mm", false, "piston stroke, S"},
-      {"engine.connecting_rod_length", "0.1381", "138.1 mm", true, "connecting rod, centre to centre"},
-      {"operating.speed", "157.07963267948966", "1500 rpm", false, "engine speed"},
-      {"operating.oil_temperature", "393.15", "120 degC", false, "temperature of the oil film"},
-      {"gas.cylinder_pressure", "\"/somewhere/trace.csv\"", "/somewhere/trace.csv", false, "CSV file"},
-      {"solver.crank_step", "\"1 degree\"", "1 degree", false, "crank step of the integration"},
-      {"gas.trace_origin", "\"synthetic\"", "\"synthetic\"", false, "measured, computed or synthetic"},
-      {"ring.face_width", "0.0012", "1.2 mm", false, "axial width of the face, b"},
-      {"contact.boundary_shear_strength_coefficient", friction == 1.0 ? "0.3581" : "0.29",
-       friction == 1.0 ? "0.3581" : "0.29", false, "zeta, from lateral force microscopy"},
-      {"film.cavitation", "\"reynolds-exit\"", "\"reynolds-exit\"", true, "what happens where the film ruptures"}};
+  d.inputs = {{"engine.bore", "0.089", "89 mm", false, "cylinder bore, B"},
+              {"engine.stroke", "0.0795", "79.5 mm", false, "piston stroke, S"},
+              {"engine.connecting_rod_length", "0.1381", "138.1 mm", true, "connecting rod, centre to centre"},
+              {"operating.speed", "157.07963267948966", "1500 rpm", false, "engine speed"},
+              {"operating.oil_temperature", "393.15", "120 degC", false, "temperature of the oil film"},
+              {"gas.cylinder_pressure", "\"/somewhere/trace.csv\"", "/somewhere/trace.csv", false, "CSV file"},
+              {"solver.crank_step", "\"1 degree\"", "1 degree", false, "crank step of the integration", 1, "degree"},
+              {"gas.trace_origin", "\"synthetic\"", "synthetic", false, "measured, computed or synthetic"},
+              {"ring.face_width", "0.0012", "1.2 mm", false, "axial width of the face, b"},
+              {"contact.boundary_shear_strength_coefficient", friction == 1.0 ? "0.3581" : "0.29",
+               friction == 1.0 ? "0.3581" : "0.29", false, "zeta, from lateral force microscopy"},
+              {"film.cavitation", "\"reynolds-exit\"", "reynolds-exit", true, "what happens where the film ruptures"}};
   d.resolved_case = fmt::format("title = \"{}\"\n[engine]\nbore = \"0.089 m\"\n", title);
   d.files = {{"case", "/somewhere/cases/styles2014/new.toml", std::string(64, 'a')},
              {"gas.cylinder_pressure", "cylinder_pressure.csv", std::string(64, '7')}};

@@ -2,6 +2,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -11,10 +12,27 @@
 /// manual and the studies all walk it; nothing else knows a key.
 namespace ringfilm::cycle {
 
-using NumberRef = std::function<double&(Case&)>;
-using OptionalNumberRef = std::optional<double>& (*)(Case&);
-using TextRef = std::string& (*)(Case&);
-using OptionalTextRef = std::optional<std::string>& (*)(Case&);
+/// Where a case holds a value: to be read in one that does not change, to be written in one that may.
+template <class T>
+class Ref {
+ public:
+  /// @param find takes a Case or a const Case and returns a reference to the member
+  template <class Find>
+  requires(!std::is_same_v<Find, Ref>) Ref(Find find)
+      : read_([find](const Case& c) -> const T& { return find(c); }),
+        write_([find](Case& c) -> T& { return find(c); }) {}
+
+  const T& operator()(const Case& c) const { return read_(c); }
+  T& operator()(Case& c) const { return write_(c); }
+
+ private:
+  std::function<const T&(const Case&)> read_;
+  std::function<T&(Case&)> write_;
+};
+using NumberRef = Ref<double>;
+using OptionalNumberRef = Ref<std::optional<double>>;
+using TextRef = Ref<std::string>;
+using OptionalTextRef = Ref<std::optional<std::string>>;
 
 /// A dimensional (or dimensionless, unit "1") number.
 struct NumberKind {
@@ -25,7 +43,7 @@ struct OptionalNumberKind {
   OptionalNumberRef ref;
 };
 struct CountKind {
-  int& (*ref)(Case&);
+  Ref<int> ref;
 };
 /// One of a few names; `index` and `choose` translate to the enumerator's position.
 struct ChoiceKind {
@@ -53,7 +71,7 @@ struct NumberOrFileKind {
 };
 /// The same, absent by default (`ring.pressure_below`).
 struct OptionalNumberOrFileKind {
-  LandPressure& (*ref)(Case&);
+  Ref<LandPressure> ref;
 };
 /// A unit written as text, kept as its size in SI (`ring.face.length_unit = "mm"` is 1e-3).
 struct UnitNameKind {
@@ -61,20 +79,20 @@ struct UnitNameKind {
 };
 /// Bare numbers.
 struct NumberListKind {
-  std::vector<double>& (*ref)(Case&);
+  Ref<std::vector<double>> ref;
 };
 /// An array of { temperature = "40 degC", value = "59.99 mm2/s" }.
 struct TemperatureValuesKind {
-  std::vector<TemperatureValue>& (*ref)(Case&);
+  Ref<std::vector<TemperatureValue>> ref;
 };
 /// One quantity, or an array of values at temperatures (`lubricant.density`).
 struct ConstantOrTemperatureValuesKind {
   OptionalNumberRef constant;
-  std::vector<TemperatureValue>& (*ref)(Case&);
+  Ref<std::vector<TemperatureValue>> ref;
 };
 /// One temperature, or an array of [distance, temperature] (`thermal.liner`).
 struct DistanceTemperaturesKind {
-  std::vector<LinerTemperature>& (*ref)(Case&);
+  Ref<std::vector<LinerTemperature>> ref;
 };
 /// `output.crank_angles`: a step or a list of angles.
 struct AnglesKind {};

@@ -11,9 +11,9 @@ namespace ringfilm::cycle::table {
 
 /// The member at the end of a path of member pointers.
 template <auto... Path>
-auto& member(Case& c) {
+inline constexpr auto member = [](auto& c) -> auto& {
   return (c.*....*Path);
-}
+};
 
 template <auto... Path>
 int choice_index(const Case& c) {

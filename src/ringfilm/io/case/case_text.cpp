@@ -156,7 +156,8 @@ std::vector<CaseEntry> case_entries(const Case& given) {
     if (!cycle::is_active(field, c)) continue;
     const std::string value = exact_value(field, c);
     if (value.empty()) continue;
-    entries.push_back({field.key, value, shown_value(field, c, units), !c.stated.contains(field.key), field.help});
+    entries.push_back({field.key, value, shown_value(field, c, units), !c.stated.contains(field.key), field.help,
+                       si_number(field, c), field.unit});
   }
   return entries;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <limits>
 
 #include "ringfilm/io/text/toml_tree.hpp"
 
@@ -28,7 +29,7 @@ std::string joined(const std::vector<std::string>& parts) {
 /// Walks the kinds of keys; text, file names and choices come out in quotes.
 class Writer {
  public:
-  Writer(const Field& field, Case c, Write write) : field_(field), case_(std::move(c)), write_(std::move(write)) {}
+  Writer(const Field& field, const Case& c, Write write) : field_(field), case_(c), write_(std::move(write)) {}
 
   std::string operator()(const cycle::NumberKind& kind) { return number(kind.ref(case_)); }
   std::string operator()(const cycle::OptionalNumberKind& kind) {
@@ -96,8 +97,39 @@ class Writer {
   }
 
   const Field& field_;
-  Case case_;  // the table refers to members of a Case that may be changed; this one is a copy
+  const Case& case_;
   Write write_;
+};
+
+/// The number that a key holds in its SI unit; NaN where it holds another thing.
+class SiNumber {
+ public:
+  explicit SiNumber(const Case& c) : case_(c) {}
+
+  double operator()(const cycle::NumberKind& kind) { return kind.ref(case_); }
+  double operator()(const cycle::OptionalNumberKind& kind) { return number(kind.ref(case_)); }
+  double operator()(const cycle::CountKind& kind) { return kind.ref(case_); }
+  double operator()(const cycle::NumberOrFileKind& kind) { return kind.file(case_) ? kNaN : kind.number(case_); }
+  double operator()(const cycle::OptionalNumberOrFileKind& kind) { return number(kind.ref(case_).constant); }
+  double operator()(const cycle::UnitNameKind& kind) { return kind.ref(case_); }
+  double operator()(const cycle::ConstantOrTemperatureValuesKind& kind) { return number(kind.constant(case_)); }
+  double operator()(const cycle::DistanceTemperaturesKind& kind) {
+    const auto& points = kind.ref(case_);
+    return points.size() == 1 ? points.front().temperature : kNaN;
+  }
+  double operator()(const cycle::AnglesKind&) {
+    return case_.output.crank_angles_deg.empty() ? case_.output.crank_angle_step_deg : kNaN;
+  }
+  template <class Other>
+  double operator()(const Other&) {
+    return kNaN;
+  }
+
+ private:
+  static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  static double number(const std::optional<double>& value) { return value.value_or(kNaN); }
+
+  const Case& case_;
 };
 
 Write in_display_units(const Units& units) {
@@ -107,49 +139,24 @@ Write in_display_units(const Units& units) {
   };
 }
 
-/// The case without its traces and tables: only what keys hold, so that copies are cheap.
-Case without_samples(const Case& c) {
-  Case lean;
-  lean.problem = c.problem;
-  lean.title = c.title;
-  lean.engine = c.engine;
-  lean.operating = c.operating;
-  lean.thermal = c.thermal;
-  lean.gas = c.gas;
-  lean.ring = c.ring;
-  lean.ring.face.x.clear();
-  lean.ring.face.height.clear();
-  lean.liner = c.liner;
-  lean.contact = c.contact;
-  lean.lubricant = c.lubricant;
-  lean.film = c.film;
-  lean.solver = c.solver;
-  lean.output = c.output;
-  lean.pad = c.pad;
-  lean.pad.gap_x.clear();
-  lean.pad.gap_height.clear();
-  lean.pad.history_time.clear();
-  lean.pad.history_separation.clear();
-  return lean;
-}
-
 }  // namespace
 
 std::string exact_value(const Field& field, const Case& c) {
-  return std::visit(Writer(field, without_samples(c), exact_quantity), field.kind);
+  return std::visit(Writer(field, c, exact_quantity), field.kind);
 }
 
+double si_number(const Field& field, const Case& c) { return std::visit(SiNumber(c), field.kind); }
+
 std::string written_value(const Field& field, const Case& c, const Units& units) {
-  return std::visit(Writer(field, without_samples(c), in_display_units(units)), field.kind);
+  return std::visit(Writer(field, c, in_display_units(units)), field.kind);
 }
 
 std::string shown_value(const Field& field, const Case& c, const Units& units) {
-  Case lean = without_samples(c);
   const auto* points = std::get_if<cycle::TemperatureValuesKind>(&field.kind);
   const auto* either = std::get_if<cycle::ConstantOrTemperatureValuesKind>(&field.kind);
-  if (points != nullptr || (either != nullptr && !either->constant(lean))) {
+  if (points != nullptr || (either != nullptr && !either->constant(c))) {
     std::string text;
-    for (const auto& [temperature, value] : (points != nullptr ? points->ref : either->ref)(lean)) {
+    for (const auto& [temperature, value] : (points != nullptr ? points->ref : either->ref)(c)) {
       text += (text.empty() ? "" : "; ") + units.shown(value, field.unit, field.display_unit) + " at " +
               units.shown(temperature, "K", "degC");
     }

@@ -12,7 +12,7 @@
 namespace ringfilm::io {
 
 /// Raised by one whenever a name or a meaning changes.
-constexpr long kResultSchema = 5;
+constexpr long kResultSchema = 6;
 
 /// A ledger variant as a row of a table; its values are a row of `variant_values`.
 struct VariantRow {
@@ -128,6 +128,9 @@ void exchange_case(File& file, Document& document) {
   file.rows("input", document.inputs);
   file.column("input", text("input_key", "key of the case"), document.inputs, &CaseEntry::key);
   file.column("input", text("input_value", "value in SI as in a case file"), document.inputs, &CaseEntry::value);
+  file.column("input", described("input_value_si", "", "value in its SI unit, see input_unit; NaN if not a number", ""),
+              document.inputs, &CaseEntry::value_si);
+  file.column("input", text("input_unit", "SI unit of input_value_si"), document.inputs, &CaseEntry::unit);
   file.column("input", text("input_shown", "value in the unit people use"), document.inputs, &CaseEntry::shown);
   file.column("input", count("input_assumed", "1 where the case does not state the key and the default was taken"),
               document.inputs, &CaseEntry::assumed);

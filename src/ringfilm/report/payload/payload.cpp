@@ -7,7 +7,6 @@
 
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/io/result/result_document.hpp"
-#include "ringfilm/io/text/units.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_unrolled.hpp"
 #include "ringfilm/report/script_text.hpp"
@@ -154,16 +153,12 @@ ordered_json comparison(const std::vector<study::ComparisonRow>& rows) {
 
 /// At which a film ruptures whose model knows no film content [Pa]; nothing for other models, or if it is not reported.
 std::optional<double> rupture_pressure(const std::vector<io::CaseEntry>& inputs) {
-  const auto shown = [&inputs](const char* key) {
-    const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& entry) { return entry.key == key; });
-    return found == inputs.end() ? std::string() : found->shown;
+  const auto entry = [&inputs](const char* key) {
+    return std::find_if(inputs.begin(), inputs.end(), [key](const auto& input) { return input.key == key; });
   };
-  if (shown("film.cavitation") != "reynolds-exit") return std::nullopt;
-  try {
-    return io::Units().quantity(shown("film.cavitation_pressure"), "Pa", "0 bar");
-  } catch (const io::UnitError&) {
-    return std::nullopt;
-  }
+  const auto cavitation = entry("film.cavitation"), pressure = entry("film.cavitation_pressure");
+  if (cavitation == inputs.end() || pressure == inputs.end() || cavitation->shown != "reynolds-exit") return {};
+  return std::isnan(pressure->value_si) ? std::nullopt : std::optional(pressure->value_si);
 }
 
 const char* word_of(cycle::NoteCount count) {
@@ -191,8 +186,12 @@ ordered_json note_object(const cycle::Note& note) {
 ordered_json document(const io::ResultDocument& d) {
   ordered_json inputs = ordered_json::array();
   for (const io::CaseEntry& e : d.inputs) {
-    inputs.push_back(
-        {{"key", e.key}, {"value", e.value}, {"shown", e.shown}, {"assumed", e.assumed}, {"help", e.help}});
+    inputs.push_back({{"key", e.key},
+                      {"value", e.value},
+                      {"shown", e.shown},
+                      {"assumed", e.assumed},
+                      {"help", e.help},
+                      {"value_si", std::isnan(e.value_si) ? ordered_json(nullptr) : exact(e.value_si)}});
   }
   ordered_json files = ordered_json::array();
   for (const cycle::InputFile& f : d.files) files.push_back({{"role", f.role}, {"path", f.path}, {"sha256", f.sha256}});

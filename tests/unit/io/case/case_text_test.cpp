@@ -87,6 +87,9 @@ TEST(CaseEntries, ReportWhatIsAssumed) {
   };
   EXPECT_EQ(entry("engine.bore").value, "\"0.089 m\"");
   EXPECT_EQ(entry("engine.bore").shown, "89 mm");
+  EXPECT_EQ(entry("engine.bore").value_si, 0.089);
+  EXPECT_EQ(entry("engine.bore").unit, "m");
+  EXPECT_TRUE(std::isnan(entry("gas.model").value_si));
   EXPECT_FALSE(entry("engine.bore").assumed);
   EXPECT_TRUE(entry("liner.youngs_modulus").assumed);
   EXPECT_EQ(entry("liner.youngs_modulus").shown, "92.3 GPa");

@@ -17,6 +17,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 #include "ringfilm/io/storage/digest_trailer.hpp"
+#include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -134,6 +135,8 @@ void expect_same(const ResultDocument& a, const ResultDocument& b) {
     EXPECT_EQ(a.inputs[i].shown, b.inputs[i].shown);
     EXPECT_EQ(a.inputs[i].assumed, b.inputs[i].assumed);
     EXPECT_EQ(a.inputs[i].help, b.inputs[i].help);
+    EXPECT_EQ(a.inputs[i].unit, b.inputs[i].unit);
+    EXPECT_EQ(exact_text(a.inputs[i].value_si), exact_text(b.inputs[i].value_si));  // NaN is not equal to itself
   }
   EXPECT_EQ(a.resolved_case, b.resolved_case);
   ASSERT_EQ(a.files.size(), b.files.size());
@@ -389,8 +392,9 @@ TEST(ResultFile, EveryNumberHasAUnitAndFieldsTheirEquation) {
   ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
   ASSERT_EQ(nc_inq_nvars(file, &n_variables), NC_NOERR);
   // Their columns or rows have units of their own, in variables beside them; the last one is in no table.
-  const std::set<std::string> mixed = {"variant_values", "comparison_published", "comparison_computed",
-                                       "comparison_with_strongest_setting", "derived_not_in_the_table"};
+  const std::set<std::string> mixed = {"variant_values",      "comparison_published",
+                                       "comparison_computed", "comparison_with_strongest_setting",
+                                       "input_value_si",      "derived_not_in_the_table"};
   for (int i = 0; i < n_variables; ++i) {
     char name[NC_MAX_NAME + 1] = {};
     int type = 0;

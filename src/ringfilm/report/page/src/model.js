@@ -141,7 +141,7 @@ export class Model {
   }
 
   isSynthetic(oneCase) {
-    return this.input(oneCase, 'gas.trace_origin')?.value.replace(/"/g, '') === 'synthetic';
+    return this.input(oneCase, 'gas.trace_origin')?.shown === 'synthetic';
   }
 
   /** A curve over the cycle in display units: sorted from -360 to 360, null where samples are missing. */

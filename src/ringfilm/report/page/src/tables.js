@@ -210,7 +210,7 @@ export function comparisonSection(model) {
 /** How often a note applies, in words; a dash where it is on the case as a whole. */
 function often(model, c, { counts, count }) {
   if (counts === 'case') return '–';
-  const step = parseFloat(model.input(c, 'solver.crank_step')?.value.replace(/"/g, '') ?? '');
+  const step = model.input(c, 'solver.crank_step')?.value_si ?? 0;
   return howOften(count, counts === 'crank angles' && c.complete && step > 0 ? Math.round(720 / step) : null);
 }
 

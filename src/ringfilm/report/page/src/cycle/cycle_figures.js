@@ -125,7 +125,7 @@ const kOrigin = {
 
 /** Where the gas pressure of a case comes from. */
 function origin(model, c) {
-  const named = (key) => model.input(c, key)?.value.replace(/"/g, '');
+  const named = (key) => model.input(c, key)?.shown;
   if (named('gas.model') === 'wiebe') return 'computed by the single-zone model, not measured';
   return (
     kOrigin[named('gas.trace_origin')] ?? 'a trace of which the case does not say whether it was measured'
