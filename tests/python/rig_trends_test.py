@@ -82,7 +82,29 @@ def test_met_in_part_most_films_and_coefficients_are_in_the_published_ranges(com
     assert computed.film.max(axis=(0, 1, 2)).min() > trends.PUBLISHED_FILM[1]  # no ring stays in the range
 
 
-def test_the_page_has_the_computed_tables(computed):
+def test_the_page_has_the_computed_figures(computed):
     text = PAGE.read_text(encoding="utf-8")
     for table in trends.tables(computed):
         assert table in text
+    film = computed.film
+    spread = film.max(axis=(0, 1, 2)) / film.min(axis=(0, 1, 2))  # over roughness, crown height
+    thick = film > trends.PUBLISHED_FILM[1]
+    thin = film < trends.PUBLISHED_FILM[0]
+    load_share, speed_share = larger_share(computed, trends.LOAD), larger_share(computed, trends.SPEED)
+    mixed = computed.rises_with_load()[load_share > MIXED]
+    full = (load_share < NEARLY_FULL_FILM).sum() + (speed_share < NEARLY_FULL_FILM).sum()
+    coefficient = trends.inside(computed.coefficient, trends.PUBLISHED_COEFFICIENT)
+    assert computed.viscosities[thick.any(axis=(1, 2, 3, 4))].min() == pytest.approx(0.132, abs=0.0005)
+    assert not thin[:, :, :, 1].any()
+    too_thin = film / computed.roughnesses[:, None] < 0.5
+    assert too_thin.sum() == 1 and not too_thin[:, :, :, 1].any()
+    for sentence in (
+        f"Of the {film.size} conditions {(~thick & ~thin).sum()} have a film and {coefficient.sum()} a coefficient in",
+        f"falls with speed in all of {(speed_share > MIXED).sum()} steps and rises with load in {mixed.sum()} of "
+        f"{mixed.size}",
+        f"rises with speed in all of {full} steps",
+        f"smoother pair a factor of {spread[0].min():.0f} to {spread[0].max():.0f}, of those with the rough pair "
+        f"{spread[1].min():.0f} to {spread[1].max():.0f}",
+        f"the {thick.sum()} conditions above it all have oils of 132 mPa s and more, the {thin.sum()} below 0.5 µm",
+    ):
+        assert sentence in text
