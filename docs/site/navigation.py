@@ -17,7 +17,10 @@ SECTIONS = [
     ("From programs", ["python", "matlab", "library", "examples/*/README", "result-file"]),
     ("Reference", ["case-keys", "docs/glossary", "docs/references", "docs/api/python", "docs/api/cpp"]),
     ("Theory", ["docs/theory/README", "docs/theory/*"]),
-    ("Whether to believe it", ["verification", "robustness", "verification/*/README", "cases/measured/README"]),
+    (
+        "Whether to believe it",
+        ["verification", "docs/manual/validation/*", "robustness", "verification/*/README", "cases/measured/README"],
+    ),
     ("To carry it on", ["CONTRIBUTING", "docs/manual/extending/*", "docs/decisions/*", "CHANGELOG"]),
 ]
 
