@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Computes the study of trends.toml and compares it, at mid-stroke, with the ranges and trends of dearlove1995.
 
-usage: trends.py      (requires the Python module ringfilm); prints the tables of docs/manual/validation/rig-trends.md
+usage: trends.py      (requires the Python module ringfilm); prints the tables of docs/manual/guide/rig-trends.md
 """
 
 import itertools

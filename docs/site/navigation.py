@@ -6,7 +6,20 @@ A name without an ending is a page of docs/manual. Pages of docs/manual that are
 
 # (caption, pages)
 SECTIONS = [
-    ("Begin here", ["five-minutes", "install", "command-line", "case-file", "report"]),
+    ("Begin here", ["five-minutes", "install", "docs/manual/guide/platforms", "command-line", "case-file", "report"]),
+    (
+        "Judging a result",
+        [
+            "docs/manual/guide/validation",
+            "docs/manual/guide/rig-trends",
+            "docs/manual/guide/plausibility",
+            "docs/manual/guide/notes",
+            "docs/manual/guide/typical-inputs",
+            "docs/manual/guide/from-drawing-to-case",
+            "docs/manual/guide/faq",
+            "docs/manual/guide/comparison",
+        ],
+    ),
     (
         "From scan to friction",
         ["measured-chain", "surfaces", "surface-files", "face", "lateral-force", "measurement-files"],
@@ -15,13 +28,20 @@ SECTIONS = [
     ("Other films", ["unrolled", "pad"]),
     ("Tutorials", ["docs/tutorials/reproduce-the-paper", "docs/tutorials/*"]),
     ("From programs", ["python", "matlab", "library", "examples/*/README", "result-file"]),
-    ("Reference", ["case-keys", "docs/glossary", "docs/references", "docs/api/python", "docs/api/cpp"]),
-    ("Theory", ["docs/theory/README", "docs/theory/*"]),
     (
-        "Whether to believe it",
-        ["verification", "docs/manual/validation/*", "robustness", "verification/*/README", "cases/measured/README"],
+        "Reference",
+        [
+            "case-keys",
+            "docs/manual/guide/nomenclature",
+            "docs/glossary",
+            "docs/references",
+            "docs/api/python",
+            "docs/api/cpp",
+        ],
     ),
-    ("To carry it on", ["CONTRIBUTING", "docs/manual/extending/*", "docs/decisions/*", "CHANGELOG"]),
+    ("Theory", ["docs/theory/README", "docs/theory/*"]),
+    ("Verification", ["verification", "robustness", "verification/*/README", "cases/measured/README"]),
+    ("Development", ["CONTRIBUTING", "docs/manual/extending/*", "docs/decisions/*", "CHANGELOG"]),
 ]
 
 # Shorter words for the list at the side than the page's own heading.

@@ -14,7 +14,7 @@ sys.path.insert(0, str(SOURCES / "cases" / "dearlove1995"))
 
 import trends  # noqa: E402
 
-PAGE = SOURCES / "docs" / "manual" / "validation" / "rig-trends.md"
+PAGE = SOURCES / "docs" / "manual" / "guide" / "rig-trends.md"
 
 # Of the two conditions of a change the larger boundary share of the friction. No change of the study with a share
 # below the first number follows the published trends, all but two above the second do; in between friction is least.

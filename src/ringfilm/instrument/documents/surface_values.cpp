@@ -149,8 +149,8 @@ io::MeasuredGroup asperity_group(const std::string& title, const surface::Asperi
       value_of("asperity_density", "density of asperity peaks", "N", "m-2", "mm-2", of.density_per_m2, remark));
   group.values.push_back(value_of("asperity_radius", "mean summit radius", "beta", "m", "um", of.beta_m, remark));
   group.values.push_back(value_of("roughness", "roughness in contact", "sigma", "m", "um", of.sigma_m, sigma_text));
-  group.values.push_back(value_of("roughness_parameter", "0.03 to 0.05 for most surfaces", "N beta sigma", "1", "1",
-                                  of.roughness_parameter(), remark));
+  group.values.push_back(value_of("roughness_parameter", "0.03 to 0.05 after Greenwood and Tripp", "N beta sigma", "1",
+                                  "1", of.roughness_parameter(), remark));
   group.values.push_back(value_of("slope_ratio", "roughness over radius", "sigma/beta", "1", "1", of.slope(), remark));
   return group;
 }

@@ -174,14 +174,15 @@ Assumption oil_temperature(const Case& c) {
     return assumption("one-oil-temperature",
                       "the oil film has the temperature \"" + chosen("thermal.film", c) +
                           "\" of its walls; it is not heated by shear",
-                      "shear heats the oil by a few kelvin at the most", other_choices("thermal.film", c));
+                      "the walls carry the heat of shear away; that of asperity friction is not computed",
+                      other_choices("thermal.film", c));
   }
   const double T = c.operating.oil_temperature;
   return assumption(
       "one-oil-temperature",
       text("all oil is at %.4g degC; it is not heated in the film and the walls do not differ", T - 273.15),
-      "shear heats the oil by a few kelvin at the most; the temperatures of ring and liner decide, and "
-      "they vary along the stroke",
+      "the walls carry the heat of shear away; the temperatures of ring and liner decide, and they vary along the "
+      "stroke",
       other_numbers("operating.oil_temperature", c, T, kCelsius, {T - 20, T + 20}));
 }
 
@@ -192,8 +193,8 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
       "flooded-inlet",
       text("both edges are flooded with oil; at the chamber edge its pressure is up to %.3g bar",
            setup.ring.lands.above.peak() / 1e5),
-      "physically that is gas: with gas at the chamber edge friction falls by 30 to 45 %, with the oil that earlier "
-      "strokes left as supply most of that comes back");
+      "physically that is gas: oil flow is an upper bound, friction may err either way, as gas takes viscous friction "
+      "away and a thinner supply of oil adds boundary friction");
 }
 
 /// Of a film across the face it is lifted by a case of its own, not here: the unrolled film costs more than all other
@@ -241,7 +242,7 @@ std::vector<Assumption> always_open(const Case& c) {
       assumption("newtonian-oil", "the oil is Newtonian at any shear rate",
                  "multigrade oils lose viscosity from about 1e6 1/s on"),
       assumption("smooth-gap-flow", "roughness does not hinder the flow (no flow factors)",
-                 "flow factors move the mean friction by -19 to +9 % with the lay of the roughness"),
+                 "friction may err either way, with the lay of the roughness, below a lambda ratio of about 3"),
   };
 }
 
