@@ -64,7 +64,7 @@ struct FittedContactView {
   const double *F_52, *F_2;
   double reach, per_gap, pressure_scale, area_scale;
   double spread;       ///< 1: at the local gap; 0: at h_m on the whole face
-  double turning_gap;  ///< the load beyond it is told apart [m]
+  double turning_gap;  ///< the load beyond it is also summed separately [m]
 };
 
 struct ContactSums {
@@ -103,7 +103,7 @@ class AlongFace {
     visit_nodes<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY { read_at<Some>(lane, to, i); });
   }
 
-  /// The first node from `i` on, and before `end`, that is a cavity, or that is none; `end` if there is no such.
+  /// The first node from `i` on and before `end` that is a cavity, or with `cavity` false that is not; else `end`.
   RINGFILM_INLINE static int next_node(const double* deficit, int i, int end, bool cavity) {
     const double sign = cavity ? 1 : -1;
     while (i + Real::kWidth <= end &&

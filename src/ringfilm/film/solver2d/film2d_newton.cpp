@@ -19,7 +19,7 @@ constexpr int kMostIterationsOfStrips = 60;  // of Newton's method with the load
 /// hundredth there saves GMRES less than it costs Newton's method.)
 constexpr double kLooseReduction = 1e-4;
 constexpr double kFarStep = 0.1;
-/// A step that is not even half solved is none.
+/// A step whose linear residual is not even halved is rejected.
 constexpr double kUnsolved = 0.5;
 
 StripPlaces places_of(const CircumferentialGrid& around, int first, int n_strips) {

@@ -23,12 +23,12 @@ struct ZebraShape {
   int slots(int colour) const { return (n_strips + 1 - colour) / 2; }
   std::size_t colour_size() const { return static_cast<std::size_t>(n_across) * stride; }
   std::size_t size() const { return 2 * colour_size(); }
-  /// Where node i of strip s stands, -1 <= s <= n_strips.
+  /// Index of node i of strip s, -1 <= s <= n_strips.
   std::size_t at(int i, int s) const {
     const int colour = s & 1;
     return static_cast<std::size_t>(colour * n_across + i) * stride + kPackRoom + (s - colour) / 2;
   }
-  /// Where a number of a whole strip stands: of a zebra with one node across.
+  /// Index of a number of a whole strip: of a zebra with one node across.
   std::size_t strip(int s) const {
     const int colour = s & 1;
     return static_cast<std::size_t>(colour) * stride + kPackRoom + (s - colour) / 2;
