@@ -52,7 +52,6 @@ PENDING = (
     "src/ringfilm/io/case/",
     "src/ringfilm/io/result/",
     "src/ringfilm/report/",
-    "src/ringfilm/pad/",
     "python/",
     "script/",
     "cmake/",

@@ -125,7 +125,7 @@ class TimeIntegration {
   PadResult& result_;
 };
 
-/// Does a film one per cent thicker carry the same? Then the load does not tell the separation.
+/// Does a film one per cent thicker carry the same? Then the load does not determine the separation.
 bool any_separation_carries(PadFilms& films, const film::FilmState& state, Effort& effort) {
   constexpr double kThicker = 1.01, kTheSame = 1e-10;
   PadFilm& film = films.finest();
@@ -171,7 +171,7 @@ void append_load_notes(const LoadSearch& search, std::vector<cycle::Note>& notes
   }
 }
 
-/// A steady film with half the cells, to tell whether the grid is fine enough.
+/// A steady film with half the cells, to check whether the grid is fine enough.
 void append_grid_note(const PadSetup& setup, const film::FilmState& state, const Sample& fine, PadResult& result) {
   constexpr double kZeroLoad = 1e-9;  // of the pressures that act: no share of such a load is known
   if (std::abs(fine.load) <= kZeroLoad * acting_pressure(setup, state.h_m) * setup.input.pad.length) return;
