@@ -174,7 +174,7 @@ const std::vector<Quantity>& derived_quantities() {
       {"tangential_force", "N", "N", "ring tangential force", "F_t", "eq-elastic-pressure"},
       {"composite_modulus", "Pa", "GPa", "composite modulus of 2/E' = sum (1 - nu^2)/E", "E'", "eq-composite-modulus"},
       {"roughness", "m", "um", "composite roughness as the contact model uses it", "sigma", "eq-lambda-ratio"},
-      {"roughness_parameter", "1", "1", "Tabor's roughness parameter", "N beta sigma", "eq-asperity-load"},
+      {"roughness_parameter", "1", "1", "roughness parameter", "N beta sigma", "eq-asperity-load"},
       {"oil_viscosity", "Pa s", "mPa s", "oil viscosity at its temperature (with [thermal] at mid stroke) and 1 atm",
        "eta", "eq-walther"},
       {"oil_density", "kg/m3", "kg/m3", "oil density at its temperature (with [thermal] at mid stroke) and 1 atm",

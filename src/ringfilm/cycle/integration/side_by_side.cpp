@@ -16,9 +16,9 @@ namespace {
 
 using Owned = std::unique_ptr<BatchMember>;
 
-/// Marches that wait for a lane of their kind, at the most.
+/// Largest number of integrations that wait for a lane of their kind.
 constexpr std::size_t kMostWaiting = 64;
-/// Marches of one kind may share a block, which sweeps as far as the longest film in it.
+/// Integrations of one kind may share a block, whose sweeps are as long as the longest film in it.
 struct LaneKind {
   unsigned cells;  ///< room for so many: a power of two
   const film::FilmKernels* kernels;
