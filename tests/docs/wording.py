@@ -48,7 +48,6 @@ RULES = [
 
 # Folders whose comments and messages are still to be written in these terms.
 PENDING = (
-    "src/ringfilm/io/result/",
     "src/ringfilm/report/",
     "python/",
     "script/",
