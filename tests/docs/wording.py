@@ -51,7 +51,6 @@ PENDING = (
     "src/ringfilm/report/",
     "python/",
     "script/",
-    "cmake/",
     "cases/measured/fragments/",
 )
 
