@@ -65,12 +65,12 @@ py::object run_pad(const cycle::Case& input, const py::object& progress, const R
 
 /// With more to find out than the result alone.
 py::object inquire(const cycle::Case& input, CycleWatch& watch, const RunWishes& wishes) {
-  const app::RunRequest wanted{input, wishes.ledger ? app::LedgerRequest::kComputed : app::LedgerRequest::kStatements,
-                               wishes.error_estimate ? app::ErrorRequest::kEstimated : app::ErrorRequest::kNone, ""};
+  const app::RunRequest request{input, wishes.ledger ? app::LedgerRequest::kComputed : app::LedgerRequest::kStatements,
+                                wishes.error_estimate ? app::ErrorRequest::kEstimated : app::ErrorRequest::kNone, ""};
   app::Computation done;
   {
     const py::gil_scoped_release others_go_on;
-    done = std::move(app::computations({wanted}, {wishes.threads}, watch).front());
+    done = std::move(app::computations({request}, {wishes.threads}, watch).front());
   }
   py::object result = result_object(std::move(done.document));
   if (done.stopped) raise_convergence(*done.stopped, result);
