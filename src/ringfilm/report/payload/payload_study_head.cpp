@@ -107,7 +107,7 @@ ordered_json factor_object(const study::Study& study, const study::Factor& facto
   if (const auto* listed = std::get_if<study::Choices>(&factor.variation)) {
     for (const study::Choice& choice : listed->values) choices.push_back(choice.text);
   }
-  // Factors that [[measured]] adds stand in no line of the study's file.
+  // Factors that [[measured]] adds are in no line of the study's file.
   const bool is_measured = factor.mark.line == 0;
   return {{"name", factor.name},
           {"keys", std::move(keys)},
