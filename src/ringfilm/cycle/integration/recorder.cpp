@@ -43,7 +43,7 @@ Recorder::Recorder(const Setup& setup)
   }
 }
 
-bool Recorder::wants_fields(double crank_angle_deg) const {
+bool Recorder::is_field_angle(double crank_angle_deg) const {
   const auto next = std::lower_bound(field_deg_.begin(), field_deg_.end(), crank_angle_deg - kSameAngle);
   return next != field_deg_.end() && *next < crank_angle_deg + kSameAngle;
 }
@@ -69,7 +69,7 @@ void Recorder::keep(const TimeIntegration& integration, const Instant& instant, 
     ++polynomial_steps_;
     polynomial_share_ = std::max(polynomial_share_, beyond / integrals.asperity_load);
   }
-  if (wants_fields(instant.crank_angle_deg)) {
+  if (is_field_angle(instant.crank_angle_deg)) {
     FaceFields fields;
     append_fields(setup_, integration, instant, fields);
     if (unrolled_) unrolled_->keep_fields(integration, instant, of_film2d);

@@ -29,7 +29,7 @@ class Recorder : public StepObserver {
 
  private:
   void keep(const TimeIntegration& integration, const Instant& instant, Sample& slot);
-  bool wants_fields(double crank_angle_deg) const;
+  bool is_field_angle(double crank_angle_deg) const;
 
   const Setup& setup_;
   std::optional<UnrolledRecorder> unrolled_;  ///< of an unrolled film

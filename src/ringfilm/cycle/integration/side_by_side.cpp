@@ -45,7 +45,7 @@ class Block {
         laws_(kind.laws),
         integrations_(kind.kernels->width) {}
 
-  bool has_room() const { return n_busy_ < newton_.width(); }
+  bool has_free_lane() const { return n_busy_ < newton_.width(); }
   bool is_empty() const { return n_busy_ == 0; }
 
   void take(Owned integration) {
@@ -158,13 +158,13 @@ LaneEffort integrate_side_by_side(const std::function<Owned()>& next, const std:
     }
     const LaneKind kind = kind_of(integration->integration());
     Block& block = blocks.try_emplace(kind, kind).first->second;
-    if (block.has_room() && waiting[kind].empty()) return block.take(std::move(integration));
+    if (block.has_free_lane() && waiting[kind].empty()) return block.take(std::move(integration));
     waiting[kind].push_back(std::move(integration));
     ++n_waiting;
   };
   const auto refill = [&](const LaneKind& kind, Block& block) {
     auto& queue = waiting[kind];
-    while (block.has_room()) {
+    while (block.has_free_lane()) {
       if (!queue.empty()) {
         block.take(std::move(queue.front()));
         queue.pop_front();
