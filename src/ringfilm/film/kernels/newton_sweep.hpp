@@ -182,8 +182,8 @@ class NewtonSweep {
     const int n = b_.n_cells;
     load_ = slope_ = Visitor(0);
     const Real rate = Real::load(b_.rate), left_h = Real::load(b_.left_h);
-    const Mask goes_on = Real::load(b_.goes_on) > Real(0);
-    const bool some_go_on = Real::any(goes_on);
+    const Mask continues = Real::load(b_.continues) > Real(0);
+    const bool some_continue = Real::any(continues);
     Real row(0), upper(0), column(0), rhs(0);  // of the node before, eliminated
     Real by_column(0), by_rhs(0);              // what the elimination subtracts from the load row
 
@@ -207,8 +207,8 @@ class NewtonSweep {
         const Real stored = volume * h;  // times rho theta
         const Real filled = filled_density<kFilmContent>(here);
         Real inflow = at(b_.inflow, i);
-        if (some_go_on) {
-          inflow = select(goes_on, volume * (filled * (left_h + height)), inflow);
+        if (some_continue) {
+          inflow = select(continues, volume * (filled * (left_h + height)), inflow);
           inflow.store(b_.inflow + i * kWidth);
         }
         Real residual = stored * filled - inflow + (out.value - in.value);
