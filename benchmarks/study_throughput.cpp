@@ -179,10 +179,10 @@ void compare_with_engine(const Options& options, const std::string& rows_path) {
 void write_rows(const study::Plan& plan, const std::string& path) {
   io::ShardWriter writer(path, header_of(plan));
   const std::uint64_t n_curve_numbers = header_of(plan).n_curve_numbers();
-  constexpr std::uint64_t kInChunk = 256;
-  for (std::uint64_t first = 0; first < plan.size(); first += kInChunk) {
+  constexpr std::uint64_t kInBlock = 256;
+  for (std::uint64_t first = 0; first < plan.size(); first += kInBlock) {
     study::ScenarioBlock block{first, {}};
-    for (std::uint64_t i = first; i < std::min(first + kInChunk, plan.size()); ++i) {
+    for (std::uint64_t i = first; i < std::min(first + kInBlock, plan.size()); ++i) {
       study::ScenarioRow& row = block.rows.emplace_back();
       const bool is_solved = i % 100 != 99;
       if (!is_solved) row.reason = "no film that carries the load was found at 12 degree of the cycle";

@@ -38,7 +38,7 @@ function(ringfilm_install_library)
                 "${CMAKE_BINARY_DIR}/package/ringfilmConfigVersion.cmake"
           DESTINATION "${package}" COMPONENT library)
 
-  # A static library stands before those that it uses.
+  # A static library comes before those that it uses.
   set(RINGFILM_LINK_FLAGS "")
   foreach(library IN LISTS libraries)
     get_target_property(kind ${library} TYPE)

@@ -34,8 +34,8 @@ function(ringfilm_warnings target)
                                            $<$<BOOL:${RINGFILM_WERROR}>:-Werror>)
 endfunction()
 
-# ringfilm_compiled_fast(<target> [option]): for what tells and hands on, but computes nothing: built faster than it
-# would run, with -O1 or that option.
+# ringfilm_compiled_fast(<target> [option]): for code that reads, writes and prints, but computes nothing: compiled
+# quickly rather than for speed, with -O1 or that option.
 function(ringfilm_compiled_fast target)
   set(option -O1)
   if(ARGC GREATER 1)
@@ -71,8 +71,8 @@ function(ringfilm_film_kernels)
 endfunction()
 
 # ringfilm_instruction_sets(<stem>): compiles <stem>_avx2.cpp and <stem>_avx512.cpp, each for the kind of machine in its
-# name, and tells <stem>.cpp whether they are there. Only there may products be fused with sums: the numbers of one kind
-# of machine are always the same.
+# name, and defines RINGFILM_X86_KERNELS for <stem>.cpp where they exist. Only in these two may products be fused with
+# sums: the numbers of one kind of machine are always the same.
 function(ringfilm_instruction_sets stem)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
     set_source_files_properties("${stem}_avx2.cpp" "${stem}_avx512.cpp" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)

@@ -1,4 +1,4 @@
-# Writes HEADER from TEMPLATE with the commit of SOURCE_FOLDER. Where that is no git checkout of its own (an unpacked
+# Writes HEADER from TEMPLATE with the commit of SOURCE_FOLDER. Where that is not a git checkout of its own (an unpacked
 # archive, even inside somebody else's checkout), the commit that git wrote into the archive, else "unknown".
 set(COMMIT "unknown")
 file(READ "${SOURCE_FOLDER}/cmake/commit.txt" archived)

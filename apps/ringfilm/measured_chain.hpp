@@ -5,7 +5,8 @@
 #include "ringfilm/instrument/documents/surface_measurement.hpp"
 #include "ringfilm/surface/face/face_fit.hpp"
 
-/// How the files of cases/measured/ are measured: docs/manual/measured-chain.md has the same as words of the commands.
+/// How the files of cases/measured/ are measured: docs/manual/measured-chain.md has the same as options of the
+/// commands.
 namespace ringfilm::app::chain {
 
 /// States of life of the ring, as the files are named.

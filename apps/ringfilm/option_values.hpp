@@ -9,7 +9,7 @@
 
 namespace ringfilm::app {
 
-/// Reads the words behind options and keeps what is wrong with them, so that all of it is reported at once.
+/// Reads the values of options and keeps what is wrong with them, so that all of it is reported at once.
 class OptionValues {
  public:
   explicit OptionValues(const io::Units& units) : units_(units) {}

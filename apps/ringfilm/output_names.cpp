@@ -13,7 +13,7 @@ namespace {
 struct Suffix {
   const char* suffix;
   OutputKind kind;
-  const char* words;
+  const char* description;
 };
 constexpr std::array<Suffix, 5> kSuffixes{{{".nc", OutputKind::kNetcdf, "a NetCDF file"},
                                            {".html", OutputKind::kPage, "a web page"},
@@ -30,8 +30,8 @@ void check_suffix(const std::string& option, const std::string& path, OutputKind
   std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
   for (const Suffix& one : kSuffixes) {
     if (one.suffix != suffix || one.kind == kind) continue;
-    throw InputError(option + " " + path + ": " + of_kind->words + " is written here, and " + suffix +
-                         " is the ending of " + one.words,
+    throw InputError(option + " " + path + ": " + of_kind->description + " is written here, and " + suffix +
+                         " is the ending of " + one.description,
                      std::string("give the name the ending ") + of_kind->suffix);
   }
 }

@@ -2,8 +2,8 @@
 
 namespace ringfilm::app {
 
-/// The whole program but for its process: reads the words, does what they ask for, prints what went wrong on standard
-/// error. @returns the exit code
+/// The whole program but for its process: reads the arguments, does what they request, prints what went wrong on
+/// standard error. @returns the exit code
 int run_program(int argc, const char* const* argv);
 
 }  // namespace ringfilm::app

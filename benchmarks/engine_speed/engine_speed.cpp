@@ -16,7 +16,7 @@
 namespace ringfilm::benchmarks {
 namespace {
 
-void tell_machine(const Extent& extent) {
+void print_machine(const Extent& extent) {
   const film::FilmKernels& kernels = film::kernels();
   const std::string name(kernels.name);
   const std::string width = std::to_string(kernels.width);
@@ -60,7 +60,7 @@ int run(int argc, char** argv) {
       return 2;
     }
   }
-  tell_machine(extent);
+  print_machine(extent);
   register_measurements(extent);
   Figures figures;
   Collector collector(figures);

@@ -18,8 +18,8 @@ std::string shown_value(const py::handle& value) {
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
 }
 
-[[noreturn]] void refuse(const char* name, const std::string& wanted, const py::handle& value) {
-  throw py::type_error(std::string(name) + " must be " + wanted + ", not " + shown_value(value));
+[[noreturn]] void refuse(const char* name, const std::string& required, const py::handle& value) {
+  throw py::type_error(std::string(name) + " must be " + required + ", not " + shown_value(value));
 }
 
 std::string with_unit(const char* what, const char* unit) {
@@ -32,7 +32,7 @@ bool is_masked_array(const py::handle& value) {
   return py::isinstance(value, py::module_::import("numpy.ma").attr("MaskedArray"));
 }
 
-/// 'f', 'i', ... of what numpy knows; 0 of all else.
+/// 'f', 'i', ... of numpy's arrays and numbers; 0 of all else.
 char kind_of(const py::handle& value) {
   if (!py::hasattr(value, "dtype") || !py::hasattr(value.attr("dtype"), "kind")) return 0;
   return py::cast<std::string>(value.attr("dtype").attr("kind")).at(0);
@@ -87,14 +87,14 @@ std::pair<double, double> pair_of(const char* name, const py::handle& value, con
   const bool is_array = py::isinstance<py::array>(value);
   const bool is_row = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value) ||
                       (is_array && py::cast<int>(value.attr("ndim")) > 0);
-  const std::string wanted = with_unit("a number or two, (x, y),", unit);
+  const std::string required = with_unit("a number or two, (x, y),", unit);
   if (!is_row) {
-    if (PyUnicode_Check(value.ptr()) || value.is_none()) refuse(name, wanted, value);
+    if (PyUnicode_Check(value.ptr()) || value.is_none()) refuse(name, required, value);
     const double both = number_of(name, value, unit);
     return {both, both};
   }
   const auto count = py::len(value);
-  if (count != 2) throw py::type_error(std::string(name) + " must be " + wanted + ", not " + std::to_string(count));
+  if (count != 2) throw py::type_error(std::string(name) + " must be " + required + ", not " + std::to_string(count));
   const py::object x = value[py::int_(0)], y = value[py::int_(1)];
   return {number_of(name, x, unit), number_of(name, y, unit)};
 }
@@ -145,9 +145,9 @@ std::string path_of(const char* name, const py::handle& value) {
   return text;
 }
 
-void check_type(const char* name, const py::handle& value, const py::handle& wanted) {
-  if (!py::isinstance(value, wanted)) {
-    refuse(name, "a " + py::cast<std::string>(wanted.attr("__name__")), value);
+void check_type(const char* name, const py::handle& value, const py::handle& required) {
+  if (!py::isinstance(value, required)) {
+    refuse(name, "a " + py::cast<std::string>(required.attr("__name__")), value);
   }
 }
 

@@ -6,11 +6,11 @@
 
 #include "bindings.hpp"
 
-/// What users hand over, as functions take it: looked at by their own names, so that a wrong kind is said in one
+/// Arguments of users, which each function checks by their own names, so that an error names the argument in one
 /// sentence.
 namespace ringfilm::python {
 
-/// An argument that nobody has looked at; `Kind` is what the signature says of it.
+/// An argument that is not checked yet; `Kind` is its type in the signature.
 template <class Kind>
 struct Given {
   py::object value;
@@ -66,22 +66,22 @@ using GivenOne = Given<kinds::One<Type>>;
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// A number: float, int, one of numpy's, an array without dimensions. Throws TypeError for all else, a bool too, and
-/// InputError for a masked one. `unit` stands in the message: "m", empty where there is none.
+/// InputError for a masked one. `unit` appears in the message: "m", empty where there is none.
 double number_of(const char* name, const py::handle& value, const char* unit);
 std::optional<double> maybe_number_of(const char* name, const py::handle& value, const char* unit);
 /// One number for both, or two. Throws TypeError.
 std::pair<double, double> pair_of(const char* name, const py::handle& value, const char* unit);
-/// Throws TypeError for what is no integer, a bool too.
+/// Throws TypeError for what is not an integer, a bool too.
 int integer_of(const char* name, const py::handle& value);
-/// Throws TypeError for what is no text, InputError for one with lone surrogates. `example` stands in the message.
+/// Throws TypeError for what is not text, InputError for text with lone surrogates. `example` appears in the message.
 std::string text_of(const char* name, const py::handle& value, const char* example);
 std::optional<std::string> maybe_text_of(const char* name, const py::handle& value, const char* example);
 /// A name of a file: str, bytes or os.PathLike. Throws TypeError for all else, InputError for what no file can be
 /// called.
 std::string path_of(const char* name, const py::handle& value);
 
-/// Throws TypeError for what is not of the class `wanted`.
-void check_type(const char* name, const py::handle& value, const py::handle& wanted);
+/// Throws TypeError for what is not of the class `required`.
+void check_type(const char* name, const py::handle& value, const py::handle& required);
 
 /// One of this module's classes. Throws TypeError for all else.
 template <class Type>
@@ -95,7 +95,7 @@ struct MaybeMasked {
   Doubles values;
   std::optional<py::array_t<bool, py::array::c_style | py::array::forcecast>> mask;  ///< of the same shape
 };
-/// Throws TypeError for what are no real numbers: complex ones, bools, texts, lists of unlike lengths.
+/// Throws TypeError for what are not real numbers: complex ones, bools, texts, lists of unlike lengths.
 MaybeMasked maybe_masked_of(const char* name, const py::handle& value);
 /// The same where a masked number has no meaning: InputError.
 Doubles doubles_of(const char* name, const py::handle& value);

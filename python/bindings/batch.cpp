@@ -47,7 +47,7 @@ class Batch {
   }
 
  private:
-  /// A case of the batch, and where its result is to stand.
+  /// A case of the batch, and the place of its result.
   struct Given {
     std::size_t place;
     cycle::Case input;

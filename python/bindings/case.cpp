@@ -131,7 +131,7 @@ std::string case_words(const CaseObject& self) {
 
 constexpr int kCaseStateVersion = 2;
 
-/// The samples that files gave, in the order of a pickle; those that copies of a case share stand beside it.
+/// The samples that files gave, in the order of a pickle; those that copies of a case share are next to it.
 auto samples(Case& c, cycle::SampledTrace& cylinder, cycle::OilTable& oil) {
   return std::tie(cylinder.crank_angle_deg, cylinder.value, c.ring.face.x, c.ring.face.height, oil.temperature,
                   oil.pressure, oil.viscosity, oil.density, c.pad.gap_x, c.pad.gap_y, c.pad.gap_height,
@@ -254,7 +254,7 @@ void bind_case(py::module_& module) {
 
 path: name of the file, a str or a path.
 overrides: {key: value}, as --set of the program, values as for case[key] = value; None takes a key out.
-Raises InputError with every fault of every file, in the words of the program.
+Raises InputError with every fault of every file, as the program prints them.
 Source: docs/manual/case-file.md.)");
   type.def(
       "__getitem__",
@@ -312,7 +312,7 @@ Raises UnknownKeyError, a KeyError, for a key that does not exist.)");
            "What a cycle of this case takes for granted, a sentence each. Raises InputError as check() does. Source: "
            "docs/theory/assumptions.md.");
   type.def("check", &check,
-           R"(Checks the case as a whole. Returns what the program has to say about it, a list of sentences.
+           R"(Checks the case as a whole. Returns the notes of the program on it, a list of sentences.
 Raises InputError with everything that is wrong.)");
   type.def(
       "run",
@@ -326,7 +326,7 @@ Raises InputError with everything that is wrong.)");
 progress: called now and then, at most every 20 ms, as progress(cycle, crank_angle) with the number of the cycle from 1
     and the crank angle [degree]; of a pad as progress(time, end_time) [s]. What it raises ends the run.
 ledger: also run the other choice for every assumption that can be lifted; see Result.ledger. Rings only.
-error_estimate: also run finer and coarser cells and crank steps, about four times the work; the errors stand beside
+error_estimate: also run finer and coarser cells and crank steps, about four times the work; the errors are next to
     their quantities: result["cycle_fmep_error"], result["min_film_thickness_error"]. Rings only.
 threads: for these others, 1 to 1024; None: as many as the machine runs at once. The numbers do not depend on it.
 Returns a Result, of a ring pack a PackResult, of a pad a PadResult. Other threads continue meanwhile; Ctrl-C

@@ -133,7 +133,7 @@ class Restore {
     for (std::size_t i = 0; i < kind.names.size(); ++i) {
       if (kind.names[i] == name) return kind.choose(case_, static_cast<int>(i));
     }
-    throw py::value_error("this pickle of a case is of another version of ringfilm: it knows no choice " + name);
+    throw py::value_error("this pickle of a case is from another version of ringfilm: unknown choice " + name);
   }
   void operator()(const cycle::NumberOrFileKind& kind) const {
     const auto [number, file] = py::cast<std::pair<double, std::optional<std::string>>>(value_);
@@ -166,8 +166,8 @@ class Restore {
     case_.output.crank_angles_deg = angles;
   }
   void operator()(const cycle::FieldAnglesKind&) const {
-    const auto [wanted, angles] = py::cast<std::pair<int, std::vector<double>>>(value_);
-    case_.output.fields = static_cast<cycle::FieldOutput>(wanted);
+    const auto [choice, angles] = py::cast<std::pair<int, std::vector<double>>>(value_);
+    case_.output.fields = static_cast<cycle::FieldOutput>(choice);
     case_.output.field_angles_deg = angles;
   }
   template <class Other>

@@ -102,7 +102,7 @@ class DatasetWriter {
 
  private:
   static py::object objects(const py::list& texts);
-  /// Nothing where there is nothing to tell.
+  /// Nothing where there are no values, or a dimension does not exist.
   std::optional<std::vector<py::ssize_t>> shape_of(const std::vector<const char*>& dimensions, std::size_t n_values);
   void put(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity, const py::object& values);
 

@@ -8,7 +8,7 @@
 
 namespace ringfilm::python {
 
-/// From work that goes on without the interpreter lock back to Python, now and then.
+/// Returns to Python now and then from work that continues without the interpreter lock.
 class Interpreter {
  public:
   /// Takes the lock at most every 20 ms: throws what a signal raised (Ctrl-C, on the main thread), then calls `report`.
@@ -31,10 +31,10 @@ class Interpreter {
 /// Work on threads of its own that Ctrl-C ends.
 class Interruptible {
  public:
-  /// Does the work without the interpreter lock. Python tells of signals on its main thread alone, and there only when
-  /// asked: so this thread asks, whatever the work is at.
+  /// Does the work without the interpreter lock. Python reports signals on its main thread alone, and there only when
+  /// asked: so this thread asks, independently of the progress of the work.
   void run(const std::function<void()>& work) {
-    const py::gil_scoped_release others_go_on;
+    const py::gil_scoped_release others_continue;
     study::run_while_polling(work, [this] {
       const py::gil_scoped_acquire lock;
       if (PyErr_CheckSignals() == 0) return;

@@ -42,7 +42,7 @@ GreenwoodTripp contact_of(const GivenNumber& N, const GivenNumber& beta, const G
   const auto above_zero = [](const char* name, const GivenNumber& given, const char* unit) {
     const double value = number_of(name, given.value, unit);
     if (std::isfinite(value) && value > 0) return value;
-    throw InputError(std::string(name) + " = " + number_text(value) + " is no finite number above 0",
+    throw InputError(std::string(name) + " = " + number_text(value) + " is not a finite number above 0",
                      "state N in 1/m2, beta and sigma in m, E_prime in Pa");
   };
   return GreenwoodTripp({above_zero("N", N, "1/m2"), above_zero("beta", beta, "m"), above_zero("sigma", sigma, "m"),
@@ -71,7 +71,7 @@ N [1/m2], beta [m], sigma [m], E_prime [Pa] of 2/E_prime = sum (1 - nu^2)/E. Sou
       .def_property_readonly("E_prime", parameter(&GreenwoodTripp::Parameters::E_prime), "Composite modulus [Pa].")
       .def_property_readonly(
           "integrals", [](const GreenwoodTripp& self) { return word_of(self.parameters().form, kIntegralForms); },
-          "Where the height integrals come from, as it was said.")
+          "Where the height integrals come from, as stated.")
       .def(
           "pressure",
           [](const GreenwoodTripp& self, const GivenNumbers& h) {
@@ -79,7 +79,7 @@ N [1/m2], beta [m], sigma [m], E_prime [Pa] of 2/E_prime = sum (1 - nu^2)/E. Sou
           },
           py::arg("h"),
           "Pressure on the nominal area at the separation h, any shape [m -> Pa]. Below 0, which a solver may try on "
-          "its way, it goes on along its tangent. NaN gives NaN. Raises InputError for masked values.")
+          "its way, it continues along its tangent. NaN gives NaN. Raises InputError for masked values.")
       .def(
           "pressure_slope",
           [](const GreenwoodTripp& self, const GivenNumbers& h) {
@@ -102,7 +102,7 @@ N [1/m2], beta [m], sigma [m], E_prime [Pa] of 2/E_prime = sum (1 - nu^2)/E. Sou
           py::arg("other"), "Are all parameters the same?")
       .def(py::pickle(&state_of,
                       [](const py::tuple& state) {
-                        if (state.size() != 5) throw py::value_error("this is no pickle of a GreenwoodTripp");
+                        if (state.size() != 5) throw py::value_error("this is not a pickle of a GreenwoodTripp");
                         return contact_of({state[0]}, {state[1]}, {state[2]}, {state[3]}, {state[4]});
                       }))
       .def(

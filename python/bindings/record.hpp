@@ -103,7 +103,7 @@ class Record {
                 [member](const Struct& a, const Struct& b) { return is_same(a.*member, b.*member); });
   }
 
-  /// The same of one that needs words of its own: what goes into a pickle, what comes out of it, when two are the same.
+  /// The same of one with its own functions: what goes into a pickle, what comes out of it, when two are the same.
   Record& keep(std::function<py::object(const Struct&)> get, std::function<void(Struct&, const py::handle&)> set,
                std::function<bool(const Struct&, const Struct&)> is_same) {
     parts_->push_back({std::move(get), std::move(set), std::move(is_same)});

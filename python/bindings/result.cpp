@@ -124,7 +124,7 @@ must know about them.
 
 Curves are attributes and items, numpy arrays of shape (crank_angle,) in SI without a copy, read-only:
 result.min_film_thickness, result["min_film_thickness"]. Values of the cycle are attributes (result.fmep), unless a
-curve has the same name, and all stand in result.values. Every variable of a result file is an item by its name there.
+curve has the same name, and all are in result.values. Every variable of a result file is an item by its name there.
 Loads, friction and flow are those of the whole ring; signs: see docs/manual/result-file.md. Crank angles are in
 degrees, 0 = firing TDC, from 0 to 720. Results can be pickled.)";
 
@@ -205,30 +205,30 @@ why it was not solved, with NaN for values). Empty where it was not asked for.)"
       "effort",
       [](const ResultObject& self) {
         const cycle::Effort& effort = self.result().effort;
-        py::dict words;
-        words["cycles_integrated"] = effort.cycles_integrated;
-        words["periodicity_error"] = effort.periodicity_error;
-        words["crank_steps"] = effort.crank_steps;
-        words["newton_iterations"] = effort.newton_iterations;
-        words["sub_steps"] = effort.sub_steps;
-        words["fallback_secant"] = effort.fallback_secant;
-        words["fallback_sub_step"] = effort.fallback_sub_step;
-        words["max_load_residual"] = effort.max_load_residual;
-        words["max_newton_step"] = effort.max_newton_step;
-        words["max_mass_residual"] = effort.max_mass_residual;
-        return words;
+        py::dict values;
+        values["cycles_integrated"] = effort.cycles_integrated;
+        values["periodicity_error"] = effort.periodicity_error;
+        values["crank_steps"] = effort.crank_steps;
+        values["newton_iterations"] = effort.newton_iterations;
+        values["sub_steps"] = effort.sub_steps;
+        values["fallback_secant"] = effort.fallback_secant;
+        values["fallback_sub_step"] = effort.fallback_sub_step;
+        values["max_load_residual"] = effort.max_load_residual;
+        values["max_newton_step"] = effort.max_newton_step;
+        values["max_mass_residual"] = effort.max_mass_residual;
+        return values;
       },
       "What the solver did, {name: number}.");
   type.def_property_readonly(
       "provenance",
       [](const ResultObject& self) {
         const io::Provenance& from = self.document().provenance;
-        py::dict words;
-        words["program"] = from.program;
-        words["commit"] = from.commit;
-        words["compiler"] = from.compiler;
-        words["kernels"] = from.kernels;
-        return words;
+        py::dict values;
+        values["program"] = from.program;
+        values["commit"] = from.commit;
+        values["compiler"] = from.compiler;
+        values["kernels"] = from.kernels;
+        return values;
       },
       "What computed the result: program, commit, compiler, kernels.");
   type.def_property_readonly(
@@ -301,7 +301,7 @@ what: "overview" (pressure, film, friction), "friction", "film", "stribeck", or 
 axes: a matplotlib Axes to draw into, in its next colour; a new figure without it. Not for "overview", "friction" and
     "film", which are several panels.
 label: for a legend; title and speed of the case where axes is given.
-style: words of matplotlib's plot(), of pcolormesh() for a map.
+style: arguments of matplotlib's plot(), of pcolormesh() for a map.
 Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn.)");
   type.def("__getitem__", &item, py::arg("name"),
            R"(A curve, a value of the cycle or a field, by its name in the result file (docs/manual/result-file.md):

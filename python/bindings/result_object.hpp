@@ -8,8 +8,8 @@
 
 namespace ringfilm::python {
 
-/// `ringfilm.Result`: a cycle, computed or read from a file. What the case says in a result is only written down when
-/// somebody asks, which takes longer than a cycle of a batch.
+/// `ringfilm.Result`: a cycle, computed or read from a file. The description of the case in a result is only written
+/// on request, because it takes longer than a cycle of a batch.
 class ResultObject {
  public:
   explicit ResultObject(io::ResultDocument document, std::string reason = "")

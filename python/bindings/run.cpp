@@ -45,9 +45,9 @@ class PadWatch : public pad::Observer {
   Interpreter interpreter_;
 };
 
-py::object run_pad(const cycle::Case& input, const py::object& progress, const RunWishes& wishes) {
-  if (wishes.ledger || wishes.error_estimate) {
-    throw InputError(std::string(wishes.ledger ? "ledger" : "error_estimate") + " is for rings",
+py::object run_pad(const cycle::Case& input, const py::object& progress, const RunExtras& extras) {
+  if (extras.ledger || extras.error_estimate) {
+    throw InputError(std::string(extras.ledger ? "ledger" : "error_estimate") + " is for rings",
                      "leave it out for a pad");
   }
   PadWatch watch(progress);
@@ -64,13 +64,13 @@ py::object run_pad(const cycle::Case& input, const py::object& progress, const R
 }
 
 /// With more to find out than the result alone.
-py::object inquire(const cycle::Case& input, CycleWatch& watch, const RunWishes& wishes) {
-  const app::RunRequest wanted{input, wishes.ledger ? app::LedgerRequest::kComputed : app::LedgerRequest::kStatements,
-                               wishes.error_estimate ? app::ErrorRequest::kEstimated : app::ErrorRequest::kNone, ""};
+py::object run_with_extras(const cycle::Case& input, CycleWatch& watch, const RunExtras& extras) {
+  const app::RunRequest request{input, extras.ledger ? app::LedgerRequest::kComputed : app::LedgerRequest::kStatements,
+                                extras.error_estimate ? app::ErrorRequest::kEstimated : app::ErrorRequest::kNone, ""};
   app::Computation done;
   {
     const py::gil_scoped_release others_go_on;
-    done = std::move(app::computations({wanted}, {wishes.threads}, watch).front());
+    done = std::move(app::computations({request}, {extras.threads}, watch).front());
   }
   py::object result = result_object(std::move(done.document));
   if (done.stopped) raise_convergence(*done.stopped, result);
@@ -79,12 +79,12 @@ py::object inquire(const cycle::Case& input, CycleWatch& watch, const RunWishes&
 
 }  // namespace
 
-py::object run_case(CaseObject& self, const py::object& progress, const RunWishes& wishes) {
+py::object run_case(CaseObject& self, const py::object& progress, const RunExtras& extras) {
   self.check();
   const cycle::Case input = self.value();  // another thread may change the case meanwhile
-  if (input.problem == cycle::Problem::kPad) return run_pad(input, progress, wishes);
+  if (input.problem == cycle::Problem::kPad) return run_pad(input, progress, extras);
   CycleWatch watch(progress);
-  if (wishes.ledger || wishes.error_estimate || input.is_pack()) return inquire(input, watch, wishes);
+  if (extras.ledger || extras.error_estimate || input.is_pack()) return run_with_extras(input, watch, extras);
   try {
     cycle::CycleResult result;
     {

@@ -65,7 +65,7 @@ std::size_t quantity_index(const std::string& name) {
   // As a result file has it, or as a study has it, where no curve can be meant.
   const std::string plain = name.rfind("cycle_", 0) == 0 ? name.substr(6) : name;
   if (const auto found = cycle::cycle_quantity_index(plain)) return *found;
-  throw UnknownKeyError("\"" + name + "\" is no value of a cycle", "ringfilm.quantities()[\"cycle\"] lists them");
+  throw UnknownKeyError("\"" + name + "\" is not a value of a cycle", "ringfilm.quantities()[\"cycle\"] lists them");
 }
 
 std::size_t quantity_index(const GivenText& value) { return quantity_index(text_of("value", value.value, "fmep")); }
@@ -296,8 +296,8 @@ Source: docs/theory/study.md.)")
             return StudyObject{std::make_shared<const Loaded>(io::read_study(name))};
           },
           py::arg("path"),
-          "A study with its bases and all that they name. Raises InputError with every fault, in the words of the "
-          "program.")
+          "A study with its bases and all that they name. Raises InputError with every fault, as the program "
+          "prints them.")
       .def(
           "__len__", [](const StudyObject& self) { return self.loaded->plan.size(); }, "How many scenarios.")
       .def_property_readonly(
@@ -337,8 +337,8 @@ Source: docs/theory/study.md.)")
 
 threads: None, or 1 to 1024; the numbers do not depend on it. progress: called as progress(done, total) now and then.
 Returns a StudyResult. Ctrl-C ends the run with KeyboardInterrupt. A scenario that cannot be solved is a row of NaN with
-its reason. A plan with `until` goes on until it is sure enough: the result has more scenarios than this study then,
-its own `study` is the plan as it ended, and `total` grows. Raises InputError.)")
+its reason. A plan with `until` continues until its interval is narrow enough: the result then has more scenarios than
+this study, its own `study` is the plan as it ended, and `total` grows. Raises InputError.)")
       .def(
           "__repr__",
           [](const StudyObject& self) {
@@ -391,7 +391,7 @@ file).)")
            R"(Mean with its standard error, deviation, quantiles (5, 25, 50, 75, 95 %) with their 95 % intervals.
 
 value: name of a value of the cycle. base: name of the base case, None where there is one. Returns a dict in SI; of a
-plan that is no sample (a grid, a list) only its order counts. Raises InputError. Source: docs/theory/study.md.)")
+plan that is not a sample (a grid, a list) only its order counts. Raises InputError. Source: docs/theory/study.md.)")
       .def("sobol_indices", &sobol, py::arg("value"), py::arg("base") = py::none(),
            R"(Which factor decides: first and total Sobol indices with their 95 % intervals.
 
@@ -423,7 +423,7 @@ Raises InputError where the plan has no points for indices. Source: docs/theory/
 }  // namespace
 
 void bind_study(py::module_& module) {
-  bind_results(module);  // first, so that the words about Study.run() know what it returns
+  bind_results(module);  // first, so that the docstring of Study.run() can name what it returns
   bind_plan(module);
 }
 

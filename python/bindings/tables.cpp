@@ -64,24 +64,24 @@ void bind_tables(py::module_& module) {
   using cycle::Quantity;
   py::class_<FieldRow>(module, "Field", "One key of a case. Source: src/ringfilm/cycle/case/case_fields.hpp.")
       .def_readonly("key", &FieldRow::key, "Its name, for example engine.bore.")
-      .def_readonly("unit", &FieldRow::unit, "SI unit; 1 for a plain number, empty for words.")
+      .def_readonly("unit", &FieldRow::unit, "SI unit; 1 for a plain number, empty for text.")
       .def_readonly("display_unit", &FieldRow::display_unit, "The unit in which people write it.")
       .def_readonly("default", &FieldRow::default_value,
                     "What holds where it is not stated, in SI; None: nothing does.")
       .def_readonly("is_required", &FieldRow::is_required, "Must a case state it, where it is in use?")
       .def_readonly("range", &FieldRow::range, "Smallest and largest value in SI; None: any.")
-      .def_readonly("choices", &FieldRow::choices, "The words that it may be; empty where it is none of a few words.")
-      .def_readonly("active_when", &FieldRow::active_when, "When it is in use, in words; empty: always.")
+      .def_readonly("choices", &FieldRow::choices, "The values that it may have; empty where it is not a choice.")
+      .def_readonly("active_when", &FieldRow::active_when, "When it is in use, as text; empty: always.")
       .def_readonly("help", &FieldRow::help, "One line: what it is, symbol, source if assumed.")
       .def_readonly("example", &FieldRow::example, "The right-hand side as one would write it in a case file.")
       .def(
           "__repr__", [](const FieldRow& self) { return "<ringfilm.Field " + self.key + ": " + self.help + ">"; },
           "Key and help.");
   py::class_<Quantity>(module, "Quantity", "Name, unit and meaning of a number in results.")
-      .def_readonly("name", &Quantity::name, "The word used everywhere.")
+      .def_readonly("name", &Quantity::name, "The name used everywhere.")
       .def_readonly("unit", &Quantity::unit, "SI unit; degree for crank angles, 1 for plain numbers.")
       .def_readonly("display_unit", &Quantity::display_unit, "The unit in which people read it.")
-      .def_readonly("long_name", &Quantity::long_name, "In plain words.")
+      .def_readonly("long_name", &Quantity::long_name, "The name in full.")
       .def_readonly("symbol", &Quantity::symbol, "As in docs/theory.")
       .def_readonly("equation", &Quantity::equation, "Label in docs/theory; may be empty.")
       .def(

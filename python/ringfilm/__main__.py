@@ -8,7 +8,7 @@ from ._ringfilm import _run_program
 
 
 def main() -> int:
-    """Runs the words of the command line. Returns the exit code (docs/manual/command-line.md)."""
+    """Runs the program with the arguments of the command line. Returns the exit code (docs/manual/command-line.md)."""
     # The program is ended by Ctrl-C and by a closed pipe, as it is without Python around it.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)

@@ -116,9 +116,9 @@ def simulate_many(
         raises ends the batch.
     curves: "all" keeps the curves of each result (0.2 MB a case with its 720 crank angles), "none" its values alone.
 
-    Returns a BatchResult in the order of the cases. Other Python threads go on meanwhile, Ctrl-C ends the batch. A
+    Returns a BatchResult in the order of the cases. Other Python threads continue meanwhile, Ctrl-C ends the batch. A
     value differs from that of Case.run by what the iteration may leave (solver.tolerance).
-    Raises InputError for wrong words; a case that is refused or not solved is a result with its reason.
+    Raises InputError for wrong arguments; a case that is refused or not solved is a result with its reason.
     Source: docs/theory/study.md.
     """
     return BatchResult(_simulate_many(cases, threads, progress, curves))

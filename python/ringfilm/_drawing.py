@@ -6,7 +6,7 @@ import numpy
 
 from ._ringfilm import _unit_scale
 
-# Told apart by colour-blind readers and in grey print (Okabe and Ito); one line style a contribution.
+# Distinct for colour-blind readers and in grey print (Okabe and Ito); one line style a contribution.
 TOTAL = {"color": "#000000", "linestyle": "-"}
 BOUNDARY = {"color": "#D55E00", "linestyle": "--"}
 VISCOUS = {"color": "#0072B2", "linestyle": ":"}
@@ -111,7 +111,7 @@ def crank_axis(axes, peak, strokes="above"):
         axes.axvline(angle, color="0.8", linewidth=0.8, zorder=0, gid=_FRAME)
     up = strokes == "above"
     if strokes == "inside":
-        axes.set_ymargin(0.1)  # room for the words
+        axes.set_ymargin(0.1)  # space for the text
     for angle, stroke in _STROKES if strokes != "none" else ():
         axes.annotate(
             stroke,
@@ -127,7 +127,7 @@ def crank_axis(axes, peak, strokes="above"):
 
 
 def dotted_line(result):
-    """What a caption says of the line of the peak pressure."""
+    """The sentence of a caption on the line of the peak pressure."""
     return " Dotted grey line: peak of the gas pressure." if numpy.isfinite(result.peak_gas_pressure_angle) else ""
 
 

@@ -54,7 +54,7 @@ def _described(name):
 
 
 def _in_reading_unit(axes, which, values, name):
-    """Numbers in a unit of their size; the axis says which, and an axis that has one already keeps it."""
+    """Numbers in a unit of their size; the axis shows which, and an axis that has one already keeps it."""
     quantity = _described(name)
     axis = getattr(axes, f"{which}axis")
     before, unit, factor = getattr(axis, "_ringfilm_unit", (None, None, None))

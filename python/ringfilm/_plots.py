@@ -52,7 +52,7 @@ def _is_synthetic(result):
 
 
 def _name_of(result):
-    """What tells a result from another in a legend: the title of its case, and its speed."""
+    """The name of a result in a legend: the title of its case, and its speed."""
     title, speed = result.title or "without a title", _input(result, "operating.speed")
     return title if not speed or speed in title else f"{title}, {speed}"
 

@@ -1,4 +1,4 @@
-"""The ways in which ringfilm says no, with the same text as the program prints."""
+"""The exceptions of ringfilm, with the same text as the program prints."""
 
 from typing import NamedTuple, Optional
 
@@ -8,7 +8,7 @@ __all__ = ["ConvergenceError", "Fault", "InputError", "OutputError", "UnknownKey
 class Fault(NamedTuple):
     """One thing that is wrong with the input: where, what rule was broken with which value, what to write instead.
 
-    `line` and `column` count from 1; 0 means the file as a whole. `file` is empty where no file is to blame.
+    `line` and `column` count from 1; 0 means the file as a whole. `file` is empty where the fault is not in a file.
     """
 
     file: str
@@ -19,9 +19,9 @@ class Fault(NamedTuple):
     remedy: str
 
 
-Fault.file.__doc__ = 'As the user named it; "--set" for the command line, empty where no file is to blame.'
+Fault.file.__doc__ = 'As the user named it; "--set" for the command line, empty where the fault is not in a file.'
 Fault.line.__doc__ = "Counted from 1; 0: the file as a whole."
-Fault.column.__doc__ = "Of the first character that is blamed, counted from 1; 0: the whole line."
+Fault.column.__doc__ = "Of the first character at fault, counted from 1; 0: the whole line."
 Fault.line_text.__doc__ = "The line itself, without its end; empty if it is not known."
 Fault.message.__doc__ = "What was found, and the rule that it breaks."
 Fault.remedy.__doc__ = "What to write instead; may be empty."
@@ -75,4 +75,4 @@ class ConvergenceError(ArithmeticError):
 
 
 class OutputError(OSError):
-    """A file could not be written; what stood there before is untouched (exit code 5 of the program)."""
+    """A file could not be written; a previous file of that name is unchanged (exit code 5 of the program)."""

@@ -2,7 +2,7 @@
 
 Heights are arrays of shape (y, x), or (x,) for a profile, in metres away from the material; NaN, or masked in an array
 of numpy.ma, where nothing was measured. A step is the distance of two points, one number or (step_x, step_y) [m]. What
-is no array of real numbers, or no number, is a TypeError; values that mean nothing are an InputError.
+is not an array of real numbers, or not a number, is a TypeError; values that mean nothing are an InputError.
 """
 
 from typing import Optional
@@ -69,7 +69,7 @@ def preparation_lines(
     long_cutoff: Optional[float] = None,
     filter: str = "gaussian",
 ) -> list:
-    """What prepare() takes off with the same arguments, a sentence a step, for records. Raises InputError."""
+    """What prepare() removes with the same arguments, a sentence a step, for records. Raises InputError."""
     return _prepare(heights, step, form, degree, short_cutoff, long_cutoff, filter)[1]
 
 

@@ -1,4 +1,4 @@
-"""`script/bench-compare OLD.json NEW.json`: ratios, marks, and what it says of files that it cannot use."""
+"""`script/bench-compare OLD.json NEW.json`: ratios, marks, and the errors of files that it cannot use."""
 
 import json
 import pathlib
@@ -81,7 +81,7 @@ class BenchCompare(unittest.TestCase):
     def test_how_much_slower_is_stated(self):
         self.assertEqual(self.row(self.compare(OLD, NEW, "--slower", "30"), "batched/200")[-1], "-")
         self.assertEqual(self.row(self.compare(OLD, NEW, "--slower", "3"), "steady/200")[-1], "SLOWER")
-        self.assert_refused(self.compare(OLD, NEW, "--slower", "-1"), "-1 is no percentage")
+        self.assert_refused(self.compare(OLD, NEW, "--slower", "-1"), "-1 is not a percentage")
         self.assert_refused(self.compare(OLD, NEW, "--slower", "some"), "--slower")
 
     def test_what_got_faster_is_reported(self):
@@ -107,7 +107,7 @@ class BenchCompare(unittest.TestCase):
     def test_files_that_cannot_be_used_are_refused(self):
         self.assert_refused(self.compare(OLD, None), "cannot read new.json: No such file")
         self.assert_refused(self.compare(OLD, OLD[: len(OLD) // 2]), "new.json:1:", "broken off")
-        self.assert_refused(self.compare("[1]", NEW), "old.json is no file of Google Benchmark")
+        self.assert_refused(self.compare("[1]", NEW), "old.json is not a file of Google Benchmark")
         self.assert_refused(self.compare(OLD, run_of({"name": "batched/200"})), "new.json: an entry without")
         self.assert_refused(self.compare(OLD, run_of(entry("steady/200", 0))), "steady/200 took 0 s")
         self.assert_refused(self.compare(OLD, run_of(entry("other/200", 1.0))), "no benchmark in common")

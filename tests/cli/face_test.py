@@ -139,7 +139,7 @@ class Fragments(FaceTest):
         fragment = self.fit()
         self.assertIn('form = "polynomial"', fragment)
         self.assertIn("fit_artifact", fragment)
-        self.assertIn("stated tilt, -3 mrad taken off", fragment)
+        self.assertIn("stated tilt, -3 mrad removed", fragment)
         self.assertNotIn("face.csv", self.names())
         of_polynomial = self.least_film()
         fragment = self.fit("--as", "points")

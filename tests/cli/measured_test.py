@@ -168,7 +168,7 @@ class OneCommand(MeasuredTest):
         liner = shipped / "cases" / "measured" / "liner.sur"
         liner.write_bytes(liner.read_bytes()[:1000])
         done = self.with_shipped(shipped, "reproduce", "measured", "--output", "out")
-        self.assert_told(done, "liner.sur")
+        self.assert_reported(done, "liner.sur")
 
     def test_inputs_are_not_written_over(self):
         shipped = self.shipped_copy()
@@ -182,7 +182,7 @@ class OneCommand(MeasuredTest):
         done = self.run_program("reproduce", "measurd")
         self.assert_refused(done, "no publication is called measurd", "styles2014, and measured")
 
-    def assert_told(self, done, *fragments):
+    def assert_reported(self, done, *fragments):
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         for fragment in fragments:
             self.assertIn(fragment, done.stderr)

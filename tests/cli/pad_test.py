@@ -260,7 +260,7 @@ class Refusals(PadTest):
         self.refuse("pad.end_time = 1 s", words=(*words, *step, "--set", "pad.end_time=1 s"))
         self.refuse("asks for 2e+09 steps", words=(*words, "--set", "pad.time_step=1e-12 s"))
         self.refuse("out of range", words=(*words, "--set", "pad.time_step=0 s"))
-        self.refuse("no whole number of time steps", words=(*words, *step, "--set", "pad.output_step=0.15 ms"))
+        self.refuse("not a whole number of time steps", words=(*words, *step, "--set", "pad.output_step=0.15 ms"))
         self.refuse("longer pad.output_step", words=(*words, "--set", "pad.time_step=1e-8 s"))
         (self.folder / "h.csv").write_text("time [s],h [um]\n0,10\n0,5\n")
         self.refuse("h.csv:3:1", "twice", words=(*words, *step))

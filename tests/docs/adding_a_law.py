@@ -110,7 +110,7 @@ with Project(PAGE) as project:
     if TRUE_SLOPE not in right:
         project.fail(f"the law has no {TRUE_SLOPE} to corrupt")
     (project.folder / LAW).write_text(right.replace(TRUE_SLOPE, FALSE_SLOPE), encoding="utf-8")
-    spoiled = project.linked("tests/laws", [project.compiled(LAW, "libringfilm_models.a")])
-    if "HaveTheSlopeOfTheirValues" not in project.run(spoiled, "--gtest_filter=*Laws.*", expect=None):
+    faulty = project.linked("tests/laws", [project.compiled(LAW, "libringfilm_models.a")])
+    if "HaveTheSlopeOfTheirValues" not in project.run(faulty, "--gtest_filter=*Laws.*", expect=None):
         project.fail("a wrong slope is not caught")
 print("two files, and all came that the page promises")

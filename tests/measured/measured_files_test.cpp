@@ -24,8 +24,8 @@ std::string committed(const std::string& name) {
   return bytes.str();
 }
 
-const std::vector<MadeFile>& made_files() {
-  static const std::vector<MadeFile> files = all_files(kCases);
+const std::vector<GeneratedFile>& generated_files() {
+  static const std::vector<GeneratedFile> files = all_files(kCases);
   return files;
 }
 
@@ -44,8 +44,8 @@ std::vector<double> numbers_of(const std::string& text) {
 }
 
 TEST(MeasuredFiles, AreWhatTheirMakerWrites) {
-  ASSERT_EQ(made_files().size(), 11u);
-  for (const MadeFile& made : made_files()) {
+  ASSERT_EQ(generated_files().size(), 11u);
+  for (const GeneratedFile& made : generated_files()) {
     const std::string bytes = committed(made.name);
     ASSERT_FALSE(bytes.empty()) << made.name;
     if (bytes == made.bytes) continue;
@@ -67,7 +67,7 @@ TEST(MeasuredFiles, AreWhatTheirMakerWrites) {
 }
 
 TEST(MeasuredFiles, StateThatTheyAreSynthetic) {
-  for (const MadeFile& made : made_files()) {
+  for (const GeneratedFile& made : generated_files()) {
     const std::string bytes = committed(made.name);
     if (is_text(made.name)) {
       EXPECT_EQ(bytes.rfind("# SYNTHETIC", 0), 0u) << made.name;

@@ -173,8 +173,8 @@ def test_contact_follows_its_formula():
     assert E == pytest.approx(2 / ((1 - 0.3**2) / 203e9 + (1 - 0.211**2) / 92.3e9), rel=1e-14)
     contact = ringfilm.laws.GreenwoodTripp(N=0.097e12, beta=1.56e-6, sigma=0.48e-6, E_prime=E)
     h = numpy.array([[0.5e-6, 1e-6], [1.5e-6, 2e-6]])
-    tabor = 0.097e12 * 1.56e-6 * 0.48e-6
-    expected = 8 * numpy.sqrt(2) / 15 * numpy.pi * tabor**2 * numpy.sqrt(0.48 / 1.56) * E
+    roughness_parameter = 0.097e12 * 1.56e-6 * 0.48e-6
+    expected = 8 * numpy.sqrt(2) / 15 * numpy.pi * roughness_parameter**2 * numpy.sqrt(0.48 / 1.56) * E
     numpy.testing.assert_allclose(
         contact.pressure(h), expected * ringfilm.laws.gaussian_integral(2.5, h / 0.48e-6), rtol=1e-9
     )

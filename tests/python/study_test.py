@@ -71,7 +71,7 @@ def test_statistics_are_those_of_numpy(study):
     )
     with pytest.raises(ringfilm.InputError, match="no points for Sobol indices"):
         result.sobol_indices("fmep")
-    with pytest.raises(ringfilm.UnknownKeyError, match="no value of a cycle"):
+    with pytest.raises(ringfilm.UnknownKeyError, match="not a value of a cycle"):
         result["nothing"]
 
 

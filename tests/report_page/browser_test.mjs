@@ -39,9 +39,9 @@ async function opened(name, width) {
   await page.setViewportSize({ width, height: 900 });
   const faults = [];
   // "ResizeObserver loop completed ..." reaches the window only.
-  await page.exposeFunction('toldToWindow', (message) => faults.push(`window error: ${message}`));
+  await page.exposeFunction('reportFault', (message) => faults.push(`window error: ${message}`));
   await page.addInitScript(() =>
-    window.addEventListener('error', (event) => window.toldToWindow(event.message)),
+    window.addEventListener('error', (event) => window.reportFault(event.message)),
   );
   page.on('pageerror', (error) => faults.push(`page error: ${error.stack}`));
   // Reading pixels back is this test's doing, not the page's.

@@ -13,11 +13,11 @@ def load(h, approach):
     return ETA * approach * L**3 / h**3
 
 
-# swinging plates under 20 MPa all around, h = 10 + 2 cos(2 pi t/T) um, T = 10 ms
+# oscillating plates under 20 MPa all around, h = 10 + 2 cos(2 pi t/T) um, T = 10 ms
 AMBIENT, PERIOD = 20e6, 10e-3
 
 
-def swung(t):
+def oscillating(t):
     angle = 2 * pi * t / PERIOD
     return load(10e-6 + 2e-6 * cos(angle), 2e-6 * 2 * pi / PERIOD * sin(angle)) + AMBIENT * L
 
@@ -29,9 +29,9 @@ expected = {
     "flow out on the right at h = 15 um": V * L / 2,
     "flow out on the left at h = 15 um": -V * L / 2,
     "load at h = 10 um": load(10e-6, V),
-    "load of swinging plates, closing": swung(2e-3),
-    "load of swinging plates, opening": swung(7e-3),
-    "order in time, closing": swung(2e-3),
-    "order in time, opening": swung(7e-3),
+    "load of oscillating plates, closing": oscillating(2e-3),
+    "load of oscillating plates, opening": oscillating(7e-3),
+    "order in time, closing": oscillating(2e-3),
+    "order in time, opening": oscillating(7e-3),
 }
 print(json.dumps(expected, indent=1))

@@ -14,7 +14,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
-#include "text/command_words.hpp"
+#include "text/command_arguments.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -126,8 +126,8 @@ io::VtsShape vts_shape_of(const std::string& word) {
 }
 
 /// The case and the settings on the command line of `run` and `check`. A setting may follow --set or the one before it,
-/// so the words that are alone are distinguished by their equal sign.
-struct CaseWords {
+/// so the arguments that are alone are distinguished by their equal sign.
+struct CaseArguments {
   std::vector<std::string> alone, set;
 
   void add_to(CLI::App& command) {
@@ -174,7 +174,7 @@ struct CaseWords {
   bool is_setting(const std::string& word) const { return !set.empty() && word.find('=') != std::string::npos; }
 };
 
-/// One command: its own help and, once the words are read, what it does.
+/// One command: its own help and, once the arguments are read, what it does.
 class Commands {
  public:
   explicit Commands(CLI::App& program) : program_(program) {}
@@ -308,7 +308,7 @@ class Commands {
 
   CLI::App& program_;
   Actions actions_;
-  CaseWords run_words_, check_words_;
+  CaseArguments run_words_, check_words_;
   std::optional<std::string> output_, csv_, jobs_, vts_shape_;
   bool json_ = false, ledger_ = false, error_estimate_ = false;
   std::string start_path_;
@@ -329,13 +329,13 @@ std::string joined_names(const std::vector<std::string>& names) {
   return text;
 }
 
-/// The first of the words after a command that begins as an option and is not one of its options.
-std::optional<InputError> unknown_option(const CLI::App& command, const std::vector<std::string>& words) {
+/// The first of the arguments after a command that begins as an option and is not one of its options.
+std::optional<InputError> unknown_option(const CLI::App& command, const std::vector<std::string>& arguments) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
-  for (const std::string& word : words) {
+  for (const std::string& word : arguments) {
     if (word == "--") return std::nullopt;  // what follows is for another program
     const std::string name = word.substr(0, word.find('='));
     if (name.rfind("--", 0) != 0 || std::find(names.begin(), names.end(), name) != names.end()) continue;
@@ -366,10 +366,10 @@ std::optional<InputError> option_without_value(const std::string& refusal) {
   return InputError(option + " has no value", "write " + option + " " + value);
 }
 
-/// The command that the first words name: a command of the program, or one of its own ("synthetic gaussian").
-const CLI::App& named_command(const CLI::App& program, const std::vector<std::string>& words) {
+/// The command that the first arguments name: a command of the program, or one of its own ("synthetic gaussian").
+const CLI::App& named_command(const CLI::App& program, const std::vector<std::string>& arguments) {
   const CLI::App* command = &program;
-  for (const std::string& word : words) {
+  for (const std::string& word : arguments) {
     const auto inner = command->get_subcommands([&word](const CLI::App* one) { return one->get_name() == word; });
     if (inner.empty()) break;
     command = inner.front();
@@ -377,21 +377,21 @@ const CLI::App& named_command(const CLI::App& program, const std::vector<std::st
   return *command;
 }
 
-/// What CLI11 states of numbers of values, in the words of a user.
-std::optional<InputError> wrong_number_of_values(const CLI::App& program, const std::vector<std::string>& words,
+/// What CLI11 states of numbers of values, in the terms of a user.
+std::optional<InputError> wrong_number_of_values(const CLI::App& program, const std::vector<std::string>& arguments,
                                                  const CLI::ParseError& refusal) {
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&refusal) == nullptr) return std::nullopt;
-  if (const auto repeated = repeated_option(named_command(program, words))) return repeated;
+  if (const auto repeated = repeated_option(named_command(program, arguments))) return repeated;
   return option_without_value(refusal.what());
 }
 
 /// What is wrong with a line that CLI11 refuses, where a word of it may be misspelt.
-std::optional<InputError> misspelt_word(const CLI::App& program, const std::vector<std::string>& words) {
-  if (words.empty()) return std::nullopt;
-  const std::string& first = words.front();
+std::optional<InputError> misspelt_word(const CLI::App& program, const std::vector<std::string>& arguments) {
+  if (arguments.empty()) return std::nullopt;
+  const std::string& first = arguments.front();
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({})) {
-    if (command->get_name() == first) return unknown_option(*command, words);
+    if (command->get_name() == first) return unknown_option(*command, arguments);
     names.push_back(command->get_name());
   }
   if (first.rfind('-', 0) == 0) return std::nullopt;
@@ -422,9 +422,9 @@ Request read_command_line(int argc, const char* const* argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& refusal) {
     if (refusal.get_exit_code() != 0) {
-      const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-      auto error = misspelt_word(program, words);
-      if (!error) error = wrong_number_of_values(program, words, refusal);
+      const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+      auto error = misspelt_word(program, arguments);
+      if (!error) error = wrong_number_of_values(program, arguments, refusal);
       if (error) return {[error] { throw InputError(*error); }, kBadInput};
     }
     return {{}, program.exit(refusal) == 0 ? kFine : kBadInput};

@@ -3,7 +3,7 @@
 
 namespace ringfilm::app {
 
-/// What the words of a command line ask for.
+/// What the arguments of a command line request.
 struct Request {
   std::function<void()> command;  ///< empty: help or a refusal was printed and `exit_code` is final
   int exit_code = 0;

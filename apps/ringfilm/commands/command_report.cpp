@@ -14,7 +14,7 @@
 namespace ringfilm::app {
 namespace {
 
-void check_wanted(const ReportOptions& options) {
+void check_report_options(const ReportOptions& options) {
   if (!options.output && !options.vts_folder) {
     throw InputError("nothing is to be written", "name a page with --output X.html or a folder with --vts DIR");
   }
@@ -55,7 +55,7 @@ std::string page_of(const ReportOptions& options, const std::vector<io::ResultDo
 }  // namespace
 
 void report(const ReportOptions& options) {
-  check_wanted(options);
+  check_report_options(options);
   if (options.output) {
     io::check_can_write(*options.output, io::Sink::kFileOrDevice);
     check_output_apart(options);

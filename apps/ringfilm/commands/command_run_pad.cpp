@@ -26,7 +26,7 @@ class PadProgress : public pad::Observer {
   std::string name_;
 };
 
-void check_wishes(const RunOptions& options) {
+void check_pad_options(const RunOptions& options) {
   if (options.ledger == LedgerRequest::kComputed) {
     throw InputError("--ledger: a pad has no assumptions that could be lifted", "leave it out");
   }
@@ -43,7 +43,7 @@ io::PadDocument document_of(const cycle::Case& input) {
 }  // namespace
 
 void run_pad(const RunOptions& options, const cycle::Case& input) {
-  check_wishes(options);
+  check_pad_options(options);
   io::PadDocument document = document_of(input);
   std::optional<ConvergenceError> stopped;
   try {

@@ -28,7 +28,7 @@
 #include "stop_request.hpp"
 #include "study/slurm_queue.hpp"
 #include "study/study_files.hpp"
-#include "study/study_part_words.hpp"
+#include "study/study_part_status.hpp"
 #include "study/study_progress.hpp"
 #include "study/study_summary.hpp"
 
@@ -91,19 +91,19 @@ struct Loaded {
   }
 };
 
-std::string resume_words(const StudyOptions& options) {
-  std::string words =
+std::string resume_command(const StudyOptions& options) {
+  std::string command =
       fmt::format("ringfilm study {} -o {}", word_to_copy(options.study_path), word_to_copy(options.output));
-  if (options.is_part) words += fmt::format(" --shard {}/{}", options.part, options.parts);
-  if (options.threads > 0) words += fmt::format(" --threads {}", options.threads);
-  return words + (options.yes ? " --yes" : "") + " --resume";
+  if (options.is_part) command += fmt::format(" --shard {}/{}", options.part, options.parts);
+  if (options.threads > 0) command += fmt::format(" --threads {}", options.threads);
+  return command + (options.yes ? " --yes" : "") + " --resume";
 }
 
-std::string resume_words(StudyOptions options, std::uint64_t part, std::uint64_t parts) {
+std::string resume_command(StudyOptions options, std::uint64_t part, std::uint64_t parts) {
   options.is_part = true;
   options.part = part;
   options.parts = parts;
-  return resume_words(options);
+  return resume_command(options);
 }
 
 void check_grid(const StudyOptions& options, const study::Plan& plan) {
@@ -163,7 +163,7 @@ void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& 
       writer.append(block);
     } catch (const OutputError& error) {
       throw OutputError(fmt::format("{}\n{} of {} scenarios are kept; free disk space, then: {}", error.what(),
-                                    writer.next() - range.first, range.size(), resume_words(options)));
+                                    writer.next() - range.first, range.size(), resume_command(options)));
     }
     progress.show(writer.next() - range.first, writer.n_unsolved());
     return stop.is_made() ? study::Continuation::kNo : study::Continuation::kYes;
@@ -171,7 +171,7 @@ void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& 
   study::run_scenarios(study.plan, {writer.next(), range.end}, finished, run_options);
   if (writer.next() == range.end) return;
   throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to continue: {}", writer.next() - range.first,
-                                 range.size(), resume_words(options)));
+                                 range.size(), resume_command(options)));
 }
 
 /// Is a study with `until` sure enough with the rows that are there?
@@ -208,7 +208,7 @@ void compute_rows(const StudyOptions& options, Loaded& study, io::ShardWriter& w
 }
 
 /// How far the rows of a part are. Of rows of another study only the file name shows it.
-std::string state_words(const Loaded& study, const PartFile& file, const io::ShardReader& rows) {
+std::string state_text(const Loaded& study, const PartFile& file, const io::ShardReader& rows) {
   if (!file.is_finished) return "not finished";
   if (!rows.is_intact()) return "corrupted after these: --resume keeps them and computes the others again";
   const bool is_same = io::difference(rows.header(), study.header(file.part, file.parts)).empty();
@@ -255,8 +255,8 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
   std::vector<Fault> faults;
   std::vector<io::ShardReader> shards;
   std::optional<std::uint64_t> parts;
-  const auto go_on_words = [&](std::uint64_t part) {
-    return *parts == 1 ? resume_words(options) : resume_words(options, part, *parts);
+  const auto resume_hint = [&](std::uint64_t part) {
+    return *parts == 1 ? resume_command(options) : resume_command(options, part, *parts);
   };
   for (const PartFile& file : files.parts()) {
     if (!file.is_finished) continue;
@@ -276,7 +276,7 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
       faults.push_back({{},
                         fmt::format("{}: this part is not complete{}", file.path,
                                     shards.back().is_intact() ? "" : ", since a block of it is corrupted"),
-                        go_on_words(file.part)});
+                        resume_hint(file.part)});
     }
   }
   if (!parts) {
@@ -288,7 +288,7 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
     const bool is_begun = fs::exists(files.growing(part, *parts));
     faults.push_back({{},
                       fmt::format("part {} of {} is {}", part, *parts, is_begun ? "not finished" : "missing"),
-                      go_on_words(part)});
+                      resume_hint(part)});
   }
   if (!faults.empty()) throw InputError(std::move(faults));
   return shards;
@@ -372,7 +372,7 @@ void run_study(const StudyOptions& options) {
     write_results(files, study, std::move(shards));
   } catch (const OutputError& error) {
     throw OutputError(
-        fmt::format("{}\nall scenarios are kept; free disk space, then: {}", error.what(), resume_words(options)));
+        fmt::format("{}\nall scenarios are kept; free disk space, then: {}", error.what(), resume_command(options)));
   }
 }
 
@@ -432,7 +432,7 @@ std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t us
   return missing;
 }
 
-void tell_study_status(const StudyOptions& options) {
+void print_study_status(const StudyOptions& options) {
   const Loaded study(options.study_path);
   const StudyFiles files(options.output);
   const std::vector<PartFile> parts = files.parts();
@@ -440,41 +440,41 @@ void tell_study_status(const StudyOptions& options) {
   if (parts.empty()) std::cout << fmt::format("{} contains nothing of it\n", options.output);
   std::optional<std::uint64_t> last_parts, last_part;
   const std::optional<StudyJobs> jobs = StudyJobs::read(files);
-  const PartWords on_the_way(files, jobs);
-  const auto tell_missing = [&](std::uint64_t until) {
+  const PartStatus on_the_way(files, jobs);
+  const auto print_missing = [&](std::uint64_t until) {
     for (std::uint64_t part = last_part.value_or(0) + 1; last_parts && part < until; ++part)
       std::cout << fmt::format("part {} of {}: not begun{}\n", part, *last_parts, on_the_way.of(part, *last_parts));
   };
   if (parts.empty() && jobs) last_parts = jobs->parts;
   for (const PartFile& file : parts) {
     if (last_parts && *last_parts != file.parts) {
-      tell_missing(*last_parts + 1);
+      print_missing(*last_parts + 1);
       last_part.reset();
     }
     last_parts = file.parts;
-    tell_missing(file.part);
+    print_missing(file.part);
     last_part = file.part;
-    std::string words;
+    std::string line;
     try {
       const io::ShardReader shard(file.path);
       const std::string differs = io::difference(shard.header(), study.header(file.part, file.parts));
-      words = fmt::format("{} of {} scenarios, {} not solved, {}", shard.next() - shard.header().first,
-                          shard.header().range().size(), shard.n_unsolved(), state_words(study, file, shard));
-      if (!differs.empty()) words += fmt::format("; these rows are of {}", differs);
+      line = fmt::format("{} of {} scenarios, {} not solved, {}", shard.next() - shard.header().first,
+                         shard.header().range().size(), shard.n_unsolved(), state_text(study, file, shard));
+      if (!differs.empty()) line += fmt::format("; these rows are of {}", differs);
       if (!file.is_finished)
-        words += fmt::format("{}{}", last_change_words(file.path), on_the_way.of(file.part, file.parts));
+        line += fmt::format("{}{}", last_change_text(file.path), on_the_way.of(file.part, file.parts));
       std::vector<io::ShardReader::Unsolved> unsolved;
       shard.append_unsolved(unsolved);
       constexpr std::size_t kReported = 3;
       for (std::size_t i = 0; i < std::min(unsolved.size(), kReported); ++i)
-        words += fmt::format("\n  scenario {}: {}", unsolved[i].scenario, unsolved[i].reason);
-      if (unsolved.size() > kReported) words += fmt::format("\n  and {} more", unsolved.size() - kReported);
+        line += fmt::format("\n  scenario {}: {}", unsolved[i].scenario, unsolved[i].reason);
+      if (unsolved.size() > kReported) line += fmt::format("\n  and {} more", unsolved.size() - kReported);
     } catch (const InputError& error) {
-      words = error.faults().front().message;
+      line = error.faults().front().message;
     }
-    std::cout << fmt::format("part {} of {}: {}\n", file.part, file.parts, words);
+    std::cout << fmt::format("part {} of {}: {}\n", file.part, file.parts, line);
   }
-  if (last_parts) tell_missing(*last_parts + 1);
+  if (last_parts) print_missing(*last_parts + 1);
   std::cout << on_the_way.of_merge();
 }
 

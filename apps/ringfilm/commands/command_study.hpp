@@ -28,6 +28,6 @@ void merge_study(const StudyOptions& options);
 std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t usual);
 
 /// Prints which parts of a study are done, how far the others are and what was not solved.
-void tell_study_status(const StudyOptions& options);
+void print_study_status(const StudyOptions& options);
 
 }  // namespace ringfilm::app

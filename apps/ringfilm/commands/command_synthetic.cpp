@@ -33,7 +33,7 @@ void synthetic(const SyntheticCommand& command) {
   const instrument::MapFormat format = instrument::map_format_of(command.output);
   io::check_can_write(command.output, io::Sink::kFile);
   const surface::HeightMap map = std::visit(Maker{command.grid, command.seed}, command.kind);
-  const std::string maker = fmt::format("{}, seed {}", command.words, command.seed);
+  const std::string maker = fmt::format("{}, seed {}", command.command_text, command.seed);
   io::write_atomically(command.output, instrument::map_bytes(map, format, "SYNTHETIC", maker));
   std::cout << "SYNTHETIC: " << maker << "\n"
             << instrument::plausibility_line(map) << "\nwrote " << command.output << "\n";

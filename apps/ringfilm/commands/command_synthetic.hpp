@@ -12,7 +12,7 @@ namespace ringfilm::app {
 struct GaussianSurface {
   double Sq_m = 0.3e-6;
   double length_m = 5e-6;
-  surface::MadeRms rms = surface::MadeRms::exact;
+  surface::RmsDefinition rms = surface::RmsDefinition::exact;
 };
 
 /// A Gaussian surface whose N, beta and sigma against a smooth flat are as stated.
@@ -24,7 +24,7 @@ struct ContactSurface {
 /// What `synthetic` was asked for.
 struct SyntheticCommand {
   std::string output;
-  std::string words;  ///< the command without its output, for the record in the file
+  std::string command_text;  ///< the command without its output, for the record in the file
   surface::SurfaceGrid grid;
   std::uint64_t seed = 1;
   std::variant<GaussianSurface, ContactSurface, surface::HonedSurface, surface::PorousSurface> kind;

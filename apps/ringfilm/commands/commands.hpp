@@ -7,7 +7,7 @@
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/result/vts_file.hpp"
 
-/// The commands of the program: words in, words and files out. Each returns normally or throws one of the errors of
+/// The commands of the program: arguments in, text and files out. Each returns normally or throws one of the errors of
 /// ringfilm/base/error.hpp; main turns those into exit codes.
 namespace ringfilm::app {
 

@@ -19,7 +19,7 @@ class StudyProgress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::string words(std::uint64_t done, std::uint64_t unsolved, Clock::time_point now) const;
+  std::string text(std::uint64_t done, std::uint64_t unsolved, Clock::time_point now) const;
 
   std::string name_;
   std::uint64_t done_at_start_, total_;

@@ -104,8 +104,8 @@ class SlurmStudy {
   }
 
   /// Hands a script to sbatch, from the folder in which it lies. @returns the number of the job
-  std::string submit(const std::string& script, const std::string& words) const {
-    const std::string command = fmt::format("sbatch --parsable {}{}", words, shell_word("./" + script));
+  std::string submit(const std::string& script, const std::string& options) const {
+    const std::string command = fmt::format("sbatch --parsable {}{}", options, shell_word("./" + script));
     const CommandOutput printed = output_of(fmt::format("cd -- {} && {}", shell_word(files_.folder()), command));
     std::istringstream lines(printed.text);
     for (std::string line; printed.exit_code == 0 && std::getline(lines, line);) {
@@ -120,7 +120,7 @@ class SlurmStudy {
   std::string directives(const std::string& what) const {
     std::string name = fmt::format("{}-{}", fs::path(options_.study.study_path).stem().string(), what);
     for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
-    // Of a task that is run again the words of the first time must not be lost.
+    // Of a task that is run again the lines of its first run must not be lost.
     return fmt::format("#SBATCH --job-name={}\n#SBATCH --requeue\n#SBATCH --open-mode=append\n", name);
   }
 

@@ -24,15 +24,15 @@ class Summary {
     text_ = fmt::format("{}\n", study.title);
     for (const std::string& note : rows_.notes()) text_ += fmt::format("note: {}\n", note);
     for (std::size_t b = 0; b < study.bases.size(); ++b) {
-      tell_base(b);
+      append_base(b);
       print_notes(b);
     }
-    tell_unsolved();
+    append_unsolved();
     return text_;
   }
 
  private:
-  void tell_base(std::size_t base) {
+  void append_base(std::size_t base) {
     const bool is_sample = study::has_sample(plan_);
     const study::Among among = is_sample ? study::Among::kSample : study::Among::kAll;
     text_ += fmt::format("\nbase {}, {} scenarios\n", plan_.study().bases[base].name, plan_.n_points(base));
@@ -44,7 +44,7 @@ class Summary {
           study::main_values().end())
         continue;
       const std::vector<double> all = rows_.values(i);
-      tell_value(quantities[i], study::values_of_base(plan_, all, base, among), is_sample);
+      append_value(quantities[i], study::values_of_base(plan_, all, base, among), is_sample);
       if (plan_.study().sampling.indices != study::Indices::kNone && quantities[i].name == study::main_values().front())
         indices_ = indices_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i].name, base);
       if (plan_.study().sampling.method == study::Method::kMorris && quantities[i].name == study::main_values().front())
@@ -66,7 +66,7 @@ class Summary {
     }
   }
 
-  void tell_value(const cycle::Quantity& quantity, const std::vector<double>& values, bool is_sample) {
+  void append_value(const cycle::Quantity& quantity, const std::vector<double>& values, bool is_sample) {
     const std::vector<double> sorted = study::sorted_values(values);
     if (sorted.empty()) return;
     const auto padded = [&](double x) { return fmt::format("{:>16}", shown(quantity, x)); };
@@ -127,7 +127,7 @@ class Summary {
     return text;
   }
 
-  void tell_unsolved() {
+  void append_unsolved() {
     const std::uint64_t n_unsolved = rows_.n_unsolved();
     if (n_unsolved == 0) return;
     text_ += fmt::format("\n{} of {} scenarios were not solved; the first:\n", n_unsolved, plan_.size());

@@ -38,7 +38,7 @@ double gap_um(const std::vector<double>& coefficients, double x_mm, double width
   return edge.height + edge.slope * beyond + kChamfer_um_per_mm * std::abs(beyond);
 }
 
-MadeFile face_file(const TargetRing& ring, std::uint64_t seed) {
+GeneratedFile face_file(const TargetRing& ring, std::uint64_t seed) {
   const surface::FaceRule rule = app::chain::face_rule();
   const double start_mm = 1e3 * *rule.start_m, width_mm = 1e3 * rule.width_m;
   surface::RandomNumbers random(seed);
@@ -57,8 +57,8 @@ MadeFile face_file(const TargetRing& ring, std::uint64_t seed) {
 
 }  // namespace
 
-std::vector<MadeFile> face_files(const std::vector<TargetRing>& rings) {
-  std::vector<MadeFile> files;
+std::vector<GeneratedFile> face_files(const std::vector<TargetRing>& rings) {
+  std::vector<GeneratedFile> files;
   std::uint64_t seed = kFirstSeed;
   for (const TargetRing& ring : rings) files.push_back(face_file(ring, ++seed));
   return files;

@@ -57,7 +57,7 @@ double measured_slope(const std::vector<FrictionLoop>& loops) {
   return friction_load_line(surface::friction_of_loads(loops, rule.end_share, 0), rule.deviations).slope;
 }
 
-MadeFile loop_file(const std::string& name, const std::string& sample, double target_slope, std::uint64_t seed) {
+GeneratedFile loop_file(const std::string& name, const std::string& sample, double target_slope, std::uint64_t seed) {
   double slope = target_slope;
   std::vector<FrictionLoop> loops = loops_with(slope, seed);
   for (int k = 0; k < kCorrections; ++k) {
@@ -81,9 +81,9 @@ MadeFile loop_file(const std::string& name, const std::string& sample, double ta
 
 }  // namespace
 
-std::vector<MadeFile> loop_files(const std::vector<TargetRing>& rings) {
+std::vector<GeneratedFile> loop_files(const std::vector<TargetRing>& rings) {
   std::uint64_t seed = kSiliconSeed;
-  std::vector<MadeFile> files = {
+  std::vector<GeneratedFile> files = {
       loop_file("loops_silicon.csv", "silicon", app::chain::silicon_reference().value / kPsi_nN_per_mV, seed)};
   for (const TargetRing& ring : rings) {
     files.push_back(loop_file("loops_" + ring.name + ".csv", ring.name, ring.shear_strength / kPsi_nN_per_mV, ++seed));

@@ -22,11 +22,11 @@ std::vector<TargetRing> target_rings(const std::string& cases) {
   return rings;
 }
 
-std::vector<MadeFile> all_files(const std::string& cases) {
+std::vector<GeneratedFile> all_files(const std::string& cases) {
   const std::vector<TargetRing> rings = target_rings(cases);
-  std::vector<MadeFile> files;
+  std::vector<GeneratedFile> files;
   for (auto* of : {&surface_files, &face_files, &loop_files}) {
-    std::vector<MadeFile> made = of(rings);
+    std::vector<GeneratedFile> made = of(rings);
     std::move(made.begin(), made.end(), std::back_inserter(files));
   }
   return files;

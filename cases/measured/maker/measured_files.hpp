@@ -6,7 +6,7 @@
 /// styles2014 back. What it should give back is read from cases/styles2014/.
 namespace ringfilm::measured_files {
 
-struct MadeFile {
+struct GeneratedFile {
   std::string name;
   std::string bytes;
 };
@@ -25,15 +25,15 @@ struct TargetRing {
 std::vector<TargetRing> target_rings(const std::string& cases);
 
 /// liner.sur and ring_<name>.x3p: Gaussian surfaces, tilted, some points of the rings missing.
-std::vector<MadeFile> surface_files(const std::vector<TargetRing>& rings);
+std::vector<GeneratedFile> surface_files(const std::vector<TargetRing>& rings);
 
 /// face_<name>.csv: traces longer than the face, tilted, with noise.
-std::vector<MadeFile> face_files(const std::vector<TargetRing>& rings);
+std::vector<GeneratedFile> face_files(const std::vector<TargetRing>& rings);
 
 /// loops_silicon.csv and loops_<name>.csv: friction loops at several loads, with noise.
-std::vector<MadeFile> loop_files(const std::vector<TargetRing>& rings);
+std::vector<GeneratedFile> loop_files(const std::vector<TargetRing>& rings);
 
 /// All of them.
-std::vector<MadeFile> all_files(const std::string& cases);
+std::vector<GeneratedFile> all_files(const std::string& cases);
 
 }  // namespace ringfilm::measured_files

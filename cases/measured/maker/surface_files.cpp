@@ -65,7 +65,7 @@ std::string maker_text(const std::string& what, std::uint64_t seed) {
   return "SYNTHETIC " + what + ", made by ringfilm (cases/measured), seed " + std::to_string(seed);
 }
 
-MadeFile liner_file() {
+GeneratedFile liner_file() {
   HeightMap map = surface_with(kLiner, kGrid, kLinerSeed, measured);
   tilt(map);
   constexpr double kResolution_m = 0.1e-9;
@@ -73,7 +73,7 @@ MadeFile liner_file() {
           instrument::digital_surf_bytes(map, kResolution_m, "SYNTHETIC liner", maker_text("liner", kLinerSeed))};
 }
 
-MadeFile ring_file(const TargetRing& ring, std::uint64_t seed) {
+GeneratedFile ring_file(const TargetRing& ring, std::uint64_t seed) {
   const surface::TargetSurface requested = counterpart({ring.density_per_m2, ring.beta_m, ring.sigma_m}, kLiner);
   HeightMap map = surface_with(requested, kGrid, seed, [seed](const HeightMap& whole) {
     HeightMap with_holes = whole;
@@ -91,8 +91,8 @@ MadeFile ring_file(const TargetRing& ring, std::uint64_t seed) {
 
 }  // namespace
 
-std::vector<MadeFile> surface_files(const std::vector<TargetRing>& rings) {
-  std::vector<MadeFile> files = {liner_file()};
+std::vector<GeneratedFile> surface_files(const std::vector<TargetRing>& rings) {
+  std::vector<GeneratedFile> files = {liner_file()};
   std::uint64_t seed = kLinerSeed;
   for (const TargetRing& ring : rings) files.push_back(ring_file(ring, ++seed));
   return files;

@@ -46,7 +46,7 @@ FaceFit fitted(const GivenNumbers& x, const GivenNumbers& height, const GivenNum
 
 py::tuple ends(const double (&values)[2]) { return py::make_tuple(values[0], values[1]); }
 
-/// Both ends of a fit, which are no plain members.
+/// Both ends of a fit, which are not plain members.
 void keep_ends(Record<FaceFit>& fit, const char* name, double (FaceFit::*member)[2], const char* doc) {
   fit.derived(
       name, [member](const FaceFit& self) { return ends(self.*member); }, doc);
@@ -106,7 +106,7 @@ void bind_face(py::module_& module) {
   fit.with("x_m", &FaceFit::x_m, "Places from 0 to the width, shape (x,) [m].")
       .with("gap_m", &FaceFit::gap_m, "Gap of the trace, levelled and aligned, shape (x,) [m].")
       .with("start_m", &FaceFit::start_m, "Place in the trace that became x = 0 [m].")
-      .with("tilt", &FaceFit::tilt, "Taken off [-].")
+      .with("tilt", &FaceFit::tilt, "Tilt that was removed [-].")
       .with("running_surface_from_m", &FaceFit::running_surface_from_m, "Where the running surface begins [m].")
       .with("running_surface_to_m", &FaceFit::running_surface_to_m, "Where it ends [m].")
       .with("spline_m", &FaceFit::spline_m, "Spline at x_m, shape (x,) [m].")
@@ -119,7 +119,7 @@ void bind_face(py::module_& module) {
       .with("spline_minimum_at_m", &FaceFit::spline_minimum_at_m, "Lowest place of the spline [m].")
       .with("noise_m", &FaceFit::noise_m, "Rms of what neither follows [m].")
       .with("invented", &FaceFit::invented, "A list of FitArtifact.")
-      .with("pore_share", &FaceFit::pore_share, "Share of the points left out as pores [-].")
+      .with("pore_share", &FaceFit::pore_share, "Share of the points omitted as pores [-].")
       .with("averaged", &FaceFit::averaged, "Neighbouring points of the trace that were averaged into one.");
   keep_ends(fit, "polynomial_end_m", &FaceFit::polynomial_end_m,
             "The polynomial at x = 0 and at the width, above its lowest place, (first, last) [m].");
@@ -156,7 +156,7 @@ Source: docs/theory/face.md.)");
       py::arg("step") = py::none(),
       R"(Places and heights of a trace, two arrays of shape (points,) [m], from a file of any known format.
 
-height_unit, lateral_unit: "um"; step: "0.5 um", where the file does not say. Raises InputError, TypeError.)");
+height_unit, lateral_unit: "um"; step: "0.5 um", where the file does not state it. Raises InputError, TypeError.)");
 }
 
 }  // namespace ringfilm::python

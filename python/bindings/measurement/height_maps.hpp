@@ -15,10 +15,10 @@ using GivenStep = Given<kinds::NumberOrPair>;
 /// @param step between points, one number or (step_x, step_y) [m]
 surface::HeightMap height_map(const GivenNumbers& heights, const GivenStep& step);
 
-/// As (y, x); as (x,) where `as_row` says so of a map of one row.
+/// As (y, x); with `as_row` as (x,), of a map of one row.
 py::array heights_of(const surface::HeightMap& map, bool as_row);
 
-/// One of a few words, as messages have it.
+/// One of a few choices, as messages print it.
 template <class Choice>
 Choice chosen(const char* what, const GivenText& given, const std::map<std::string, Choice>& choices) {
   const std::string word = text_of(what, given.value, choices.begin()->first.c_str());

@@ -107,7 +107,8 @@ void bind_force_records(py::module_& part) {
       .with("covariance", &LineFit::covariance, "Of slope and offset.")
       .with(
           "chi_squared_probability", &LineFit::chi_squared_probability,
-          "That stated deviations alone give as much or more [-]; below 0.01 they are too small, or the line is none.")
+          "That stated deviations alone give as much or more [-]; below 0.01 they are too small, or the points are not "
+          "on a line.")
       .with("points", &LineFit::points, "How many points.")
       .with_word(
           "deviations", &LineFit::scale, [](DeviationScale scale) { return word_of(scale, kScales); },

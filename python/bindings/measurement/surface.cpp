@@ -38,12 +38,12 @@ py::tuple prepared(const GivenNumbers& heights, const GivenStep& step, const Giv
                    const Given<kinds::Integer>& degree, const GivenMaybeNumber& short_cutoff,
                    const GivenMaybeNumber& long_cutoff, const GivenText& filter) {
   HeightMap map = height_map(heights, step);
-  Preparation wanted;
-  wanted.form = {chosen("form", form, kFormKinds), integer_of("degree", degree.value)};
-  wanted.short_cutoff_m = maybe_number_of("short_cutoff", short_cutoff.value, "m");
-  wanted.long_cutoff_m = maybe_number_of("long_cutoff", long_cutoff.value, "m");
-  wanted.filter = chosen("filter", filter, kFilters);
-  const Prepared done = prepare(map, wanted);
+  Preparation steps;
+  steps.form = {chosen("form", form, kFormKinds), integer_of("degree", degree.value)};
+  steps.short_cutoff_m = maybe_number_of("short_cutoff", short_cutoff.value, "m");
+  steps.long_cutoff_m = maybe_number_of("long_cutoff", long_cutoff.value, "m");
+  steps.filter = chosen("filter", filter, kFilters);
+  const Prepared done = prepare(map, steps);
   return py::make_tuple(heights_of(map, py::len(py::module_::import("numpy").attr("shape")(heights.value)) == 1),
                         done.lines());
 }
@@ -52,7 +52,7 @@ py::tuple prepared(const GivenNumbers& heights, const GivenStep& step, const Giv
 double from_zero_on(const char* name, const GivenNumber& given, const char* unit) {
   const double value = number_of(name, given.value, unit);
   if (!(std::isfinite(value) && value >= 0)) {
-    throw InputError(std::string(name) + " = " + number_text(value) + " is no finite number from 0 on");
+    throw InputError(std::string(name) + " = " + number_text(value) + " is not a finite number of at least 0");
   }
   return value;
 }
@@ -206,7 +206,7 @@ Raises InputError for fewer than 16 complete stencils. Source: docs/theory, eq-s
                                 chosen("scheme", scheme, kSchemes));
       },
       py::arg("heights"), py::arg("step"), py::arg("direction") = "mean", py::arg("scheme") = "neighbours",
-      "What a levelled and filtered map of shape (y, x) [m] brings into a pair; words as for moments(). "
+      "What a levelled and filtered map of shape (y, x) [m] brings into a pair; arguments as for moments(). "
       "Raises InputError. Source: docs/theory/surface.md.");
   module.def(
       "single_parameters",
@@ -314,8 +314,7 @@ void bind_files(py::module_& module) {
       .def_property_readonly(
           "step", [](const MeasuredMap& self) { return py::make_tuple(self.step_x_m, self.step_y_m); },
           "Between the points along x and y [m], as every function here takes it.")
-      .def_readonly("plausibility", &MeasuredMap::plausibility,
-                    "A line that says whether the map can be what one thinks it is.")
+      .def_readonly("plausibility", &MeasuredMap::plausibility, "A line on whether the map can be what one expects.")
       .def_readonly("notes", &MeasuredMap::notes, "What is odd about the file.")
       .def_readonly("sha256", &MeasuredMap::sha256, "Digest of the file.")
       .def_readonly("format", &MeasuredMap::format, "Format of the file.")
@@ -336,7 +335,7 @@ void bind_files(py::module_& module) {
              py::arg("lateral_unit") = py::none(), py::arg("step_x") = py::none(), py::arg("step_y") = py::none(),
              R"(Heights from a file of any known format (docs/manual/surface-files.md): X3P, SDF, SUR, GSF, .gwy, text.
 
-channel: number from 1, or name. height_unit, lateral_unit: "um"; step_x, step_y: "0.5 um", where the file does not say.
+channel: number from 1, or name. height_unit, lateral_unit: "um"; step_x, step_y: "0.5 um", where the file has none.
 Returns a MeasuredMap. Raises InputError with file, place, rule and remedy, and TypeError.)");
 }
 

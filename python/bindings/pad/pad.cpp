@@ -54,7 +54,7 @@ void bind_numbers(py::class_<PadObject>& type) {
   }
   type.def_property_readonly(
       "x", [](const py::object& self) { return view(self.cast<const PadObject&>().result().x, self); },
-      "Places along the pad [m], shape (x,); a step of the gap stands there twice.");
+      "Places along the pad [m], shape (x,); a step of the gap appears twice.");
   type.def_property_readonly(
       "y", [](const py::object& self) { return view(self.cast<const PadObject&>().result().y, self); },
       "Places across the pad [m], shape (y,); empty without a width.");

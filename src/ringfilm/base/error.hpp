@@ -11,7 +11,7 @@ namespace ringfilm {
 struct SourceMark {
   std::string file;       ///< as the user named it; "--set" for the command line
   int line = 0;           ///< from 1; 0: the file as a whole
-  int column = 0;         ///< of the first character that is blamed, from 1; 0: the whole line
+  int column = 0;         ///< of the first character at fault, from 1; 0: the whole line
   std::string line_text;  ///< the line itself, without its end; empty if not known
 };
 

@@ -12,7 +12,7 @@ namespace ringfilm::cycle {
 /// Values of the cycle from samples at all base angles, equally spaced; eqs eq-mean, eq-energy-per-cycle, eq-fmep.
 CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base);
 
-/// What stands in their place when the integration stopped: every value NaN.
+/// Their replacement when the integration stopped: every value NaN.
 CycleValues no_cycle_values();
 
 /// Contact work along the stroke from the same samples, shared out over the liner that each crank step sweeps.

@@ -31,7 +31,7 @@ struct Sample {
   double boundary_friction = 0;        ///< f_b = tau_0 A_a + zeta W_a, modulus [N]
   double viscous_friction = 0;         ///< f_v: oil shear on the liner, modulus [N]
   double viscous_friction_liner = 0;   ///< the same with its sign, positive towards TDC [N]
-  double viscous_friction_ring = 0;    ///< oil shear at the ring, sign as said above [N]
+  double viscous_friction_ring = 0;    ///< oil shear at the ring, sign as defined above [N]
   double total_friction = 0;           ///< f_t = f_b + f_v [N]
   double friction_on_liner = 0;        ///< boundary and viscous, positive towards TDC [N]
   double friction_coefficient = 0;     ///< f_t/W [-]
@@ -119,7 +119,7 @@ struct CycleQuantity : Quantity {
 };
 const std::vector<CycleQuantity>& cycle_quantities();  ///< in the order of files and tables
 
-/// Where a name stands among cycle_quantities(); nothing where no value of a cycle has it.
+/// Index of a name in cycle_quantities(); nothing where no value of a cycle has it.
 std::optional<std::size_t> cycle_quantity_index(const std::string& name);
 
 /// Fields along the face at some crank angles, of an unrolled film along its strip halfway; row-major [angle][node]. x

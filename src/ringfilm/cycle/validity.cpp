@@ -32,7 +32,7 @@ long count(const std::vector<Sample>& base, Condition condition) {
   return std::count_if(base.begin(), base.end(), condition);
 }
 
-/// A face this steep is no ring: units are mixed up, or a polynomial is used beyond the width to which it was fitted.
+/// A ring has no face this steep: units are mixed up, or a polynomial is used beyond the width to which it was fitted.
 constexpr double kSteepestFace = 0.1;  // height over width
 
 void append_face_note(const Setup& setup, std::vector<Note>& notes) {

@@ -7,7 +7,7 @@
 /// is what lies along x at one y; its film is that of film/, and strips exchange oil through the gradient of pressure
 /// in y (eq-film-2d-reynolds). docs/theory/two-dimensional-film.md.
 ///
-/// Nodal numbers stand strip after strip: node i across of strip j at [j * n_across + i]. A FilmState of a
+/// Nodal numbers are stored strip by strip: node i across of strip j at [j * n_across + i]. A FilmState of a
 /// two-dimensional film holds them in that order.
 namespace ringfilm::film {
 
@@ -44,8 +44,8 @@ CircumferentialGrid uniform_around(int n_cells, double length, Ends ends);
 CircumferentialGrid refined_around(int n_cells, double length, double end_cell);
 inline constexpr double kSteepestGrowth = 1.3;
 
-/// Heights above the lowest point of the whole gap [m], where the balance of mass needs them. Faces stand as nodes do:
-/// those in x at [j * n_cells_across + i] lie midway between nodes i and i+1 of strip j, those in y at
+/// Heights above the lowest point of the whole gap [m], where the balance of mass needs them. Faces are stored like
+/// nodes: those in x at [j * n_cells_across + i] lie midway between nodes i and i+1 of strip j, those in y at
 /// [j * n_across + i] between strips j and j+1 (the last with the first where joined).
 struct Film2dGap {
   std::vector<double> node;    ///< mean over what belongs to the node
@@ -84,7 +84,7 @@ struct Film2dProblem {
 struct Film2dInputs {
   FilmInputs strip;
   double p_low = 0, p_high = 0;  ///< at y = 0 and at y = length, where open; not below p_c [Pa]
-  /// By how much the ring stands further off at each strip than `h_m`, whatever it carries. Empty: not at all [m].
+  /// How much the separation at each strip exceeds `h_m`, whatever the ring carries. Empty: by nothing [m].
   std::vector<double> rise;
   /// Load of each strip, with the mean `strip.load`. Empty: that of all [N/m].
   std::vector<double> strip_loads;
@@ -92,7 +92,7 @@ struct Film2dInputs {
   double load_of(int strip_number) const { return strip_loads.empty() ? strip.load : strip_loads[strip_number]; }
 };
 
-/// By how much the ring stands further off at each strip than `h_m`, in its shapes too; empty: not at all [m].
+/// How much the separation at each strip exceeds `h_m`, the shapes of the ring included; empty: by nothing [m].
 /// @param amplitudes of the shapes; none: all 0 [m]
 std::vector<double> rise_of_strips(const Film2dProblem& problem, const Film2dInputs& inputs,
                                    const std::vector<double>& amplitudes);

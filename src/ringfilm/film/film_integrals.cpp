@@ -55,7 +55,7 @@ class FlowFaces {
     face_ = {0, i, i + 1, n - 1};
     share_ = (middle - place(i)) / (place(i + 1) - place(i));
   }
-  FluxRequest wanted() { return {face_.data(), flux_.data(), static_cast<int>(face_.size())}; }
+  FluxRequest requested() { return {face_.data(), flux_.data(), static_cast<int>(face_.size())}; }
   double left() const { return flux_[0]; }
   double middle() const { return flux_[1] + share_ * (flux_[2] - flux_[1]); }
   double right() const { return flux_[3]; }
@@ -87,7 +87,7 @@ double cells_beyond(double last, double before, double third) {
   const double root = std::sqrt(std::max(slope * slope - 2 * bend * last, 0.0));
   const double crossing = slope + root > 0 ? std::min(2 * last / (slope + root), 1.0) : 1.0;
   if (bend <= 0) return crossing;
-  // Cells are too coarse to tell a slope of less than half of what the bend makes in one of them.
+  // Cells are too coarse to resolve a slope of less than half of what the bend makes in one of them.
   const double lowest_point = 0.5 + (3 * last < before ? last / (before - 2 * last) : 1.0);  // by the balance of mass
   const double share = std::clamp(root / bend - 0.5, 0.0, 1.0);
   return lowest_point + share * (crossing - lowest_point);
@@ -141,8 +141,9 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   FilmIntegrals sums;
   const FilmView film = film_view(problem, state);
   FlowFaces flow(problem.grid);
-  const FilmSums of_film = sums_of_film(problem, *inputs.oil, state, film,
-                                        {inputs.U, 1 / inputs.time_step, previous.mass_per_area.data()}, flow.wanted());
+  const FilmSums of_film =
+      sums_of_film(problem, *inputs.oil, state, film, {inputs.U, 1 / inputs.time_step, previous.mass_per_area.data()},
+                   flow.requested());
   sums.hydrodynamic_load = of_film.hydrodynamic_load;
   sums.shear_couette = of_film.shear_couette;
   sums.shear_poiseuille = of_film.shear_poiseuille;

@@ -73,14 +73,14 @@ struct FilmProblem {
   const models::GreenwoodTripp* contact = nullptr;  ///< nullptr: surfaces so smooth that they never touch
   Cavitation cavitation = Cavitation::kMassConserving;
   ContactSpread contact_spread = ContactSpread::kLocal;
-  Bounds bounds = Bounds::kOne;  ///< kOwn: gas may stand at the edges
+  Bounds bounds = Bounds::kOne;  ///< kOwn: the edges may be in gas
   double tolerance = 0;          ///< relative error that the iteration may leave in film and pressure [-]
   const FilmKernels* kernels = &film::kernels();  ///< the inner loops that this machine runs
 };
 
 inline constexpr double kSteady = std::numeric_limits<double>::infinity();
 
-/// What stands at an edge of the gap.
+/// The fluid at an edge of the gap.
 enum class EdgeFluid {
   kOil,  ///< as much oil as the film takes; cavities on this side of the lowest place of the gap are at p_c
   kGas,  ///< gas: cavities on this side are filled with it, at the pressure of the edge

@@ -64,7 +64,7 @@ std::size_t channel_by_text(const InstrumentFile& file, const std::string& path,
   if (named.size() == 1) return named[0];
   if (named.size() > 1) {
     refuse(path, fmt::format("{} channels are named \"{}\":\n{}", named.size(), text, channel_list(file.channels)),
-           "choose one by its number: " + options.words.channel);
+           "choose one by its number: " + options.names.channel);
   }
   std::size_t number = 0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -72,7 +72,7 @@ std::size_t channel_by_text(const InstrumentFile& file, const std::string& path,
     return number - 1;
   }
   refuse(path, fmt::format("there is no channel {} among:\n{}", text, channel_list(file.channels)),
-         "choose one of them: " + options.words.channel);
+         "choose one of them: " + options.names.channel);
 }
 
 std::size_t chosen_channel(const InstrumentFile& file, const std::string& path, const SurfaceOptions& options,
@@ -87,7 +87,7 @@ std::size_t chosen_channel(const InstrumentFile& file, const std::string& path, 
     refuse(path,
            fmt::format("the file has {} channels, {} of them in a unit of length:\n{}", file.channels.size(),
                        heights.empty() ? "none" : std::to_string(heights.size()), channel_list(file.channels)),
-           "choose one: " + options.words.channel);
+           "choose one: " + options.names.channel);
   }
   notes.push_back(fmt::format("channel {} ({}) of {} was taken: the only one in a unit of length", heights[0] + 1,
                               file.channels[heights[0]].name, file.channels.size()));
@@ -110,15 +110,15 @@ io::Scale height_scale(const std::string& path, const ChannelValues& values, con
         fmt::format("unit of heights: {} as the user states{}", *options.height_unit,
                     stated.empty() || stated == *options.height_unit ? "" : ", although the file states " + stated));
     return length_scale(path, *options.height_unit, "the stated unit of heights is",
-                        "give a length, for example " + options.words.height_unit, units);
+                        "give a length, for example " + options.names.height_unit, units);
   }
   if (stated.empty()) {
     refuse(path, fmt::format("the file does not state in which unit channel \"{}\" is", values.channel.name),
-           "state it, for example " + options.words.height_unit);
+           "state it, for example " + options.names.height_unit);
   }
   return length_scale(path, stated, fmt::format("channel \"{}\" is in", values.channel.name),
                       fmt::format("choose a channel of heights with {}; where the unit is wrong, state it: {}",
-                                  options.words.channel, options.words.height_unit),
+                                  options.names.channel, options.names.height_unit),
                       units);
 }
 
@@ -142,13 +142,13 @@ io::Scale lateral_scale(const std::string& path, const ChannelValues& values, co
                                     ? ""
                                     : ", although the file states " + values.step_unit));
     return length_scale(path, *options.lateral_unit, "the stated unit of x and y is",
-                        "give a length, for example " + options.words.lateral_unit, units);
+                        "give a length, for example " + options.names.lateral_unit, units);
   }
   if (values.step_unit.empty()) {
     refuse(path, "the file does not state in which unit x and y are",
-           "state it, for example " + options.words.lateral_unit);
+           "state it, for example " + options.names.lateral_unit);
   }
-  return length_scale(path, values.step_unit, "x and y are in", "state the step, for example " + options.words.step_x,
+  return length_scale(path, values.step_unit, "x and y are in", "state the step, for example " + options.names.step_x,
                       units);
 }
 
@@ -176,20 +176,20 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
   } else if (options.step_x) {
     steps.y_m = steps.x_m;
   }
-  const bool wants_x = steps.x_m == 0, wants_y = steps.y_m == 0 && !is_profile;
-  if (wants_x || wants_y) {
+  const bool needs_x = steps.x_m == 0, needs_y = steps.y_m == 0 && !is_profile;
+  if (needs_x || needs_y) {
     if (!values.step_faults.empty() && !options.lateral_unit) {
       std::vector<Fault> faults = values.step_faults;
-      for (Fault& fault : faults) fault.remedy += ", or state the step, for example " + options.words.step_x;
+      for (Fault& fault : faults) fault.remedy += ", or state the step, for example " + options.names.step_x;
       throw InputError(faults);
     }
-    if ((wants_x && values.step_x == 0) || (wants_y && values.step_y == 0)) {
+    if ((needs_x && values.step_x == 0) || (needs_y && values.step_y == 0)) {
       refuse(path, "the file does not state the step between its points",
-             "state it, for example " + options.words.step_x);
+             "state it, for example " + options.names.step_x);
     }
     const io::Scale scale = lateral_scale(path, values, options, units, notes);
-    if (wants_x) steps.x_m = scale.to_si(values.step_x);
-    if (wants_y) steps.y_m = scale.to_si(values.step_y);
+    if (needs_x) steps.x_m = scale.to_si(values.step_x);
+    if (needs_y) steps.y_m = scale.to_si(values.step_y);
   }
   for (const double step : {steps.x_m, is_profile ? steps.x_m : steps.y_m}) {
     if (!std::isfinite(step) || !(step > 1e-13) || !(step < 1)) {
@@ -208,7 +208,7 @@ void turn_column(ChannelValues& values) {
   values.notes.push_back("the map has one column: it was read as a profile");
 }
 
-void scale_heights(const std::string& path, ChannelValues& values, const io::Scale& scale, const OptionWords& words) {
+void scale_heights(const std::string& path, ChannelValues& values, const io::Scale& scale, const OptionNames& names) {
   double largest = 0;
   bool any = false;
   for (std::size_t i = 0; i < values.value.size(); ++i) {
@@ -225,7 +225,7 @@ void scale_heights(const std::string& path, ChannelValues& values, const io::Sca
   if (largest > kHighest_m) {
     refuse(path, fmt::format("the largest height is {:.4g} m, over {} m", largest, kHighest_m),
            fmt::format("the unit is wrong (state it: {}), or the heights are damaged or in another byte order",
-                       words.height_unit));
+                       names.height_unit));
   }
 }
 
@@ -251,7 +251,7 @@ Loaded load(const std::string& path, const SurfaceOptions& options, const io::Un
   turn_column(loaded.values);
   origin.notes.insert(origin.notes.end(), loaded.values.notes.begin(), loaded.values.notes.end());
   const io::Scale scale = height_scale(path, loaded.values, options, units, origin.notes);
-  scale_heights(path, loaded.values, scale, options.words);
+  scale_heights(path, loaded.values, scale, options.names);
   origin.sha256 = io::file_sha256(path);
   return loaded;
 }

@@ -14,7 +14,7 @@ namespace ringfilm::instrument {
 
 /// How the remedies of errors write the options: those of the program, or those of the language from which it is
 /// called.
-struct OptionWords {
+struct OptionNames {
   std::string channel = "--channel N";             ///< SurfaceOptions::channel
   std::string height_unit = "--unit um";           ///< SurfaceOptions::height_unit
   std::string lateral_unit = "--lateral-unit um";  ///< SurfaceOptions::lateral_unit
@@ -29,7 +29,7 @@ struct SurfaceOptions {
   std::optional<std::string> step_x;             ///< --step-x: e.g. "0.5 um"
   std::optional<std::string> step_y;             ///< --step-y: the same as --step-x if omitted
   TableLayout layout = TableLayout::kByContent;  ///< --layout: of a text file
-  OptionWords words;                             ///< for errors
+  OptionNames names;                             ///< for errors
 };
 
 /// Where a map or a trace comes from, for the record.

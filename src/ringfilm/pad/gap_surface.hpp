@@ -4,7 +4,7 @@
 
 namespace ringfilm::pad {
 
-/// A gap over x and y: bilinear between points, with steps along whole lines where an x or a y stands twice. Between
+/// A gap over x and y: bilinear between points, with steps along whole lines where an x or a y appears twice. Between
 /// such lines lie its pieces, counted along x and along y.
 class GapSurface {
  public:

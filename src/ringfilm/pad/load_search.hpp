@@ -5,7 +5,7 @@
 
 namespace ringfilm::pad {
 
-/// How the load that a pad carries changes where it is the wanted one.
+/// How the load that a pad carries changes with separation at the target load.
 enum class Slope {
   kFalling,  ///< falls as the film gets thicker: the pad comes back when it is pushed
   kRising,   ///< rises: in balance, but not stable
@@ -15,7 +15,7 @@ enum class Slope {
 struct LoadSearch {
   std::optional<film::FilmState> film;  ///< nothing if no separation carries the load
   Slope slope = Slope::kFalling;        ///< there
-  int n_separations = 0;                ///< at which the load is carried, as far as the steps of the search tell
+  int n_separations = 0;                ///< at which the load is carried, as far as the search resolves them
   /// Of all films tried: what they carry [N/m] and their smallest film thickness [m].
   struct Extreme {
     double load, thickness;

@@ -46,7 +46,7 @@ film::FilmState PadFilm::guess_from(const PadFilm& coarse, const film::FilmState
   const std::size_t n = coarse.nodes().size();
   const std::size_t n_strips = coarse.strips().size();
   std::vector<double> across = coarse.strips();
-  if (coarse.is_joined()) across.push_back(setup_.input.pad.width.value());  // there the first strip stands once more
+  if (coarse.is_joined()) across.push_back(setup_.input.pad.width.value());  // the first strip again
   const std::vector<Between> along = between(coarse.nodes(), nodes());
   film::FilmState guess;
   guess.h_m = solved.h_m;

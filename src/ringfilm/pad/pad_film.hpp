@@ -12,7 +12,7 @@ namespace ringfilm::pad {
 
 /// The film of a pad on one grid, of one dimension or two: what solves it, what it carries, what is reported of it. A
 /// state of it holds strip after strip. Its inputs are PadSetup::steady_inputs() with a speed, a time step and a load;
-/// what acts at the sides it knows. Not for several threads at once.
+/// the pressures at the sides come from the setup. Not for several threads at once.
 class PadFilm {
  public:
   explicit PadFilm(const PadSetup& setup) : setup_(setup) {}

@@ -129,8 +129,8 @@ Sample PadFilm2d::sample(const film::FilmInputs& inputs, const film::FilmState& 
   out.total_friction_moving = out.friction_moving * width;
   out.total_friction_fixed = out.friction_fixed * width;
   if (is_joined()) {
-    constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
-    out.mass_flow_front = out.mass_flow_back = out.flow_front = out.flow_back = kNotTold;
+    constexpr double kNotReported = std::numeric_limits<double>::quiet_NaN();
+    out.mass_flow_front = out.mass_flow_back = out.flow_front = out.flow_back = kNotReported;
     return out;
   }
   out.mass_flow_front = 0 - sums.flow_low;  // what leaves through y = 0 flows in -y; of closed sides +0

@@ -45,7 +45,7 @@ class Shares {
       sum += weights_[k] * heights_[k];
       all += weights_[k];
     }
-    // Equal heights must not differ by rounding: no step stands there.
+    // Equal heights must not differ by rounding, which would be a step of the gap.
     return is_level() ? heights_[0] : sum / all;
   }
 

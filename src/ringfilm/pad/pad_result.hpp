@@ -67,7 +67,7 @@ struct Effort {
 
 struct PadResult {
   std::vector<Sample> samples;    ///< one for a steady film; else one for each time of the result, the last at the end
-  std::vector<double> x;          ///< nodes, from 0 to the length; a step of the gap stands in it twice [m]
+  std::vector<double> x;          ///< nodes, from 0 to the length; a step of the gap appears twice [m]
   std::vector<double> y;          ///< strips, from 0 to the width, likewise; empty without a width [m]
   std::vector<Profile> profiles;  ///< along x at the times of `samples`, with a width on the strip next to its middle
   std::vector<Profile> fields;    ///< over x and y at the same times; empty without a width

@@ -9,7 +9,7 @@
 
 namespace ringfilm::pad {
 
-/// A pad made ready to solve. Immutable.
+/// A pad that is set up for the solver. Immutable.
 struct PadSetup {
   cycle::Case input;
   std::shared_ptr<const models::OilAtTemperature> oil;

@@ -13,7 +13,7 @@ namespace ringfilm::pad {
 std::vector<double> pressures_between_edges(const PadSetup& setup, const film::FilmGrid& grid);
 
 /// What rounding makes of a film in which nothing flows: of its pressures, and of the oil that it holds from step to
-/// step. Smaller flows are no measure of a balance. @param thickest film [m] @returns mass flux [kg/(m s)]
+/// step. A balance is not measured by smaller flows. @param thickest film [m] @returns mass flux [kg/(m s)]
 double flux_of_rounding(const film::FilmProblem& problem, const film::FilmInputs& inputs, const film::FilmState& state,
                         double thickest);
 
@@ -32,7 +32,7 @@ Sample sample_of(const PadSetup& setup, const film::FilmIntegrals& sums, double 
 void add_fronts(const PadSetup& setup, const film::FilmInputs& inputs, const std::vector<double>& deficit,
                 const film::FilmIntegrals& sums, Sample& sample);
 
-/// Places of nodes, those of steps twice. @param last where the first node stands once more, if it does [m]
+/// Places of nodes, those of steps twice. @param last where the first node is repeated, if it is [m]
 std::vector<double> places_with_steps(const std::vector<double>& nodes, const std::vector<int>& steps,
                                       std::optional<double> last);
 

@@ -125,7 +125,7 @@ class TimeIntegration {
   PadResult& result_;
 };
 
-/// Does a film one per cent thicker carry the same? Then the load does not tell the separation.
+/// Does a film one per cent thicker carry the same? Then the load does not determine the separation.
 bool any_separation_carries(PadFilms& films, const film::FilmState& state, Effort& effort) {
   constexpr double kThicker = 1.01, kTheSame = 1e-10;
   PadFilm& film = films.finest();
@@ -171,18 +171,18 @@ void append_load_notes(const LoadSearch& search, std::vector<cycle::Note>& notes
   }
 }
 
-/// A steady film with half the cells, to tell whether the grid is fine enough.
+/// A steady film with half the cells, to check whether the grid is fine enough.
 void append_grid_note(const PadSetup& setup, const film::FilmState& state, const Sample& fine, PadResult& result) {
   constexpr double kZeroLoad = 1e-9;  // of the pressures that act: no share of such a load is known
   if (std::abs(fine.load) <= kZeroLoad * acting_pressure(setup, state.h_m) * setup.input.pad.length) return;
-  constexpr double kWorthTelling = 0.01;
+  constexpr double kReportedChange = 0.01;
   const cycle::Solver& solver = setup.input.solver;
   const auto film = pad_film(setup, {(solver.cells + 1) / 2, (solver.cells_y + 1) / 2});
   film::FilmState coarse = film->full(state.h_m);
   const film::FilmState before = coarse;
   if (!solve_at_separation(*film, setup.steady_inputs(), 0, before, coarse, result.effort)) return;
   const double change = film->load(coarse) / fine.load - 1;
-  if (!(std::abs(change) > kWorthTelling)) return;
+  if (!(std::abs(change) > kReportedChange)) return;
   result.notes.push_back({"coarse-grid", text("with half the cells the same film carries %.2g %% %s: take more %s",
                                               std::abs(100 * change), change > 0 ? "more" : "less", cell_keys(setup))});
 }

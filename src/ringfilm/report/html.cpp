@@ -21,7 +21,7 @@ void check_overlays(const std::vector<Overlay>& overlays) {
     const bool known =
         std::any_of(quantities.begin(), quantities.end(), [&](const auto& q) { return q.name == o.quantity; });
     if (!known) {
-      faults.push_back({mark, fmt::format("\"{}\" is no quantity over crank angle", o.quantity),
+      faults.push_back({mark, fmt::format("\"{}\" is not a quantity over crank angle", o.quantity),
                         "name one of the columns that `ringfilm run --csv` writes, for example friction_on_liner"});
     }
     if (o.crank_angle_deg.size() != o.value.size()) {

@@ -3,7 +3,7 @@
 
 namespace ringfilm::report {
 
-/// A text as it may stand in an element or an attribute of HTML.
+/// A text with the special characters of HTML escaped, for an element or an attribute.
 std::string html_text(const std::string& text);
 
 }  // namespace ringfilm::report

@@ -3,7 +3,7 @@
 
 namespace ringfilm::report {
 
-/// JSON that may stand inside a script element whatever its texts say: no "<" is left in it.
+/// JSON without "<", so that a script element may contain it whatever its texts are.
 std::string script_text(const std::string& json);
 
 }  // namespace ringfilm::report

@@ -12,7 +12,7 @@ namespace ringfilm::report {
 /// Values of one field in steps of 1/65534 of their range. SI.
 struct PackedField {
   std::string name;
-  double low = 0, high = 0;  ///< values that 0 and 65534 stand for; 65535 is none
+  double low = 0, high = 0;  ///< values that 0 and 65534 stand for; 65535: no value
   std::vector<std::uint16_t> values;
 };
 

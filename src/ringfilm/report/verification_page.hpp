@@ -14,7 +14,7 @@ struct VerificationResult {
   io::Provenance provenance;
 };
 
-/// As JSON in SI: cases with rows and convergence lines, not_covered, program, commit. A number that is none is null.
+/// As JSON in SI: cases with rows and convergence lines, not_covered, program, commit. A NaN is null.
 std::string verification_json(const VerificationResult& result);
 
 /// As one self-contained web page with tables and convergence plots.

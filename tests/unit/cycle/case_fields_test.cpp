@@ -11,7 +11,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::IsEmpty;
 
-std::vector<std::string> blamed(const Case& c) {
+std::vector<std::string> keys_at_fault(const Case& c) {
   std::vector<std::string> keys;
   for (const RuleBreach& breach : broken_rules(c)) keys.push_back(breach.key);
   return keys;
@@ -191,48 +191,48 @@ TEST(CaseRules, HoldForAValidCase) { EXPECT_THAT(broken_rules(sound_case()), IsE
 TEST(CaseRules, AskForExactlyOneTension) {
   Case c = sound_case();
   c.ring.elastic_pressure.reset();
-  EXPECT_THAT(blamed(c), Contains("ring.elastic_pressure"));
+  EXPECT_THAT(keys_at_fault(c), Contains("ring.elastic_pressure"));
   c.ring.free_gap = 0.01;
-  EXPECT_THAT(blamed(c), Contains("ring.radial_thickness"));
+  EXPECT_THAT(keys_at_fault(c), Contains("ring.radial_thickness"));
   c.ring.radial_thickness = 0.003;
-  EXPECT_THAT(blamed(c), IsEmpty());
+  EXPECT_THAT(keys_at_fault(c), IsEmpty());
   c.ring.tangential_force = 10;
-  EXPECT_THAT(blamed(c), Contains("ring.tangential_force"));
+  EXPECT_THAT(keys_at_fault(c), Contains("ring.tangential_force"));
 }
 
 TEST(CaseRules, LetHoupertTakeOneValueAtItsReference) {
   Case c = sound_case();
   c.lubricant.viscosity_temperature = ViscosityTemperature::kHoupert;
   c.lubricant.kinematic_viscosity = {{313.15, 60e-6}};
-  EXPECT_THAT(blamed(c), IsEmpty());
+  EXPECT_THAT(keys_at_fault(c), IsEmpty());
   c.lubricant.reference_temperature = 373.15;
-  EXPECT_THAT(blamed(c), Contains("lubricant.kinematic_viscosity"));
+  EXPECT_THAT(keys_at_fault(c), Contains("lubricant.kinematic_viscosity"));
 }
 
 TEST(CaseRules, AskForStepsThatMakeACycle) {
   Case c = sound_case();
   for (const double step : {1.0, 0.5, 0.1, 0.3, 720.0 / 7919.0}) {
     c.solver.crank_step_deg = step;
-    EXPECT_THAT(blamed(c), IsEmpty()) << step;
+    EXPECT_THAT(keys_at_fault(c), IsEmpty()) << step;
   }
   c.solver.crank_step_deg = 0.7;
-  EXPECT_THAT(blamed(c), Contains("solver.crank_step"));
+  EXPECT_THAT(keys_at_fault(c), Contains("solver.crank_step"));
 }
 
 TEST(CaseRules, RefuseFieldsThatWouldFillTheMemory) {
   Case c = sound_case();
   c.output.fields = FieldOutput::kAll;
-  EXPECT_THAT(blamed(c), IsEmpty());
+  EXPECT_THAT(keys_at_fault(c), IsEmpty());
   c.output.crank_angle_step_deg = 0.01;
-  EXPECT_THAT(blamed(c), Contains("output.fields"));
+  EXPECT_THAT(keys_at_fault(c), Contains("output.fields"));
 }
 
 TEST(CaseRules, AskForValvesThatOpenBeforeTheyClose) {
   Case c = sound_case();
   c.gas.exhaust_valve_closing_deg = 100;
   c.gas.intake_valve_closing_deg = 340;
-  EXPECT_THAT(blamed(c), Contains("gas.exhaust_valve_closing"));
-  EXPECT_THAT(blamed(c), Contains("gas.intake_valve_closing"));
+  EXPECT_THAT(keys_at_fault(c), Contains("gas.exhaust_valve_closing"));
+  EXPECT_THAT(keys_at_fault(c), Contains("gas.intake_valve_closing"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-std::vector<std::string> blamed(const Case& c) {
+std::vector<std::string> keys_at_fault(const Case& c) {
   std::vector<std::string> keys;
   for (const RuleBreach& breach : broken_rules(c)) keys.push_back(breach.key);
   return keys;
@@ -49,7 +49,7 @@ TEST(UnrolledCase, KeysCountOnlyWithTheUnrolledFilm) {
   EXPECT_TRUE(active("output.reduction", with_fields));
 }
 
-TEST(UnrolledCase, SatisfiesTheRulesUnchanged) { EXPECT_THAT(blamed(unrolled_ring()), IsEmpty()); }
+TEST(UnrolledCase, SatisfiesTheRulesUnchanged) { EXPECT_THAT(keys_at_fault(unrolled_ring()), IsEmpty()); }
 
 TEST(UnrolledCase, RefusesAGapThatLeavesNothingOfTheRing) {
   Case c = unrolled_ring();
@@ -58,26 +58,26 @@ TEST(UnrolledCase, RefusesAGapThatLeavesNothingOfTheRing) {
   c.ring.end_gap = 0.5;
   EXPECT_THAT(message(c, "ring.end_gap"), HasSubstr("500 mm"));
   c.film.dimension = FilmDimension::kFace;  // not in use
-  EXPECT_THAT(blamed(c), IsEmpty());
+  EXPECT_THAT(keys_at_fault(c), IsEmpty());
 }
 
 TEST(UnrolledCase, RefusesMethodsThatKnowNoUnrolledFilm) {
   for (const Method method : {Method::kPointRelaxation, Method::kNestedSecant}) {
     Case c = unrolled_ring();
     c.solver.method = method;
-    EXPECT_THAT(blamed(c), Contains("solver.method"));
+    EXPECT_THAT(keys_at_fault(c), Contains("solver.method"));
   }
 }
 
 TEST(UnrolledCase, RefusesEndCellsLongerThanCellsThatAreAllAlike) {
   Case c = unrolled_ring();
   c.solver.end_cell = c.ring_length() / c.solver.cells_y * (1 + 1e-9);
-  EXPECT_THAT(blamed(c), Contains("solver.end_cell"));
+  EXPECT_THAT(keys_at_fault(c), Contains("solver.end_cell"));
   c.solver.end_cell = c.ring_length() / c.solver.cells_y * (1 - 1e-9);
-  EXPECT_THAT(blamed(c), IsEmpty());
+  EXPECT_THAT(keys_at_fault(c), IsEmpty());
 }
 
-bool tells_long_end_cells(const Case& c) {
+bool reports_long_end_cells(const Case& c) {
   const std::vector<Note> notes = prepare(c).notes;
   return std::any_of(notes.begin(), notes.end(), [](const Note& note) { return note.topic == "end-cells-long"; });
 }
@@ -89,7 +89,7 @@ TEST(UnrolledCase, RefusesEndCellsLongerThanTheFaceIsWideAndReportsHowManyWouldD
   const std::string reported = message(c, "solver.cells_y");
   c.solver.cells_y = std::stoi(reported.substr(reported.find("; take ") + 7));
   EXPECT_LE(strips_of(c).spacing.front(), 1.1 * c.end_cell());  // longer than that is reported
-  EXPECT_FALSE(tells_long_end_cells(c));
+  EXPECT_FALSE(reports_long_end_cells(c));
   --c.solver.cells_y;
   EXPECT_GT(strips_of(c).spacing.front(), 1.1 * c.end_cell());
 }
@@ -97,8 +97,8 @@ TEST(UnrolledCase, RefusesEndCellsLongerThanTheFaceIsWideAndReportsHowManyWouldD
 TEST(UnrolledCase, ReportsLongEndCellsBeforeItIsIntegrated) {
   Case c = unrolled_ring();
   c.solver.cells_y = 40;
-  ASSERT_THAT(blamed(c), IsEmpty());
-  EXPECT_TRUE(tells_long_end_cells(c));
+  ASSERT_THAT(keys_at_fault(c), IsEmpty());
+  EXPECT_TRUE(reports_long_end_cells(c));
 }
 
 TEST(UnrolledCase, RefusesWhatWouldFillTheMemoryAndStatesTheMemory) {
@@ -108,14 +108,14 @@ TEST(UnrolledCase, RefusesWhatWouldFillTheMemoryAndStatesTheMemory) {
   EXPECT_THAT(message(c, "output.fields"), HasSubstr("419.109 MB"));
   EXPECT_THAT(message(c, "output.fields"), HasSubstr("along-face"));
   c.output.reduction = FieldReduction::kAlongFace;
-  EXPECT_THAT(blamed(c), IsEmpty());
+  EXPECT_THAT(keys_at_fault(c), IsEmpty());
   c.output.reduction = FieldReduction::kNone;
   c.output.fields = FieldOutput::kListed;
   c.output.field_angles_deg = {0, 20, 90};
-  EXPECT_THAT(blamed(c), IsEmpty());
+  EXPECT_THAT(keys_at_fault(c), IsEmpty());
   c.solver.cells = 100000;
   c.solver.cells_y = 100000;
-  EXPECT_THAT(blamed(c), Contains("solver.cells_y"));
+  EXPECT_THAT(keys_at_fault(c), Contains("solver.cells_y"));
 }
 
 TEST(UnrolledCase, EndsItsRingAtTheGapAndRefinesTheCellsThere) {

@@ -43,8 +43,8 @@ double slope(const Function& f, double at, double step) {
 }
 
 /// d(rho theta h)/dt + dq/dx of a prescribed pressure and film content.
-template <typename Pressure, typename Fill>
-double mass_source(const Pressure& p, const Fill& theta, double x, double t, double d_dt_wanted) {
+template <typename Pressure, typename FilmContent>
+double mass_source(const Pressure& p, const FilmContent& theta, double x, double t, double transient) {
   const auto content = [&](double time) { return density(p(x, time)) * theta(x, time) * gap(x, time); };
   const auto flux = [&](double place) {
     const double h = gap(place, t);
@@ -53,7 +53,7 @@ double mass_source(const Pressure& p, const Fill& theta, double x, double t, dou
     return 0.5 * kVelocity * density(here) * theta(place, t) * h -
            density(here) * h * h * h / (12 * viscosity(here)) * dp;
   };
-  return d_dt_wanted * slope(content, t, 1e-3 / kOmega) + slope(flux, x, kWidth / 2000);
+  return transient * slope(content, t, 1e-3 / kOmega) + slope(flux, x, kWidth / 2000);
 }
 
 constexpr double kTransientTerm = 1, kNoTransientTerm = 0;  // weights of d(rho theta h)/dt
@@ -76,8 +76,8 @@ struct Manufactured {
     return lowest;
   }
 
-  template <typename Pressure, typename Fill>
-  FilmInputs inputs(const Pressure& p, const Fill& theta, double t, double transient) const {
+  template <typename Pressure, typename FilmContent>
+  FilmInputs inputs(const Pressure& p, const FilmContent& theta, double t, double transient) const {
     FilmInputs in;
     in.oil = oil;
     in.U = kVelocity;
@@ -91,8 +91,8 @@ struct Manufactured {
     return in;
   }
 
-  template <typename Pressure, typename Fill>
-  FilmState exact(const Pressure& p, const Fill& theta, double t) const {
+  template <typename Pressure, typename FilmContent>
+  FilmState exact(const Pressure& p, const FilmContent& theta, double t) const {
     FilmState state;
     state.h_m = separation(t) + lowest_face();
     for (const double x : problem.grid.x) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "made_surfaces.hpp"
+#include "synthetic_surfaces.hpp"
 
 namespace ringfilm::instrument {
 namespace {

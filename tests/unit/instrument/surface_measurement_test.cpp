@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "made_surfaces.hpp"
+#include "synthetic_surfaces.hpp"
 
 namespace ringfilm::instrument {
 namespace {

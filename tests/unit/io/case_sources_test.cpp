@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 /// What reading `path` reports; empty if it could be read.
-std::string told_of(const std::string& path) {
+std::string message_of(const std::string& path) {
   try {
     read_case(path);
   } catch (const InputError& error) {
@@ -193,22 +193,22 @@ TEST(CaseSources, AByteOrderMarkAndLineEndsOfOtherSystemsAreReadAndNoted) {
 
 TEST(CaseSources, WhatIsNotACaseFileIsRefusedBeforeItIsParsed) {
   const CaseFolder folder;
-  EXPECT_THAT(told_of(folder / "gone.toml"), HasSubstr("gone.toml: there is no such file"));
-  EXPECT_THAT(told_of(folder / "."), HasSubstr("this is a folder, not a file"));
+  EXPECT_THAT(message_of(folder / "gone.toml"), HasSubstr("gone.toml: there is no such file"));
+  EXPECT_THAT(message_of(folder / "."), HasSubstr("this is a folder, not a file"));
   folder.write("x.toml", std::string("title = \"a\0b\"\n", 13));
-  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("x.toml:1:11: the file is binary, not text"));
+  EXPECT_THAT(message_of(folder / "x.toml"), HasSubstr("x.toml:1:11: the file is binary, not text"));
   folder.write("x.toml", "");
-  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("the file is empty"));
+  EXPECT_THAT(message_of(folder / "x.toml"), HasSubstr("the file is empty"));
   folder.write("x.toml", " \n\n");
-  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("the file is empty"));
+  EXPECT_THAT(message_of(folder / "x.toml"), HasSubstr("the file is empty"));
   folder.write("x.toml", "title = \"M\xFCller\"\n");
-  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("x.toml:1:11: the file is not UTF-8 text"));
+  EXPECT_THAT(message_of(folder / "x.toml"), HasSubstr("x.toml:1:11: the file is not UTF-8 text"));
   folder.write("x.toml", "\xFF\xFEt\0");
-  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("UTF-16"));
+  EXPECT_THAT(message_of(folder / "x.toml"), HasSubstr("UTF-16"));
   folder.write("x.toml", std::string(5 << 20, 'a'));
-  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("the file is larger than 4 MB"));
+  EXPECT_THAT(message_of(folder / "x.toml"), HasSubstr("the file is larger than 4 MB"));
   folder.write("x.toml", "b\xC3\xB6r = 1\n");
-  EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("x.toml:1:2: a key must be written in ASCII letters"));
+  EXPECT_THAT(message_of(folder / "x.toml"), HasSubstr("x.toml:1:2: a key must be written in ASCII letters"));
 }
 
 TEST(CaseSources, TextThatBreaksTomlParsersIsRefused) {
@@ -221,7 +221,7 @@ TEST(CaseSources, TextThatBreaksTomlParsersIsRefused) {
         std::string("a = 1 b = 2"), std::string("= 1"), std::string("a"), std::string("a = 1979-05-27T"),
         std::string("a = 9223372036854775808"), std::string("a = \"\\uD800\"")}) {
     folder.write("x.toml", text + "\n");
-    EXPECT_THAT(told_of(folder / "x.toml"), HasSubstr("x.toml:")) << text.substr(0, 20);
+    EXPECT_THAT(message_of(folder / "x.toml"), HasSubstr("x.toml:")) << text.substr(0, 20);
   }
 }
 

@@ -22,10 +22,10 @@ Plan speeds(std::vector<double> values) {
 
 struct Collected {
   std::vector<ScenarioRow> rows;
-  std::uint64_t chunks = 0, next = 0;
+  std::uint64_t blocks = 0, next = 0;
 };
 
-Collected run(const Plan& plan, const ScenarioRange& range, std::uint64_t most_rows, std::uint64_t chunks_wanted) {
+Collected run(const Plan& plan, const ScenarioRange& range, std::uint64_t most_rows, std::uint64_t blocks_requested) {
   Collected all;
   StudyRunOptions options;
   options.most_rows = most_rows;
@@ -33,7 +33,7 @@ Collected run(const Plan& plan, const ScenarioRange& range, std::uint64_t most_r
     EXPECT_EQ(block.first, range.first + all.rows.size());
     EXPECT_LE(block.rows.size(), most_rows);
     all.rows.insert(all.rows.end(), block.rows.begin(), block.rows.end());
-    return ++all.chunks == chunks_wanted ? Continuation::kNo : Continuation::kYes;
+    return ++all.blocks == blocks_requested ? Continuation::kNo : Continuation::kYes;
   };
   all.next = run_scenarios(plan, range, finished, options);
   return all;

@@ -68,7 +68,7 @@ TEST(Synthetic, ASeedGivesTheSameSurfaceAndAnotherSeedAnother) {
 TEST(Synthetic, ExactRmsIsExactAndExpectedRmsHoldsOverSeeds) {
   const SurfaceGrid grid{97, 64, 1e-6, 2e-6};  // 97 is cut out of 100
   const PowerSpectrum spectrum = gaussian_correlation(4e-6, 6e-6);
-  const HeightStatistics exact = height_statistics(gaussian_surface(grid, spectrum, 0.3e-6, 1, MadeRms::exact));
+  const HeightStatistics exact = height_statistics(gaussian_surface(grid, spectrum, 0.3e-6, 1, RmsDefinition::exact));
   EXPECT_NEAR(exact.Sq_m, 0.3e-6, 1e-20);
   EXPECT_NEAR(exact.mean_m, 0, 1e-20);
   double squares = 0;

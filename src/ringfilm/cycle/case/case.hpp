@@ -76,7 +76,7 @@ enum class AngleZero {
 
 /// `gas.trace_origin`: where a trace comes from.
 enum class TraceOrigin {
-  kNotStated,  ///< the case does not say
+  kNotStated,  ///< not stated in the case
   kMeasured,   ///< on an engine
   kComputed,   ///< by a model of the engine
   kSynthetic   ///< made up; marked SYNTHETIC wherever it appears
@@ -262,7 +262,7 @@ struct LandPressure {
 struct MeasuredFace {
   std::optional<std::string> trace;         ///< file of the trace
   std::optional<double> width;              ///< that the face was fitted over; the ring must have it [m]
-  std::optional<std::string> levelling;     ///< how its tilt was taken off
+  std::optional<std::string> levelling;     ///< how its tilt was removed
   std::optional<double> residual_rms;       ///< rms distance of trace and face [m]
   std::optional<double> largest_residual;   ///< largest distance of trace and face [m]
   std::optional<std::string> fit_artifact;  ///< where the face has what the trace has not
@@ -306,8 +306,8 @@ struct Ring {
   std::optional<double> tangential_force;  ///< F_t = p_e b B/2, that closes the ring at its gap [N]
   std::optional<double> free_gap;          ///< of the free ring less that of the closed one [m]
   std::optional<double> radial_thickness;  ///< of the ring, t; goes with free_gap [m]
-  LandPressure pressure_above;             ///< of the land above; not stated: that of the cylinder
-  LandPressure pressure_below;             ///< of the land below; not stated: that of the crankcase
+  LandPressure pressure_above;             ///< of the piston land above; not stated: that of the cylinder
+  LandPressure pressure_below;             ///< of the piston land below; not stated: that of the crankcase
   // film.dimension = "unrolled"
   std::optional<double> end_gap;  ///< between the ends of the ring in the bore; absent: a closed ring [m]
   double gap_position_deg = 0;    ///< of the gap's middle around the bore [degree]
@@ -336,7 +336,7 @@ struct MeasuredShearStrength {
 struct MeasuredContact {
   std::optional<std::string> ring_surface;           ///< file, channel, region
   std::optional<std::string> liner_surface;          ///< file, channel, region
-  std::optional<std::string> filter;                 ///< what was taken off before, in words
+  std::optional<std::string> filter;                 ///< what was removed before, as text
   std::optional<double> long_cutoff;                 ///< longest wavelength that was kept [m]
   std::optional<double> short_cutoff;                ///< shortest wavelength that was kept; N and beta depend on it [m]
   std::optional<double> step;                        ///< distance of points; N and beta depend on it [m]
@@ -426,7 +426,7 @@ struct Pad {
   double length = 0;               ///< L, along the motion [m]
   std::optional<double> width;     ///< B, across the motion; absent: infinitely wide [m]
   std::string gap_file;            ///< CSV or NetCDF of the gap, as named
-  std::vector<double> gap_x;       ///< [m], from 0 to the length, increasing; a step stands there twice
+  std::vector<double> gap_x;       ///< [m], from 0 to the length, increasing; a step appears twice
   std::vector<double> gap_y;       ///< of a map, from 0 to the width, likewise; empty: the same gap at every y [m]
   std::vector<double> gap_height;  ///< for each x; of a map, for each x of the first y, then of the next [m]
   double speed = 0;                ///< of the flat surface [m/s]
@@ -491,7 +491,7 @@ struct Case {
 
   std::set<std::string> stated;  ///< keys that the user gave; every other active key is an assumption
   std::vector<InputFile> files;  ///< everything that was read
-  /// What the reader had to say about the input (byte-order mark, synthetic trace, ...).
+  /// Notes of the reader on the input (byte-order mark, synthetic trace, ...).
   std::vector<std::string> notes;
 };
 

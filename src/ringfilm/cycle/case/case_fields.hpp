@@ -9,7 +9,7 @@
 #include "ringfilm/cycle/case/case.hpp"
 
 /// The one table of case keys. Reading, refusing, echoing, `ringfilm fields`, `ringfilm new`, the case reference of the
-/// manual and the studies all walk it; nothing else knows a key.
+/// manual and the studies all use it; no key is defined elsewhere.
 namespace ringfilm::cycle {
 
 /// Where a case holds a value: to be read in one that does not change, to be written in one that may.
@@ -168,7 +168,7 @@ bool is_for_record(const Field& field);
 bool is_required(const Field& field, const Case& c);
 
 /// Rules that join several keys: exclusive tensions, moduli against composite modulus, lists that must not be empty,
-/// solver and output angles that must fit. Empty if all hold. Each entry names the key to blame and what to do.
+/// solver and output angles that must fit. Empty if all hold. Each entry names the key at fault and the remedy.
 struct RuleBreach {
   std::string key;
   std::string message;

@@ -45,7 +45,7 @@ void append_measured_fields(std::vector<Field>& fields) {
       {
           text<&M::ring_surface>("ring_surface", "file, channel and region of the ring's surface", "\"ring.x3p\""),
           text<&M::liner_surface>("liner_surface", "file, channel and region of the liner's surface", "\"liner.x3p\""),
-          text<&M::filter>("filter", "what was taken off before N, beta and sigma", "\"plane, Gaussian ISO 16610-61\""),
+          text<&M::filter>("filter", "what was removed before N, beta and sigma", "\"plane, Gaussian ISO 16610-61\""),
           number<&M::long_cutoff>("long_cutoff", kMillimetre, above(0, 1),
                                   "longest wavelength that was kept; the nesting index of the filter", "\"0.8 mm\""),
           number<&M::short_cutoff>("short_cutoff", kMicrometre, above(0, 1),

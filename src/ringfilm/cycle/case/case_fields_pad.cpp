@@ -23,7 +23,7 @@ void append_pad_fields(std::vector<Field>& fields) {
                  "gas and ring",
                  "\"76.2 mm\""}),
           field("pad.width", OptionalNumberKind{member<&Case::pad, &Pad::width>}, mm, above(0, 1e3), Need::kOptional,
-                {}, {"width across the motion, B; if left out, the pad is infinitely wide", "\"50 mm\""}),
+                {}, {"width across the motion, B; if omitted, the pad is infinitely wide", "\"50 mm\""}),
           field("pad.gap", FileKind{member<&Case::pad, &Pad::gap_file>}, kNoUnit, {}, Need::kRequired, {},
                 {"CSV file x [mm],h [um] of the gap from x = 0 to the length, g; straight between points, the same x "
                  "twice is a step; with a width also a map, CSV x [mm],y [mm],h [um] or NetCDF h(y, x)",
@@ -55,10 +55,10 @@ void append_pad_fields(std::vector<Field>& fields) {
           field("pad.time_step", NumberKind{member<&Case::pad, &Pad::time_step>}, second, above(0, 1e9),
                 Need::kRequired, kHistory, {"time step of the integration", "\"0.001 s\""}),
           field("pad.end_time", OptionalNumberKind{member<&Case::pad, &Pad::end_time>}, second, time, Need::kOptional,
-                kHistory, {"where the integration ends; if left out, with the history", "\"1 s\""}),
+                kHistory, {"where the integration ends; if omitted, with the history", "\"1 s\""}),
           field("pad.output_step", OptionalNumberKind{member<&Case::pad, &Pad::output_step>}, second, above(0, 1e9),
                 Need::kOptional, kHistory,
-                {"spacing of the instants that are kept, whole time steps; if left out, every step", "\"0.01 s\""}),
+                {"spacing of the instants that are kept, whole time steps; if omitted, every step", "\"0.01 s\""}),
       });
 }
 

@@ -37,7 +37,7 @@ void append_run_fields(std::vector<Field>& fields) {
                 Need::kDefault, kTwoDimensions, {"cells around the ring, or across the pad", "180"}),
           field("solver.end_cell", OptionalNumberKind{member<&Case::solver, &Solver::end_cell>}, {"m", "um"},
                 above(0, 1), Need::kOptional, kGapEnds,
-                {"length around the ring of the cells at the ends of its gap; if left out, 1/50 of the face width",
+                {"length around the ring of the cells at the ends of its gap; if omitted, 1/50 of the face width",
                  "\"24 um\""}),
           field("solver.crank_step", NumberKind{member<&Case::solver, &Solver::crank_step_deg>}, degree, above(0, 10),
                 Need::kDefault, {},

@@ -218,7 +218,7 @@ void check_face_points(const Ring& ring, Breaches& breaches) {
                       "the points of the face run from x = " + number_text(face.x.front() * 1e3) + " to " +
                           number_text(face.x.back() * 1e3) + " mm and do not cover the face width of " +
                           number_text(ring.face_width * 1e3) + " mm",
-                      "points are wanted from x = 0 to ring.face_width; no height is invented beyond them"});
+                      "points from x = 0 to ring.face_width are required; heights are not extrapolated"});
 }
 
 /// A fit holds over the width of its trace only: beyond it a polynomial runs away, and less of it is another face.

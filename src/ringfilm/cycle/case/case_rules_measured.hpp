@@ -5,7 +5,7 @@
 
 namespace ringfilm::cycle {
 
-/// What `[contact.measured]` says must be possible: whole regions, cut-offs in order, correlations of known scatter
+/// Rules for the values of `[contact.measured]`: whole regions, cut-offs in order, correlations of known scatter
 /// that some data can have, a calibration with a name.
 void append_measured_breaches(const MeasuredContact& measured, std::vector<RuleBreach>& breaches);
 

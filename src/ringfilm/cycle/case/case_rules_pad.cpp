@@ -50,14 +50,14 @@ bool check_gap(const Pad& pad, Breaches& breaches) {
                         "the points of the gap run from x = " + number_text(pad.gap_x.front() * 1e3) + " to " +
                             number_text(pad.gap_x.back() * 1e3) + " mm, the pad from 0 to " +
                             number_text(pad.length * 1e3) + " mm",
-                        "points are wanted from x = 0 to pad.length, both included"});
+                        "points from x = 0 to pad.length are required, both included"});
   }
   if (!is_wide) {
     breaches.push_back({"pad.gap",
                         "the rows of the gap run from y = " + number_text(pad.gap_y.front() * 1e3) + " to " +
                             number_text(pad.gap_y.back() * 1e3) + " mm, the pad from 0 to " +
                             number_text(*pad.width * 1e3) + " mm",
-                        "rows are wanted from y = 0 to pad.width, both included"});
+                        "rows from y = 0 to pad.width are required, both included"});
   }
   return is_long && is_wide;
 }
@@ -161,7 +161,7 @@ void check_times(const Case& c, Breaches& breaches) {
   if (every < 1 - 1e-6 || std::abs(every - std::round(every)) > 1e-6 * every) {
     breaches.push_back({"pad.output_step",
                         "pad.output_step = " + number_text(*pad.output_step) +
-                            " s is no whole number of time steps of " + number_text(pad.time_step) + " s",
+                            " s is not a whole number of time steps of " + number_text(pad.time_step) + " s",
                         "take one, two, three ... times pad.time_step"});
   } else if (steps / every * most_nodes(c) > kMostRows) {
     breaches.push_back({pad.output_step ? "pad.output_step" : "pad.time_step",

@@ -28,7 +28,7 @@ class CycleFilm {
   /// By the method of the case; parameters as of film::solve_film.
   film::FilmReport solve(const film::FilmInputs& inputs, const film::FilmState& previous, film::FilmState& state);
 
-  /// How much of the ring stands behind the content of node `i` of a state, to a factor common to all.
+  /// Length of the ring that node `i` of a state represents, to a factor common to all.
   double weight(std::size_t i) const { return film2d_ ? film2d_->around.share[i / film2d_->n_across()] : 1; }
 
  private:
@@ -40,8 +40,7 @@ class CycleFilm {
   Workspace workspace_;
 };
 
-/// What acts on the unrolled ring: at both ends of its gap stands the mean of the pressures at the edges
-/// (eq-film-2d-ends).
+/// What acts on the unrolled ring: at both ends of its gap the mean of the pressures at the edges (eq-film-2d-ends).
 film::Film2dInputs film2d_inputs(const film::FilmInputs& inputs);
 
 /// How finely the unrolled ring of a case is cut.

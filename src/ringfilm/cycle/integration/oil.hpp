@@ -35,7 +35,7 @@ PreparedOil prepared_oil(const Lubricant& lubricant, std::optional<models::WallT
 /// Notes on a viscosity far from those of engine oils at the film's temperatures; docs/theory/oil.md.
 void append_viscosity_notes(const PreparedOil& oil, std::vector<Note>& notes);
 
-/// An oil that the caller brings, with the note that says so. Throws InputError without a law, or where it has no value
+/// An oil that the caller supplies, with a note on it. Throws InputError without a law, or where it has no value
 /// up to the pressures that its fits are to reach (see fit_properties). @param temperature [K]
 PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAtTemperature> law, double temperature,
                     double largest_mean_pressure);

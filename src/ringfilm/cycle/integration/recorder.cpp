@@ -15,7 +15,7 @@ namespace {
 /// Angles closer than this are the same [degree].
 constexpr double kSameAngle = 1e-9;
 
-std::vector<double> wanted_angles(const Output& output) {
+std::vector<double> requested_angles(const Output& output) {
   if (!output.crank_angles_deg.empty()) return output.crank_angles_deg;
   std::vector<double> angles;
   const int n = static_cast<int>(std::lround(kCycleDeg / output.crank_angle_step_deg));
@@ -32,18 +32,18 @@ Recorder::Recorder(const Setup& setup)
       step_deg_(setup.input.solver.crank_step_deg),
       base_(steps_per_cycle(setup.input.solver)),
       is_passed_(base_.size(), false),
-      wanted_deg_(wanted_angles(setup.input.output)) {
+      requested_deg_(requested_angles(setup.input.output)) {
   if (setup.input.is_unrolled()) unrolled_.emplace(setup);
-  if (setup.input.output.fields == FieldOutput::kAll) field_deg_ = wanted_deg_;
+  if (setup.input.output.fields == FieldOutput::kAll) field_deg_ = requested_deg_;
   if (setup.input.output.fields == FieldOutput::kListed) field_deg_ = setup.input.output.field_angles_deg;
-  for (const auto& angles : {wanted_deg_, field_deg_}) {
+  for (const auto& angles : {requested_deg_, field_deg_}) {
     for (const double angle : angles) {
       if (!is_multiple(angle, step_deg_)) between_[angle] = std::nullopt;
     }
   }
 }
 
-bool Recorder::wants_fields(double crank_angle_deg) const {
+bool Recorder::is_field_angle(double crank_angle_deg) const {
   const auto next = std::lower_bound(field_deg_.begin(), field_deg_.end(), crank_angle_deg - kSameAngle);
   return next != field_deg_.end() && *next < crank_angle_deg + kSameAngle;
 }
@@ -69,7 +69,7 @@ void Recorder::keep(const TimeIntegration& integration, const Instant& instant, 
     ++polynomial_steps_;
     polynomial_share_ = std::max(polynomial_share_, beyond / integrals.asperity_load);
   }
-  if (wants_fields(instant.crank_angle_deg)) {
+  if (is_field_angle(instant.crank_angle_deg)) {
     FaceFields fields;
     append_fields(setup_, integration, instant, fields);
     if (unrolled_) unrolled_->keep_fields(integration, instant, of_film2d);
@@ -107,8 +107,8 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
                              Completeness completeness) const {
   CycleResult result;
   result.complete = completeness == Completeness::kComplete;
-  result.samples.reserve(wanted_deg_.size());
-  for (const double angle : wanted_deg_) {
+  result.samples.reserve(requested_deg_.size());
+  for (const double angle : requested_deg_) {
     const auto between = between_.find(angle);
     const auto k = static_cast<std::size_t>(std::lround(angle / step_deg_)) % base_.size();
     const bool is_between = between != between_.end();

@@ -29,15 +29,15 @@ class Recorder : public StepObserver {
 
  private:
   void keep(const TimeIntegration& integration, const Instant& instant, Sample& slot);
-  bool wants_fields(double crank_angle_deg) const;
+  bool is_field_angle(double crank_angle_deg) const;
 
   const Setup& setup_;
   std::optional<UnrolledRecorder> unrolled_;  ///< of an unrolled film
   double step_deg_;
   std::vector<Sample> base_;  ///< at the base angles
   std::vector<bool> is_passed_;
-  std::map<double, std::optional<Sample>> between_;  ///< angles asked for that are no base angles
-  std::vector<double> wanted_deg_;                   ///< of the samples that go out, increasing
+  std::map<double, std::optional<Sample>> between_;  ///< requested angles that are not base angles
+  std::vector<double> requested_deg_;                ///< of the samples that go out, increasing
   std::vector<double> field_deg_;                    ///< of the fields that go out, increasing
   std::map<double, FaceFields> fields_;              ///< one angle each
   double max_load_residual_ = 0;

@@ -82,8 +82,8 @@ struct OwnOil {
   std::shared_ptr<const models::OilAtTemperature> law;  ///< at operating.oil_temperature; see oil_of_functions
 };
 
-/// The same with an oil of the caller's own; lubricant.* of the case is not looked at, and a note in the result says
-/// so. Throws InputError also where the law has no value (check_oil), and for a case with [thermal].
+/// The same with an oil of the caller's own; lubricant.* of the case is ignored, and a note in the result reports
+/// that. Throws InputError also where the law has no value (check_oil), and for a case with [thermal].
 Setup prepare(const Case& c, const OwnOil& oil);
 
 }  // namespace ringfilm::cycle

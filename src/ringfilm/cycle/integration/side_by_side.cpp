@@ -16,9 +16,9 @@ namespace {
 
 using Owned = std::unique_ptr<BatchMember>;
 
-/// Marches that wait for a lane of their kind, at the most.
+/// Largest number of integrations that wait for a lane of their kind.
 constexpr std::size_t kMostWaiting = 64;
-/// Marches of one kind may share a block, which sweeps as far as the longest film in it.
+/// Integrations of one kind may share a block, whose sweeps are as long as the longest film in it.
 struct LaneKind {
   unsigned cells;  ///< room for so many: a power of two
   const film::FilmKernels* kernels;
@@ -45,7 +45,7 @@ class Block {
         laws_(kind.laws),
         integrations_(kind.kernels->width) {}
 
-  bool has_room() const { return n_busy_ < newton_.width(); }
+  bool has_free_lane() const { return n_busy_ < newton_.width(); }
   bool is_empty() const { return n_busy_ == 0; }
 
   void take(Owned integration) {
@@ -158,13 +158,13 @@ LaneEffort integrate_side_by_side(const std::function<Owned()>& next, const std:
     }
     const LaneKind kind = kind_of(integration->integration());
     Block& block = blocks.try_emplace(kind, kind).first->second;
-    if (block.has_room() && waiting[kind].empty()) return block.take(std::move(integration));
+    if (block.has_free_lane() && waiting[kind].empty()) return block.take(std::move(integration));
     waiting[kind].push_back(std::move(integration));
     ++n_waiting;
   };
   const auto refill = [&](const LaneKind& kind, Block& block) {
     auto& queue = waiting[kind];
-    while (block.has_room()) {
+    while (block.has_free_lane()) {
       if (!queue.empty()) {
         block.take(std::move(queue.front()));
         queue.pop_front();

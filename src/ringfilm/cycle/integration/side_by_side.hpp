@@ -28,12 +28,12 @@ struct LaneEffort {
   long single_solves = 0;  ///< films that were sought one by one after a lane had failed
 };
 
-/// Takes integrates from `next` until it gives none, and hands each to `finished` when it is done, in any order. A lane
-/// that is free takes the next integration, so that none waits for the slowest. Marches of unlike grids share a block,
-/// as long as the longest in it, if their cells have the same next power of two; those that are not solved by the
-/// coupled Newton method, and those of an unrolled film, are integrated one by one. What becomes of an integration
-/// depends on no other. `pulse` is called every few crank steps at the latest; what it throws ends all integrations.
-/// One thread.
+/// Takes integrations from `next` until it returns a null pointer, and passes each to `finished` when it is complete,
+/// in any order. A free lane takes the next integration, so that none waits for the slowest. Integrations of different
+/// grids share a block, as long as the longest in it, if their cells have the same next power of two; those that are
+/// not solved by the coupled Newton method, and those of an unrolled film, are integrated one by one. The result of
+/// an integration does not depend on the others. `pulse` is called every few crank steps at the latest; what it throws
+/// ends all integrations. One thread.
 LaneEffort integrate_side_by_side(const std::function<std::unique_ptr<BatchMember>()>& next,
                                   const std::function<void(std::unique_ptr<BatchMember>)>& finished,
                                   const std::function<void()>& pulse = {});

@@ -39,9 +39,9 @@ class TimeIntegration;
 class StepObserver {
  public:
   virtual ~StepObserver() = default;
-  /// The integration stands at `from_deg` and will step to `to_deg`.
+  /// The integration is at `from_deg` and will step to `to_deg`.
   virtual void before_step(TimeIntegration& integration, double from_deg, double to_deg) = 0;
-  /// The integration stands at the end of the step.
+  /// The integration is at the end of the step.
   virtual void after_step(const TimeIntegration& integration) = 0;
 };
 
@@ -91,11 +91,11 @@ class TimeIntegration {
   /// Error that is allowed per step in the oil on the face, as a share of that in ln h_m [-].
   static constexpr double kContentShare = 0.5;
 
-  /// A film at `crank_angle_deg`, solved from where the integration stands without moving it, in up to 64 steps. Throws
-  /// ConvergenceError. `to` receives the film; the Instant refers to it and to memory of the integration.
+  /// A film at `crank_angle_deg`, solved from the current instant without advancing the integration, in up to 64 steps.
+  /// Throws ConvergenceError. `to` receives the film; the Instant refers to it and to memory of the integration.
   Instant side_step(double crank_angle_deg, film::FilmState& to);
 
-  /// Where the integration stands.
+  /// The current instant.
   const Instant& instant() const { return instant_; }
   const film::FilmState& state() const { return state_; }
   /// Of the film across the face, which is that of each strip of an unrolled film.
@@ -127,7 +127,7 @@ class TimeIntegration {
   film::FilmState state_, before_, candidate_, side_before_;
   Axis axis_ = Axis::kFromChamber;  ///< of `state_` and `before_`
   double time_step_before_ = 0;     ///< 0: no history
-  int k_ = 0;                       ///< base angle where the integration stands
+  int k_ = 0;                       ///< current base angle
   double angle_deg_ = 0;            ///< the same as an angle, within a base step too
   int level_ = 0;                   ///< steps are 2^-level of the base step
   int tick_ = kTicksPerBaseStep;    ///< of the base step, done

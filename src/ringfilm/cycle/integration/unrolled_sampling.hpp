@@ -15,7 +15,7 @@ UnrolledSample unrolled_sample(const Setup& setup, const TimeIntegration& integr
 /// Values of the cycle from samples at all base angles, equally spaced, and as many of the whole ring.
 UnrolledValues unrolled_values(const std::vector<Sample>& whole, const std::vector<UnrolledSample>& samples);
 
-/// What stands in their place when the integration stopped: every value NaN.
+/// Their replacement when the integration stopped: every value NaN.
 UnrolledValues no_unrolled_values();
 
 /// Keeps what only an unrolled film has, at the angles of a Recorder. An angle that is passed again replaces what was

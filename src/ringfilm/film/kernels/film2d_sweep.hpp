@@ -81,8 +81,8 @@ class Film2dBalance {
 
   /// Flux on from node i, and the balance of node i if it is not an edge.
   RINGFILM_INLINE void row(int colour, int i) {
-    const std::size_t begin = static_cast<std::size_t>(colour * shape_.n_across + i) * shape_.stride + kPackRoom;
-    const std::size_t strips = static_cast<std::size_t>(colour) * shape_.stride + kPackRoom;
+    const std::size_t begin = static_cast<std::size_t>(colour * shape_.n_across + i) * shape_.stride + kPackPadding;
+    const std::size_t strips = static_cast<std::size_t>(colour) * shape_.stride + kPackPadding;
     const std::ptrdiff_t other = static_cast<std::ptrdiff_t>(shape_.colour_size()) * (1 - 2 * colour);
     for (int k = 0; k < shape_.slots(colour); k += Real::kWidth) {
       const std::size_t place = begin + k, strip = strips + k;
@@ -185,7 +185,7 @@ class Film2dBalance {
 template <class Real>
 void oil(Film2dBlock& b) {
   constexpr int kAbreast = 2;
-  static_assert(kPackRoom % (Real::kWidth) == 0);
+  static_assert(kPackPadding % (Real::kWidth) == 0);
   const std::size_t n = b.system.shape.size();
   for (std::size_t place = 0; place < n; place += kAbreast * Real::kWidth) {
     Real t[kAbreast], value[kAbreast];
@@ -244,9 +244,9 @@ void update_nodes(Film2dBlock& b, const double* step) {
   Real peak(0), check(0);
   for_packs<Real>(shape, [&](int colour, int k) RINGFILM_INLINE_BODY {
     const auto inside =
-        Real::load(b.is_strip + static_cast<std::size_t>(colour) * shape.stride + kPackRoom + k) > Real(0);
+        Real::load(b.is_strip + static_cast<std::size_t>(colour) * shape.stride + kPackPadding + k) > Real(0);
     for (int i = 1; i < shape.n_across - 1; ++i) {
-      const std::size_t place = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackRoom + k;
+      const std::size_t place = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackPadding + k;
       const Real move = select(inside, Real::load(step + place), Real(0));
       const Real after = kink.template take<kFilmContent>(Real::load(b.z + place), move);
       check += select(inside, after, Real(0));
@@ -284,7 +284,7 @@ void update(Film2dBlock& b, const double* step) {
 /// one after the other, as they lie in memory.
 template <class Real, class Body>
 RINGFILM_INLINE void for_row(const ZebraShape& shape, int colour, int i, const Body& body) {
-  const std::size_t row = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackRoom;
+  const std::size_t row = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackPadding;
   const int slots = shape.slots(colour);
   for (int k = 0; k < slots; k += Real::kWidth) body(row + k);
 }
@@ -377,7 +377,7 @@ void from_coarse(const ZebraShape& coarse, const double* x, const ZebraShape& fi
     const double* from_odd = x + coarse.at(i, 1);
     const std::size_t odd = fine.at(i, 1);
     for (int begin = 0; begin < n; begin += kTransfer) {
-      alignas(64) double strip[kTransfer + kPackRoom] = {};
+      alignas(64) double strip[kTransfer + kPackPadding] = {};
       const int count = n - begin < kTransfer ? n - begin : kTransfer;
       for (int k = 0; k <= count; k += 2) strip[k] = from_even[(begin + k) / 2];
       for (int k = 1; k <= count; k += 2) strip[k] = from_odd[(begin + k) / 2];

@@ -10,8 +10,8 @@ struct FilmView {
   int n_cells;
   const double *node_height, *face_height, *share, *spacing;
   const double *p, *deficit, *mass_per_area;
-  double h_m;         ///< [m]
-  double fill_share;  ///< 1: theta = 1 - deficit; 0: theta = 1
+  double h_m;            ///< [m]
+  double deficit_share;  ///< 1: theta = 1 - deficit; 0: theta = 1
 };
 
 /// One lane of a block: z, and how far apart its numbers are.
@@ -64,7 +64,7 @@ struct FittedContactView {
   const double *F_52, *F_2;
   double reach, per_gap, pressure_scale, area_scale;
   double spread;       ///< 1: at the local gap; 0: at h_m on the whole face
-  double turning_gap;  ///< the load beyond it is told apart [m]
+  double turning_gap;  ///< the load beyond it is also summed separately [m]
 };
 
 struct ContactSums {
@@ -76,7 +76,9 @@ struct ContactSums {
 RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double* rho, const double* K, int i) {
   const double h = film.h_m + film.face_height[i];
   const double dp = film.p[i + 1] - film.p[i];
-  const auto film_content = [&](bool from_left) { return 1 - film.fill_share * film.deficit[from_left ? i : i + 1]; };
+  const auto film_content = [&](bool from_left) {
+    return 1 - film.deficit_share * film.deficit[from_left ? i : i + 1];
+  };
   return face_flux(entrainment(0.25 * U, film_content(U >= 0), h), rho[0] + rho[1],
                    film_content(dp <= 0) * conductance(h * h * h, film.spacing[i]), K[0] + K[1], dp);
 }
@@ -103,7 +105,7 @@ class AlongFace {
     visit_nodes<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY { read_at<Some>(lane, to, i); });
   }
 
-  /// The first node from `i` on, and before `end`, that is a cavity, or that is none; `end` if there is no such.
+  /// The first node from `i` on and before `end` that is a cavity, or with `cavity` false that is not; else `end`.
   RINGFILM_INLINE static int next_node(const double* deficit, int i, int end, bool cavity) {
     const double sign = cavity ? 1 : -1;
     while (i + Real::kWidth <= end &&
@@ -198,7 +200,7 @@ class AlongFace {
 
   template <class Some>
   RINGFILM_INLINE static Some theta(const FilmView& film, int i) {
-    return Some(1) - Some(film.fill_share) * Some::load(film.deficit + i);
+    return Some(1) - Some(film.deficit_share) * Some::load(film.deficit + i);
   }
 
   template <class Some>

@@ -33,8 +33,8 @@ std::vector<const FilmKernels*> available() {
 }  // namespace
 
 const FilmKernels& kernels() {
-  const char* wanted = std::getenv("RINGFILM_KERNELS");
-  return wanted == nullptr || *wanted == '\0' ? *available().back() : kernels(wanted);
+  const char* requested = std::getenv("RINGFILM_KERNELS");
+  return requested == nullptr || *requested == '\0' ? *available().back() : kernels(requested);
 }
 
 const FilmKernels& kernels(std::string_view name) {

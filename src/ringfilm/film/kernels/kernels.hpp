@@ -22,7 +22,7 @@ struct FilmKernels {
 };
 
 /// The widest that this machine has, or the one that the environment variable RINGFILM_KERNELS names ("baseline",
-/// "avx2", "avx512"). Throws InputError for a name that is none or that this machine cannot run.
+/// "avx2", "avx512"). Throws InputError for an unknown name and for one that this machine cannot run.
 const FilmKernels& kernels();
 
 /// By name, as above.

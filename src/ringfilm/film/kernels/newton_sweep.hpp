@@ -145,7 +145,7 @@ class NewtonSweep {
     const Visitor per_gap = of_lanes(b_.contact_per_gap);
     Visitor lowest[kAbreast], t[kAbreast], root[kAbreast], root_slope[kAbreast];
     for (int a = 0; a < kAbreast; ++a) {
-      lowest[a] = max(Visitor(0), gap[a]);  // below no gap load and slope go on along the tangent
+      lowest[a] = max(Visitor(0), gap[a]);  // load continues along its tangent for negative gaps
       // Lanes out of reach count for nothing, but must be numbers.
       t[a] = min(Visitor(1), lowest[a] * per_gap - Visitor(1));
     }
@@ -182,10 +182,10 @@ class NewtonSweep {
     const int n = b_.n_cells;
     load_ = slope_ = Visitor(0);
     const Real rate = Real::load(b_.rate), left_h = Real::load(b_.left_h);
-    const Mask goes_on = Real::load(b_.goes_on) > Real(0);
-    const bool some_go_on = Real::any(goes_on);
+    const Mask continues = Real::load(b_.continues) > Real(0);
+    const bool some_continue = Real::any(continues);
     Real row(0), upper(0), column(0), rhs(0);  // of the node before, eliminated
-    Real by_column(0), by_rhs(0);              // what the elimination takes off the load row
+    Real by_column(0), by_rhs(0);              // what the elimination subtracts from the load row
 
     Film film;
     Flux in;
@@ -207,8 +207,8 @@ class NewtonSweep {
         const Real stored = volume * h;  // times rho theta
         const Real filled = filled_density<kFilmContent>(here);
         Real inflow = at(b_.inflow, i);
-        if (some_go_on) {
-          inflow = select(goes_on, volume * (filled * (left_h + height)), inflow);
+        if (some_continue) {
+          inflow = select(continues, volume * (filled * (left_h + height)), inflow);
           inflow.store(b_.inflow + i * kWidth);
         }
         Real residual = stored * filled - inflow + (out.value - in.value);
@@ -251,12 +251,12 @@ class NewtonSweep {
     }
     excess.store(b_.excess);
 
-    // The load carried must fall with h_m; where the linearisation says otherwise, only its sign is believed.
+    // The load carried must fall with h_m; where the linearisation gives a rise, only the sign of the excess is used.
     const Real corner = slope * h_m_ - by_column;
     check_ = corner + by_rhs + at(b_.z, 0) + at(b_.z, n);
     const Real newton = (-excess - by_rhs) / select(corner < Real(0), corner, Real(-1));
-    const Real blind = select(excess < Real(0), Real(-kSignOnlyStep), Real(kSignOnlyStep));
-    const Real step = select(corner < Real(0), newton, blind);
+    const Real sign_only = select(excess < Real(0), Real(-kSignOnlyStep), Real(kSignOnlyStep));
+    const Real step = select(corner < Real(0), newton, sign_only);
     const Real limited = min(max(step, Real(kLargestFall)), Real(kLargestRise));
     return select(Real::load(b_.movable) > Real(0), limited, Real(0));
   }

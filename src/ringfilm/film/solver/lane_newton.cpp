@@ -50,7 +50,7 @@ void LaneNewton::clear(int lane) {
   block_.contact_reach[lane] = kNowhere;
   block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
   block_.quarter_U[lane] = block_.rate[lane] = block_.load[lane] = block_.movable[lane] = 0;
-  block_.goes_on[lane] = block_.left_h[lane] = 0;
+  block_.continues[lane] = block_.left_h[lane] = 0;
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
   clear_from(lane, 0);
   fit_block();
@@ -201,9 +201,9 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
     block_.cavity_K[lane] = at.oil->density(inputs.p_cavitation) / at.oil->viscosity(inputs.p_cavitation);
   }
   set_bounds(lane, inputs);
-  block_.goes_on[lane] = inflow_is == Inflow::kOfTheLane && inputs.source.empty() ? 1 : 0;
+  block_.continues[lane] = inflow_is == Inflow::kOfTheLane && inputs.source.empty() ? 1 : 0;
   block_.left_h[lane] = previous.h_m;
-  if (block_.goes_on[lane] > 0) return;
+  if (block_.continues[lane] > 0) return;
   const double *content = previous.mass_per_area.data(), *share = grid.share.data();
   double* inflow = block_.inflow + lane;
   for (int i = 0; i <= at.n_cells; ++i) inflow[i * width_] = share[i] * rate * content[i];
@@ -263,7 +263,7 @@ void LaneNewton::conclude(int lane) {
   const double d_ln_h = block_.d_ln_h[lane];
   const double largest = block_.largest[lane];
   ++at.iterations;
-  block_.goes_on[lane] = 0;
+  block_.continues[lane] = 0;
   const bool sound = std::isfinite(block_.check[lane]) && std::isfinite(block_.excess[lane]) &&
                      std::isfinite(largest) && std::isfinite(d_ln_h);
   at.phase = Phase::kFailed;

@@ -71,7 +71,7 @@ class NestedSecant {
     double move = kFirstDamping * here.excess;
     if (other && other->ln_h != here.ln_h) {
       const double slope = (here.excess - other->excess) / (here.ln_h - other->ln_h);
-      // The load falls with h_m; what says otherwise is not believed.
+      // The load falls with h_m; a slope with the other sign is not used.
       move = slope < 0 ? -here.excess / slope : std::copysign(kLargestMove, here.excess);
     }
     return here.ln_h + std::clamp(move, -kLargestMove, kLargestMove);

@@ -4,7 +4,7 @@
 #include "ringfilm/film/film_state.hpp"
 
 /// Parts of the discrete balance of mass on cells (eq-reynolds, eq-discrete-balance) of a film at hand; the balance as
-/// Newton's method needs it stands in newton_sweep.hpp.
+/// Newton's method needs it is defined in newton_sweep.hpp.
 namespace ringfilm::film {
 
 /// Oil at the nodes for the pressures of a state. (Arrays of n+1.)
@@ -21,7 +21,7 @@ bool runs_away(const models::OilAtTemperature& oil, double p_low, double p_high)
 /// Has viscosity run away in a film that was found? Where oil is a glass, neither the laws nor Reynolds' equation hold.
 bool is_glass(const models::OilAtTemperature& oil, double p_low, double p_high);
 
-/// Is a film that was found one of a liquid? Else its report says that viscosity runs away.
+/// Is a film that was found one of a liquid? If not, the failure in its report is kRunsAway.
 bool accept(const models::OilAtTemperature& oil, double p_cavitation, const FilmState& solved, FilmReport& report);
 
 /// A search for the separation has failed: kOverloaded below the size of an atom, kRunsAway if viscosity has begun to

@@ -43,7 +43,7 @@ class Search {
   }
 
  private:
-  /// Nothing where no film is found and what is left of the attempt does not say that it is too thin.
+  /// Nothing where no film is found and the load of the failed attempt does not show that it is too thin.
   std::optional<Point> film_at(double ln_h) {
     is_solved_ = true;
     if (film_.solve_at(std::exp(ln_h))) return point(ln_h, film_.excess());

@@ -19,7 +19,7 @@ constexpr int kMostIterationsOfStrips = 60;  // of Newton's method with the load
 /// hundredth there saves GMRES less than it costs Newton's method.)
 constexpr double kLooseReduction = 1e-4;
 constexpr double kFarStep = 0.1;
-/// A step that is not even half solved is none.
+/// A step whose linear residual is not even halved is rejected.
 constexpr double kUnsolved = 0.5;
 
 StripPlaces places_of(const CircumferentialGrid& around, int first, int n_strips) {
@@ -32,7 +32,7 @@ StripPlaces places_of(const CircumferentialGrid& around, int first, int n_strips
 }
 
 /// Before and after strip j. Next to the first and the last strip of a closed film there is none, and nothing flows.
-std::pair<int, int> strips_beside(int j, int n_strips, Ends ends) {
+std::pair<int, int> neighbour_strips(int j, int n_strips, Ends ends) {
   const bool joined = ends == Ends::kJoined;
   return {j > 0 ? j - 1 : (joined ? n_strips - 1 : j), j + 1 < n_strips ? j + 1 : (joined ? 0 : j)};
 }
@@ -147,7 +147,7 @@ void Film2dNewton::set_separation(const Film2dProblem& problem, const Film2dInpu
   const auto rise = [&](int strip) { return rise_.empty() ? 0.0 : rise_[strip]; };
   for (int s = 0; s < shape_.n_strips; ++s) {
     const int j = s + first_;
-    const auto [low, high] = strips_beside(j, problem.around.n_strips(), ends_);
+    const auto [low, high] = neighbour_strips(j, problem.around.n_strips(), ends_);
     const std::size_t place = shape_.strip(s);
     block_.h_m[place] = h_m_ + rise(j);
     block_.low_h_m[place] = h_m_ + 0.5 * (rise(low) + rise(j));
@@ -295,7 +295,7 @@ void Film2dNewton::set_border(const Film2dProblem& problem) {
     double *column = border_->column(k), *row = border_->row(k);
     for (int s = 0; s < shape_.n_strips; ++s) {
       const int j = s + first_;
-      const auto [low, high] = strips_beside(j, n_strips, ends_);
+      const auto [low, high] = neighbour_strips(j, n_strips, ends_);
       const double at_low = 0.5 * (shape[low] + shape[j]), at_high = 0.5 * (shape[j] + shape[high]);
       for (int i = 1; i + 1 < shape_.n_across; ++i) {
         const std::size_t place = shape_.at(i, s);

@@ -55,7 +55,7 @@ class Film2dNewton {
   void advance_fronts(bool only_advanced);
   void read(const Film2dProblem& problem, const Film2dInputs& inputs, FilmState& state) const;
 
-  /// Index of strip j in the zebra: strips that are given stand at -1 and n_strips.
+  /// Index of strip j in the zebra: strips that are given have the indices -1 and n_strips.
   int strip_of(int j) const { return j - first_; }
 
   const Film2dKernels* kernels_;

@@ -95,7 +95,7 @@ void StripMultigrid::coarsen(Level& fine, Level& coarse) {
   const bool joined = fine.places.ends == Ends::kJoined;
   const std::size_t stride = from.shape.stride;
   const auto second_of = [n_fine](int s) { return std::min(2 * s + 1, n_fine - 1); };
-  // Resistances in y: of half the way between the strips of a pair, which begins where the pair's pressure stands.
+  // Resistances in y: of half the way between the strips of a pair, which begins where the pair's pressure is.
   std::vector<double> half(n + 2);
   double* const half_of = half.data() + 1;
   for (int i = 0; i < from.shape.n_across; ++i) {

@@ -6,7 +6,7 @@
 /// y of a whole row of even strips are a row of odd ones, and both can be worked on pack by pack.
 namespace ringfilm::film {
 
-inline constexpr int kPackRoom = 8;  ///< numbers of the widest pack
+inline constexpr int kPackPadding = 8;  ///< numbers of the widest pack
 
 struct ZebraShape {
   int n_across = 0;  ///< nodes across
@@ -17,21 +17,21 @@ struct ZebraShape {
   ZebraShape(int across, int strips)
       : n_across(across),
         n_strips(strips),
-        stride(kPackRoom + (strips / 2 + 1 + kPackRoom - 1) / kPackRoom * kPackRoom + kPackRoom) {}
+        stride(kPackPadding + (strips / 2 + 1 + kPackPadding - 1) / kPackPadding * kPackPadding + kPackPadding) {}
 
   /// Strips of colour 0 (even) or 1 (odd).
   int slots(int colour) const { return (n_strips + 1 - colour) / 2; }
   std::size_t colour_size() const { return static_cast<std::size_t>(n_across) * stride; }
   std::size_t size() const { return 2 * colour_size(); }
-  /// Where node i of strip s stands, -1 <= s <= n_strips.
+  /// Index of node i of strip s, -1 <= s <= n_strips.
   std::size_t at(int i, int s) const {
     const int colour = s & 1;
-    return static_cast<std::size_t>(colour * n_across + i) * stride + kPackRoom + (s - colour) / 2;
+    return static_cast<std::size_t>(colour * n_across + i) * stride + kPackPadding + (s - colour) / 2;
   }
-  /// Where a number of a whole strip stands: of a zebra with one node across.
+  /// Index of a number of a whole strip: of a zebra with one node across.
   std::size_t strip(int s) const {
     const int colour = s & 1;
-    return static_cast<std::size_t>(colour) * stride + kPackRoom + (s - colour) / 2;
+    return static_cast<std::size_t>(colour) * stride + kPackPadding + (s - colour) / 2;
   }
   std::size_t strip_size() const { return 2 * static_cast<std::size_t>(stride); }
 };

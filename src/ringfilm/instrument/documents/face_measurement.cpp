@@ -132,7 +132,7 @@ std::optional<OtherTilts> other_tilts(const surface::Trace& trace, const FaceRul
   return OtherTilts{low.tilt, high.tilt, (most - least) * rule.width_m, 2 * low.width_m - high.width_m};
 }
 
-/// "lands of 0.5 um, 1 um, 2 um take 1, 1.2, none mrad off".
+/// "running surfaces of 0.5 um, 1 um, 2 um above the lowest point remove 1, 1.2, none mrad of tilt".
 std::string tilts_text(const FaceRule& rule, const FaceFit& fit, const OtherTilts& tilts) {
   std::string heights, angles;
   for (const auto& [factor, tilt] :
@@ -142,7 +142,7 @@ std::string tilts_text(const FaceRule& rule, const FaceFit& fit, const OtherTilt
     if (!angles.empty()) angles += ", ";
     angles += std::isnan(tilt) ? std::string("none that can be found") : fmt::format("{:.3g}", tilt * 1e3);
   }
-  return "running surfaces of " + heights + " above the lowest point take " + angles + " mrad off";
+  return "running surfaces of " + heights + " above the lowest point remove " + angles + " mrad of tilt";
 }
 
 io::MeasuredGroup face_group(const FaceRule& rule, const FaceFit& fit, const std::optional<OtherTilts>& tilts) {

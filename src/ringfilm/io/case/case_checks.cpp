@@ -59,7 +59,7 @@ class Checks {
   }
 
   void check_missing() {
-    // Keys that are always wanted come first: where a choice among them is missing, no more can be said.
+    // Keys that are always required come first: if a choice among them is missing, other keys cannot be checked.
     for (const Field& field : cycle::case_fields()) {
       if (field.active == nullptr && cycle::belongs(field, case_)) check_missing(field);
     }

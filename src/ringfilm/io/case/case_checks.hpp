@@ -7,19 +7,19 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case/case.hpp"
 
-/// What can only be said of a case as a whole: keys that are missing, keys that nothing uses, rules that join keys.
+/// Checks of a case as a whole: keys that are missing, keys that nothing uses, rules that join keys.
 namespace ringfilm::io {
 
-/// Where a key stands.
+/// Where a key is stated.
 struct KeyPlace {
   SourceMark key_mark, value_mark;
 };
 
 /// What a case states, and where.
 struct StatedKeys {
-  std::string path;                       ///< of the case, for what stands nowhere
+  std::string path;                       ///< of the case, for what has no place in it
   std::map<std::string, KeyPlace> given;  ///< each of them a known key
-  std::set<std::string> faulty;           ///< keys, or whole sections ("engine."), on which nothing more can be said
+  std::set<std::string> faulty;           ///< keys, or whole sections ("engine."), that cannot be checked further
   std::set<std::string> from_oil_file;    ///< keys that describe the oil, whether this case has a use for them or not
 };
 

@@ -71,7 +71,7 @@ void append_gas_files(const cycle::Gas& gas, const Units& units, std::vector<Dat
   }
 }
 
-/// A land pressure where it is a file.
+/// A piston land's pressure where it is a file.
 void append_land_file(const std::string& key, cycle::LandPressure cycle::Ring::*land, const cycle::Ring& ring,
                       const Units& units, std::vector<DataFile>& files) {
   const std::optional<std::string>& name = (ring.*land).file;

@@ -87,7 +87,7 @@ void put(Case& c, const Field& field, const TomlEntry& entry, const Units& units
   c.stated.insert(field.key);
 }
 
-/// All that an oil file says, in the place of what was stated of the oil.
+/// Replaces what the case states of the oil by all that an oil file states.
 void read_oil(Case& c, const std::string& name, const Units& units) {
   const NamedFile file = locate(name, "");
   const SourceText source = read_source_text(file.path, file.shown, kLargestToml);

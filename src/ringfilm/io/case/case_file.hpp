@@ -8,11 +8,11 @@
 
 namespace ringfilm::io {
 
-/// `--set key=value` of the command line: the value is read as TOML, else as text; an empty value takes the key out, so
-/// that another way to state the same (a ring's tension, a gas model) can stand in its place.
+/// `--set key=value` of the command line: the value is read as TOML, else as text; an empty value removes the key, so
+/// that another way to state the same (a ring's tension, a gas model) can replace it.
 struct Override {
   std::string key;    ///< "engine.bore"
-  std::string value;  ///< as written, e.g. "89 mm"; empty: the key is taken out
+  std::string value;  ///< as written, e.g. "89 mm"; empty: the key is removed
 };
 
 /// Reads a case with its includes, oil file, traces and points; overrides come last and replace.

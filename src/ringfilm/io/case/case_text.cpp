@@ -44,9 +44,9 @@ Case example_case(const Units& units) {
   std::vector<Fault> faults;
   for (const Field& field : cycle::case_fields()) {
     const bool chosen = field.key == "ring.face.form";
-    const bool wanted = (cycle::is_required(field, c) && cycle::is_active(field, c)) ||
-                        field.key == "ring.elastic_pressure" || field.key == "lubricant.name";
-    if (wanted && !chosen) set_value(c, field, {field.key, parse_toml_value(field.example), ""}, units, faults);
+    const bool is_stated = (cycle::is_required(field, c) && cycle::is_active(field, c)) ||
+                           field.key == "ring.elastic_pressure" || field.key == "lubricant.name";
+    if (is_stated && !chosen) set_value(c, field, {field.key, parse_toml_value(field.example), ""}, units, faults);
   }
   if (!faults.empty()) throw std::logic_error("an example of the table of keys is refused: " + describe(faults));
   return with_optional_defaults(c);
@@ -194,7 +194,7 @@ std::string starting_case() {
   const Case c = example_case(units);
   std::string text =
       "# A case of ringfilm. A quantity is text with its unit; a bare number has none.\n"
-      "# Lines that start with \"# key =\" are keys of other models, or such as may be left out.\n"
+      "# Lines that start with \"# key =\" are keys of other models and optional keys.\n"
       "# `ringfilm fields` shows all keys; `ringfilm check` reads this file without running it.\n"
       "# include = [\"fragment.toml\"] would read more keys from another file.\n";
   SectionHeads heads;

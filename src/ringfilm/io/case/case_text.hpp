@@ -4,7 +4,7 @@
 /// Texts that are written from the table of case keys.
 namespace ringfilm::io {
 
-/// A commented, complete case that runs as it stands (`ringfilm new`): Wiebe cycle, parabolic face, oil by its values.
+/// A commented, complete case that runs unchanged (`ringfilm new`): Wiebe cycle, parabolic face, oil by its values.
 /// Every key is in it; those of other models as comments.
 std::string starting_case();
 

@@ -23,12 +23,12 @@ constexpr std::size_t kMostIncludes = 32;
 /// A file with more faults than this is of another kind; to seek the nearest key takes longer than all else.
 constexpr std::size_t kMostSuggestions = 100;
 
-/// The words of a case file.
-struct CaseWords {
+/// The keys and sections of a case file.
+struct CaseNames {
   std::vector<std::string> keys{"include"}, sections;
   std::set<std::string> all_sections;  ///< those that hold only sections among them
 
-  CaseWords() {
+  CaseNames() {
     for (const cycle::Field& field : cycle::case_fields()) {
       keys.push_back(field.key);
       const std::size_t last = field.key.rfind('.');
@@ -157,7 +157,7 @@ class Gatherer {
 
   void refuse_section(const TomlEntry& section) {
     const cycle::Field* const field = cycle::find_field(section.key);
-    const std::string near = field != nullptr ? "" : nearest(section.key, words_.sections);
+    const std::string near = field != nullptr ? "" : nearest(section.key, names_.sections);
     if (field != nullptr) tree_.faulty.insert(section.key);
     if (!near.empty()) tree_.faulty.insert(near + ".");
     fault(section.value.key_mark,
@@ -166,7 +166,7 @@ class Gatherer {
           field != nullptr ? "it requires one value, for example " + field->example : "");
   }
 
-  bool is_section(const std::string& name) const { return words_.all_sections.contains(plain_section(name)); }
+  bool is_section(const std::string& name) const { return names_.all_sections.contains(plain_section(name)); }
 
   std::string nearest(const std::string& word, const std::vector<std::string>& known) const {
     return tree_.faults.size() < kMostSuggestions ? nearest_word(word, known) : "";
@@ -185,7 +185,7 @@ class Gatherer {
       tree_.faulty.insert(entry.key + ".");
       return false;
     }
-    std::string near = nearest(plain_key(entry.key), words_.keys);
+    std::string near = nearest(plain_key(entry.key), names_.keys);
     if (const auto of_ring = cycle::ring_key(entry.key); of_ring && !near.empty()) {
       near = cycle::pack_key(of_ring->ring, near);
     }
@@ -347,7 +347,7 @@ class Gatherer {
   std::map<std::string, TomlEntry> entries_;
   std::vector<std::string> open_;                ///< files being read, for include loops
   std::map<std::string, std::string> included_;  ///< identity of each, and where it was included first
-  CaseWords words_;
+  CaseNames names_;
 };
 
 }  // namespace

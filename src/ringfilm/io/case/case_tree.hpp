@@ -17,7 +17,7 @@ struct CaseTree {
   std::vector<cycle::InputFile> files;
   std::vector<std::string> notes;
   std::vector<Fault> faults;            ///< unknown and repeated keys, files that cannot be read
-  std::set<std::string> faulty;         ///< keys, or whole sections ("engine."), on which nothing more can be said
+  std::set<std::string> faulty;         ///< keys, or whole sections ("engine."), that cannot be checked further
   std::set<std::string> from_oil_file;  ///< keys that describe the oil, whether this case has a use for them or not
   bool complete = true;                 ///< false: a file is missing, so that keys may be
 };

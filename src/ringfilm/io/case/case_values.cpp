@@ -209,15 +209,15 @@ class Setter {
 
   /// A number with its unit in SI, checked against nothing but its dimension.
   std::optional<double> plain_quantity(const TomlValue& value, const std::string& unit, const std::string& example) {
-    const std::string wanted = dimension_words(unit) + " is required here, for example " + example;
+    const std::string remedy = dimension_words(unit) + " is required here, for example " + example;
     if (is_number(value)) {
       if (!finite(value)) return std::nullopt;
       if (unit == "1") return value.number;
-      refuse(value, "has no unit", wanted);
+      refuse(value, "has no unit", remedy);
     } else if (value.kind != Kind::kText) {
-      refuse(value, "is not a quantity", wanted);
+      refuse(value, "is not a quantity", remedy);
     } else if (unit == "1") {
-      refuse(value, "is text", wanted);
+      refuse(value, "is text", remedy);
     } else {
       try {
         return units_.quantity(value.text, unit, example);

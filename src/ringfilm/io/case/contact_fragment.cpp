@@ -23,17 +23,17 @@ std::string comments(const std::vector<std::string>& heading) {
   return text;
 }
 
-/// The keys of the table that `wanted` names (whole sections end in a dot) and for which `c` has a value.
-std::string fragment(const cycle::Case& c, const std::vector<std::string>& wanted,
+/// The keys of the table that `requested` names (whole sections end in a dot) and for which `c` has a value.
+std::string fragment(const cycle::Case& c, const std::vector<std::string>& requested,
                      const std::vector<std::string>& heading) {
   const Units units;
   std::string text = comments(heading), section;
   for (const cycle::Field& field : cycle::case_fields()) {
-    bool is_wanted = false;
-    for (const std::string& key : wanted) {
-      is_wanted = is_wanted || (key.back() == '.' ? starts_with(field.key, key) : field.key == key);
+    bool is_requested = false;
+    for (const std::string& key : requested) {
+      is_requested = is_requested || (key.back() == '.' ? starts_with(field.key, key) : field.key == key);
     }
-    if (!is_wanted || !cycle::is_active(field, c)) continue;
+    if (!is_requested || !cycle::is_active(field, c)) continue;
     const std::string value = written_value(field, c, units);
     if (value.empty()) continue;
     const std::size_t dot = field.key.rfind('.');
@@ -63,7 +63,7 @@ cycle::MeasuredFace measured_face(const surface::FaceFit& fit, const surface::Fa
   cycle::MeasuredFace measured;
   measured.trace = trace_name;
   measured.width = rule.width_m;
-  measured.levelling = fmt::format("{}, {:.6g} mrad taken off", name_of(rule.levelling), fit.tilt * 1e3);
+  measured.levelling = fmt::format("{}, {:.6g} mrad removed", name_of(rule.levelling), fit.tilt * 1e3);
   measured.residual_rms = residual.rms_m;
   measured.largest_residual = std::abs(residual.largest_m);
   return measured;

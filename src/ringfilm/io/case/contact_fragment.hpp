@@ -28,7 +28,7 @@ std::string contact_fragment(const PairOfSurfaces& pair, const std::vector<std::
 std::string face_polynomial_fragment(const surface::FaceFit& fit, const surface::FaceRule& rule,
                                      const std::string& trace_name, const std::vector<std::string>& heading);
 
-/// `[ring.face]` as points of the spline, which stand in `points_file`, relative to the fragment.
+/// `[ring.face]` as points of the spline, which are in `points_file`, relative to the fragment.
 std::string face_points_fragment(const surface::FaceFit& fit, const surface::FaceRule& rule,
                                  const std::string& trace_name, const std::string& points_file,
                                  const std::vector<std::string>& heading);

@@ -63,7 +63,7 @@ OilFile read_oil_table(const NamedFile& file, const Units& units) {
   oil.table.pressure = sorted_unique(p);
   const std::size_t n_T = oil.table.temperature.size(), n_p = oil.table.pressure.size();
   const SourceMark whole = csv.source.mark(0);
-  if (n_p < 2) faults.push_back({whole, "the table has only one pressure", "two or more are wanted"});
+  if (n_p < 2) faults.push_back({whole, "the table has only one pressure", "two or more are required"});
   if (faults.empty() && T.size() < n_T * n_p) {
     faults.push_back({whole,
                       fmt::format("the table has {} rows for {} temperatures and {} pressures", T.size(), n_T, n_p),

@@ -24,7 +24,7 @@ struct RingEntries {
 
 std::string number(std::size_t ring) { return std::to_string(ring); }
 
-/// Gives each ring the pressure of the land above it.
+/// Gives each ring the pressure of the piston land above it.
 void join_lands(std::map<std::size_t, RingEntries>& rings, const std::string& path, std::vector<Fault>& faults) {
   for (std::size_t i = 2; i <= rings.size(); ++i) {
     Entries &upper = rings.at(i - 1).entries, &ring = rings.at(i).entries;

@@ -144,7 +144,7 @@ class TraceReader {
       if (column.unit && role.unit) {
         const Scale other = units_.scale(*role.unit, role.si_unit);
         if (other.factor != scale.factor || other.divisor != scale.divisor) {
-          return refuse("the file states " + unit + ", " + role.unit_key + " says " + *role.unit,
+          return refuse("the file states " + unit + ", " + role.unit_key + " states " + *role.unit,
                         "one of them is wrong");
         }
       }

@@ -13,7 +13,7 @@ namespace ringfilm::io {
 /// Where a trace was measured: the peak of a crankcase may be low, and anywhere.
 enum class TracePlace { kCylinder, kCrankcase };
 
-/// What the case says about the columns of a trace; nothing where only the file states it.
+/// What the case states about the columns of a trace; nothing where only the file states it.
 struct TraceColumns {
   std::optional<std::string> pressure_column, angle_column;
   std::optional<std::string> pressure_unit, angle_unit;  ///< for a header without units
@@ -36,8 +36,8 @@ class TraceKeyError : public InputError {
 };
 
 /// Reads pressure [Pa] against crank angle [degree] from a CSV file. Throws InputError with all faults of the file:
-/// those of read_csv, columns that cannot be told apart, units missing, contradictory or of the wrong kind, angles that
-/// do not increase, leave a hole or span over 720 degrees, pressures that cannot be absolute (or gauge) or do not
+/// those of read_csv, columns that cannot be distinguished, units missing, contradictory or of the wrong kind, angles
+/// that do not increase, leave a hole or span over 720 degrees, pressures that cannot be absolute (or gauge) or do not
 /// repeat after a cycle; TraceKeyError where another column, unit or reference may be right.
 TraceFile read_trace(const NamedFile& file, const TraceColumns& stated, const Units& units);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What every NetCDF file of ours says of the program that wrote it.
+/// Attributes of every NetCDF file of ringfilm that describe the program that wrote it.
 namespace ringfilm::io {
 
 /// Writes them to `file`, or reads them from it: whichever it does with an attribute.

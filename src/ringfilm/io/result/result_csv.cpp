@@ -12,7 +12,7 @@ std::string header(const std::string& name, const std::string& unit) {
 }
 
 std::string exact_number(double value) {
-  return std::isnan(value) ? "nan" : fmt::format("{}", value + 0.0);  // the sign of a NaN or a zero says nothing
+  return std::isnan(value) ? "nan" : fmt::format("{}", value + 0.0);  // the sign of a NaN or a zero has no meaning
 }
 
 }  // namespace

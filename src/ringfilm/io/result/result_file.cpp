@@ -60,14 +60,14 @@ void give_back(const std::string& path, const VariantTable& table, std::vector<s
     const std::optional<std::size_t> place = cycle::cycle_quantity_index(table.quantities[i]);
     if (!place || table.units[i] != known[*place].unit) {
       throw InputError(path + ": cannot be read as a result: variant_values has a column " + table.quantities[i] +
-                           " [" + table.units[i] + "], which this program does not know",
+                           " [" + table.units[i] + "], which this program does not support",
                        "read it with the ringfilm that wrote it, or run its case again");
     }
     columns.push_back(&known[*place]);
   }
   if (!table.rows.empty() && columns.size() != known.size()) {
     throw InputError(path + ": cannot be read as a result: variant_values has " + std::to_string(columns.size()) +
-                         " columns, this program knows " + std::to_string(known.size()) + " cycle values",
+                         " columns, this program has " + std::to_string(known.size()) + " cycle values",
                      "read it with the ringfilm that wrote it, or run its case again");
   }
   auto value = table.values.begin();

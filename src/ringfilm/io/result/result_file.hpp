@@ -56,7 +56,7 @@ struct ResultDocument {
 };
 
 /// Writes NetCDF-4 with named dimensions crank_angle, x, ...; aside first, flushed, then renamed, so that a kill or a
-/// full disk leaves what stood there before. Same document, same bytes. Throws OutputError.
+/// full disk leaves the previous file unchanged. Same document, same bytes. Throws OutputError.
 void write_result(const std::string& path, const ResultDocument& document);
 
 /// Throws InputError if the file cannot be read, does not have the digest at its end (digest_trailer.hpp), or is not

@@ -144,7 +144,7 @@ void exchange_case(File& file, Document& document) {
 
 template <class File, class Document>
 void exchange_notes(File& file, Document& document) {
-  file.texts("input_note", text("input_note_message", "what the reader of the case had to say"), document.input_notes);
+  file.texts("input_note", text("input_note_message", "note on the input files of the case"), document.input_notes);
   auto& notes = document.result.notes;
   file.rows("note", notes);
   file.column("note", text("note_topic", "stable word for the note"), notes, &cycle::Note::topic);
@@ -193,7 +193,8 @@ void exchange_comparison(File& file, Document& document) {
   auto& rows = document.comparison;
   const auto published = [](auto& row) -> auto& { return row.published; };
   file.rows("comparison", rows);
-  file.column("comparison", text("comparison_source", "who says so"), rows, &PublishedValue::source, published);
+  file.column("comparison", text("comparison_source", "source of the statement"), rows, &PublishedValue::source,
+              published);
   file.column("comparison", text("comparison_quantity", "cycle quantity"), rows, &PublishedValue::quantity, published);
   file.column("comparison", text("comparison_statement", "statement"), rows, &PublishedValue::statement, published);
   std::vector<std::string> units;

@@ -9,10 +9,10 @@
 
 #include "ringfilm/cycle/result.hpp"
 
-/// How the variables of a result file are described that stand in no table of cycle/result.hpp.
+/// Descriptions of the variables of a result file that are not in a table of cycle/result.hpp.
 namespace ringfilm::io {
 
-/// Plain description of a variable that is no quantity of the tables in cycle/result.hpp.
+/// Plain description of a variable that is not a quantity of the tables in cycle/result.hpp.
 inline cycle::Quantity described(std::string name, std::string unit, std::string long_name, std::string symbol = "",
                                  std::string equation = "") {
   return {std::move(name), std::move(unit), "", std::move(long_name), std::move(symbol), std::move(equation)};

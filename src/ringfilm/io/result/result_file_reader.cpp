@@ -46,7 +46,7 @@ void ResultFileReader::attribute(const char* name, std::string& text) const {
   nc_type type = 0;
   std::size_t size = 0;
   check(nc_inq_att(file_, NC_GLOBAL, name, &type, &size), name);
-  if (type != NC_CHAR || size > kMostValues) refuse(std::string(name) + " is no text");
+  if (type != NC_CHAR || size > kMostValues) refuse(std::string(name) + " is not text");
   text.assign(size, '\0');
   if (size > 0) check(nc_get_att_text(file_, NC_GLOBAL, name, text.data()), name);
 }
@@ -55,7 +55,7 @@ void ResultFileReader::attribute(const char* name, double& value) const {
   if (ring_) return read_one(described(name, "", ""), value);
   std::size_t size = 0;
   check(nc_inq_attlen(file_, NC_GLOBAL, name, &size), name);
-  if (size != 1) refuse(std::string(name) + " is no single number");
+  if (size != 1) refuse(std::string(name) + " is not a single number");
   check(nc_get_att_double(file_, NC_GLOBAL, name, &value), name);
 }
 
@@ -63,7 +63,7 @@ void ResultFileReader::attribute(const char* name, long& value) const {
   if (ring_) return read_one(described(name, "", ""), value);
   std::size_t size = 0;
   check(nc_inq_attlen(file_, NC_GLOBAL, name, &size), name);
-  if (size != 1) refuse(std::string(name) + " is no single number");
+  if (size != 1) refuse(std::string(name) + " is not a single number");
   check(nc_get_att_long(file_, NC_GLOBAL, name, &value), name);
 }
 

@@ -87,7 +87,7 @@ class ResultFileReader {
   /// Rows of a dimension, 0 where the file has none of that name; of a ring of a pack those that it has.
   std::size_t length(const char* dimension) const;
   std::size_t length_in_file(const char* dimension) const;
-  /// The number of a variable of that type that has as many values as the dimensions say; nothing where there are none.
+  /// The number of a variable of that type that has as many values as its dimensions; nothing where there are none.
   std::optional<int> find(const std::vector<const char*>& dimensions, const std::string& name, int type,
                           std::size_t& count) const;
   template <class Value>

@@ -51,7 +51,7 @@ ResultFileWriter::ResultFileWriter(const std::string& path, AsideFile& aside, st
     : path_(path), aside_(&aside) {
   check(nc_create(aside.path().c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "the file");
   try {
-    aside.reserve(most_bytes + kDigestTrailerSize);  // not before: what begins a file anew gives its room back
+    aside.reserve(most_bytes + kDigestTrailerSize);  // not before: nc_create truncates the file, which frees its space
   } catch (...) {
     nc_abort(std::exchange(file_, -1));
     throw;

@@ -75,7 +75,7 @@ class ResultFileWriter {
   void scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
                const std::map<std::string, double>& values);
 
-  /// One more attribute of a variable that is there; nothing where the variable was left out.
+  /// One more attribute of a variable that is there; nothing where the variable was omitted.
   void describe(const std::string& variable, const char* attribute, const std::string& text);
   void describe(const std::string& variable, const char* attribute, double value);
 

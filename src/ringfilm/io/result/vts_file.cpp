@@ -38,7 +38,7 @@ std::string inline_array(const std::vector<Number>& values) {
 
 bool is_closed(const cycle::UnrolledFields& fields) { return fields.end_gap == 0; }
 
-/// y of the strips that are drawn [m]: of a closed ring the first stands at the end once more.
+/// y of the strips that are drawn [m]: of a closed ring the first is repeated at the end.
 std::vector<double> drawn_strips(const cycle::UnrolledFields& fields) {
   std::vector<double> y = fields.y;
   if (is_closed(fields)) y.push_back(fields.circumference);

@@ -7,7 +7,7 @@
 /// Fields of the unrolled film for ParaView and other programs that read VTK's XML files (docs/manual/report.md).
 namespace ringfilm::io {
 
-/// Where the points stand.
+/// Where the points are.
 enum class VtsShape {
   kCylinder,  ///< on the bore: its axis is z, z = -x, chamber above; y goes around z by the right hand
   kPlane      ///< unrolled: (x, y, 0)

@@ -164,7 +164,7 @@ Scale temperature_scale(const std::string& unit) {
 }
 
 /// The table of UDUNITS that a program carries with it where the system has none; the user's own choice comes first.
-std::optional<std::string> table_of_units_beside() {
+std::optional<std::string> shipped_table_of_units() {
   if (std::getenv("UDUNITS2_XML_PATH") != nullptr) return std::nullopt;
   const std::optional<std::string> shipped = find_shipped_folder();
   if (!shipped) return std::nullopt;
@@ -182,8 +182,8 @@ struct Units::System {
   System() {
     const std::lock_guard lock(udunits_mutex());
     ut_set_error_message_handler(ut_ignore);
-    const std::optional<std::string> beside = table_of_units_beside();
-    system = ut_read_xml(beside ? beside->c_str() : nullptr);
+    const std::optional<std::string> shipped = shipped_table_of_units();
+    system = ut_read_xml(shipped ? shipped->c_str() : nullptr);
     if (system == nullptr) {
       throw InputError("the table of units of UDUNITS-2 is not found",
                        "install the package libudunits2-data, or set UDUNITS2_XML_PATH");

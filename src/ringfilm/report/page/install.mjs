@@ -26,11 +26,11 @@ for (const name of listed) hash.update(readFileSync(join(pageFolder, name)));
 // The bundler is a program of its own: packages fetched for another kind of machine are of no use here.
 const locked = `${hash.digest('hex')} ${process.platform} ${process.arch}`;
 const all = `${locked} with tools\n`;
-const wanted = withTools ? all : `${locked}\n`;
+const required = withTools ? all : `${locked}\n`;
 
 const mark = join(workFolder, 'node_modules', '.installed');
 const installed = existsSync(mark) ? readFileSync(mark, 'utf8') : '';
-if (installed === wanted || installed === all) process.exit(0);
+if (installed === required || installed === all) process.exit(0);
 
 mkdirSync(workFolder, { recursive: true });
 for (const name of listed) copyFileSync(join(pageFolder, name), join(workFolder, name));
@@ -60,4 +60,4 @@ if (npm.status !== 0) {
   );
   process.exit(1);
 }
-writeFileSync(mark, wanted);
+writeFileSync(mark, required);

@@ -151,7 +151,7 @@ ordered_json comparison(const std::vector<study::ComparisonRow>& rows) {
   return list;
 }
 
-/// At which a film ruptures whose model knows no film content [Pa]; nothing for other models, or if it is not reported.
+/// At which a film ruptures whose model has no film content [Pa]; nothing for other models, or if it is not reported.
 std::optional<double> rupture_pressure(const std::vector<io::CaseEntry>& inputs) {
   const auto entry = [&inputs](const char* key) {
     return std::find_if(inputs.begin(), inputs.end(), [key](const auto& input) { return input.key == key; });
@@ -250,7 +250,7 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
                                 {"crank_angle", rounded_list(o.crank_angle_deg, kCurveDigits)},
                                 {"value", rounded_list(o.value, kCurveDigits)}});
   }
-  // A file name or a title may hold bytes that are no UTF-8: they are shown as a replacement sign, not refused.
+  // A file name or a title may hold bytes that are not UTF-8: they are shown as a replacement sign, not refused.
   return script_text(root.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-/// Numbers for the script of a page: JSON knows no NaN, such a value becomes null.
+/// Numbers for the script of a page: JSON has no NaN: such a value becomes null.
 namespace ringfilm::report {
 
 nlohmann::ordered_json exact(double value);

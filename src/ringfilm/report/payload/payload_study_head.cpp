@@ -17,24 +17,24 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Listed values that are reported in words, reasons that are reported.
-constexpr std::size_t kToldValues = 12, kToldReasons = 12;
+constexpr std::size_t kListedValues = 12, kListedReasons = 12;
 /// Scenarios whose reasons are held in memory at once.
 constexpr std::uint64_t kBlock = 4096;
 
 /// How a factor varies, in words and in the units that people read.
-class VariationWords {
+class VariationText {
  public:
-  VariationWords(const study::Factor& factor, const io::Units& units) : factor_(factor), units_(units) {}
+  VariationText(const study::Factor& factor, const io::Units& units) : factor_(factor), units_(units) {}
 
   std::string operator()(const study::Levels& levels) const {
     std::string words;
-    for (std::size_t i = 0; i < std::min(levels.values.size(), kToldValues); ++i)
+    for (std::size_t i = 0; i < std::min(levels.values.size(), kListedValues); ++i)
       words.append(i == 0 ? "" : ", ").append(value(levels.values[i]));
     return cut(words, levels.values.size());
   }
   std::string operator()(const study::Choices& choices) const {
     std::string words;
-    for (std::size_t i = 0; i < std::min(choices.values.size(), kToldValues); ++i)
+    for (std::size_t i = 0; i < std::min(choices.values.size(), kListedValues); ++i)
       words.append(i == 0 ? "" : ", ").append(choices.values[i].text);
     return cut(words, choices.values.size());
   }
@@ -77,7 +77,7 @@ class VariationWords {
     return fmt::format("{:.5g} {}", units_.scale(display_unit, factor_.unit).from_si(x), display_unit);
   }
   static std::string cut(const std::string& words, std::size_t n) {
-    return n > kToldValues ? fmt::format("{}, ... ({} values)", words, n) : words;
+    return n > kListedValues ? fmt::format("{}, ... ({} values)", words, n) : words;
   }
 
   const study::Factor& factor_;
@@ -107,7 +107,7 @@ ordered_json factor_object(const study::Study& study, const study::Factor& facto
   if (const auto* listed = std::get_if<study::Choices>(&factor.variation)) {
     for (const study::Choice& choice : listed->values) choices.push_back(choice.text);
   }
-  // Factors that [[measured]] adds stand in no line of the study's file.
+  // Factors that [[measured]] adds are in no line of the study's file.
   const bool is_measured = factor.mark.line == 0;
   return {{"name", factor.name},
           {"keys", std::move(keys)},
@@ -115,7 +115,7 @@ ordered_json factor_object(const study::Study& study, const study::Factor& facto
           {"how", how_word(factor.how)},
           {"unit", factor.unit},
           {"display_unit", factor.display_unit},
-          {"words", std::visit(VariationWords(factor, units), factor.variation)},
+          {"words", std::visit(VariationText(factor, units), factor.variation)},
           {"choices", std::move(choices)},
           {"listed", study::sensitivity_ends(factor.variation) == study::SensitivityEnds::kValues},
           {"logarithmic", std::holds_alternative<study::Span>(factor.variation) &&
@@ -132,7 +132,7 @@ ordered_json unsolved_object(const io::StudyRows& rows) {
   }
   ordered_json reported = ordered_json::array();
   const std::vector<UnsolvedReasons::Reason> ordered = reasons.most_frequent_first();
-  for (std::size_t i = 0; i < std::min(ordered.size(), kToldReasons); ++i) {
+  for (std::size_t i = 0; i < std::min(ordered.size(), kListedReasons); ++i) {
     reported.push_back({{"reason", ordered[i].text},
                         {"count", ordered[i].count},
                         {"first", ordered[i].first},

@@ -91,7 +91,7 @@ class MainValues {
   }
 
  private:
-  /// The first points of a list say nothing about the others: its order is as it was written.
+  /// The first points of a list are not a sample of the others: its order is as it was written.
   bool settles() const { return study::has_sample(plan_) && plan_.study().sampling.method != study::Method::kList; }
 
   bool has_sensitivities() const {
@@ -197,7 +197,7 @@ class MainValues {
                                                                        const std::vector<double>& factor) {
     std::optional<std::size_t> low, high;
     for (std::size_t p = 1; p < factor.size(); ++p) {
-      // A factor that another point moves stands as in point 0.
+      // A factor that another point moves has its value of point 0.
       if (!std::isfinite(factor[p]) || factor[p] == factor.front()) continue;
       if (!low || factor[p] < factor[*low]) low = p;
       if (!high || factor[p] > factor[*high]) high = p;

@@ -51,7 +51,7 @@ std::string shown_value(const study::Factor& factor, double value, const io::Uni
 
 bool is_paired(const study::Plan& plan, const ComparisonGroup& first, const ComparisonGroup& other) {
   if (first.scenarios.size() != other.scenarios.size()) return false;
-  // Enough to tell: points of a plan pair all or hardly any.
+  // Enough to decide: points of a plan pair all or hardly any.
   const std::size_t n = std::min<std::size_t>(first.scenarios.size(), 64);
   for (std::size_t k = 0; k < n; ++k) {
     const study::Point a = plan.point(first.scenarios[k]), b = plan.point(other.scenarios[k]);

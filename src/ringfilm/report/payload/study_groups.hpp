@@ -8,7 +8,7 @@
 
 namespace ringfilm::report {
 
-/// Scenarios that stand beside others in a comparison: those of one base with one choice of each factor that is a
+/// Scenarios that are compared with others: those of one base with one choice of each factor that is a
 /// choice.
 struct ComparisonGroup {
   std::string name;
@@ -19,7 +19,7 @@ struct ComparisonGroup {
 };
 
 /// In the order in which the plan comes to them; of a sample its points alone. Where nothing but numbers varies in few
-/// scenarios that are no sample, each of these is a group. Empty where there is nothing to compare, or more than a
+/// scenarios that are not a sample, each of these is a group. Empty where there is nothing to compare, or more than a
 /// picture holds.
 std::vector<ComparisonGroup> comparison_groups(const study::Plan& plan, const io::Units& units);
 

@@ -20,7 +20,7 @@ std::string words_of(const std::string& text) {
       continue;
     }
     words.push_back('#');
-    const auto goes_on = [&text](std::size_t at) {
+    const auto is_continued = [&text](std::size_t at) {
       if (is_digit(text[at])) return true;
       if (at + 1 == text.size()) return false;
       const char next = text[at + 1];
@@ -28,7 +28,7 @@ std::string words_of(const std::string& text) {
       if (text[at] == 'e') return is_digit(next) || next == '-' || next == '+';
       return (text[at] == '-' || text[at] == '+') && text[at - 1] == 'e' && is_digit(next);
     };
-    for (++i; i < text.size() && goes_on(i); ++i) continue;
+    for (++i; i < text.size() && is_continued(i); ++i) continue;
   }
   return words;
 }

@@ -75,11 +75,11 @@ PowerSpectrum self_affine(double hurst, double roll_off_m, double short_m) {
 }
 
 HeightMap gaussian_surface(const SurfaceGrid& grid, const PowerSpectrum& spectrum, double Sq_m, std::uint64_t seed,
-                           MadeRms rms) {
+                           RmsDefinition rms) {
   check_positive(Sq_m, "rms height");
   HeightMap map = RandomWaves(grid, seed).surface(spectrum);
   double factor = Sq_m;
-  if (rms == MadeRms::exact) {
+  if (rms == RmsDefinition::exact) {
     const HeightStatistics heights = height_statistics(map);
     for (double& height : map.height_m) height -= heights.mean_m;
     factor /= heights.Sq_m;

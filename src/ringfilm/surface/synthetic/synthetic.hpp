@@ -28,7 +28,7 @@ PowerSpectrum gaussian_correlation(double length_x_m, double length_y_m);
 PowerSpectrum self_affine(double hurst, double roll_off_m, double short_m);
 
 /// How the rms of a synthetic surface is meant.
-enum class MadeRms {
+enum class RmsDefinition {
   expected,  ///< over many seeds
   exact      ///< of this surface, to round-off
 };
@@ -37,7 +37,7 @@ enum class MadeRms {
 /// another surface of the same statistics.
 /// @throws InputError for an invalid grid or spectrum: more than 2^28 points, no power
 HeightMap gaussian_surface(const SurfaceGrid& grid, const PowerSpectrum& spectrum, double Sq_m, std::uint64_t seed,
-                           MadeRms rms = MadeRms::expected);
+                           RmsDefinition rms = RmsDefinition::expected);
 
 /// A plateau-honed liner: a fine Gaussian plateau, into which two families of straight grooves of triangular section
 /// cut.

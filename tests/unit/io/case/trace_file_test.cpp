@@ -92,7 +92,7 @@ TEST_F(Trace, AsksForUnitsOnceAndRefusesContradictions) {
   TraceColumns stated;
   stated.pressure_unit = "bar";
   EXPECT_THAT(reported("crank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n", stated),
-              HasSubstr("p.csv:1:22: the file states Pa, gas.pressure_unit says bar"));
+              HasSubstr("p.csv:1:22: the file states Pa, gas.pressure_unit states bar"));
   stated.pressure_unit = "Pa";
   EXPECT_EQ(read("crank_angle [degree],p [Pa]\n0,1e5\n1,2e5\n", stated).samples.value.size(), 2u);
 }
@@ -116,7 +116,7 @@ TEST_F(Trace, ComparesTheRowOfUnitsWithWhatIsStated) {
   TraceColumns stated;
   stated.pressure_unit = "MPa";
   EXPECT_THAT(reported("crank_angle,p\ndeg,bar\n" + rows, stated),
-              HasSubstr("p.csv:2:5: the file states bar, gas.pressure_unit says MPa"));
+              HasSubstr("p.csv:2:5: the file states bar, gas.pressure_unit states MPa"));
   stated.pressure_unit = "bar";
   EXPECT_THAT(read("crank_angle,p\ndeg,bar\n" + rows, stated).samples.value, ElementsAre(1e5, 2e5));
   EXPECT_THAT(reported("crank_angle [deg],p [Pa]\ndeg,bar\n" + rows),

@@ -25,7 +25,7 @@ LeverFile read_text(const std::string& text, LoadUnit unit) {
   return read_lever({folder / "lever.toml", "lever.toml"}, unit, Units());
 }
 
-std::string told_of_lever(const std::string& text, LoadUnit unit = LoadUnit::kVolt) {
+std::string message_of_lever(const std::string& text, LoadUnit unit = LoadUnit::kVolt) {
   try {
     read_text(text, unit);
   } catch (const InputError& error) {
@@ -51,7 +51,7 @@ TEST(LeverFile, HoldsSizesWithTheirDeviations) {
 
 TEST(LeverFile, RequiresTheSectionForLoadsInNewtonsOnly) {
   EXPECT_DOUBLE_EQ(read_text(kSmall, LoadUnit::kVolt).lever.sensitivity_ratio.value, 1);
-  const std::string words = told_of_lever(kSmall, LoadUnit::kNewton);
+  const std::string words = message_of_lever(kSmall, LoadUnit::kNewton);
   for (const char* key : {"youngs_modulus", "width", "thickness", "torsional_sensitivity"}) {
     EXPECT_THAT(words, HasSubstr(std::string(key) + " is missing: the loads are in newtons"));
   }
@@ -59,16 +59,16 @@ TEST(LeverFile, RequiresTheSectionForLoadsInNewtonsOnly) {
 
 TEST(LeverFile, ReportsEveryFaultWithItsPlace) {
   const std::string words =
-      told_of_lever("shape = \"round\"\nlenght = \"450 um\"\ntip_height = 17\npoissons_ratio = \"a third\"\n");
+      message_of_lever("shape = \"round\"\nlenght = \"450 um\"\ntip_height = 17\npoissons_ratio = \"a third\"\n");
   EXPECT_THAT(words, HasSubstr("lever.toml:1:9: shape = \"round\" is unknown"));
   EXPECT_THAT(words, HasSubstr("lever.toml:2:1: unknown key lenght"));
   EXPECT_THAT(words, HasSubstr("did you mean length?"));
   EXPECT_THAT(words, HasSubstr("length is missing"));
   EXPECT_THAT(words, HasSubstr("lever.toml:3:14: tip_height = 17 has no unit"));
   EXPECT_THAT(words, HasSubstr("lever.toml:4:18: poissons_ratio = \"a third\" does not start with a number"));
-  EXPECT_THAT(told_of_lever("length = [1]\n"), HasSubstr("is not a text"));
-  EXPECT_THAT(told_of_lever("length = \n"), HasSubstr("lever.toml:1"));
-  EXPECT_THAT(told_of_lever(kWhole, LoadUnit::kNewton), Not(HasSubstr("lever")));
+  EXPECT_THAT(message_of_lever("length = [1]\n"), HasSubstr("is not a text"));
+  EXPECT_THAT(message_of_lever("length = \n"), HasSubstr("lever.toml:1"));
+  EXPECT_THAT(message_of_lever(kWhole, LoadUnit::kNewton), Not(HasSubstr("lever")));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 Uncertain length(const std::string& text) { return uncertain_quantity(text, "m", "\"1 um\"", Units()); }
 Uncertain number(const std::string& text) { return uncertain_quantity(text, "1", "\"1 +- 0.1\"", Units()); }
 
-std::string told_of_quantity(const std::string& text, const std::string& unit) {
+std::string message_of_quantity(const std::string& text, const std::string& unit) {
   try {
     uncertain_quantity(text, unit, "\"2 um +- 1 um\"", Units());
   } catch (const UnitError& error) {
@@ -36,19 +36,19 @@ TEST(UncertainQuantity, ReadsEveryWayToWriteIt) {
 }
 
 TEST(UncertainQuantity, RefusesInvalidInput) {
-  EXPECT_THAT(told_of_quantity("450", "m"), HasSubstr("has no unit"));
-  EXPECT_THAT(told_of_quantity("450 +- 5", "m"), HasSubstr("has no unit"));
-  EXPECT_THAT(told_of_quantity("450 um +- 5", "m"), HasSubstr("has no unit"));
-  EXPECT_THAT(told_of_quantity("450 um +- 5 nN", "m"), HasSubstr("is not a length"));
-  EXPECT_THAT(told_of_quantity("450 um +-", "m"), HasSubstr("nothing after +-"));
-  EXPECT_THAT(told_of_quantity("450 um +- -5 um", "m"), HasSubstr("deviation below zero"));
-  EXPECT_THAT(told_of_quantity("(450 +- 5 um", "m"), HasSubstr("not closed"));
-  EXPECT_THAT(told_of_quantity("", "m"), HasSubstr("does not start with a number"));
-  EXPECT_THAT(told_of_quantity("+- 5 um", "m"), HasSubstr("does not start with a number"));
-  EXPECT_THAT(told_of_quantity("nan +- 0.1", "1"), HasSubstr("not a finite number"));
-  EXPECT_THAT(told_of_quantity("1e999 +- 0.1", "1"), HasSubstr("out of the range"));
-  EXPECT_THAT(told_of_quantity("0.19 um", "1"), HasSubstr("more than a number"));
-  EXPECT_THAT(told_of_quantity("0.19 +- 0.1 um", "1"), HasSubstr("more than a number"));
+  EXPECT_THAT(message_of_quantity("450", "m"), HasSubstr("has no unit"));
+  EXPECT_THAT(message_of_quantity("450 +- 5", "m"), HasSubstr("has no unit"));
+  EXPECT_THAT(message_of_quantity("450 um +- 5", "m"), HasSubstr("has no unit"));
+  EXPECT_THAT(message_of_quantity("450 um +- 5 nN", "m"), HasSubstr("is not a length"));
+  EXPECT_THAT(message_of_quantity("450 um +-", "m"), HasSubstr("nothing after +-"));
+  EXPECT_THAT(message_of_quantity("450 um +- -5 um", "m"), HasSubstr("deviation below zero"));
+  EXPECT_THAT(message_of_quantity("(450 +- 5 um", "m"), HasSubstr("not closed"));
+  EXPECT_THAT(message_of_quantity("", "m"), HasSubstr("does not start with a number"));
+  EXPECT_THAT(message_of_quantity("+- 5 um", "m"), HasSubstr("does not start with a number"));
+  EXPECT_THAT(message_of_quantity("nan +- 0.1", "1"), HasSubstr("not a finite number"));
+  EXPECT_THAT(message_of_quantity("1e999 +- 0.1", "1"), HasSubstr("out of the range"));
+  EXPECT_THAT(message_of_quantity("0.19 um", "1"), HasSubstr("more than a number"));
+  EXPECT_THAT(message_of_quantity("0.19 +- 0.1 um", "1"), HasSubstr("more than a number"));
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ std::string printed(std::string value) {
 }
 
 /// Every alternative changes the key that its setting names, to the value that it names, and nothing else.
-void expect_settings_tell_the_truth(const Case& c) {
+void expect_settings_match_effects(const Case& c) {
   for (const Assumption& assumption : assumptions_of(c)) {
     for (const Alternative& alternative : assumption.alternatives) {
       SCOPED_TRACE(alternative.setting);
@@ -101,13 +101,13 @@ void expect_settings_tell_the_truth(const Case& c) {
   }
 }
 
-TEST(Assumptions, SettingsStateExactlyWhatTheyApply) { expect_settings_tell_the_truth(coarse_case()); }
+TEST(Assumptions, SettingsStateExactlyWhatTheyApply) { expect_settings_match_effects(coarse_case()); }
 
 TEST(Assumptions, SettingsStateWhatTheyApplyForEveryWayToStateTheTension) {
   Case by_force = coarse_case();
   by_force.ring.elastic_pressure.reset();
   by_force.ring.tangential_force = 10.6789;  // four digits are written, so 20 % of it must be rounded first
-  expect_settings_tell_the_truth(by_force);
+  expect_settings_match_effects(by_force);
   EXPECT_EQ(settings(by_force, "ring-tension"),
             (std::vector<std::string>{"ring.tangential_force = \"8.543 N\"", "ring.tangential_force = \"12.81 N\""}));
 
@@ -115,7 +115,7 @@ TEST(Assumptions, SettingsStateWhatTheyApplyForEveryWayToStateTheTension) {
   by_gap.ring.elastic_pressure.reset();
   by_gap.ring.free_gap = 10.5e-3;
   by_gap.ring.radial_thickness = 3.5e-3;
-  expect_settings_tell_the_truth(by_gap);
+  expect_settings_match_effects(by_gap);
   EXPECT_EQ(settings(by_gap, "ring-tension"),
             (std::vector<std::string>{"ring.free_gap = \"8.4 mm\"", "ring.free_gap = \"12.6 mm\""}));
 }
@@ -128,7 +128,7 @@ TEST(Assumptions, NoAlternativeIsTheCaseItself) {
   c.gas.pressure_behind_ring = 0.9;
   c.film.cavitation = cycle::Cavitation::kMassConserving;
   c.lubricant.viscosity_pressure = cycle::ViscosityPressure::kNone;
-  expect_settings_tell_the_truth(c);
+  expect_settings_match_effects(c);
   EXPECT_EQ(settings(c, "composite-modulus"), std::vector<std::string>{"contact.composite_modulus = \"135 GPa\""});
   EXPECT_EQ(settings(c, "cavitation-pressure"), std::vector<std::string>{"film.cavitation_pressure = \"1.013 bar\""});
   EXPECT_EQ(settings(c, "pressure-under-ring"), std::vector<std::string>{"gas.crankcase_pressure = \"1.013 bar\""});
@@ -201,7 +201,7 @@ TEST(Assumptions, TheEndGapIsOmittedClosedOrGiven) {
   c.ring.end_gap = 0.3e-3;
   EXPECT_NE(statement(c, "ring-gap").find("a gap of 0.3 mm"), std::string::npos);
   EXPECT_EQ(settings(c, "ring-gap"), std::vector<std::string>{"film.dimension = \"face\""});
-  expect_settings_tell_the_truth(c);
+  expect_settings_match_effects(c);
 }
 
 TEST(Assumptions, EachHasItsOwnPlaceInTheTheory) {

@@ -2,7 +2,7 @@
 import { display, shortPath, typeset, wrapped } from './units.js';
 
 /**
- * Splits titles into what they share and what tells them apart, at a comma, colon or blank; null where they
+ * Splits titles into what they share and what distinguishes them, at a comma, colon or blank; null where they
  * do not differ.
  */
 export function shortNames(titles) {
@@ -15,7 +15,7 @@ export function shortNames(titles) {
   return { shared: cut.replace(/[\s,:;–-]+$/, ''), names };
 }
 
-/** Inputs that say how or where, not what: no case is named after them. */
+/** Inputs of the method or of files, not of the engine: no case is named after them. */
 const kNoName = /^(output|solver)\.|\.(file|name)$|file$/;
 
 /** Cases of one title, named after the inputs in which they differ (at most two), else by their number. */
@@ -54,7 +54,7 @@ export function shownInput(entry) {
   return typeset(shortPath(entry.shown.replace(/^"(.*)"$/, '$1')));
 }
 
-/** A text in which the files that a case read stand with their short paths. */
+/** A text in which the files that a case read have their short paths. */
 export function withShortPaths(oneCase, text) {
   return oneCase.files
     .filter((file) => file.path)
@@ -63,7 +63,7 @@ export function withShortPaths(oneCase, text) {
 
 /**
  * The last crank angle of an integration that stopped in its first cycle: that before the gap in the samples.
- * Null where samples stand all around the cycle or too unevenly to tell.
+ * Null where samples cover the whole cycle, or are too uneven to find it.
  */
 export function stoppedAt(angles) {
   if (angles.length < 2) return angles[0] ?? null;
@@ -91,8 +91,7 @@ export class Model {
       index,
       series: this.several ? index : kOnlyCase,
       name: names[index],
-      // Sums and extremes of an integration that stopped early stand for no cycle: better none than wrong
-      // ones.
+      // Sums and extremes of an integration that stopped early are not those of a cycle: they are omitted.
       values: c.complete ? { ...c.values, ...c.unrolled_values } : {},
     }));
     this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;
@@ -159,7 +158,7 @@ export class Model {
 const kWidestStep = 20;
 
 /**
- * Turns angles to -360..360; closes a full cycle at both ends; a null stands wherever samples are missing.
+ * Turns angles to -360..360; closes a full cycle at both ends; missing samples become null.
  */
 export function onCycleAxis(angles, values) {
   const points = angles.map((angle, k) => [wrapped(angle), values[k]]).sort((a, b) => a[0] - b[0]);

@@ -72,7 +72,7 @@ export function table(caption, heads, rows, { folds = false, classes = '' } = {}
 
 const figure = (text) => ({ text, attributes: { class: 'number' } });
 
-/** Long tables are folded away on a phone until they are wanted. */
+/** Long tables are folded on a phone until the reader opens them. */
 function folded(summary, ...content) {
   return element(
     'details',
@@ -106,7 +106,7 @@ function gridSentence(model) {
   const grids = estimated[0].errors.runs.map((run) => `${run.cells} cells at ${number(run.crank_step, 3)}°`);
   return (
     ' After ±: how far cells and crank steps may have moved the value, from integrations on other ' +
-    `grids (${grids.join(', ')}); it says nothing of models and inputs.`
+    `grids (${grids.join(', ')}); it does not include errors of models and inputs.`
   );
 }
 

@@ -85,7 +85,7 @@ const kShownUnit = {
   degC: '°C',
 };
 
-/** The unit as it stands on an axis; '' for a plain number. */
+/** The unit as an axis shows it; '' for a plain number. */
 export function shownUnit(unit) {
   return unit in kShownUnit ? kShownUnit[unit] : unit;
 }
@@ -100,15 +100,15 @@ export function typesetUnit(unit) {
     .replace(/\./g, '\u202f');
 }
 
-/** How to show a quantity: { unit, convert }. Without a known display unit the SI value stands. */
+/** How to show a quantity: { unit, convert }. Without a known display unit in SI. */
 export function display(quantity) {
-  const { unit, display_unit: wanted } = quantity;
-  if (unit === 'K' && wanted === 'degC')
+  const { unit, display_unit: shown } = quantity;
+  if (unit === 'K' && shown === 'degC')
     return { unit: '°C', convert: (v) => (v === null ? null : v - 273.15) };
-  const size = kSizeInSi[wanted];
-  if (!wanted || size === undefined) return { unit: shownUnit(unit), convert: (v) => v };
+  const size = kSizeInSi[shown];
+  if (!shown || size === undefined) return { unit: shownUnit(unit), convert: (v) => v };
   // Dividing by 1e-6 and multiplying by 1e6 differ in the last bit; the reader sees four digits.
-  return { unit: shownUnit(wanted), convert: (v) => (v === null ? null : v / size) };
+  return { unit: shownUnit(shown), convert: (v) => (v === null ? null : v / size) };
 }
 
 const kSuperscript = {
@@ -173,7 +173,7 @@ export function plain(value) {
     : String(Number(value.toPrecision(8)));
 }
 
-/** "62.00 bar"; a percent sign or degree sign stands close. */
+/** "62.00 bar"; a percent sign or degree sign follows without a blank. */
 export function withUnit(value, unit, digits = 4) {
   const text = number(value, digits);
   if (!unit || text === '–') return text;
@@ -190,9 +190,9 @@ export function withError(value, error, unit, digits = 4) {
   const first = Math.floor(Math.log10(error));
   const rounded = error < 2 * 10 ** first ? 1 - first : -first;
   // A peak that may be another one is still at an angle.
-  const wanted = unit === '°' ? Math.max(0, rounded) : rounded;
-  const most = value === 0 ? wanted : kMostDigits - 1 - Math.floor(Math.log10(Math.abs(value)));
-  const places = Math.min(wanted, most);
+  const shown = unit === '°' ? Math.max(0, rounded) : rounded;
+  const most = value === 0 ? shown : kMostDigits - 1 - Math.floor(Math.log10(Math.abs(value)));
+  const places = Math.min(shown, most);
   if (places > 12 || Math.abs(value) >= 1e9) return `${number(value, digits)} ± ${number(error, 1)}`;
   const step = 10 ** -places;
   const text = (v) => v.toFixed(Math.max(0, places)).replace(/^-/, '−');
@@ -238,7 +238,7 @@ export function angleInWords(degrees) {
   return a > 0 ? `${size} after firing TDC` : `${size} before firing TDC`;
 }
 
-/** Folders from which on the path of a file that is shipped with the program says enough. */
+/** The path of a file that is shipped with the program is shown from these folders on. */
 const kShippedIn = ['cases', 'data'];
 
 /**

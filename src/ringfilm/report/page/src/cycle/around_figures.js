@@ -7,7 +7,7 @@ import { angleInWords, crankTicks, number, tickText, withUnit, wrapped } from '.
 
 const kHeight = { low: 118, usual: 150, high: 230, overCrank: 260 };
 
-/** Round numbers as colours want them: never from and to the same. */
+/** A range of values for colours, whose ends always differ. */
 function spread([low, high]) {
   if (high > low) return [low, high];
   return [low - (Math.abs(low) || 1), high + (Math.abs(high) || 1)];
@@ -236,7 +236,7 @@ export function gapFigure(model) {
     caption:
       'Oil that leaves the film through both ends of the ring, and by which share its ends change ' +
       'load, friction and oil flow of the ring against one whose strips were all like the one ' +
-      'opposite the gap; negative where the ends do less. The share in the flow is left out where ' +
+      'opposite the gap; negative where the ends do less. The share in the flow is omitted where ' +
       'less than a tenth of the largest flow passes. Mean flow between film and gap: ' +
       `${valueText('mean_absolute_gap_leakage')}; its share of the flow under the ring: ` +
       `${valueText('gap_leakage_share')}. Shares of the ends in the mean load: ` +

@@ -127,9 +127,7 @@ const kOrigin = {
 function origin(model, c) {
   const named = (key) => model.input(c, key)?.shown;
   if (named('gas.model') === 'wiebe') return 'computed by the single-zone model, not measured';
-  return (
-    kOrigin[named('gas.trace_origin')] ?? 'a trace of which the case does not say whether it was measured'
-  );
+  return kOrigin[named('gas.trace_origin')] ?? 'a trace that the case does not state as measured or computed';
 }
 
 function pressureFigure(model) {
@@ -257,7 +255,7 @@ function flowFigure(model) {
 }
 
 export function cycleFigures(model) {
-  const wanted = [
+  const figures = [
     pressureFigure,
     filmFigure,
     lambdaRatioFigure,
@@ -265,22 +263,22 @@ export function cycleFigures(model) {
     linerFrictionFigure,
     flowFigure,
   ];
-  return wanted.map((make) => withBandTold({ ...make(model), group: 'cycle' }));
+  return figures.map((make) => withBandSentence({ ...make(model), group: 'cycle' }));
 }
 
-function withBandTold(figure) {
+function withBandSentence(figure) {
   return { ...figure, caption: figure.caption + bandSentence(figure.panels) };
 }
 
 export function zoomFigure(model) {
-  return withBandTold(frictionZoomFigure(model));
+  return withBandSentence(frictionZoomFigure(model));
 }
 
 /** Any curve quantity that has no figure of its own, for the reader to choose. */
 export function otherQuantityFigure(model, name) {
   const quantity = model.curveQuantity.get(name);
   const signed = model.cases.some((c) => c.curves[name].some((v) => v < 0));
-  return withBandTold({
+  return withBandSentence({
     id: 'other-quantity',
     title: 'Any other quantity',
     group: 'cycle',

@@ -45,7 +45,7 @@ export class FieldMaps {
     Object.assign(this, { title, columns, rows, maps, height, above, edgeWords });
   }
 
-  /** Where everything stands in a drawing of that width. */
+  /** Where everything is in a drawing of that width. */
   layout(width, top) {
     const beside = width >= kWide;
     const w = width - kLeft - (beside ? kBarRoom : kRight);

@@ -14,7 +14,7 @@ import { angle, number, withUnit } from '../units.js';
  */
 const kPrinted = { half: 450, whole: 900 };
 
-/** Two such figures stand side by side on paper. */
+/** Two such figures are side by side on paper. */
 function isHalfAPage(figure) {
   return figure.layout !== 'row' && !figure.long && !figure.panels.some((panel) => panel.bars);
 }
@@ -115,7 +115,7 @@ export class FigureView {
         values[i].textContent = x === null ? '' : number(s.y[nearest(s, x)], 4);
       });
     };
-    // uPlot measures its host, which must stand in the page first.
+    // uPlot measures its host, which must be in the page first.
     this.charts.push({
       start: () =>
         new Chart(host, panel, {
@@ -172,7 +172,7 @@ export class FigureView {
     );
   }
 
-  /** Draws; to be called once the node stands in the page. */
+  /** Draws; to be called once the node is in the page. */
   start() {
     for (const entry of this.charts) entry.chart = entry.start();
     if (this.barHost) {

@@ -67,7 +67,7 @@ function stop(c) {
     : `in its first cycle, last solved ${angleInWords(at).replace(/^(?=\d)/, 'at ')}${after && `,${after}`}`;
 }
 
-/** Says plainly which cases did not come to an end, before any number. */
+/** Lists the cases that did not complete, before any number. */
 function stopped(model) {
   const broken = model.cases.filter((c) => !c.complete);
   if (broken.length === 0) return null;

@@ -13,7 +13,7 @@ const kReported = [
   ['mean_absolute_oil_flow', 'oil flow'],
 ];
 
-/** From this relative change on a number stands in bold. */
+/** From this relative change on a number is in bold. */
 const kStrong = 0.1;
 
 function valueCell(model, values, name, base) {

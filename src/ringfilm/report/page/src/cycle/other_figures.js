@@ -111,7 +111,7 @@ export function wearFigure(model) {
   };
   return {
     id: 'archard-wear-load-stroke',
-    title: 'Drive of wear along the stroke',
+    title: 'Archard wear load along the stroke',
     panels: [
       {
         id: 'wear',
@@ -242,7 +242,7 @@ export function fieldFigure(model, angle) {
         yUnit: 'bar',
         series: series('asperity_pressure', 1e5, 'boundary'),
       },
-      // Where every gap is full at every angle the picture would say nothing.
+      // Where the film is full everywhere at every angle, the picture would show nothing.
       shown.some(([c]) => c.fields.film_content.some((list) => list.some((v) => v !== null && v < 1))) && {
         ...common,
         id: 'film_content',
@@ -254,13 +254,13 @@ export function fieldFigure(model, angle) {
     ].filter((panel) => panel && panel.series.length > 0),
     caption:
       `${thinned(model)}Absolute pressure of the oil, film thickness (logarithmic), asperity ` +
-      'contact pressure and, where the model knows gaps that are not full, the liquid share; ' +
+      'contact pressure and, where the model has a film content, the liquid share; ' +
       'chamber edge on the left. Where the oil pressure lies flat at the cavitation pressure the ' +
       'film has ruptured.',
   };
 }
 
-/** Says so where the page carries only some of the angles of the result file. */
+/** A sentence for a caption where the page has only some of the angles of the result file. */
 function thinned(model) {
   const some = model.cases.filter((c) => c.fields.stored_angles > c.fields.crank_angle.length);
   return some.length

@@ -79,7 +79,7 @@ export class Unrolled {
       value: this.fields.film_pressure ? p.value / 1e5 : null,
     }));
     this.lowestFilmContent = payload.lowest_film_content.map(inMm);
-    // Reynolds' exit knows no film content: what is stored of it is 1 everywhere, and cavities are where the
+    // Reynolds' exit has no film content: what is stored of it is 1 everywhere, and cavities are where the
     // pressure is theirs.
     const pressure = payload.fields.film_pressure;
     const isStated = payload.rupture_pressure !== undefined && payload.rupture_pressure !== null;

@@ -75,7 +75,7 @@ function notesBox(notes) {
   );
 }
 
-const kSourcesOnFirstScreen = 2; // the file and whether it can be what it seems; all of them stand at the end
+const kSourcesOnFirstScreen = 2; // the file and whether it can be what it seems; all of them are at the end
 
 function firstScreen(measurement) {
   const cards = keyValues(measurement);
@@ -100,7 +100,7 @@ function figureViews(measurement, context) {
     .map(curveFigure)
     .filter(Boolean)
     .map((figure) => {
-      // What one figure hides is no business of another.
+      // A curve that is hidden in one figure remains visible in the others.
       const view = new FigureView(figure, { ...context, visibility: new Visibility() });
       if (figure.long) view.node.classList.add('long');
       return view;

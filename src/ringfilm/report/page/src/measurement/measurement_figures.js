@@ -61,7 +61,7 @@ export function curveFigure(curve) {
   };
 }
 
-/** Curves that have no point to draw, said in words. */
+/** Curves that have no point to draw, listed as text. */
 export function withoutPoints(curves) {
   return curves
     .filter((curve) => curveFigure(curve) === null)

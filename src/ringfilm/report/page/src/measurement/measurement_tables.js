@@ -20,7 +20,7 @@ function shownValue(value) {
   return !unit || text === '–' ? text : `${text}\u00a0${unit}`;
 }
 
-/** "mean radius, β [µm]"; a symbol that only repeats a word of the name says nothing. */
+/** "mean radius, β [µm]"; a symbol that only repeats a word of the name is omitted. */
 function columnHead(column) {
   const name = column.long_name || column.name;
   const addsSymbol = column.symbol && !name.toLowerCase().split(/\W+/).includes(column.symbol.toLowerCase());

@@ -386,7 +386,7 @@ export class Chart {
       });
     }
     if (!best) return undefined;
-    // The same instant in every case: that is what one wants to compare.
+    // The same instant in every case, for a comparison.
     this.marked = this.panel.series
       .filter(this.visible)
       .map((s) => ({ s, k: s.angle.indexOf(best.angle) }))

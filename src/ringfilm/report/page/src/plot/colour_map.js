@@ -44,8 +44,8 @@ function evenColours() {
   const colours = [];
   let at = 0;
   for (let k = 0; k < kColours; k++) {
-    const wanted = (length[kFine] * k) / (kColours - 1);
-    while (at < kFine && length[at] < wanted) at++;
+    const target = (length[kFine] * k) / (kColours - 1);
+    while (at < kFine && length[at] < target) at++;
     colours.push(linear(fine[at]).map(byte));
   }
   return colours;

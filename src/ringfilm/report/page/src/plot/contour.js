@@ -115,7 +115,7 @@ function joined(pieces) {
 }
 
 /**
- * Where a label stands best: the middle of the longest straight-ish stretch: { x, y, angle } in degrees, null
+ * The best place of a label: the middle of the longest straight-ish stretch: { x, y, angle } in degrees, null
  * on short lines.
  */
 export function labelPlace(points, room) {

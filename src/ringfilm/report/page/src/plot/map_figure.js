@@ -6,7 +6,7 @@ import { kFaint, kInk, px, rule, scaler, text } from './svg_shapes.js';
 import { kMissing, unpacked } from './packed.js';
 import { number, ticks, tickText, typesetUnit, withUnit } from '../units.js';
 
-/** Numbers the parts that one drawing refers to: two drawings of one map stand in a page. */
+/** Numbers the parts that one drawing refers to: a page has two drawings of one map. */
 let drawn = 0;
 const kTallest = 560;
 /** A letter is at most about so wide: a drawing cannot measure its text [pixel]. */
@@ -28,7 +28,7 @@ export class MapFigure {
     this.height = map.points_y * map.step_y;
     this.lengths = lengthUnit(Math.max(this.width, this.height), 2);
     if (!map.empty) this.words = unpacked(map.data);
-    // A map of one height stands in the middle of the colours.
+    // A map of one height has the middle colour.
     const spread = map.colour_high > map.colour_low ? 0 : Math.abs(map.colour_low) || 1;
     [this.from, this.to] = [map.colour_low - spread, map.colour_high + spread];
   }
@@ -59,7 +59,7 @@ export class MapFigure {
     return this.url;
   }
 
-  /** Where everything stands in a drawing of that width, true proportions. */
+  /** Where everything is in a drawing of that width, true proportions. */
   layout(width, top) {
     const kLeft = 58;
     const kBarRoom = 104;

@@ -55,7 +55,7 @@ const kMargins = { left: 58, right: 16, top: 26, bottom: 46 };
  * Axes in a box { x, y, width, height }.
  * @param across, up { low, high, log, label, unit, bare: without numbers }; @returns { plot, x, y, shapes,
  * edges } the scales, grid and labels,
- * and the lines that stand over the content
+ * and the lines that are drawn over the content
  */
 export function frame(box, across, up, margins = {}) {
   const m = { ...kMargins, ...margins };
@@ -107,13 +107,13 @@ export function frame(box, across, up, margins = {}) {
   return { plot, x, y, shapes, edges };
 }
 
-/** At least two: one alone is no scale. */
+/** At least two: one alone does not make a scale. */
 function readableTicks(low, high, count) {
   const found = ticks(low, high, Math.max(2, count));
   return found.values.length < 2 ? ticks(low, high, 2 * Math.max(2, count)) : found;
 }
 
-/** Ticks of which none stands closer to the one before than so many pixels. */
+/** Ticks that are at least so many pixels apart. */
 function thinned({ values, step }, x, least) {
   let last = -Infinity;
   return { step, values: values.filter((v) => x(v) - last >= least && ((last = x(v)), true)) };

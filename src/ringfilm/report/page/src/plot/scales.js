@@ -82,7 +82,7 @@ export function yTicks(panel, low, high, count) {
 }
 
 /**
- * Where the marks of a case stand on its line: a few, at places of its own so that they do not hide each
+ * Where the marks of a case are on its line: a few, at places of its own so that they do not hide each
  * other.
  */
 export function markIndices(series, low, high, nSeries, xScale = 'linear') {
@@ -100,8 +100,8 @@ export function markIndices(series, low, high, nSeries, xScale = 'linear') {
   let k = 0;
   for (let m = 0; m < kMarks; m++) {
     const share = (m + (series.caseIndex + 0.5) / nSeries) / kMarks;
-    const wanted = xScale === 'log' ? low * (high / low) ** share : low + (high - low) * share;
-    while (k < series.x.length && series.x[k] < wanted) k++;
+    const target = xScale === 'log' ? low * (high / low) ** share : low + (high - low) * share;
+    while (k < series.x.length && series.x[k] < target) k++;
     if (k < series.x.length && series.y[k] !== null) found.push(k);
   }
   return found;
@@ -214,8 +214,8 @@ export function arrowHeads(points, count) {
   const heads = [];
   let k = 1;
   for (let n = 1; n <= count; n++) {
-    const wanted = (total * n) / (count + 1);
-    while (k < points.length - 1 && lengths[k] < wanted) k++;
+    const target = (total * n) / (count + 1);
+    while (k < points.length - 1 && lengths[k] < target) k++;
     const [a, b] = [points[k - 1], points[k]];
     if (a && b && (a[0] !== b[0] || a[1] !== b[1]))
       heads.push({ x: b[0], y: b[1], angle: Math.atan2(b[1] - a[1], b[0] - a[0]) });

@@ -166,7 +166,7 @@ function seriesShapes(panel, s, x, y, range) {
   return out;
 }
 
-/** Over the cycle the names of the strokes stand above the plot. */
+/** Over the cycle the names of the strokes are above the plot. */
 function marginTop(panel) {
   return panel.crank ? kMargin.top : kMargin.top - 16;
 }
@@ -209,7 +209,7 @@ function legend(figure, visible, width, y) {
   return { shapes: out.join(''), bottom: row + 10 };
 }
 
-/** The sample of a line (or bar) that stands beside its name. */
+/** The sample of a line (or bar) next to its name. */
 function swatch({ caseIndex, part, bars }, x, y) {
   const colour = caseColour(caseIndex);
   if (bars) return `<rect x="${x + 8}" y="${y - 6}" width="12" height="12" fill="${colour}"/>`;

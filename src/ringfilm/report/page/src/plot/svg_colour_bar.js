@@ -3,7 +3,7 @@ import { colourText, kHeightColours } from './colour_map.js';
 import { kInk, px, rule, scaler, text } from './svg_shapes.js';
 import { ticks, tickText } from '../units.js';
 
-/** Numbers the gradients: several drawings stand in a page. */
+/** Numbers the gradients: a page has several drawings. */
 let drawn = 0;
 
 function gradient(id, upright) {

@@ -74,7 +74,7 @@ export function bandFigures(model) {
         caption:
           `Line: median; bands: 50\u00a0% and 90\u00a0% of the ${[...new Set(n)].join(', ')} ` +
           `scenarios${model.several ? ' of each base' : ''}` +
-          `${model.has_sample ? '' : ', which are no sample: bands show their range, not how likely it is'}` +
+          `${model.has_sample ? '' : ', which are not a sample: bands show their range, not how likely it is'}` +
           '. Each angle has its own quantiles: no band is the curve of one scenario. Widest: ' +
           `${series.map(width).join('; ')}.`,
       };

@@ -421,7 +421,7 @@ ${Math.abs(e.mean) > 0.9 * e.mean_absolute ? (e.mean > 0 ? '↑' : '↓') : '↕
     },
     caption: () =>
       `µ* with its 95 % confidence interval, strongest first. ↑: ${q().short_name} rises with the factor, ↓: it \
-falls, ↕: both, depending on where the factors stand. Intervals that overlap leave the order open.`,
+falls, ↕: both, depending on the values of the factors. Intervals that overlap leave the order open.`,
     columns: () => effectColumns(model, chosen, list()),
   };
 }

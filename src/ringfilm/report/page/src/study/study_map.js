@@ -177,7 +177,7 @@ export function mapFigure(model, q, choice) {
         rule(plot.right, plot.top, plot.right, plot.bottom, kInk),
         rule(plot.left, plot.top, plot.right, plot.top, kInk),
       ];
-      // In the picture its first line names the axis that goes up; the value stands at the bar of colours.
+      // In the picture its first line names the axis that goes up; the value is at the bar of colours.
       const barTop = height + 4;
       const [from, to] = [plot.left, plot.right];
       const w = (to - from) / (levels.length + 1);

@@ -51,7 +51,7 @@ export function shortWithUnit(v, unit) {
 
 function shownAs(described) {
   const { unit, convert } = display(described);
-  // What stands in brackets is reported once, where the word is explained.
+  // Text in brackets is reported once, where the word is explained.
   return {
     short_name: (described.long_name ?? described.name).replace(/ \(.*\)$/, ''),
     shown: described.unit ? unit : '',

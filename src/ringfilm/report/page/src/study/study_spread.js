@@ -149,8 +149,7 @@ export function convergenceFigure(model, chosen) {
           }))
         : [],
     );
-    // The widest intervals, of the fewest points, may leave the picture: the last ones are what one wants to
-    // see.
+    // The widest intervals, of the fewest points, may leave the picture: the last ones are the result.
     const framed = curves.flatMap((c) =>
       c.triples.flatMap((t, k) => (t ? (c.n[k] >= 32 || c.n.length < 3 ? t : [t[0]]) : [])),
     );
@@ -235,8 +234,8 @@ export function convergenceFigure(model, chosen) {
       };
       return (
         `Mean and quantiles of ${q.short_name} of the first 16, 32, 64, ... points and of all of ` +
-        'them, with their 95 % confidence intervals (bands); an end that so few points cannot tell ' +
-        'is left out. Interval of the mean at the end: ' +
+        'them, with their 95 % confidence intervals (bands); an end that so few points do not determine ' +
+        'is omitted. Interval of the mean at the end: ' +
         model.bases
           .map((b) => last(b.index))
           .filter(Boolean)

@@ -198,7 +198,7 @@ export function variedSection(model) {
       `${
         measured === 0
           ? 'No scatter was taken over from a measurement: ranges and distributions are as the study’s \
-file states them, with what it says of their source.'
+file states them, with the source that it states.'
           : measured === model.factors.length
             ? 'All scatter is what was measured.'
             : `${measured} of ${model.factors.length} factors have the scatter that was measured; the others are as \
@@ -334,8 +334,8 @@ export function statisticsSection(model, context) {
 ${counts.map((s) => count(s?.omitted ?? 0)).join(', ')} that were not solved`
                 : ''
             }); in small type the 95 % \
-confidence interval of each number, … where so few scenarios cannot tell it.`
-          : 'Over all scenarios of the plan, which are no sample: nothing is said of how likely a value is.',
+confidence interval of each number, … where so few scenarios do not determine it.`
+          : 'Over all scenarios of the plan, which are not a sample: they do not show how likely a value is.',
       ),
       element('span', { class: 'downloads' }, button),
     ),
@@ -364,7 +364,7 @@ export function differencesTable(model) {
     .slice(1)
     .map((_, i) => shown.some((q) => model.comparison[q.name][i + 1]?.difference));
   const [paired, alone] = [others.some(Boolean), model.has_sample && others.some((one) => !one)];
-  const whom = alone ? 'Where an interval stands, both' : groups.length > 2 ? 'All' : 'Both';
+  const whom = alone ? 'Where an interval is given, both' : groups.length > 2 ? 'All' : 'Both';
   const rows = groups.map((g, k) => [
     g.name,
     ...shown.map((q) => {
@@ -488,7 +488,7 @@ export function unsolvedSection(model) {
       'p',
       {},
       `${count(failed)} of ${count(model.scenarios)} (${percent(failed / model.scenarios).replace('+', '')}). They \
-are left out of all statistics, which are those of what could be run.${
+are omitted from all statistics, which are those of what could be run.${
         n > reasons.length
           ? ` The ${reasons.length} \
 most frequent of ${n} reasons; the result file has all.`

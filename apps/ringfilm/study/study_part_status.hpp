@@ -10,14 +10,14 @@
 namespace ringfilm::app {
 
 /// ", last at 2026-01-31 17:05": when rows were last written to the file; empty where that is not known.
-std::string last_change_words(const std::string& path);
+std::string last_change_text(const std::string& path);
 
-/// What is known of parts of a study that are not finished: their state in the queue of Slurm, and the last words
+/// What is known of parts of a study that are not finished: their state in the queue of Slurm, and the last lines
 /// of their logs.
-class PartWords {
+class PartStatus {
  public:
   /// Asks the queue once.
-  PartWords(const StudyFiles& files, const std::optional<StudyJobs>& jobs);
+  PartStatus(const StudyFiles& files, const std::optional<StudyJobs>& jobs);
 
   /// Indented lines, each with a line end before it; empty where nothing is known.
   std::string of(std::uint64_t part, std::uint64_t parts) const;

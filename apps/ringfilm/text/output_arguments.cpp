@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 
-#include "text/command_words.hpp"
+#include "text/command_arguments.hpp"
 
 namespace ringfilm::app {
 
-void OutputWords::add_to(CLI::App& command, bool with_fragment) {
+void OutputArguments::add_to(CLI::App& command, bool with_fragment) {
   command.add_option("-o,--output", outputs.netcdf, "write everything as NetCDF-4")->type_name("X.nc");
   command.add_option("--html", outputs.page, "write everything as one self-contained web page")->type_name("X.html");
   if (with_fragment) {
@@ -16,7 +16,7 @@ void OutputWords::add_to(CLI::App& command, bool with_fragment) {
   command.add_flag("--json", json, "print JSON, SI units, instead of the table");
 }
 
-MeasurementOutputs OutputWords::selected() const {
+MeasurementOutputs OutputArguments::selected() const {
   MeasurementOutputs requested = outputs;
   requested.summary = json ? SummaryForm::kJson : SummaryForm::kTable;
   return requested;

@@ -8,7 +8,7 @@
 #include "commands/command_study.hpp"
 #include "ringfilm/base/error.hpp"
 #include "study/study_submit.hpp"
-#include "text/command_words.hpp"
+#include "text/command_arguments.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -31,7 +31,7 @@ follows -- is passed to sbatch.
 
 constexpr int kMostWords = 64;  // those for another program among them
 
-struct StudyWords {
+struct StudyArguments {
   std::vector<std::string> alone, further;
   std::optional<std::string> output, shard, threads, engine, parts;
   bool resume = false, overwrite = false, yes = false, is_rehearsal = false;
@@ -68,7 +68,7 @@ struct StudyWords {
       throw InputError(fmt::format("ringfilm study {} takes no other option than -o", action), "leave the others out");
     }
     if (action == "merge") return merge_study(options);
-    if (action == "status") return tell_study_status(options);
+    if (action == "status") return print_study_status(options);
     run_study(options);
   }
 
@@ -116,27 +116,29 @@ struct StudyWords {
 void add_study_command(CLI::App& program, Actions& actions) {
   CLI::App* command =
       program.add_subcommand("study", "Run many scenarios around a case: maps, uncertainty, comparison");
-  const auto words = std::make_shared<StudyWords>();
-  command->add_option("STUDY.toml", words->alone, "the study's file; before it: merge, status or submit")
+  const auto arguments = std::make_shared<StudyArguments>();
+  command->add_option("STUDY.toml", arguments->alone, "the study's file; before it: merge, status or submit")
       ->required()
       ->expected(1, kMostWords)
       ->type_name("");
-  // The first option takes the words behind --, too; but a command only accepts -- as long as another may still come.
-  command->add_option("OPTION", words->further, "of submit, behind --: options of sbatch")->type_name("");
-  command->add_option("-o,--output", words->output, "folder for results, or X.nc (default ./<study>)")
+  // The first option takes the arguments behind --, too; but a command only accepts -- as long as another may still
+  // come.
+  command->add_option("OPTION", arguments->further, "of submit, behind --: options of sbatch")->type_name("");
+  command->add_option("-o,--output", arguments->output, "folder for results, or X.nc (default ./<study>)")
       ->type_name("OUT");
-  command->add_option("--shard", words->shard, "compute part i of n only")->type_name("i/n");
-  command->add_flag("--resume", words->resume, "continue with what is there");
-  command->add_flag("--overwrite", words->overwrite, "replace the study in the output, which is refused without it");
-  command->add_flag("--yes", words->yes,
+  command->add_option("--shard", arguments->shard, "compute part i of n only")->type_name("i/n");
+  command->add_flag("--resume", arguments->resume, "continue with what is there");
+  command->add_flag("--overwrite", arguments->overwrite,
+                    "replace the study in the output, which is refused without it");
+  command->add_flag("--yes", arguments->yes,
                     "run a grid of more than 10000 points, keep more than 2 GB of curves, submit unseen by squeue");
-  command->add_option("--threads", words->threads, "1 to 1024; without it as many as the machine runs at once")
+  command->add_option("--threads", arguments->threads, "1 to 1024; without it as many as the machine runs at once")
       ->type_name("N");
-  command->add_option("--engine", words->engine, "of submit: slurm")->type_name("NAME");
-  command->add_option("--parts", words->parts, "of submit: into how many parts (default 8)")->type_name("N");
-  command->add_flag("--dry-run", words->is_rehearsal, "of submit: write and show the scripts, submit nothing");
+  command->add_option("--engine", arguments->engine, "of submit: slurm")->type_name("NAME");
+  command->add_option("--parts", arguments->parts, "of submit: into how many parts (default 8)")->type_name("N");
+  command->add_flag("--dry-run", arguments->is_rehearsal, "of submit: write and show the scripts, submit nothing");
   command->footer(kStudyFooter);
-  actions.emplace_back(command, [words] { words->run(); });
+  actions.emplace_back(command, [arguments] { arguments->run(); });
 }
 
 }  // namespace ringfilm::app

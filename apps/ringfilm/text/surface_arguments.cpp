@@ -4,7 +4,7 @@
 #include "commands/command_surface.hpp"
 #include "option_values.hpp"
 #include "ringfilm/base/error.hpp"
-#include "text/command_words.hpp"
+#include "text/command_arguments.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -44,14 +44,14 @@ std::pair<std::size_t, std::size_t> counts_of(const std::string& option, const s
   return {across, down};
 }
 
-/// The words of a surface command, as text.
-struct SurfaceWords {
+/// The arguments of a surface command, as text.
+struct SurfaceArguments {
   instrument::SurfaceOptions reading;
   std::optional<std::string> layout, short_cutoff, long_cutoff, grid, prominent, noise, angle, cavity_depth;
   std::vector<std::string> rectangles;
   std::string form = "none", direction = "mean", scheme = "neighbours", sigma = "Ra";
   bool robust = false;
-  OutputWords outputs;
+  OutputArguments outputs;
 
   void add_to(CLI::App& command) {
     command.add_option("--channel", reading.channel, "which channel of the file: its number from 1, or its name")
@@ -203,7 +203,7 @@ void add_surface_commands(CLI::App& program, Actions& actions) {
   {
     CLI::App* command =
         program.add_subcommand("surface", "Measure a surface: roughness, material ratio curve, asperities");
-    const auto words = std::make_shared<SurfaceWords>();
+    const auto arguments = std::make_shared<SurfaceArguments>();
     const auto paths = std::make_shared<std::vector<std::string>>();
     const auto heights = std::make_shared<std::optional<std::string>>();
     command
@@ -213,23 +213,23 @@ void add_surface_commands(CLI::App& program, Actions& actions) {
             "give a mean and its scatter")
         ->required()
         ->type_name("...");
-    words->add_to(*command);
-    words->outputs.add_to(*command, false);
+    arguments->add_to(*command);
+    arguments->outputs.add_to(*command, false);
     command->add_option("--heights", *heights, "write the heights as read: x, y, z in metres")->type_name("OUT.csv");
     command->footer(kSurfaceFooter);
-    actions.emplace_back(command, [words, paths, heights] { surface(*paths, *heights, words->command()); });
+    actions.emplace_back(command, [arguments, paths, heights] { surface(*paths, *heights, arguments->command()); });
   }
   {
     CLI::App* command = program.add_subcommand("pair", "Two surfaces in contact: N, beta and sigma for a case");
-    const auto words = std::make_shared<SurfaceWords>();
+    const auto arguments = std::make_shared<SurfaceArguments>();
     const auto ring = std::make_shared<std::vector<std::string>>();
     const auto liner = std::make_shared<std::vector<std::string>>();
     command->add_option("--ring", *ring, "maps of the ring's face")->required()->type_name("FILE ...");
     command->add_option("--liner", *liner, "maps of the liner")->required()->type_name("FILE ...");
-    words->add_to(*command);
-    words->outputs.add_to(*command, true);
+    arguments->add_to(*command);
+    arguments->outputs.add_to(*command, true);
     command->footer(kPairFooter);
-    actions.emplace_back(command, [words, ring, liner] { pair(*ring, *liner, words->command()); });
+    actions.emplace_back(command, [arguments, ring, liner] { pair(*ring, *liner, arguments->command()); });
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include "commands/command_lateral_force.hpp"
 #include "option_values.hpp"
-#include "text/command_words.hpp"
+#include "text/command_arguments.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -24,12 +24,12 @@ V-shaped levers are calibrated on silicon or on a wedge; --lever holds for recta
 and for loads in newtons also youngs_modulus, width, thickness, torsional_sensitivity = "0.05 V/nm +- 5 %".
 )";
 
-struct LateralForceWords {
+struct LateralForceArguments {
   LateralForceCommand command;
   std::vector<std::string> silicon, silicon_loads, wedge_angles, channels;
   std::optional<std::string> reference;
   std::string end_share = "0.1", deviations = "from-residuals";
-  OutputWords outputs;
+  OutputArguments outputs;
 
   void add_to(CLI::App& app) {
     const auto add = [&app](const char* name, auto& to, const char* help, const char* type) {
@@ -150,9 +150,9 @@ struct LateralForceWords {
 void add_lateral_force_command(CLI::App& program, Actions& actions) {
   CLI::App* command =
       program.add_subcommand("lateral-force", "Friction loops of an AFM: coefficient of boundary shear strength");
-  const auto words = std::make_shared<LateralForceWords>();
-  words->add_to(*command);
-  actions.emplace_back(command, [words] { lateral_force(words->read()); });
+  const auto arguments = std::make_shared<LateralForceArguments>();
+  arguments->add_to(*command);
+  actions.emplace_back(command, [arguments] { lateral_force(arguments->read()); });
 }
 
 }  // namespace ringfilm::app

@@ -14,12 +14,12 @@ class App;
 
 namespace ringfilm::app {
 
-/// Commands of the program and what each does once its words are read.
+/// Commands of the program and what each does once its arguments are read.
 using Actions = std::vector<std::pair<CLI::App*, std::function<void()>>>;
 
-/// Words that all measuring commands share: --output, --html, --json and, where there is something for a case,
+/// Arguments that all measuring commands share: --output, --html, --json and, where there is something for a case,
 /// --fragment.
-struct OutputWords {
+struct OutputArguments {
   MeasurementOutputs outputs;
   bool json = false;
 

@@ -3,7 +3,7 @@
 
 #include "commands/command_face.hpp"
 #include "option_values.hpp"
-#include "text/command_words.hpp"
+#include "text/command_arguments.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -24,11 +24,11 @@ A trace as text has the columns x and z with their units: x [mm],z [um]. A stylu
 The case reads the fragment with include = ["face.toml"]; with --as points the points are next to it in face.csv.
 )";
 
-struct FaceWords {
+struct FaceArguments {
   FaceCommand command;
   std::optional<std::string> heights, width, start, levelling, tilt, running_surface_height, pore_depth, spline_cutoff;
   std::string direction = "as-measured", zero = "lowest-point", degree = "6", as = "polynomial";
-  OutputWords outputs;
+  OutputArguments outputs;
 
   void add_to(CLI::App& app) {
     const auto add = [&app](const char* name, auto& to, const char* help, const char* type) {
@@ -117,9 +117,9 @@ struct FaceWords {
 
 void add_face_command(CLI::App& program, Actions& actions) {
   CLI::App* command = program.add_subcommand("face", "Fit a measured ring face: polynomial and spline for a case");
-  const auto words = std::make_shared<FaceWords>();
-  words->add_to(*command);
-  actions.emplace_back(command, [words] { face(words->read()); });
+  const auto arguments = std::make_shared<FaceArguments>();
+  arguments->add_to(*command);
+  actions.emplace_back(command, [arguments] { face(arguments->read()); });
 }
 
 }  // namespace ringfilm::app

@@ -1,4 +1,4 @@
-#include "study/study_part_words.hpp"
+#include "study/study_part_status.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -27,41 +27,41 @@ std::string last_line(const std::string& path) {
   return last;
 }
 
-std::string log_words(const std::string& path) {
+std::string log_text(const std::string& path) {
   const std::string line = last_line(path);
   return line.empty() ? "" : fmt::format("\n  {} ends with: {}", path, line);
 }
 
 }  // namespace
 
-std::string last_change_words(const std::string& path) {
+std::string last_change_text(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return "";
   return fmt::format(", last at {:%Y-%m-%d %H:%M:%S}", fmt::localtime(status.st_mtime));
 }
 
-PartWords::PartWords(const StudyFiles& files, const std::optional<StudyJobs>& jobs) : files_(files), jobs_(jobs) {
+PartStatus::PartStatus(const StudyFiles& files, const std::optional<StudyJobs>& jobs) : files_(files), jobs_(jobs) {
   if (jobs_) states_ = queue_states(*jobs_);
 }
 
-std::string PartWords::of(std::uint64_t part, std::uint64_t parts) const {
-  std::string words;
+std::string PartStatus::of(std::uint64_t part, std::uint64_t parts) const {
+  std::string text;
   if (jobs_ && jobs_->parts == parts && states_) {
     const auto state = states_->find(part);
     if (state != states_->end()) {
-      words += fmt::format("\n  in the queue as job {}_{}: {}", jobs_->array, part, state->second);
+      text += fmt::format("\n  in the queue as job {}_{}: {}", jobs_->array, part, state->second);
     } else {
-      words += "\n  not in the queue of Slurm";
+      text += "\n  not in the queue of Slurm";
     }
   }
-  return words + log_words(files_.log(part, parts));
+  return text + log_text(files_.log(part, parts));
 }
 
-std::string PartWords::of_merge() const {
+std::string PartStatus::of_merge() const {
   if (!jobs_ || jobs_->merge.empty() || std::filesystem::exists(files_.result())) return "";
   std::string state = "squeue does not answer";
   if (states_) state = states_->contains(0) ? states_->at(0) : "not in the queue of Slurm";
-  return fmt::format("the job that joins the parts, {}: {}{}\n", jobs_->merge, state, log_words(files_.merge_log()));
+  return fmt::format("the job that joins the parts, {}: {}{}\n", jobs_->merge, state, log_text(files_.merge_log()));
 }
 
 }  // namespace ringfilm::app

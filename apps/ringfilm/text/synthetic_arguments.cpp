@@ -6,7 +6,7 @@
 
 #include "commands/command_synthetic.hpp"
 #include "option_values.hpp"
-#include "text/command_words.hpp"
+#include "text/command_arguments.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -18,7 +18,7 @@ constexpr const char* kSyntheticFooter = R"(Examples:
   ringfilm synthetic porous sprayed.gsf --pore-share 0.15 --pore-depth "4 um"
 
 The ending of the name selects the format: .x3p, .sur, .gsf or .csv. The file is marked as synthetic and describes how
-it was made; the same words give the same bytes. Without --seed the seed is 1.
+it was made; the same arguments give the same bytes. Without --seed the seed is 1.
 )";
 
 /// A line of help with the length that holds where none is stated.
@@ -37,8 +37,8 @@ bool read_whole(std::string_view word, Whole& to) {
   return error == std::errc() && end == word.data() + word.size();
 }
 
-/// The words that all kinds share.
-struct SyntheticWords {
+/// The arguments that all kinds share.
+struct SyntheticArguments {
   SyntheticCommand command;
   std::string kind, points = "512x512", step = "0.5 um", seed = "1";
 
@@ -74,9 +74,9 @@ struct SyntheticWords {
     if (!read_whole(std::string_view(seed), of.seed)) {
       values.refuse("--seed " + seed + ": this is not a whole number from 0 on", "for example --seed 7");
     }
-    of.words = "ringfilm synthetic " + kind + " --points " + points + " --step \"" + step + "\"";
+    of.command_text = "ringfilm synthetic " + kind + " --points " + points + " --step \"" + step + "\"";
     for (const auto& [option, value] : stated) {
-      if (value) of.words += " " + option + " \"" + *value + "\"";
+      if (value) of.command_text += " " + option + " \"" + *value + "\"";
     }
     return of;
   }
@@ -89,10 +89,10 @@ void read_length(OptionValues& values, const char* option, const Text& text, con
   if (text) to = values.length(option, *text, example);
 }
 
-struct GaussianWords : SyntheticWords {
+struct GaussianArguments : SyntheticArguments {
   Text sq, length, rms, density, radius, roughness, sigma;
 
-  void add(CLI::App& synthetic, Actions& actions, const std::shared_ptr<GaussianWords>& self) {
+  void add(CLI::App& synthetic, Actions& actions, const std::shared_ptr<GaussianArguments>& self) {
     CLI::App* app = add_to(synthetic, "gaussian", "A Gaussian surface, by its roughness or by N, beta and sigma");
     app->add_option("--sq", sq, with_default("rms height", GaussianSurface{}.Sq_m))->type_name("LENGTH");
     app->add_option("--correlation-length", length, with_default("of exp(-r^2/length^2)", GaussianSurface{}.length_m))
@@ -121,9 +121,9 @@ struct GaussianWords : SyntheticWords {
       GaussianSurface gaussian;
       read_length(values, "--sq", sq, "0.3 um", gaussian.Sq_m);
       read_length(values, "--correlation-length", length, "5 um", gaussian.length_m);
-      using surface::MadeRms;
-      gaussian.rms = values.chosen<MadeRms>("--rms", rms.value_or("exact"),
-                                            {{"exact", MadeRms::exact}, {"expected", MadeRms::expected}});
+      using surface::RmsDefinition;
+      gaussian.rms = values.chosen<RmsDefinition>(
+          "--rms", rms.value_or("exact"), {{"exact", RmsDefinition::exact}, {"expected", RmsDefinition::expected}});
       of.kind = gaussian;
     }
     values.check();
@@ -152,10 +152,10 @@ struct GaussianWords : SyntheticWords {
   }
 };
 
-struct HonedWords : SyntheticWords {
+struct HonedArguments : SyntheticArguments {
   Text sq, length, angle, spacing, depth, width;
 
-  void add(CLI::App& synthetic, Actions& actions, const std::shared_ptr<HonedWords>& self) {
+  void add(CLI::App& synthetic, Actions& actions, const std::shared_ptr<HonedArguments>& self) {
     CLI::App* app = add_to(synthetic, "honed", "A plateau-honed liner: a fine plateau cut by crossing grooves");
     app->add_option("--sq", sq, with_default("rms height of the plateau", kHoned.plateau_Sq_m))->type_name("LENGTH");
     app->add_option("--correlation-length", length, with_default("of the plateau", kHoned.plateau_length_m))
@@ -192,10 +192,10 @@ struct HonedWords : SyntheticWords {
   }
 };
 
-struct PorousWords : SyntheticWords {
+struct PorousArguments : SyntheticArguments {
   Text sq, length, share, pore_length, depth;
 
-  void add(CLI::App& synthetic, Actions& actions, const std::shared_ptr<PorousWords>& self) {
+  void add(CLI::App& synthetic, Actions& actions, const std::shared_ptr<PorousArguments>& self) {
     CLI::App* app = add_to(synthetic, "porous", "A sprayed face: a Gaussian surface with pores");
     app->add_option("--sq", sq, with_default("rms height between the pores", kPorous.fine_Sq_m))->type_name("LENGTH");
     app->add_option("--correlation-length", length, with_default("between the pores", kPorous.fine_length_m))
@@ -229,10 +229,10 @@ struct PorousWords : SyntheticWords {
   }
 };
 
-template <class Words>
+template <class Arguments>
 void add_kind(CLI::App& synthetic, Actions& actions) {
-  const auto words = std::make_shared<Words>();
-  words->add(synthetic, actions, words);
+  const auto arguments = std::make_shared<Arguments>();
+  arguments->add(synthetic, actions, arguments);
 }
 
 }  // namespace
@@ -242,9 +242,9 @@ void add_synthetic_command(CLI::App& program, Actions& actions) {
       program.add_subcommand("synthetic", "Make a surface of known statistics, as an instrument's file");
   command->require_subcommand(1);
   command->footer(kSyntheticFooter);
-  add_kind<GaussianWords>(*command, actions);
-  add_kind<HonedWords>(*command, actions);
-  add_kind<PorousWords>(*command, actions);
+  add_kind<GaussianArguments>(*command, actions);
+  add_kind<HonedArguments>(*command, actions);
+  add_kind<PorousArguments>(*command, actions);
 }
 
 }  // namespace ringfilm::app
