@@ -67,8 +67,6 @@ EXCEPTIONS = [
     (r"^docs/glossary\.md$", r"^\| (`lambda_ratio`|running surface) \|"),  # synonyms
     (r"^tests/cli/face_test\.py$", r"--land-height|--levelling"),  # names of an earlier version
     (r"^src/ringfilm/base/renamed\.hpp$", r"^ +\{\""),
-    (r"^verification/.*\.py$", r"--swing"),
-    (r"^tests/cli/verify_test\.py$", r"--swing"),
     (r"^tests/unit/io/case/trace_file_test\.cpp$", r"gas\.pressure_unit says"),  # message of a pending folder
     (
         r"^tests/cli/bench_compare_test\.py$",

@@ -126,10 +126,7 @@ Case without_samples(const Case& c) {
   lean.solver = c.solver;
   lean.output = c.output;
   lean.pad = c.pad;
-  lean.pad.gap_x.clear();
-  lean.pad.gap_height.clear();
-  lean.pad.history_time.clear();
-  lean.pad.history_separation.clear();
+  lean.pad.clear_points();
   return lean;
 }
 
