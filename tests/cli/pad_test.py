@@ -156,6 +156,12 @@ class Numbers(PadTest):
         self.assertEqual([round(1e3 * t, 9) for t in reported["history"]["time"]], [0, 1, 1.5])
         self.assertEqual(reported["effort"]["time_steps"], 15)
 
+    def test_the_gap_by_a_formula_is_that_of_its_points(self):
+        line = ("pad.face.form=polynomial", "pad.face.coefficients=[-1, 20]")
+        units = ("pad.face.length_unit=mm", "pad.face.height_unit=um")
+        words = [word for setting in ("pad.gap=", *line, *units) for word in ("--set", setting)]
+        self.assertAlmostEqual(self.json_of(*words)["load"] / self.json_of()["load"], 1, delta=1e-12)
+
     def test_the_other_direction_is_the_mirror(self):
         (self.folder / "gap.csv").write_text("x [mm],h [um]\n0,10\n10,20\n")
         reported = self.json_of("--set", "pad.direction=-x")
@@ -266,6 +272,57 @@ class Refusals(PadTest):
         self.refuse("h.csv:3:1", "twice", words=(*words, *step))
         (self.folder / "h.csv").write_text("time [s],h [um]\n0,10\n1,-10\n")
         self.refuse("no film is left", words=(*words, *step))
+
+    def test_formulas_of_the_gap(self):
+        def refuse(*fragments, stated):
+            words = [word for setting in ("pad.gap=", *stated) for word in ("--set", setting)]
+            self.refuse(*fragments, words=words)
+
+        refuse("pad.face.crown_height is missing", stated=["pad.face.form=cosine"])
+        refuse("pad.gap is missing", "[pad.face] gives the gap by a formula", 'gap = "gap.csv"', "1 error", stated=[])
+        refuse(
+            "pad.face.coefficients is missing", "pad.face.length_unit is missing", stated=["pad.face.form=polynomial"]
+        )
+        units = ["pad.face.form=polynomial", "pad.face.length_unit=mm", "pad.face.height_unit=um"]
+        refuse("pad.face.coefficients", stated=[*units, "pad.face.coefficients=[]"])
+        refuse("no film is left", stated=[*units, "pad.face.coefficients=[1, -5]"])
+        parabola = ["pad.face.form=parabola", "pad.face.crown_height=10 um", "pad.separation=10 um"]
+        refuse("pad.face.length_unit is not used", stated=[*parabola, "pad.face.length_unit=mm"])
+        refuse('pad.length = "0 mm" is out of range', "1 error", stated=[*parabola, "pad.length=0 mm"])
+        self.refuse(
+            "pad.face.crown_height is not used",
+            'pad.face.form = "parabola" or "cosine"',
+            words=("--set", "pad.face.crown_height=10 um"),
+        )
+
+    def test_a_file_and_a_formula_of_the_gap(self):
+        face = '[pad.face]\nform = "parabola"\ncrown_height = "10 um"\n'
+        (self.folder / "pad.toml").write_text(PAD.replace("0 um", "9 um") + face)
+        self.refuse(
+            "pad.toml:4:1: pad.gap is not used in this case",
+            'where pad.face.form = "points", and pad.face.form is at pad.toml:17;',
+            "1 error",
+        )
+
+    def test_oscillations(self):
+        step = ("--set", "pad.time_step=1 ms", "--set", "pad.oscillation.amplitude=5 um")
+        words = ("--set", "pad.separation=20 um", *step)
+        period, end = ("--set", "pad.oscillation.period=0.1 s"), ("--set", "pad.end_time=0.05 s")
+        reported = self.json_of(*words, *period, *end)
+        self.assertAlmostEqual(reported["history"]["separation"][0], 25e-6, delta=1e-15)
+        self.assertAlmostEqual(reported["separation"], 15e-6, delta=1e-15)
+        self.refuse("pad.oscillation.period is missing", words=(*words, *end))
+        self.refuse("pad.end_time is not stated", "an oscillation has no end", words=(*words, *period))
+        self.refuse("pad.end_time = -1 s is not above 0 s", words=(*words, *period, "--set", "pad.end_time=-1 s"))
+        self.refuse(
+            "less pad.oscillation.amplitude = 5 um no film is left",
+            words=(*step, *period, *end, "--set", "pad.separation=-5 um"),
+        )
+        self.refuse(
+            "pad.oscillation.amplitude is not used",
+            "pad.separation is given",
+            words=(*step, *period, *end, "--set", "pad.separation=", "--set", "pad.load=1 kN/m"),
+        )
 
     def test_oil_that_is_not_enough(self):
         self.refuse_set("lubricant.viscosity_pressure=barus", "pressure_viscosity_coefficient is not stated")

@@ -189,20 +189,11 @@ class OracleTest(ProgramTest):
                     held += 1
         self.assertGreater(held, 10)
 
-    def test_shapes_are_those_that_the_scripts_write(self):
-        for script in CASES.glob("*/reference.py"):
-            if "--gap" in script.read_text():
-                rows = subprocess.run(
-                    ["/usr/bin/python3", str(script), "--gap"], capture_output=True, text=True, check=True
-                )
-                self.assertEqual(rows.stdout, (script.parent / "gap.csv").read_text(), script.parent.name)
-
-    def test_maps_and_histories_are_those_that_the_oracles_write(self):
+    def test_maps_are_those_that_the_oracles_write(self):
         written = {
             "bertocchi2013_pocketed_pad/gap_10.csv": ["--gap", "10"],
             "bertocchi2013_pocketed_pad/gap_300.csv": ["--gap", "300"],
             "woloszynski2015_textured_pad/gap.csv": ["--gap"],
-            "jakobsson1957_oscillating_square/swing.csv": ["--swing"],
         }
         for file, options in written.items():
             script = (CASES / file).parent / "oracle.py"

@@ -10,17 +10,17 @@ usage: adding_a_face_form.py SOURCE_FOLDER BUILD_FOLDER
 from patched_project import Project
 
 LAWS = "tests/laws/motion_and_gas_laws_test.cpp"
-CYCLE = ["src/ringfilm/cycle/case/case_fields_ring.cpp", "src/ringfilm/cycle/integration/setup.cpp"]
+CASE = "src/ringfilm/cycle/case/"
+KEYS = [CASE + "case_fields_pad.cpp", CASE + "case_fields_ring.cpp"]
+HEADERS = [CASE + "case.hpp", CASE + "case_face.hpp", CASE + "case_fields_table.hpp", "src/ringfilm/models/ring.hpp"]
 FACE = "src/ringfilm/models/ring.cpp"
 
 with Project("docs/manual/extending/adding-a-face-form.md") as project:
     changed = sorted(project.changes())
-    expected = sorted(
-        [LAWS, *CYCLE, FACE, "src/ringfilm/models/ring.hpp", "src/ringfilm/cycle/case/case.hpp", "docs/theory/ring.md"]
-    )
+    expected = sorted([LAWS, *KEYS, *HEADERS, FACE, "docs/theory/ring.md"])
     if changed != expected or project.changed_files() != expected:
         project.fail(f"it should change {expected}, and changes {project.changed_files()}")
-    for source in CYCLE:
+    for source in (*KEYS, "src/ringfilm/cycle/integration/setup.cpp"):
         project.compiled(source, "libringfilm_cycle.a")
     laws = project.linked(
         "tests/laws", [project.compiled(FACE, "libringfilm_models.a"), project.compiled(LAWS, "tests/laws")]

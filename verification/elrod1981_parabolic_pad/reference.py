@@ -1,7 +1,6 @@
 """Parabolic pad with rupture, mass-conserving, by quadrature (README.md). Prints JSON, SI."""
 
 import json
-import sys
 
 U, ETA, RHO, L, THIN, RISE = 4.57, 0.039, 850.0, 0.0762, 25.4e-6, 25.4e-6
 
@@ -26,13 +25,6 @@ for _ in range(100):
     low, high = (rupture, high) if simpson(lambda x: slope(x, gap(rupture)), 0, rupture, 2000) > 0 else (low, rupture)
 h_rupture = gap(rupture)
 place = L - rupture  # the gap is symmetric: the other place with dp/dx = 0
-if sys.argv[1:] == ["--gap"]:  # the rows of gap.csv
-    print("x [mm],h [um]")
-    for i in range(2001):
-        x = L * i / 2000
-        print(f"{1e3 * x:.9g},{1e6 * gap(x):.9g}")
-    sys.exit()
-
 peak = simpson(lambda x: slope(x, h_rupture), 0, place)
 expected = {
     "rupture": rupture,

@@ -1,7 +1,6 @@
 """Long journal bearing, unwrapped at its widest gap, with rupture and reformation (README.md). Prints JSON, SI."""
 
 import json
-import sys
 from math import cos, pi
 
 U, ETA, R, C, E, SUPPLY = 5.0, 0.02, 0.025, 50e-6, 0.6, 0.5e6
@@ -44,13 +43,6 @@ def moment(a, b, p_a, p_b):
 
 
 place = LENGTH - rupture  # the gap is symmetric
-if sys.argv[1:] == ["--gap"]:  # the rows of gap.csv
-    print("x [mm],h [um]")
-    for i in range(2001):
-        x = LENGTH * i / 2000
-        print(f"{1e3 * x:.9g},{1e6 * gap(x):.9g}")
-    sys.exit()
-
 expected = {
     "rupture": rupture,
     "reformation": reformation,

@@ -1,11 +1,13 @@
 """Square plates that open and close between baths, by the independent film (README.md): a quarter of the plates, on
 grids and time steps of which the limits are taken one after the other. Needs numpy and scipy; a quarter of an hour.
-`--swing` writes the history of the separation instead. Prints JSON, SI."""
+Prints JSON, SI."""
 
 import json
 import math
 import sys
 from pathlib import Path
+
+import numpy as np
 
 SIDE, BATH, ETA, END = 0.01, 1e6, 1 / 6, 0.7
 TIMES = (0.1, 0.3, 0.4, 0.5)
@@ -15,14 +17,6 @@ FULL = (0.1,)
 def separation(t):
     return 1e-5 * (0.375 + 0.125 * math.cos(4 * math.pi * t))
 
-
-if sys.argv[1:] == ["--swing"]:
-    print("time [s],h [um]")
-    for k in range(2801):
-        print(f"{k * END / 2800:.6g},{1e6 * separation(k * END / 2800):.12g}")
-    sys.exit()
-
-import numpy as np  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 sys.dont_write_bytecode = True  # a folder of its own among the verifications would be taken for one

@@ -1,7 +1,6 @@
 """Parabolic gap h = h0 + x^2/(2R), exit where pressure and its slope vanish (README.md). Prints JSON, SI."""
 
 import json
-import sys
 from math import atan, cos, sin, sqrt
 
 ETA, SPEED, R, H0 = 0.01, 6.0, 0.05, 2e-6
@@ -43,13 +42,6 @@ def simpson(f, a, b, n):
 unit = 6 * ETA * SPEED * S / H0**2
 load = unit * S * simpson(lambda a: pressure(a, exit_angle) / cos(a) ** 2, A_IN, exit_angle, 200000)
 exit_place = sin(exit_angle) / cos(exit_angle)
-if sys.argv[1:] == ["--gap"]:  # the rows of gap.csv
-    print("x [mm],h [um]")
-    for i in range(4001):
-        x = 14 * S * i / 4000
-        print(f"{1e3 * x:.9g},{1e6 * (H0 + (x - INLET * S) ** 2 / (2 * R)):.9g}")
-    sys.exit()
-
 expected = {
     "load": load,
     "peak pressure": unit * pressure(-exit_angle, exit_angle),

@@ -1,7 +1,6 @@
 """Long journal bearing, full film, unwrapped: h = c (1 + e cos(x/R)) (README.md). Prints JSON, SI."""
 
 import json
-import sys
 from math import acos, pi, sin, cos, sqrt
 
 U, ETA, R, C, E, EDGE = 5.0, 0.02, 0.025, 50e-6, 0.6, 20e6
@@ -13,13 +12,6 @@ def pressure(angle):
 
 
 peak = acos(-3 * E / (2 + E**2))
-if sys.argv[1:] == ["--gap"]:  # the rows of gap.csv
-    print("x [mm],h [um]")
-    for i in range(2001):
-        x = 2 * pi * R * i / 2000
-        print(f"{1e3 * x:.9g},{1e6 * C * (1 + E * cos(x / R)):.9g}")
-    sys.exit()
-
 expected = {
     "load": EDGE * 2 * pi * R,
     "peak pressure": pressure(peak),

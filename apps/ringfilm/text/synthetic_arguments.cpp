@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
+#include <deque>
 #include <string_view>
 
 #include "commands/command_synthetic.hpp"
@@ -21,13 +23,6 @@ The ending of the name selects the format: .x3p, .sur, .gsf or .csv. The file is
 it was made; the same arguments give the same bytes. Without --seed the seed is 1.
 )";
 
-/// A line of help with the length that holds where none is stated.
-std::string with_default(const char* help, double length_m) {
-  return std::string(help) + " (default " + surface::length_text(length_m) + ")";
-}
-
-constexpr surface::HonedSurface kHoned;
-constexpr surface::PorousSurface kPorous;
 constexpr std::size_t kFewestPoints = 16;
 constexpr std::size_t kMostPoints = std::size_t{1} << 26;  // of a map: half a GiB of heights
 
@@ -37,202 +32,183 @@ bool read_whole(std::string_view word, Whole& to) {
   return error == std::errc() && end == word.data() + word.size();
 }
 
-/// The arguments that all kinds share.
-struct SyntheticArguments {
-  SyntheticCommand command;
-  std::string kind, points = "512x512", step = "0.5 um", seed = "1";
+/// An option of one kind of surface, declared once: what it is and where its value goes.
+struct KindOption {
+  using Put = std::function<void(OptionValues&, const std::string& text)>;
 
-  CLI::App* add_to(CLI::App& synthetic, const std::string& name, const char* description) {
-    kind = name;
-    CLI::App* app = synthetic.add_subcommand(name, description);
-    app->add_option("OUT", command.output, "the file to write: .x3p, .sur, .gsf or .csv")->required()->type_name("");
-    app->add_option("--points", points, "of a row x rows; Nx1 is a profile")
+  std::string name;
+  std::optional<std::string> text;
+  Put put;
+};
+
+/// One kind of surface with the options that all kinds share and its own.
+class SyntheticArguments {
+ public:
+  SyntheticArguments(CLI::App& synthetic, const std::string& kind, const char* description)
+      : kind_(kind), app_(*synthetic.add_subcommand(kind, description)) {
+    app_.add_option("OUT", command_.output, "the file to write: .x3p, .sur, .gsf or .csv")->required()->type_name("");
+    app_.add_option("--points", points_, "of a row x rows; Nx1 is a profile")
         ->capture_default_str()
         ->type_name("512x512");
-    app->add_option("--step", step, "distance of points along x and y")->capture_default_str()->type_name("LENGTH");
-    app->add_option("--seed", seed, "another whole number gives another surface of the same kind")
+    app_.add_option("--step", step_, "distance of points along x and y")->capture_default_str()->type_name("LENGTH");
+    app_.add_option("--seed", seed_, "another whole number gives another surface of the same kind")
         ->capture_default_str()
         ->type_name("N");
-    app->footer(kSyntheticFooter);
-    return app;
+    app_.footer(kSyntheticFooter);
   }
 
-  /// Points, step and seed; and the whole command as it is kept in the file.
-  SyntheticCommand common(OptionValues& values,
-                          const std::vector<std::pair<std::string, std::optional<std::string>>>& stated) const {
-    SyntheticCommand of = command;
-    of.grid.step_x_m = of.grid.step_y_m = values.length("--step", step, "0.5 um");
-    const std::string_view text = points;
+  CLI::App* app() const { return &app_; }
+
+  void option(const char* name, const std::string& help, const char* type, KindOption::Put put) {
+    KindOption& added = options_.emplace_back(KindOption{name, {}, std::move(put)});
+    app_.add_option(name, added.text, help)->type_name(type);
+  }
+
+  void length(const char* name, const std::string& help, const char* example, double& to) {
+    option(name, help, "LENGTH", [name, example, &to](OptionValues& values, const std::string& text) {
+      to = values.length(name, text, example);
+    });
+  }
+
+  /// A length with a default, which help prints.
+  void usual_length(const char* name, const std::string& help, const char* example, double& to) {
+    length(name, help + " (default " + surface::length_text(to) + ")", example, to);
+  }
+
+  bool is_stated(const std::vector<std::string>& names) const {
+    return std::any_of(options_.begin(), options_.end(), [&](const KindOption& one) {
+      return one.text && std::find(names.begin(), names.end(), one.name) != names.end();
+    });
+  }
+
+  /// The command without its kind, and as it is kept in the file; what the options of the kind state is put in place.
+  SyntheticCommand read(OptionValues& values) const {
+    SyntheticCommand of = command_;
+    of.grid.step_x_m = of.grid.step_y_m = values.length("--step", step_, "0.5 um");
+    const std::string_view text = points_;
     const std::size_t cross = text.find('x');
     if (cross == std::string_view::npos || !read_whole(text.substr(0, cross), of.grid.points_x) ||
         !read_whole(text.substr(cross + 1), of.grid.points_y) || of.grid.points_x < kFewestPoints ||
         (of.grid.points_y != 1 && of.grid.points_y < kFewestPoints) || of.grid.points_x > kMostPoints ||
         of.grid.points_y > kMostPoints / of.grid.points_x) {
-      values.refuse("--points " + points + ": this is not a size of a map",
+      values.refuse("--points " + points_ + ": this is not a size of a map",
                     "16 or more points in each direction, 2^26 in all, for example --points 512x512");
     }
-    if (!read_whole(std::string_view(seed), of.seed)) {
-      values.refuse("--seed " + seed + ": this is not a whole number from 0 on", "for example --seed 7");
+    if (!read_whole(std::string_view(seed_), of.seed)) {
+      values.refuse("--seed " + seed_ + ": this is not a whole number from 0 on", "for example --seed 7");
     }
-    of.command_text = "ringfilm synthetic " + kind + " --points " + points + " --step \"" + step + "\"";
-    for (const auto& [option, value] : stated) {
-      if (value) of.command_text += " " + option + " \"" + *value + "\"";
+    of.command_text = "ringfilm synthetic " + kind_ + " --points " + points_ + " --step \"" + step_ + "\"";
+    for (const KindOption& one : options_) {
+      if (!one.text) continue;
+      of.command_text += " " + one.name + " \"" + *one.text + "\"";
+      one.put(values, *one.text);
     }
-    return of;
-  }
-};
-
-using Text = std::optional<std::string>;
-
-/// A length where it is stated.
-void read_length(OptionValues& values, const char* option, const Text& text, const char* example, double& to) {
-  if (text) to = values.length(option, *text, example);
-}
-
-struct GaussianArguments : SyntheticArguments {
-  Text sq, length, rms, density, radius, roughness, sigma;
-
-  void add(CLI::App& synthetic, Actions& actions, const std::shared_ptr<GaussianArguments>& self) {
-    CLI::App* app = add_to(synthetic, "gaussian", "A Gaussian surface, by its roughness or by N, beta and sigma");
-    app->add_option("--sq", sq, with_default("rms height", GaussianSurface{}.Sq_m))->type_name("LENGTH");
-    app->add_option("--correlation-length", length, with_default("of exp(-r^2/length^2)", GaussianSurface{}.length_m))
-        ->type_name("LENGTH");
-    app->add_option("--rms", rms, "exact: of this surface (default); expected: over many seeds")->type_name("WORD");
-    app->add_option("--asperity-density", density, "target N against a smooth flat")->type_name("\"0.05 um-2\"");
-    app->add_option("--asperity-radius", radius, "target beta")->type_name("LENGTH");
-    app->add_option("--roughness", roughness, "target sigma")->type_name("LENGTH");
-    app->add_option("--sigma", sigma, "what the target sigma is: Ra (default) or Rq")->type_name("WORD");
-    actions.emplace_back(app, [self] { app::synthetic(self->read()); });
-  }
-
-  SyntheticCommand read() const {
-    const io::Units units;
-    OptionValues values(units);
-    SyntheticCommand of = common(values, {{"--sq", sq},
-                                          {"--correlation-length", length},
-                                          {"--rms", rms},
-                                          {"--asperity-density", density},
-                                          {"--asperity-radius", radius},
-                                          {"--roughness", roughness},
-                                          {"--sigma", sigma}});
-    if (density || radius || roughness || sigma) {
-      of.kind = contact(values);
-    } else {
-      GaussianSurface gaussian;
-      read_length(values, "--sq", sq, "0.3 um", gaussian.Sq_m);
-      read_length(values, "--correlation-length", length, "5 um", gaussian.length_m);
-      using surface::RmsDefinition;
-      gaussian.rms = values.chosen<RmsDefinition>(
-          "--rms", rms.value_or("exact"), {{"exact", RmsDefinition::exact}, {"expected", RmsDefinition::expected}});
-      of.kind = gaussian;
-    }
-    values.check();
     return of;
   }
 
  private:
-  ContactSurface contact(OptionValues& values) const {
-    ContactSurface of;
-    if (!density || !radius || !roughness) {
-      values.refuse("--asperity-density, --asperity-radius and --roughness belong together",
-                    "give all three, or --sq and --correlation-length");
-      return of;
-    }
-    if (sq || length || rms) {
-      values.refuse("--sq, --correlation-length and --rms are another way to define the surface",
-                    "leave them out, or --asperity-density, --asperity-radius and --roughness");
-    }
-    of.target.density_per_m2 = values.quantity("--asperity-density", *density, "m-2", "0.05 um-2");
-    if (of.target.density_per_m2 < 0) values.refuse("--asperity-density is below zero", "for example \"0.05 um-2\"");
-    of.target.beta_m = values.length("--asperity-radius", *radius, "2 um");
-    of.target.sigma_m = values.length("--roughness", *roughness, "0.4 um");
-    using surface::SigmaRule;
-    of.rule = values.chosen<SigmaRule>("--sigma", sigma.value_or("Ra"), {{"Ra", SigmaRule::ra}, {"Rq", SigmaRule::rq}});
-    return of;
-  }
+  std::string kind_;
+  CLI::App& app_;
+  SyntheticCommand command_;
+  std::string points_ = "512x512", step_ = "0.5 um", seed_ = "1";
+  std::deque<KindOption> options_;  ///< the program keeps references to their texts
 };
 
-struct HonedArguments : SyntheticArguments {
-  Text sq, length, angle, spacing, depth, width;
+/// A kind of surface whose options put their values into `of`.
+template <class Surface>
+struct Kind : SyntheticArguments {
+  using SyntheticArguments::SyntheticArguments;
+  Surface of;
+};
 
-  void add(CLI::App& synthetic, Actions& actions, const std::shared_ptr<HonedArguments>& self) {
-    CLI::App* app = add_to(synthetic, "honed", "A plateau-honed liner: a fine plateau cut by crossing grooves");
-    app->add_option("--sq", sq, with_default("rms height of the plateau", kHoned.plateau_Sq_m))->type_name("LENGTH");
-    app->add_option("--correlation-length", length, with_default("of the plateau", kHoned.plateau_length_m))
-        ->type_name("LENGTH");
-    app->add_option(
-           "--hatch-angle", angle,
-           fmt::format("between both families of grooves; x halves it (default {:.3g} rad)", kHoned.hatch_angle_rad))
-        ->type_name("\"45 degree\"");
-    app->add_option("--groove-spacing", spacing, with_default("mean", kHoned.groove_spacing_m))->type_name("LENGTH");
-    app->add_option("--groove-depth", depth, with_default("mean", kHoned.groove_depth_m))->type_name("LENGTH");
-    app->add_option("--groove-width", width, with_default("at the top", kHoned.groove_width_m))->type_name("LENGTH");
-    actions.emplace_back(app, [self] { app::synthetic(self->read()); });
-  }
-
-  SyntheticCommand read() const {
+template <class Surface, class Finish>
+void add_action(Actions& actions, const std::shared_ptr<Kind<Surface>>& kind, Finish finish) {
+  actions.emplace_back(kind->app(), [kind, finish] {
     const io::Units units;
     OptionValues values(units);
-    SyntheticCommand of = common(values, {{"--sq", sq},
-                                          {"--correlation-length", length},
-                                          {"--hatch-angle", angle},
-                                          {"--groove-spacing", spacing},
-                                          {"--groove-depth", depth},
-                                          {"--groove-width", width}});
-    surface::HonedSurface honed;
-    read_length(values, "--sq", sq, "0.08 um", honed.plateau_Sq_m);
-    read_length(values, "--correlation-length", length, "5 um", honed.plateau_length_m);
-    if (angle) honed.hatch_angle_rad = values.quantity("--hatch-angle", *angle, "rad", "45 degree");
-    read_length(values, "--groove-spacing", spacing, "60 um", honed.groove_spacing_m);
-    read_length(values, "--groove-depth", depth, "2 um", honed.groove_depth_m);
-    read_length(values, "--groove-width", width, "12 um", honed.groove_width_m);
+    SyntheticCommand command = kind->read(values);
+    command.kind = finish(*kind, values);
     values.check();
-    of.kind = honed;
-    return of;
-  }
+    synthetic(command);
+  });
+}
+
+/// The two ways to state a Gaussian surface.
+struct StatedGaussian {
+  GaussianSurface by_height;
+  ContactSurface by_contact;
 };
+using SyntheticKind = decltype(SyntheticCommand::kind);
 
-struct PorousArguments : SyntheticArguments {
-  Text sq, length, share, pore_length, depth;
-
-  void add(CLI::App& synthetic, Actions& actions, const std::shared_ptr<PorousArguments>& self) {
-    CLI::App* app = add_to(synthetic, "porous", "A sprayed face: a Gaussian surface with pores");
-    app->add_option("--sq", sq, with_default("rms height between the pores", kPorous.fine_Sq_m))->type_name("LENGTH");
-    app->add_option("--correlation-length", length, with_default("between the pores", kPorous.fine_length_m))
-        ->type_name("LENGTH");
-    app->add_option("--pore-share", share, fmt::format("of the area, 0 to 0.9 (default {})", kPorous.pore_share))
-        ->type_name("SHARE");
-    app->add_option("--pore-length", pore_length,
-                    with_default("correlation length of the pores", kPorous.pore_length_m))
-        ->type_name("LENGTH");
-    app->add_option("--pore-depth", depth, with_default("mean", kPorous.pore_depth_m))->type_name("LENGTH");
-    actions.emplace_back(app, [self] { app::synthetic(self->read()); });
+SyntheticKind gaussian_of(const Kind<StatedGaussian>& kind, OptionValues& values) {
+  if (!kind.is_stated({"--asperity-density", "--asperity-radius", "--roughness", "--sigma"})) return kind.of.by_height;
+  if (!kind.is_stated({"--asperity-density"}) || !kind.is_stated({"--asperity-radius"}) ||
+      !kind.is_stated({"--roughness"})) {
+    values.refuse("--asperity-density, --asperity-radius and --roughness belong together",
+                  "give all three, or --sq and --correlation-length");
+  } else if (kind.is_stated({"--sq", "--correlation-length", "--rms"})) {
+    values.refuse("--sq, --correlation-length and --rms are another way to define the surface",
+                  "leave them out, or --asperity-density, --asperity-radius and --roughness");
   }
+  return kind.of.by_contact;
+}
 
-  SyntheticCommand read() const {
-    const io::Units units;
-    OptionValues values(units);
-    SyntheticCommand of = common(values, {{"--sq", sq},
-                                          {"--correlation-length", length},
-                                          {"--pore-share", share},
-                                          {"--pore-length", pore_length},
-                                          {"--pore-depth", depth}});
-    surface::PorousSurface porous;
-    read_length(values, "--sq", sq, "0.3 um", porous.fine_Sq_m);
-    read_length(values, "--correlation-length", length, "3 um", porous.fine_length_m);
-    if (share) porous.pore_share = values.number("--pore-share", *share, 0, 0.9, "0.15");
-    read_length(values, "--pore-length", pore_length, "15 um", porous.pore_length_m);
-    read_length(values, "--pore-depth", depth, "4 um", porous.pore_depth_m);
-    values.check();
-    of.kind = porous;
-    return of;
-  }
-};
+void add_gaussian(CLI::App& synthetic, Actions& actions) {
+  using surface::RmsDefinition, surface::SigmaRule;
+  const auto kind = std::make_shared<Kind<StatedGaussian>>(
+      synthetic, "gaussian", "A Gaussian surface, by its roughness or by N, beta and sigma");
+  auto& [height, contact] = kind->of;
+  kind->usual_length("--sq", "rms height", "0.3 um", height.Sq_m);
+  kind->usual_length("--correlation-length", "of exp(-r^2/length^2)", "5 um", height.length_m);
+  kind->option("--rms", "exact: of this surface (default); expected: over many seeds", "WORD",
+               [&rms = height.rms](OptionValues& values, const std::string& text) {
+                 rms = values.chosen<RmsDefinition>(
+                     "--rms", text, {{"exact", RmsDefinition::exact}, {"expected", RmsDefinition::expected}});
+               });
+  kind->option("--asperity-density", "target N against a smooth flat", "\"0.05 um-2\"",
+               [&density = contact.target.density_per_m2](OptionValues& values, const std::string& text) {
+                 density = values.quantity("--asperity-density", text, "m-2", "0.05 um-2");
+                 if (density < 0) values.refuse("--asperity-density is below zero", "for example \"0.05 um-2\"");
+               });
+  kind->length("--asperity-radius", "target beta", "2 um", contact.target.beta_m);
+  kind->length("--roughness", "target sigma", "0.4 um", contact.target.sigma_m);
+  kind->option("--sigma", "what the target sigma is: Ra (default) or Rq", "WORD",
+               [&rule = contact.rule](OptionValues& values, const std::string& text) {
+                 rule = values.chosen<SigmaRule>("--sigma", text, {{"Ra", SigmaRule::ra}, {"Rq", SigmaRule::rq}});
+               });
+  add_action(actions, kind, gaussian_of);
+}
 
-template <class Arguments>
-void add_kind(CLI::App& synthetic, Actions& actions) {
-  const auto arguments = std::make_shared<Arguments>();
-  arguments->add(synthetic, actions, arguments);
+void add_honed(CLI::App& synthetic, Actions& actions) {
+  const auto kind = std::make_shared<Kind<surface::HonedSurface>>(
+      synthetic, "honed", "A plateau-honed liner: a fine plateau cut by crossing grooves");
+  surface::HonedSurface& honed = kind->of;
+  kind->usual_length("--sq", "rms height of the plateau", "0.08 um", honed.plateau_Sq_m);
+  kind->usual_length("--correlation-length", "of the plateau", "5 um", honed.plateau_length_m);
+  kind->option("--hatch-angle",
+               fmt::format("between both families of grooves; x halves it (default {:.3g} rad)", honed.hatch_angle_rad),
+               "\"45 degree\"", [&angle = honed.hatch_angle_rad](OptionValues& values, const std::string& text) {
+                 angle = values.quantity("--hatch-angle", text, "rad", "45 degree");
+               });
+  kind->usual_length("--groove-spacing", "mean", "60 um", honed.groove_spacing_m);
+  kind->usual_length("--groove-depth", "mean", "2 um", honed.groove_depth_m);
+  kind->usual_length("--groove-width", "at the top", "12 um", honed.groove_width_m);
+  add_action(actions, kind, [](const auto& of, OptionValues&) { return of.of; });
+}
+
+void add_porous(CLI::App& synthetic, Actions& actions) {
+  const auto kind = std::make_shared<Kind<surface::PorousSurface>>(synthetic, "porous",
+                                                                   "A sprayed face: a Gaussian surface with pores");
+  surface::PorousSurface& porous = kind->of;
+  kind->usual_length("--sq", "rms height between the pores", "0.3 um", porous.fine_Sq_m);
+  kind->usual_length("--correlation-length", "between the pores", "3 um", porous.fine_length_m);
+  kind->option("--pore-share", fmt::format("of the area, 0 to 0.9 (default {})", porous.pore_share), "SHARE",
+               [&share = porous.pore_share](OptionValues& values, const std::string& text) {
+                 share = values.number("--pore-share", text, 0, 0.9, "0.15");
+               });
+  kind->usual_length("--pore-length", "correlation length of the pores", "15 um", porous.pore_length_m);
+  kind->usual_length("--pore-depth", "mean", "4 um", porous.pore_depth_m);
+  add_action(actions, kind, [](const auto& of, OptionValues&) { return of.of; });
 }
 
 }  // namespace
@@ -242,9 +218,9 @@ void add_synthetic_command(CLI::App& program, Actions& actions) {
       program.add_subcommand("synthetic", "Make a surface of known statistics, as an instrument's file");
   command->require_subcommand(1);
   command->footer(kSyntheticFooter);
-  add_kind<GaussianArguments>(*command, actions);
-  add_kind<HonedArguments>(*command, actions);
-  add_kind<PorousArguments>(*command, actions);
+  add_gaussian(*command, actions);
+  add_honed(*command, actions);
+  add_porous(*command, actions);
 }
 
 }  // namespace ringfilm::app

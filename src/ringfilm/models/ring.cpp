@@ -53,7 +53,16 @@ RingFace RingFace::parabola(double crown_height, double apex, double face_width)
     const double share = (x - lowest) / farther;
     return crown_height * share * share;
   };
-  return {std::move(height), face_width, {0, face_width}};
+  return {std::move(height), face_width, {0, lowest, face_width}};
+}
+
+RingFace RingFace::cosine(double crown_height, double apex, double face_width) {
+  check_width(face_width);
+  const double lowest = apex * face_width, turn = boost::math::double_constants::two_pi / face_width;
+  auto height = [crown_height, lowest, turn](double x) {
+    return 0.5 * crown_height * (1 - std::cos(turn * (x - lowest)));
+  };
+  return {std::move(height), face_width, {0, lowest, face_width}};
 }
 
 RingFace RingFace::points(std::vector<double> x, std::vector<double> height, double face_width) {

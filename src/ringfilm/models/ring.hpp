@@ -14,6 +14,8 @@ class RingFace {
                              double face_width);
   /// Parabola with its lowest point at apex * b and height `crown_height` at the edge farther from it.
   static RingFace parabola(double crown_height, double apex, double face_width);
+  /// One period of a cosine with its lowest point, zero, at apex * b and its highest at `crown_height`.
+  static RingFace cosine(double crown_height, double apex, double face_width);
   /// Measured points, linear between them: no shape is invented. x [m] increasing, covers 0 to b; else InputError.
   static RingFace points(std::vector<double> x, std::vector<double> height, double face_width);
 
@@ -35,7 +37,7 @@ class RingFace {
 
   std::function<double(double)> height_;
   double face_width_;
-  std::vector<double> break_points_;  ///< increasing from 0 to b; the slope may jump at the inner ones
+  std::vector<double> break_points_;  ///< from 0 to b; at the inner ones the slope may jump, or the lowest point is
 };
 
 /// Ring pressing on the bore: p_e = 2 F_t/(b B), eq-elastic-pressure [Pa].

@@ -43,6 +43,7 @@ GapSurface::Between GapSurface::between(const Axis& axis, int piece, double plac
 }
 
 double GapSurface::height(int piece_x, int piece_y, double x, double y) const {
+  if (formula_) return formula_(x);
   const Between i = between(x_, piece_x, x), j = between(y_, piece_y, y);
   const double* low = height_.data() + static_cast<std::size_t>(j.point) * x_.places.size() + i.point;
   const double* high = low + x_.places.size();

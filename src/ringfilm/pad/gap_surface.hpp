@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,10 @@ class GapSurface {
   /// @param y from 0 to the width, likewise [m]
   /// @param height for each x of the first y, then of the next [m]
   GapSurface(std::vector<double> x, std::vector<double> y, std::vector<double> height);
+
+  /// One piece, the same at every y. @param height over x [m]
+  GapSurface(double length, double width, std::function<double(double)> height)
+      : ends_x_{{0, length}}, ends_y_{{0, width}}, formula_(std::move(height)) {}
 
   /// Begin and end of each piece [m].
   const std::vector<std::pair<double, double>>& pieces_x() const { return ends_x_; }
@@ -37,6 +42,7 @@ class GapSurface {
   Axis x_, y_;
   std::vector<std::pair<double, double>> ends_x_, ends_y_;
   std::vector<double> height_;
+  std::function<double(double)> formula_;  ///< empty: points
 };
 
 }  // namespace ringfilm::pad

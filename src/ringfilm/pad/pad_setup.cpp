@@ -1,16 +1,24 @@
 #include "ringfilm/pad/pad_setup.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "ringfilm/base/table.hpp"
+#include "ringfilm/cycle/case/case_face.hpp"
 #include "ringfilm/cycle/integration/oil.hpp"
 
 namespace ringfilm::pad {
 namespace {
 
+/// The formula of a gap, above its lowest point.
+std::function<double(double)> formula(const cycle::Pad& pad, double lowest) {
+  return [face = cycle::face_of_formula(pad.face, pad.length), lowest](double x) { return face.height(x) - lowest; };
+}
+
 /// The gap between its steps.
 std::vector<film::GapPiece> gap_pieces(const cycle::Pad& pad, double lowest) {
+  if (pad.has_formula()) return {{0, pad.length, formula(pad, lowest)}};
   std::vector<film::GapPiece> pieces;
   std::vector<double> x, height;
   const auto close_piece = [&] {
@@ -30,6 +38,7 @@ std::vector<film::GapPiece> gap_pieces(const cycle::Pad& pad, double lowest) {
 
 /// The gap over x and y; one that is given along x alone is the same at every y.
 GapSurface gap_surface(const cycle::Pad& pad, double lowest) {
+  if (pad.has_formula()) return {pad.length, *pad.width, formula(pad, lowest)};
   std::vector<double> y = pad.gap_y, height;
   for (const double h : pad.gap_height) height.push_back(h - lowest);
   if (y.empty()) {
@@ -67,16 +76,16 @@ film::FilmInputs PadSetup::steady_inputs() const {
 
 PadSetup prepare_pad(const cycle::Case& c) {
   const cycle::Pad& pad = c.pad;
-  const double lowest = *std::min_element(pad.gap_height.begin(), pad.gap_height.end());
   PadSetup setup;
   setup.input = c;
   setup.oil = cycle::constant_oil(c.lubricant);
+  setup.lowest_gap = pad.has_formula() ? cycle::face_of_formula(pad.face, pad.length).minimum().height
+                                       : *std::min_element(pad.gap_height.begin(), pad.gap_height.end());
   if (pad.width) {
-    setup.surface = gap_surface(pad, lowest);
+    setup.surface = gap_surface(pad, setup.lowest_gap);
   } else {
-    setup.pieces = gap_pieces(pad, lowest);
+    setup.pieces = gap_pieces(pad, setup.lowest_gap);
   }
-  setup.lowest_gap = lowest;
   setup.U = pad.direction == cycle::Direction::kPlusX ? pad.speed : -pad.speed;
   setup.p_cavitation = std::min({c.film.cavitation_pressure, pad.left_pressure, pad.right_pressure});
   return setup;

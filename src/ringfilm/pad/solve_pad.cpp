@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/pad/load_search.hpp"
@@ -56,6 +57,13 @@ void append_instant(const PadFilm& film, const film::FilmInputs& inputs, const f
   if (auto field = film.field(state, time)) result.fields.push_back(std::move(*field));
 }
 
+/// Separation of the history or of the oscillation [m].
+double separation_at(const cycle::Pad& pad, double time) {
+  const auto& [amplitude, period, phase_deg] = pad.oscillation;
+  if (!amplitude) return interpolate_linear(pad.history_time, pad.history_separation, time);
+  return *pad.separation + *amplitude * std::cos(2 * std::numbers::pi * (time / period + phase_deg / 360));
+}
+
 /// The film through time, one whole step after the other.
 class TimeIntegration {
  public:
@@ -64,7 +72,7 @@ class TimeIntegration {
 
   void run(Observer* observer) {
     const cycle::Pad& pad = setup_.input.pad;
-    const double begin = pad.history_time.front(), end = pad.last_time(), dt = pad.time_step;
+    const double begin = pad.first_time(), end = pad.last_time(), dt = pad.time_step;
     const long n_steps = std::max(1L, static_cast<long>(std::ceil((end - begin) / dt - kRounding)));
     const long every = pad.output_step ? std::lround(*pad.output_step / dt) : 1;
     for (long k = 1; k <= n_steps; ++k) {
@@ -87,10 +95,7 @@ class TimeIntegration {
  private:
   static constexpr double kRounding = 1e-9;  // of a step: what is left of the division of times
 
-  double h_m_at(double time) const {
-    const cycle::Pad& pad = setup_.input.pad;
-    return interpolate_linear(pad.history_time, pad.history_separation, time) + setup_.lowest_gap;
-  }
+  double h_m_at(double time) const { return separation_at(setup_.input.pad, time) + setup_.lowest_gap; }
 
   bool advance(double from, double to, int halvings) {
     if (solve(from, to)) return true;
@@ -196,7 +201,7 @@ film::FilmState first_film(PadFilms& films, PadResult& result) {
     throw StoppedPad(message, std::move(result));
   };
   if (!pad.load) {
-    const double separation = result.is_history ? pad.history_separation.front() : *pad.separation;
+    const double separation = result.is_history ? separation_at(pad, pad.first_time()) : *pad.separation;
     auto film = steady_film_at(films, separation, result.effort);
     if (!film) stop(no_film_at(setup));
     return *film;
@@ -221,11 +226,11 @@ PadResult solve_pad(const cycle::Case& c, Observer* observer) {
   PadFilm& film = films.finest();
   PadResult result;
   result.complete = false;
-  result.is_history = !c.pad.history_time.empty();
+  result.is_history = c.pad.is_transient();
   result.x = film.places_x();
   result.y = film.places_y();
   const film::FilmState start = first_film(films, result);
-  const double begin = result.is_history ? c.pad.history_time.front() : 0.0;
+  const double begin = result.is_history ? c.pad.first_time() : 0.0;
   append_instant(film, setup.steady_inputs(), start, start, begin, result);
   if (result.is_history) {
     TimeIntegration(film, start, result).run(observer);

@@ -64,8 +64,19 @@ TEST(RingFace, ParabolaRisesByTheCrownAtTheFartherEdge) {
   EXPECT_NEAR(face.height(kWidth), 8e-6, 1e-20);
   EXPECT_NEAR(face.height(0), 8e-6 / 9, 1e-20);
   EXPECT_NEAR(face.height(0.25 * kWidth), 0, 1e-20);
-  EXPECT_NEAR(face.minimum().x, 0.25 * kWidth, 1e-11);  // half the digits of x
-  EXPECT_NEAR(face.minimum().height, 0, 1e-20);
+  EXPECT_EQ(face.minimum().x, 0.25 * kWidth);
+  EXPECT_EQ(face.minimum().height, 0);
+}
+
+TEST(RingFace, CosineHasOnePeriodFromItsLowestPoint) {
+  for (const double apex : {0.0, 0.3, 1.0}) {
+    const auto face = RingFace::cosine(8e-6, apex, kWidth);
+    EXPECT_EQ(face.minimum().height, 0);
+    EXPECT_NEAR(face.height((apex + (apex < 0.5 ? 0.5 : -0.5)) * kWidth), 8e-6, 1e-20);
+    EXPECT_NEAR(face.height(0), face.height(kWidth), 1e-20);
+    EXPECT_NEAR(face.height((apex + (apex < 0.5 ? 0.25 : -0.25)) * kWidth), 4e-6, 1e-20);
+  }
+  EXPECT_EQ(RingFace::cosine(8e-6, 0.3, kWidth).minimum().x, 0.3 * kWidth);
 }
 
 TEST(RingFace, PointsAreJoinedByStraightLines) {

@@ -48,6 +48,25 @@ TEST(PadSqueeze, LastStepIsShorterWhereTheStepDoesNotDivideTheTime) {
   EXPECT_NEAR(result.samples[3].separation, 19e-6, 1e-15);
 }
 
+TEST(PadSqueeze, AnOscillationIsAHistoryOfItsPoints) {
+  const auto separation = [](double t) { return 15e-6 - 5e-6 * std::sin(2 * std::numbers::pi * t / 2e-3); };
+  cycle::Case points = plates(3e-3, 300, separation);
+  points.pad.time_step = 1e-5;
+  cycle::Case oscillation = points;
+  oscillation.pad.separation_history_file.reset();
+  oscillation.pad.history_time.clear();
+  oscillation.pad.history_separation.clear();
+  oscillation.pad.separation = 15e-6;
+  oscillation.pad.oscillation = {5e-6, 2e-3, 90};
+  oscillation.pad.end_time = 3e-3;
+  const PadResult a = solve_pad(points), b = solve_pad(oscillation);
+  ASSERT_EQ(a.samples.size(), b.samples.size());
+  for (std::size_t i = 0; i < a.samples.size(); ++i) {
+    EXPECT_NEAR(b.samples[i].separation, a.samples[i].separation, 1e-18);
+    EXPECT_NEAR(b.samples[i].load, a.samples[i].load, 1e-6 * std::abs(a.samples[5].load));
+  }
+}
+
 TEST(PadSqueeze, KeepsOnlyTheRequestedInstants) {
   cycle::Case c = plates(1e-3, 1, [](double t) { return 20e-6 - 1e-3 * t; });
   c.pad.time_step = 1e-4;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -227,6 +229,48 @@ cycle::Case pocket(int n_cells) {
   c.pad.left_pressure = c.pad.right_pressure = 5e4;
   c.solver.cells = n_cells;
   return c;
+}
+
+// The solver takes heights at nodes and half way between them: points there give the same film.
+TEST(PadGap, OfAFormulaIsThatOfItsPoints) {
+  const auto expect_same = [](const cycle::FaceShape& face, const std::function<double(double)>& height) {
+    cycle::Case formula = slider();
+    formula.pad.face = face;
+    formula.pad.separation = kOutlet;
+    formula.film.cavitation_pressure = -1e9;
+    cycle::Case points = formula;
+    points.pad.face = cycle::Pad().face;
+    set_gap(points, 2 * points.solver.cells, height);
+    for (const auto& width : {std::optional<double>(), std::optional<double>(kLength)}) {
+      for (cycle::Case* c : {&formula, &points}) {
+        c->pad.width = width;
+        c->solver.cells = width ? 40 : 200;
+        c->solver.cells_y = 20;
+      }
+      const Sample a = solved(formula), b = solved(points);
+      EXPECT_NEAR(a.load / b.load, 1, 1e-12);
+      EXPECT_NEAR(a.flow_left / b.flow_left, 1, 1e-12);
+      EXPECT_NEAR(a.min_film_thickness / b.min_film_thickness, 1, 1e-14);
+      EXPECT_DOUBLE_EQ(a.separation, kOutlet);
+    }
+  };
+  using cycle::FaceForm;
+  const auto parabola = [](double x) { return 20e-6 * std::pow(2 * x / kLength - 1, 2); };
+  expect_same({.form = FaceForm::kParabola, .crown_height = 20e-6}, parabola);
+  expect_same({FaceForm::kPolynomial, {0.8, -8, 20}, 1e-3, 1e-6}, parabola);
+  expect_same({FaceForm::kPolynomial, {-1, 20}, 1e-3, 1e-6}, [](double x) { return 20e-6 - 1e-3 * x; });
+  expect_same({.form = FaceForm::kCosine, .crown_height = 20e-6, .apex = 0.25},
+              [](double x) { return 10e-6 * (1 + std::cos(2 * std::numbers::pi * (x / kLength + 0.25))); });
+}
+
+TEST(PadGap, OfAFormulaIsNotCutByTheLengthOfTheCells) {
+  cycle::Case c = slider();
+  c.pad.face = {.form = cycle::FaceForm::kParabola, .crown_height = 20e-6, .apex = 0.123456789};  // no node there
+  c.pad.separation = kOutlet;
+  c.solver.cells = 400;
+  const PadResult result = solve_pad(c);
+  EXPECT_EQ(result.samples.back().separation, kOutlet);
+  for (const cycle::Note& note : result.notes) EXPECT_NE(note.topic, "separation-adds-to-gap");
 }
 
 // Piece by piece the gap is parallel and the pressure a straight line. Land before the pocket: from 0.5 bar down to 0

@@ -82,11 +82,12 @@ enum class TraceOrigin {
   kSynthetic   ///< made up; marked SYNTHETIC wherever it appears
 };
 
-/// `ring.face.form`: how the height of the face is given.
+/// `ring.face.form` and `pad.face.form`: how the height of the face is given.
 enum class FaceForm {
   kPolynomial,  ///< coefficients
   kParabola,    ///< crown height and place of the lowest point
-  kPoints       ///< measured points, straight between them
+  kPoints,      ///< points of a file, straight between them
+  kCosine       ///< of a pad: one period, as in a journal bearing that is unwrapped; crown height and lowest point
 };
 
 /// `ring.face.height_zero`: zero of the stored heights of the face.
@@ -268,18 +269,22 @@ struct MeasuredFace {
   std::optional<std::string> fit_artifact;  ///< where the face has what the trace has not
 };
 
+/// Shape of a face by a formula: the keys that `ring.face` and `pad.face` share.
+struct FaceShape {
+  FaceForm form{};  ///< how h_s(x), the gap to a straight surface, is given
+  // form = "polynomial": height [height_unit] = sum of coefficients[k] x^(n-1-k), x in [length_unit]
+  std::vector<double> coefficients = {};  ///< highest power first
+  double length_unit = 0;                 ///< of x in the polynomial [m]
+  double height_unit = 0;                 ///< of the height in the polynomial [m]
+  // form = "parabola" or "cosine"
+  double crown_height = 0;  ///< rise of the parabola at the farther edge, of the cosine to its highest point [m]
+  double apex = 0.5;        ///< place of the lowest point, fraction of the way from x = 0 to the other edge [-]
+};
+
 /// The keys under `ring.face`, with the points that they name.
-struct RingFace {
-  FaceForm form{};                                    ///< how h_s(x), the gap to a straight liner, is given
+struct RingFace : FaceShape {
   HeightZero height_zero = HeightZero::kMinimum;      ///< of the stored heights; the film is the true gap in both
   Orientation orientation = Orientation::kX0Chamber;  ///< the edge at x = 0: a ring-fixed one, or the leading one
-  // form = "polynomial": height [height_unit] = sum of coefficients[k] x^(n-1-k), x in [length_unit]
-  std::vector<double> coefficients;  ///< highest power first
-  double length_unit = 0;            ///< of x in the polynomial [m]
-  double height_unit = 0;            ///< of the height in the polynomial [m]
-  // form = "parabola"
-  double crown_height = 0;  ///< rise at the farther edge [m]
-  double apex = 0.5;        ///< place of the lowest point, fraction of the width from x = 0 [-]
   // form = "points"
   std::string points_file;     ///< CSV of measured points, as named
   std::vector<double> x;       ///< [m], increasing, covers 0 to the face width
@@ -420,13 +425,21 @@ struct Output {
   FieldReduction reduction = FieldReduction::kNone;  ///< of the fields of an unrolled film
 };
 
+/// The keys under `pad.oscillation`: s(t) = separation + amplitude cos(2 pi t/period + phase) from t = 0 on.
+struct PadOscillation {
+  std::optional<double> amplitude;  ///< absent: the separation stays [m]
+  double period = 0;                ///< [s]
+  double phase_deg = 0;             ///< [degree]
+};
+
 /// A film of stated shape without ring and engine (docs/theory/pad.md). Pressures count from one zero, which the case
 /// chooses; loads are per metre of width, means over it where it is finite.
 struct Pad {
-  double length = 0;               ///< L, along the motion [m]
-  std::optional<double> width;     ///< B, across the motion; absent: infinitely wide [m]
-  std::string gap_file;            ///< CSV or NetCDF of the gap, as named
-  std::vector<double> gap_x;       ///< [m], from 0 to the length, increasing; a step appears twice
+  double length = 0;                  ///< L, along the motion [m]
+  std::optional<double> width;        ///< B, across the motion; absent: infinitely wide [m]
+  FaceShape face{FaceForm::kPoints};  ///< its gap by a formula, or by points
+  std::string gap_file;               ///< CSV or NetCDF of the points of the gap, as named
+  std::vector<double> gap_x;       ///< of the points [m], from 0 to the length, increasing; a step appears there twice
   std::vector<double> gap_y;       ///< of a map, from 0 to the width, likewise; empty: the same gap at every y [m]
   std::vector<double> gap_height;  ///< for each x; of a map, for each x of the first y, then of the next [m]
   double speed = 0;                ///< of the flat surface [m/s]
@@ -438,18 +451,29 @@ struct Pad {
   double front_pressure = 0;   ///< at y = 0, open sides [Pa]
   double back_pressure = 0;    ///< at y = width, open sides [Pa]
   // exactly one of: separation | load | separation_history
-  std::optional<double> separation;                    ///< adds to the gap [m]
+  std::optional<double> separation;                    ///< adds to the gap; the mean of an oscillation [m]
   std::optional<double> load;                          ///< carried by the film, which finds its separation [N/m]
   std::optional<std::string> separation_history_file;  ///< CSV of separation against time, as named
   std::vector<double> history_time;                    ///< [s], increasing
   std::vector<double> history_separation;              ///< at these times, straight between them [m]
-  // separation_history
+  // separation_history | oscillation
+  PadOscillation oscillation;         ///< about the separation
   double time_step = 0;               ///< of the integration [s]
   std::optional<double> end_time;     ///< absent: end of the history [s]
   std::optional<double> output_step;  ///< absent: every time step is kept [s]
 
   bool has_sides_at_pressures() const { return width && sides == Sides::kOpen; }  ///< of width alone
 
+  /// Is the gap a formula over x, without points?
+  bool has_formula() const { return face.form != FaceForm::kPoints; }
+  /// Removes what files gave.
+  void clear_points() {
+    for (auto* points : {&gap_x, &gap_y, &gap_height, &history_time, &history_separation}) points->clear();
+  }
+  /// Is the film integrated over time?
+  bool is_transient() const { return separation_history_file.has_value() || oscillation.amplitude.has_value(); }
+  /// Where the integration begins [s].
+  double first_time() const { return history_time.empty() ? 0.0 : history_time.front(); }
   /// Where the integration ends [s].
   double last_time() const { return end_time.value_or(history_time.empty() ? 0.0 : history_time.back()); }
 };

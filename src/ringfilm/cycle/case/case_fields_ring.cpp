@@ -3,10 +3,6 @@
 namespace ringfilm::cycle::table {
 namespace {
 
-constexpr When kPolynomial{[](const Case& c) { return c.ring.face.form == FaceForm::kPolynomial; },
-                           "ring.face.form = \"polynomial\""};
-constexpr When kParabola{[](const Case& c) { return c.ring.face.form == FaceForm::kParabola; },
-                         "ring.face.form = \"parabola\""};
 constexpr When kPoints{[](const Case& c) { return c.ring.face.form == FaceForm::kPoints; },
                        "ring.face.form = \"points\""};
 constexpr When kFourModuli{[](const Case& c) { return !c.contact.composite_modulus; },
@@ -88,20 +84,13 @@ void append_ring_fields(std::vector<Field>& fields) {
               kNoUnit, {}, Need::kDefault, {},
               {"which edge is x = 0: a ring-fixed one, or always the leading one (turns over at each reversal)",
                "\"x0-chamber\""}),
-          field("ring.face.coefficients", NumberListKind{member<&Case::ring, &Ring::face, &RingFace::coefficients>},
-                kPlainNumber, {}, Need::kRequired, kPolynomial,
-                {"coefficients of the height, highest power first", "[4.0, -4.8, 1.44]"}),
-          field("ring.face.length_unit", UnitNameKind{member<&Case::ring, &Ring::face, &RingFace::length_unit>},
-                {"m", "mm"}, above(0, 1), Need::kRequired, kPolynomial, {"unit of x in the polynomial", "\"mm\""}),
-          field("ring.face.height_unit", UnitNameKind{member<&Case::ring, &Ring::face, &RingFace::height_unit>},
-                {"m", "um"}, above(0, 1), Need::kRequired, kPolynomial,
-                {"unit of the height in the polynomial", "\"um\""}),
-          field("ring.face.crown_height", NumberKind{member<&Case::ring, &Ring::face, &RingFace::crown_height>},
-                {"m", "um"}, above(0, 0.01), Need::kRequired, kParabola,
-                {"height of the parabola at the edge farther from its lowest point", "\"15 um\""}),
-          field("ring.face.apex", NumberKind{member<&Case::ring, &Ring::face, &RingFace::apex>}, kPlainNumber,
-                between(0, 1), Need::kDefault, kParabola,
-                {"place of the lowest point, as a fraction of the width from x = 0", "0.5"}),
+      });
+  const std::vector<Field> formula = face_fields<&Case::ring, &Ring::face>(
+      {"ring.face", "\"parabola\"", "height of the parabola at the edge farther from its lowest point", 0.01, "width"});
+  fields.insert(fields.end(), formula.begin(), formula.end());
+  fields.insert(
+      fields.end(),
+      {
           field("ring.face.file", FileKind{member<&Case::ring, &Ring::face, &RingFace::points_file>}, kNoUnit, {},
                 Need::kRequired, kPoints,
                 {"CSV file of measured points: x [mm],height [um], from x = 0 to the face width", "\"face.csv\""}),

@@ -59,6 +59,43 @@ inline Field field(std::string key, Kind kind, Unit unit, std::optional<Range> r
           when.words,     std::move(text.help), text.example, std::nullopt};
 }
 
+/// What differs between the keys of the ring's face and of the pad's.
+struct FaceText {
+  std::string section;       ///< "ring.face"
+  const char* crowned;       ///< forms with a crown
+  const char* crown_height;  ///< what it is
+  double highest;            ///< crown height [m]
+  const char* extent;        ///< what x runs over
+};
+
+/// The keys of a formula of the face at the end of a path of member pointers.
+template <auto... Path>
+std::vector<Field> face_fields(const FaceText& text) {
+  const auto key = [&](const char* name) { return text.section + "." + name; };
+  const std::string polynomial = key("form = \"polynomial\""), crowned = key("form = ") + text.crowned;
+  const When is_polynomial{[](const Case& c) { return (c.*....*Path).form == FaceForm::kPolynomial; },
+                           polynomial.c_str()};
+  const When is_crowned{[](const Case& c) {
+                          const FaceForm form = (c.*....*Path).form;
+                          return form == FaceForm::kParabola || form == FaceForm::kCosine;
+                        },
+                        crowned.c_str()};
+  const Unit mm{"m", "mm"}, um{"m", "um"};
+  return {
+      field(key("coefficients"), NumberListKind{member<Path..., &FaceShape::coefficients>}, kPlainNumber, {},
+            Need::kRequired, is_polynomial, {"coefficients of the height, highest power first", "[4.0, -4.8, 1.44]"}),
+      field(key("length_unit"), UnitNameKind{member<Path..., &FaceShape::length_unit>}, mm, above(0, 1),
+            Need::kRequired, is_polynomial, {"unit of x in the polynomial", "\"mm\""}),
+      field(key("height_unit"), UnitNameKind{member<Path..., &FaceShape::height_unit>}, um, above(0, 1),
+            Need::kRequired, is_polynomial, {"unit of the height in the polynomial", "\"um\""}),
+      field(key("crown_height"), NumberKind{member<Path..., &FaceShape::crown_height>}, um, above(0, text.highest),
+            Need::kRequired, is_crowned, {text.crown_height, "\"15 um\""}),
+      field(key("apex"), NumberKind{member<Path..., &FaceShape::apex>}, kPlainNumber, between(0, 1), Need::kDefault,
+            is_crowned,
+            {std::string("place of the lowest point, as a fraction of the ") + text.extent + " from x = 0", "0.5"}),
+  };
+}
+
 void append_thermal_fields(std::vector<Field>& fields);
 void append_gas_fields(std::vector<Field>& fields);
 void append_ring_fields(std::vector<Field>& fields);

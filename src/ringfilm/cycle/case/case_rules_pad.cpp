@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/case/case_face.hpp"
 #include "ringfilm/cycle/case/case_rules_film2d.hpp"
 
 namespace ringfilm::cycle {
@@ -35,8 +36,9 @@ void check_what_is_given(const Pad& pad, Breaches& breaches) {
 /// Do places run from 0 to the end?
 bool covers(const std::vector<double>& places, double end) { return places.front() == 0 && places.back() == end; }
 
-/// @returns whether the points run from 0 to the length, and to the width
+/// @returns whether there is a formula, or points that run from 0 to the length, and to the width
 bool check_gap(const Pad& pad, Breaches& breaches) {
+  if (pad.has_formula()) return pad.length > 0;
   if (pad.gap_x.empty()) return false;
   const bool is_map = !pad.gap_y.empty();
   if (is_map && !pad.width) {
@@ -100,19 +102,30 @@ void check_edge_pressures(const Case& c, Breaches& breaches) {
 }
 
 void check_film(const Pad& pad, Breaches& breaches) {
-  const auto lowest = std::min_element(pad.gap_height.begin(), pad.gap_height.end());
-  const std::size_t k = lowest - pad.gap_height.begin(), n_x = pad.gap_x.size();
-  std::string place = "at x = " + number_text(pad.gap_x[k % n_x] * 1e3) + " mm";
-  if (!pad.gap_y.empty()) place += ", y = " + number_text(pad.gap_y[k / n_x] * 1e3) + " mm";
-  place += " the gap is " + number_text(*lowest * 1e6) + " um";
+  models::RingFace::Minimum lowest{};
+  std::string across;
+  if (pad.has_formula()) {
+    lowest = face_of_formula(pad.face, pad.length).minimum();
+  } else {
+    const auto at = std::min_element(pad.gap_height.begin(), pad.gap_height.end());
+    const std::size_t k = at - pad.gap_height.begin(), n_x = pad.gap_x.size();
+    lowest = {pad.gap_x[k % n_x], *at};
+    if (!pad.gap_y.empty()) across = ", y = " + number_text(pad.gap_y[k / n_x] * 1e3) + " mm";
+  }
+  const std::string place = "at x = " + number_text(lowest.x * 1e3) + " mm" + across + " the gap is " +
+                            number_text(lowest.height * 1e6) + " um";
   const std::string remedy = "the separation adds to the gap, and their sum must be above zero everywhere";
-  if (pad.separation && !(*lowest + *pad.separation > 0)) {
-    breaches.push_back({"pad.separation",
-                        place + ", with pad.separation = " + number_text(*pad.separation * 1e6) + " um no film is left",
-                        remedy});
+  const double amplitude = pad.oscillation.amplitude.value_or(0);
+  if (pad.separation && !(lowest.height + *pad.separation - amplitude > 0)) {
+    const std::string less =
+        amplitude > 0 ? " less pad.oscillation.amplitude = " + number_text(amplitude * 1e6) + " um" : "";
+    breaches.push_back(
+        {"pad.separation",
+         place + ", with pad.separation = " + number_text(*pad.separation * 1e6) + " um" + less + " no film is left",
+         remedy});
   }
   const auto closest = std::min_element(pad.history_separation.begin(), pad.history_separation.end());
-  if (closest != pad.history_separation.end() && !(*lowest + *closest > 0)) {
+  if (closest != pad.history_separation.end() && !(lowest.height + *closest > 0)) {
     breaches.push_back({"pad.separation_history",
                         place + ", with the separation of " + number_text(*closest * 1e6) + " um at " +
                             number_text(pad.history_time[closest - pad.history_separation.begin()]) +
@@ -141,16 +154,32 @@ void check_nodes(const Case& c, Breaches& breaches) {
                       "take fewer cells in one direction or both"});
 }
 
-void check_times(const Case& c, Breaches& breaches) {
-  const Pad& pad = c.pad;
-  const double begin = pad.history_time.front(), end = pad.last_time();
+/// @returns whether the integration ends after it begins, and with the history at the latest
+bool check_end(const Pad& pad, Breaches& breaches) {
+  const double begin = pad.first_time(), end = pad.last_time();
+  if (pad.oscillation.amplitude) {
+    if (end > begin) return true;
+    breaches.push_back({"pad.end_time",
+                        pad.end_time
+                            ? "pad.end_time = " + number_text(end) + " s is not above 0 s, where an oscillation begins"
+                            : "pad.end_time is not stated, and an oscillation has no end",
+                        "state where the integration ends, for example end_time = \"1 s\""});
+    return false;
+  }
   if (!(end > begin) || end > pad.history_time.back()) {
     breaches.push_back({"pad.end_time",
                         "pad.end_time = " + number_text(end) + " s does not lie in the history, which runs from " +
                             number_text(begin) + " to " + number_text(pad.history_time.back()) + " s",
                         "choose an end after the first and not after the last time of the history"});
-    return;
+    return false;
   }
+  return true;
+}
+
+void check_times(const Case& c, Breaches& breaches) {
+  const Pad& pad = c.pad;
+  if (!check_end(pad, breaches)) return;
+  const double begin = pad.first_time(), end = pad.last_time();
   const double steps = std::ceil((end - begin) / pad.time_step);
   if (steps > kMostSteps) {
     breaches.push_back({"pad.time_step", "pad.time_step asks for " + number_text(steps) + " steps",
@@ -196,7 +225,7 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
     check_nodes(c, breaches);
   }
   check_edge_pressures(c, breaches);
-  if (!c.pad.history_time.empty()) check_times(c, breaches);
+  if (!c.pad.history_time.empty() || c.pad.oscillation.amplitude) check_times(c, breaches);
   check_oil(c, breaches);
   return breaches;
 }

@@ -9,6 +9,7 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/case/case_face.hpp"
 #include "ringfilm/cycle/case/contact_plausibility.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
@@ -48,15 +49,8 @@ models::CyclePressure cylinder_pressure(const Case& c) {
 
 models::RingFace ring_face(const Case& c) {
   const RingFace& f = c.ring.face;
-  switch (f.form) {
-    case FaceForm::kPolynomial:
-      return models::RingFace::polynomial(f.coefficients, f.length_unit, f.height_unit, c.ring.face_width);
-    case FaceForm::kParabola:
-      return models::RingFace::parabola(f.crown_height, f.apex, c.ring.face_width);
-    case FaceForm::kPoints:
-      return models::RingFace::points(f.x, f.height, c.ring.face_width);
-  }
-  throw std::logic_error("face form without a model");
+  return f.form == FaceForm::kPoints ? models::RingFace::points(f.x, f.height, c.ring.face_width)
+                                     : face_of_formula(f, c.ring.face_width);
 }
 
 /// On the face [Pa].

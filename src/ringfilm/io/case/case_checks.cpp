@@ -82,6 +82,18 @@ class Checks {
                            (top_level ? " before the first section" : " in [" + field.key.substr(0, dot) + "]")});
   }
 
+  /// Where the keys are stated that the words on the use of `field` name; nothing for a value of the command line.
+  std::string places_of_conditions(const Field& field) const {
+    std::string places;
+    for (const auto& [key, entry] : stated_.given) {
+      const std::size_t at = field.active_when.find(key + " ");
+      if (at == std::string::npos || (at > 0 && field.active_when[at - 1] != ' ')) continue;
+      const SourceMark& mark = entry.key_mark;
+      if (mark.line > 0) places += ", and " + key + " is at " + mark.file + ":" + std::to_string(mark.line);
+    }
+    return places;
+  }
+
   void check_unused() {
     check_mixed();
     for (const auto& [key, entry] : stated_.given) {
@@ -89,8 +101,8 @@ class Checks {
       if (!cycle::belongs(field, case_)) continue;
       if (!use_is_known(field) || cycle::is_active(field, case_) || stated_.from_oil_file.contains(key)) continue;
       faults_.push_back({entry.key_mark, key + " is not used in this case",
-                         "it is used where " + field.active_when + "; take it out (or add --set " + key +
-                             "= on the command line), or change that"});
+                         "it is used where " + field.active_when + places_of_conditions(field) +
+                             "; take it out (or add --set " + key + "= on the command line), or change that"});
     }
   }
 

@@ -21,7 +21,7 @@ void fit_to_width(std::vector<double>& x, double width) {
 
 std::vector<DataFile> pad_files(const cycle::Pad& pad, const Units& units) {
   std::vector<DataFile> files;
-  if (!pad.gap_file.empty()) {
+  if (!pad.has_formula() && !pad.gap_file.empty()) {
     files.push_back({"pad.gap", pad.gap_file, [&units](const NamedFile& file, Case& c) -> ReadData {
                        GapFile gap = read_gap(file, units);
                        c.pad.gap_x = std::move(gap.x);

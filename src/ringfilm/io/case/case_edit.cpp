@@ -78,6 +78,7 @@ bool is_data_role(const std::string& role) { return role != "case" && role != "i
 void read_files_again(Case& c, const Units& units) {
   std::erase_if(c.files, [](const cycle::InputFile& file) { return is_data_role(file.role); });
   c.notes.clear();
+  c.pad.clear_points();
   for (const DataFile& data : data_files(c, units)) read_data_file(data, c);
 }
 

@@ -416,9 +416,9 @@ class VerificationReader {
     for (const auto& [run, time, written] : times_) {
       const cycle::Case& c = verification_.runs.at(run);
       const std::string stated = "time = " + written.as_written() + " ";
-      if (c.problem != cycle::Problem::kPad || c.pad.history_time.empty()) {
+      if (c.problem != cycle::Problem::kPad || !c.pad.is_transient()) {
         faults_.push_back({written.mark, stated + "is asked of " + run + ", which has no history", "leave it out"});
-      } else if (time < c.pad.history_time.front() || time > c.pad.last_time()) {
+      } else if (time < c.pad.first_time() || time > c.pad.last_time()) {
         faults_.push_back({written.mark, stated + "is outside the history of " + run, "ask for a time within it"});
       }
     }

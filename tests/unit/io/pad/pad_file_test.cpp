@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../case_example.hpp"
+#include "ringfilm/io/case/case_edit.hpp"
 #include "ringfilm/io/pad/pad_output.hpp"
 
 namespace ringfilm::io {
@@ -13,6 +14,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Not;
 
 GapFile gap_of_pad(const std::string& text) {
@@ -127,6 +129,21 @@ TEST(PadCase, WrittenOutInFullIsTheSameCaseAgain) {
   write_text(other / "again.toml", resolved_case(c));
   const cycle::Case again = read_case(other / "again.toml", {{"pad.gap", c.pad.gap_file}});
   EXPECT_EQ(resolved_case(again), resolved_case(c));
+}
+
+TEST(PadCase, AFormulaInPlaceOfAFileLeavesNoPoints) {
+  cycle::Case c = PadFolder().read();
+  const auto value = [](const char* text) { return parse_toml_value(text); };
+  update(c,
+         {{"pad.gap", std::nullopt},
+          {"pad.face.form", value("\"cosine\"")},
+          {"pad.face.crown_height", value("\"10 um\"")}},
+         Units());
+  EXPECT_THAT(c.pad.gap_x, IsEmpty());
+  check_case(c);
+  const ScratchFolder other;
+  write_text(other / "again.toml", resolved_case(c));
+  EXPECT_EQ(resolved_case(read_case(other / "again.toml", {})), resolved_case(c));
 }
 
 TEST(PadCase, NegativePressuresAreForPadsAlone) {
