@@ -96,6 +96,7 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.min_film_thickness_angle = thinnest.angle_deg;
   v.max_film_thickness = largest(base, &Sample::min_film_thickness).value;
   v.min_lambda_ratio = smallest(base, &Sample::lambda_ratio).value;
+  for (const Sample& s : base) v.peak_mean_real_pressure = std::fmax(v.peak_mean_real_pressure, s.mean_real_pressure);
   const Peak gas = largest(base, &Sample::gas_pressure);
   v.peak_gas_pressure = gas.value;
   v.peak_gas_pressure_angle = gas.angle_deg;
@@ -172,6 +173,15 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
       {"swept_volume", swept_volume(c.engine)},
       {"mean_piston_speed", 2 * c.engine.stroke * c.operating.speed / (2 * std::numbers::pi)},
   };
+  const models::GreenwoodTripp::Parameters& pair = setup.ring.contact.parameters();
+  if (const auto summits = models::summit_statistics(pair)) {
+    values["asperity_bandwidth"] = summits->bandwidth;
+    values["asperity_slope"] = summits->rms_slope;
+    values["summit_plane_offset"] = summits->summit_offset;
+    if (c.contact.hardness) {
+      values["plasticity_index"] = models::plasticity_index(pair, summits->summit_spread, *c.contact.hardness);
+    }
+  }
   if (const models::OilFit* fit = setup.ring.oil.range->at(setup.ring.oil.temperature)->fit()) {
     values["property_fit_error"] = fit->error;
     values["property_fit_pressure"] = fit->high;

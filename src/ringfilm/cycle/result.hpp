@@ -28,6 +28,7 @@ struct Sample {
   double min_film_thickness = 0;       ///< h_m: thinnest place of the film, where the face is lowest [m]
   double lambda_ratio = 0;             ///< h_m over composite roughness [-]
   double asperity_contact_area = 0;    ///< A_a, in real contact [m2]
+  double mean_real_pressure = 0;       ///< W_a/A_a; NaN where asperities carry less than 1 % of the load [Pa]
   double boundary_friction = 0;        ///< f_b = tau_0 A_a + zeta W_a, modulus [N]
   double viscous_friction = 0;         ///< f_v: oil shear on the liner, modulus [N]
   double viscous_friction_liner = 0;   ///< the same with its sign, positive towards TDC [N]
@@ -97,6 +98,7 @@ struct CycleValues {
   double peak_gas_pressure_angle = 0;           ///< crank angle of it [degree]
   double lambda_ratio_at_peak_pressure = 0;     ///< h_m/sigma at the peak of the cylinder pressure [-]
   double min_lambda_ratio = 0;                  ///< smallest h_m/sigma of the cycle [-]
+  double peak_mean_real_pressure = 0;           ///< largest W_a/A_a; 0 where asperities never carry 1 % [Pa]
   double mixed_share = 0;                       ///< share of time in mixed lubrication: h_m/sigma below 3 [-]
   /// Weighted with the load, as are the next two: what a scenario is on a Stribeck curve [-].
   double mean_friction_coefficient = 0;

@@ -152,6 +152,54 @@ constexpr double kLargestEndGap = 0.01;  // of the bore
 /// Mean effective pressure that an engine delivers, about [Pa]: no single ring takes as much.
 constexpr double kWholeEngine = 1e6;
 
+/// Of a grey iron liner, typical, assumed (data/materials/hardness.csv): the softer face of most pairs [Pa].
+constexpr double kUsualHardness = 2.5e9;
+/// Half-space contact holds for small slopes; tan 11 degree is taken as the largest.
+constexpr double kSteepestAsperity = 0.2;
+
+void append_asperity_notes(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
+  const std::optional<double>& stated = setup.input.contact.hardness;
+  const double hardness = stated.value_or(kUsualHardness);
+  const std::string of_softer = text("the %.3g GPa that the softer face bears (%s)", hardness / 1e9,
+                                     stated ? "contact.hardness"
+                                            : "assumed, as of grey iron: contact.hardness states "
+                                              "another");
+  const models::GreenwoodTripp::Parameters& pair = setup.ring.contact.parameters();
+  const auto summits = models::summit_statistics(pair);
+  if (!summits) {
+    notes.push_back({"asperities-inconsistent",
+                     "no Gaussian surface has these contact.asperity_density, contact.asperity_radius and "
+                     "contact.roughness together (bandwidth parameter below 1.5): were they measured on the same "
+                     "surface, with the same cut-off?",
+                     1});
+  }
+  const double psi = summits ? models::plasticity_index(pair, summits->summit_spread, hardness) : 0;
+  const auto highest = std::max_element(base.begin(), base.end(), [](const Sample& a, const Sample& b) {
+    return std::fmax(a.mean_real_pressure, 0) < std::fmax(b.mean_real_pressure, 0);
+  });
+  const auto beyond = [&](const Sample& s) { return s.mean_real_pressure > hardness; };
+  if (beyond(*highest)) {
+    notes.push_back({"contact-beyond-hardness",
+                     text("mean pressure on the real area of contact up to %.3g GPa (at %.0f degree), beyond %s: the "
+                          "load against film is a fit, real area and spot size are too small",
+                          highest->mean_real_pressure / 1e9, highest->crank_angle_deg, of_softer.c_str()),
+                     count(base, beyond)});
+  } else if (psi > 1 && highest->mean_real_pressure > 0) {
+    notes.push_back({"contact-plastic",
+                     text("plasticity index %.2f with %s: above 1 asperities deform plastically, while the contact is "
+                          "computed as elastic",
+                          psi, of_softer.c_str()),
+                     1});
+  }
+  if (summits && summits->rms_slope > kSteepestAsperity && highest->mean_real_pressure > 0) {
+    notes.push_back({"asperity-slopes-high",
+                     text("N, beta and sigma are those of a surface with rms slopes of %.2f; elastic contact of "
+                          "half-spaces holds for slopes up to about %.1f",
+                          summits->rms_slope, kSteepestAsperity),
+                     1});
+  }
+}
+
 /// Of the film, as a rise of the face within a cell: there the flow through the cell is wrong by a factor of two.
 constexpr double kUnseen = 0.25;
 
@@ -236,6 +284,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
     notes.push_back({"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
   }
   append_limit_notes(setup, base, fmep, notes);
+  append_asperity_notes(setup, base, notes);
   append_cell_note(grid, *lowest, setup.cells, notes);
   append_grid_note(setup, notes);
   append_face_note(setup, notes);

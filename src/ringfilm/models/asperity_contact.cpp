@@ -174,6 +174,22 @@ GreenwoodTripp::Contact GreenwoodTripp::contact(double h) const {
   return c;
 }
 
+std::optional<SummitStatistics> summit_statistics(const GreenwoodTripp::Parameters& pair) {
+  constexpr double kSmallestBandwidth = 1.5;  // of any isotropic Gaussian surface (Nayak 1971)
+  const double root_m4 = 3 * std::sqrt(pi) / (8 * pair.beta);
+  const double m4 = root_m4 * root_m4;
+  const double m2 = m4 / (6 * pi * std::numbers::sqrt3 * pair.N);
+  const double alpha = pair.sigma * pair.sigma * m4 / (m2 * m2);
+  if (!(alpha >= kSmallestBandwidth) || !std::isfinite(alpha)) return std::nullopt;
+  return SummitStatistics{alpha, std::sqrt(2 * m2), 4 * pair.sigma / std::sqrt(pi * alpha),
+                          pair.sigma * std::sqrt(1 - 0.8968 / alpha)};
+}
+
+double plasticity_index(const GreenwoodTripp::Parameters& pair, double sigma_s, double hardness) {
+  const double E_star = pair.E_prime / 2;  // 1/E* is the whole sum of (1 - nu^2)/E
+  return E_star / hardness * std::sqrt(sigma_s / pair.beta);
+}
+
 double contact_spot_radius(double beta, double sigma, double lambda) {
   return std::sqrt(beta * sigma * gaussian_integral(2, lambda) / (4 * gaussian_integral(1, lambda)));
 }

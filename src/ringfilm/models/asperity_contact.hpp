@@ -76,6 +76,22 @@ class GreenwoodTripp {
   std::optional<Quintics> quintics_;
 };
 
+/// What N, beta and sigma state of an isotropic Gaussian surface (@cite mccool1987, @cite nayak1971), eqs
+/// eq-spectral-moments, eq-summit-plane.
+struct SummitStatistics {
+  double bandwidth;      ///< alpha = m0 m4/m2^2 [-]
+  double rms_slope;      ///< h' = sqrt(2 m2) [-]
+  double summit_offset;  ///< of the mean plane of the summits above that of the surface [m]
+  double summit_spread;  ///< sigma_s, standard deviation of the summit heights [m]
+};
+/// Nothing where no such surface exists: alpha below 1.5.
+std::optional<SummitStatistics> summit_statistics(const GreenwoodTripp::Parameters& pair);
+
+/// Plasticity index of Greenwood and Williamson @cite greenwood1966, eq-plasticity-index [-]: above 1 the asperities
+/// deform plastically at any usual load. @param sigma_s of the summit heights [m] @param hardness of the softer face
+/// [Pa]
+double plasticity_index(const GreenwoodTripp::Parameters& pair, double sigma_s, double hardness);
+
 /// Radius of the mean contact spot at the lambda ratio lambda, eq-contact-spot [m].
 double contact_spot_radius(double beta, double sigma, double lambda);
 

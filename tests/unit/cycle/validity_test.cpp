@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/cycle/simulate.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {
@@ -46,6 +48,31 @@ using ::testing::Not;
 
 TEST(Validity, ResultsOfARingHaveNoNoteOnLimits) {
   EXPECT_THAT(topics(usual_sample()), IsSubsetOf({"shear-rate-high", "synthetic-trace"}));
+}
+
+TEST(Validity, AsperitiesThatCannotBeElasticAreNoted) {
+  const auto with_contact = [](double mean_real_pressure) {
+    Sample s = usual_sample();
+    s.mean_real_pressure = mean_real_pressure;
+    return topics(s);
+  };
+  const std::vector<std::string> hard = with_contact(18e9), soft = with_contact(1e9);
+  EXPECT_THAT(hard, ::testing::IsSupersetOf({"contact-beyond-hardness", "asperity-slopes-high"}));
+  EXPECT_THAT(hard, Not(Contains("contact-plastic")));
+  EXPECT_THAT(soft, Contains("contact-plastic"));
+  EXPECT_THAT(soft, Not(Contains("contact-beyond-hardness")));
+  EXPECT_THAT(with_contact(std::nan("")), Not(Contains("contact-plastic")));  // asperities carry nothing
+}
+
+TEST(Validity, HardnessOfTheCaseIsThatOfItsNotes) {
+  Case c = styles_new_ring();
+  c.contact.hardness = 30e9;
+  const CycleResult result = simulate(prepare(c));
+  EXPECT_NEAR(result.derived.at("plasticity_index"), 14.68 / 12, 0.01);  // that of 2.5 GPa, over 12
+  for (const Note& note : result.notes) EXPECT_NE(note.topic, "contact-beyond-hardness");
+  const Sample& s = result.samples[20];
+  EXPECT_DOUBLE_EQ(s.mean_real_pressure, s.asperity_load / s.asperity_contact_area);
+  EXPECT_GE(result.values.peak_mean_real_pressure, s.mean_real_pressure);
 }
 
 TEST(Validity, NotesCountTheirCrankSteps) {

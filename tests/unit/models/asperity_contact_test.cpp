@@ -248,6 +248,35 @@ TEST(Coating, LetsTheShareOfTheApproachThroughThatBoussinesqGives) {
   EXPECT_EQ(share_below_coating(1, 0.01, 0.3), 1);
 }
 
+/// Surfaces of styles2014, Table 1, with values of an independent implementation, to four digits.
+struct PairOfThePaper {
+  double N, beta, sigma, bandwidth, slope, offset_over_sigma, spread_over_sigma, plasticity_index;
+};
+
+TEST(SummitStatistics, AreThoseOfAnIndependentImplementation) {
+  for (const PairOfThePaper& of : {PairOfThePaper{0.097e12, 1.56e-6, 0.48e-6, 12.73, 0.3386, 0.6325, 0.9641, 14.68},
+                                   PairOfThePaper{0.100e12, 1.34e-6, 0.50e-6, 10.83, 0.3882, 0.6857, 0.9577, 16.12},
+                                   PairOfThePaper{0.101e12, 1.82e-6, 0.35e-6, 9.99, 0.2844, 0.7141, 0.9540, 11.55}}) {
+    const GreenwoodTripp::Parameters pair{.N = of.N, .beta = of.beta, .sigma = of.sigma, .E_prime = 134.8e9};
+    const auto summits = ringfilm::models::summit_statistics(pair);
+    ASSERT_TRUE(summits);
+    EXPECT_NEAR(summits->bandwidth, of.bandwidth, 6e-3);
+    EXPECT_NEAR(summits->rms_slope, of.slope, 6e-5);
+    EXPECT_NEAR(summits->summit_offset / of.sigma, of.offset_over_sigma, 6e-5);
+    EXPECT_NEAR(summits->summit_spread / of.sigma, of.spread_over_sigma, 6e-5);
+    EXPECT_NEAR(ringfilm::models::plasticity_index(pair, summits->summit_spread, 2.5e9), of.plasticity_index, 6e-3);
+  }
+}
+
+TEST(SummitStatistics, DoNotExistBelowTheSmallestBandwidth) {
+  // alpha goes with sigma^2: 12.73 at 0.48 um is 1.5 at 0.1648 um.
+  const auto of = [](double sigma) {
+    return ringfilm::models::summit_statistics({.N = 0.097e12, .beta = 1.56e-6, .sigma = sigma, .E_prime = 134.8e9});
+  };
+  EXPECT_TRUE(of(0.166e-6));
+  EXPECT_FALSE(of(0.163e-6));
+}
+
 TEST(GreenwoodTripp, GivesNaNForASeparationThatIsNotANumber) {
   for (const auto form : {ContactIntegralForm::kExact, ContactIntegralForm::kPolynomial4Digit,
                           ContactIntegralForm::kPolynomialAsPrinted}) {

@@ -367,6 +367,8 @@ struct Contact {
   double boundary_shear_strength_coefficient = 0;  ///< zeta: boundary shear strength over contact pressure [-]
   double eyring_shear_stress = 2e6;                ///< tau_0, of the boundary film [Pa]
   std::optional<double> composite_modulus;         ///< E' of 2/E' = sum (1 - nu^2)/E; absent: of ring and liner [Pa]
+  /// H of the softer face; the contact is elastic, and its pressure is compared with it [Pa].
+  std::optional<double> hardness;
   ContactIntegrals integrals = ContactIntegrals::kExact;  ///< of the heights, F_2 and F_5/2
   LambdaRatio lambda_ratio = LambdaRatio::kLocal;         ///< contact pressure from h(x)/sigma, or h_m/sigma all over
   MeasuredContact measured;                               ///< where N, beta, sigma and zeta come from

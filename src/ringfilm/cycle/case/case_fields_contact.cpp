@@ -39,6 +39,11 @@ void append_contact_fields(std::vector<Field>& fields) {
           field("contact.composite_modulus", OptionalNumberKind{member<&Case::contact, &Contact::composite_modulus>},
                 {"Pa", "GPa"}, between(1e8, 1e13), Need::kOptional, {},
                 {"E' of 2/E' = sum (1 - nu^2)/E, instead of the moduli of ring and liner", "\"134.8 GPa\""}),
+          field("contact.hardness", OptionalNumberKind{member<&Case::contact, &Contact::hardness>}, {"Pa", "GPa"},
+                between(1e6, 1e12), Need::kOptional, {},
+                {"indentation hardness of the softer face, H; the contact is elastic, and H shows by how much its "
+                 "pressure is beyond what the material bears",
+                 "\"2.5 GPa\""}),
           field("contact.integrals",
                 choice<&Case::contact, &Contact::integrals>({"exact", "polynomial-4-digit", "polynomial-as-printed"}),
                 kNoUnit, {}, Need::kDefault, {},

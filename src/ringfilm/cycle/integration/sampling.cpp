@@ -29,6 +29,11 @@ FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) 
           -f.flow_left,     width - end,         width - begin};
 }
 
+double mean_real_pressure(double load, double area, double applied_load) {
+  constexpr double kFelt = 0.01;  // of the load: below it the ratio is that of two numbers that mean nothing
+  return load > kFelt * applied_load && area > 0 ? load / area : std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 double boundary_friction(const Contact& contact, double load, double area) {
@@ -59,6 +64,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.min_film_thickness = instant.state->h_m;
   s.lambda_ratio = instant.state->h_m / setup.ring.sigma;
   s.asperity_contact_area = integrals.asperity_area * length;
+  s.mean_real_pressure = mean_real_pressure(integrals.asperity_load, integrals.asperity_area, in.load);
   s.boundary_friction =
       boundary_friction(setup.input.contact, integrals.asperity_load, integrals.asperity_area) * length;
   s.viscous_friction_liner = (f.shear_couette + f.shear_poiseuille) * length;

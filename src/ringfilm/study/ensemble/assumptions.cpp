@@ -225,7 +225,22 @@ Assumption ring_gap(const Case& c) {
       others);
 }
 
-std::vector<Assumption> always_open(const Case& c) {
+Assumption gaussian_summits(const cycle::Setup& setup) {
+  constexpr double kLambda = 2;  // the ratio of load and area depends little on it
+  const auto contact = setup.ring.contact.contact(kLambda * setup.ring.sigma);
+  std::string statement = "asperity summits are Gaussian, of one radius, and in elastic contact";
+  if (contact.area_share > 0) {
+    statement += text(", with %.3g GPa on the real area (at a lambda ratio of %.0f)",
+                      contact.pressure / contact.area_share / 1e9, kLambda);
+  }
+  return assumption("gaussian-summits", statement,
+                    "run-in and plateau-honed surfaces are skewed. Beyond the hardness of the softer face load against "
+                    "film is a fit to N, beta and sigma; the boundary friction coefficient remains, real area and spot "
+                    "size do not");
+}
+
+std::vector<Assumption> always_open(const cycle::Setup& setup) {
+  const Case& c = setup.input;
   return {
       assumption("round-bore", "the bore is round; static, thermal and dynamic deformation are zero",
                  "a ring follows smooth distortions of low order; what it cannot follow opens gaps"),
@@ -237,8 +252,7 @@ std::vector<Assumption> always_open(const Case& c) {
                       "sigma",
                       c.contact.boundary_shear_strength_coefficient),
                  "boundary friction is proportional to it; additives lower it"),
-      assumption("gaussian-summits", "asperity summits are Gaussian, of one radius, and in elastic contact",
-                 "run-in and plateau-honed surfaces are skewed"),
+      gaussian_summits(setup),
       assumption("newtonian-oil", "the oil is Newtonian at any shear rate",
                  "multigrade oils lose viscosity from about 1e6 1/s on"),
       assumption("smooth-gap-flow", "roughness does not hinder the flow (no flow factors)",
@@ -267,7 +281,7 @@ std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
     all.insert(all.begin(), assumption("synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured",
                                        "load, film and boundary friction around firing TDC follow it"));
   }
-  for (Assumption& open : always_open(c)) all.push_back(std::move(open));
+  for (Assumption& open : always_open(setup)) all.push_back(std::move(open));
   return all;
 }
 
