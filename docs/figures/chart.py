@@ -50,9 +50,7 @@ class Panel:
         for i, tick in enumerate(ticks):
             y = self.at(self.x[0], tick)[1]
             self.picture.line(self.left, y, self.left + self.width, y, stroke="#ddd", width=0.8)
-            self.picture.text(
-                self.left - 7, y + 4, names[i] if names else shown(tick), anchor="end", size=12
-            )
+            self.picture.text(self.left - 7, y + 4, names[i] if names else shown(tick), anchor="end", size=12)
         if zero:
             y = self.at(self.x[0], 0)[1]
             self.picture.line(self.left, y, self.left + self.width, y, stroke="#555", width=1)
@@ -169,5 +167,3 @@ SYNTHETIC = "SYNTHETIC cylinder pressure"
 
 def mark_synthetic(picture, y=20):
     picture.text(760 - RIGHT, y, SYNTHETIC, anchor="end", size=12, colour="#a00")
-
-

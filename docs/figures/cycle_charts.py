@@ -46,7 +46,9 @@ def gas_pressure():
     for result, style in ((trace, Style(BLUE)), (model, Style(ORANGE, "7 3"))):
         angle, pressure = curves(result, "gas_pressure")
         panel.curve(angle, [value * 1e-5 for value in pressure], style)
-    legend(picture, 330, 20, ((Style(BLUE), "trace (SYNTHETIC)"), (Style(ORANGE, "7 3"), "model after Wiebe")), step=200)
+    legend(
+        picture, 330, 20, ((Style(BLUE), "trace (SYNTHETIC)"), (Style(ORANGE, "7 3"), "model after Wiebe")), step=200
+    )
     return picture
 
 
@@ -102,7 +104,14 @@ def film_and_coefficient():
         (
             ("lambda_ratio", 1, "lambda ratio h_{m}/σ [-]", 10, range(0, 11, 2), 0),
             ("friction_coefficient", 1, "friction coefficient [-]", 0.3, [0, 0.1, 0.2, 0.3], 0),
-            ("oil_flow_middle", 1e6, "oil flow through the middle of the face [mg/s]", 4000, range(-4000, 4001, 2000), -4000),
+            (
+                "oil_flow_middle",
+                1e6,
+                "oil flow through the middle of the face [mg/s]",
+                4000,
+                range(-4000, 4001, 2000),
+                -4000,
+            ),
         )
     )
 
@@ -189,7 +198,10 @@ def grid_error():
     cells = (25, 50, 100, 200)
     ladder = {n: case("styles2014/new.toml", solver__cells=n, **base).run(error_estimate=True) for n in cells}
     finest = case("styles2014/new.toml", solver__cells=1600, **base).run()
-    shown = (("fmep", "cycle_fmep", "FMEP"), ("mean_cavitated_fraction", "cycle_mean_cavitated_fraction", "mean cavitated share of the face"))
+    shown = (
+        ("fmep", "cycle_fmep", "FMEP"),
+        ("mean_cavitated_fraction", "cycle_mean_cavitated_fraction", "mean cavitated share of the face"),
+    )
     for k, (value, name, title) in enumerate(shown):
         panel = Panel(picture, LEFT + 360 * k, 52, 286, 210, (20, 250), (1e-4, 100), "xy")
         panel.title(title)
@@ -226,7 +238,13 @@ def assumptions():
         picture.text(368, y + 6, words, anchor="end", size=11)
         x0, x1 = panel.at(0, 0)[0], panel.at(max(-60, min(60, change)), 0)[0]
         picture.rect(min(x0, x1), y - 4, abs(x1 - x0), 12, fill=BLUE if change < 0 else ORANGE, stroke="none")
-        picture.text(x1 + (5 if change >= 0 else -5), y + 6, f"{change:+.1f}".replace("-", "−") if abs(change) >= 0.05 else "0.0", size=11, anchor="start" if change >= 0 else "end")
+        picture.text(
+            x1 + (5 if change >= 0 else -5),
+            y + 6,
+            f"{change:+.1f}".replace("-", "−") if abs(change) >= 0.05 else "0.0",
+            size=11,
+            anchor="start" if change >= 0 else "end",
+        )
     panel.upright(0, Style("#555", width=1))
     return picture
 

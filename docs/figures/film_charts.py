@@ -22,10 +22,12 @@ def film_states():
     films = {model: case("pad/pocket.toml", film__cavitation=model).run() for model, _ in MODELS}
     keeping = films["mass-conserving"]
     x, gap = 1e3 * keeping.x, 1e6 * keeping.film_thickness[-1]
-    pressure, content = 1e-5 * keeping.pressure[-1], keeping.film_content[-1]
+    content = keeping.film_content[-1]
     end = float(x[-1])
     ticks = [end * i / 4 for i in range(5)]
-    picture = Picture("States of the film in a pad with one pocket, with mass conservation and with Reynolds' exit", 610)
+    picture = Picture(
+        "States of the film in a pad with one pocket, with mass conservation and with Reynolds' exit", 610
+    )
     top = Panel(picture, LEFT, 44, ACROSS, 120, (0, end), (0, 40))
     top.title("film thickness [µm] and what fills it; the lower surface moves to the right")
     top.y_axis("", range(0, 41, 10))
@@ -57,11 +59,19 @@ def film_states():
     for place, words in ((rupture, "rupture"), (again, "re-formation, mass conserved")):
         for panel in (top, low, share):
             anchor = "end" if words == "rupture" else "start"
-            panel.upright(place, Style(GREEN, "3 3", 1.3), words if panel is share else "", y=panel.top + 80, anchor=anchor)
+            panel.upright(
+                place, Style(GREEN, "3 3", 1.3), words if panel is share else "", y=panel.top + 80, anchor=anchor
+            )
     early = ends["reynolds-exit"][1]
     low.upright(early, Style(RED, "3 3", 1.1))
     picture.text(low.at(early, 0)[0] + 6, low.top + 16, "begins too early", size=12, colour=RED)
-    legend(picture, LEFT + 120, 602, [(style, model.replace("reynolds-exit", "Reynolds' exit")) for model, style in MODELS], 190)
+    legend(
+        picture,
+        LEFT + 120,
+        602,
+        [(style, model.replace("reynolds-exit", "Reynolds' exit")) for model, style in MODELS],
+        190,
+    )
     return picture
 
 
@@ -234,7 +244,13 @@ def convergence():
     panel.points(cells, slider, BLUE, 3.5)
     reference = [slider[0] * (cells[0] / n) ** 2 * 2.2 for n in cells]
     panel.curve(cells, reference, Style(BLACK, "2 3", 1.2))
-    legend(picture, LEFT, 24, ((KEEPING, "load of the inclined slider (rayleigh1918)"), (Style(BLACK, "2 3", 1.2), "second order")), [330, 0])
+    legend(
+        picture,
+        LEFT,
+        24,
+        ((KEEPING, "load of the inclined slider (rayleigh1918)"), (Style(BLACK, "2 3", 1.2), "second order")),
+        [330, 0],
+    )
     return picture
 
 

@@ -94,7 +94,11 @@ def cutoff():
         radius.append(single.beta_m)
         rms.append(single.sigma_m)
     picture = Picture("Density, radius and roughness of asperities against the short cut-off", 340)
-    lines = ((density, Style(BLUE), "density N"), (radius, Style(RED, "7 3"), "radius β"), (rms, Style(BLACK, "2 3"), "roughness σ"))
+    lines = (
+        (density, Style(BLUE), "density N"),
+        (radius, Style(RED, "7 3"), "radius β"),
+        (rms, Style(BLACK, "2 3"), "roughness σ"),
+    )
     legend(picture, LEFT, 20, [(style, words) for _, style, words in lines], 140)
     picture.text(WIDTH - RIGHT, 20, "SYNTHETIC surface", anchor="end", size=12, colour="#a00")
     panel = Panel(picture, LEFT, 40, ACROSS, 230, (0.9, 9), (0.03, 30), "xy")
@@ -149,9 +153,13 @@ def friction_loop():
     line.y_axis("TMR [mV]", [line.y[1] * i / 4 for i in range(5)], label_gap=44)
     line.frame()
     for sample, style, _ in read:
-        line.points([1e9 * entry.load for entry in sample.loads], [1e3 * entry.tmr_V for entry in sample.loads], style.colour)
+        line.points(
+            [1e9 * entry.load for entry in sample.loads], [1e3 * entry.tmr_V for entry in sample.loads], style.colour
+        )
         ends = [0, line.x[1]]
-        line.curve(ends, [1e3 * (sample.line.offset + sample.line.slope * 1e-9 * value) for value in ends], style, cut=True)
+        line.curve(
+            ends, [1e3 * (sample.line.offset + sample.line.slope * 1e-9 * value) for value in ends], style, cut=True
+        )
     legend(picture, LEFT + 346, 366, [(style, words) for _, style, words in read], [90, 105, 0])
     return picture
 

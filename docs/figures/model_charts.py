@@ -15,7 +15,9 @@ HALF = 296
 def faces():
     """Face profiles of the shipped rings and of the starting case."""
     picture = Picture("Face profiles: three polynomials and a parabola", 380)
-    entries = [(LINES[name], f"{name} ring") for name in RINGS] + [(Style(GREEN, "9 3 2 3"), "parabola of the starting case")]
+    entries = [(LINES[name], f"{name} ring") for name in RINGS] + [
+        (Style(GREEN, "9 3 2 3"), "parabola of the starting case")
+    ]
     legend(picture, LEFT, 20, entries, [130, 130, 160, 0])
     start = starting_case()
     start["output.fields"] = [0]
@@ -116,12 +118,18 @@ def contact_fits():
     panel.x_axis("lambda ratio λ [-]", range(0, 8))
     ratios = numpy.linspace(0, 7, 281)
     exact = ringfilm.laws.gaussian_integral(2.5, ratios)
-    lines = {"exact": Style(BLACK), "polynomial-4-digit": Style(BLUE, "7 3"), "polynomial-as-printed": Style(RED, "2 3")}
+    lines = {
+        "exact": Style(BLACK),
+        "polynomial-4-digit": Style(BLUE, "7 3"),
+        "polynomial-as-printed": Style(RED, "2 3"),
+    }
     law = surfaces_in_contact("new")
     sigma = case("styles2014/new.toml")["contact.roughness"]
     scale = float(law.pressure(sigma)) / float(ringfilm.laws.gaussian_integral(2.5, 1.0))
     for integrals, style in lines.items():
-        values = exact if integrals == "exact" else surfaces_in_contact("new", integrals).pressure(ratios * sigma) / scale
+        values = (
+            exact if integrals == "exact" else surfaces_in_contact("new", integrals).pressure(ratios * sigma) / scale
+        )
         panel.curve(ratios, values, style, cut=True)
     panel.frame()
     legend(picture, LEFT, 20, [(style, words) for words, style in lines.items()], [120, 190, 0])
@@ -131,14 +139,18 @@ def contact_fits():
 def face_fit():
     """Trace, polynomial and spline of the synthetic run-in face."""
     x, height = ringfilm.face.read_trace(str(ROOT / "cases" / "measured" / "face_run_in.csv"))
-    fit = ringfilm.face.fit_face(
-        x, height, width=1.2e-3, start=1e-4, levelling="stated", tilt=2e-3, zero="as-measured"
-    )
+    fit = ringfilm.face.fit_face(x, height, width=1.2e-3, start=1e-4, levelling="stated", tilt=2e-3, zero="as-measured")
     place, gap, spline = 1e3 * fit.x_m, 1e6 * fit.gap_m, 1e6 * fit.spline_m
     polynomial = numpy.polyval(fit.coefficients, place)
     picture = Picture("A trace over a ring face with its polynomial and its spline", 470)
     curve, smooth = Style(BLUE), Style(ORANGE, "7 3")
-    legend(picture, LEFT, 20, ((Style("#bbb", width=4), "trace (SYNTHETIC)"), (curve, "polynomial of degree 6"), (smooth, "spline")), [190, 210, 0])
+    legend(
+        picture,
+        LEFT,
+        20,
+        ((Style("#bbb", width=4), "trace (SYNTHETIC)"), (curve, "polynomial of degree 6"), (smooth, "spline")),
+        [190, 210, 0],
+    )
     top = Panel(picture, LEFT, 50, ACROSS, 170, (0, 1.2), (-1, 16))
     top.title("distance to a straight liner [µm]")
     top.y_axis("", range(0, 17, 4))

@@ -1,4 +1,4 @@
-"""Drawings of crank, cells, unrolled ring, pad, rough surfaces and the way from scan to friction; nothing is computed."""
+"""Drawings of crank, cells, unrolled ring, pad, rough surfaces and the way from scan to friction."""
 
 import math
 
@@ -30,11 +30,25 @@ def slider_crank():
     picture.text(pin[0] + 76, pin[1] + 8, "l", italic=True, size=16)
     # Angle from top dead centre, which is to the right; positive as the crank turns.
     picture.arc(x0, y0, 40, 4, 44, stroke=BLUE, width=1.6)
-    picture.arrow(x0 + 40 * math.cos(phi * 0.9), y0 - 40 * math.sin(phi * 0.9), x0 + 39 * math.cos(phi), y0 - 39 * math.sin(phi), colour=BLUE, head=8)
+    picture.arrow(
+        x0 + 40 * math.cos(phi * 0.9),
+        y0 - 40 * math.sin(phi * 0.9),
+        x0 + 39 * math.cos(phi),
+        y0 - 39 * math.sin(phi),
+        colour=BLUE,
+        head=8,
+    )
     picture.text(x0 + 46, y0 - 16, "φ", colour=BLUE, italic=True, size=16)
     picture.arc(x0, y0, r + 16, 96, 134, stroke=BLUE, width=1.6)
     end = math.radians(136)
-    picture.arrow(x0 + (r + 16) * math.cos(end - 0.06), y0 - (r + 16) * math.sin(end - 0.06), x0 + (r + 16) * math.cos(end), y0 - (r + 16) * math.sin(end), colour=BLUE, head=8)
+    picture.arrow(
+        x0 + (r + 16) * math.cos(end - 0.06),
+        y0 - (r + 16) * math.sin(end - 0.06),
+        x0 + (r + 16) * math.cos(end),
+        y0 - (r + 16) * math.sin(end),
+        colour=BLUE,
+        head=8,
+    )
     picture.text(x0 - r - 4, y0 - r - 4, "ω", colour=BLUE, italic=True, size=16, anchor="end")
     # Dead centres and position of the gudgeon pin.
     for x, words in ((top, "TDC"), (top - 2 * r, "BDC")):
@@ -103,7 +117,13 @@ def unrolled():
     picture.line(123, 62, 123, 50, width=0.9)
     picture.text(129, 54, "end gap g", size=12)
     picture.arc(*middle, 50, 84, 20, stroke=BLUE, width=1.6)
-    picture.arrow(112 + 50 * math.cos(0.42), 140 - 50 * math.sin(0.42), 112 + 50 * math.cos(0.32), 140 - 50 * math.sin(0.32), colour=BLUE)
+    picture.arrow(
+        112 + 50 * math.cos(0.42),
+        140 - 50 * math.sin(0.42),
+        112 + 50 * math.cos(0.32),
+        140 - 50 * math.sin(0.32),
+        colour=BLUE,
+    )
     picture.text(140, 128, "y", colour=BLUE, italic=True, size=16, anchor="middle")
     picture.circle(112, 210, 5, fill=GREEN, stroke=GREEN)
     picture.lines(112, 240, ["strip opposite", "the end gap"], anchor="middle", size=12, colour=GREEN)

@@ -4,6 +4,7 @@ import math
 
 from svg import BLUE, FONT, GAS, GREY, LINER, METAL, OIL, RED, Picture
 
+
 def face(x_low, y_top, width, depth, n=40):
     """Points of a crowned running surface from its upper to its lower edge; `x_low` is where it reaches out most."""
     points = []

@@ -95,7 +95,13 @@ def study_band():
     panel.band(angle, low, high, BLUE, 0.25)
     panel.band(angle, first, third, BLUE, 0.45)
     panel.curve(angle, middle, Style(BLACK, width=1.2))
-    legend(picture, LEFT, 24, (("#bfdbec", "5 to 95 %"), ("#7eb6d9", "25 to 75 %"), (Style(BLACK, width=1.2), "median")), 120)
+    legend(
+        picture,
+        LEFT,
+        24,
+        (("#bfdbec", "5 to 95 %"), ("#7eb6d9", "25 to 75 %"), (Style(BLACK, width=1.2), "median")),
+        120,
+    )
     return picture
 
 
