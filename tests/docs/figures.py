@@ -7,6 +7,7 @@ usage: figures.py drawn PROJECT PROGRAM     (environment: PYTHONPATH with the mo
 `drawn`: schematic pictures must have the same bytes; of computed ones the words must be the same and no place may be
 farther than TOLERANCE away, since another compiler or processor rounds differently.
 `shown`: each picture is on a page, and each picture of a page has words for readers who do not see it and a caption.
+The stored page of each tutorial has all of its cells; script/docs compares what they print, too.
 """
 import pathlib
 import re
@@ -18,8 +19,6 @@ TOLERANCE = 0.6  # pixels of a picture 760 wide
 PICTURE = re.compile(r"^!\[([^\]]*)\]\(([^)\s]+)\)$")
 PLACE = re.compile(r"-?\d+(?:\.\d+)?")
 WORDS = re.compile(r">([^<>]*)<")
-# Pages of the theory that have nothing to draw: lists of other pages.
-WITHOUT = set()
 
 
 def differs(stored, drawn):
@@ -76,11 +75,27 @@ def shown_faults(root):
             following = next((text for text in lines[i + 1 :] if text.strip()), "")
             if "/tutorials/" not in str(page) and not re.match(r"^\*[^*].*[.)]\*$", following):
                 yield f"{where}: the picture has no caption: a paragraph *in italics* that ends with a full stop"
-        if page.parent == root / "docs" / "theory" and page.name not in WITHOUT and not pictures:
+        if page.parent == root / "docs" / "theory" and not pictures:
             yield f"{page.relative_to(root)} has no picture"
     for path in sorted((root / "docs" / "figures").rglob("*.svg")):
         if path.resolve() not in shown:
             yield f"{path.relative_to(root)} is on no page"
+
+
+def tutorial_faults(root):
+    sys.path.insert(0, str(root / "docs" / "site"))
+    from tutorial_cells import cells
+
+    for source in sorted((root / "docs" / "tutorials").glob("*.py")):
+        page = source.with_suffix(".md")
+        text = page.read_text(encoding="utf-8") if page.is_file() else ""
+        for _, body in cells(source.read_text(encoding="utf-8")):
+            if body not in text:
+                yield f"docs/tutorials/{page.name} lacks what {source.name} has: {body.splitlines()[0]}"
+                break
+        else:
+            if "](figures/" not in text:
+                yield f"docs/tutorials/{page.name} has no picture"
 
 
 def check_itself():
@@ -95,9 +110,10 @@ def check_itself():
 def main():
     check_itself()
     root = pathlib.Path(sys.argv[2]).resolve()
-    faults = list(drawn_faults(root, sys.argv[3]) if sys.argv[1] == "drawn" else shown_faults(root))
+    drawn = sys.argv[1] == "drawn"
+    faults = list(drawn_faults(root, sys.argv[3])) if drawn else [*shown_faults(root), *tutorial_faults(root)]
     print("\n".join(faults) or "no fault")
-    if faults and sys.argv[1] == "drawn":
+    if faults and drawn:
         print("docs/figures/draw.py writes the pictures anew; look at each that changed")
     return 1 if faults else 0
 
