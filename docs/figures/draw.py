@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Draws the pictures of the documents: `schematic` ones from their description, `computed` ones from shipped cases.
+"""Draws the pictures of the documents: `schematic` ones from their description, all others from shipped cases.
 
 usage: docs/figures/draw.py [FOLDER]      (environment: PYTHONPATH with the module ringfilm, RINGFILM_DATA)
 
-Writes FOLDER/schematic and FOLDER/computed, without FOLDER those next to this file. docs/decisions has the reasons.
+Writes into folders below FOLDER, without FOLDER next to this file: docs/decisions/0016-pictures-are-stored-as-svg.md.
 """
 
 import importlib
@@ -11,19 +11,23 @@ import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-MODULES = {
+MODULES = {  # folder of the pictures: modules that draw them
     "schematic": ("ring_drawings", "other_drawings"),
-    "computed": ("cycle_charts", "model_charts", "film_charts", "measured_charts", "study_charts"),
+    "cycle": ("cycle_charts",),
+    "model": ("model_charts",),
+    "film": ("film_charts",),
+    "measured": ("measured_charts",),
+    "study": ("study_charts",),
 }
 
 
-def draw(folder, kinds=tuple(MODULES)):
-    """Writes all pictures of these kinds; returns their paths below `folder`."""
+def draw(folder):
+    """Writes all pictures; returns their paths below `folder`."""
     sys.path.insert(0, str(HERE))
     written = []
-    for kind in kinds:
+    for kind, modules in MODULES.items():
         (folder / kind).mkdir(parents=True, exist_ok=True)
-        for module in MODULES[kind]:
+        for module in modules:
             for name, picture in importlib.import_module(module).PICTURES.items():
                 path = folder / kind / f"{name}.svg"
                 path.write_text(picture().svg(), encoding="utf-8")

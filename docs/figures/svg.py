@@ -9,7 +9,7 @@ import re
 
 WIDTH = 760
 FONT = 13
-# Distinguishable by colour-blind readers (Okabe and Ito); dashes tell curves apart in grey print.
+# Distinguishable by colour-blind readers (Okabe and Ito); dashes distinguish curves in grey print.
 BLUE, ORANGE, GREEN, RED, BLACK, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#000000", "#666666"
 PURPLE = "#CC79A7"
 METAL, OIL, GAS, LINER = "#d9dde2", "#f6dc9c", "#e8f1f9", "#c3c8ce"
