@@ -229,7 +229,7 @@ def assumptions():
             value = variant["values"].get("fmep") if variant["values"] else None
             if value is not None and numpy.isfinite(value):
                 bars.append((100 * (value / ledger.fmep - 1), variant["setting"].replace('"', "")))
-    picture = Picture("Change of FMEP of the new ring with each other choice of the ledger", 66 + 21 * len(bars))
+    picture = Picture("Change of FMEP of the new ring with each other choice of the ledger", 74 + 21 * len(bars))
     mark_synthetic(picture)
     panel = Panel(picture, 376, 34, 340, 21 * len(bars) - 8, (-60, 60), (0, 1))
     panel.x_axis("change of FMEP [%]", range(-60, 61, 20))

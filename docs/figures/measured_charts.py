@@ -6,8 +6,9 @@ import statistics
 import numpy
 import ringfilm
 
-from shipped import ROOT
 from chart import LEFT, RIGHT, Panel, Style, legend
+from cycle_charts import LINES, curves, cycle_panel
+from shipped import RINGS, ROOT, case, ring
 from svg import BLACK, BLUE, GREEN, GREY, ORANGE, RED, WIDTH, Picture
 
 ACROSS = WIDTH - LEFT - RIGHT
@@ -164,7 +165,37 @@ def friction_loop():
     return picture
 
 
+def measured_cycle():
+    """Film and friction of the cases with measured fragments, next to those of the paper's tables."""
+    picture = Picture("Film and friction of three rings from synthetic measurements and from the paper's tables", 480)
+    picture.text(WIDTH - RIGHT, 20, "SYNTHETIC", anchor="end", size=12, colour="#a00")
+    legend(
+        picture,
+        LEFT,
+        20,
+        [(LINES[name], f"{name} ring") for name in RINGS] + [("#bbb", "paper's tables")],
+        [130, 130, 155, 0],
+    )
+    shown = (
+        ("min_film_thickness", 1e6, "minimum film thickness h_{m} [µm]", 4, range(0, 5)),
+        ("total_friction", 1, "total friction [N]", 500, range(0, 501, 100)),
+    )
+    for k, (name, factor, title, highest, ticks) in enumerate(shown):
+        panel = cycle_panel(picture, 60 + 205 * k, 150, 0, highest)
+        panel.title(title)
+        panel.y_axis("", ticks)
+        panel.crank(last=k == 1)
+        for life in RINGS:
+            angle, values = curves(ring(life), name)
+            panel.curve(angle, [factor * value for value in values], Style("#bbb", width=5))
+        for life in RINGS:
+            angle, values = curves(case(f"measured/{life.replace('-', '_')}.toml").run(), name)
+            panel.curve(angle, [factor * value for value in values], LINES[life])
+    return picture
+
+
 PICTURES = {
+    "measured-cycle": measured_cycle,
     "surface-steps": surface_steps,
     "material-ratio": material_ratio,
     "cutoff": cutoff,

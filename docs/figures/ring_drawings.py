@@ -37,7 +37,7 @@ def cylinder(picture, left):
     picture.text(middle + 8, 114, "p_{g}", size=16, italic=True)
     picture.text(middle - 72, 312, "crankcase", colour=GREY, size=12)
     picture.text(middle - 70, 334, "p_{cc}", size=16, italic=True)
-    picture.text(middle + 8, 176, "piston", colour=GREY)
+    picture.text(left + 50, 170, "piston", colour=GREY)
     picture.text(middle + 12, 330, "rod", colour=GREY)
     picture.text(left + 4, 372, "liner", colour=GREY)
     picture.arrow(left + 52, 252, left + 52, 206, colour=RED, width=2)
