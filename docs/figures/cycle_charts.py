@@ -220,6 +220,33 @@ def grid_error():
     return picture
 
 
+def step_control():
+    """The error of film thickness over the cycle with fixed and with adaptive steps."""
+
+    def film(**steps):
+        steps = {f"solver__{key}": value for key, value in steps.items()}
+        changes = {"film__cavitation": "mass-conserving", "output__crank_angles": "1 degree", **steps}
+        return case("styles2014/embedded.toml", **changes).run()
+
+    fixed = {"crank_step_control": "fixed", "step_error": None}
+    finest = film(crank_step="0.05 degree", **fixed)
+    ladder = (
+        (film(crank_step="1 degree", **fixed), RED, "fixed, 1 degree"),
+        (film(crank_step="0.25 degree", **fixed), ORANGE, "fixed, 0.25 degree"),
+        (film(), BLUE, "adaptive (default)"),
+    )
+    picture = Picture("Deviation of the minimum film thickness with fixed and adaptive crank steps", 330)
+    mark_synthetic(picture)
+    legend(picture, LEFT, 20, [(Style(colour), words) for _, colour, words in ladder], [150, 170, 0])
+    panel = cycle_panel(picture, 44, 224, 0, 12)
+    panel.y_axis("deviation of h_{m} [%]", range(0, 13, 3))
+    panel.crank()
+    for result, colour, _ in ladder:
+        error = 100 * numpy.abs(result.min_film_thickness / finest.min_film_thickness - 1)
+        panel.curve(*from_firing(result.crank_angle, error), Style(colour, width=1.4))
+    return picture
+
+
 def assumptions():
     """What the choices of the ledger change in friction."""
     ledger = case("styles2014/new.toml").run(ledger=True)
@@ -258,5 +285,6 @@ PICTURES = {
     "two-speeds": two_speeds,
     "stribeck": stribeck,
     "grid-error": grid_error,
+    "step-control": step_control,
     "assumptions": assumptions,
 }
