@@ -1,6 +1,6 @@
 """The pages of the interfaces: of Python from its stubs and sources, of C++ from the public headers by way of doxygen.
 
-usage: interfaces.py STAGE HEADER...      (from the checkout)
+usage: interfaces.py STAGE STUBS HEADER...      (from the checkout; STUBS: the folder of stubs that the build wrote)
 """
 
 import ast
@@ -110,15 +110,14 @@ def definitions(*paths):
     return found
 
 
-def python_page():
-    """Every public name of the module."""
+def python_page(stubs):
+    """Every public name of the module, of its compiled part from the stubs."""
     out = [
         "# The Python module, name by name",
         "",
         "[From Python](../manual/python.md) shows how these are used. Numbers are in SI, crank angles in degrees.",
         "",
     ]
-    stubs = PACKAGE / "_ringfilm"
     modules = [
         ("ringfilm", PACKAGE / "__init__.py", [PACKAGE / "_batch.py", PACKAGE / "errors.py", stubs / "__init__.pyi"])
     ]
@@ -168,10 +167,10 @@ def folder_page(namespace, headers):
     return f"# {title}\n\nFrom {listed}.\n\n{directive}"
 
 
-def main(stage, headers):
+def main(stage, stubs, headers):
     api = stage / "docs" / "api"
     (api / "cpp").mkdir(parents=True, exist_ok=True)
-    (api / "python.md").write_text(python_page(), encoding="utf-8")
+    (api / "python.md").write_text(python_page(stubs), encoding="utf-8")
     folders = {header.split("/")[2] for header in headers}
     left = folders - {folder for _, folder in MODULES.values()}
     if left:
@@ -195,4 +194,4 @@ def main(stage, headers):
 
 
 if __name__ == "__main__":
-    main(pathlib.Path(sys.argv[1]), sys.argv[2:])
+    main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3:])

@@ -26,7 +26,7 @@ SECTIONS = [
     ),
     ("Many cases", ["study", "performance"]),
     ("Other films", ["unrolled", "pad"]),
-    ("Tutorials", ["docs/tutorials/reproduce-the-paper", "docs/tutorials/*"]),
+    ("Tutorials", ["docs/tutorials/README", "docs/tutorials/reproduce-the-paper", "docs/tutorials/*"]),
     ("From programs", ["python", "matlab", "library", "examples/*/README", "result-file"]),
     (
         "Reference",
@@ -49,6 +49,7 @@ TITLES = {
     "docs/manual/five-minutes": "A cycle in five minutes",
     "docs/manual/case-keys": "Every key of a case",
     "docs/theory/README": "What is solved",
+    "docs/tutorials/README": "All with a picture",
     "CHANGELOG": "Changes",
     "CONTRIBUTING": "Contributing",
     "cases/measured/README": "The synthetic measurements",

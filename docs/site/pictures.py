@@ -1,6 +1,7 @@
 """Makes the pictures and example pages of the site with the program as it is now.
 
-usage: pictures.py STAGE FOLDER      (`ringfilm` in PATH; FOLDER is copied into the site as it is)
+usage: pictures.py STAGE FOLDER      (`ringfilm` in PATH, its module in PYTHONPATH; FOLDER is copied into the site as
+it is)
 """
 
 import pathlib
@@ -20,13 +21,10 @@ def run(*words):
 
 
 def main(stage, folder):
-    # The figure of the first page, drawn by the script that drew the stored one.
-    run(
-        sys.executable,
-        str(ROOT / "docs" / "figures" / "overview.py"),
-        shutil.which("ringfilm"),
-        str(stage / "docs" / "figures" / "overview.svg"),
-    )
+    # The pictures of the pages, drawn by the scripts that drew the stored ones.
+    figures, drawn = ROOT / "docs" / "figures", stage / "docs" / "figures"
+    run(sys.executable, str(figures / "overview.py"), shutil.which("ringfilm"), str(drawn / "overview.svg"))
+    run(sys.executable, str(figures / "draw.py"), str(drawn))
     examples = folder / "examples"
     shutil.rmtree(examples, ignore_errors=True)
     examples.mkdir(parents=True)

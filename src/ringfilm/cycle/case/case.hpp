@@ -256,7 +256,7 @@ struct LandPressure {
   std::optional<std::string> file;                  ///< CSV like that of the cylinder, as named
   std::optional<base::Shared<SampledTrace>> trace;  ///< [Pa] as that file gives it
 
-  bool is_stated() const { return constant || file; }
+  bool is_stated() const { return constant || file; }  ///< by a constant or by a file
 };
 
 /// Where a face came from; recorded, and not used by any model.

@@ -52,7 +52,7 @@ struct ResultDocument {
   /// (fmep, energy_per_cycle, mean_power_loss) and whether all are complete. Empty: a case of one ring.
   std::vector<ResultDocument> rings;
 
-  bool is_pack() const { return !rings.empty(); }
+  bool is_pack() const { return !rings.empty(); }  ///< is it the result of a ring pack?
 };
 
 /// Writes NetCDF-4 with named dimensions crank_angle, x, ...; aside first, flushed, then renamed, so that a kill or a

@@ -1,0 +1,179 @@
+"""Charts of the models: face, oil, contact."""
+
+import numpy
+import ringfilm
+
+from shipped import RINGS, ROOT, case, oil, ring, starting_case
+from chart import LEFT, RIGHT, Panel, Style, legend
+from cycle_charts import LINES
+from svg import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED, WIDTH, Picture
+
+ACROSS = WIDTH - LEFT - RIGHT
+HALF = 296
+
+
+def faces():
+    """Face profiles of the shipped rings and of the starting case."""
+    picture = Picture("Face profiles: three polynomials and a parabola", 380)
+    entries = [(LINES[name], f"{name} ring") for name in RINGS] + [
+        (Style(GREEN, "9 3 2 3"), "parabola of the starting case")
+    ]
+    legend(picture, LEFT, 20, entries, [130, 130, 160, 0])
+    start = starting_case()
+    start["output.fields"] = [0]
+    whole = Panel(picture, LEFT, 58, HALF, 254, (0, 1.2), (0, 40))
+    whole.title("whole face")
+    low = Panel(picture, LEFT + HALF + 76, 58, HALF, 254, (0.3, 0.9), (0, 2))
+    low.title("lowest 2 µm, enlarged")
+    whole.y_axis("face profile h_{s} [µm]", range(0, 41, 10))
+    low.y_axis("", [0, 0.5, 1, 1.5, 2])
+    for panel in (whole, low):
+        ticks = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9] if panel is low else [0, 0.2, 0.4, 0.6, 0.8, 1, 1.2]
+        panel.x_axis("x from the chamber edge [mm]", ticks)
+        for name in RINGS:
+            result = case(f"styles2014/{name}.toml", output__fields=[0]).run()
+            height = result["face_height"] - result["face_height"].min()
+            panel.curve(1e3 * result["x"], 1e6 * height, LINES[name], cut=panel is low)
+        result = start.run()
+        height = result["face_height"] - result["face_height"].min()
+        panel.curve(1e3 * result["x"], 1e6 * height, Style(GREEN, "9 3 2 3"), cut=panel is low)
+        panel.frame()
+    return picture
+
+
+def oil_viscosity():
+    """Viscosity over temperature of the shipped oils, and over pressure after the laws."""
+    picture = Picture("Viscosity of the shipped oils over temperature, and over pressure by three laws", 400)
+    hot = Panel(picture, LEFT, 50, HALF, 254, (20, 160), (2, 500), "y")
+    hot.title("over temperature, at ambient pressure")
+    hot.y_axis("dynamic viscosity η [mPa s]", [2, 5, 10, 20, 50, 100, 200, 500])
+    hot.x_axis("temperature [°C]", range(20, 161, 20))
+    base = case("styles2014/new.toml")
+    grades = (("sae-0w-20", Style(BLUE)), ("sae-5w-30", Style(ORANGE, "7 3")), ("sae-10w-40", Style(GREEN, "9 3 2 3")))
+    grades += (("sae-15w-40", Style(PURPLE, "4 2")), ("sae-30", Style(RED, "2 3")))
+    temperatures = range(20, 161, 5)
+    for grade, style in grades:
+        oils = base.copy()
+        oils["lubricant.file"] = str(oil(grade))
+        values = []
+        for temperature in temperatures:
+            oils["operating.oil_temperature"] = f"{temperature} degC"
+            values.append(1e3 * ringfilm.laws.oil(oils).viscosity(101325.0))
+        hot.curve(temperatures, values, style)
+    hot.frame()
+    for y, row in ((364, grades[:3]), (384, grades[3:])):
+        legend(picture, LEFT, y, [(style, grade.upper().replace("-", " ", 1)) for grade, style in row], 130)
+    deep = Panel(picture, LEFT + HALF + 76, 50, HALF, 254, (0, 400), (1, 1000), "y")
+    deep.title("over pressure, styles2014, 120 °C")
+    deep.y_axis("", [1, 10, 100, 1000])
+    deep.x_axis("pressure [MPa]", range(0, 401, 100))
+    pressures = numpy.linspace(101325.0, 4e8, 81)
+    laws = (("roelands", Style(BLUE)), ("barus", Style(RED, "7 3")), ("none", Style(BLACK, "2 3")))
+    for law, style in laws:
+        values = ringfilm.laws.oil(case("styles2014/new.toml", lubricant__viscosity_pressure=law)).viscosity(pressures)
+        deep.curve(pressures * 1e-6, 1e3 * values, style, cut=True)
+    deep.frame()
+    legend(picture, LEFT + HALF + 76, 384, [(style, law.title()) for law, style in laws], 108)
+    return picture
+
+
+def surfaces_in_contact(life, integrals="exact"):
+    """The contact law of a ring of styles2014."""
+    stated = case(f"styles2014/{life}.toml")
+    e1, e2 = stated["ring.youngs_modulus"], stated["liner.youngs_modulus"]
+    modulus = 2 / ((1 - stated["ring.poissons_ratio"] ** 2) / e1 + (1 - stated["liner.poissons_ratio"] ** 2) / e2)
+    numbers = [stated[f"contact.asperity_{name}"] for name in ("density", "radius")]
+    return ringfilm.laws.GreenwoodTripp(*numbers, stated["contact.roughness"], modulus, integrals=integrals)
+
+
+def contact_law():
+    """Asperity pressure over separation."""
+    picture = Picture("Asperity pressure over the separation of the mean planes", 350)
+    legend(picture, LEFT, 20, [(LINES[name], f"{name} ring") for name in RINGS], step=130)
+    panel = Panel(picture, LEFT, 40, ACROSS, 250, (0, 2), (1e-4, 1000), "y")
+    panel.y_axis("asperity pressure p_{a} [MPa]", [1e-4, 1e-3, 1e-2, 1e-1, 1, 10, 100, 1000])
+    panel.x_axis("separation of the mean planes h [µm]", [0, 0.5, 1, 1.5, 2])
+    heights = numpy.linspace(0, 2e-6, 201)
+    for life in RINGS:
+        pressure = 1e-6 * surfaces_in_contact(life).pressure(heights)
+        panel.curve(1e6 * heights, pressure, LINES[life], cut=True)
+        sigma = case(f"styles2014/{life}.toml")["contact.roughness"]
+        for ratio in (1, 2, 3):
+            at = float(surfaces_in_contact(life).pressure(ratio * sigma))
+            panel.points([1e6 * ratio * sigma], [1e-6 * at], LINES[life].colour, 3.5)
+            x, y = panel.at(1e6 * ratio * sigma, 1e-6 * at)
+            shift = (-20, 14) if life == "new" else (6, -4)
+            picture.text(x + shift[0], y + shift[1], f"{ratio}σ", size=11, colour=LINES[life].colour)
+    gas = 1e-6 * float(ring("new").peak_gas_pressure)
+    panel.level(gas, Style("#555", "3 3", 1.1), f"peak of the cylinder pressure, {gas:.1f} MPa")
+    panel.frame()
+    return picture
+
+
+def contact_fits():
+    """The integral and its published fits."""
+    picture = Picture("The contact integral and two fits of it", 330)
+    panel = Panel(picture, LEFT, 40, ACROSS, 230, (0, 7), (1e-5, 10), "y")
+    panel.y_axis("F_{5/2}(λ)", [1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1, 10])
+    panel.x_axis("lambda ratio λ [-]", range(0, 8))
+    ratios = numpy.linspace(0, 7, 281)
+    exact = ringfilm.laws.gaussian_integral(2.5, ratios)
+    lines = {
+        "exact": Style(BLACK),
+        "polynomial-4-digit": Style(BLUE, "7 3"),
+        "polynomial-as-printed": Style(RED, "2 3"),
+    }
+    law = surfaces_in_contact("new")
+    sigma = case("styles2014/new.toml")["contact.roughness"]
+    scale = float(law.pressure(sigma)) / float(ringfilm.laws.gaussian_integral(2.5, 1.0))
+    for integrals, style in lines.items():
+        values = (
+            exact if integrals == "exact" else surfaces_in_contact("new", integrals).pressure(ratios * sigma) / scale
+        )
+        panel.curve(ratios, values, style, cut=True)
+    panel.frame()
+    legend(picture, LEFT, 20, [(style, words) for words, style in lines.items()], [120, 190, 0])
+    return picture
+
+
+def face_fit():
+    """Trace, polynomial and spline of the synthetic run-in face."""
+    x, height = ringfilm.face.read_trace(str(ROOT / "cases" / "measured" / "face_run_in.csv"))
+    fit = ringfilm.face.fit_face(x, height, width=1.2e-3, start=1e-4, levelling="stated", tilt=2e-3, zero="as-measured")
+    place, gap, spline = 1e3 * fit.x_m, 1e6 * fit.gap_m, 1e6 * fit.spline_m
+    polynomial = numpy.polyval(fit.coefficients, place)
+    picture = Picture("A trace over a ring face with its polynomial and its spline", 470)
+    curve, smooth = Style(BLUE), Style(ORANGE, "7 3")
+    legend(
+        picture,
+        LEFT,
+        20,
+        ((Style("#bbb", width=4), "trace (SYNTHETIC)"), (curve, "polynomial of degree 6"), (smooth, "spline")),
+        [190, 210, 0],
+    )
+    top = Panel(picture, LEFT, 50, ACROSS, 170, (0, 1.2), (-1, 16))
+    top.title("distance to a straight liner [µm]")
+    top.y_axis("", range(0, 17, 4))
+    top.x_axis("", [0, 0.2, 0.4, 0.6, 0.8, 1, 1.2])
+    few = slice(None, None, 8)
+    top.curve(place[few], gap[few], Style("#bbb", width=5), cut=True)
+    top.curve(place[few], polynomial[few], curve, cut=True)
+    top.curve(place[few], spline[few], smooth, cut=True)
+    top.upright(1.14, Style(RED, "3 3", 1.1), "falls towards the edge", anchor="end")
+    low = Panel(picture, LEFT, 276, ACROSS, 130, (0, 1.2), (-0.3, 0.3))
+    low.title("trace less fit [µm]")
+    low.y_axis("", [-0.3, -0.15, 0, 0.15, 0.3], zero=True)
+    low.x_axis("x along the face [mm]", [0, 0.2, 0.4, 0.6, 0.8, 1, 1.2])
+    few = slice(None, None, 3)
+    low.curve(place[few], (gap - polynomial)[few], Style(BLUE, width=1), cut=True)
+    low.curve(place[few], (gap - spline)[few], Style(ORANGE, width=1), cut=True)
+    return picture
+
+
+PICTURES = {
+    "faces": faces,
+    "oil-viscosity": oil_viscosity,
+    "contact-law": contact_law,
+    "contact-fits": contact_fits,
+    "face-fit": face_fit,
+}
