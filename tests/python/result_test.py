@@ -105,8 +105,10 @@ def test_pickles(result):
 def test_a_result_with_one_changed_byte_is_refused(result, folder):
     result.write("x.nc")
     whole = (folder / "x.nc").read_bytes()
-    for at in range(7, len(whole), len(whole) // 200):
-        (folder / "x.nc").write_bytes(whole[:at] + bytes([whole[at] ^ 1 << at % 8]) + whole[at + 1 :])
+    of_digest = len(whole) - 17  # its highest bit makes text that is not UTF-8
+    changes = [(at, 1 << at % 8) for at in range(7, len(whole), len(whole) // 200)] + [(of_digest, 128)]
+    for at, bit in changes:
+        (folder / "x.nc").write_bytes(whole[:at] + bytes([whole[at] ^ bit]) + whole[at + 1 :])
         with pytest.raises(ringfilm.InputError):
             ringfilm.Result.read("x.nc")
 

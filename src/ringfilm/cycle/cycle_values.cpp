@@ -96,7 +96,7 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.min_film_thickness_angle = thinnest.angle_deg;
   v.max_film_thickness = largest(base, &Sample::min_film_thickness).value;
   v.min_lambda_ratio = smallest(base, &Sample::lambda_ratio).value;
-  for (const Sample& s : base) v.peak_mean_real_pressure = std::fmax(v.peak_mean_real_pressure, s.mean_real_pressure);
+  v.peak_mean_real_pressure = largest(base, &Sample::mean_real_pressure).value;
   const Peak gas = largest(base, &Sample::gas_pressure);
   v.peak_gas_pressure = gas.value;
   v.peak_gas_pressure_angle = gas.angle_deg;

@@ -50,6 +50,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"contact-plastic", kLimited, kCase},
       {"asperities-inconsistent", kLimited, kCase},
       {"asperity-slopes-high", kLimited, kCase},
+      {"gas-breaks-through", kLimited, kCrankAngles},
       {"shear-rate-high", kLimited, kCrankAngles},
       {"coating-thin", kLimited, kCase},
       {"gap-leakage-grows", kLimited, kCase},

@@ -28,7 +28,7 @@ struct Sample {
   double min_film_thickness = 0;       ///< h_m: thinnest place of the film, where the face is lowest [m]
   double lambda_ratio = 0;             ///< h_m over composite roughness [-]
   double asperity_contact_area = 0;    ///< A_a, in real contact [m2]
-  double mean_real_pressure = 0;       ///< W_a/A_a; NaN where asperities carry less than 1 % of the load [Pa]
+  double mean_real_pressure = 0;       ///< W_a/A_a; 0 where asperities carry less than 1 % of the load [Pa]
   double boundary_friction = 0;        ///< f_b = tau_0 A_a + zeta W_a, modulus [N]
   double viscous_friction = 0;         ///< f_v: oil shear on the liner, modulus [N]
   double viscous_friction_liner = 0;   ///< the same with its sign, positive towards TDC [N]
@@ -44,6 +44,9 @@ struct Sample {
   double stribeck_number = 0;          ///< eta |U_p|/(p sigma), eta of the oil at 1 atm, p = W per area of the face [-]
   double peak_film_pressure = 0;       ///< largest along the face, absolute [Pa]
   double cavitated_fraction = 0;       ///< share of the face that is a cavity [-]
+  double wetted_begin = 0;             ///< chamber-side end of the wetted face, from the chamber edge [m]
+  double wetted_end = 0;               ///< crankcase-side end of it; between them lies no gas of an edge [m]
+  double gas_breakthrough = 0;         ///< 1 where gas of an edge reaches the lowest place of the face, else 0 [-]
   double rupture_position = 0;      ///< where the cavity begins, from the chamber edge [m]; NaN where the film is full
   double reformation_position = 0;  ///< where the cavity ends, from the chamber edge [m]; NaN where the film is full
   double film_temperature = 0;      ///< of the oil film [K]

@@ -152,6 +152,18 @@ constexpr double kLargestEndGap = 0.01;  // of the bore
 /// Mean effective pressure that an engine delivers, about [Pa]: no single ring takes as much.
 constexpr double kWholeEngine = 1e6;
 
+void append_breakthrough_note(const std::vector<Sample>& base, std::vector<Note>& notes) {
+  const auto broken = [](const Sample& s) { return s.gas_breakthrough > 0; };
+  const auto first = std::find_if(base.begin(), base.end(), broken);
+  if (first == base.end()) return;
+  const auto last = std::find_if(base.rbegin(), base.rend(), broken);
+  notes.push_back({"gas-breaks-through",
+                   text("gas of an edge reaches the lowest place of the face, between %.0f and %.0f degree: the film "
+                        "does not hold it there, and how much gas blows through is not computed",
+                        first->crank_angle_deg, last->crank_angle_deg),
+                   count(base, broken)});
+}
+
 /// Of a grey iron liner, typical, assumed (data/materials/hardness.csv): the softer face of most pairs [Pa].
 constexpr double kUsualHardness = 2.5e9;
 /// Half-space contact holds for small slopes; tan 11 degree is taken as the largest.
@@ -175,7 +187,7 @@ void append_asperity_notes(const Setup& setup, const std::vector<Sample>& base, 
   }
   const double psi = summits ? models::plasticity_index(pair, summits->summit_spread, hardness) : 0;
   const auto highest = std::max_element(base.begin(), base.end(), [](const Sample& a, const Sample& b) {
-    return std::fmax(a.mean_real_pressure, 0) < std::fmax(b.mean_real_pressure, 0);
+    return a.mean_real_pressure < b.mean_real_pressure;
   });
   const auto beyond = [&](const Sample& s) { return s.mean_real_pressure > hardness; };
   if (beyond(*highest)) {
@@ -285,6 +297,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   }
   append_limit_notes(setup, base, fmep, notes);
   append_asperity_notes(setup, base, notes);
+  append_breakthrough_note(base, notes);
   append_cell_note(grid, *lowest, setup.cells, notes);
   append_grid_note(setup, notes);
   append_face_note(setup, notes);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
@@ -116,14 +117,33 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   const int n = grid.n_cells();
   const double* deficit = state.deficit.data();
   const auto next = [&](int i, bool cavity) { return problem.kernels->next_node(deficit, i, n, cavity); };
+  sums.wetted_end = grid.width;
   for (int i = next(1, true); i < n; i = next(i, true)) {
     Cavity cavity;
+    const int first = i;
     cavity.begin = front_position(grid, state.p, inputs.pressure_bound(grid, i), i - 1, i);
     i = next(i, false);
     cavity.end = std::max(front_position(grid, state.p, inputs.pressure_bound(grid, i - 1), i, i - 1), cavity.begin);
+    const bool is_left_gas = first == 1 && inputs.left.fluid == EdgeFluid::kGas;
+    const bool is_right_gas = i == n && inputs.right.fluid == EdgeFluid::kGas;
+    if (is_left_gas) sums.wetted_begin = cavity.end;
+    if (is_right_gas) sums.wetted_end = cavity.begin;
+    if (is_left_gas || is_right_gas) {
+      sums.is_broken_through = sums.is_broken_through || (first <= grid.throat && grid.throat < i);
+      continue;
+    }
     sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
     sums.cavities.push_back(cavity);
   }
+}
+
+/// The deficit where shear is counted by it; 1 where gas fills the gap: the thin film there lies on the liner.
+std::vector<double> shear_deficit(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
+  std::vector<double> sheared = state.deficit;
+  for (std::size_t i = 0; i < sheared.size(); ++i) {
+    if (is_cavity(sheared[i]) && inputs.is_gas_side(problem.grid, static_cast<int>(i))) sheared[i] = 1;
+  }
+  return sheared;
 }
 
 FilmSums sums_of_film(const FilmProblem& problem, const models::OilAtTemperature& oil, const FilmState& state,
@@ -139,7 +159,12 @@ FilmSums sums_of_film(const FilmProblem& problem, const models::OilAtTemperature
 FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                              const FilmState& state) {
   FilmIntegrals sums;
-  const FilmView film = film_view(problem, state);
+  FilmView film = film_view(problem, state);
+  std::vector<double> sheared;
+  if (inputs.has_gas()) {
+    sheared = shear_deficit(problem, inputs, state);
+    film.shear_deficit = sheared.data();
+  }
   FlowFaces flow(problem.grid);
   const FilmSums of_film =
       sums_of_film(problem, *inputs.oil, state, film, {inputs.U, 1 / inputs.time_step, previous.mass_per_area.data()},

@@ -23,8 +23,10 @@ struct FilmIntegrals {
   double flow_middle = 0;       ///< through x = b/2
   double flow_right = 0;        ///< through x = b
   double mass_defect = 0;  ///< storage + outflow - inflow of the whole film [kg/(m s)]; round-off if mass is conserved
-  double peak_pressure = 0;                            ///< [Pa]
-  double cavitated_fraction = 0;                       ///< share of the width that is a cavity [-]
+  double peak_pressure = 0;                 ///< [Pa]
+  double cavitated_fraction = 0;            ///< share of the width that is a cavity, without the gas of an edge [-]
+  double wetted_begin = 0, wetted_end = 0;  ///< between them lies no gas of an edge [m]
+  bool is_broken_through = false;           ///< gas of an edge reaches the lowest place of the gap
   boost::container::small_vector<Cavity, 4> cavities;  ///< from x = 0 on
 };
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "ringfilm/film/edge.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/models/asperity_contact.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
@@ -80,17 +81,6 @@ struct FilmProblem {
 
 inline constexpr double kSteady = std::numeric_limits<double>::infinity();
 
-/// The fluid at an edge of the gap.
-enum class EdgeFluid {
-  kOil,  ///< as much oil as the film takes; cavities on this side of the lowest place of the gap are at p_c
-  kGas,  ///< gas: cavities on this side are filled with it, at the pressure of the edge
-};
-struct EdgeState {
-  double pressure = 0;  ///< absolute [Pa]
-  EdgeFluid fluid = EdgeFluid::kOil;
-  double film_content = 1;  ///< theta at the edge, of gas: 2 f/h at the first face where a film f enters [-]
-};
-
 /// What acts on the film during one step.
 struct FilmInputs {
   std::shared_ptr<const models::OilAtTemperature> oil;  ///< of this step
@@ -107,8 +97,11 @@ struct FilmInputs {
 
   /// The lowest pressure that the film can have at node `i` (eq-pressure-bound) [Pa].
   double pressure_bound(const FilmGrid& grid, int i) const {
-    const EdgeState& edge = i < grid.throat ? left : right;
-    return edge.fluid == EdgeFluid::kGas && i != grid.throat ? edge.pressure : p_cavitation;
+    return is_gas_side(grid, i) ? (i < grid.throat ? left : right).pressure : p_cavitation;
+  }
+  /// Would a cavity at node `i` be filled with the gas of an edge?
+  bool is_gas_side(const FilmGrid& grid, int i) const {
+    return i != grid.throat && (i < grid.throat ? left : right).fluid == EdgeFluid::kGas;
   }
   bool has_gas() const { return left.fluid == EdgeFluid::kGas || right.fluid == EdgeFluid::kGas; }
 };

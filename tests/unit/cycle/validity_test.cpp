@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -61,7 +60,7 @@ TEST(Validity, AsperitiesThatCannotBeElasticAreNoted) {
   EXPECT_THAT(hard, Not(Contains("contact-plastic")));
   EXPECT_THAT(soft, Contains("contact-plastic"));
   EXPECT_THAT(soft, Not(Contains("contact-beyond-hardness")));
-  EXPECT_THAT(with_contact(std::nan("")), Not(Contains("contact-plastic")));  // asperities carry nothing
+  EXPECT_THAT(with_contact(0), Not(Contains("contact-plastic")));  // asperities carry nothing
 }
 
 TEST(Validity, HardnessOfTheCaseIsThatOfItsNotes) {

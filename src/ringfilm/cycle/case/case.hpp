@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ringfilm/base/shared.hpp"
+#include "ringfilm/film/edge.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 #include "ringfilm/models/wall_temperature.hpp"
 
@@ -159,6 +160,8 @@ enum class Cavitation {
   kReynoldsExit,   ///< pressure is never below p_c (Reynolds)
   kMassConserving  ///< and mass is kept, too (JFO)
 };
+
+using film::EdgeFluid;  ///< `film.chamber_edge`, `film.crankcase_edge`
 
 /// `solver.crank_step_control`: how long a crank step is.
 enum class StepControl {
@@ -402,6 +405,10 @@ struct Film {
   FilmDimension dimension = FilmDimension::kFace;  ///< across the face, alike all around, or the whole unrolled ring
   Cavitation cavitation = Cavitation::kMassConserving;  ///< where the film ruptures: Reynolds, or mass kept (JFO)
   double cavitation_pressure = 101325;  ///< p_c, absolute [Pa]; of a pad counted like its other pressures
+  /// What lies at an edge where the film leaves; the edge at which it enters is flooded with oil at its pressure.
+  EdgeFluid chamber_edge = EdgeFluid::kOil, crankcase_edge = EdgeFluid::kOil;
+
+  bool has_gas_edge() const { return chamber_edge == EdgeFluid::kGas || crankcase_edge == EdgeFluid::kGas; }
 };
 
 /// The keys under `solver`.

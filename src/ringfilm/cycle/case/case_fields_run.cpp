@@ -11,6 +11,12 @@ constexpr When kGapEnds{[](const Case& c) { return c.is_unrolled() && c.ring.end
 constexpr When kUnrolledFields{[](const Case& c) { return c.is_unrolled() && c.output.fields != FieldOutput::kNone; },
                                "film.dimension = \"unrolled\" and output.fields are asked for"};
 
+std::string edge_help(const std::string& edge, const std::string& stroke) {
+  return "what the " + edge + " edge of the face meets on the " + stroke +
+         ", where the film leaves there: oil, or gas that fills the face up to the meniscus; the edge at which the "
+         "film enters is flooded with oil";
+}
+
 }  // namespace
 
 void append_run_fields(std::vector<Field>& fields) {
@@ -31,6 +37,10 @@ void append_run_fields(std::vector<Field>& fields) {
               between(-1e9, 1e9), Need::kDefault, {},
               {"pressure at which the film ruptures, p_c; never above the pressures at the edges; absolute for a ring",
                "\"1.01325 bar\""}),
+          field("film.chamber_edge", choice<&Case::film, &Film::chamber_edge>({"oil", "gas"}), kNoUnit, {},
+                Need::kDefault, {}, {edge_help("chamber", "downstroke"), "\"gas\""}),
+          field("film.crankcase_edge", choice<&Case::film, &Film::crankcase_edge>({"oil", "gas"}), kNoUnit, {},
+                Need::kDefault, {}, {edge_help("crankcase", "upstroke"), "\"gas\""}),
           field("solver.cells", CountKind{member<&Case::solver, &Solver::cells>}, kPlainNumber, between(8, 100000),
                 Need::kDefault, {}, {"cells across the face", "200"}),
           field("solver.cells_y", CountKind{member<&Case::solver, &Solver::cells_y>}, kPlainNumber, between(4, 100000),

@@ -18,8 +18,15 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
   RingConditions at;
   at.axis = turned ? Axis::kFromCrankcase : Axis::kFromChamber;
   at.inputs.U = turned ? -U : U;
-  at.inputs.left.pressure = turned ? below : above;
-  at.inputs.right.pressure = turned ? above : below;
+  film::EdgeState chamber{above}, crankcase{below};
+  // Where the film enters oil is at hand; where it leaves, gas may be.
+  if (motion(angle) == Motion::kTowardsTdc) {
+    crankcase.fluid = c.film.crankcase_edge;
+  } else {
+    chamber.fluid = c.film.chamber_edge;
+  }
+  at.inputs.left = turned ? crankcase : chamber;
+  at.inputs.right = turned ? chamber : crankcase;
   at.inputs.p_cavitation = std::min({c.film.cavitation_pressure, above, below});
   at.inputs.load = (ring.elastic_pressure + c.gas.pressure_behind_ring * above) * c.ring.face_width;
   at.inputs.time_step = time_step;

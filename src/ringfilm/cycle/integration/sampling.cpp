@@ -16,6 +16,7 @@ struct FromChamber {
   double shear_couette, shear_poiseuille;
   double flow_chamber, flow_middle, flow_crankcase;
   double cavity_begin, cavity_end;
+  double wetted_begin, wetted_end;
 };
 
 FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) {
@@ -23,15 +24,16 @@ FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) 
   const double begin = f.cavities.empty() ? kFull : f.cavities.front().begin;
   const double end = f.cavities.empty() ? kFull : f.cavities.back().end;
   if (axis == Axis::kFromChamber) {
-    return {f.shear_couette, f.shear_poiseuille, f.flow_left, f.flow_middle, f.flow_right, begin, end};
+    return {f.shear_couette, f.shear_poiseuille, f.flow_left, f.flow_middle, f.flow_right, begin, end,
+            f.wetted_begin,  f.wetted_end};
   }
-  return {-f.shear_couette, -f.shear_poiseuille, -f.flow_right, -f.flow_middle,
-          -f.flow_left,     width - end,         width - begin};
+  return {-f.shear_couette, -f.shear_poiseuille, -f.flow_right,        -f.flow_middle,        -f.flow_left,
+          width - end,      width - begin,       width - f.wetted_end, width - f.wetted_begin};
 }
 
 double mean_real_pressure(double load, double area, double applied_load) {
   constexpr double kFelt = 0.01;  // of the load: below it the ratio is that of two numbers that mean nothing
-  return load > kFelt * applied_load && area > 0 ? load / area : std::numeric_limits<double>::quiet_NaN();
+  return load > kFelt * applied_load && area > 0 ? load / area : 0;
 }
 
 }  // namespace
@@ -85,6 +87,9 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.film_temperature = instant.at.film_temperature;
   s.peak_film_pressure = integrals.peak_pressure;
   s.cavitated_fraction = integrals.cavitated_fraction;
+  s.wetted_begin = f.wetted_begin;
+  s.wetted_end = f.wetted_end;
+  s.gas_breakthrough = integrals.is_broken_through ? 1 : 0;
   s.rupture_position = sense == Motion::kTowardsTdc ? f.cavity_begin : f.cavity_end;
   s.reformation_position = sense == Motion::kTowardsTdc ? f.cavity_end : f.cavity_begin;
   s.newton_iterations = instant.effort.newton_iterations;

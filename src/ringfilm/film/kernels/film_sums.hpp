@@ -10,8 +10,9 @@ struct FilmView {
   int n_cells;
   const double *node_height, *face_height, *share, *spacing;
   const double *p, *deficit, *mass_per_area;
-  double h_m;            ///< [m]
-  double deficit_share;  ///< 1: theta = 1 - deficit; 0: theta = 1
+  const double* shear_deficit;  ///< 1 where gas fills the gap next to a thin film, which bears no shear; else `deficit`
+  double h_m;                   ///< [m]
+  double deficit_share;         ///< 1: theta = 1 - deficit; 0: theta = 1
 };
 
 /// One lane of a block: z, and how far apart its numbers are.
@@ -204,6 +205,11 @@ class AlongFace {
   }
 
   template <class Some>
+  RINGFILM_INLINE static Some sheared(const FilmView& film, int i) {
+    return Some(1) - Some(film.deficit_share) * Some::load(film.shear_deficit + i);
+  }
+
+  template <class Some>
   RINGFILM_INLINE static void read_at(const LaneView& lane, const FilmPressure& to, int i) {
     const Some z = Some::gather(lane.z + i * lane.stride, lane.stride);
     (Some(lane.p_cavitation) + max(Some(0), z)).store(to.p + i);
@@ -227,7 +233,7 @@ class AlongFace {
     /// @param rho,K of node i and the one after it
     RINGFILM_INLINE void add_face(const FilmView& film, const double* rho, const double* K, int i) {
       const Some h = Some(film.h_m) + Some::load(film.face_height + i);
-      couette += cell_shear(Some::load(film.spacing + i), theta<Some>(film, i + upstream), h, Some::load(rho),
+      couette += cell_shear(Some::load(film.spacing + i), sheared<Some>(film, i + upstream), h, Some::load(rho),
                             Some::load(K), Some::load(rho + 1), Some::load(K + 1));
       poiseuille += h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
     }

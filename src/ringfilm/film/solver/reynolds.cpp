@@ -126,6 +126,7 @@ FilmView film_view(const FilmProblem& problem, const FilmState& state) {
           state.p.data(),
           state.deficit.data(),
           state.mass_per_area.data(),
+          state.deficit.data(),
           state.h_m,
           problem.cavitation == Cavitation::kMassConserving ? 1.0 : 0.0};
 }

@@ -23,9 +23,10 @@ std::string_view content_before_trailer(const std::string& name, std::string_vie
   const std::string computed = sha256(content);
   const std::string_view stored = trailer.substr(kTrailerStart.size(), computed.size());
   if (stored != computed) {
+    const bool is_digest = stored.find_first_not_of("0123456789abcdef") == std::string_view::npos;
     throw InputError(
         name + ": the bytes of the file do not have the SHA-256 digest at its end: " + computed + " in place of " +
-            std::string(stored),
+            (is_digest ? std::string(stored) : "a text that is not a digest"),  // which may not be UTF-8
         "the file is damaged or was changed by another program: take an intact copy, or run its case again");
   }
   return content;

@@ -189,12 +189,28 @@ Assumption oil_temperature(const Case& c) {
 // --- what this program cannot lift yet ----------------------------------------------------------------------------
 
 Assumption flooded_inlet(const cycle::Setup& setup) {
+  const Case& c = setup.input;
+  const char* topic = "flooded-inlet";
+  const auto others = other_choices("film.chamber_edge", c);
+  if (c.film.has_gas_edge()) {
+    const char* where = c.film.chamber_edge == c.film.crankcase_edge    ? "either edge"
+                        : c.film.chamber_edge == cycle::EdgeFluid::kGas ? "the chamber edge"
+                                                                        : "the crankcase edge";
+    return assumption(topic,
+                      text("the edge at which the film enters is flooded with oil; where it leaves through %s it meets "
+                           "gas",
+                           where),
+                      "what lies on the liner after earlier strokes may not flood the inlet: oil flow is an upper "
+                      "bound, friction a lower one",
+                      others);
+  }
   return assumption(
-      "flooded-inlet",
+      topic,
       text("both edges are flooded with oil; at the chamber edge its pressure is up to %.3g bar",
            setup.ring.lands.above.peak() / 1e5),
       "physically that is gas: oil flow is an upper bound, friction may err either way, as gas takes viscous friction "
-      "away and a thinner supply of oil adds boundary friction");
+      "away and a thinner supply of oil adds boundary friction",
+      others);
 }
 
 /// Of a film across the face it is lifted by a case of its own, not here: the unrolled film costs more than all other

@@ -1,0 +1,73 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <stdexcept>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "styles_case.hpp"
+
+/// Gas at the trailing edge of a ring, the inlet flooded.
+namespace ringfilm::cycle::testing {
+namespace {
+
+Case with_gas(Case c, double speed_rpm) {
+  c.film.cavitation = Cavitation::kMassConserving;
+  c.film.chamber_edge = c.film.crankcase_edge = EdgeFluid::kGas;
+  c.operating.speed = speed_rpm * std::numbers::pi / 30;
+  return c;
+}
+
+const Sample& at(const CycleResult& result, double angle_deg) {
+  for (const Sample& s : result.samples) {
+    if (s.crank_angle_deg == angle_deg) return s;
+  }
+  throw std::out_of_range("no sample at that angle");
+}
+
+/// An independent implementation on 240 nodes with steps of one degree, whose figures have three to four digits.
+constexpr double kPrototype = 0.01;
+
+TEST(GasEdge, CyclesAreThoseOfAnIndependentModel) {
+  struct Expected {
+    Case input;
+    double speed_rpm, fmep;
+  };
+  for (const Expected& of :
+       {Expected{styles_new_ring(), 1500, 13.29e3}, Expected{styles_new_ring(), 5500, 6.30e3},
+        Expected{styles_embedded_ring(), 1500, 3.97e3}, Expected{styles_embedded_ring(), 5500, 3.12e3}}) {
+    const CycleResult result = simulated(with_gas(of.input, of.speed_rpm));
+    EXPECT_NEAR(result.values.fmep, of.fmep, kPrototype * of.fmep) << of.input.title << " " << of.speed_rpm;
+    EXPECT_EQ(result.effort.fallback_sub_step, 0) << of.input.title << " " << of.speed_rpm;
+  }
+}
+
+TEST(GasEdge, FilmsAreThoseOfAnIndependentModel) {
+  const CycleResult result = simulated(with_gas(styles_new_ring(), 1500));
+  const double angle[] = {20, 75, 285, 435}, film[] = {0.651e-6, 1.056e-6, 2.398e-6, 2.422e-6};
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_NEAR(at(result, angle[k]).min_film_thickness, film[k], kPrototype * film[k]) << angle[k];
+  }
+  EXPECT_NEAR(at(result, 20).friction_coefficient, 0.150, 0.002);
+}
+
+TEST(GasEdge, GasStandsOnTheFaceWhereTheFilmLeaves) {
+  const Case c = with_gas(styles_new_ring(), 5500);
+  const CycleResult result = simulated(c);
+  const Sample &power = at(result, 75), &compression = at(result, 285);
+  EXPECT_GT(power.wetted_begin, 0.1 * c.ring.face_width);  // on the downstroke the film leaves through the chamber edge
+  EXPECT_EQ(power.wetted_end, c.ring.face_width);
+  EXPECT_EQ(compression.wetted_begin, 0);
+  EXPECT_LT(compression.wetted_end, 0.9 * c.ring.face_width);
+}
+
+TEST(GasEdge, RequiresTheBalanceOfMassAndNewtonsMethod) {
+  Case c = with_gas(styles_new_ring(), 1500);
+  EXPECT_TRUE(broken_rules(c).empty());
+  c.film.cavitation = Cavitation::kReynoldsExit;
+  c.solver.method = Method::kPointRelaxation;
+  EXPECT_EQ(broken_rules(c).size(), 2u);
+}
+
+}  // namespace
+}  // namespace ringfilm::cycle::testing
