@@ -102,6 +102,8 @@ double front_position(const FilmGrid& grid, const std::vector<double>& p, double
   const int third = 3 * i - 2 * outer;
   const int n = grid.n_cells();
   if (before < 0 || before > n) return grid.x[i] + (above(i) > 0 ? 0.5 * cell : 0.0);  // node i is an edge
+  // At the lowest place, where gas has broken through, the film beyond has less pressure than the gas.
+  if (above(i) < 0 || above(before) < 0) return grid.x[i] + 0.5 * cell;
   const double spacing = grid.x[i] - grid.x[before];
   const auto is_one_cell = [cell](double length) { return std::abs(length - cell) < 1e-6 * std::abs(cell); };
   if (third >= 0 && third <= n && is_one_cell(spacing) && is_one_cell(grid.x[before] - grid.x[third])) {
@@ -129,7 +131,8 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
     if (is_left_gas) sums.wetted_begin = cavity.end;
     if (is_right_gas) sums.wetted_end = cavity.begin;
     if (is_left_gas || is_right_gas) {
-      sums.is_broken_through = sums.is_broken_through || (first <= grid.throat && grid.throat < i);
+      const bool reaches_throat = is_left_gas ? i >= grid.throat : first <= grid.throat + 1;
+      sums.is_broken_through = sums.is_broken_through || reaches_throat;
       continue;
     }
     sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <stdexcept>
 
@@ -58,7 +59,23 @@ TEST(GasEdge, GasStandsOnTheFaceWhereTheFilmLeaves) {
   EXPECT_GT(power.wetted_begin, 0.1 * c.ring.face_width);  // on the downstroke the film leaves through the chamber edge
   EXPECT_EQ(power.wetted_end, c.ring.face_width);
   EXPECT_EQ(compression.wetted_begin, 0);
+  EXPECT_EQ(power.gas_breakthrough, 0);
   EXPECT_LT(compression.wetted_end, 0.9 * c.ring.face_width);
+}
+
+TEST(GasEdge, TheFilmDoesNotHoldTheGasNearPeakPressure) {
+  const Case c = with_gas(styles_new_ring(), 1500);
+  const CycleResult result = simulated(c);
+  // An independent model loses the film from about 10 to 28 degree.
+  for (const double angle : {12., 20., 26.}) EXPECT_EQ(at(result, angle).gas_breakthrough, 1) << angle;
+  for (const double angle : {35., 75., 285., 435.}) EXPECT_EQ(at(result, angle).gas_breakthrough, 0) << angle;
+  for (const Sample& s : result.samples) {
+    EXPECT_GE(s.wetted_begin, 0);
+    EXPECT_LE(s.wetted_begin, s.wetted_end) << s.crank_angle_deg;
+    EXPECT_LE(s.wetted_end, c.ring.face_width);
+  }
+  EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(),
+                          [](const Note& note) { return note.topic == "gas-breaks-through"; }));
 }
 
 TEST(GasEdge, RequiresTheBalanceOfMassAndNewtonsMethod) {

@@ -142,6 +142,10 @@ void TimeIntegration::propose() {
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
   step_.time_step = radians(base_deg * ticks / kTicks) / setup_.engine.speed;
   step_.at = ring_conditions(setup_, step_.to_deg, step_.time_step);
+  const auto& to = step_.at.inputs;
+  const auto& from = instant_.at.inputs;
+  // The film does not follow its past across a step where oil takes the place of gas at an edge.
+  if (to.left.fluid != from.left.fluid || to.right.fluid != from.right.fluid) time_step_before_ = 0;
   step_.state_was_turned = step_.at.axis != axis_;
   if (step_.state_was_turned) {
     turn(state_);
