@@ -354,6 +354,7 @@ struct Options {
   std::uint64_t seed = 1;
   std::optional<int> only;
   std::optional<int> cells;  ///< in place of those of the sample
+  bool gas_edges = false;    ///< gas where the film leaves, and mass-conserving cavitation, in all scenarios
   std::string failures;
 };
 
@@ -373,6 +374,12 @@ double processor_seconds() {
 EngineScenario scenario_of(const Options& options, int index) {
   EngineScenario scenario = testing::engine_scenario(options.seed, index);
   scenario.input.solver.cells = options.cells.value_or(scenario.input.solver.cells);
+  if (options.gas_edges) {
+    Film& film = scenario.input.film;
+    film.cavitation = Cavitation::kMassConserving;
+    film.chamber_edge = film.crankcase_edge = EdgeFluid::kGas;
+    scenario.input.solver.method = Method::kCoupledNewton;
+  }
   return scenario;
 }
 
@@ -477,6 +484,7 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", options.jobs, "threads")->check(CLI::Range(1, 256))->capture_default_str();
   app.add_option("--only", options.only, "integrate this one scenario and print it")->check(CLI::NonNegativeNumber);
   app.add_option("--cells", options.cells, "solver.cells of all scenarios")->check(CLI::Range(8, 100'000));
+  app.add_flag("--gas-edges", options.gas_edges, "gas where the film leaves, and mass-conserving cavitation");
   app.add_option("--failures", options.failures, "file for one line of JSON per scenario that was not solved");
   CLI11_PARSE(app, argc, argv);
   try {

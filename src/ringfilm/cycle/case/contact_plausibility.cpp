@@ -7,7 +7,7 @@
 namespace ringfilm::cycle {
 namespace {
 
-/// Measured surfaces have N beta sigma of 0.03 to 0.1 (Greenwood and Tripp 1971, Styles et al. 2014). The real area is
+/// N beta sigma is 0.03 to 0.05 in Greenwood and Tripp 1971, 0.064 to 0.073 in Styles et al. 2014. The real area is
 /// pi^2 (N beta sigma)^2 F_2 of the nominal one: above 1 it exceeds it at a separation of 0.8 sigma.
 constexpr double kLowestRoughnessParameter = 0.005, kHighestRoughnessParameter = 1;
 /// Dry metals in air reach a friction coefficient of about 1; a boundary film lowers it.
@@ -23,7 +23,7 @@ void append_roughness_note(const Contact& contact, double sigma, std::vector<Not
   if (parameter >= kLowestRoughnessParameter && parameter <= kHighestRoughnessParameter) return;
   notes.push_back({"roughness-parameter-unusual",
                    "the roughness parameter N beta sigma is " + number_text(parameter) +
-                       ", where real surfaces have 0.03 to 0.1: are the units of contact.asperity_density, "
+                       ", where published surfaces have 0.03 to 0.073: are the units of contact.asperity_density, "
                        "contact.asperity_radius and contact.roughness right?",
                    1});
 }
