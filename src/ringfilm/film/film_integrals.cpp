@@ -144,7 +144,7 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
 std::vector<double> shear_deficit(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
   std::vector<double> sheared = state.deficit;
   for (std::size_t i = 0; i < sheared.size(); ++i) {
-    if (is_cavity(sheared[i]) && inputs.is_gas_side(problem.grid, static_cast<int>(i))) sheared[i] = 1;
+    if (is_cavity(sheared[i]) && inputs.gas_at(problem.grid, static_cast<int>(i)) != nullptr) sheared[i] = 1;
   }
   return sheared;
 }

@@ -97,11 +97,15 @@ struct FilmInputs {
 
   /// The lowest pressure that the film can have at node `i` (eq-pressure-bound) [Pa].
   double pressure_bound(const FilmGrid& grid, int i) const {
-    return is_gas_side(grid, i) ? (i < grid.throat ? left : right).pressure : p_cavitation;
+    const EdgeState* gas = gas_at(grid, i);
+    return gas != nullptr ? gas->pressure : p_cavitation;
   }
-  /// Would a cavity at node `i` be filled with the gas of an edge?
-  bool is_gas_side(const FilmGrid& grid, int i) const {
-    return i != grid.throat && (i < grid.throat ? left : right).fluid == EdgeFluid::kGas;
+  /// The edge whose gas would fill a cavity at node `i`; nullptr: none.
+  const EdgeState* gas_at(const FilmGrid& grid, int i) const {
+    const bool is_edge = i == 0 || i == grid.n_cells();
+    if (i == grid.throat && !is_edge) return nullptr;
+    const EdgeState& edge = i < grid.throat || i == 0 ? left : right;
+    return edge.fluid == EdgeFluid::kGas ? &edge : nullptr;
   }
   bool has_gas() const { return left.fluid == EdgeFluid::kGas || right.fluid == EdgeFluid::kGas; }
 };
