@@ -35,7 +35,10 @@ class Search {
     if (chosen == brackets.end()) chosen = brackets.begin();
     if (chosen == brackets.end()) return found_;
     found_.slope = chosen->slope;
-    found_.film = chosen->slope == Slope::kFalling ? by_newton(*chosen) : std::nullopt;
+    found_.n_stable = static_cast<int>(std::count_if(brackets.begin(), brackets.end(), falls));
+    // What a film brings along fills a share of the inlet that depends on the separation.
+    const bool is_known_inlet = !setup_.supply();
+    found_.film = chosen->slope == Slope::kFalling && is_known_inlet ? by_newton(*chosen) : std::nullopt;
     if (!found_.film) found_.film = by_bracket(*chosen);
     return found_;
   }

@@ -60,6 +60,7 @@ film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
   // strong compressibility among its cases, and can afford the iteration that takes the last step from 1e-4 to 1e-6.
   constexpr double kStricter = 1e-4, kRounding = 1e-13;
   const double tolerance = input.solver.tolerance;
+  problem.bounds = input.film.has_gas_edge_of_pad() ? film::Bounds::kOwn : film::Bounds::kOne;
   problem.tolerance = std::min(tolerance, std::max(kStricter * tolerance, kRounding));
   return problem;
 }
@@ -68,8 +69,8 @@ film::FilmInputs PadSetup::steady_inputs() const {
   film::FilmInputs inputs;
   inputs.oil = oil;
   inputs.U = U;
-  inputs.left.pressure = input.pad.left_pressure;
-  inputs.right.pressure = input.pad.right_pressure;
+  inputs.left = {input.pad.left_pressure, input.film.left_edge};
+  inputs.right = {input.pad.right_pressure, input.film.right_edge};
   inputs.p_cavitation = p_cavitation;
   return inputs;
 }

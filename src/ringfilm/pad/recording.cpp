@@ -53,6 +53,15 @@ Sample sample_of(const PadSetup& setup, const film::FilmIntegrals& sums, double 
   out.flow_left = sums.flow_left / density;
   out.flow_right = sums.flow_right / density;
   out.cavitated_fraction = sums.cavitated_fraction;
+  const double L = setup.input.pad.length;
+  out.wetted_left = std::clamp(sums.wetted_begin, 0.0, L);
+  out.wetted_right = std::clamp(sums.wetted_end, 0.0, L);
+  out.gas_load =
+      setup.input.pad.left_pressure * out.wetted_left + setup.input.pad.right_pressure * (L - out.wetted_right);
+  out.film_load = out.load - out.gas_load;
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  out.film_left_behind = setup.U == 0 ? kNaN : (setup.U > 0 ? out.flow_right : out.flow_left) / setup.U;
+  out.stable_solutions = kNaN;
   return out;
 }
 

@@ -193,7 +193,11 @@ void append_grid_note(const PadSetup& setup, const film::FilmState& state, const
 }
 
 /// The steady film that the case asks for, or the one that a history starts from.
-film::FilmState first_film(PadFilms& films, PadResult& result) {
+struct FirstFilm {
+  film::FilmState state;
+  double stable_solutions;  ///< separations that carry the load; NaN where the separation is stated
+};
+FirstFilm first_film(PadFilms& films, PadResult& result) {
   const PadSetup& setup = films.finest().setup();
   const cycle::Pad& pad = setup.input.pad;
   const auto stop = [&](const std::string& message) {
@@ -204,7 +208,7 @@ film::FilmState first_film(PadFilms& films, PadResult& result) {
     const double separation = result.is_history ? separation_at(pad, pad.first_time()) : *pad.separation;
     auto film = steady_film_at(films, separation, result.effort);
     if (!film) stop(no_film_at(setup));
-    return *film;
+    return {*film, std::numeric_limits<double>::quiet_NaN()};
   }
   LoadSearch search = steady_film_under(films, *pad.load, result.effort);
   if (!search.film) stop(no_film_under(*pad.load, search));
@@ -215,7 +219,7 @@ film::FilmState first_film(PadFilms& films, PadResult& result) {
              *pad.load));
   }
   append_load_notes(search, result.notes);
-  return *search.film;
+  return {*search.film, static_cast<double>(search.n_stable)};
 }
 
 }  // namespace
@@ -229,9 +233,10 @@ PadResult solve_pad(const cycle::Case& c, Observer* observer) {
   result.is_history = c.pad.is_transient();
   result.x = film.places_x();
   result.y = film.places_y();
-  const film::FilmState start = first_film(films, result);
+  const auto [start, stable_solutions] = first_film(films, result);
   const double begin = result.is_history ? c.pad.first_time() : 0.0;
   append_instant(film, setup.steady_inputs(), start, start, begin, result);
+  result.samples.back().stable_solutions = stable_solutions;
   if (result.is_history) {
     TimeIntegration(film, start, result).run(observer);
   } else {

@@ -409,6 +409,12 @@ struct Film {
   EdgeFluid chamber_edge = EdgeFluid::kOil, crankcase_edge = EdgeFluid::kOil;
 
   bool has_gas_edge() const { return chamber_edge == EdgeFluid::kGas || crankcase_edge == EdgeFluid::kGas; }
+  // of a pad
+  EdgeFluid left_edge = EdgeFluid::kOil, right_edge = EdgeFluid::kOil;  ///< at x = 0 and x = length
+  /// Film on the flat surface that comes in at an edge of gas [m].
+  std::optional<double> supply_left, supply_right;
+
+  bool has_gas_edge_of_pad() const { return left_edge == EdgeFluid::kGas || right_edge == EdgeFluid::kGas; }
 };
 
 /// The keys under `solver`.

@@ -33,7 +33,9 @@ std::optional<Problem> problem_of(const std::string& key) {
                                                "solver.cells_y",
                                                "solver.tolerance"};
   if (shared.contains(key) || is_law_parameter(key)) return std::nullopt;
-  return key.rfind("pad.", 0) == 0 || key == "lubricant.viscosity" ? Problem::kPad : Problem::kCycle;
+  static const std::set<std::string> of_pad = {"lubricant.viscosity", "film.left_edge", "film.right_edge",
+                                               "film.supply_left", "film.supply_right"};
+  return key.rfind("pad.", 0) == 0 || of_pad.contains(key) ? Problem::kPad : Problem::kCycle;
 }
 
 std::vector<Field> all_fields() {

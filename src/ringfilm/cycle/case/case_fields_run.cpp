@@ -11,6 +11,13 @@ constexpr When kGapEnds{[](const Case& c) { return c.is_unrolled() && c.ring.end
 constexpr When kUnrolledFields{[](const Case& c) { return c.is_unrolled() && c.output.fields != FieldOutput::kNone; },
                                "film.dimension = \"unrolled\" and output.fields are asked for"};
 
+constexpr When kInletLeft{
+    [](const Case& c) { return c.film.left_edge == EdgeFluid::kGas && c.pad.direction == Direction::kPlusX; },
+    "film.left_edge = \"gas\" and pad.direction = \"+x\""};
+constexpr When kInletRight{
+    [](const Case& c) { return c.film.right_edge == EdgeFluid::kGas && c.pad.direction == Direction::kMinusX; },
+    "film.right_edge = \"gas\" and pad.direction = \"-x\""};
+
 std::string edge_help(const std::string& edge, const std::string& stroke) {
   return "what the " + edge + " edge of the face meets on the " + stroke +
          ", where the film leaves there: oil, or gas that fills the face up to the meniscus; the edge at which the "
@@ -41,6 +48,16 @@ void append_run_fields(std::vector<Field>& fields) {
                 Need::kDefault, {}, {edge_help("chamber", "downstroke"), "\"gas\""}),
           field("film.crankcase_edge", choice<&Case::film, &Film::crankcase_edge>({"oil", "gas"}), kNoUnit, {},
                 Need::kDefault, {}, {edge_help("crankcase", "upstroke"), "\"gas\""}),
+          field("film.left_edge", choice<&Case::film, &Film::left_edge>({"oil", "gas"}), kNoUnit, {}, Need::kDefault,
+                {}, {"what the film meets at x = 0: oil, which floods it, or gas at pad.left_pressure", "\"gas\""}),
+          field("film.right_edge", choice<&Case::film, &Film::right_edge>({"oil", "gas"}), kNoUnit, {}, Need::kDefault,
+                {}, {"what the film meets at x = length: oil, or gas at pad.right_pressure", "\"gas\""}),
+          field("film.supply_left", OptionalNumberKind{member<&Case::film, &Film::supply_left>}, {"m", "um"},
+                above(0, 1), Need::kRequired, kInletLeft,
+                {"film on the flat surface that comes in at x = 0, out of the gas, f", "\"2 um\""}),
+          field("film.supply_right", OptionalNumberKind{member<&Case::film, &Film::supply_right>}, {"m", "um"},
+                above(0, 1), Need::kRequired, kInletRight,
+                {"film on the flat surface that comes in at x = length, out of the gas, f", "\"2 um\""}),
           field("solver.cells", CountKind{member<&Case::solver, &Solver::cells>}, kPlainNumber, between(8, 100000),
                 Need::kDefault, {}, {"cells across the face", "200"}),
           field("solver.cells_y", CountKind{member<&Case::solver, &Solver::cells_y>}, kPlainNumber, between(4, 100000),
