@@ -12,6 +12,7 @@
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 #include "ringfilm/study/design/scenario.hpp"
@@ -379,8 +380,16 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
   type.attr("__hash__") = py::none();
   type.def("__repr__", &case_words, "Title, file and number of stated keys.");
   type.def(py::pickle(&case_state, &from_state));
-  module.def("starting_case", &io::starting_case,
-             "A commented, complete case file to start from, a str, as `ringfilm new` writes it.");
+  module.def(
+      "starting_case",
+      [](const std::string& engine, const std::optional<std::string>& trace) {
+        return io::start_case({engine, trace, ""}).text;
+      },
+      py::arg("engine") = io::start_engines().front(), py::arg("trace") = py::none(),
+      R"(A commented case file to start from, a str, as `ringfilm new` writes it.
+
+engine: "passenger-car" or "heavy-duty". trace: a file of the cylinder pressure, whose columns and units are read; what
+the file does not show is marked MISSING in the text.)");
 }
 
 }  // namespace ringfilm::python
