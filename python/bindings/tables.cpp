@@ -110,7 +110,8 @@ void bind_tables(py::module_& module) {
       },
       R"(The shipped oils, a list of dicts as `ringfilm oils --json` prints them, SI units.
 
-The key `grade` is a value of lubricant.grade, or None. At 150 degC by the law of temperature, without shear thinning.)");
+The key `grade` is a value of lubricant.grade, or None. At 150 degC by the law of temperature, without shear
+thinning.)");
   module.def("fields", &fields, "All keys of a case, a list of Field in the order of a case file.");
   module.def(
       "note_topics",

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -49,9 +50,15 @@ void print_inputs(const io::CaseCheck& check) {
 
 void print_assumptions(const io::CaseCheck& check) {
   for (std::size_t i = 0; i < check.assumptions.size(); ++i) {
-    std::cout << "modelling assumptions" << (check.assumptions.size() > 1 ? fmt::format(" of ring {}", i + 1) : "")
-              << ", as in docs/theory/assumptions.md:\n";
+    if (i == 0) {
+      std::cout << "modelling assumptions, as in docs/theory/assumptions.md:\n";
+    } else {
+      std::cout << fmt::format("modelling assumptions of ring {} where they differ from those of ring 1:\n", i + 1);
+    }
     for (const study::LedgerEntry& one : check.assumptions[i]) {
+      const auto is_same = [&one](const study::LedgerEntry& first) { return first.statement == one.statement; };
+      const auto& first_ring = check.assumptions.front();
+      if (i > 0 && std::any_of(first_ring.begin(), first_ring.end(), is_same)) continue;
       const std::string consequence = one.consequence.empty() ? "" : "; " + one.consequence;
       std::cout << "  " << wrapped(words(one.topic + ": " + one.statement + consequence));
     }

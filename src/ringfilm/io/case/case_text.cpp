@@ -219,7 +219,7 @@ std::string commented_case(const std::string& head, const std::vector<StartValue
       text += fmt::format("# {} = {}  # MISSING: {}\n", name_of(field), field.example, stated->remark);
     } else {
       text += fmt::format("# {} = {}  # {}\n", name_of(field), usual.empty() ? field.example : usual,
-                          usual.empty()                 ? "example"
+                          usual.empty()                  ? "example"
                           : c.stated.contains(field.key) ? "of the oil"
                                                          : "default");
     }

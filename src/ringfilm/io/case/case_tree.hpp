@@ -23,7 +23,7 @@ struct CaseTree {
 };
 
 /// Throws InputError if the case file itself cannot be read; all other faults are reported in the tree.
-/// @param dropped receives the keys of files that state in another way what an override states, which are left out;
+/// @param dropped receives the keys of files that state in another way what an override states, which are omitted;
 /// nullptr: they are faults
 CaseTree read_case_tree(const std::string& path, const std::vector<Override>& overrides,
                         std::vector<DroppedKey>* dropped = nullptr);

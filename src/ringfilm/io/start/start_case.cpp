@@ -82,8 +82,9 @@ const Engine& engine_of(const std::string& name) {
 }
 
 std::string head(const Engine& engine) {
-  return std::string("# A case of ringfilm, ") + engine.name +
-         ". A quantity is text with its unit; a bare number has none.\n"
+  return "# A case of ringfilm: " + std::string(engine.title) +
+         ".\n"
+         "# A quantity is text with its unit; a bare number has none.\n"
          "# \"typical, assumed\" marks a guess at the size (docs/manual/guide/typical-inputs.md): state your own "
          "value.\n"
          "# A line \"# key = value  # default\" is a default input; take the first # away to state another value.\n"
