@@ -61,7 +61,11 @@ CaseObject read_case(const py::object& path, const std::optional<py::dict>& over
   std::vector<io::Override> stated;
   for (const auto& [key, value] : changes_of("a key of overrides", *overrides))
     stated.push_back({key, value ? written(*value) : ""});
-  return {io::read_case(name, stated, *units), units};
+  std::vector<io::DroppedKey> dropped;
+  CaseObject read{io::read_case_dropping(name, stated, *units, dropped), units};
+  const std::string text = "overrides make keys of the case unused, they are dropped: " + io::listed(dropped);
+  if (!dropped.empty() && PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+  return read;
 }
 
 /// Those of a ring pack: of the engine, then of each ring.
@@ -255,6 +259,7 @@ void bind_case(py::module_& module) {
 
 path: name of the file, a str or a path.
 overrides: {key: value}, as --set of the program, values as for case[key] = value; None takes a key out.
+A key of the file that they make unused is dropped, with a UserWarning.
 Raises InputError with every fault of every file, as the program prints them.
 Source: docs/manual/case-file.md.)");
   type.def(

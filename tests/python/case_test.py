@@ -213,6 +213,12 @@ def test_a_grade_finds_a_shipped_oil(case):
     assert case["lubricant.grade"] == "SAE 10W-40"
 
 
+def test_overrides_drop_the_keys_that_they_make_unused(folder):
+    with pytest.warns(UserWarning, match=r"dropped: ring.elastic_pressure \(case.toml:\d+\)"):
+        case = ringfilm.Case.read("case.toml", {"ring.tangential_force": "12.5 N"})
+    assert case["ring.elastic_pressure"] is None and case["ring.tangential_force"] == 12.5
+
+
 def test_start_cases(folder):
     for engine in ("passenger-car", "heavy-duty"):
         (folder / "start.toml").write_text(ringfilm.starting_case(engine))

@@ -69,12 +69,10 @@ void print_assumptions(const io::CaseCheck& check) {
 
 cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings) {
   std::vector<io::DroppedKey> dropped;
-  cycle::Case input = io::read_case_dropping(path, settings, dropped);
-  std::string keys;
-  for (const auto& [key, mark] : dropped) {
-    keys += fmt::format("{}{} ({}:{})", keys.empty() ? "" : ", ", key, mark.file, mark.line);
+  cycle::Case input = io::read_case_dropping(path, settings, io::Units(), dropped);
+  if (!dropped.empty()) {
+    std::cerr << "--set makes keys of the case unused, they are dropped: " << io::listed(dropped) << "\n";
   }
-  if (!keys.empty()) std::cerr << "--set makes keys of the case unused, they are dropped: " << keys << "\n";
   return input;
 }
 

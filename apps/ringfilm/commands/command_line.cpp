@@ -227,7 +227,7 @@ class Commands {
         ->expected(0, 1)
         ->type_name("X.csv");
     command.add_flag("--json", json_, "print the values as JSON, SI units, instead of the table");
-    command.add_flag("--ledger", ledger_, "run the other choice for every assumption that can be lifted");
+    command.add_flag("--ledger", ledger_, "run the other choice for every modelling assumption that can be lifted");
     command.add_flag(
         "--error-estimate", error_estimate_,
         "integration four other grids too and give every value the error of its own, about 6 times the work");

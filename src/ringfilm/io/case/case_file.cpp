@@ -171,12 +171,19 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
   return case_of(pack_trees(read_case_tree(path, overrides)), units);
 }
 
-cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides,
+cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
                                std::vector<DroppedKey>& dropped) {
-  const Units units;
   PackTrees pack = pack_trees(read_case_tree(path, overrides, &dropped));
   if (!overrides.empty()) drop_unused(pack, pack_trees(read_case_tree(path, {})), units, dropped);
   return case_of(std::move(pack), units);
+}
+
+std::string listed(const std::vector<DroppedKey>& dropped) {
+  std::string text;
+  for (const auto& [key, mark] : dropped) {
+    text += (text.empty() ? "" : ", ") + key + " (" + mark.file + ":" + std::to_string(mark.line) + ")";
+  }
+  return text;
 }
 
 }  // namespace ringfilm::io

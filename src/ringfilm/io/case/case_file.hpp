@@ -32,8 +32,11 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 
 /// The same where overrides may make keys of the files unused: those are dropped from the case and put into `dropped`.
 /// A key that the files alone leave unused, or that an override itself states in vain, is an error as ever.
-cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides,
+cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
                                std::vector<DroppedKey>& dropped);
+
+/// "ring.elastic_pressure (my.toml:31), ...", for messages.
+std::string listed(const std::vector<DroppedKey>& dropped);
 
 /// The ring pack of these cases, of one engine and one or more rings, from the chamber to the crankcase.
 cycle::Case ring_pack(std::vector<cycle::Case> rings);

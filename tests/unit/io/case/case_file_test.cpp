@@ -294,7 +294,7 @@ TEST(CaseFile, OverridesDropKeysThatTheyMakeUnusedAndNoOthers) {
   std::vector<DroppedKey> dropped;
   const auto read = [&](const std::vector<Override>& overrides) {
     dropped.clear();
-    return read_case_dropping(folder / "case.toml", overrides, dropped);
+    return read_case_dropping(folder / "case.toml", overrides, Units(), dropped);
   };
   EXPECT_EQ(read({{"ring.tangential_force", "12 N"}}).ring.elastic_pressure, std::nullopt);
   ASSERT_EQ(dropped.size(), 1u);
