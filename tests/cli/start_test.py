@@ -63,6 +63,24 @@ class CheckTest(StartTest):
         self.assertRegex(printed, r"default inputs: \d+ keys that the case does not state")
         self.assertRegex(printed, r"modelling assumptions: \d+ \(flooded-inlet")
 
+    def test_of_a_pack_the_second_ring_lists_what_differs(self):
+        ring = '[ring]\nface_width = "1.2 mm"\nelastic_pressure = "0.2 MPa"\n[ring.face]\nform = "parabola"\n'
+        ring += 'crown_height = "15 um"\n'
+        self.assertIn(ring, program.CASE)
+        one = ring.replace("[ring]", "[[ring]]").replace("[ring.face]\n", "").replace("form = ", "face.form = ")
+        one = one.replace("crown_height = ", "face.crown_height = ")
+        two = one.replace("0.2 MPa", "0.15 MPa")
+        (self.folder / "case.toml").write_text(
+            program.CASE.replace(ring, "") + one + 'pressure_below = "2.5 bar"\n' + two
+        )
+        printed = self.run_well("check", "case.toml")
+        second = section(printed, "modelling assumptions of ring 2")
+        self.assertTrue(any(line.startswith("ring-tension: the ring presses with 0.15 MPa") for line in second))
+        self.assertFalse(any(line.startswith("newtonian-oil") for line in second))
+        self.assertEqual({one["ring"] for one in self.checked("case.toml")["modelling_assumptions"]}, {1, 2})
+        done = self.run_program("check", "case.toml", "--set", "ring.2.tangential_force=9 N")
+        self.assertIn("dropped: ring.2.elastic_pressure (case.toml:", done.stderr)
+
     def test_a_pad_has_default_inputs_alone(self):
         pad = str(program.SOURCES / "verification/rayleigh1918_step/best.toml")
         self.assertNotIn("modelling assumptions", self.run_well("check", pad))

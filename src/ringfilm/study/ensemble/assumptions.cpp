@@ -164,6 +164,10 @@ Assumption pressure_behind_ring(const Case& c) {
 Assumption pressure_under_ring(const Case& c) {
   const char* topic = "pressure-under-ring";
   const char* consequence = "the second land holds gas at a pressure between chamber and crankcase";
+  if (c.ring.pressure_below.is_stated()) {
+    return assumption(topic, "the pressure straight under the ring is that of ring.pressure_below",
+                      "gas that flows past the rings is not computed");
+  }
   if (c.gas.crankcase_trace) {
     return assumption(topic, "the pressure straight under the ring is that of the crankcase trace", consequence);
   }
