@@ -20,6 +20,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/cycle_run.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/integration/side_by_side.hpp"
 #include "ringfilm/film/film_integrals.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
@@ -119,8 +120,7 @@ double asperity_capacity(const film::FilmProblem& problem) {
 
 /// The load that the integration could not balance, per length [N/m].
 double load_at(const Setup& setup, double crank_angle_deg) {
-  const double p = setup.ring.lands.above.pressure(wrapped(crank_angle_deg));
-  return (setup.ring.elastic_pressure + setup.input.gas.pressure_behind_ring * p) * setup.input.ring.face_width;
+  return ring_conditions(setup, crank_angle_deg, 0).inputs.load;
 }
 
 /// One cycle of a scenario. All that it throws is its outcome.

@@ -3,7 +3,7 @@
 #
 # The face of a ring is crowned so that oil is drawn under it in both directions. Too flat, and no wedge forms; too round, and the film has no length that carries. Where between is best, and for what?
 #
-# **The case** is that of `ringfilm new`: a small engine at 1500 rpm, with a cylinder pressure from a Wiebe model (COMPUTED, not measured), and a parabolic face whose crown height we vary. The edges are taken to be flooded with oil: the oil flow is an upper bound.
+# **The case** is that of `ringfilm new`: a passenger-car engine at 1500 rpm with typical numbers, a cylinder pressure from a Wiebe model (COMPUTED, not measured), and a parabolic face whose crown height we vary. The edges are taken to be flooded with oil: the oil flow is an upper bound.
 
 # %%
 import pathlib

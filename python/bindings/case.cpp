@@ -12,6 +12,7 @@
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 #include "ringfilm/study/design/scenario.hpp"
@@ -60,7 +61,11 @@ CaseObject read_case(const py::object& path, const std::optional<py::dict>& over
   std::vector<io::Override> stated;
   for (const auto& [key, value] : changes_of("a key of overrides", *overrides))
     stated.push_back({key, value ? written(*value) : ""});
-  return {io::read_case(name, stated, *units), units};
+  std::vector<io::DroppedKey> dropped;
+  CaseObject read{io::read_case_dropping(name, stated, *units, dropped), units};
+  const std::string text = "overrides make keys of the case unused, they are dropped: " + io::listed(dropped);
+  if (!dropped.empty() && PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+  return read;
 }
 
 /// Those of a ring pack: of the engine, then of each ring.
@@ -254,6 +259,7 @@ void bind_case(py::module_& module) {
 
 path: name of the file, a str or a path.
 overrides: {key: value}, as --set of the program, values as for case[key] = value; None takes a key out.
+A key of the file that they make unused is dropped, with a UserWarning.
 Raises InputError with every fault of every file, as the program prints them.
 Source: docs/manual/case-file.md.)");
   type.def(
@@ -379,8 +385,16 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
   type.attr("__hash__") = py::none();
   type.def("__repr__", &case_words, "Title, file and number of stated keys.");
   type.def(py::pickle(&case_state, &from_state));
-  module.def("starting_case", &io::starting_case,
-             "A commented, complete case file to start from, a str, as `ringfilm new` writes it.");
+  module.def(
+      "starting_case",
+      [](const std::string& engine, const std::optional<std::string>& trace) {
+        return io::start_case({engine, trace, ""}).text;
+      },
+      py::arg("engine") = io::start_engines().front(), py::arg("trace") = py::none(),
+      R"(A commented case file to start from, a str, as `ringfilm new` writes it.
+
+engine: "passenger-car" or "heavy-duty". trace: a file of the cylinder pressure, whose columns and units are read; what
+the file does not show is marked MISSING in the text.)");
 }
 
 }  // namespace ringfilm::python

@@ -4,6 +4,7 @@
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/io/storage/shipped_oils.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 
@@ -90,6 +91,27 @@ void bind_tables(py::module_& module) {
             return "<ringfilm.Quantity " + self.name + " [" + self.unit + "]: " + self.long_name + ">";
           },
           "Name, unit and meaning.");
+  module.def(
+      "oils",
+      [] {
+        py::list oils;
+        for (const io::ShippedOil& oil : io::shipped_oils(io::Units())) {
+          py::dict entry;
+          entry["grade"] = oil.grade.empty() ? py::object(py::none()) : py::object(py::str(oil.grade));
+          entry["name"] = oil.name;
+          entry["file"] = oil.file;
+          entry["kinematic_viscosity_40"] = oil.kinematic_viscosity_40;
+          entry["kinematic_viscosity_100"] = oil.kinematic_viscosity_100;
+          entry["kinematic_viscosity_150"] = oil.kinematic_viscosity_150;
+          entry["viscosity_150"] = oil.viscosity_150;
+          oils.append(entry);
+        }
+        return oils;
+      },
+      R"(The shipped oils, a list of dicts as `ringfilm oils --json` prints them, SI units.
+
+The key `grade` is a value of lubricant.grade, or None. At 150 degC by the law of temperature, without shear
+thinning.)");
   module.def("fields", &fields, "All keys of a case, a list of Field in the order of a case file.");
   module.def(
       "note_topics",

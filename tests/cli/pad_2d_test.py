@@ -118,12 +118,10 @@ class Refusals(Film2dTest):
 
     def test_pressures_at_sides_that_have_none(self):
         for sides in ("periodic", "closed"):
-            self.refuse(
-                "pad.front_pressure is not used",
-                "pad.back_pressure is not used",
-                'pad.sides = "open"',
-                words=("--set", f"pad.sides={sides}"),
+            (self.folder / "pad.toml").write_text(
+                SHEET.replace('width = "20 mm"\n', f'width = "20 mm"\nsides = "{sides}"\n')
             )
+            self.refuse("pad.front_pressure is not used", "pad.back_pressure is not used", 'pad.sides = "open"')
 
     def test_keys_of_a_ring_name_themselves_and_not_the_section_that_pads_need(self):
         self.refuse("take film.dimension out", words=("--set", "film.dimension=unrolled"))
@@ -132,8 +130,15 @@ class Refusals(Film2dTest):
         self.refuse("pad.width", "1 error", words=("--set", "pad.width=0 mm"))
 
     def test_keys_of_a_width_without_one(self):
+        (self.folder / "pad.toml").write_text(SHEET.replace('width = "20 mm"\n', ""))
         for key in ("pad.front_pressure", "pad.back_pressure", "solver.cells_y"):
-            self.refuse(f"{key} is not used", "pad.width is given", words=("--set", "pad.width="))
+            self.refuse(f"{key} is not used", "pad.width is given")
+
+    def test_a_setting_that_takes_the_width_out_drops_its_keys(self):
+        done = self.run_program("run", "pad.toml", "--json", "--set", "pad.width=")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for key in ("pad.front_pressure", "pad.back_pressure", "solver.cells_y"):
+            self.assertIn(key, done.stderr)
 
     def test_edges_below_the_cavitation_pressure(self):
         for side in ("left", "right", "front", "back"):

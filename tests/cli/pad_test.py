@@ -216,8 +216,15 @@ class Refusals(PadTest):
         self.refuse("gap.csv", *fragments)
 
     def test_neither_or_both_of_separation_and_load(self):
-        self.refuse_set("pad.load=1 kN/m", "pad.separation and pad.load", "exactly one of")
         self.refuse_set("pad.separation=", "exactly one of")
+        text = PAD.replace('separation = "0 um"\n', 'separation = "0 um"\nload = "1 kN/m"\n')
+        (self.folder / "pad.toml").write_text(text)
+        self.refuse("pad.separation and pad.load", "exactly one of")
+
+    def test_a_load_of_the_command_line_takes_the_place_of_the_separation(self):
+        done = self.run_program("run", "pad.toml", "--json", "--set", "pad.load=100 kN/m")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"^--set makes .*: pad.separation \(pad.toml:\d+\)\n$")
 
     def test_keys_of_an_engine(self):
         (self.folder / "pad.toml").write_text(

@@ -41,7 +41,7 @@ class Run(program.ProgramTest):
             "boundary",
             "Newton iterations",
             "film.cavitation = mass-conserving",
-            "assumed:",
+            "default inputs:",
         ):
             self.assertIn(fragment, printed)
         self.assertEqual(self.names(), before)
@@ -267,10 +267,10 @@ class Run(program.ProgramTest):
 
 
 class OtherCommands(program.ProgramTest):
-    def test_check_lists_what_is_assumed(self):
+    def test_check_lists_default_inputs(self):
         printed = self.run_well("check", "case.toml")
         self.assertIn("no errors", printed)
-        self.assertIn("assumed film.cavitation = mass-conserving", printed)
+        self.assertIn("\n  film.cavitation = mass-conserving  (", printed)
 
     def test_new_writes_a_case_that_runs_and_replaces_nothing(self):
         self.run_well("new", "mine.toml")

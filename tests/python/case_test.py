@@ -198,6 +198,36 @@ def test_an_oil_file_takes_the_place_of_the_oil(case):
     assert any(role == "lubricant.file" for role, _, _ in case.files)
 
 
+def test_a_grade_finds_a_shipped_oil(case):
+    case["lubricant.file"] = "data/lubricants/sae-0w-20.toml"
+    case["lubricant.grade"] = "SAE 10W-40"
+    case.check()
+    oil = next(oil for oil in ringfilm.oils() if oil["grade"] == "SAE 10W-40")
+    viscosities = case["lubricant.kinematic_viscosity"]
+    assert viscosities[0][1] == pytest.approx(oil["kinematic_viscosity_40"], rel=1e-9)
+    assert case["lubricant.file"] is None
+    with pytest.raises(ringfilm.InputError, match="choose one of .*SAE 30"):
+        case["lubricant.grade"] = "SAE 99"
+    with pytest.raises(ringfilm.InputError, match="both given"):
+        case.update({"lubricant.grade": "SAE 30", "lubricant.file": "data/lubricants/sae-30.toml"})
+    assert case["lubricant.grade"] == "SAE 10W-40"
+
+
+def test_overrides_drop_the_keys_that_they_make_unused(folder):
+    with pytest.warns(UserWarning, match=r"dropped: ring.elastic_pressure \(case.toml:\d+\)"):
+        case = ringfilm.Case.read("case.toml", {"ring.tangential_force": "12.5 N"})
+    assert case["ring.elastic_pressure"] is None and case["ring.tangential_force"] == 12.5
+
+
+def test_start_cases(folder):
+    for engine in ("passenger-car", "heavy-duty"):
+        (folder / "start.toml").write_text(ringfilm.starting_case(engine))
+        assert ringfilm.Case.read("start.toml")["contact.boundary_shear_strength_coefficient"] == 0.12
+    assert "MISSING: absolute or gauge?" in ringfilm.starting_case(trace="trace.csv")
+    with pytest.raises(ringfilm.InputError, match="did you mean heavy-duty"):
+        ringfilm.starting_case("heavy_duty")
+
+
 def test_copies_are_independent(case):
     for other in (
         case.copy(),

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -7,43 +8,114 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/case_text.hpp"
+#include "ringfilm/io/result/result_json.hpp"
+#include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/io/storage/shipped_oils.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
+#include "ringfilm/study/ensemble/ledger.hpp"
+#include "text/wrapped_text.hpp"
 
 namespace ringfilm::app {
+namespace {
 
-void check(const CheckOptions& options) {
-  const cycle::Case input = io::read_case(options.case_path, options.overrides);
-  const bool is_pad = input.problem == cycle::Problem::kPad;
-  if (is_pad) pad::prepare_pad(input);
-  std::vector<cycle::Note> notes;
-  if (!is_pad && !input.is_pack()) notes = cycle::prepare(input).notes;
-  for (std::size_t i = 0; i < input.rings.size(); ++i) {
-    for (cycle::Note note : cycle::prepare(input.rings[i]).notes) {
-      note.message = fmt::format("ring {}: {}", i + 1, note.message);
-      notes.push_back(std::move(note));
+/// What setting up the models of a case gives, ring by ring; of a pad nothing.
+io::CaseCheck checked(const cycle::Case& input, const std::string& path) {
+  io::CaseCheck check{path, io::case_entries(input), {}, {}};
+  for (const std::string& note : input.notes) check.notes.push_back({"input", note, 1});
+  if (input.problem == cycle::Problem::kPad) {
+    pad::prepare_pad(input);
+    return check;
+  }
+  const std::vector<cycle::Case> rings = input.is_pack() ? input.rings : std::vector{input};
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    check.assumptions.push_back(study::assumptions(rings[i]));
+    for (cycle::Note note : cycle::prepare(rings[i]).notes) {
+      if (input.is_pack()) note.message = fmt::format("ring {}: {}", i + 1, note.message);
+      check.notes.push_back(std::move(note));
     }
   }
-  int n_stated = 0, n_assumed = 0;
-  for (const io::CaseEntry& entry : io::case_entries(input)) ++(entry.assumed ? n_assumed : n_stated);
-  std::cout << options.case_path << ": no errors; " << n_stated << " keys stated, " << n_assumed << " assumed\n";
-  for (const io::CaseEntry& entry : io::case_entries(input)) {
-    if (entry.assumed) std::cout << fmt::format("  assumed {} = {}  ({})\n", entry.key, entry.shown, entry.help);
+  return check;
+}
+
+void print_inputs(const io::CaseCheck& check) {
+  int n_stated = 0, n_default = 0;
+  for (const io::CaseEntry& entry : check.inputs) ++(entry.assumed ? n_default : n_stated);
+  std::cout << fmt::format("{}: no errors; {} keys stated, {} default inputs\n", check.path, n_stated, n_default);
+  if (n_default > 0) std::cout << "default inputs, keys that the case does not state:\n";
+  for (const io::CaseEntry& entry : check.inputs) {
+    if (entry.assumed) std::cout << fmt::format("  {} = {}  ({})\n", entry.key, entry.shown, entry.help);
   }
-  for (const std::string& note : input.notes) std::cout << "note: " << note << "\n";
-  for (const cycle::Note& note : notes) std::cout << "note: " << note.message << "\n";
+}
+
+void print_assumptions(const io::CaseCheck& check) {
+  for (std::size_t i = 0; i < check.assumptions.size(); ++i) {
+    if (i == 0) {
+      std::cout << "modelling assumptions, as in docs/theory/assumptions.md:\n";
+    } else {
+      std::cout << fmt::format("modelling assumptions of ring {} where they differ from those of ring 1:\n", i + 1);
+    }
+    for (const study::LedgerEntry& one : check.assumptions[i]) {
+      const auto is_same = [&one](const study::LedgerEntry& first) { return first.statement == one.statement; };
+      const auto& first_ring = check.assumptions.front();
+      if (i > 0 && std::any_of(first_ring.begin(), first_ring.end(), is_same)) continue;
+      const std::string consequence = one.consequence.empty() ? "" : "; " + one.consequence;
+      std::cout << "  " << wrapped(words(one.topic + ": " + one.statement + consequence));
+    }
+  }
+}
+
+}  // namespace
+
+cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings) {
+  std::vector<io::DroppedKey> dropped;
+  cycle::Case input = io::read_case_dropping(path, settings, io::Units(), dropped);
+  if (!dropped.empty()) {
+    std::cerr << "--set makes keys of the case unused, they are dropped: " << io::listed(dropped) << "\n";
+  }
+  return input;
+}
+
+void check(const CheckOptions& options) {
+  const io::CaseCheck found = checked(case_with_settings(options.case_path, options.overrides), options.case_path);
+  if (options.summary == SummaryForm::kJson) {
+    std::cout << io::check_json(found);
+    return;
+  }
+  print_inputs(found);
+  print_assumptions(found);
+  for (const cycle::Note& note : found.notes) std::cout << "note: " << note.message << "\n";
 }
 
 void fields() { std::cout << io::fields_table(); }
 
-void start_case(const std::string& path) {
+void oils(const OilsOptions& options) {
+  const std::vector<io::ShippedOil> shipped = io::shipped_oils(io::Units());
+  std::cout << (options.summary == SummaryForm::kJson ? io::oils_json(shipped) : io::oils_table(shipped));
+}
+
+void start_case(const NewOptions& options) {
+  const std::string& path = options.path;
   io::check_can_write(path, io::Sink::kFile);
   std::error_code error;
   if (std::filesystem::exists(path, error)) {
     throw InputError(path + ": this file exists already", "name one that does not, nothing is replaced here");
   }
-  io::write_atomically(path, io::starting_case());
-  std::cout << "wrote " << path << "\nnext: ringfilm run " << path << "\n";
+  io::StartOptions start;
+  if (options.engine) start.engine = *options.engine;
+  start.trace = options.trace;
+  start.case_folder = std::filesystem::path(path).parent_path().string();
+  const io::StartCase made = io::start_case(start);
+  io::write_atomically(path, made.text);
+  std::cout << "wrote " << path << "\n";
+  for (const std::string& one : made.found) std::cout << "found in " << *options.trace << ": " << one << "\n";
+  for (const std::string& one : made.missing) std::cout << "missing: " << one << "\n";
+  if (made.missing.empty()) {
+    std::cout << "next: ringfilm run " << path << "\n";
+  } else {
+    std::cout << "next: state what is missing in " << path << " (lines with MISSING), then ringfilm check " << path
+              << "\n";
+  }
 }
 
 }  // namespace ringfilm::app

@@ -12,6 +12,7 @@
 #include "commands/commands.hpp"
 #include "exit_codes.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "text/command_arguments.hpp"
@@ -49,7 +50,8 @@ constexpr const char* kRunFooter = R"(Examples:
 A case with a table [pad] instead of [engine] and [ring] is the film of a slider, a step or two plates that approach
 each other, steady or in time; --ledger and --error-estimate are for rings.
 
---set KEY= takes a key out of the case, e.g. --set ring.elastic_pressure= --set ring.tangential_force='12.5 N'.
+--set KEY= takes a key out of the case. A key of the case that --set makes unused is dropped, with a line on standard
+error: --set ring.tangential_force='12.5 N' takes the place of ring.elastic_pressure.
 An output that exists is replaced at once when the new one is complete; a kill or a full disk leaves the old one.
 A study that exists is replaced with --overwrite only.
 )";
@@ -57,6 +59,14 @@ A study that exists is replaced with --overwrite only.
 constexpr const char* kCheckFooter = R"(Examples:
   ringfilm check case.toml
   ringfilm check case.toml --set operating.speed='3000 rpm'
+  ringfilm check case.toml --json
+
+Default inputs are keys that the case does not state; modelling assumptions are what the models take for granted.
+)";
+
+constexpr const char* kOilsFooter = R"(Examples:
+  ringfilm oils
+  ringfilm run case.toml --set lubricant.grade='SAE 10W-40'
 )";
 
 constexpr const char* kFieldsFooter = R"(Examples:
@@ -66,6 +76,11 @@ constexpr const char* kFieldsFooter = R"(Examples:
 
 constexpr const char* kNewFooter = R"(Examples:
   ringfilm new my_engine.toml
+  ringfilm new truck.toml --engine heavy-duty
+  ringfilm new truck.toml --engine heavy-duty --trace pressure.csv
+
+Numbers marked "typical, assumed" are guesses at the size. Of a trace the columns, their units and the dead centre at
+angle 0 are read; what the file does not show is printed as missing.
 )";
 
 constexpr const char* kReproduceFooter = R"(Examples:
@@ -98,13 +113,29 @@ std::string version_text() {
   return provenance.program + " (commit " + provenance.commit + "; " + provenance.compiler + ")";
 }
 
-/// Splits "key=value"; the value may hold further equal signs.
+/// Splits "key=value" or "key = value"; the value may hold further equal signs.
 io::Override override_of(const std::string& text) {
   const std::size_t equal_sign = text.find('=');
   if (equal_sign == std::string::npos || equal_sign == 0) {
     throw InputError("--set " + text + ": this is not key=value", "for example --set operating.speed='3000 rpm'");
   }
-  return {text.substr(0, equal_sign), text.substr(equal_sign + 1)};
+  return {trimmed(text.substr(0, equal_sign)), trimmed(text.substr(equal_sign + 1))};
+}
+
+/// Settings as the ledger prints them, key = value, are three arguments: joins them to one.
+std::vector<std::string> with_joined_settings(int argc, const char* const* argv) {
+  std::vector<std::string> joined;
+  bool may_be_setting = false;
+  for (int i = 0; i < argc; ++i) {
+    const std::string word = argv[i];
+    may_be_setting = may_be_setting || word == "--set";
+    if (may_be_setting && word == "=" && i + 1 < argc && joined.back() != "--set") {
+      joined.back() += "=" + std::string(argv[++i]);
+    } else {
+      joined.push_back(word);
+    }
+  }
+  return joined;
 }
 
 /// Threads as the user names them.
@@ -196,7 +227,7 @@ class Commands {
         ->expected(0, 1)
         ->type_name("X.csv");
     command.add_flag("--json", json_, "print the values as JSON, SI units, instead of the table");
-    command.add_flag("--ledger", ledger_, "run the other choice for every assumption that can be lifted");
+    command.add_flag("--ledger", ledger_, "run the other choice for every modelling assumption that can be lifted");
     command.add_flag(
         "--error-estimate", error_estimate_,
         "integration four other grids too and give every value the error of its own, about 6 times the work");
@@ -207,9 +238,10 @@ class Commands {
   void add_check() {
     auto& command =
         add("check", "Read a case of a ring or a pad, report everything that is wrong with it, run nothing", [this] {
-          check({check_words_.case_path(), check_words_.overrides()});
+          check({check_words_.case_path(), check_words_.overrides(), json_ ? SummaryForm::kJson : SummaryForm::kTable});
         });
     check_words_.add_to(command);
+    command.add_flag("--json", json_, "print inputs, default inputs, modelling assumptions and notes as JSON");
     command.footer(kCheckFooter);
   }
 
@@ -217,9 +249,20 @@ class Commands {
     add("fields", "Print all keys of a case with unit, default, range and meaning", &fields).footer(kFieldsFooter);
   }
 
+  void add_oils() {
+    auto& command = add("oils", "List the shipped oils with their viscosities",
+                        [this] { oils({json_ ? SummaryForm::kJson : SummaryForm::kTable}); });
+    command.add_flag("--json", json_, "print the list as JSON, SI units");
+    command.footer(kOilsFooter);
+  }
+
   void add_new() {
-    auto& command = add("new", "Write a commented case to start from", [this] { start_case(start_path_); });
-    command.add_option("CASE.toml", start_path_, "the file to write; must not exist yet")->required()->type_name("");
+    auto& command = add("new", "Write a commented case to start from", [this] { start_case(new_); });
+    command.add_option("CASE.toml", new_.path, "the file to write; must not exist yet")->required()->type_name("");
+    command.add_option("--engine", new_.engine, "whose typical numbers: passenger-car (default) or heavy-duty")
+        ->type_name("ENGINE");
+    command.add_option("--trace", new_.trace, "file of the cylinder pressure, whose columns and units are read")
+        ->type_name("X.csv");
     command.footer(kNewFooter);
   }
 
@@ -311,7 +354,7 @@ class Commands {
   CaseArguments run_words_, check_words_;
   std::optional<std::string> output_, csv_, jobs_, vts_shape_;
   bool json_ = false, ledger_ = false, error_estimate_ = false;
-  std::string start_path_;
+  NewOptions new_;
   ReportOptions report_;
   ReproduceOptions reproduce_;
   VerifyOptions verify_;
@@ -417,9 +460,13 @@ Request read_command_line(int argc, const char* const* argv) {
   commands->add_study();
   commands->add_measuring();
   commands->add_fields();
+  commands->add_oils();
   commands->add_new();
+  const std::vector<std::string> words = with_joined_settings(argc, argv);
+  std::vector<const char*> joined;
+  for (const std::string& word : words) joined.push_back(word.c_str());
   try {
-    program.parse(argc, argv);
+    program.parse(static_cast<int>(joined.size()), joined.data());
   } catch (const CLI::ParseError& refusal) {
     if (refusal.get_exit_code() != 0) {
       const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);

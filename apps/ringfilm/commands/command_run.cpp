@@ -45,7 +45,7 @@ void check_outputs_apart(const RunOptions& options, const cycle::Case& input) {
 cycle::Case checked_case(const RunOptions& options) {
   std::vector<Fault> faults;
   cycle::Case input;
-  collect(faults, [&] { input = io::read_case(options.case_path, options.overrides); });
+  collect(faults, [&] { input = case_with_settings(options.case_path, options.overrides); });
   collect(faults, [&] {
     if (!options.output) return;
     check_suffix("--output", *options.output, OutputKind::kNetcdf);

@@ -15,6 +15,10 @@ enum class SummaryForm { kTable, kJson, kNothing };
 enum class LedgerRequest { kStatements, kComputed };
 enum class ErrorRequest { kNone, kEstimated };
 
+/// The case of a command with what it states on the command line; prints on standard error which keys of the case that
+/// makes unused.
+cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings);
+
 struct RunOptions {
   std::string case_path;
   std::vector<io::Override> overrides;
@@ -33,6 +37,7 @@ void run_pad(const RunOptions& options, const cycle::Case& input);
 struct CheckOptions {
   std::string case_path;
   std::vector<io::Override> overrides;
+  SummaryForm summary = SummaryForm::kTable;
 };
 void check(const CheckOptions& options);
 
@@ -76,7 +81,18 @@ void verify(const VerifyOptions& options);
 /// Prints the table of case keys.
 void fields();
 
+struct OilsOptions {
+  SummaryForm summary = SummaryForm::kTable;
+};
+/// Prints the shipped oils.
+void oils(const OilsOptions& options);
+
+struct NewOptions {
+  std::string path;
+  std::optional<std::string> engine;  ///< one of io::start_engines(); the first of them if absent
+  std::optional<std::string> trace;   ///< file of the cylinder pressure
+};
 /// Writes a commented case to start from; refuses to replace a file.
-void start_case(const std::string& path);
+void start_case(const NewOptions& options);
 
 }  // namespace ringfilm::app

@@ -37,12 +37,13 @@ std::string solver_line(const pad::Effort& effort) {
   return text + "\n";
 }
 
-std::string assumed_pad_lines(const std::vector<io::CaseEntry>& inputs) {
+std::string default_input_lines(const std::vector<io::CaseEntry>& inputs) {
   std::string text;
   for (const io::CaseEntry& entry : inputs) {
     if (entry.assumed) text += "    " + entry.key + " = " + entry.shown + "\n";
   }
-  return text.empty() ? "assumed: nothing, the case states every key in use\n" : "assumed:\n" + text;
+  return text.empty() ? "default inputs: none, the case states every key in use\n"
+                      : "default inputs, keys that the case does not state:\n" + text;
 }
 
 }  // namespace
@@ -59,7 +60,7 @@ std::string pad_summary(const cycle::Case& input, const io::PadDocument& documen
                   pad.width ? "what is reported per metre of width is the mean over it" : "all per metre of width");
   if (result.effort.time_steps > 0)
     text += fmt::format("at {:.6g} s, the last of {} instants\n", last.time, result.samples.size());
-  text += values_table(last, pad) + "\n" + solver_line(result.effort) + assumed_pad_lines(document.inputs);
+  text += values_table(last, pad) + "\n" + solver_line(result.effort) + default_input_lines(document.inputs);
   for (const std::string& note : document.input_notes) text += "note: " + note + "\n";
   for (const auto& [topic, message, count] : result.notes) {
     text += "note: " + message + (count > 1 ? fmt::format(" ({} times)", count) : "") + "\n";

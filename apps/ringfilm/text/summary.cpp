@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <vector>
 
 #include "text/engineering_text.hpp"
+#include "text/wrapped_text.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -17,29 +17,6 @@ using cycle::CycleValues;
 
 constexpr int kValueWidth = 12;
 constexpr int kValueWithErrorWidth = 24;
-
-/// Pieces set one after the other in lines of at most 100 characters, all but the first line indented.
-std::string wrapped(const std::vector<std::string>& pieces) {
-  constexpr std::size_t kLineLength = 100;
-  constexpr const char* kIndent = "    ";
-  std::string lines, line;
-  for (const std::string& piece : pieces) {
-    if (!line.empty() && line.size() + 1 + piece.size() > kLineLength) {
-      lines += line + "\n";
-      line = kIndent + piece;
-    } else {
-      line += (line.empty() ? "" : " ") + piece;
-    }
-  }
-  return lines + line + "\n";
-}
-
-std::vector<std::string> words(const std::string& text) {
-  std::vector<std::string> words;
-  std::istringstream stream(text);
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
 
 class Table {
  public:
@@ -150,22 +127,25 @@ std::string solver_lines(const cycle::Effort& effort) {
   return wrapped(words(text));
 }
 
-std::string assumed_lines(const std::vector<io::CaseEntry>& inputs) {
+std::string default_input_lines(const std::vector<io::CaseEntry>& inputs) {
   std::vector<std::string> entries;
   for (const io::CaseEntry& entry : inputs) {
     if (entry.assumed) entries.push_back(entry.key + " = " + entry.shown);
   }
-  if (entries.empty()) return "assumed: nothing, the case states every key in use\n";
-  std::vector<std::string> pieces = {fmt::format("assumed: {} keys that the case does not state:", entries.size())};
+  if (entries.empty()) return "default inputs: none, the case states every key in use\n";
+  std::vector<std::string> pieces = {
+      fmt::format("default inputs: {} keys that the case does not state:", entries.size())};
   for (const std::string& entry : entries) pieces.push_back(entry + (&entry == &entries.back() ? "" : ","));
   return wrapped(pieces);
 }
 
-std::string simplification_lines(const io::ResultDocument& document) {
+std::string assumption_lines(const io::ResultDocument& document) {
   std::string topics;
   for (const study::LedgerEntry& entry : document.ledger) topics += (topics.empty() ? "" : ", ") + entry.topic;
-  return wrapped(words(fmt::format("taken for granted: {} simplifications ({})", document.ledger.size(), topics))) +
-         (document.ledger_computed ? "" : "    run with --ledger to see what the other choices would change\n");
+  return wrapped(words(fmt::format("modelling assumptions: {} ({})", document.ledger.size(), topics))) +
+         (document.ledger_computed
+              ? ""
+              : "    `ringfilm check` describes them; --ledger computes what other choices would change\n");
 }
 
 std::string note_lines(const io::ResultDocument& document) {
@@ -217,7 +197,7 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
   if (document.errors && study::has_values(*document.errors))
     text += error_lines(*document.errors, input.solver.crank_step_control);
   text += result.complete ? solver_lines(result.effort) : stopped_solver_lines(result.effort);
-  text += assumed_lines(document.inputs) + simplification_lines(document) + note_lines(document);
+  text += default_input_lines(document.inputs) + assumption_lines(document) + note_lines(document);
   return text;
 }
 

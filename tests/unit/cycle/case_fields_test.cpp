@@ -94,6 +94,7 @@ TEST(CaseFields, HaveEveryKeyOfTheContract) {
                           "contact.integrals",
                           "contact.lambda_ratio",
                           "lubricant.file",
+                          "lubricant.grade",
                           "lubricant.kinematic_viscosity",
                           "lubricant.density",
                           "lubricant.table",

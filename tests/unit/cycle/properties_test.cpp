@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 #include "styles_case.hpp"
@@ -38,6 +39,27 @@ TEST(Properties, AreFittedToFourTimesTheLargestMeanPressure) {
 
   c.gas.pressure_behind_ring = 0.5;
   EXPECT_EQ(fit_of(prepare(c))->high, 20e6);  // 13 MPa would do
+}
+
+TEST(PressureBehindRing, IsTheShareOfTheExcessOverThePressureBelow) {
+  Gas gas;
+  for (const double above : {0.9e5, 1.1e5, 62.3e5}) {
+    EXPECT_EQ(pressure_behind_ring(gas, above, 1.01325e5), above) << "to the last bit";
+    gas.pressure_behind_ring = 0;
+    EXPECT_EQ(pressure_behind_ring(gas, above, 1.01325e5), 1.01325e5);
+    gas.pressure_behind_ring = 0.25;
+    EXPECT_DOUBLE_EQ(pressure_behind_ring(gas, above, 1e5), 1e5 + 0.25 * (above - 1e5));
+    gas.pressure_behind_ring = 1;
+  }
+}
+
+TEST(PressureBehindRing, LoadsTheRingWithItsTensionAndTheShare) {
+  Case c = styles_new_ring();
+  c.gas.pressure_behind_ring = 0.5;
+  const auto setup = prepare(c);
+  const double above = setup.ring.lands.above.pressure(20), below = setup.ring.lands.below.pressure(20);
+  EXPECT_DOUBLE_EQ(ring_conditions(setup, 20, 0).inputs.load,
+                   (setup.ring.elastic_pressure + below + 0.5 * (above - below)) * c.ring.face_width);
 }
 
 TEST(Properties, AreFittedToHalfTheRangeWhereNoMoreIsToBeHad) {

@@ -250,7 +250,9 @@ struct Gas {
   double crankcase_pressure = 101325;  ///< under the ring, absolute [Pa]; not used where a trace is given
   std::optional<std::string> crankcase_pressure_file;         ///< CSV like that of the cylinder, as named
   std::optional<base::Shared<SampledTrace>> crankcase_trace;  ///< [Pa] as that file gives it
-  double pressure_behind_ring = 1.0;  ///< share of the absolute gas pressure that acts behind the ring [-]
+  /// Share of the excess of the pressure above the ring over that below it that acts behind the ring [-]; see
+  /// pressure_behind_ring() in integration/ring_conditions.hpp.
+  double pressure_behind_ring = 1.0;
 };
 
 /// A gas pressure next to a ring that is not that of the cylinder or of the crankcase: one value, or a trace.
@@ -380,6 +382,7 @@ struct Contact {
 /// The keys under `lubricant`, with the oil of the file that they name.
 struct Lubricant {
   std::optional<std::string> file;                    ///< where the keys of this table were read from
+  std::optional<std::string> grade;                   ///< or the grade of the shipped oil that has them
   std::string name;                                   ///< for people; empty if the case states the values itself
   std::vector<TemperatureValue> kinematic_viscosity;  ///< [m2/s]
   std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure

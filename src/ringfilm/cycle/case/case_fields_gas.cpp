@@ -88,7 +88,8 @@ void append_gas_fields(std::vector<Field>& fields) {
                  "\"1.01325 bar\""}),
           field("gas.pressure_behind_ring", NumberKind{member<&Case::gas, &Gas::pressure_behind_ring>}, kPlainNumber,
                 between(0, 1), Need::kDefault, {},
-                {"share of the absolute gas pressure that acts behind the ring", "1.0"}),
+                {"share of the excess of the gas pressure above the ring over that below it that acts behind the ring",
+                 "1.0"}),
       });
 }
 

@@ -63,6 +63,10 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                 Need::kOptional, {},
                 {"TOML file with the keys of this section; a key given in both is an error",
                  "\"data/lubricants/styles2014.toml\""}),
+          field(
+              "lubricant.grade", OptionalTextKind{member<&Case::lubricant, &Lubricant::grade>}, kNoUnit, {},
+              Need::kOptional, {},
+              {"SAE grade of a shipped oil (`ringfilm oils` lists them), instead of lubricant.file", "\"SAE 10W-40\""}),
           field("lubricant.name", TextKind{member<&Case::lubricant, &Lubricant::name>}, kNoUnit, {}, Need::kDefault, {},
                 {"what the oil is called, for people", "\"my oil\""}),
           field(

@@ -6,6 +6,11 @@
 
 namespace ringfilm::cycle {
 
+double pressure_behind_ring(const Gas& gas, double above, double below) {
+  // With a share of 1 that is `above` to the last bit.
+  return gas.pressure_behind_ring * above + (1 - gas.pressure_behind_ring) * below;
+}
+
 RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, double time_step) {
   const double angle = wrapped(crank_angle_deg);
   const RingSetup& ring = setup.ring;
@@ -28,7 +33,7 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
   at.inputs.left = turned ? crankcase : chamber;
   at.inputs.right = turned ? chamber : crankcase;
   at.inputs.p_cavitation = std::min({c.film.cavitation_pressure, above, below});
-  at.inputs.load = (ring.elastic_pressure + c.gas.pressure_behind_ring * above) * c.ring.face_width;
+  at.inputs.load = (ring.elastic_pressure + pressure_behind_ring(c.gas, above, below)) * c.ring.face_width;
   at.inputs.time_step = time_step;
   at.film_temperature = ring.oil.temperature;
   if (ring.oil.walls) at.film_temperature = ring.oil.walls->film(setup.engine.crank.position(radians(angle)));

@@ -10,6 +10,10 @@ enum class Axis {
   kFromCrankcase  ///< x = 0 at the crankcase edge (only with orientation = "leading-edge", moving down)
 };
 
+/// What the gas presses on the back of a ring, absolute, eq-pressure-behind-ring [Pa]: below + share (above - below).
+/// @param above @param below pressures at the edges of its face [Pa]
+double pressure_behind_ring(const Gas& gas, double above, double below);
+
 /// What acts on a ring at one crank angle.
 struct RingConditions {
   film::FilmInputs inputs;  ///< speed, edges, oil and load of its film

@@ -14,6 +14,7 @@
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
 #include "ringfilm/cycle/integration/oil.hpp"
+#include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 
 namespace ringfilm::cycle {
@@ -54,8 +55,8 @@ models::RingFace ring_face(const Case& c) {
 }
 
 /// On the face [Pa].
-double largest_mean_pressure(const Case& c, const models::CyclePressure& cylinder) {
-  return elastic_pressure(c) + c.gas.pressure_behind_ring * cylinder.peak();
+double largest_mean_pressure(const Case& c, const LandPressures& lands) {
+  return elastic_pressure(c) + pressure_behind_ring(c.gas, lands.above.peak(), lands.below.peak());
 }
 
 double composite_modulus(const Case& c) {
@@ -136,7 +137,7 @@ Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
   append_contact_notes(c, roughness(c), oil.notes);
   const double p_e = elastic_pressure(c);
   append_tension_note(p_e, oil.notes);
-  if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, lands.above));
+  if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, lands));
   sort_notes(oil.notes);
   return {c,
           {crank_slider(c), c.operating.speed},
@@ -174,7 +175,7 @@ Setup prepare(const Case& c, const OwnOil& oil) {
                      "state operating.oil_temperature in place of [thermal]");
   }
   LandPressures lands = land_pressures(c);
-  PreparedOil prepared = own_oil(oil.name, oil.law, c.operating.oil_temperature, largest_mean_pressure(c, lands.above));
+  PreparedOil prepared = own_oil(oil.name, oil.law, c.operating.oil_temperature, largest_mean_pressure(c, lands));
   return with_oil(c, std::move(prepared), std::move(lands));
 }
 

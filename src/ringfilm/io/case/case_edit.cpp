@@ -10,6 +10,7 @@
 #include "ringfilm/io/case/case_data.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_values.hpp"
+#include "ringfilm/io/storage/shipped_oils.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 
@@ -20,6 +21,9 @@ using cycle::Case;
 using cycle::Field;
 
 const std::string kOil = "lubricant.";
+
+/// Does the key name an oil, whose file states the others?
+bool names_oil(const std::string& key) { return key == kOil + "file" || key == kOil + "grade"; }
 
 /// Gives the members behind a key the values that they have in a blank case.
 class Blank {
@@ -88,20 +92,20 @@ void put(Case& c, const Field& field, const TomlEntry& entry, const Units& units
   c.stated.insert(field.key);
 }
 
-/// Replaces what the case states of the oil by all that an oil file states.
-void read_oil(Case& c, const std::string& name, const Units& units) {
-  const NamedFile file = locate(name, "");
+/// Replaces what the case states of the oil by all that the file of an oil states. @param key that names it
+void read_oil(Case& c, const std::string& key_of_oil, const std::string& name, const Units& units) {
+  const NamedFile file = key_of_oil == kOil + "grade" ? shipped_oil_of_grade(name) : locate(name, "");
   const SourceText source = read_source_text(file.path, file.shown, kLargestToml);
   std::erase_if(c.files,
                 [](const cycle::InputFile& one) { return one.role == kOil + "file" || one.role == kOil + "table"; });
   for (const std::string& key : std::set<std::string>(c.stated)) {
-    if (key.rfind(kOil, 0) == 0 && key != kOil + "file") take_out(c, known_field(key));
+    if (key.rfind(kOil, 0) == 0 && key != key_of_oil) take_out(c, known_field(key));
   }
   c.files.push_back({kOil + "file", file.shown, source.sha256});
   const std::size_t end = file.shown.rfind('/');
   const std::string folder = end == std::string::npos ? "" : file.shown.substr(0, end);
   for (const auto& [key, value] : parse_toml(source).members) {
-    if (key == "file" || value.kind == TomlValue::Kind::kTable) {
+    if (names_oil(kOil + key) || value.kind == TomlValue::Kind::kTable) {
       throw InputError({{value.key_mark, key + " has no place in an oil file",
                          "it holds the keys of [lubricant], without sections"}});
     }
@@ -121,16 +125,18 @@ enum class Files { kUnmoved, kMoved };
 /// @returns must files be read again?
 Files apply(const Change& change, Case& c, const Units& units) {
   const Field& field = known_field(change.key);
-  const bool is_oil_file = change.key == kOil + "file" && change.value;
+  const bool is_oil = names_oil(change.key) && change.value;
   if (!change.value || has_two_forms(field)) take_out(c, field);
   if (change.value) put(c, field, {change.key, *change.value, ""}, units);
-  if (is_oil_file) read_oil(c, change.value->text, units);
-  return is_oil_file || moves_files(field, c) ? Files::kMoved : Files::kUnmoved;
+  if (is_oil) read_oil(c, change.key, change.value->text, units);
+  return is_oil || moves_files(field, c) ? Files::kMoved : Files::kUnmoved;
 }
 
 Files apply(std::vector<Change> changes, Case& c, const Units& units) {
-  std::stable_partition(changes.begin(), changes.end(),
-                        [](const Change& change) { return change.key == kOil + "file"; });
+  std::stable_partition(changes.begin(), changes.end(), [](const Change& change) { return names_oil(change.key); });
+  if (changes.size() > 1 && changes[0].value && changes[1].value && names_oil(changes[1].key)) {
+    throw InputError("lubricant.file and lubricant.grade are both given", "keep one of them");
+  }
   Files files = Files::kUnmoved;
   std::vector<Fault> faults;
   for (const Change& change : changes) {
@@ -184,9 +190,8 @@ const Field& known_field(const std::string& key) {
   if (const Field* field = cycle::find_field(key)) return *field;
   std::vector<std::string> keys;
   for (const Field& field : cycle::case_fields()) keys.push_back(field.key);
-  const std::string near = nearest_word(key, keys);
-  throw UnknownKeyError("unknown key " + key + (near.empty() ? "" : "; did you mean " + near + "?"),
-                        near.empty() ? "`ringfilm fields` lists all keys" : "");
+  const KeyProposal proposal = key_proposal(key, keys);
+  throw UnknownKeyError("unknown key " + key + proposal.message, proposal.remedy);
 }
 
 LocatedKey located_key(const Case& c, const std::string& key) {
@@ -203,7 +208,7 @@ LocatedKey located_key(const Case& c, const std::string& key) {
 void state(Case& c, const std::string& key, const TomlValue& value, const Units& units) {
   if (c.is_pack()) return update(c, {{key, value}}, units);
   const Field& field = known_field(key);
-  const bool is_alone = key != kOil + "file" && !has_two_forms(field) && !moves_files(field, c);
+  const bool is_alone = !names_oil(key) && !has_two_forms(field) && !moves_files(field, c);
   if (is_alone) return put(c, field, {key, value, ""}, units);
   change_alone(c, {key, value}, units);
 }
@@ -227,7 +232,7 @@ void check_case(const Case& c) {
   if (!c.files.empty()) stated.path = c.files.front().path;
   for (const std::string& key : c.stated) {
     stated.given[key] = {};
-    if (c.lubricant.file && key.rfind(kOil, 0) == 0) stated.from_oil_file.insert(key);
+    if ((c.lubricant.file || c.lubricant.grade) && key.rfind(kOil, 0) == 0) stated.from_oil_file.insert(key);
   }
   std::vector<Fault> faults = case_faults(c, stated);
   if (!faults.empty()) throw InputError(std::move(faults));

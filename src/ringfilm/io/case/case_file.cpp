@@ -107,6 +107,46 @@ bool same(const Fault& a, const Fault& b) {
          a.message == b.message;
 }
 
+/// The case of a tree, be it at fault.
+Case case_as_read(const CaseTree& tree, const Units& units) {
+  std::vector<Fault> unheeded;
+  return CaseReader(tree, units).read(unheeded);
+}
+
+/// Takes the keys of files out that are in use without the overrides, in `before`, and not with them.
+void drop_unused(PackTrees& pack, const PackTrees& before, const Units& units, std::vector<DroppedKey>& dropped) {
+  if (pack.trees.size() != before.trees.size()) return;
+  for (std::size_t i = 0; i < pack.trees.size(); ++i) {
+    CaseTree& tree = pack.trees[i];
+    const Case now = case_as_read(tree, units), once = case_as_read(before.trees[i], units);
+    if (now.problem != once.problem) continue;
+    std::erase_if(tree.entries, [&](const TomlEntry& entry) {
+      const cycle::Field& field = *cycle::find_field(entry.key);
+      const bool of_file = entry.value.key_mark.line > 0 && !tree.from_oil_file.contains(entry.key);
+      if (!of_file || cycle::is_active(field, now) || !cycle::is_active(field, once)) return false;
+      const std::string key = pack.is_pack ? cycle::pack_key(i + 1, entry.key) : entry.key;
+      const auto is_same = [&key](const DroppedKey& one) { return one.key == key; };
+      if (std::none_of(dropped.begin(), dropped.end(), is_same)) dropped.push_back({key, entry.value.key_mark});
+      return true;
+    });
+  }
+}
+
+Case case_of(PackTrees pack, const Units& units) {
+  std::vector<Fault> faults = std::move(pack.faults);
+  std::vector<Case> cases;
+  for (std::size_t i = 0; i < pack.trees.size(); ++i) {
+    std::vector<Fault> of_ring;
+    cases.push_back(CaseReader(std::move(pack.trees[i]), units).read(of_ring));
+    for (Fault& fault : of_ring) {
+      if (pack.is_pack && fault.mark.line == 0) fault.message = "ring " + std::to_string(i + 1) + ": " + fault.message;
+    }
+    append_new(faults, std::move(of_ring), same);
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return pack.is_pack ? ring_pack(std::move(cases)) : std::move(cases.front());
+}
+
 }  // namespace
 
 cycle::Case ring_pack(std::vector<cycle::Case> rings) {
@@ -128,19 +168,22 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 }
 
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units) {
-  PackTrees pack = pack_trees(read_case_tree(path, overrides));
-  std::vector<Fault> faults = std::move(pack.faults);
-  std::vector<Case> cases;
-  for (std::size_t i = 0; i < pack.trees.size(); ++i) {
-    std::vector<Fault> of_ring;
-    cases.push_back(CaseReader(std::move(pack.trees[i]), units).read(of_ring));
-    for (Fault& fault : of_ring) {
-      if (pack.is_pack && fault.mark.line == 0) fault.message = "ring " + std::to_string(i + 1) + ": " + fault.message;
-    }
-    append_new(faults, std::move(of_ring), same);
+  return case_of(pack_trees(read_case_tree(path, overrides)), units);
+}
+
+cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
+                               std::vector<DroppedKey>& dropped) {
+  PackTrees pack = pack_trees(read_case_tree(path, overrides, &dropped));
+  if (!overrides.empty()) drop_unused(pack, pack_trees(read_case_tree(path, {})), units, dropped);
+  return case_of(std::move(pack), units);
+}
+
+std::string listed(const std::vector<DroppedKey>& dropped) {
+  std::string text;
+  for (const auto& [key, mark] : dropped) {
+    text += (text.empty() ? "" : ", ") + key + " (" + mark.file + ":" + std::to_string(mark.line) + ")";
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
-  return pack.is_pack ? ring_pack(std::move(cases)) : std::move(cases.front());
+  return text;
 }
 
 }  // namespace ringfilm::io

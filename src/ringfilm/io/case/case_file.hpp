@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/text/units.hpp"
@@ -15,6 +16,12 @@ struct Override {
   std::string value;  ///< as written, e.g. "89 mm"; empty: the key is removed
 };
 
+/// A key of a file that overrides make unused, or state in another way.
+struct DroppedKey {
+  std::string key;
+  SourceMark mark;  ///< of the key
+};
+
 /// Reads a case with its includes, oil file, traces and points; overrides come last and replace.
 /// Throws one InputError with every fault found in all files. File names are relative to the file that names them,
 /// those of an override to the working folder; `data/lubricants/...` falls back to the shipped folder.
@@ -22,6 +29,14 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 
 /// The same for who reads many cases, which building the units anew for each would slow down.
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units);
+
+/// The same where overrides may make keys of the files unused: those are dropped from the case and put into `dropped`.
+/// A key that the files alone leave unused, or that an override itself states in vain, is an error as ever.
+cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
+                               std::vector<DroppedKey>& dropped);
+
+/// "ring.elastic_pressure (my.toml:31), ...", for messages.
+std::string listed(const std::vector<DroppedKey>& dropped);
 
 /// The ring pack of these cases, of one engine and one or more rings, from the chamber to the crankcase.
 cycle::Case ring_pack(std::vector<cycle::Case> rings);

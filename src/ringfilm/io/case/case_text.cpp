@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/case/case_edit.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"
 #include "ringfilm/io/case/case_values.hpp"
+#include "ringfilm/io/storage/shipped.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -36,19 +38,27 @@ Case with_optional_defaults(Case c) {
   return c;
 }
 
-/// The case that `starting_case` writes: examples where a key must be stated, defaults elsewhere.
-Case example_case(const Units& units) {
+const char* const kGrade = "lubricant.grade";
+
+/// The case that states these values, with the oil of a grade where the shipped folder is found; values that are empty
+/// are not stated.
+Case case_stating(const std::vector<StartValue>& values, const Units& units) {
+  Case c;
+  const auto grade = std::find_if(values.begin(), values.end(), [](const auto& one) { return one.key == kGrade; });
+  // Before the rest: files that the rest names are not read.
+  if (grade != values.end() && find_shipped_folder()) update(c, {{kGrade, parse_toml_value(grade->value)}}, units);
+  std::vector<Fault> faults;
+  for (const auto& [key, value, remark] : values) {
+    if (!value.empty()) set_value(c, *cycle::find_field(key), {key, parse_toml_value(value), ""}, units, faults);
+  }
+  if (!faults.empty()) throw std::logic_error("a value of a case to start from is refused: " + describe(faults));
+  return c;
+}
+
+/// A case with a Wiebe cycle, for the defaults of that model.
+Case wiebe_case() {
   Case c;
   c.gas.model = cycle::GasModel::kWiebe;
-  c.ring.face.form = cycle::FaceForm::kParabola;
-  std::vector<Fault> faults;
-  for (const Field& field : cycle::case_fields()) {
-    const bool chosen = field.key == "ring.face.form";
-    const bool is_stated = (cycle::is_required(field, c) && cycle::is_active(field, c)) ||
-                           field.key == "ring.elastic_pressure" || field.key == "lubricant.name";
-    if (is_stated && !chosen) set_value(c, field, {field.key, parse_toml_value(field.example), ""}, units, faults);
-  }
-  if (!faults.empty()) throw std::logic_error("an example of the table of keys is refused: " + describe(faults));
   return with_optional_defaults(c);
 }
 
@@ -56,9 +66,8 @@ Case example_case(const Units& units) {
 std::string default_words(const Field& field, const Units& units) {
   if (cycle::is_required(field, Case{})) return "required";
   if (field.need == Need::kOptional)
-    return field.active_when.find("wiebe") == std::string::npos
-               ? "-"
-               : shown_value(field, example_case(units), units) + " (wiebe)";
+    return field.active_when.find("wiebe") == std::string::npos ? "-"
+                                                                : shown_value(field, wiebe_case(), units) + " (wiebe)";
   const auto default_in = [&](cycle::Problem problem) { return shown_value(field, cycle::blank_case(problem), units); };
   const std::string value = default_in(field.problem.value_or(cycle::Problem::kCycle));
   const std::string of_pad = field.problem ? value : default_in(cycle::Problem::kPad);
@@ -169,8 +178,8 @@ std::string case_text(const std::vector<CaseEntry>& entries) {
   std::string last_section;
   std::size_t last_ring = 0;
   for (const CaseEntry& entry : entries) {
-    // The keys of the oil file are written out, so the file itself must not be named again.
-    if (entry.key == "lubricant.file") continue;
+    // The keys of the oil file are written out, so the oil itself must not be named again.
+    if (entry.key == "lubricant.file" || entry.key == kGrade) continue;
     const auto of_ring = cycle::ring_key(entry.key);
     const std::size_t ring = of_ring ? of_ring->ring : 0;
     // `ring.2.contact.roughness` is `roughness` in [ring.contact] of the second [[ring]].
@@ -189,22 +198,31 @@ std::string case_text(const std::vector<CaseEntry>& entries) {
   return text;
 }
 
-std::string starting_case() {
+std::string commented_case(const std::string& head, const std::vector<StartValue>& values) {
   const Units units;
-  const Case c = example_case(units);
-  std::string text =
-      "# A case of ringfilm. A quantity is text with its unit; a bare number has none.\n"
-      "# Lines that start with \"# key =\" are keys of other models and optional keys.\n"
-      "# `ringfilm fields` shows all keys; `ringfilm check` reads this file without running it.\n"
-      "# include = [\"fragment.toml\"] would read more keys from another file.\n";
+  const Case c = with_optional_defaults(case_stating(values, units));
+  std::string text = head;
   SectionHeads heads;
   for (const Field& field : cycle::case_fields()) {
     if (!cycle::belongs(field, c)) continue;
-    const std::string value = cycle::is_active(field, c) ? written_value(field, c, units) : "";
-    text += heads.before(field) + "\n# " + (value.empty() ? meaning_words(field) : field.help) + ".\n";
+    const auto stated =
+        std::find_if(values.begin(), values.end(), [&](const StartValue& value) { return value.key == field.key; });
+    const bool is_stated = stated != values.end();
+    const std::string usual = cycle::is_active(field, c) ? written_value(field, c, units) : "";
+    const bool explains_use = !is_stated && usual.empty();
+    text += heads.before(field) + "\n# " + (explains_use ? meaning_words(field) : field.help) + ".\n";
     const std::string allowed = allowed_words(field, units);
     if (allowed != "-") text += "# Allowed: " + allowed + ".\n";
-    text += (value.empty() ? "# " + name_of(field) + " = " + field.example : name_of(field) + " = " + value) + "\n";
+    if (is_stated && !stated->value.empty()) {
+      text += fmt::format("{} = {}  # {}\n", name_of(field), stated->value, stated->remark);
+    } else if (is_stated) {
+      text += fmt::format("# {} = {}  # MISSING: {}\n", name_of(field), field.example, stated->remark);
+    } else {
+      text += fmt::format("# {} = {}  # {}\n", name_of(field), usual.empty() ? field.example : usual,
+                          usual.empty()                  ? "example"
+                          : c.stated.contains(field.key) ? "of the oil"
+                                                         : "default");
+    }
   }
   return text;
 }

@@ -1,12 +1,20 @@
 #pragma once
 #include <string>
+#include <vector>
 
 /// Texts that are written from the table of case keys.
 namespace ringfilm::io {
 
-/// A commented, complete case that runs unchanged (`ringfilm new`): Wiebe cycle, parabolic face, oil by its values.
-/// Every key is in it; those of other models as comments.
-std::string starting_case();
+/// A key as a case to start from has it.
+struct StartValue {
+  std::string key;
+  std::string value;   ///< the right-hand side in TOML; empty: the user has to state it
+  std::string remark;  ///< where the value comes from, or what is to be stated
+};
+
+/// A commented case that states `values` alone: every other key is in it as a comment, with its default or an example.
+/// @param head comment lines before the first key
+std::string commented_case(const std::string& head, const std::vector<StartValue>& values);
 
 /// The table of case keys for a terminal (`ringfilm fields`): key, unit, default, range, meaning, when it is in use.
 std::string fields_table();

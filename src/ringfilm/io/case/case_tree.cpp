@@ -6,7 +6,9 @@
 #include <set>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/storage/shipped_oils.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
+#include "ringfilm/io/text/trade_terms.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -14,7 +16,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepestInclude = 8;
-const char* const kOilSection = "lubricant.";
+const std::string kOilSection = "lubricant.";
+const char* const kOilFile = "lubricant.file";
+const char* const kOilGrade = "lubricant.grade";
+
+/// Several ways to state one thing, each with its keys.
+using Ways = std::vector<std::vector<std::string>>;
+/// Of these a case states one way. The first key of a way decides.
+const std::vector<Ways> kWays = {
+    {{"ring.elastic_pressure"}, {"ring.tangential_force"}, {"ring.free_gap", "ring.radial_thickness"}},
+    {{"pad.separation"}, {"pad.load"}, {"pad.separation_history"}},
+    {{kOilFile}, {kOilGrade}},
+};
 
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
@@ -98,7 +111,7 @@ bool is_text_key(const cycle::Field& field) {
 
 class Gatherer {
  public:
-  explicit Gatherer(const std::string& path) { tree_.path = path; }
+  Gatherer(const std::string& path, std::vector<DroppedKey>* dropped) : dropped_(dropped) { tree_.path = path; }
 
   CaseTree gather(const std::vector<Override>& overrides) {
     const SourceText source = read_source_text(tree_.path, tree_.path, kLargestToml);
@@ -107,7 +120,8 @@ class Gatherer {
     open_.push_back(identity(tree_.path));
     add_file(root, tree_.path);
     const std::vector<TomlEntry> stated = read_overrides(overrides);
-    add_oil_file(stated);
+    drop_other_ways(stated);
+    add_oil(stated);
     for (const TomlEntry& entry : stated) replace(entry);
     for (auto& [key, entry] : entries_) tree_.entries.push_back(entry);
     return std::move(tree_);
@@ -157,6 +171,10 @@ class Gatherer {
 
   void refuse_section(const TomlEntry& section) {
     const cycle::Field* const field = cycle::find_field(section.key);
+    if (const TradeTerm* const term = trade_term(section.key); term != nullptr && field == nullptr) {
+      const KeyProposal proposal = key_proposal(section.key, names_.keys);
+      return fault(section.value.key_mark, "unknown section [" + section.key + "]" + proposal.message, proposal.remedy);
+    }
     const std::string near = field != nullptr ? "" : nearest(section.key, names_.sections);
     if (field != nullptr) tree_.faulty.insert(section.key);
     if (!near.empty()) tree_.faulty.insert(near + ".");
@@ -185,13 +203,14 @@ class Gatherer {
       tree_.faulty.insert(entry.key + ".");
       return false;
     }
-    std::string near = nearest(plain_key(entry.key), names_.keys);
-    if (const auto of_ring = cycle::ring_key(entry.key); of_ring && !near.empty()) {
-      near = cycle::pack_key(of_ring->ring, near);
+    KeyProposal proposal{"", "", "`ringfilm fields` lists all keys"};
+    if (tree_.faults.size() < kMostSuggestions) proposal = key_proposal(plain_key(entry.key), names_.keys);
+    if (const auto of_ring = cycle::ring_key(entry.key); of_ring && !proposal.near.empty()) {
+      proposal.near = cycle::pack_key(of_ring->ring, proposal.near);
+      proposal.message = did_you_mean(proposal.near);
     }
-    if (!near.empty()) tree_.faulty.insert(near);
-    fault(entry.value.key_mark, "unknown key " + entry.key + did_you_mean(near),
-          near.empty() ? "`ringfilm fields` lists all keys" : "");
+    if (!proposal.near.empty()) tree_.faulty.insert(proposal.near);
+    fault(entry.value.key_mark, "unknown key " + entry.key + proposal.message, proposal.remedy);
     return false;
   }
 
@@ -201,7 +220,7 @@ class Gatherer {
     if (inserted) return;
     tree_.faulty.insert(entry.key);
     fault(entry.value.key_mark, entry.key + " is given twice",
-          "it is given at " + place(found->second.value.key_mark) + " too; keep one of them");
+          deletion_words(found->second.value.key_mark, entry.value.key_mark));
   }
 
   void add_includes(const TomlEntry& entry) {
@@ -266,30 +285,96 @@ class Gatherer {
     }
   }
 
-  void add_oil_file(const std::vector<TomlEntry>& stated) {
-    const std::string key = "lubricant.file";
-    const TomlEntry* named = entries_.contains(key) ? &entries_.at(key) : nullptr;
-    for (const TomlEntry& entry : stated) {
-      if (entry.key == key) named = &entry;
+  /// What is in force of a key: the value of the command line, else that of the files; nullptr for none.
+  const TomlEntry* in_force(const std::string& key, const std::vector<TomlEntry>& stated) const {
+    const auto of_line =
+        std::find_if(stated.rbegin(), stated.rend(), [&](const auto& entry) { return entry.key == key; });
+    if (of_line != stated.rend()) return &*of_line;
+    const auto found = entries_.find(key);
+    return found == entries_.end() ? nullptr : &found->second;
+  }
+
+  static bool is_name(const TomlEntry* entry) {
+    return entry != nullptr && entry->value.kind == TomlValue::Kind::kText && !entry->value.text.empty();
+  }
+
+  /// Reads the oil that lubricant.file or lubricant.grade names.
+  void add_oil(const std::vector<TomlEntry>& stated) {
+    const TomlEntry* const file = in_force(kOilFile, stated);
+    const TomlEntry* const grade = in_force(kOilGrade, stated);
+    if (file != nullptr && grade != nullptr) {
+      const SourceMark &one = file->value.key_mark, &other = grade->value.key_mark;
+      fault(other, std::string(kOilGrade) + " and " + kOilFile + " are both given",
+            one.line > 0 && other.line > 0 ? deletion_words(one, other) : "keep one of them");
+      tree_.faulty.insert(kOilSection);
+    } else if (is_name(file)) {
+      const std::string shipped = shipped_name(file->value.text, file->folder);
+      read_oil(
+          *file, locate(file->value.text, file->folder),
+          shipped.empty() ? "" : "this path was tried; the shipped oil is found from anywhere as \"" + shipped + "\"");
+    } else if (is_name(grade)) {
+      try {
+        read_oil(*grade, shipped_oil_of_grade(grade->value.text), "");
+      } catch (const InputError& unknown) {
+        const Fault& first = unknown.faults().front();
+        fault(grade->value.mark, std::string(kOilGrade) + ": " + first.message, first.remedy);
+        tree_.faulty.insert(kOilSection);
+      }
     }
-    if (named == nullptr || named->value.kind != TomlValue::Kind::kText || named->value.text.empty()) return;
-    const NamedFile file = locate(named->value.text, named->folder);
-    const SourceMark mark = named->value.mark;
+  }
+
+  void read_oil(const TomlEntry& naming, const NamedFile& file, const std::string& remedy) {
+    const bool replaces = naming.value.mark.line == 0 && dropped_ != nullptr;
     const auto use = [&](const TomlValue& root) {
       for (const auto& [name, value] : root.members) {
-        if (name == "file" || value.kind == TomlValue::Kind::kTable) {
+        if (name == "file" || name == "grade" || value.kind == TomlValue::Kind::kTable) {
           fault(value.key_mark, name + " has no place in an oil file",
                 "it holds the keys of [lubricant], without sections");
-        } else {
-          tree_.from_oil_file.insert(kOilSection + name);
-          add({kOilSection + name, value, folder_of(file.shown)});
+          continue;
         }
+        if (replaces) drop(kOilSection + name);
+        tree_.from_oil_file.insert(kOilSection + name);
+        add_of_oil({kOilSection + name, value, folder_of(file.shown)}, naming.key);
       }
     };
-    const std::string shipped = shipped_name(named->value.text, named->folder);
-    read_named(
-        mark, key, file, key, use,
-        shipped.empty() ? "" : "this path was tried; the shipped oil is found from anywhere as \"" + shipped + "\"");
+    read_named(naming.value.mark, naming.key, file, kOilFile, use, remedy);
+  }
+
+  /// A key of the oil file; the case cannot state it, too.
+  void add_of_oil(const TomlEntry& entry, const std::string& naming_key) {
+    const auto found = entries_.find(entry.key);
+    if (found == entries_.end()) return add(entry);
+    const SourceMark mark = found->second.value.key_mark;
+    tree_.faulty.insert(entry.key);
+    fault(mark, entry.key + " is given twice",
+          "delete line " + std::to_string(mark.line) + " of " + mark.file + ", or " + naming_key +
+              ": the oil file has it at " + place(entry.value.key_mark));
+  }
+
+  /// Takes out what the files state in another of several ways of which a case takes one, where the command line states
+  /// one of them.
+  void drop_other_ways(const std::vector<TomlEntry>& stated) {
+    if (dropped_ == nullptr) return;
+    for (const TomlEntry& entry : stated) {
+      const auto of_ring = cycle::ring_key(entry.key);
+      const std::string key = plain_key(entry.key);
+      for (const Ways& ways : kWays) {
+        const auto is_this = [&key](const std::vector<std::string>& way) { return way.front() == key; };
+        if (std::none_of(ways.begin(), ways.end(), is_this)) continue;
+        for (const std::vector<std::string>& way : ways) {
+          for (const std::string& other : way) {
+            if (!is_this(way)) drop(of_ring ? cycle::pack_key(of_ring->ring, other) : other);
+          }
+        }
+      }
+    }
+  }
+
+  void drop(const std::string& key) {
+    const auto found = entries_.find(key);
+    if (found == entries_.end()) return;
+    dropped_->push_back({key, found->second.value.key_mark});
+    entries_.erase(found);
   }
 
   /// What a shipped oil is called from anywhere, of a name that leads to it through other folders; empty for none.
@@ -343,6 +428,7 @@ class Gatherer {
     tree_.from_oil_file.erase(entry.key);
   }
 
+  std::vector<DroppedKey>* dropped_;  ///< nullptr: the command line drops nothing
   CaseTree tree_;
   std::map<std::string, TomlEntry> entries_;
   std::vector<std::string> open_;                ///< files being read, for include loops
@@ -352,8 +438,9 @@ class Gatherer {
 
 }  // namespace
 
-CaseTree read_case_tree(const std::string& path, const std::vector<Override>& overrides) {
-  return Gatherer(path).gather(overrides);
+CaseTree read_case_tree(const std::string& path, const std::vector<Override>& overrides,
+                        std::vector<DroppedKey>* dropped) {
+  return Gatherer(path, dropped).gather(overrides);
 }
 
 }  // namespace ringfilm::io

@@ -23,7 +23,10 @@ struct CaseTree {
 };
 
 /// Throws InputError if the case file itself cannot be read; all other faults are reported in the tree.
-CaseTree read_case_tree(const std::string& path, const std::vector<Override>& overrides);
+/// @param dropped receives the keys of files that state in another way what an override states, which are omitted;
+/// nullptr: they are faults
+CaseTree read_case_tree(const std::string& path, const std::vector<Override>& overrides,
+                        std::vector<DroppedKey>* dropped = nullptr);
 
 /// The keys of the case of each ring, as a file of its own would have them.
 struct PackTrees {

@@ -40,6 +40,22 @@ class TraceReader {
   TraceReader(const NamedFile& file, const TraceColumns& stated, const Units& units)
       : csv_(read_csv(file)), stated_(stated), units_(units) {}
 
+  TraceOutline outline() const {
+    TraceOutline seen;
+    const CsvColumn *angle = nullptr, *pressure = nullptr;
+    for (const CsvColumn& column : csv_.columns) {
+      const bool is_angle = may_be(column, kAngle);
+      if (!is_angle && !may_be(column, kPressure)) continue;
+      (is_angle ? seen.angle : seen.pressure).push_back({column.name, column.unit});
+      (is_angle ? angle : pressure) = &column;
+    }
+    if (seen.pressure.size() == 1 && pressure->unit) seen.has_gauge_unit = is_gauge(*pressure->unit);
+    const bool is_clear = seen.angle.size() == 1 && seen.pressure.size() == 1 && angle->unit && pressure->unit;
+    if (!is_clear || seen.has_gauge_unit) return seen;
+    seen.samples = {in_si(*angle, "degree"), in_si(*pressure, "Pa")};
+    return seen;
+  }
+
   TraceFile read() {
     const Role angle{
         "crank angle",        "degree",          "gas.angle_column", "gas.angle_unit", "crank_angle [degree]",
@@ -73,10 +89,18 @@ class TraceReader {
   }
 
  private:
-  bool may_be(const CsvColumn& column, const Role& role) const {
-    if (column.unit)
-      return units_.measures(*column.unit, role.si_unit) || (role.si_unit == "Pa" && is_gauge(*column.unit));
-    return sounds_like_angle(column.name) == (role.si_unit == "degree");
+  static constexpr const char *kAngle = "degree", *kPressure = "Pa";
+
+  bool may_be(const CsvColumn& column, const std::string& si_unit) const {
+    if (column.unit) return units_.measures(*column.unit, si_unit) || (si_unit == kPressure && is_gauge(*column.unit));
+    return sounds_like_angle(column.name) == (si_unit == kAngle);
+  }
+
+  std::vector<double> in_si(const CsvColumn& column, const std::string& si_unit) const {
+    const Scale scale = units_.scale(*column.unit, si_unit);
+    std::vector<double> si(column.values.size());
+    std::transform(column.values.begin(), column.values.end(), si.begin(), [&](double v) { return scale.to_si(v); });
+    return si;
   }
 
   bool is_gauge(const std::string& unit) const {
@@ -110,7 +134,7 @@ class TraceReader {
     }
     std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < csv_.columns.size(); ++i) {
-      if (may_be(csv_.columns[i], role)) candidates.push_back(i);
+      if (may_be(csv_.columns[i], role.si_unit)) candidates.push_back(i);
     }
     if (candidates.size() == 1) return candidates.front();
     if (candidates.empty()) {
@@ -231,6 +255,11 @@ class TraceReader {
 };
 
 }  // namespace
+
+TraceOutline trace_outline(const NamedFile& file, const Units& units) {
+  const TraceColumns nothing_stated;
+  return TraceReader(file, nothing_stated, units).outline();
+}
 
 TraceFile read_trace(const NamedFile& file, const TraceColumns& stated, const Units& units) {
   return TraceReader(file, stated, units).read();

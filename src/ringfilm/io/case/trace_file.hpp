@@ -35,6 +35,22 @@ class TraceKeyError : public InputError {
   using InputError::InputError;
 };
 
+/// A column of a trace as its header shows it.
+struct TraceColumn {
+  std::string name;
+  std::optional<std::string> unit;  ///< as written
+};
+
+/// What a trace shows of itself before a case states anything of it.
+struct TraceOutline {
+  std::vector<TraceColumn> angle, pressure;  ///< the columns that may be the crank angle and the pressure
+  bool has_gauge_unit = false;               ///< is the unit of the one pressure a gauge one, such as barg?
+  cycle::SampledTrace samples;               ///< in SI and degrees; empty unless one column with its unit is either
+};
+
+/// Looks at the header of a trace. Throws InputError for a file that is not a table of numbers.
+TraceOutline trace_outline(const NamedFile& file, const Units& units);
+
 /// Reads pressure [Pa] against crank angle [degree] from a CSV file. Throws InputError with all faults of the file:
 /// those of read_csv, columns that cannot be distinguished, units missing, contradictory or of the wrong kind, angles
 /// that do not increase, leave a hole or span over 720 degrees, pressures that cannot be absolute (or gauge) or do not

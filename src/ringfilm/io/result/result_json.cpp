@@ -141,4 +141,31 @@ std::string result_json(const ResultDocument& document) {
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
+std::string check_json(const CaseCheck& check) {
+  ordered_json stated = ordered_json::array(), defaults = ordered_json::array();
+  for (const CaseEntry& entry : check.inputs) {
+    (entry.assumed ? defaults : stated)
+        .push_back({{"key", entry.key}, {"value", entry.value}, {"shown", entry.shown}, {"help", entry.help}});
+  }
+  ordered_json assumptions = ordered_json::array();
+  for (std::size_t i = 0; i < check.assumptions.size(); ++i) {
+    for (const study::LedgerEntry& entry : check.assumptions[i]) {
+      assumptions.push_back({{"ring", i + 1},
+                             {"topic", entry.topic},
+                             {"statement", entry.statement},
+                             {"consequence", entry.consequence},
+                             {"source", entry.source},
+                             {"can_be_lifted", entry.can_be_lifted}});
+    }
+  }
+  ordered_json notes = ordered_json::array();
+  for (const auto& [topic, message, count] : check.notes) notes.push_back({{"topic", topic}, {"message", message}});
+  const ordered_json object = {{"case", check.path},
+                               {"stated", stated},
+                               {"default_inputs", defaults},
+                               {"modelling_assumptions", assumptions},
+                               {"notes", notes}};
+  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace ringfilm::io

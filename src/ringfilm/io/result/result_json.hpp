@@ -12,4 +12,15 @@ namespace ringfilm::io {
 /// integrated and `order_in_cells` and `order_in_step` as seen. JSON has no NaN: such a value is null.
 std::string result_json(const ResultDocument& document);
 
+/// What `ringfilm check` finds out about a case.
+struct CaseCheck {
+  std::string path;                                          ///< of the case
+  std::vector<CaseEntry> inputs;                             ///< all keys in use
+  std::vector<std::vector<study::LedgerEntry>> assumptions;  ///< modelling assumptions of each ring; none of a pad
+  std::vector<cycle::Note> notes;                            ///< those of reading with the topic "input"
+};
+
+/// The same as JSON: "stated" and "default_inputs", "modelling_assumptions" and "notes".
+std::string check_json(const CaseCheck& check);
+
 }  // namespace ringfilm::io

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ringfilm/base/renamed.hpp"
+#include "ringfilm/io/text/trade_terms.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -44,6 +45,17 @@ std::string nearest_word(const std::string& written, const std::vector<std::stri
     }
   }
   return nearest;
+}
+
+KeyProposal key_proposal(const std::string& written, const std::vector<std::string>& known) {
+  const TradeTerm* const term = trade_term(written);
+  if (term != nullptr && term->key.empty()) {
+    return {"", ": " + std::string(term->word) + " is not modelled", std::string(term->remedy)};
+  }
+  const bool is_term = term != nullptr && std::find(known.begin(), known.end(), term->key) != known.end();
+  const std::string near = is_term ? std::string(term->key) : nearest_word(written, known);
+  if (near.empty()) return {"", "", "`ringfilm fields` lists all keys"};
+  return {near, "; did you mean " + near + "?", is_term ? std::string(term->remedy) : ""};
 }
 
 }  // namespace ringfilm::io

@@ -9,4 +9,15 @@ namespace ringfilm::io {
 /// of an earlier version (base/renamed.hpp) means its present name.
 std::string nearest_word(const std::string& written, const std::vector<std::string>& known);
 
+/// What to answer to an unknown key.
+struct KeyProposal {
+  std::string near;     ///< the key that is most likely meant; empty for none
+  std::string message;  ///< the end of the sentence "unknown key ring.closed_gap"; may be empty
+  std::string remedy;   ///< may be empty
+};
+
+/// The key of `known` that `written` most likely means, by nearest_word or as a term of the trade (trade_term); for a
+/// term of what is not modelled what to state instead.
+KeyProposal key_proposal(const std::string& written, const std::vector<std::string>& known);
+
 }  // namespace ringfilm::io

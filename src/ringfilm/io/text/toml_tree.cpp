@@ -4,8 +4,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "ringfilm/base/printable_text.hpp"
+#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/io/text/toml_scan.hpp"
 #include "ringfilm/io/text/units.hpp"
 
@@ -69,15 +71,47 @@ void find_control_characters(const TomlValue& value, std::vector<Fault>& faults)
   }
 }
 
+/// The last line before `line` that states the same key in its section, or begins the same section; 0 for none.
+int first_statement(const SourceText& source, int line, const std::string& name, bool is_section) {
+  for (int i = line - 1; i > 0; --i) {
+    const std::string text = trimmed(source.lines[static_cast<std::size_t>(i - 1)]);
+    const bool is_head = text.rfind('[', 0) == 0;
+    if (is_section ? text.rfind("[" + name + "]", 0) == 0
+                   : text.rfind(name, 0) == 0 && trimmed(text.substr(name.size())).rfind('=', 0) == 0) {
+      return i;
+    }
+    if (is_head && !is_section) return 0;
+  }
+  return 0;
+}
+
+/// A key or section that the parser found twice in one file; nothing for another error.
+std::optional<Fault> redefinition(const SourceText& source, const SourceMark& mark, const std::string& description) {
+  const std::size_t end = description.rfind('\''), begin = description.rfind('\'', end - 1);
+  if (description.find("cannot redefine existing") == std::string::npos || end == std::string::npos ||
+      begin == std::string::npos || begin + 1 >= end) {
+    return std::nullopt;
+  }
+  const std::string name = description.substr(begin + 1, end - begin - 1);
+  const bool is_section = description.find("table header") != std::string::npos;
+  const int first = first_statement(source, mark.line, name, is_section);
+  if (first == 0) return std::nullopt;
+  if (!is_section) return Fault{mark, name + " is given twice", deletion_words(source.mark(first), mark)};
+  return Fault{mark, "[" + name + "] is given twice",
+               fmt::format("move its keys below line {} and delete line {}", first, mark.line)};
+}
+
 TomlValue parsed(const SourceText& source) {
   check_before_parsing(source);
   try {
     const toml::table table = toml::parse(source.text, source.path);
     return plain(table, source);
   } catch (const toml::parse_error& error) {
-    throw InputError(std::vector<Fault>{
-        {mark_of(source, error.source()), "this is not valid TOML: " + std::string(error.description()),
-         "a line is key = value or [section]; texts and values with a unit must be in quotes"}});
+    const SourceMark mark = mark_of(source, error.source());
+    if (auto twice = redefinition(source, mark, std::string(error.description()))) throw InputError({*twice});
+    throw InputError(
+        std::vector<Fault>{{mark, "this is not valid TOML: " + std::string(error.description()),
+                            "a line is key = value or [section]; texts and values with a unit must be in quotes"}});
   }
 }
 
@@ -94,6 +128,14 @@ void flatten_into(const TomlValue& table, const std::string& prefix, const std::
 }
 
 }  // namespace
+
+std::string deletion_words(const SourceMark& one, const SourceMark& other) {
+  if (one.file != other.file) {
+    return fmt::format("delete line {} of {} or line {} of {}", one.line, one.file, other.line, other.file);
+  }
+  const auto [first, second] = std::minmax(one.line, other.line);
+  return fmt::format("delete line {} or line {} of {}", first, second, one.file);
+}
 
 TomlValue parse_toml(const SourceText& source) {
   TomlValue root = parsed(source);

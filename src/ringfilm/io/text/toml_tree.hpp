@@ -38,6 +38,9 @@ struct TomlEntry {
   std::string folder;  ///< of the file: file names in the value are relative to it
 };
 
+/// Which lines to delete so that what two places of files state is stated once; the lines of one file in order.
+std::string deletion_words(const SourceMark& one, const SourceMark& other);
+
 /// Parses one file. Throws InputError with the place of the first syntax error, or of each key and text that holds a
 /// control character; refuses keys that are not ASCII and nesting beyond any case file before the parser sees them.
 TomlValue parse_toml(const SourceText& source);

@@ -153,7 +153,10 @@ Assumption cavitation_pressure(const Case& c) {
 Assumption pressure_behind_ring(const Case& c) {
   const double share = c.gas.pressure_behind_ring;
   return assumption("pressure-behind-ring",
-                    text("%.3g %% of the gas pressure acts behind the ring at once", 100 * share),
+                    share == 1 ? "the full gas pressure above the ring acts behind it at once"
+                               : text("%.3g %% of the excess of the gas pressure above the ring over that below it "
+                                      "acts behind the ring at once",
+                                      100 * share),
                     "the groove fills through the side clearance, with a delay and a loss",
                     other_numbers("gas.pressure_behind_ring", c, share, kPlain, {other_than(share, 1.0, 0.9)}));
 }
@@ -161,6 +164,10 @@ Assumption pressure_behind_ring(const Case& c) {
 Assumption pressure_under_ring(const Case& c) {
   const char* topic = "pressure-under-ring";
   const char* consequence = "the second land holds gas at a pressure between chamber and crankcase";
+  if (c.ring.pressure_below.is_stated()) {
+    return assumption(topic, "the pressure straight under the ring is that of ring.pressure_below",
+                      "gas that flows past the rings is not computed");
+  }
   if (c.gas.crankcase_trace) {
     return assumption(topic, "the pressure straight under the ring is that of the crankcase trace", consequence);
   }
@@ -263,11 +270,12 @@ std::vector<Assumption> always_open(const cycle::Setup& setup) {
       assumption("rigid-surfaces", "ring and liner do not deform under the film pressure",
                  "holds where film pressures stay far below the moduli, as in gasoline engines"),
       ring_gap(c),
-      assumption("dry-shear-strength",
-                 text("the boundary shear strength coefficient %.4g was measured dry, on other spots than N, beta and "
-                      "sigma",
-                      c.contact.boundary_shear_strength_coefficient),
-                 "boundary friction is proportional to it; additives lower it"),
+      assumption(
+          "dry-shear-strength",
+          text("the boundary shear strength coefficient is %.4g at any temperature, speed and film",
+               c.contact.boundary_shear_strength_coefficient),
+          "boundary friction is proportional to it; by lateral force microscopy it is that of dry surfaces at other "
+          "spots than N, beta and sigma, and additives lower it"),
       gaussian_summits(setup),
       assumption("newtonian-oil", "the oil is Newtonian at any shear rate",
                  "multigrade oils lose viscosity from about 1e6 1/s on"),

@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"the key title is missing", "before the first section"}},
         Mistake{"Duplicate",
                 [] { return with_more(&CaseText::engine, "bore = \"89 mm\"\n"); },
-                {"case.toml:6:", "this is not valid TOML"}},
+                {"case.toml:6:", "bore is given twice", "delete line 3 or line 6 of case.toml"}},
         Mistake{"UnusedKey",
                 [] { return with_more(&CaseText::gas, "compression_ratio = 9.5\n"); },
                 {"case.toml:13:1: gas.compression_ratio is not used in this case", "gas.model = \"wiebe\""}},
@@ -285,8 +285,27 @@ TEST(CaseFile, RefusesAKeyInBothCaseAndOilFile) {
   text.lubricant += "file = \"oil.toml\"\n";
   const CaseFolder folder(text);
   folder.write("oil.toml", "density = [{temperature = \"40 degC\", value = \"830 kg/m3\"}]\n");
-  EXPECT_THAT(folder.faults(), HasSubstr("oil.toml:1:1: lubricant.density is given twice"));
-  EXPECT_THAT(folder.faults(), HasSubstr("it is given at case.toml:"));
+  EXPECT_THAT(folder.faults(), HasSubstr(":1: lubricant.density is given twice"));
+  EXPECT_THAT(folder.faults(), HasSubstr("of case.toml, or lubricant.file: the oil file has it at oil.toml:1:1"));
+}
+
+TEST(CaseFile, OverridesDropKeysThatTheyMakeUnusedAndNoOthers) {
+  const CaseFolder folder;
+  std::vector<DroppedKey> dropped;
+  const auto read = [&](const std::vector<Override>& overrides) {
+    dropped.clear();
+    return read_case_dropping(folder / "case.toml", overrides, Units(), dropped);
+  };
+  EXPECT_EQ(read({{"ring.tangential_force", "12 N"}}).ring.elastic_pressure, std::nullopt);
+  ASSERT_EQ(dropped.size(), 1u);
+  EXPECT_EQ(dropped.front().key, "ring.elastic_pressure");
+  EXPECT_GT(dropped.front().mark.line, 0);
+  EXPECT_TRUE(read({{"gas.model", "wiebe"}}).gas.cylinder_pressure_file.empty());
+  EXPECT_EQ(dropped.size(), 3u);
+  EXPECT_THROW(read({{"gas.peak_pressure", "80 bar"}}), InputError);
+  EXPECT_THROW(folder.read({{"gas.model", "wiebe"}}), InputError) << "who does not ask for it is refused";
+  read({{"solver.cells", "70"}});
+  EXPECT_TRUE(dropped.empty());
 }
 
 TEST(CaseFile, ReadsMeasuredFacesAndOilTables) {

@@ -111,25 +111,6 @@ TEST(CaseEntries, ListTheDefaultsOfTheWiebeModel) {
   ADD_FAILURE() << "gas.intake_pressure is in use and not listed";
 }
 
-TEST(StartingCase, CanBeReadUnchanged) {
-  const ScratchFolder folder;
-  write_text(folder / "my.toml", starting_case());
-  const cycle::Case c = read_case(folder / "my.toml");
-  EXPECT_EQ(c.gas.model, cycle::GasModel::kWiebe);
-  for (const CaseEntry& entry : case_entries(c)) EXPECT_FALSE(entry.assumed) << entry.key;
-}
-
-TEST(StartingCase, HasEveryKeyOrItsComment) {
-  const std::string text = starting_case();
-  for (const cycle::Field& field : cycle::case_fields()) {
-    if (!cycle::belongs(field, cycle::Case{})) continue;  // the case that it starts is a cycle
-    const std::string name = field.key.substr(field.key.rfind('.') + 1);
-    EXPECT_TRUE(text.find("\n" + name + " = ") != std::string::npos ||
-                text.find("\n# " + name + " = ") != std::string::npos)
-        << field.key;
-  }
-}
-
 TEST(FieldsTable, HasEveryKeyWithItsMeaning) {
   const std::string table = fields_table(), markdown = fields_markdown();
   for (const cycle::Field& field : cycle::case_fields()) {

@@ -1,8 +1,11 @@
 #include "ringfilm/io/text/suggestion.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "ringfilm/base/renamed.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/text/trade_terms.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -21,6 +24,22 @@ TEST(Suggestion, APresentNameIsOnlyProposedWhereItIsKnown) {
 TEST(Suggestion, WrongLettersAndAWrongSectionCountAsNear) {
   EXPECT_EQ(nearest_word("ring.face_widht", {"ring.face_width", "ring.tension"}), "ring.face_width");
   EXPECT_EQ(nearest_word("engine.speed", {"operating.speed", "engine.bore"}), "operating.speed");
+}
+
+TEST(Suggestion, EachTermOfTheTradeLeadsToAKeyOfTheCaseOrIsNotModelled) {
+  std::vector<std::string> keys;
+  for (const cycle::Field& field : cycle::case_fields()) keys.push_back(field.key);
+  for (const char* term : {"closed_gap", "total_free_gap", "tangential_load", "barrel_drop", "unit_pressure",
+                           "axial_width", "radial_width", "nominal_diameter"}) {
+    EXPECT_NE(key_proposal(std::string("ring.") + term, keys).near, "") << term;
+  }
+  for (const char* term : {"keystone", "taper_angle", "chamfer", "twist"}) {
+    const KeyProposal proposal = key_proposal(std::string("ring.") + term, keys);
+    EXPECT_EQ(proposal.near, "") << term;
+    EXPECT_THAT(proposal.message, ::testing::EndsWith("is not modelled")) << term;
+    EXPECT_NE(proposal.remedy, "") << term;
+  }
+  EXPECT_EQ(trade_term("operating.oil_temperature"), nullptr);
 }
 
 }  // namespace

@@ -135,6 +135,16 @@ TEST(Assumptions, NoAlternativeIsTheCaseItself) {
   EXPECT_EQ(settings(c, "pressure-behind-ring"), std::vector<std::string>{"gas.pressure_behind_ring = 1"});
 }
 
+TEST(Assumptions, AStatedPressureBelowTheRingIsNotThatOfTheCrankcase) {
+  Case c = coarse_case();
+  c.ring.pressure_below.constant = 2.5e5;
+  EXPECT_TRUE(settings(c, "pressure-under-ring").empty());
+  for (const Assumption& assumption : assumptions_of(c)) {
+    if (assumption.entry.topic != "pressure-under-ring") continue;
+    EXPECT_EQ(assumption.entry.statement, "the pressure straight under the ring is that of ring.pressure_below");
+  }
+}
+
 TEST(Assumptions, SetTheCoatingsModulusAgainstThatOfTheRingBelow) {
   cycle::Case c = coarse_case();
   c.ring.coating.youngs_modulus = 280e9;

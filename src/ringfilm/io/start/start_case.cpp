@@ -1,0 +1,132 @@
+#include "ringfilm/io/start/start_case.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/case/case_text.hpp"
+#include "ringfilm/io/start/trace_keys.hpp"
+#include "ringfilm/io/text/suggestion.hpp"
+#include "ringfilm/io/text/toml_tree.hpp"
+#include "ringfilm/io/text/units.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+const std::string kAssumed = "typical, assumed";
+
+/// An engine with its top ring. Sizes of real ones of its kind, none of them measured.
+struct Engine {
+  const char* name;
+  const char* title;
+  std::vector<StartValue> values;  ///< of engine, operation and ring; a remark is empty where it is kAssumed
+  std::vector<StartValue> gas;     ///< where no trace is given
+  const char* grade;               ///< of its oil
+};
+
+const std::vector<Engine>& engines() {
+  static const std::vector<Engine> all = {
+      {"passenger-car",
+       "Passenger-car engine, top ring",
+       {{"engine.bore", "\"89 mm\"", ""},
+        {"engine.stroke", "\"79.5 mm\"", ""},
+        {"engine.connecting_rod_length", "\"138.1 mm\"", ""},
+        {"operating.speed", "\"1500 rpm\"", ""},
+        {"operating.oil_temperature", "\"120 degC\"", ""},
+        {"ring.face_width", "\"1.2 mm\"", ""},
+        {"ring.elastic_pressure", "\"0.2 MPa\"", kAssumed + "; 0.12 to 0.25 MPa are usual"},
+        {"ring.face.form", "\"parabola\"", ""},
+        {"ring.face.crown_height", "\"15 um\"", ""}},
+       {},
+       "SAE 5W-30"},
+      {"heavy-duty",
+       "Heavy-duty diesel engine, top ring",
+       {{"engine.bore", "\"130 mm\"", ""},
+        {"engine.stroke", "\"160 mm\"", ""},
+        {"engine.connecting_rod_length", "\"260 mm\"", ""},
+        {"operating.speed", "\"1200 rpm\"", ""},
+        {"operating.oil_temperature", "\"110 degC\"", ""},
+        {"ring.face_width", "\"3 mm\"", ""},
+        {"ring.elastic_pressure", "\"0.2 MPa\"", kAssumed + "; 0.12 to 0.25 MPa are usual"},
+        {"ring.face.form", "\"parabola\"", ""},
+        {"ring.face.crown_height", "\"8 um\"", ""}},
+       {{"gas.compression_ratio", "17", ""},
+        {"gas.peak_pressure", "\"160 bar\"", ""},
+        {"gas.peak_angle", "\"15 degree\"", ""},
+        {"gas.intake_pressure", "\"2.5 bar\"", ""},
+        {"gas.exhaust_pressure", "\"2.2 bar\"", ""}},
+       "SAE 15W-40"}};
+  return all;
+}
+
+/// A pair of run-in surfaces with N beta sigma = 0.04, the middle of its range (greenwood1971), in oil.
+const std::vector<StartValue>& contact() {
+  static const std::vector<StartValue> values = {
+      {"contact.asperity_density", "\"0.025 um-2\"", kAssumed + ": N beta sigma = 0.04"},
+      {"contact.asperity_radius", "\"4 um\"", ""},
+      {"contact.roughness", "\"0.4 um\"", ""},
+      {"contact.boundary_shear_strength_coefficient", "0.12", kAssumed + ": engine oil with anti-wear additive"}};
+  return values;
+}
+
+const Engine& engine_of(const std::string& name) {
+  const std::vector<std::string> names = start_engines();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return engines()[static_cast<std::size_t>(found - names.begin())];
+  const std::string near = nearest_word(name, names);
+  std::string known;
+  for (const std::string& one : names) known += (known.empty() ? "" : ", ") + one;
+  throw InputError(
+      "there is no start case for the engine " + quoted(name) + (near.empty() ? "" : "; did you mean " + near + "?"),
+      "one of: " + known);
+}
+
+std::string head(const Engine& engine) {
+  return "# A case of ringfilm: " + std::string(engine.title) +
+         ".\n"
+         "# A quantity is text with its unit; a bare number has none.\n"
+         "# \"typical, assumed\" marks a guess at the size (docs/manual/guide/typical-inputs.md): state your own "
+         "value.\n"
+         "# A line \"# key = value  # default\" is a default input; take the first # away to state another value.\n"
+         "# A line \"# key = value  # example\" is an optional key, or one of another model.\n"
+         "# `ringfilm fields` shows all keys; `ringfilm check` reads this file without running it.\n"
+         "# A line \"# key = value  # of the oil\" is a value of the oil that lubricant.grade names.\n"
+         "# include = [\"fragment.toml\"] would read more keys from another file.\n";
+}
+
+void append(const std::vector<StartValue>& values, std::vector<StartValue>& to) {
+  for (StartValue value : values) {
+    if (value.remark.empty()) value.remark = kAssumed;
+    to.push_back(std::move(value));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> start_engines() {
+  std::vector<std::string> names;
+  for (const Engine& engine : engines()) names.emplace_back(engine.name);
+  return names;
+}
+
+StartCase start_case(const StartOptions& options) {
+  const Engine& engine = engine_of(options.engine);
+  StartCase start;
+  std::vector<StartValue> values = {{"title", quoted(engine.title), "for people"}};
+  append(engine.values, values);
+  if (options.trace) {
+    TraceKeys trace = trace_keys(*options.trace, options.case_folder, Units());
+    append(trace.values, values);
+    start.found = std::move(trace.found);
+    start.missing = std::move(trace.missing);
+  } else {
+    values.push_back({"gas.model", "\"wiebe\"", "a computed pressure; a measured trace is better"});
+    append(engine.gas, values);
+  }
+  append(contact(), values);
+  values.push_back({"lubricant.grade", quoted(engine.grade), kAssumed + "; `ringfilm oils` lists others"});
+  start.text = commented_case(head(engine), values);
+  return start;
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/io/case/case_text.hpp"
+#include "ringfilm/io/text/units.hpp"
+
+namespace ringfilm::io {
+
+/// The keys of [gas] for a trace.
+struct TraceKeys {
+  std::vector<StartValue> values;    ///< those without a value are to be stated by the user
+  std::vector<std::string> found;    ///< what the file shows, sentences
+  std::vector<std::string> missing;  ///< what it does not show, a sentence for each of them
+};
+
+/// Looks at the file of a cylinder pressure: its columns, their units, which dead centre is its zero, whether it covers
+/// a cycle. @param path as named in the working folder @param case_folder to which the case names it. Throws InputError
+/// for a file that is not a table of numbers or has no crank angle or pressure.
+TraceKeys trace_keys(const std::string& path, const std::string& case_folder, const Units& units);
+
+}  // namespace ringfilm::io

@@ -1,0 +1,75 @@
+#include "ringfilm/io/text/trade_terms.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace ringfilm::io {
+namespace {
+
+constexpr std::string_view kEndGap =
+    "the closed gap is the one between the ends of the ring in the bore; it is used with film.dimension = \"unrolled\"";
+constexpr std::string_view kFreeGap = "ring.free_gap is the total free gap less the closed gap";
+constexpr std::string_view kTension =
+    "state one of ring.tangential_force, ring.elastic_pressure, or ring.free_gap with ring.radial_thickness";
+constexpr std::string_view kDiametral =
+    "F_t = F_d/2.05 for cast iron, F_d/2.15 for spheroidal graphite iron (docs/manual/guide/from-drawing-to-case.md)";
+constexpr std::string_view kBarrel =
+    "it is the height at the edge of the face: barrel drop (face width/gauge width)^2 "
+    "(docs/manual/guide/from-drawing-to-case.md)";
+constexpr std::string_view kPoints =
+    "the film has the running surface alone: give it as points, ring.face.form = \"points\" with ring.face.file";
+constexpr std::string_view kSection =
+    "the sides of the ring are not in the model: its tension and its face are; a face of another shape can be given as "
+    "points, ring.face.form = \"points\" with ring.face.file";
+constexpr std::string_view kStraight = "the model's ring stays straight; a tilted face can be given as points";
+constexpr std::string_view kGroove = "gas.pressure_behind_ring is the share of the gas pressure that acts behind it";
+
+constexpr auto kTerms = std::to_array<TradeTerm>({
+    {"closed_gap", "ring.end_gap", kEndGap},
+    {"gap_closed", "ring.end_gap", kEndGap},
+    {"total_free_gap", "ring.free_gap", kFreeGap},
+    {"diametral_force", "ring.tangential_force", kDiametral},
+    {"diametral_load", "ring.tangential_force", kDiametral},
+    {"tangential_load", "ring.tangential_force", ""},
+    {"tangential_tension", "ring.tangential_force", ""},
+    {"tension", "ring.tangential_force", kTension},
+    {"unit_pressure", "ring.elastic_pressure", ""},
+    {"specific_pressure", "ring.elastic_pressure", ""},
+    {"wall_pressure", "ring.elastic_pressure", ""},
+    {"barrel_drop", "ring.face.crown_height", kBarrel},
+    {"barrel_height", "ring.face.crown_height", kBarrel},
+    {"barrel", "ring.face.crown_height", kBarrel},
+    {"gauge_width", "ring.face.crown_height", kBarrel},
+    {"axial_width", "ring.face_width", ""},
+    {"axial_height", "ring.face_width", ""},
+    {"ring_width", "ring.face_width", ""},
+    {"radial_width", "ring.radial_thickness", ""},
+    {"wall_thickness", "ring.radial_thickness", ""},
+    {"nominal_diameter", "engine.bore", ""},
+    {"keystone", "", kSection},
+    {"taper", "", kPoints},
+    {"tapered", "", kPoints},
+    {"chamfer", "", kPoints},
+    {"chamfers", "", kPoints},
+    {"bevel", "", kStraight},
+    {"napier", "", kPoints},
+    {"scraper", "", kPoints},
+    {"twist", "", kStraight},
+    {"side_clearance", "", kGroove},
+    {"groove_clearance", "", kGroove},
+});
+
+}  // namespace
+
+const TradeTerm* trade_term(const std::string& key) {
+  std::string name = "_" + key.substr(key.rfind('.') + 1) + "_";
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return c == '-' ? '_' : static_cast<char>(std::tolower(c)); });
+  const auto found = std::find_if(kTerms.begin(), kTerms.end(), [&name](const TradeTerm& term) {
+    return name.find("_" + std::string(term.word) + "_") != std::string::npos;
+  });
+  return found == kTerms.end() ? nullptr : &*found;
+}
+
+}  // namespace ringfilm::io
