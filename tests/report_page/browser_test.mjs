@@ -316,7 +316,12 @@ test('every part of the report is there, in order', async () => {
   assert.match(await page.textContent('#cylinder-pressure'), /SYNTHETIC/);
   assert.match(
     await page.textContent('.cards'),
-    /118 ± 4\s*W.*19\.1\s*kPa.*0\.617 ± 0\.019\s*µm.*20° after TDC.*56\.1 ± 1\.7\s*%/s,
+    /118\s*W.*19\.1\s*kPa.*mesh ±\s*4\s*W.*0\.62\s*µm.*20° after TDC.*mesh ±\s*0\.02\s*µm.*56\s*%.*upper bound/s,
+  );
+  assert.equal(await page.$$eval('.section-drawing svg', (nodes) => nodes.length), 3);
+  assert.match(
+    await page.textContent('.plausibility'),
+    /FMEP 19\.1 kPa – usual, at the upper end of 1 to 20 kPa/,
   );
   await page.close();
 });

@@ -1,6 +1,7 @@
 // What the page makes of numbers, angles, titles and gaps, without a browser
 // usage: node text_test.mjs SOURCE_FOLDER_OF_THE_PAGE
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
@@ -9,11 +10,13 @@ const {
   angleInWords,
   crankTicks,
   display,
+  errorText,
   howOften,
   logTicks,
   number,
   numberOrCount,
   percent,
+  meaningful,
   sentence,
   shortPath,
   ticks,
@@ -30,6 +33,8 @@ const { figureCsv, fileStem } = await load('downloads.js');
 const { figureSvg } = await load('plot/svg.js');
 const { bandOutlines, freePlace, markIndices, markPlaces } = await load('plot/scales.js');
 const { kHeightColours, kMissingColour } = await load('plot/colour_map.js');
+const usual = await load('cycle/usual.js');
+const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_drawing.js');
 const { fieldCaption } = await load('cycle/around_figures.js');
 const { cellAt, cellEdges, crankAxis, ringAxis, Unrolled } = await load('cycle/unrolled.js');
 const { fieldMaps, stripMaps } = await load('cycle/around_figures.js');
@@ -194,6 +199,50 @@ test('an error is rounded up to a digit, and its value to the same place', () =>
   assert.equal(withError(null, 0.1, 'bar'), '–');
 });
 
+test('a value on the first screen has the digits that mean something', () => {
+  assert.equal(meaningful(0.61732, 0.00004), '0.617');
+  assert.equal(meaningful(118.04, 4), '118');
+  assert.equal(meaningful(0.61732, 0.019), '0.62');
+  assert.equal(meaningful(0.3, 0.95), '0.3');
+  assert.equal(meaningful(868.7, null), '869');
+  assert.equal(meaningful(null, 0.1), '–');
+  assert.deepEqual([0.0178, 0.00004, 3.51, 0, null].map(errorText), ['0.02', '0.00004', '4', '', '']);
+});
+
+test('usual ranges are those that the manual argues', () => {
+  const page = readFileSync(join(process.argv[2], '../../../../docs/manual/guide/plausibility.md'), 'utf8');
+  const { kUsualFmep, kUsualCoefficient, kModifiedCoefficient, verdict } = usual;
+  assert.ok(page.includes(`FMEP between ${kUsualFmep.low} and ${kUsualFmep.high} kPa for a top ring`));
+  assert.ok(page.includes(`| ${kUsualCoefficient.low} to ${kUsualCoefficient.high} |`));
+  assert.ok(page.includes(`| down to ${kModifiedCoefficient} |`));
+  assert.deepEqual(
+    [0.5, 7, 19.1, 22, null, NaN].map((v) => verdict(v, kUsualFmep)),
+    ['below', 'usual', 'upper end', 'above', null, null],
+  );
+});
+
+test('the section is drawn from the numbers of the case at the peak of the gas pressure', () => {
+  const one = {
+    curves: {
+      crank_angle: [0, 20, 40],
+      gas_pressure: [3e6, 6.2e6, 4e6],
+      crankcase_pressure: [1e5, 1e5, 1e5],
+      min_film_thickness: [8e-7, 6e-7, 7e-7],
+    },
+    values: {},
+    derived: { elastic_pressure: 2e5 },
+    inputs: [],
+    fields: { x: [0, 5e-4, 1e-3], face_height: [2.94e-5, 0, 9e-6], crank_angle: [], film_pressure: [] },
+  };
+  const state = sectionState(one);
+  assert.deepEqual([state.angle, state.above, state.film], [20, 6.2e6, 6e-7]);
+  // 72 pixels for a gap of 30 um, 150 for a face of 1 mm.
+  assert.ok(Math.abs(exaggeration(state) - 16) < 0.01);
+  const svg = sectionSvg(state);
+  assert.ok(/62.0\u00a0bar/.test(svg) && /0.600 µm/.test(svg) && !/NaN|undefined|asperity/.test(svg));
+  assert.equal(sectionState({ ...one, fields: { ...one.fields, x: [] } }), null);
+});
+
 test('a band has an outline for each piece of its curve', () => {
   assert.deepEqual(
     bandOutlines({ x: [0, 1, 2, 3, 4, 5], y: [1, 1, null, 2, 2, null], error: [0.5, 0.5, null, 1, 1, null] }),
@@ -320,6 +369,15 @@ test('titles are distinguished by what differs', () => {
   });
   assert.equal(shortNames(['same', 'same']), null);
   assert.deepEqual(shortNames(['engine A', 'boat']), { shared: '', names: ['engine A', 'boat'] });
+  assert.deepEqual(shortNames(['Two rings: ring 1 (top)', 'Two rings: ring 2 (second)']), {
+    shared: 'Two rings',
+    names: ['ring 1 (top)', 'ring 2 (second)'],
+  });
+  assert.deepEqual(shortNames(['ring 1', 'ring 2']), { shared: '', names: ['ring 1', 'ring 2'] });
+  assert.deepEqual(shortNames(['Low-tension set – new', 'Low-tension set – worn']), {
+    shared: 'Low-tension set',
+    names: ['new', 'worn'],
+  });
 });
 
 test('cases of one title are named after the inputs in which they differ', () => {

@@ -199,6 +199,24 @@ export function withError(value, error, unit, digits = 4) {
   return `${text(Math.round(value / step) * step)} ± ${text(Math.ceil((error / step) * (1 - 1e-9)) * step)}`;
 }
 
+/** An error rounded up to one digit; '' without one. */
+export function errorText(error) {
+  if (!(error > 0) || !Number.isFinite(error)) return '';
+  const power = Math.floor(Math.log10(error) + 1e-9);
+  const digit = Math.ceil((error / 10 ** power) * (1 - 1e-9));
+  return power < -9 || power > 8
+    ? number(digit * 10 ** power, 1)
+    : (digit * 10 ** power).toFixed(Math.max(0, -power));
+}
+
+/** A value in three significant digits, or fewer where its error leaves fewer: what a reader can use. */
+export function meaningful(value, error) {
+  const kDigits = 3;
+  if (!(error > 0) || !Number.isFinite(value) || value === 0) return number(value, kDigits);
+  const digits = 1 + Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(error));
+  return number(value, Math.max(1, Math.min(kDigits, digits)));
+}
+
 /** The same far from one with one power of ten for both: "(8.1 ± 0.4) · 10⁻⁸". */
 export function withErrorAndPower(value, error, unit, digits = 4) {
   const size = Math.max(Math.abs(value ?? NaN), error > 0 ? error : 0);
