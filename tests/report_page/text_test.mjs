@@ -1,7 +1,6 @@
 // What the page makes of numbers, angles, titles and gaps, without a browser
 // usage: node text_test.mjs SOURCE_FOLDER_OF_THE_PAGE
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
@@ -21,6 +20,7 @@ const {
   shortPath,
   ticks,
   tickText,
+  typesetFormula,
   typesetSymbol,
   typesetUnit,
   withError,
@@ -33,8 +33,6 @@ const { figureCsv, fileStem } = await load('downloads.js');
 const { figureSvg } = await load('plot/svg.js');
 const { bandOutlines, freePlace, markIndices, markPlaces } = await load('plot/scales.js');
 const { kHeightColours, kMissingColour } = await load('plot/colour_map.js');
-const usual = await load('cycle/usual.js');
-const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_drawing.js');
 const { fieldCaption } = await load('cycle/around_figures.js');
 const { cellAt, cellEdges, crankAxis, ringAxis, Unrolled } = await load('cycle/unrolled.js');
 const { fieldMaps, stripMaps } = await load('cycle/around_figures.js');
@@ -80,6 +78,8 @@ test('units and symbols are printed as people write them', () => {
   assert.equal(typesetUnit('1'), '');
   assert.equal(typesetSymbol('N beta sigma'), 'N β σ');
   assert.equal(typesetSymbol('m4'), 'm4');
+  assert.equal(typesetFormula("2/E' = sum (1 - nu^2)/E_1"), "2/E' = Σ (1 − ν²)/E₁");
+  assert.equal(typesetFormula('alpha_0 of the oil'), 'α₀ of the oil');
   assert.equal(typesetSymbol('sigma_1'), 'σ_1');
   assert.equal(typesetSymbol('constructor'), 'constructor');
   assert.deepEqual(
@@ -207,40 +207,6 @@ test('a value on the first screen has the digits that mean something', () => {
   assert.equal(meaningful(868.7, null), '869');
   assert.equal(meaningful(null, 0.1), '–');
   assert.deepEqual([0.0178, 0.00004, 3.51, 0, null].map(errorText), ['0.02', '0.00004', '4', '', '']);
-});
-
-test('usual ranges are those that the manual argues', () => {
-  const page = readFileSync(join(process.argv[2], '../../../../docs/manual/guide/plausibility.md'), 'utf8');
-  const { kUsualFmep, kUsualCoefficient, kModifiedCoefficient, verdict } = usual;
-  assert.ok(page.includes(`FMEP between ${kUsualFmep.low} and ${kUsualFmep.high} kPa for a top ring`));
-  assert.ok(page.includes(`| ${kUsualCoefficient.low} to ${kUsualCoefficient.high} |`));
-  assert.ok(page.includes(`| down to ${kModifiedCoefficient} |`));
-  assert.deepEqual(
-    [0.5, 7, 19.1, 22, null, NaN].map((v) => verdict(v, kUsualFmep)),
-    ['below', 'usual', 'upper end', 'above', null, null],
-  );
-});
-
-test('the section is drawn from the numbers of the case at the peak of the gas pressure', () => {
-  const one = {
-    curves: {
-      crank_angle: [0, 20, 40],
-      gas_pressure: [3e6, 6.2e6, 4e6],
-      crankcase_pressure: [1e5, 1e5, 1e5],
-      min_film_thickness: [8e-7, 6e-7, 7e-7],
-    },
-    values: {},
-    derived: { elastic_pressure: 2e5 },
-    inputs: [],
-    fields: { x: [0, 5e-4, 1e-3], face_height: [2.94e-5, 0, 9e-6], crank_angle: [], film_pressure: [] },
-  };
-  const state = sectionState(one);
-  assert.deepEqual([state.angle, state.above, state.film], [20, 6.2e6, 6e-7]);
-  // 72 pixels for a gap of 30 um, 150 for a face of 1 mm.
-  assert.ok(Math.abs(exaggeration(state) - 16) < 0.01);
-  const svg = sectionSvg(state);
-  assert.ok(/62.0\u00a0bar/.test(svg) && /0.600 µm/.test(svg) && !/NaN|undefined|asperity/.test(svg));
-  assert.equal(sectionState({ ...one, fields: { ...one.fields, x: [] } }), null);
 });
 
 test('a band has an outline for each piece of its curve', () => {

@@ -148,6 +148,13 @@ export class Model {
     return this.input(oneCase, 'gas.trace_origin')?.shown === 'synthetic';
   }
 
+  /** Where the gas pressure above the ring of a case peaks, on the axis of the charts; null where it is constant. */
+  peakAngle(oneCase) {
+    const pressures = oneCase.curves.gas_pressure ?? [];
+    const isConstant = Math.max(...pressures) - Math.min(...pressures) <= 1e-9 * Math.max(...pressures);
+    return isConstant ? null : wrapped(oneCase.values.peak_gas_pressure_angle ?? null);
+  }
+
   /** A curve over the cycle in display units: sorted from -360 to 360, null where samples are missing. */
   curve(oneCase, name) {
     const quantity = this.curveQuantity.get(name);

@@ -10,6 +10,7 @@ import {
   sentence,
   shortPath,
   typeset,
+  typesetFormula,
   withError,
   withUnit,
 } from './units.js';
@@ -89,7 +90,7 @@ const numberHeads = (model) =>
 /** "mean friction power [W]", the unit in soft type. */
 function named(quantity) {
   const { unit } = display(quantity);
-  return [quantity.long_name, unit ? element('span', { class: 'unit' }, ` [${unit}]`) : null];
+  return [typesetFormula(quantity.long_name), unit ? element('span', { class: 'unit' }, ` [${unit}]`) : null];
 }
 
 export function section(id, heading, ...content) {
@@ -289,7 +290,10 @@ export function inputsSection(model) {
               },
             };
           });
-    return [{ text: [code(first.key), element('span', { class: 'help' }, typeset(first.help))] }, ...cells];
+    return [
+      { text: [code(first.key), element('span', { class: 'help' }, typesetFormula(typeset(first.help)))] },
+      ...cells,
+    ];
   });
   const derived = model.payload.derived_quantities.filter((q) =>
     model.cases.some((c) => q.name in c.derived),

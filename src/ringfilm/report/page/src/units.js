@@ -370,6 +370,18 @@ export function typesetSymbol(symbol) {
   );
 }
 
+const kSubscript = [...'₀₁₂₃₄₅₆₇₈₉'];
+
+/** Formulas in running text as far as plain letters allow: "sum (1 - nu^2)/E_1" is Σ (1 − ν²)/E₁. */
+export function typesetFormula(text) {
+  return typesetSymbol(text)
+    .replace(/\bsum \(/g, 'Σ (')
+    .replace(/\bsqrt\(pi\/2\)/g, '√(π/2)')
+    .replace(/\(1 - /g, '(1 − ')
+    .replace(/\^2\b/g, '²')
+    .replace(/(?<=\p{L})_(\d)/gu, (_, digit) => kSubscript[Number(digit)]);
+}
+
 /** A statement as a sentence of its own. */
 export function sentence(given) {
   if (!given) return '';

@@ -1,4 +1,5 @@
-// Ring, groove, liner and pressures at the peak of the gas pressure, drawn from the numbers of the case.
+// Ring, groove, liner and pressures, drawn from the numbers of the case where the gas pressure peaks; under a constant
+// pressure where the film is thinnest.
 import { element, svgElement } from '../dom.js';
 import { area, line } from '../plot/plot_frame.js';
 import { caseColour } from '../plot/palette.js';
@@ -39,15 +40,12 @@ function fieldsAt(c, angle) {
 }
 
 /**
- * What is drawn, in SI: gap along the face, pressures about the ring and along the face. Null where a case has
- * no face or no curves.
+ * What is drawn at a crank angle, in SI: gap along the face, pressures about the ring and along the face. Null where
+ * a case has no face or no curves.
  */
-export function sectionState(c) {
+export function sectionState(c, angle) {
   const { x, face_height: height } = c.fields;
   if (x.length < 2 || height.length !== x.length || c.curves.crank_angle.length === 0) return null;
-  const stored = c.curves.gas_pressure;
-  const highest = stored.reduce((best, v, k) => (v > stored[best] ? k : best), 0);
-  const angle = wrapped(c.values.peak_gas_pressure_angle ?? c.curves.crank_angle[highest]);
   const at = sampleAt(c, angle);
   const film = at('min_film_thickness') ?? 0;
   const k = fieldsAt(c, angle);
@@ -179,12 +177,16 @@ export function sectionSvg(state) {
 }
 
 function drawing(model, c) {
-  const state = sectionState(c);
+  const peak = model.peakAngle(c);
+  const angle = peak ?? wrapped(c.values.min_film_thickness_angle ?? c.curves.crank_angle[0] ?? 0);
+  const state = sectionState(c, angle);
   if (!state) return null;
   const when = angleInWords(state.angle);
+  const why =
+    peak !== null ? ', where the gas pressure peaks' : c.complete ? ', where the film is thinnest' : '';
   const times = Math.round(exaggeration(state));
   const words =
-    `${model.several ? `${c.name}, ` : ''}${when}, where the gas pressure peaks. Face and film: ${times} times ` +
+    `${model.several ? `${c.name}, ` : ''}${when}${why}. Face and film: ${times} times ` +
     'wider than long; groove, lands and ring thickness not to scale.';
   return element(
     'div',

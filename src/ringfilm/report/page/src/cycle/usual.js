@@ -86,8 +86,8 @@ export function usualCard(model) {
     element(
       'p',
       { class: 'how' },
-      'Ranges and their sources: page "Is my result usual?" of the manual. They are no validation: ' +
-        'no result has been compared with a measurement on an engine.',
+      'Ranges and their sources: page "Is my result usual?" of the manual. A usual result is not a ' +
+        'validated one.',
     ),
   );
 }
