@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
+const { settingWords } = await load('cycle/setting_words.js');
 const { closings, thinnestInWords } = await load('cycle/cycle_figures.js');
 const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_drawing.js');
 const usual = await load('cycle/usual.js');
@@ -101,6 +102,20 @@ test('a logarithmic axis has no place for what is not positive', () => {
   assert.equal(panels[0].yScale, 'log');
   assert.deepEqual(panels[0].series[0].y, [null, 2, null, 4]);
   assert.deepEqual(panels[0].series[0].error, [null, 1, null, null]);
+});
+
+test('settings of the ledger are words, also those that the page does not know', () => {
+  assert.equal(
+    settingWords('contact.integrals = "polynomial-4-digit"'),
+    'contact integrals: polynomials of four digits',
+  );
+  assert.equal(settingWords('operating.oil_temperature = "100 degC"'), 'oil temperature: 100 °C');
+  assert.equal(
+    settingWords('gas.pressure_behind_ring = 0.9'),
+    'share of the gas pressure behind the ring: 0.9',
+  );
+  assert.equal(settingWords('ring.some_new_key = "1 mm"'), 'some new key: 1 mm');
+  assert.equal(settingWords('not a setting'), 'not a setting');
 });
 
 let failed = 0;

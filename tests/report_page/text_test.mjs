@@ -7,6 +7,7 @@ import { pathToFileURL } from 'node:url';
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
 const {
   angleInWords,
+  asStated,
   crankTicks,
   display,
   errorText,
@@ -80,6 +81,7 @@ test('units and symbols are printed as people write them', () => {
   assert.equal(typesetSymbol('m4'), 'm4');
   assert.equal(typesetFormula("2/E' = sum (1 - nu^2)/E_1"), "2/E' = Σ (1 − ν²)/E₁");
   assert.equal(typesetFormula('alpha_0 of the oil'), 'α₀ of the oil');
+  assert.equal(typesetFormula('lowest lambda ratio'), 'lowest lambda ratio');
   assert.equal(typesetSymbol('sigma_1'), 'σ_1');
   assert.equal(typesetSymbol('constructor'), 'constructor');
   assert.deepEqual(
@@ -233,6 +235,13 @@ test('a band has an outline for each piece of its curve', () => {
 test('a quantity without number has no unit', () => {
   assert.equal(withUnit(null, 'bar'), '–');
   assert.equal(withUnit(62, 'bar', 3), '62.0\u00a0bar');
+});
+
+test('a published value keeps the digits that it was published with', () => {
+  assert.deepEqual(
+    [asStated(1.41, ''), asStated(0.677, 'µm'), asStated(62, 'bar'), asStated(20, '°'), asStated(null, 'W')],
+    ['1.41', '0.677\u00a0µm', '62\u00a0bar', '20°', '–'],
+  );
 });
 
 test('changes carry their sign, no change has none', () => {

@@ -13,18 +13,12 @@ import { element, svgElement } from './dom.js';
 import { FaceView, howToStoreFields } from './cycle/face_view.js';
 import { FigureView, Visibility } from './cycle/figure_view.js';
 import { firstScreen, operatingLine, reportTitle } from './cycle/first_screen.js';
+import { comparisonSection } from './cycle/comparison.js';
 import { influenceFigure, ledgerSection } from './cycle/ledger.js';
 import { Model } from './model.js';
 import { energyFigure, faceFigure, fieldAngles, stribeckFigure, wearFigure } from './cycle/other_figures.js';
 import { swatchSvg } from './plot/svg.js';
-import {
-  comparisonSection,
-  cycleValuesSection,
-  inputsSection,
-  notesSection,
-  provenanceSection,
-  section,
-} from './tables.js';
+import { cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
 import { display } from './units.js';
 import { Unrolled } from './cycle/unrolled.js';
 

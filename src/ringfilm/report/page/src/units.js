@@ -229,6 +229,14 @@ export function withErrorAndPower(value, error, unit, digits = 4) {
   );
 }
 
+/** A stated value in the digits it was stated with, at most four. */
+export function asStated(value, unit) {
+  const text = number(value, 4);
+  const shown = /^[−\d.]+$/.test(text) && text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+  if (!unit || text === '–') return shown;
+  return unit === '°' ? shown + unit : `${shown}\u00a0${unit}`;
+}
+
 /** A signed change in per cent. */
 export function percent(ratio, digits = 1) {
   if (ratio === null || !Number.isFinite(ratio)) return '–';
@@ -374,7 +382,11 @@ const kSubscript = [...'₀₁₂₃₄₅₆₇₈₉'];
 
 /** Formulas in running text as far as plain letters allow: "sum (1 - nu^2)/E_1" is Σ (1 − ν²)/E₁. */
 export function typesetFormula(text) {
-  return typesetSymbol(text)
+  // The lambda ratio is a word of the field, not a formula.
+  return text
+    .split(/(lambda ratio)/)
+    .map((piece) => (piece === 'lambda ratio' ? piece : typesetSymbol(piece)))
+    .join('')
     .replace(/\bsum \(/g, 'Σ (')
     .replace(/\bsqrt\(pi\/2\)/g, '√(π/2)')
     .replace(/\(1 - /g, '(1 − ')
