@@ -289,12 +289,40 @@ test('files are without the folders of one machine, notes with their count in wo
 
 test('no setting is named where computed and published agree', async () => {
   const { page } = await opened('three.html', 1400);
-  const rows = await page.$$eval('#comparison tbody tr', (list) =>
+  const rows = await page.$$eval('#comparison .comparison tbody tr', (list) =>
     list.map((r) => [r.children[3].textContent, r.children[6].textContent]),
   );
+  assert.equal(rows.length, 6, 'published values alone are in these tables');
+  const check = await page.textContent('#comparison .cross-check');
+  assert.match(check, /Cross-check with a second program.*mean friction power.*118/is);
   assert.ok(rows.some(([, setting]) => setting.includes('190 GPa')));
   for (const [deviation, setting] of rows)
     if (Math.abs(parseFloat(deviation.replace('−', '-'))) < 1) assert.equal(setting, '–');
+  await page.close();
+});
+
+test('the ledger is one table of words', async () => {
+  const { page } = await opened('three.html', 1400);
+  assert.equal((await page.$$('#ledger table.variants')).length, 1);
+  const text = await page.textContent('#ledger table.variants');
+  assert.match(
+    text,
+    /as run.*cavitation model: mass-conserving.*−9\.0\s%.*composite modulus: 190 GPa.*No solution/s,
+  );
+  assert.doesNotMatch(text, /film\.cavitation/);
+  assert.match(await page.textContent('#ledger .assumptions'), /Flooded inlet.*none in this program/s);
+  await page.close();
+});
+
+test('a table that is wider than its room states that it scrolls', async () => {
+  const { page } = await opened('three.html', 390);
+  const regions = await page.$$eval('.table-scroll', (nodes) =>
+    nodes
+      .filter((n) => n.clientWidth > 0)
+      .map((n) => [n.scrollWidth > n.clientWidth + 1, n.classList.contains('overflows')]),
+  );
+  assert.ok(regions.some(([wide]) => wide));
+  for (const [wide, marked] of regions) assert.equal(marked, wide);
   await page.close();
 });
 

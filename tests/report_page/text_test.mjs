@@ -279,6 +279,9 @@ test('display units divide by their size in SI', () => {
 test('statements become sentences with printed units', () => {
   assert.equal(sentence('all oil is at 120 degC (at 20 degree)'), 'All oil is at 120 °C (at 20°).');
   assert.equal(sentence("E' is given."), "E' is given.");
+  assert.equal(sentence('U/h up to 7.6e+06 1/s'), 'U/h up to 7.6\u202f·\u202f10⁶ 1/s.');
+  assert.equal(sentence('1e-08 Pa-1'), '1\u202f·\u202f10⁻⁸ Pa⁻¹.');
+  assert.equal(sentence('hash 12e5a and x2e3'), 'Hash 12e5a and x2e3.');
 });
 
 test('ticks are round and cover the range', () => {

@@ -218,6 +218,15 @@ io::ResultDocument document(const std::string& title, double friction) {
                    .computed = 0.1846 * friction,
                    .deviation = 0.1846 * friction / 0.17 - 1,
                    .strongest_setting = "",
+                   .with_strongest_setting = {}},
+                  {.published = {.source = "independent implementation",
+                                 .quantity = "mean_power_loss",
+                                 .statement = "mean friction power",
+                                 .value = 118.0,
+                                 .decided_by = ""},
+                   .computed = d.result.values.mean_power_loss,
+                   .deviation = d.result.values.mean_power_loss / 118.0 - 1,
+                   .strongest_setting = "",
                    .with_strongest_setting = {}}};
   return d;
 }

@@ -220,8 +220,9 @@ function buildPage(model) {
             element(
               'p',
               { class: 'how' },
-              'Drag across a chart to zoom all of them, double-click for the whole cycle; the cursor moves the ' +
-                'fields along the face; the ' +
+              'Drag across a chart to zoom all of them, double-click for the whole cycle; ' +
+                (along ? 'the cursor moves the fields along the face; ' : '') +
+                'the ' +
                 'thin dashed line marks the peak of the gas pressure.',
               model.several ? ' A name in a legend hides that case in the whole page.' : '',
             ),

@@ -343,11 +343,16 @@ const kTypeset = [
 ];
 
 /**
- * Units in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy into a
+ * Units and powers of ten in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy into a
  * case.
  */
 export function typeset(text) {
-  return kTypeset.reduce((out, [plainUnit, printed]) => out.replace(plainUnit, printed), text);
+  const powers = text.replace(
+    /(?<![\w.])(\d+(?:\.\d+)?)e\+?(-?)0*(\d+)\b/g,
+    (_, mantissa, sign, digits) =>
+      `${mantissa}\u202f·\u202f10${[...(sign + digits)].map((c) => kSuperscript[c]).join('')}`,
+  );
+  return kTypeset.reduce((out, [plainUnit, printed]) => out.replace(plainUnit, printed), powers);
 }
 
 const kGreek = {

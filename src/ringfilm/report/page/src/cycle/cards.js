@@ -26,7 +26,13 @@ function accuracy(model, c, name) {
     error ? `mesh ±\u00a0${error}${shownUnit}` : null,
     band ? `model ${number(band.low, 3)} to ${number(band.high, 3)}${shownUnit}` : null,
   ].filter(Boolean);
-  return parts.length ? element('span', { class: 'card-accuracy' }, parts.join('; ')) : null;
+  return parts.length
+    ? element(
+        'span',
+        { class: 'card-accuracy' },
+        parts.map((part, i) => element('span', {}, i < parts.length - 1 ? `${part}; ` : part)),
+      )
+    : null;
 }
 
 function card(model, heading, name, detail) {
