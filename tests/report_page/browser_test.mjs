@@ -314,7 +314,7 @@ test('the ledger is one table of words', async () => {
   await page.close();
 });
 
-test('a table that is wider than its room states that it scrolls', async () => {
+test('a table that is wider than the page states that it scrolls', async () => {
   const { page } = await opened('three.html', 390);
   const regions = await page.$$eval('.table-scroll', (nodes) =>
     nodes

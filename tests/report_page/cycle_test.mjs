@@ -104,7 +104,7 @@ test('a logarithmic axis has no place for what is not positive', () => {
   assert.deepEqual(panels[0].series[0].error, [null, 1, null, null]);
 });
 
-test('settings of the ledger are words, also those that the page does not know', () => {
+test('settings of the ledger are words, with and without an entry in the list', () => {
   assert.equal(
     settingWords('contact.integrals = "polynomial-4-digit"'),
     'contact integrals: polynomials of four digits',

@@ -221,7 +221,7 @@ function kinks(model) {
     .join('; ');
   return {
     marks: all.length > kMostMarks ? [] : all.map((at) => ({ at, label: 'cavity closes' })),
-    words: ` The kink of the curve is no error: there a cavity closes and the film is full again (${words}).`,
+    words: ` The kink of the curve is physical: there a cavity closes and the film is full again (${words}).`,
   };
 }
 

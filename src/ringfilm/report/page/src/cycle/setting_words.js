@@ -1,4 +1,4 @@
-// Settings of the ledger in words: contact.integrals = "polynomial-4-digit" is what a case states, not what one says.
+// Settings of the ledger in words: contact.integrals = "polynomial-4-digit" is the spelling of a case file.
 import { typeset } from '../units.js';
 
 const kKeys = {
