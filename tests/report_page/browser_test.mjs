@@ -301,6 +301,13 @@ test('no setting is named where computed and published agree', async () => {
   await page.close();
 });
 
+test('indices of symbols are set low, keys keep their underscores', async () => {
+  const { page } = await opened('three.html', 1400);
+  assert.equal(await page.$eval('#inputs sub', (node) => node.textContent), 'LFM');
+  assert.match(await page.textContent('#inputs'), /boundary_shear_strength_coefficient/);
+  await page.close();
+});
+
 test('the ledger is one table of words', async () => {
   const { page } = await opened('three.html', 1400);
   assert.equal((await page.$$('#ledger table.variants')).length, 1);

@@ -1,5 +1,5 @@
 // The tables under the figures.
-import { code, element, onNewWidth } from './dom.js';
+import { code, element, onNewWidth, withSubscripts } from './dom.js';
 import { save, fileStem } from './downloads.js';
 import { shownInput, withShortPaths } from './model.js';
 import {
@@ -234,7 +234,12 @@ export function inputsSection(model) {
             };
           });
     return [
-      { text: [code(first.key), element('span', { class: 'help' }, typesetFormula(typeset(first.help)))] },
+      {
+        text: [
+          code(first.key),
+          element('span', { class: 'help' }, withSubscripts(typesetFormula(typeset(first.help)))),
+        ],
+      },
       ...cells,
     ];
   });

@@ -220,7 +220,7 @@ function kinks(model) {
     .map(({ c, at }) => `${model.several ? `${c.name} ` : ''}${at.map(angleInWords).join(' and ')}`)
     .join('; ');
   return {
-    marks: all.length > kMostMarks ? [] : all.map((at) => ({ at, label: 'cavity closes' })),
+    marks: all.length > kMostMarks ? [] : all.map((at, i) => ({ at, label: i === 0 ? 'cavity closes' : '' })),
     words: ` The kink of the curve is physical: there a cavity closes and the film is full again (${words}).`,
   };
 }
