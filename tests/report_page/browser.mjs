@@ -75,6 +75,24 @@ export function colouredPixels(page, selector) {
   });
 }
 
+/** Height that the curves of a chart take, as a share of its canvas. */
+export function curveHeight(page, selector) {
+  return page.$eval(`${selector} canvas`, (canvas) => {
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let [top, bottom] = [canvas.height, 0];
+    for (let k = 0; k < data.length; k += 4) {
+      const [high, low] = [
+        Math.max(data[k], data[k + 1], data[k + 2]),
+        Math.min(data[k], data[k + 1], data[k + 2]),
+      ];
+      if (data[k + 3] === 0 || high - low <= 40) continue;
+      const row = Math.floor(k / 4 / canvas.width);
+      [top, bottom] = [Math.min(top, row), Math.max(bottom, row)];
+    }
+    return (bottom - top) / canvas.height;
+  });
+}
+
 /** Pixels of a chart's canvas that are tinted as lightly as the band of an error. */
 export function bandPixels(page, selector) {
   return page.$eval(`${selector} canvas`, (canvas) => {

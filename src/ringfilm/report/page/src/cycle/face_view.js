@@ -2,8 +2,15 @@
 // play, or under the cursor of the charts over the cycle.
 import { FigureView } from './figure_view.js';
 import { code, element } from '../dom.js';
+import { yRange } from '../plot/scales.js';
 import { fieldAngles, fieldFigure } from './other_figures.js';
 import { angleInWords, wrapped } from '../units.js';
+
+/** The figure with given ranges of its y axes, by panel. */
+function withRanges(figure, ranges) {
+  const panels = figure.panels.map((panel) => ({ ...panel, yRange: ranges.get(panel.id) }));
+  return { ...figure, panels };
+}
 
 /** Time that play shows one angle [ms]. */
 const kPlayStep = 80;
@@ -85,7 +92,22 @@ export class FaceView {
     });
   }
 
+  /** Ranges of each panel over all angles: play keeps its axes. */
+  wholeRanges() {
+    const ranges = new Map();
+    for (const angle of this.angles) {
+      const { panels } = fieldFigure(this.model, angle);
+      for (const panel of panels) {
+        const [low, high] = yRange(panel, () => true, panel.xRange);
+        const [lowest, highest] = ranges.get(panel.id) ?? [low, high];
+        ranges.set(panel.id, [Math.min(low, lowest), Math.max(high, highest)]);
+      }
+    }
+    return ranges;
+  }
+
   play() {
+    this.ranges ??= this.wholeRanges();
     this.playButton.textContent = 'Pause';
     this.timer = window.setInterval(() => {
       this.choose((this.index + 1) % this.angles.length);
@@ -95,8 +117,10 @@ export class FaceView {
 
   stop() {
     window.clearInterval(this.timer);
+    const wasPlaying = this.timer;
     this.timer = null;
     this.playButton.textContent = 'Play';
+    if (wasPlaying) this.show(this.index);
   }
 
   showAngle() {
@@ -107,7 +131,9 @@ export class FaceView {
 
   show(index) {
     this.index = index;
-    const next = fieldFigure(this.model, this.angles[index]);
+    const next = this.timer
+      ? withRanges(fieldFigure(this.model, this.angles[index]), this.ranges)
+      : fieldFigure(this.model, this.angles[index]);
     const same =
       next.panels.length === this.view.figure.panels.length &&
       next.panels.every(

@@ -133,7 +133,11 @@ export class Chart {
       legend: { show: false },
       scales: {
         x: { time: false, distr: panel.xScale === 'log' ? 3 : 1, range: () => this.window },
-        y: { distr: panel.yScale === 'log' ? 3 : 1, range: () => yRange(panel, this.visible, this.window) },
+        y: {
+          distr: panel.yScale === 'log' ? 3 : 1,
+          // The panel of now: that of the options may have been replaced.
+          range: () => yRange(this.panel, this.visible, this.window),
+        },
       },
       axes: [
         {
