@@ -7,17 +7,21 @@ import { pathToFileURL } from 'node:url';
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
 const {
   angleInWords,
+  asStated,
   crankTicks,
   display,
+  errorText,
   howOften,
   logTicks,
   number,
   numberOrCount,
   percent,
+  meaningful,
   sentence,
   shortPath,
   ticks,
   tickText,
+  typesetFormula,
   typesetSymbol,
   typesetUnit,
   withError,
@@ -75,6 +79,9 @@ test('units and symbols are printed as people write them', () => {
   assert.equal(typesetUnit('1'), '');
   assert.equal(typesetSymbol('N beta sigma'), 'N β σ');
   assert.equal(typesetSymbol('m4'), 'm4');
+  assert.equal(typesetFormula("2/E' = sum (1 - nu^2)/E_1"), "2/E' = Σ (1 − ν²)/E₁");
+  assert.equal(typesetFormula('alpha_0 of the oil'), 'α₀ of the oil');
+  assert.equal(typesetFormula('lowest lambda ratio'), 'lowest lambda ratio');
   assert.equal(typesetSymbol('sigma_1'), 'σ_1');
   assert.equal(typesetSymbol('constructor'), 'constructor');
   assert.deepEqual(
@@ -194,6 +201,16 @@ test('an error is rounded up to a digit, and its value to the same place', () =>
   assert.equal(withError(null, 0.1, 'bar'), '–');
 });
 
+test('a value on the first screen has the digits that mean something', () => {
+  assert.equal(meaningful(0.61732, 0.00004), '0.617');
+  assert.equal(meaningful(118.04, 4), '118');
+  assert.equal(meaningful(0.61732, 0.019), '0.62');
+  assert.equal(meaningful(0.3, 0.95), '0.3');
+  assert.equal(meaningful(868.7, null), '869');
+  assert.equal(meaningful(null, 0.1), '–');
+  assert.deepEqual([0.0178, 0.00004, 3.51, 0, null].map(errorText), ['0.02', '0.00004', '4', '', '']);
+});
+
 test('a band has an outline for each piece of its curve', () => {
   assert.deepEqual(
     bandOutlines({ x: [0, 1, 2, 3, 4, 5], y: [1, 1, null, 2, 2, null], error: [0.5, 0.5, null, 1, 1, null] }),
@@ -218,6 +235,13 @@ test('a band has an outline for each piece of its curve', () => {
 test('a quantity without number has no unit', () => {
   assert.equal(withUnit(null, 'bar'), '–');
   assert.equal(withUnit(62, 'bar', 3), '62.0\u00a0bar');
+});
+
+test('a published value keeps the digits that it was published with', () => {
+  assert.deepEqual(
+    [asStated(1.41, ''), asStated(0.677, 'µm'), asStated(62, 'bar'), asStated(20, '°'), asStated(null, 'W')],
+    ['1.41', '0.677\u00a0µm', '62\u00a0bar', '20°', '–'],
+  );
 });
 
 test('changes carry their sign, no change has none', () => {
@@ -255,6 +279,9 @@ test('display units divide by their size in SI', () => {
 test('statements become sentences with printed units', () => {
   assert.equal(sentence('all oil is at 120 degC (at 20 degree)'), 'All oil is at 120 °C (at 20°).');
   assert.equal(sentence("E' is given."), "E' is given.");
+  assert.equal(sentence('U/h up to 7.6e+06 1/s'), 'U/h up to 7.6\u202f·\u202f10⁶ 1/s.');
+  assert.equal(sentence('1e-08 Pa-1'), '1\u202f·\u202f10⁻⁸ Pa⁻¹.');
+  assert.equal(sentence('hash 12e5a and x2e3'), 'Hash 12e5a and x2e3.');
 });
 
 test('ticks are round and cover the range', () => {
@@ -320,6 +347,15 @@ test('titles are distinguished by what differs', () => {
   });
   assert.equal(shortNames(['same', 'same']), null);
   assert.deepEqual(shortNames(['engine A', 'boat']), { shared: '', names: ['engine A', 'boat'] });
+  assert.deepEqual(shortNames(['Two rings: ring 1 (top)', 'Two rings: ring 2 (second)']), {
+    shared: 'Two rings',
+    names: ['ring 1 (top)', 'ring 2 (second)'],
+  });
+  assert.deepEqual(shortNames(['ring 1', 'ring 2']), { shared: '', names: ['ring 1', 'ring 2'] });
+  assert.deepEqual(shortNames(['Low-tension set – new', 'Low-tension set – worn']), {
+    shared: 'Low-tension set',
+    names: ['new', 'worn'],
+  });
 });
 
 test('cases of one title are named after the inputs in which they differ', () => {

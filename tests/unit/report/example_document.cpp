@@ -173,7 +173,7 @@ io::ResultDocument document(const std::string& title, double friction) {
               {"gas.trace_origin", "\"synthetic\"", "synthetic", false, "measured, computed or synthetic"},
               {"ring.face_width", "0.0012", "1.2 mm", false, "axial width of the face, b"},
               {"contact.boundary_shear_strength_coefficient", friction == 1.0 ? "0.3581" : "0.29",
-               friction == 1.0 ? "0.3581" : "0.29", false, "zeta, from lateral force microscopy"},
+               friction == 1.0 ? "0.3581" : "0.29", false, "zeta, the slope F_LFM of lateral force microscopy"},
               {"film.cavitation", "\"reynolds-exit\"", "reynolds-exit", true, "what happens where the film ruptures"}};
   d.resolved_case = fmt::format("title = \"{}\"\n[engine]\nbore = \"0.089 m\"\n", title);
   d.files = {{"case", "/somewhere/cases/styles2014/new.toml", std::string(64, 'a')},
@@ -217,6 +217,15 @@ io::ResultDocument document(const std::string& title, double friction) {
                                  .decided_by = ""},
                    .computed = 0.1846 * friction,
                    .deviation = 0.1846 * friction / 0.17 - 1,
+                   .strongest_setting = "",
+                   .with_strongest_setting = {}},
+                  {.published = {.source = "independent implementation",
+                                 .quantity = "mean_power_loss",
+                                 .statement = "mean friction power",
+                                 .value = 118.0,
+                                 .decided_by = ""},
+                   .computed = d.result.values.mean_power_loss,
+                   .deviation = d.result.values.mean_power_loss / 118.0 - 1,
                    .strongest_setting = "",
                    .with_strongest_setting = {}}};
   return d;

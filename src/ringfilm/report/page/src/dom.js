@@ -41,3 +41,10 @@ export function code(text, attributes = {}) {
     pieces.flatMap((piece, i) => (i === 0 ? [piece] : [element('wbr'), piece])),
   );
 }
+
+/** Text in which the index of a symbol of one letter is set low: h_s, p_e; keys such as end_gap stay. */
+export function withSubscripts(text) {
+  return text
+    .split(/(?<=(?<![\p{L}\d_.])\p{L})(_[A-Za-z]{1,5})(?![\w.])/u)
+    .map((piece, i) => (i % 2 ? element('sub', {}, piece.slice(1)) : piece));
+}

@@ -10,21 +10,15 @@ import {
   zoomFigure,
 } from './cycle/cycle_figures.js';
 import { element, svgElement } from './dom.js';
-import { FaceView } from './cycle/face_view.js';
+import { FaceView, howToStoreFields } from './cycle/face_view.js';
 import { FigureView, Visibility } from './cycle/figure_view.js';
 import { firstScreen, operatingLine, reportTitle } from './cycle/first_screen.js';
+import { comparisonSection } from './cycle/comparison.js';
 import { influenceFigure, ledgerSection } from './cycle/ledger.js';
 import { Model } from './model.js';
 import { energyFigure, faceFigure, fieldAngles, stribeckFigure, wearFigure } from './cycle/other_figures.js';
 import { swatchSvg } from './plot/svg.js';
-import {
-  comparisonSection,
-  cycleValuesSection,
-  inputsSection,
-  notesSection,
-  provenanceSection,
-  section,
-} from './tables.js';
+import { cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
 import { display } from './units.js';
 import { Unrolled } from './cycle/unrolled.js';
 
@@ -88,7 +82,7 @@ function toolbar(model, visibility, group) {
 
 /** A chart of a quantity that the reader picks. */
 function otherQuantity(model, context, started) {
-  const host = element('div', {});
+  const host = element('div', { class: 'bare' });
   const names = model.curveQuantities.map((q) => q.name).filter((name) => !shownElsewhere().includes(name));
   let view = null;
   const show = (name) => {
@@ -153,6 +147,14 @@ function unrolledCases(model) {
     }));
 }
 
+/** Film and friction: before the fields along the face. */
+const kFirstRow = 2;
+
+/** Two in a row where there is room. */
+function charts(nodes) {
+  return element('div', { class: 'charts' }, nodes);
+}
+
 function buildPage(model) {
   const visibility = new Visibility();
   const group = new CycleGroup();
@@ -173,22 +175,27 @@ function buildPage(model) {
     view(wearFigure(model)),
     view(energyFigure(model)),
   ].filter(Boolean);
-  const faces = [
-    view(faceFigure(model)),
-    fieldAngles(model).length ? new FaceView(model, context) : null,
-  ].filter(Boolean);
+  const faces = [view(faceFigure(model))].filter(Boolean);
+  const along = fieldAngles(model).length ? new FaceView(model, context) : null;
   const unrolled = unrolledCases(model);
   const around = [
     unrolled.length ? new AroundView(model, unrolled, context) : null,
     hasCurves ? view(gapFigure(model)) : null,
   ].filter(Boolean);
   const influence = view(influenceFigure(model));
-  views.push(...cycle, ...others, ...faces, ...around, ...(influence ? [influence] : []));
+  views.push(
+    ...cycle,
+    ...(along ? [along] : []),
+    ...others,
+    ...faces,
+    ...around,
+    ...(influence ? [influence] : []),
+  );
 
   const contents = [
     ['cycle', 'Over the cycle', cycle.length],
     ['friction', 'Friction and wear', others.length],
-    ['face', 'Along the face', faces.length],
+    ['face', 'Face', faces.length],
     ['around', 'Around the ring', around.length],
     ['cycle-values', 'Cycle values', 1],
     ['comparison', 'Published values', model.cases.some((c) => c.comparison.length)],
@@ -213,28 +220,22 @@ function buildPage(model) {
             element(
               'p',
               { class: 'how' },
-              'Drag across a chart to zoom all of them, double-click for the whole cycle; the ' +
+              'Drag across a chart to zoom all of them, double-click for the whole cycle; ' +
+                (along ? 'the cursor moves the fields along the face; ' : '') +
+                'the ' +
                 'thin dashed line marks the peak of the gas pressure.',
               model.several ? ' A name in a legend hides that case in the whole page.' : '',
             ),
             toolbar(model, visibility, group),
-            cycle.map((v) => v.node),
+            charts([
+              ...cycle.slice(0, kFirstRow).map((v) => v.node),
+              along ? along.node : model.several || model.cases[0].complete ? howToStoreFields() : null,
+              ...cycle.slice(kFirstRow).map((v) => v.node),
+            ]),
           )
         : null,
-      others.length
-        ? section(
-            'friction',
-            'Friction and wear',
-            others.map((v) => v.node),
-          )
-        : null,
-      faces.length
-        ? section(
-            'face',
-            'Along the face of the ring',
-            faces.map((v) => v.node),
-          )
-        : null,
+      others.length ? section('friction', 'Friction and wear', charts(others.map((v) => v.node))) : null,
+      faces.length ? section('face', 'Face of the ring', charts(faces.map((v) => v.node))) : null,
       around.length
         ? section(
             'around',

@@ -1,18 +1,23 @@
 // The payload made handy: quantities by name, cases with short names, curves on the axis of the charts.
 import { display, shortPath, typeset, wrapped } from './units.js';
 
+/** Titles are divided where a comma, colon or semicolon, or a dash between blanks, ends a part. */
+const kDivider = /[,:;]\s+|\s+[–-]\s+/g;
+
 /**
- * Splits titles into what they share and what distinguishes them, at a comma, colon or blank; null where they
- * do not differ.
+ * Splits titles into the parts that they share and those that distinguish them; null where they do not differ.
+ * No part is divided: "ring 1" and "ring 2" keep their word.
  */
 export function shortNames(titles) {
   if (new Set(titles).size < titles.length) return null;
-  let n = 0;
-  while (titles.every((t) => n < t.length && t[n] === titles[0][n])) n++;
-  const cut = titles[0].slice(0, n).replace(/[^\s,:;–-]*$/, '');
-  const names = titles.map((t) => t.slice(cut.length).trim());
+  const ends = [...titles[0].matchAll(kDivider)].map((found) => found.index + found[0].length);
+  const cut = Math.max(
+    0,
+    ...ends.filter((end) => titles.every((t) => t.startsWith(titles[0].slice(0, end)))),
+  );
+  const names = titles.map((t) => t.slice(cut).trim());
   if (names.some((name) => name === '')) return { shared: '', names: titles };
-  return { shared: cut.replace(/[\s,:;–-]+$/, ''), names };
+  return { shared: titles[0].slice(0, cut).replace(/[\s,:;–-]+$/, ''), names };
 }
 
 /** Inputs of the method or of files, not of the engine: no case is named after them. */
@@ -141,6 +146,13 @@ export class Model {
 
   isSynthetic(oneCase) {
     return this.input(oneCase, 'gas.trace_origin')?.shown === 'synthetic';
+  }
+
+  /** Where the gas pressure above the ring of a case peaks, on the axis of the charts; null where it is constant. */
+  peakAngle(oneCase) {
+    const pressures = oneCase.curves.gas_pressure ?? [];
+    const isConstant = Math.max(...pressures) - Math.min(...pressures) <= 1e-9 * Math.max(...pressures);
+    return isConstant ? null : wrapped(oneCase.values.peak_gas_pressure_angle ?? null);
   }
 
   /** A curve over the cycle in display units: sorted from -360 to 360, null where samples are missing. */

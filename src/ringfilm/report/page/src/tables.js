@@ -1,17 +1,16 @@
 // The tables under the figures.
-import { code, element } from './dom.js';
+import { code, element, onNewWidth, withSubscripts } from './dom.js';
 import { save, fileStem } from './downloads.js';
 import { shownInput, withShortPaths } from './model.js';
 import {
   display,
   howOften,
   number,
-  percent,
   sentence,
   shortPath,
   typeset,
+  typesetFormula,
   withError,
-  withUnit,
 } from './units.js';
 
 /** A cell is its text, or { text, attributes }. */
@@ -19,6 +18,19 @@ function described(content) {
   const { text, attributes = {} } =
     content && typeof content === 'object' && 'text' in content ? content : { text: content };
   return { text, attributes };
+}
+
+/** A table that may be wider than the page; where it is, a line states that it scrolls. */
+export function scrolling(label, content) {
+  const region = element(
+    'div',
+    { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': label },
+    content,
+  );
+  const mark = () => region.classList.toggle('overflows', region.scrollWidth > region.clientWidth + 1);
+  onNewWidth(region, mark);
+  requestAnimationFrame(mark);
+  return region;
 }
 
 /** A table that stays a table for screen readers and folds into blocks on a phone. */
@@ -39,9 +51,8 @@ export function table(caption, heads, rows, { folds = false, classes = '' } = {}
         Array.isArray(text) ? element('span', {}, text) : (text ?? '–'),
       );
     });
-  return element(
-    'div',
-    { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': caption },
+  return scrolling(
+    caption,
     element(
       'table',
       { role: 'table', class: `${folds ? 'folds' : ''} ${classes}` },
@@ -70,10 +81,10 @@ export function table(caption, heads, rows, { folds = false, classes = '' } = {}
   );
 }
 
-const figure = (text) => ({ text, attributes: { class: 'number' } });
+export const figure = (text) => ({ text, attributes: { class: 'number' } });
 
 /** Long tables are folded on a phone until the reader opens them. */
-function folded(summary, ...content) {
+export function folded(summary, ...content) {
   return element(
     'details',
     { open: window.innerWidth > 760, class: 'fold' },
@@ -89,7 +100,7 @@ const numberHeads = (model) =>
 /** "mean friction power [W]", the unit in soft type. */
 function named(quantity) {
   const { unit } = display(quantity);
-  return [quantity.long_name, unit ? element('span', { class: 'unit' }, ` [${unit}]`) : null];
+  return [typesetFormula(quantity.long_name), unit ? element('span', { class: 'unit' }, ` [${unit}]`) : null];
 }
 
 export function section(id, heading, ...content) {
@@ -137,73 +148,6 @@ export function cycleValuesSection(model) {
       gridSentence(model),
     ),
     table('Values of the whole cycle', heads, rows),
-  );
-}
-
-/** Closer than this, nothing is left to explain by another setting. */
-const kAgrees = 0.01;
-
-function comparisonRow(model, c, row) {
-  const quantity = model.cycleQuantity.get(row.quantity);
-  const { unit, convert } = quantity ? display(quantity) : { unit: '', convert: (v) => v };
-  const isSensitive = row.strongest_setting && !(Math.abs(row.deviation) < kAgrees);
-  const strongest = isSensitive
-    ? [
-        code(row.strongest_setting),
-        row.with_strongest_setting === null
-          ? ''
-          : ` gives ${withUnit(convert(row.with_strongest_setting), unit, 3)}`,
-      ]
-    : c.ledger_computed
-      ? '–'
-      : 'not computed';
-  return [
-    sentence(row.statement).replace(/\.$/, ''),
-    figure(
-      c.errors
-        ? `${withError(convert(row.computed), model.error(c, row.quantity), unit, 3)}` +
-            `${unit ? `\u00a0${unit}` : ''}`
-        : withUnit(convert(row.computed), unit, 3),
-    ),
-    figure(withUnit(convert(row.published), unit, 3)),
-    figure(percent(row.deviation)),
-    row.source,
-    typeset(row.decided_by) || '–',
-    { text: strongest },
-  ];
-}
-
-export function comparisonSection(model) {
-  const shown = model.cases.filter((c) => c.comparison.length > 0);
-  if (shown.length === 0) return null;
-  const right = (text) => ({ text, attributes: { class: 'number' } });
-  const heads = [
-    'what',
-    right('computed'),
-    right('published'),
-    right('deviation'),
-    'source',
-    'decided by',
-    'setting that comes closest',
-  ];
-  return section(
-    'comparison',
-    'Beside the published values',
-    element(
-      'p',
-      {},
-      'Deviation is computed minus published, over published. "Decided by" names the inputs that ' +
-        'the source leaves open; the last column is the one other choice of such an input that ' +
-        'comes closest.',
-    ),
-    shown.map((c) =>
-      table(
-        model.several ? c.name : 'Computed and published values',
-        heads,
-        c.comparison.map((row) => comparisonRow(model, c, row)),
-        { folds: true, classes: 'comparison' },
-      ),
-    ),
   );
 }
 
@@ -289,7 +233,15 @@ export function inputsSection(model) {
               },
             };
           });
-    return [{ text: [code(first.key), element('span', { class: 'help' }, typeset(first.help))] }, ...cells];
+    return [
+      {
+        text: [
+          code(first.key),
+          element('span', { class: 'help' }, withSubscripts(typesetFormula(typeset(first.help)))),
+        ],
+      },
+      ...cells,
+    ];
   });
   const derived = model.payload.derived_quantities.filter((q) =>
     model.cases.some((c) => q.name in c.derived),
@@ -348,7 +300,7 @@ export function provenanceSection(model) {
   const rows = [
     ...['program', 'commit', 'compiler', 'kernels'].map((key) => [
       key,
-      ...model.cases.map((c) => figure(c.provenance[key] || '–')),
+      ...model.cases.map((c) => ({ text: c.provenance[key] || '–', attributes: { class: 'number wraps' } })),
     ]),
     ...kEffort.map(([key, label]) => [
       label,

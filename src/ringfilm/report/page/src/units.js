@@ -199,6 +199,24 @@ export function withError(value, error, unit, digits = 4) {
   return `${text(Math.round(value / step) * step)} ± ${text(Math.ceil((error / step) * (1 - 1e-9)) * step)}`;
 }
 
+/** An error rounded up to one digit; '' without one. */
+export function errorText(error) {
+  if (!(error > 0) || !Number.isFinite(error)) return '';
+  const power = Math.floor(Math.log10(error) + 1e-9);
+  const digit = Math.ceil((error / 10 ** power) * (1 - 1e-9));
+  return power < -9 || power > 8
+    ? number(digit * 10 ** power, 1)
+    : (digit * 10 ** power).toFixed(Math.max(0, -power));
+}
+
+/** A value in three significant digits, or fewer where its error leaves fewer: what a reader can use. */
+export function meaningful(value, error) {
+  const kDigits = 3;
+  if (!(error > 0) || !Number.isFinite(value) || value === 0) return number(value, kDigits);
+  const digits = 1 + Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(error));
+  return number(value, Math.max(1, Math.min(kDigits, digits)));
+}
+
 /** The same far from one with one power of ten for both: "(8.1 ± 0.4) · 10⁻⁸". */
 export function withErrorAndPower(value, error, unit, digits = 4) {
   const size = Math.max(Math.abs(value ?? NaN), error > 0 ? error : 0);
@@ -209,6 +227,14 @@ export function withErrorAndPower(value, error, unit, digits = 4) {
   return (
     `(${withError(value / 10 ** exponent, error / 10 ** exponent, unit, digits)})\u202f·\u202f10` + `${power}`
   );
+}
+
+/** A stated value in the digits it was stated with, at most four. */
+export function asStated(value, unit) {
+  const text = number(value, 4);
+  const shown = /^[−\d.]+$/.test(text) && text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+  if (!unit || text === '–') return shown;
+  return unit === '°' ? shown + unit : `${shown}\u00a0${unit}`;
 }
 
 /** A signed change in per cent. */
@@ -317,11 +343,16 @@ const kTypeset = [
 ];
 
 /**
- * Units in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy into a
+ * Units and powers of ten in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy into a
  * case.
  */
 export function typeset(text) {
-  return kTypeset.reduce((out, [plainUnit, printed]) => out.replace(plainUnit, printed), text);
+  const powers = text.replace(
+    /(?<![\w.])(\d+(?:\.\d+)?)e\+?(-?)0*(\d+)\b/g,
+    (_, mantissa, sign, digits) =>
+      `${mantissa}\u202f·\u202f10${[...(sign + digits)].map((c) => kSuperscript[c]).join('')}`,
+  );
+  return kTypeset.reduce((out, [plainUnit, printed]) => out.replace(plainUnit, printed), powers);
 }
 
 const kGreek = {
@@ -350,6 +381,22 @@ export function typesetSymbol(symbol) {
   return symbol.replace(/(?<![A-Za-z])[a-z]+(?![a-z])/g, (word) =>
     Object.hasOwn(kGreek, word) ? kGreek[word] : word,
   );
+}
+
+const kSubscript = [...'₀₁₂₃₄₅₆₇₈₉'];
+
+/** Formulas in running text as far as plain letters allow: "sum (1 - nu^2)/E_1" is Σ (1 − ν²)/E₁. */
+export function typesetFormula(text) {
+  // The lambda ratio is a word of the field, not a formula.
+  return text
+    .split(/(lambda ratio)/)
+    .map((piece) => (piece === 'lambda ratio' ? piece : typesetSymbol(piece)))
+    .join('')
+    .replace(/\bsum \(/g, 'Σ (')
+    .replace(/\bsqrt\(pi\/2\)/g, '√(π/2)')
+    .replace(/\(1 - /g, '(1 − ')
+    .replace(/\^2\b/g, '²')
+    .replace(/(?<=\p{L})_(\d)/gu, (_, digit) => kSubscript[Number(digit)]);
 }
 
 /** A statement as a sentence of its own. */

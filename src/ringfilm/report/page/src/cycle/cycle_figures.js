@@ -1,5 +1,5 @@
 // The figures over the engine cycle, as plain data that the screen, the SVG and the CSV are drawn from.
-import { angleInWords, display, number, shortPath, withUnit, wrapped } from '../units.js';
+import { angle, angleInWords, display, number, sentence, shortPath, withUnit, wrapped } from '../units.js';
 import { window } from '../model.js';
 
 export const kCycleRange = [-360, 360];
@@ -73,7 +73,7 @@ export function overlaySentence(model, name) {
 export function pressurePeaks(model) {
   const peaks = [];
   for (const c of model.cases) {
-    const at = wrapped(c.values.peak_gas_pressure_angle ?? null);
+    const at = model.peakAngle(c);
     if (at === null) continue;
     const known = peaks.find((p) => Math.abs(p.at - at) < 0.25);
     if (known) known.caseIndex = null;
@@ -100,16 +100,16 @@ export function cyclePanel(model, name, options = {}) {
 }
 
 /** "62.0 bar in all cases", or "new ring: 62.0 bar; run-in ring: ..." */
-export function forEachCase(model, sentence) {
-  const sentences = model.cases.map(sentence);
+export function forEachCase(model, stated) {
+  const sentences = model.cases.map(stated);
   if (!model.several) return sentences[0];
   if (new Set(sentences).size === 1) return `${sentences[0]} in ${model.allCases}`;
   return model.cases.map((c, i) => `${c.name} ${sentences[i]}`).join('; ');
 }
 
 /** The same for the values of a whole cycle. */
-export function ofEachCycle(model, sentence) {
-  return forEachCase(model, (c) => (c.complete ? sentence(c) : 'none, the integration stopped early'));
+export function ofEachCycle(model, stated) {
+  return forEachCase(model, (c) => (c.complete ? stated(c) : 'none, the integration stopped early'));
 }
 
 export function valueWithUnit(model, c, name, digits = 3) {
@@ -136,29 +136,41 @@ function pressureFigure(model) {
     id: 'cylinder-pressure',
     title: synthetic ? 'Gas pressure above the ring (SYNTHETIC)' : 'Gas pressure above the ring',
     paper: 'Fig. 7',
+    offersLog: true,
     panels: [cyclePanel(model, 'gas_pressure')],
     caption:
       'Absolute gas pressure above the ring; it also presses the ring outwards from behind. Peak: ' +
       ofEachCycle(
         model,
         (c) =>
-          `${valueWithUnit(model, c, 'peak_gas_pressure')} ${angleInWords(c.values.peak_gas_pressure_angle)}`,
+          `${valueWithUnit(model, c, 'peak_gas_pressure')} ` +
+          (model.peakAngle(c) === null ? 'at all angles' : angleInWords(model.peakAngle(c))),
       ) +
       `. Origin: ${forEachCase(model, (c) => origin(model, c))}.` +
       `${overlaySentence(model, 'gas_pressure')}`,
   };
 }
 
-/** How close to the peak of the pressure the thinnest film still counts as being there [degree]. */
-const kNearPeak = 15;
+/** Closer to another angle than this, the thinnest film is at that angle [degree]. */
+const kThere = 2;
+
+/** Where the film of a case is thinnest, in words: next to the peak of the gas pressure. */
+export function thinnestInWords(model, c) {
+  const at = wrapped(c.values.min_film_thickness_angle);
+  const peak = model.peakAngle(c);
+  if (at === null || peak === null) return angleInWords(at);
+  const after = wrapped(at - peak);
+  const size = `${angle(Math.abs(after))}°`;
+  if (Math.abs(after) <= kThere) return `${angleInWords(at)}, at the peak of the gas pressure`;
+  return Math.abs(after) < kFollows
+    ? `${angleInWords(at)}, ${size} ${after > 0 ? 'after' : 'before'} the peak of the gas pressure`
+    : `${angleInWords(at)}, away from the peak of the gas pressure`;
+}
+
+/** Within this the peak of the gas pressure is named with its distance [degree]. */
+const kFollows = 90;
 
 function filmFigure(model) {
-  const nearPeak = model.cases.every(
-    (c) =>
-      c.complete &&
-      Math.abs(wrapped(c.values.min_film_thickness_angle) - wrapped(c.values.peak_gas_pressure_angle)) <=
-        kNearPeak,
-  );
   return {
     id: 'min-film-thickness',
     title: 'Minimum film thickness',
@@ -168,13 +180,9 @@ function filmFigure(model) {
       'Smallest separation of the mean planes anywhere along the face. Thinnest: ' +
       ofEachCycle(
         model,
-        (c) =>
-          `${valueWithUnit(model, c, 'min_film_thickness')} ` +
-          `${angleInWords(c.values.min_film_thickness_angle)}`,
+        (c) => `${valueWithUnit(model, c, 'min_film_thickness')} ${thinnestInWords(model, c)}`,
       ) +
-      '.' +
-      (nearPeak ? ' That is at the peak of the gas pressure, not at the dead centre.' : '') +
-      `${overlaySentence(model, 'min_film_thickness')}`,
+      `.${overlaySentence(model, 'min_film_thickness')}`,
   };
 }
 
@@ -190,18 +198,47 @@ function lambdaRatioFigure(model) {
   };
 }
 
+/** More marks than these would cover the curves. */
+const kMostMarks = 4;
+
+/**
+ * Crank angles where a cavity of a mass-conserving film closes, on the axis of the charts: the film is full from
+ * there on, and friction has a kink.
+ */
+export function closings(model, c) {
+  if (model.input(c, 'film.cavitation')?.shown !== 'mass-conserving') return [];
+  const curve = model.curve(c, 'cavitated_fraction');
+  return curve.x.filter((_, k) => k > 0 && curve.y[k] === 0 && curve.y[k - 1] > 0);
+}
+
+/** Marks of the kinks for a chart, and the sentence on them for its caption. */
+function kinks(model) {
+  const found = model.cases.map((c) => ({ c, at: closings(model, c) })).filter(({ at }) => at.length > 0);
+  const all = [...new Set(found.flatMap(({ at }) => at))].sort((a, b) => a - b);
+  if (all.length === 0) return { marks: [], words: '' };
+  const words = found
+    .map(({ c, at }) => `${model.several ? `${c.name} ` : ''}${at.map(angleInWords).join(' and ')}`)
+    .join('; ');
+  return {
+    marks: all.length > kMostMarks ? [] : all.map((at, i) => ({ at, label: i === 0 ? 'cavity closes' : '' })),
+    words: ` The kink of the curve is physical: there a cavity closes and the film is full again (${words}).`,
+  };
+}
+
 function frictionFigure(model) {
+  const kink = kinks(model);
   return {
     id: 'total-friction',
     title: 'Friction',
     paper: 'Fig. 9',
-    panels: [cyclePanel(model, 'total_friction')],
+    offersLog: true,
+    panels: [{ ...cyclePanel(model, 'total_friction'), xMarks: kink.marks }],
     caption: `Boundary plus viscous friction of the whole ring, without sign. Peak: ${ofEachCycle(
       model,
       (c) =>
         `${valueWithUnit(model, c, 'peak_total_friction')} ` +
         `${angleInWords(c.values.peak_total_friction_angle)}`,
-    )}.${overlaySentence(model, 'total_friction')}`,
+    )}.${kink.words}${overlaySentence(model, 'total_friction')}`,
   };
 }
 
@@ -212,6 +249,7 @@ function frictionZoomFigure(model) {
     title: 'Friction around firing TDC, split',
     paper: 'Fig. 9',
     layout: 'row',
+    offersLog: true,
     panels: [zoom('boundary_friction', 'boundary'), zoom('viscous_friction', 'viscous')],
     caption: (
       `From ${kZoom[0]}° to ${kZoom[1]}°: friction of touching asperities (dashed) and of the ` +
@@ -241,12 +279,13 @@ function linerFrictionFigure(model) {
 function flowFigure(model) {
   return {
     id: 'oil-flow-middle',
-    title: 'Oil flow under the middle of the ring',
+    title: 'Oil flow at mid-face (upper bound)',
     paper: 'Fig. 11',
     panels: [cyclePanel(model, 'oil_flow_middle', { zeroLine: true })],
     caption:
       'Mass flow through the middle section of the face, whole circumference, seen from the ring; ' +
-      'positive from chamber to crankcase. Mean without sign: ' +
+      'positive from chamber to crankcase. An upper bound: the edges are taken as flooded. Mean without ' +
+      'sign: ' +
       ofEachCycle(model, (c) => valueWithUnit(model, c, 'mean_absolute_oil_flow')) +
       '; net over the cycle: ' +
       ofEachCycle(model, (c) => valueWithUnit(model, c, 'net_oil_flow')) +
@@ -256,10 +295,10 @@ function flowFigure(model) {
 
 export function cycleFigures(model) {
   const figures = [
-    pressureFigure,
     filmFigure,
-    lambdaRatioFigure,
     frictionFigure,
+    pressureFigure,
+    lambdaRatioFigure,
     linerFrictionFigure,
     flowFigure,
   ];
@@ -280,12 +319,12 @@ export function otherQuantityFigure(model, name) {
   const signed = model.cases.some((c) => c.curves[name].some((v) => v < 0));
   return withBandSentence({
     id: 'other-quantity',
+    long: true,
     title: 'Any other quantity',
     group: 'cycle',
     panels: [cyclePanel(model, name, { zeroLine: signed, fromZero: false })],
     caption:
-      `${quantity.long_name}${quantity.symbol ? `, ${quantity.symbol} in the theory` : ''}; named ` +
-      `${name} in the result file.${overlaySentence(model, name)}`,
+      `${sentence(quantity.long_name)} Named ${name} in the result file.` + `${overlaySentence(model, name)}`,
   });
 }
 

@@ -4,7 +4,7 @@ import { spokenSummary } from './cycle_figures.js';
 import { element, onNewWidth, svgElement } from '../dom.js';
 import { fileStem, figureCsv, save, savePng } from '../downloads.js';
 import { isOneOfSeveral } from '../plot/palette.js';
-import { axisTitle } from '../plot/scales.js';
+import { axisTitle, logarithmic } from '../plot/scales.js';
 import { figureSvg, swatchSvg } from '../plot/svg.js';
 import { angle, number, withUnit } from '../units.js';
 
@@ -79,15 +79,65 @@ export class FigureView {
       figure.paper && this.context.besidePaper
         ? element('span', { class: 'paper' }, `${figure.paper} of the paper`)
         : null;
-    this.heading = element('div', { class: 'figure-heading' }, this.title, paper, this.downloads());
+    this.heading = element(
+      'div',
+      { class: 'figure-heading' },
+      this.title,
+      paper,
+      this.scaleButton(),
+      this.downloads(),
+    );
     this.body = element('div', { class: 'panels' });
     this.caption = element('figcaption', {}, figure.caption);
     this.print = element('div', { class: 'print-only' });
     this.node.append(this.heading, this.body, this.print, this.caption);
-    figure.panels.forEach((panel, i) =>
+    this.lay();
+    this.refresh();
+  }
+
+  lay() {
+    this.figure.panels.forEach((panel, i) =>
       this.body.append(panel.bars ? this.bars() : this.chartPanel(panel, i)),
     );
+  }
+
+  /** Another figure in the place of this one, with charts of its own. */
+  replace(figure) {
+    const { group } = this.context;
+    for (const { chart } of this.charts) {
+      if (figure.group) group.remove(chart);
+      else chart?.plot.destroy();
+    }
+    this.figure = figure;
+    this.charts = [];
+    this.body.replaceChildren();
+    this.lay();
+    this.start();
     this.refresh();
+  }
+
+  /** Turns the y axes of a figure that offers it from linear to logarithmic and back. */
+  scaleButton() {
+    if (!this.figure.offersLog) return null;
+    const button = element(
+      'button',
+      {
+        type: 'button',
+        class: 'download scale',
+        'aria-pressed': 'false',
+        'aria-label': `${this.figure.title}: logarithmic axis`,
+        onclick: () => {
+          const isLog = button.getAttribute('aria-pressed') !== 'true';
+          const windows = this.charts.map(({ chart }) => chart.window);
+          this.linear ??= this.figure;
+          this.replace(isLog ? logarithmic(this.linear) : this.linear);
+          this.charts.forEach(({ chart }, i) => chart.zoom(...windows[i]));
+          button.setAttribute('aria-pressed', String(isLog));
+        },
+      },
+      'log',
+    );
+    return button;
   }
 
   chartPanel(panel, index) {
@@ -222,7 +272,7 @@ export class FigureView {
       { class: 'downloads' },
       button('PNG', () => savePng(name('png'), this.svg())),
       button('SVG', () => save(name('svg'), 'image/svg+xml', this.svg())),
-      button('CSV', () => save(name('csv'), 'text/csv', figureCsv(this.figure))),
+      button('CSV', () => save(name('csv'), 'text/csv', figureCsv(this.linear ?? this.figure))),
     );
   }
 

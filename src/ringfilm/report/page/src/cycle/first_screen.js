@@ -1,9 +1,11 @@
 // What was computed, the three numbers that matter, the one warning that matters.
-import { element, svgElement } from '../dom.js';
+import { cards } from './cards.js';
+import { element } from '../dom.js';
 import { shownInput, stoppedAt, withShortPaths } from '../model.js';
-import { swatchSvg } from '../plot/svg.js';
+import { drawings } from './section_drawing.js';
 import { mergedNotes } from '../tables.js';
-import { angleInWords, number, typeset, withError } from '../units.js';
+import { angleInWords, number, typeset } from '../units.js';
+import { usualCard } from './usual.js';
 
 const kOperating = [
   ['engine.bore', 'bore'],
@@ -92,34 +94,6 @@ function stopped(model) {
   );
 }
 
-function card(model, heading, name, detail) {
-  const rows = model.cases.map((c) => {
-    const { value, unit } = model.value(c, name);
-    const [shown, error] = withError(value, model.error(c, name), unit, 3).split(' ± ');
-    return element(
-      'div',
-      { class: 'card-row' },
-      model.several
-        ? element(
-            'span',
-            { class: 'card-name' },
-            svgElement(swatchSvg({ caseIndex: c.index, part: null })),
-            c.name,
-          )
-        : null,
-      element(
-        'span',
-        { class: 'card-value' },
-        element('b', {}, shown),
-        error ? ` ± ${error}` : '',
-        unit && value !== null ? ` ${unit}` : '',
-      ),
-      element('span', { class: 'card-detail' }, detail(c)),
-    );
-  });
-  return element('section', { class: 'card' }, element('h2', {}, heading), rows);
-}
-
 export function firstScreen(model) {
   const found = warnings(model);
   const several = mergedNotes(model).length - 1;
@@ -138,11 +112,6 @@ export function firstScreen(model) {
               ]
             : null,
         );
-  const shownFmep = (c) => {
-    const { value, unit } = model.value(c, 'fmep');
-    if (value === null) return '';
-    return `FMEP ${number(value, 3)} ${unit}`;
-  };
   return element(
     'header',
     { class: 'first-screen' },
@@ -154,17 +123,14 @@ export function firstScreen(model) {
     element('h1', {}, reportTitle(model)),
     element('p', { class: 'operating' }, operatingLine(model)),
     stopped(model),
-    model.cases.every((c) => !c.complete)
-      ? null
-      : element(
-          'div',
-          { class: 'cards' },
-          card(model, 'Mean friction power', 'mean_power_loss', shownFmep),
-          card(model, 'Thinnest film', 'min_film_thickness', (c) =>
-            c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '',
-          ),
-          card(model, 'In mixed lubrication', 'mixed_share', () => 'of the cycle'),
-        ),
     warning,
+    element(
+      'div',
+      { class: `summary ${model.several ? '' : 'alone'}` },
+      model.cases.every((c) => !c.complete)
+        ? null
+        : element('div', { class: 'numbers' }, cards(model), usualCard(model)),
+      drawings(model),
+    ),
   );
 }

@@ -1,82 +1,81 @@
 // The assumption ledger: what is taken for granted, and what it changes to take something else.
-import { code, element } from '../dom.js';
+import { element } from '../dom.js';
 import { axisTitle } from '../plot/scales.js';
-import { section } from '../tables.js';
-import { number, percent, sentence } from '../units.js';
+import { scrolling, section, table } from '../tables.js';
+import { number, percent, sentence, withUnit } from '../units.js';
+import { settingWords } from './setting_words.js';
 
 /** The values whose change is reported, in this order, with heads short enough for a phone. */
 const kReported = [
   ['fmep', 'FMEP'],
-  ['mean_power_loss', 'mean power'],
   ['min_film_thickness', 'min film'],
   ['lambda_ratio_at_peak_pressure', 'λ at peak'],
+  ['mixed_share', 'mixed share'],
   ['mean_absolute_oil_flow', 'oil flow'],
 ];
 
 /** From this relative change on a number is in bold. */
 const kStrong = 0.1;
 
-function valueCell(model, values, name, base) {
-  const { value } = model.value(values, name);
-  const before = base ? model.value(base, name).value : null;
+/** The change of a value against the case as run, its own size on demand. */
+function changeCell(model, variant, name, base) {
+  const { value, unit } = model.value(variant, name);
+  const before = model.value(base, name).value;
   const ratio = before ? (value - before) / Math.abs(before) : NaN;
-  const change = base
-    ? element('span', { class: `change ${Math.abs(ratio) >= kStrong ? 'strong' : ''}` }, percent(ratio))
-    : element('span', { class: 'change' });
-  return element('td', { class: 'number' }, number(value, 3), ' ', change);
+  return element(
+    'td',
+    {
+      class: `number ${Math.abs(ratio) >= kStrong ? 'strong' : ''}`,
+      title: value === null ? null : withUnit(value, unit, 3),
+    },
+    percent(ratio),
+  );
 }
 
-/** One group of rows a setting, one row a case in it. */
-function variantTable(model, topic, entries) {
-  const settings = [...new Set(entries.flatMap(({ entry }) => entry.variants.map((v) => v.setting)))];
-  if (settings.length === 0) return null;
-  const name = (c) => (model.several ? element('th', { scope: 'row' }, c.name) : null);
-  const group = (heading, rows) =>
+/** Rows of one choice, one a case that has it: the first cell names the choice for all of them. */
+function choiceRows(model, heading, attributes, rows) {
+  return rows.map(({ c, cells }, i) =>
     element(
-      'tbody',
-      {},
-      element(
-        'tr',
-        { class: 'setting' },
-        element('th', { scope: 'rowgroup', colspan: kReported.length + (model.several ? 1 : 0) }, heading),
-      ),
-      rows,
-    );
-  const base = group(
-    'as run',
-    entries.map(({ c }) =>
-      element(
-        'tr',
-        {},
-        name(c),
-        kReported.map(([value]) => valueCell(model, c, value)),
-      ),
+      'tr',
+      { class: i === 0 ? 'first' : '' },
+      i === 0 ? element('th', { scope: 'rowgroup', rowspan: rows.length, ...attributes }, heading) : null,
+      model.several ? element('th', { scope: 'row' }, c.name) : null,
+      cells,
     ),
   );
-  const changed = settings.map((setting) =>
-    group(
-      code(setting),
-      entries.flatMap(({ c, entry }) => {
-        const variant = entry.variants.find((v) => v.setting === setting);
-        if (!variant) return [];
-        const cells = variant.solved
-          ? kReported.map(([value]) => valueCell(model, variant, value, c))
-          : element('td', { colspan: kReported.length }, `No solution: ${sentence(variant.reason)}`);
-        return [element('tr', {}, name(c), cells)];
-      }),
+}
+
+/** All choices in one table: changes of the values against the case as run. Null where none was run. */
+function matrix(model) {
+  const settings = [
+    ...new Set(model.cases.flatMap((c) => c.ledger.flatMap((e) => e.variants.map((v) => v.setting)))),
+  ];
+  if (settings.length === 0) return null;
+  const asRun = model.cases.map((c) => ({
+    c,
+    cells: kReported.map(([name]) =>
+      element('td', { class: 'number' }, number(model.value(c, name).value, 3)),
     ),
-  );
-  const heads = kReported.map(([value, label]) =>
+  }));
+  const changed = (setting) =>
+    model.cases.flatMap((c) => {
+      const variant = c.ledger.flatMap((entry) => entry.variants).find((v) => v.setting === setting);
+      if (!variant) return [];
+      const cells = variant.solved
+        ? kReported.map(([name]) => changeCell(model, variant, name, c))
+        : element('td', { colspan: kReported.length }, `No solution: ${sentence(variant.reason)}`);
+      return [{ c, cells }];
+    });
+  const heads = kReported.map(([name, label]) =>
     element(
       'th',
       { scope: 'col', class: 'number' },
-      axisTitle(label, model.value(model.cases[0], value).unit),
+      axisTitle(label, model.value(model.cases[0], name).unit),
     ),
   );
-  const caption = `What another choice changes: ${topic.replace(/-/g, ' ')}`;
-  return element(
-    'div',
-    { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': caption },
+  const caption = 'What another choice changes, one at a time';
+  return scrolling(
+    caption,
     element(
       'table',
       { class: 'variants' },
@@ -84,10 +83,18 @@ function variantTable(model, topic, entries) {
       element(
         'thead',
         {},
-        element('tr', {}, model.several ? element('th', { scope: 'col' }, 'case') : null, heads),
+        element(
+          'tr',
+          {},
+          element('th', { scope: 'col' }, 'other choice'),
+          model.several ? element('th', { scope: 'col' }, 'case') : null,
+          heads,
+        ),
       ),
-      base,
-      changed,
+      element('tbody', { class: 'base' }, choiceRows(model, 'as run', {}, asRun)),
+      settings.map((setting) =>
+        element('tbody', {}, choiceRows(model, settingWords(setting), { title: setting }, changed(setting))),
+      ),
     ),
   );
 }
@@ -100,14 +107,36 @@ function statements(model, entries) {
     if (known) known.cases.push(c.name);
     else reported.push({ statement: entry.statement, cases: [c.name] });
   }
-  if (reported.length === 1) return element('p', { class: 'statement' }, sentence(reported[0].statement));
-  return element(
-    'ul',
-    { class: 'statement' },
-    reported.map((t) =>
-      element('li', {}, element('b', {}, `${t.cases.join(', ')}: `), sentence(t.statement)),
-    ),
+  if (reported.length === 1) return [sentence(reported[0].statement)];
+  return reported.map((t) =>
+    element('span', { class: 'of-case' }, element('b', {}, `${t.cases.join(', ')}: `), sentence(t.statement)),
   );
+}
+
+/** What is taken for granted, one row a topic. */
+function assumptionTable(model, topics) {
+  const rows = topics.map((topic) => {
+    const entries = model.cases.flatMap((c) =>
+      c.ledger.filter((entry) => entry.topic === topic).map((entry) => ({ c, entry })),
+    );
+    const { entry } = entries[0];
+    const standing = entry.can_be_lifted
+      ? entries.some((e) => e.entry.variants.length > 0)
+        ? 'computed above'
+        : 'not computed'
+      : 'none in this program';
+    const name = topic.replace(/-/g, ' ');
+    return [
+      { text: name[0].toUpperCase() + name.slice(1), attributes: { title: entry.source || null } },
+      { text: statements(model, entries) },
+      sentence(entry.consequence) || '–',
+      standing,
+    ];
+  });
+  return table('Assumptions', ['assumption', 'what is assumed', 'what follows', 'other choice'], rows, {
+    folds: true,
+    classes: 'assumptions',
+  });
 }
 
 /** How many settings the figure of influences ranks. */
@@ -148,7 +177,7 @@ export function influenceFigure(model) {
         ranked: true,
         yLabel: 'change of FMEP',
         yUnit: '%',
-        categories: ranked.map(([name]) => name),
+        categories: ranked.map(([name]) => settingWords(name)),
         groups: model.cases.map((c) => ({
           caseIndex: c.series,
           label: c.name,
@@ -159,7 +188,7 @@ export function influenceFigure(model) {
     caption:
       'Each line is the same case with one other choice' +
       (settings.size > ranked.length ? `; the ${ranked.length} strongest of ${settings.size}` : '') +
-      `. The strongest: ${setting} moves FMEP by ` +
+      `. The strongest, ${settingWords(setting)}, moves FMEP by ` +
       model.cases
         .map((c, i) => `${percent((changes[i] ?? NaN) / 100)}${model.several ? ` (${c.name})` : ''}`)
         .join(', ') +
@@ -172,32 +201,6 @@ export function ledgerSection(model, influence) {
   const topics = [...new Set(model.cases.flatMap((c) => c.ledger.map((entry) => entry.topic)))];
   if (topics.length === 0) return null;
   const computed = model.cases.some((c) => c.ledger_computed);
-  const articles = topics.map((topic) => {
-    const entries = model.cases.flatMap((c) =>
-      c.ledger.filter((entry) => entry.topic === topic).map((entry) => ({ c, entry })),
-    );
-    const { entry } = entries[0];
-    const standing = entry.can_be_lifted
-      ? entries.some((e) => e.entry.variants.length > 0)
-        ? 'another choice was run'
-        : 'another choice exists; not computed'
-      : 'cannot be lifted here';
-    return element(
-      'article',
-      { class: 'assumption' },
-      element(
-        'h3',
-        {},
-        element('span', {}, topic.replace(/-/g, ' ')),
-        ' ',
-        element('span', { class: `standing ${entry.can_be_lifted ? 'liftable' : ''}` }, standing),
-      ),
-      statements(model, entries),
-      entry.consequence ? element('p', { class: 'consequence' }, sentence(entry.consequence)) : null,
-      variantTable(model, topic, entries),
-      entry.source ? element('p', { class: 'source' }, 'Argued in ', code(entry.source)) : null,
-    );
-  });
   return section(
     'ledger',
     'What is assumed, and what it decides',
@@ -206,10 +209,13 @@ export function ledgerSection(model, influence) {
       {},
       computed
         ? 'Where the program offers another choice, the cycle was run again with that choice ' +
-            'alone; changes are against the case as run, those of 10\u00a0% and more in bold.'
+            'alone. Changes are against the case as run, those of 10\u00a0% and more in bold; mean power ' +
+            'changes as FMEP does.'
         : 'The other choices were not computed for this result; run with --ledger to have them.',
     ),
     influence,
-    articles,
+    matrix(model),
+    assumptionTable(model, topics),
+    element('p', { class: 'how' }, 'Theory and reasons: docs/theory/assumptions.md.'),
   );
 }

@@ -70,6 +70,7 @@ export function faceFigure(model) {
     `${number(s.y[0], 3)} µm at the chamber edge, ${number(s.y[s.y.length - 1], 3)} µm at the crankcase edge`;
   return {
     id: 'ring-faces',
+    long: true,
     title: series.length > 1 ? 'Ring faces' : 'Ring face',
     paper: 'Fig. 4',
     panels: [

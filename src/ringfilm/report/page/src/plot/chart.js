@@ -9,6 +9,7 @@ import {
   freePlace,
   kDeadCentres,
   kPeakLabel,
+  kRoomForPeak,
   kStrokeBands,
   markIndices,
   markPlaces,
@@ -32,6 +33,18 @@ export class CycleGroup {
     this.sync = uPlot.sync('cycle');
     this.charts = [];
     this.listeners = [];
+    /** Called with the crank angle under the cursor. */
+    this.followers = [];
+    this.isDriven = false;
+  }
+  moved(angle) {
+    if (!this.isDriven) this.followers.forEach((follow) => follow(angle));
+  }
+  /** Puts the cursors of all charts at an angle. */
+  point(angle) {
+    this.isDriven = true;
+    this.charts.forEach((chart) => chart.point(angle));
+    this.isDriven = false;
   }
   remove(chart) {
     this.charts = this.charts.filter((other) => other !== chart);
@@ -120,7 +133,11 @@ export class Chart {
       legend: { show: false },
       scales: {
         x: { time: false, distr: panel.xScale === 'log' ? 3 : 1, range: () => this.window },
-        y: { distr: panel.yScale === 'log' ? 3 : 1, range: () => yRange(panel, this.visible, this.window) },
+        y: {
+          distr: panel.yScale === 'log' ? 3 : 1,
+          // The panel of now: that of the options may have been replaced.
+          range: () => yRange(this.panel, this.visible, this.window),
+        },
       },
       axes: [
         {
@@ -286,7 +303,7 @@ export class Chart {
         );
     }
     const [first] = panel.peaks ?? [];
-    const roomForPeak = (box.x(180) - box.x(0)) / 2 - (box.x(first?.at ?? 0) - box.x(0)) > 50;
+    const roomForPeak = (box.x(180) - box.x(0)) / 2 - (box.x(first?.at ?? 0) - box.x(0)) > kRoomForPeak;
     if (first && first.at >= from && first.at <= to && roomForPeak) {
       ctx.textAlign = 'left';
       ctx.fillStyle = kFaint;
@@ -376,7 +393,11 @@ export class Chart {
       }
       return this.readOut(null);
     }
-    if (!this.panel.inOrderOfTime) return this.readOut(u.posToVal(left, 'x'));
+    if (!this.panel.inOrderOfTime) {
+      const at = u.posToVal(left, 'x');
+      this.group?.moved(at);
+      return this.readOut(at);
+    }
     let best = null;
     for (const s of this.panel.series.filter(this.visible)) {
       s.x.forEach((v, k) => {
@@ -411,6 +432,14 @@ export class Chart {
   zoom(low, high) {
     this.window = [Math.max(low, this.full[0]), Math.min(high, this.full[1])];
     this.plot.setScale('x', { min: this.window[0], max: this.window[1] });
+  }
+
+  /** Puts the cursor at an x value; away where the window does not show it. */
+  point(at) {
+    const { plot } = this;
+    const isShown = at >= this.window[0] && at <= this.window[1];
+    const away = { left: -10, top: -10 };
+    plot.setCursor(isShown ? { left: plot.valToPos(at, 'x'), top: 0 } : away, true, false);
   }
 
   /** Shows and hides series after `visible` has changed its mind. */

@@ -10,6 +10,8 @@ export const kStrokeBands = [
 ];
 
 export const kPeakLabel = 'peak';
+/** From the line of the peak to the middle of "power" both labels need so much [pixel]. */
+export const kRoomForPeak = 70;
 
 export const kDeadCentres = [
   { at: -360, name: 'TDC' },
@@ -44,6 +46,24 @@ export function xRange(panel) {
   return panel.xScale === 'log' ? [found[0] / 1.15, found[1] * 1.15] : found;
 }
 
+/** A logarithmic axis reaches down to this part of the largest value at most. */
+const kWidestRatio = 1e5;
+
+/** The figure with logarithmic y axes: values that are not positive have no place there. */
+export function logarithmic(figure) {
+  const positive = (list) => list.map((v) => (v > 0 ? v : null));
+  const panels = figure.panels.map((panel) => ({
+    ...panel,
+    yScale: 'log',
+    series: panel.series.map((s) => ({
+      ...s,
+      y: positive(s.y),
+      error: s.error?.map((e, k) => (s.y[k] > e ? e : null)),
+    })),
+  }));
+  return { ...figure, panels };
+}
+
 /** Range of y over the visible series within the x window, with some air. */
 export function yRange(panel, visible, [low, high]) {
   if (panel.yRange) return panel.yRange;
@@ -59,7 +79,7 @@ export function yRange(panel, visible, [low, high]) {
   const found = extent(lists);
   if (!found) return panel.yScale === 'log' ? [0.1, 10] : [0, 1];
   let [bottom, top] = found;
-  if (panel.yScale === 'log') return [bottom / 1.3, top * 1.3];
+  if (panel.yScale === 'log') return [Math.max(bottom, top / kWidestRatio) / 1.3, top * 1.3];
   if (panel.fromZero && bottom >= 0) bottom = 0;
   if (panel.zeroLine) {
     bottom = Math.min(bottom, 0);

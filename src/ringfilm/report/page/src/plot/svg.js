@@ -9,6 +9,7 @@ import {
   freePlace,
   kDeadCentres,
   kPeakLabel,
+  kRoomForPeak,
   kStrokeBands,
   markIndices,
   markPlaces,
@@ -114,7 +115,7 @@ function crankFurniture(panel, [from, to], x, high, low) {
     out.push(rule(x(peak.at), low, x(peak.at), high - 4, caseColour(peak.caseIndex), 1, '3 3'));
   }
   const [first] = panel.peaks ?? [];
-  const roomForPeak = (x(180) - x(0)) / 2 - (x(first?.at ?? 0) - x(0)) > 50;
+  const roomForPeak = (x(180) - x(0)) / 2 - (x(first?.at ?? 0) - x(0)) > kRoomForPeak;
   if (first && first.at >= from && first.at <= to && roomForPeak)
     out.push(text(x(first.at) + 3, high - 8, kPeakLabel, { size: 11, fill: kFaint }));
   return out;

@@ -57,7 +57,9 @@ export function barPanel(panel, box, visible) {
 }
 
 const kBar = 11;
-const kBetween = 24;
+const kBetween = 27;
+/** Room for the name above its bars. */
+const kName = 19;
 
 const rowHeight = (panel) => kBetween + kBar * panel.groups.length;
 
@@ -80,10 +82,10 @@ export function rankedPanel(panel, box, visible) {
   panel.categories.forEach((category, i) => {
     const y = first + i * rowHeight(panel);
     out.push(text(box.x + 8, y + 11, category, { size: 11.5 }));
-    out.push(rule(x(0), y + 15, x(0), y + 16 + kBar * groups.length, kInk));
+    out.push(rule(x(0), y + kName - 1, x(0), y + kName + kBar * groups.length, kInk));
     groups.forEach((group, g) => {
       const { value } = group.stacks[i][0];
-      const at = y + 16 + g * kBar;
+      const at = y + kName + g * kBar;
       if (value === null || !Number.isFinite(value)) {
         out.push(text(x(0) + 4, at + 9, `${group.label}: no value`, { size: 10, fill: kFaint }));
         return;

@@ -1,0 +1,131 @@
+// What the page states about a cycle: usual ranges, the section, the thinnest film, kinks. Without a browser
+// usage: node cycle_test.mjs SOURCE_FOLDER_OF_THE_PAGE
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
+const { settingWords } = await load('cycle/setting_words.js');
+const { closings, thinnestInWords } = await load('cycle/cycle_figures.js');
+const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_drawing.js');
+const usual = await load('cycle/usual.js');
+const { Model } = await load('model.js');
+const { logarithmic } = await load('plot/scales.js');
+
+const tests = [];
+const test = (name, run) => tests.push({ name, run });
+
+test('usual ranges are those that the manual argues', () => {
+  const page = readFileSync(join(process.argv[2], '../../../../docs/manual/guide/plausibility.md'), 'utf8');
+  const { kUsualFmep, kUsualCoefficient, kModifiedCoefficient, verdict } = usual;
+  assert.ok(page.includes(`FMEP between ${kUsualFmep.low} and ${kUsualFmep.high} kPa for a top ring`));
+  assert.ok(page.includes(`| ${kUsualCoefficient.low} to ${kUsualCoefficient.high} |`));
+  assert.ok(page.includes(`| down to ${kModifiedCoefficient} |`));
+  assert.deepEqual(
+    [0.5, 7, 19.1, 22, null, NaN].map((v) => verdict(v, kUsualFmep)),
+    ['below', 'usual', 'upper end', 'above', null, null],
+  );
+});
+
+test('the section is drawn from the numbers of the case at the peak of the gas pressure', () => {
+  const one = {
+    curves: {
+      crank_angle: [0, 20, 40],
+      gas_pressure: [3e6, 6.2e6, 4e6],
+      crankcase_pressure: [1e5, 1e5, 1e5],
+      min_film_thickness: [8e-7, 6e-7, 7e-7],
+    },
+    derived: { elastic_pressure: 2e5 },
+    inputs: [],
+    fields: { x: [0, 5e-4, 1e-3], face_height: [2.94e-5, 0, 9e-6], crank_angle: [], film_pressure: [] },
+  };
+  const state = sectionState(one, 20);
+  assert.deepEqual([state.angle, state.above, state.film], [20, 6.2e6, 6e-7]);
+  // 72 pixels for a gap of 30 um, 150 for a face of 1 mm.
+  assert.ok(Math.abs(exaggeration(state) - 16) < 0.01);
+  const svg = sectionSvg(state);
+  assert.ok(/62.0\u00a0bar/.test(svg) && /0.600 µm/.test(svg) && !/NaN|undefined|asperity/.test(svg));
+  assert.equal(sectionState({ ...one, fields: { ...one.fields, x: [] } }, 20), null);
+});
+
+/** A model of one case of four samples with the given inputs, curves and values. */
+function smallModel(inputs, curves, values) {
+  const quantities = Object.keys(curves).map((name) => ({
+    name,
+    unit: '1',
+    display_unit: '1',
+    long_name: name,
+  }));
+  return new Model({
+    curve_quantities: quantities,
+    cycle_quantities: [],
+    derived_quantities: [],
+    unrolled_quantities: [],
+    unrolled_cycle_quantities: [],
+    cases: [{ title: 't', complete: true, values, unrolled_values: {}, inputs, curves, errors: null }],
+  });
+}
+
+test('the place of the thinnest film is named next to the peak of the gas pressure', () => {
+  const words = (thinnest, peak, pressures = [1, 2]) => {
+    const model = smallModel(
+      [],
+      { crank_angle: [0, 20], gas_pressure: pressures },
+      { min_film_thickness_angle: thinnest, peak_gas_pressure_angle: peak },
+    );
+    return thinnestInWords(model, model.cases[0]);
+  };
+  assert.equal(words(20, 20), '20° after firing TDC, at the peak of the gas pressure');
+  assert.equal(words(5, 20), '5° after firing TDC, 15° before the peak of the gas pressure');
+  assert.equal(words(540, 20), '180° before firing TDC, away from the peak of the gas pressure');
+  assert.equal(words(5, 0, [2, 2]), '5° after firing TDC');
+});
+
+test('a cavity closes where the film is full again, if its mass is conserved', () => {
+  const at = (cavitation) => {
+    const model = smallModel(
+      [{ key: 'film.cavitation', shown: cavitation }],
+      { crank_angle: [0, 180, 190, 540], gas_pressure: [1, 2, 2, 1], cavitated_fraction: [0, 0.1, 0, 0] },
+      {},
+    );
+    return closings(model, model.cases[0]);
+  };
+  assert.deepEqual(at('mass-conserving'), [190]);
+  assert.deepEqual(at('reynolds-exit'), []);
+});
+
+test('a logarithmic axis has no place for what is not positive', () => {
+  const { panels } = logarithmic({
+    panels: [{ series: [{ y: [0, 2, -1, 4], error: [1, 1, 1, 5] }] }],
+  });
+  assert.equal(panels[0].yScale, 'log');
+  assert.deepEqual(panels[0].series[0].y, [null, 2, null, 4]);
+  assert.deepEqual(panels[0].series[0].error, [null, 1, null, null]);
+});
+
+test('settings of the ledger are words, with and without an entry in the list', () => {
+  assert.equal(
+    settingWords('contact.integrals = "polynomial-4-digit"'),
+    'contact integrals: polynomials of four digits',
+  );
+  assert.equal(settingWords('operating.oil_temperature = "100 degC"'), 'oil temperature: 100 °C');
+  assert.equal(
+    settingWords('gas.pressure_behind_ring = 0.9'),
+    'share of the gas pressure behind the ring: 0.9',
+  );
+  assert.equal(settingWords('ring.some_new_key = "1 mm"'), 'some new key: 1 mm');
+  assert.equal(settingWords('not a setting'), 'not a setting');
+});
+
+let failed = 0;
+for (const { name, run } of tests) {
+  try {
+    run();
+    console.log(`ok      ${name}`);
+  } catch (error) {
+    failed++;
+    console.log(`FAILED  ${name}\n        ${error.stack.replace(/\n/g, '\n        ')}`);
+  }
+}
+process.exit(failed ? 1 : 0);
