@@ -159,7 +159,7 @@ def two_speeds():
     picture.text(WIDTH - RIGHT, 20, "COMPUTED cylinder pressure (Wiebe)", anchor="end", size=12, colour="#a00")
     shown = (
         ("min_film_thickness", 1e6, "minimum film thickness h_{m} [µm]", 6, range(0, 7, 2)),
-        ("total_friction", 1, "total friction [N]", 500, range(0, 501, 100)),
+        ("total_friction", 1, "total friction [N]", 150, range(0, 151, 50)),
     )
     for k, (name, factor, title, highest, ticks) in enumerate(shown):
         panel = cycle_panel(picture, 60 + 205 * k, 150, 0, highest)

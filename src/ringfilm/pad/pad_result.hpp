@@ -17,11 +17,11 @@ struct Sample {
   double friction_moving = 0, friction_fixed = 0, friction_coefficient = 0;  ///< coefficient: NaN without load
   double flow_left = 0, flow_right = 0;                                      ///< of oil at its stated density
   double mass_flow_left = 0, mass_flow_right = 0;
-  double cavitated_fraction = 0;                    ///< without the gas of the edges
-  double wetted_left = 0, wetted_right = 0;         ///< between them the film is full, but for cavities; else gas
-  double film_load = 0, gas_load = 0;               ///< of the load, on the wetted length and beyond it
-  double film_left_behind = 0;                      ///< on the flat surface where it leaves; NaN where it stands still
-  double stable_solutions = 0;                      ///< separations that carry pad.load and are stable; NaN without it
+  double cavitated_fraction = 0;             ///< without the gas of the edges
+  double wetted_left = 0, wetted_right = 0;  ///< between them the film is full, but for cavities; else gas
+  double film_load = 0, gas_load = 0;        ///< of the load, on the wetted length and beyond it
+  double film_left_behind = 0;               ///< on the flat surface where it leaves; NaN where it stands still
+  double stable_solutions = 0;               ///< separations that carry pad.load and are stable; NaN without it
   double mass_residual = 0;  ///< balance of the whole film over the largest flow in it; round-off if mass is kept
   std::vector<double> rupture_positions;      ///< upstream ends of the cavities, from x = 0 on
   std::vector<double> reformation_positions;  ///< downstream ends; a cavity open to the downstream edge has none
