@@ -343,8 +343,8 @@ const kTypeset = [
 ];
 
 /**
- * Units and powers of ten in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy into a
- * case.
+ * Units and powers of ten in running text as they are printed: "120 degC" is 120 °C. Not for text that one would copy
+ * into a case.
  */
 export function typeset(text) {
   const powers = text.replace(
