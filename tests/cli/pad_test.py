@@ -186,7 +186,7 @@ class Numbers(PadTest):
 
     def test_the_table_for_people(self):
         reported = self.run_well("run", "pad.toml")
-        self.assertIn("15.89 kN/m   load carried by the film", reported)
+        self.assertIn("15.89 kN/m   load carried, with the gas at the edges", reported)
         self.assertIn("per metre of width", reported)
 
     def test_check_reads_a_pad(self):

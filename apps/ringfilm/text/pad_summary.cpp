@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "text/engineering_text.hpp"
+#include "text/summary.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -35,15 +36,6 @@ std::string solver_line(const pad::Effort& effort) {
   std::string text = fmt::format("solver: {} Newton iterations", effort.newton_iterations);
   if (effort.time_steps > 0) text += fmt::format(" in {} time steps", effort.time_steps);
   return text + "\n";
-}
-
-std::string default_input_lines(const std::vector<io::CaseEntry>& inputs) {
-  std::string text;
-  for (const io::CaseEntry& entry : inputs) {
-    if (entry.assumed) text += "    " + entry.key + " = " + entry.shown + "\n";
-  }
-  return text.empty() ? "default inputs: none, the case states every key in use\n"
-                      : "default inputs, keys that the case does not state:\n" + text;
 }
 
 }  // namespace

@@ -127,18 +127,6 @@ std::string solver_lines(const cycle::Effort& effort) {
   return wrapped(words(text));
 }
 
-std::string default_input_lines(const std::vector<io::CaseEntry>& inputs) {
-  std::vector<std::string> entries;
-  for (const io::CaseEntry& entry : inputs) {
-    if (entry.assumed) entries.push_back(entry.key + " = " + entry.shown);
-  }
-  if (entries.empty()) return "default inputs: none, the case states every key in use\n";
-  std::vector<std::string> pieces = {
-      fmt::format("default inputs: {} keys that the case does not state:", entries.size())};
-  for (const std::string& entry : entries) pieces.push_back(entry + (&entry == &entries.back() ? "" : ","));
-  return wrapped(pieces);
-}
-
 std::string assumption_lines(const io::ResultDocument& document) {
   std::string topics;
   for (const study::LedgerEntry& entry : document.ledger) topics += (topics.empty() ? "" : ", ") + entry.topic;
@@ -167,6 +155,18 @@ std::string oil_temperature(const cycle::Case& c) {
 }
 
 }  // namespace
+
+std::string default_input_lines(const std::vector<io::CaseEntry>& inputs) {
+  std::vector<std::string> entries;
+  for (const io::CaseEntry& entry : inputs) {
+    if (entry.assumed) entries.push_back(entry.key + " = " + entry.shown);
+  }
+  if (entries.empty()) return "default inputs: none, the case states every key in use\n";
+  std::vector<std::string> pieces = {
+      fmt::format("default inputs: {} keys that the case does not state:", entries.size())};
+  for (const std::string& entry : entries) pieces.push_back(entry + (&entry == &entries.back() ? "" : ","));
+  return wrapped(pieces);
+}
 
 std::string pack_summary(const io::ResultDocument& pack) {
   const EngineeringText in_words;

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/io/result/result_file.hpp"
@@ -9,6 +10,9 @@ namespace ringfilm::app {
 /// The table that `ringfilm run` prints: what was computed, the values of the cycle, how well it was solved, what was
 /// assumed and what must be known about it.
 std::string summary(const cycle::Case& input, const io::ResultDocument& document);
+
+/// The keys that the case does not state, with the values in use.
+std::string default_input_lines(const std::vector<io::CaseEntry>& inputs);
 
 /// What the friction of all rings of a pack adds up to, in a line.
 std::string pack_summary(const io::ResultDocument& pack);

@@ -51,6 +51,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"asperities-inconsistent", kLimited, kCase},
       {"asperity-slopes-high", kLimited, kCase},
       {"gas-breaks-through", kLimited, kCrankAngles},
+      {"supply-beyond-inlet", kLimited, kCase},
       {"shear-rate-high", kLimited, kCrankAngles},
       {"coating-thin", kLimited, kCase},
       {"gap-leakage-grows", kLimited, kCase},

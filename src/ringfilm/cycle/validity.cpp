@@ -157,11 +157,12 @@ void append_breakthrough_note(const std::vector<Sample>& base, std::vector<Note>
   const auto first = std::find_if(base.begin(), base.end(), broken);
   if (first == base.end()) return;
   const auto last = std::find_if(base.rbegin(), base.rend(), broken);
-  notes.push_back({"gas-breaks-through",
-                   text("gas of an edge reaches the lowest place of the face, between %.0f and %.0f degree: the film "
-                        "does not hold it there, and how much gas blows through is not computed",
-                        first->crank_angle_deg, last->crank_angle_deg),
-                   count(base, broken)});
+  notes.push_back(
+      {"gas-breaks-through",
+       text("gas of an edge reaches the lowest place of the face, first at %.0f and last at %.0f degree: the "
+            "film does not hold it there, and how much gas blows through is not computed",
+            first->crank_angle_deg, last->crank_angle_deg),
+       count(base, broken)});
 }
 
 /// Of a grey iron liner, typical, assumed (data/materials/hardness.csv): the softer face of most pairs [Pa].
@@ -172,10 +173,8 @@ constexpr double kSteepestAsperity = 0.2;
 void append_asperity_notes(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
   const std::optional<double>& stated = setup.input.contact.hardness;
   const double hardness = stated.value_or(kUsualHardness);
-  const std::string of_softer = text("the %.3g GPa that the softer face bears (%s)", hardness / 1e9,
-                                     stated ? "contact.hardness"
-                                            : "assumed, as of grey iron: contact.hardness states "
-                                              "another");
+  const std::string of_softer = text("the hardness of the softer face, %.3g GPa (%s)", hardness / 1e9,
+                                     stated ? "contact.hardness" : "assumed: grey iron; state contact.hardness");
   const models::GreenwoodTripp::Parameters& pair = setup.ring.contact.parameters();
   const auto summits = models::summit_statistics(pair);
   if (!summits) {

@@ -120,23 +120,30 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   const double* deficit = state.deficit.data();
   const auto next = [&](int i, bool cavity) { return problem.kernels->next_node(deficit, i, n, cavity); };
   sums.wetted_end = grid.width;
+  const auto add = [&sums, &grid](const Cavity& cavity) {
+    sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
+    sums.cavities.push_back(cavity);
+  };
   for (int i = next(1, true); i < n; i = next(i, true)) {
     Cavity cavity;
     const int first = i;
     cavity.begin = front_position(grid, state.p, inputs.pressure_bound(grid, i), i - 1, i);
     i = next(i, false);
     cavity.end = std::max(front_position(grid, state.p, inputs.pressure_bound(grid, i - 1), i, i - 1), cavity.begin);
-    const bool is_left_gas = first == 1 && inputs.left.fluid == EdgeFluid::kGas;
-    const bool is_right_gas = i == n && inputs.right.fluid == EdgeFluid::kGas;
-    if (is_left_gas) sums.wetted_begin = cavity.end;
-    if (is_right_gas) sums.wetted_end = cavity.begin;
-    if (is_left_gas || is_right_gas) {
-      const bool reaches_throat = is_left_gas ? i >= grid.throat : first <= grid.throat + 1;
+    // Gas fills it from its edge up to the lowest place of the gap at most; what is beyond is a cavity of its own.
+    if (first == 1 && inputs.gas_at(grid, first) == &inputs.left) {
+      const bool reaches_throat = i >= grid.throat;
       sums.is_broken_through = sums.is_broken_through || reaches_throat;
-      continue;
+      sums.wetted_begin = i > grid.throat ? grid.x[grid.throat] : cavity.end;
+      cavity.begin = sums.wetted_begin;
     }
-    sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
-    sums.cavities.push_back(cavity);
+    if (i == n && inputs.gas_at(grid, n - 1) == &inputs.right) {
+      const bool reaches_throat = first <= grid.throat + 1;
+      sums.is_broken_through = sums.is_broken_through || reaches_throat;
+      sums.wetted_end = first <= grid.throat ? grid.x[grid.throat] : cavity.begin;
+      cavity.end = sums.wetted_end;
+    }
+    if (!inputs.has_gas() || cavity.end > cavity.begin) add(cavity);
   }
 }
 

@@ -87,6 +87,24 @@ void append_notes(const PadFilm& film, PadResult& result) {
          text("the film ruptures at %.6g Pa, the lower edge pressure, and not at film.cavitation_pressure = %.6g Pa",
               setup.p_cavitation, setup.input.film.cavitation_pressure));
   }
+  const long broken = std::count_if(result.samples.begin(), result.samples.end(),
+                                    [](const Sample& s) { return s.gas_breakthrough > 0; });
+  if (broken > 0) {
+    note("gas-breaks-through",
+         "gas of an edge reaches the lowest place of the gap: the film does not hold it, and how much gas blows "
+         "through is not computed",
+         broken);
+  }
+  if (const auto supply = setup.supply(); has_film && supply) {
+    const std::vector<double>& h = result.profiles.back().film_thickness;
+    const double inlet = setup.runs_left() ? h.back() : h.front();
+    if (2 * *supply > inlet) {
+      note("supply-beyond-inlet",
+           text("a film of %.4g um comes in, and the gap of %.4g um at the inlet takes %.4g um of it: the inlet is "
+                "flooded",
+                *supply * um, inlet * um, 0.5 * inlet * um));
+    }
+  }
   const auto worst =
       std::max_element(result.samples.begin(), result.samples.end(),
                        [](const Sample& a, const Sample& b) { return a.mass_residual < b.mass_residual; });

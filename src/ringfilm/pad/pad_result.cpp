@@ -8,7 +8,7 @@ namespace ringfilm::pad {
 const std::vector<PadQuantity>& pad_quantities() {
   using S = Sample;
   static const std::vector<PadQuantity> table = {
-      {{"load", "N/m", "kN/m", "load carried by the film", "W", "eq-pad-load"}, &S::load},
+      {{"load", "N/m", "kN/m", "load carried, with the gas at the edges", "W", "eq-pad-load"}, &S::load},
       {{"friction_moving", "N/m", "N/m", "friction on the moving surface, positive against its motion", "F_moving",
         "eq-pad-friction"},
        &S::friction_moving},
@@ -32,14 +32,15 @@ const std::vector<PadQuantity>& pad_quantities() {
       {{"min_film_thickness", "m", "um", "minimum film thickness", "h_m", "eq-pad-gap"}, &S::min_film_thickness},
       {{"cavitated_fraction", "1", "%", "cavitated share of the length", "x_c", "eq-complementarity"},
        &S::cavitated_fraction},
-      {{"wetted_left", "m", "mm", "left end of the wetted length; beyond it gas", "x_1", "eq-gas-film"},
-       &S::wetted_left},
-      {{"wetted_right", "m", "mm", "right end of the wetted length; beyond it gas", "x_2", "eq-gas-film"},
-       &S::wetted_right},
+      {{"wetted_left", "m", "mm", "left end of the wetted length", "x_1", "eq-gas-film"}, &S::wetted_left},
+      {{"wetted_right", "m", "mm", "right end of the wetted length", "x_2", "eq-gas-film"}, &S::wetted_right},
       {{"film_load", "N/m", "kN/m", "load carried on the wetted length", "W_h", "eq-pad-load"}, &S::film_load},
       {{"gas_load", "N/m", "kN/m", "load carried by the gas at the edges", "W_g", "eq-pad-load"}, &S::gas_load},
       {{"film_left_behind", "m", "um", "film on the moving surface where it leaves", "h*/2", "eq-gas-film"},
        &S::film_left_behind},
+      {{"gas_breakthrough", "1", "1", "1 where gas of an edge reaches the lowest place of the gap", "",
+        "eq-pressure-bound"},
+       &S::gas_breakthrough},
       {{"stable_solutions", "1", "1", "stable separations that carry the load", "n", "eq-pad-load"},
        &S::stable_solutions},
       {{"mass_residual", "1", "1", "balance of mass, relative to the largest flow", "r_m", "eq-discrete-balance"},

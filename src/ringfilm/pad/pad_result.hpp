@@ -21,6 +21,7 @@ struct Sample {
   double wetted_left = 0, wetted_right = 0;  ///< between them the film is full, but for cavities; else gas
   double film_load = 0, gas_load = 0;        ///< of the load, on the wetted length and beyond it
   double film_left_behind = 0;               ///< on the flat surface where it leaves; NaN where it stands still
+  double gas_breakthrough = 0;               ///< 1 where gas of an edge reaches the lowest place of the gap
   double stable_solutions = 0;               ///< separations that carry pad.load and are stable; NaN without it
   double mass_residual = 0;  ///< balance of the whole film over the largest flow in it; round-off if mass is kept
   std::vector<double> rupture_positions;      ///< upstream ends of the cavities, from x = 0 on

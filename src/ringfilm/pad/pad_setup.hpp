@@ -24,7 +24,10 @@ struct PadSetup {
   /// What acts on a steady film, but for load and scale.
   film::FilmInputs steady_inputs() const;
   /// The film that comes in out of gas, f [m]; nothing where the inlet is flooded.
-  std::optional<double> supply() const { return runs_left() ? input.film.supply_right : input.film.supply_left; }
+  std::optional<double> supply() const {
+    if (!input.enters_out_of_gas(input.pad.direction)) return std::nullopt;
+    return runs_left() ? input.film.supply_right : input.film.supply_left;
+  }
   /// Does the flat surface move in -x?
   bool runs_left() const { return input.pad.direction == cycle::Direction::kMinusX; }
 };

@@ -61,6 +61,7 @@ Sample sample_of(const PadSetup& setup, const film::FilmIntegrals& sums, double 
   out.film_load = out.load - out.gas_load;
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   out.film_left_behind = setup.U == 0 ? kNaN : (setup.U > 0 ? out.flow_right : out.flow_left) / setup.U;
+  out.gas_breakthrough = sums.is_broken_through ? 1 : 0;
   out.stable_solutions = kNaN;
   return out;
 }

@@ -192,11 +192,13 @@ void append_grid_note(const PadSetup& setup, const film::FilmState& state, const
                                               std::abs(100 * change), change > 0 ? "more" : "less", cell_keys(setup))});
 }
 
-/// The steady film that the case asks for, or the one that a history starts from.
+/// A film, and how many others there are.
 struct FirstFilm {
   film::FilmState state;
   double stable_solutions;  ///< separations that carry the load; NaN where the separation is stated
 };
+
+/// The steady film that the case asks for, or the one that a history starts from.
 FirstFilm first_film(PadFilms& films, PadResult& result) {
   const PadSetup& setup = films.finest().setup();
   const cycle::Pad& pad = setup.input.pad;

@@ -78,6 +78,28 @@ TEST(GasEdge, TheFilmDoesNotHoldTheGasNearPeakPressure) {
                           [](const Note& note) { return note.topic == "gas-breaks-through"; }));
 }
 
+TEST(GasEdge, DoesNotDependOnHowTheFaceIsTurned) {
+  Case c = with_gas(styles_new_ring(), 1500);
+  c.ring.face = {};
+  c.ring.face.form = FaceForm::kParabola;
+  c.ring.face.crown_height = 10e-6;
+  const CycleResult chamber = simulated(c);
+  c.ring.face.orientation = Orientation::kLeadingEdge;  // a symmetric face looks the same
+  const CycleResult leading = simulated(c);
+  EXPECT_NEAR(leading.values.fmep, chamber.values.fmep, 1e-6 * chamber.values.fmep);
+  EXPECT_EQ(leading.effort.crank_steps, chamber.effort.crank_steps);
+}
+
+TEST(GasEdge, DoesNotReachTheLowestPlaceFromTheEdgeThatIsIt) {
+  Case c = with_gas(styles_new_ring(), 1500);
+  c.ring.face = {};
+  c.ring.face.form = FaceForm::kParabola;
+  c.ring.face.crown_height = 10e-6;
+  c.ring.face.apex = 0;  // at the chamber edge
+  c.film.crankcase_edge = EdgeFluid::kOil;
+  for (const Sample& s : simulated(c).samples) EXPECT_EQ(s.gas_breakthrough, 0) << s.crank_angle_deg;
+}
+
 TEST(GasEdge, RequiresTheBalanceOfMassAndNewtonsMethod) {
   Case c = with_gas(styles_new_ring(), 1500);
   EXPECT_TRUE(broken_rules(c).empty());

@@ -526,6 +526,11 @@ struct Case {
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
+  /// Does the film of a pad enter out of gas, with a surface that moves that way?
+  bool enters_out_of_gas(Direction direction) const {
+    const EdgeFluid inlet = direction == Direction::kPlusX ? film.left_edge : film.right_edge;
+    return inlet == EdgeFluid::kGas && pad.direction == direction && pad.speed > 0;
+  }
   /// Around the bore; of an unrolled film without the gap [m].
   double ring_length() const;
   /// Of the cells at the ends of the ring, as asked for [m].

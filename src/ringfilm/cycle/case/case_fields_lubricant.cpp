@@ -39,18 +39,20 @@ Field law_field(const models::LawParameter& parameter) {
   for (const auto& law : models::viscosity_laws()) {
     if (models::takes(law, parameter.key)) laws += (laws.empty() ? "\"" : " or \"") + law.name + "\"";
   }
+  const NumberRef value = [key = parameter.key](auto& c) -> auto& { return c.lubricant.law_parameters.at(key); };
+  const auto is_taken = [key = parameter.key](const Case& c) {
+    return has_laws(c) && models::takes(models::viscosity_law(c.lubricant.viscosity_pressure), key);
+  };
   return {.key = "lubricant." + parameter.key,
-          .kind = NumberKind{[key = parameter.key](auto& c) -> auto& {return c.lubricant.law_parameters.at(key);
-}
-}  // namespace
-, .unit = parameter.unit, .display_unit = parameter.display_unit, .range = between(parameter.low, parameter.high),
-  .need = parameter.statement == models::Statement::kRequired ? Need::kRequired : Need::kDefault,
-  .active =
-      [key = parameter.key](const Case& c) {
-        return has_laws(c) && models::takes(models::viscosity_law(c.lubricant.viscosity_pressure), key);
-      },
-  .active_when = "lubricant.viscosity_pressure = " + laws, .help = parameter.meaning, .example = parameter.example
-};  // namespace ringfilm::cycle::table
+          .kind = NumberKind{value},
+          .unit = parameter.unit,
+          .display_unit = parameter.display_unit,
+          .range = between(parameter.low, parameter.high),
+          .need = parameter.statement == models::Statement::kRequired ? Need::kRequired : Need::kDefault,
+          .active = is_taken,
+          .active_when = "lubricant.viscosity_pressure = " + laws,
+          .help = parameter.meaning,
+          .example = parameter.example};
 }
 
 }  // namespace

@@ -11,12 +11,10 @@ constexpr When kGapEnds{[](const Case& c) { return c.is_unrolled() && c.ring.end
 constexpr When kUnrolledFields{[](const Case& c) { return c.is_unrolled() && c.output.fields != FieldOutput::kNone; },
                                "film.dimension = \"unrolled\" and output.fields are asked for"};
 
-constexpr When kInletLeft{
-    [](const Case& c) { return c.film.left_edge == EdgeFluid::kGas && c.pad.direction == Direction::kPlusX; },
-    "film.left_edge = \"gas\" and pad.direction = \"+x\""};
-constexpr When kInletRight{
-    [](const Case& c) { return c.film.right_edge == EdgeFluid::kGas && c.pad.direction == Direction::kMinusX; },
-    "film.right_edge = \"gas\" and pad.direction = \"-x\""};
+constexpr When kInletLeft{[](const Case& c) { return c.enters_out_of_gas(Direction::kPlusX); },
+                          "film.left_edge = \"gas\", pad.direction = \"+x\" and pad.speed is not 0"};
+constexpr When kInletRight{[](const Case& c) { return c.enters_out_of_gas(Direction::kMinusX); },
+                           "film.right_edge = \"gas\", pad.direction = \"-x\" and pad.speed is not 0"};
 
 std::string edge_help(const std::string& edge, const std::string& stroke) {
   return "what the " + edge + " edge of the face meets on the " + stroke +

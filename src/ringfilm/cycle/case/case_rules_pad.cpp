@@ -101,7 +101,7 @@ void check_edge_pressures(const Case& c, Breaches& breaches) {
   check("pad.back_pressure", pad.back_pressure);
 }
 
-void check_gas_edges(const Case& c, Breaches& breaches) {
+void check_gas_edges_of_pad(const Case& c, Breaches& breaches) {
   if (!c.film.has_gas_edge_of_pad()) return;
   const char* key = c.film.left_edge == EdgeFluid::kGas ? "film.left_edge" : "film.right_edge";
   const std::string gas = std::string(key) + " = \"gas\"";
@@ -238,7 +238,7 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
     check_joined_gap(c.pad, breaches);
     check_nodes(c, breaches);
   }
-  check_gas_edges(c, breaches);
+  check_gas_edges_of_pad(c, breaches);
   check_edge_pressures(c, breaches);
   if (!c.pad.history_time.empty() || c.pad.oscillation.amplitude) check_times(c, breaches);
   check_oil(c, breaches);

@@ -69,6 +69,13 @@ NoBalance no_balance(const Setup& setup, const film::FilmProblem& problem, const
   return {place + reason(setup, problem, inputs, report), wrapped(crank_angle_deg), report.failure};
 }
 
+const film::EdgeState& chamber_edge(const RingConditions& at) {
+  return at.axis == Axis::kFromChamber ? at.inputs.left : at.inputs.right;
+}
+const film::EdgeState& crankcase_edge(const RingConditions& at) {
+  return at.axis == Axis::kFromChamber ? at.inputs.right : at.inputs.left;
+}
+
 }  // namespace
 
 TimeIntegration::TimeIntegration(const Setup& setup) : setup_(setup), film_(setup) {}
@@ -142,10 +149,11 @@ void TimeIntegration::propose() {
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
   step_.time_step = radians(base_deg * ticks / kTicks) / setup_.engine.speed;
   step_.at = ring_conditions(setup_, step_.to_deg, step_.time_step);
-  const auto& to = step_.at.inputs;
-  const auto& from = instant_.at.inputs;
   // The film does not follow its past across a step where oil takes the place of gas at an edge.
-  if (to.left.fluid != from.left.fluid || to.right.fluid != from.right.fluid) time_step_before_ = 0;
+  if (chamber_edge(step_.at).fluid != chamber_edge(instant_.at).fluid ||
+      crankcase_edge(step_.at).fluid != crankcase_edge(instant_.at).fluid) {
+    time_step_before_ = 0;
+  }
   step_.state_was_turned = step_.at.axis != axis_;
   if (step_.state_was_turned) {
     turn(state_);
@@ -169,6 +177,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   count(report);
   const int ticks = kTicks >> level_;
   const double error = report.converged && adaptive() ? time_error(candidate_, step_.time_step) : 0;
+  const bool is_error_known = time_step_before_ > 0;
   const bool too_coarse = adaptive() && error > 1 && level_ < kFinestLevel;
   if (!report.converged || too_coarse) {
     if (level_ == kFinestLevel) throw no_balance(setup_, problem(), step_.at.inputs, report, step_.to_deg);
@@ -193,7 +202,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
   instant_ = {wrapped(angle_deg_), step_.at, &before_, &state_, effort_};
   waypoints.after_step(*this);
-  if (adaptive() && level_ > 0 && error < kCoarsenBelow && tick_ % (2 * ticks) == 0) --level_;
+  if (adaptive() && level_ > 0 && is_error_known && error < kCoarsenBelow && tick_ % (2 * ticks) == 0) --level_;
   if (tick_ == kTicks) {
     k_ = (k_ + 1) % steps_per_cycle(setup_.input.solver);
     angle_deg_ = k_ * setup_.input.solver.crank_step_deg;

@@ -107,20 +107,22 @@ bool same(const Fault& a, const Fault& b) {
          a.message == b.message;
 }
 
-/// The case of a tree, be it at fault.
+/// The case of a tree, also of one with faults.
 Case case_as_read(const CaseTree& tree, const Units& units) {
-  std::vector<Fault> unheeded;
-  return CaseReader(tree, units).read(unheeded);
+  std::vector<Fault> ignored;
+  return CaseReader(tree, units).read(ignored);
 }
 
-/// Takes the keys of files out that are in use without the overrides, in `before`, and not with them.
-void drop_unused(PackTrees& pack, const PackTrees& before, const Units& units, std::vector<DroppedKey>& dropped) {
-  if (pack.trees.size() != before.trees.size()) return;
+/// Removes the keys of files that are in use without the overrides, in `before`, and not with them.
+/// @returns whether there was one
+bool drop_unused(PackTrees& pack, const PackTrees& before, const Units& units, std::vector<DroppedKey>& dropped) {
+  if (pack.trees.size() != before.trees.size()) return false;
+  std::size_t n_removed = 0;
   for (std::size_t i = 0; i < pack.trees.size(); ++i) {
     CaseTree& tree = pack.trees[i];
     const Case now = case_as_read(tree, units), once = case_as_read(before.trees[i], units);
     if (now.problem != once.problem) continue;
-    std::erase_if(tree.entries, [&](const TomlEntry& entry) {
+    n_removed += std::erase_if(tree.entries, [&](const TomlEntry& entry) {
       const cycle::Field& field = *cycle::find_field(entry.key);
       const bool of_file = entry.value.key_mark.line > 0 && !tree.from_oil_file.contains(entry.key);
       if (!of_file || cycle::is_active(field, now) || !cycle::is_active(field, once)) return false;
@@ -130,6 +132,7 @@ void drop_unused(PackTrees& pack, const PackTrees& before, const Units& units, s
       return true;
     });
   }
+  return n_removed > 0;
 }
 
 Case case_of(PackTrees pack, const Units& units) {
@@ -174,7 +177,12 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
                                std::vector<DroppedKey>& dropped) {
   PackTrees pack = pack_trees(read_case_tree(path, overrides, &dropped));
-  if (!overrides.empty()) drop_unused(pack, pack_trees(read_case_tree(path, {})), units, dropped);
+  if (!overrides.empty()) {
+    const PackTrees before = pack_trees(read_case_tree(path, {}));
+    while (drop_unused(pack, before, units, dropped)) {
+      // A key that was removed may have been the reason for another.
+    }
+  }
   return case_of(std::move(pack), units);
 }
 

@@ -31,7 +31,7 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units);
 
 /// The same where overrides may make keys of the files unused: those are dropped from the case and put into `dropped`.
-/// A key that the files alone leave unused, or that an override itself states in vain, is an error as ever.
+/// A key that the files alone leave unused, or an override that is unused itself, is an error.
 cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
                                std::vector<DroppedKey>& dropped);
 

@@ -85,7 +85,7 @@ std::string head(const Engine& engine) {
   return "# A case of ringfilm: " + std::string(engine.title) +
          ".\n"
          "# A quantity is text with its unit; a bare number has none.\n"
-         "# \"typical, assumed\" marks a guess at the size (docs/manual/guide/typical-inputs.md): state your own "
+         "# \"typical, assumed\" marks an estimate (docs/manual/guide/typical-inputs.md): state your own "
          "value.\n"
          "# A line \"# key = value  # default\" is a default input; take the first # away to state another value.\n"
          "# A line \"# key = value  # example\" is an optional key, or one of another model.\n"

@@ -101,7 +101,7 @@ std::string oils_table(const std::vector<ShippedOil>& oils) {
                         oil.kinematic_viscosity_150 * 1e6, oil.viscosity_150 * 1e3, oil.file);
   }
   return text +
-         "typical oils of their grades, no products; at 150 degC by ASTM D341 and without shear thinning\n"
+         "typical oils of their grades, not products; at 150 degC by ASTM D341 and without shear thinning\n"
          "in a case: [lubricant] grade = \"SAE 10W-40\", or file = \"data/lubricants/sae-10w-40.toml\"\n";
 }
 

@@ -23,7 +23,8 @@ constexpr std::string_view kSection =
     "the sides of the ring are not in the model: its tension and its face are; a face of another shape can be given as "
     "points, ring.face.form = \"points\" with ring.face.file";
 constexpr std::string_view kStraight = "the model's ring stays straight; a tilted face can be given as points";
-constexpr std::string_view kGroove = "gas.pressure_behind_ring is the share of the gas pressure that acts behind it";
+constexpr std::string_view kGroove =
+    "gas.pressure_behind_ring is the share of the excess gas pressure that acts behind the ring";
 
 constexpr auto kTerms = std::to_array<TradeTerm>({
     {"closed_gap", "ring.end_gap", kEndGap},

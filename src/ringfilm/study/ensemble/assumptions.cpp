@@ -193,12 +193,14 @@ Assumption oil_temperature(const Case& c) {
       other_numbers("operating.oil_temperature", c, T, kCelsius, {T - 20, T + 20}));
 }
 
-// --- what this program cannot lift yet ----------------------------------------------------------------------------
+// --- edges, gap and what this program cannot lift yet
+// ----------------------------------------------------------------------------
 
 Assumption flooded_inlet(const cycle::Setup& setup) {
   const Case& c = setup.input;
   const char* topic = "flooded-inlet";
-  const auto others = other_choices("film.chamber_edge", c);
+  std::vector<Alternative> others = other_choices("film.chamber_edge", c);
+  for (Alternative& other : other_choices("film.crankcase_edge", c)) others.push_back(std::move(other));
   if (c.film.has_gas_edge()) {
     const char* where = c.film.chamber_edge == c.film.crankcase_edge    ? "either edge"
                         : c.film.chamber_edge == cycle::EdgeFluid::kGas ? "the chamber edge"
@@ -215,8 +217,8 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
       topic,
       text("both edges are flooded with oil; at the chamber edge its pressure is up to %.3g bar",
            setup.ring.lands.above.peak() / 1e5),
-      "physically that is gas: oil flow is an upper bound, friction may err either way, as gas takes viscous friction "
-      "away and a thinner supply of oil adds boundary friction",
+      "physically that is gas, which takes viscous friction away, and a thinner supply of oil, which adds boundary "
+      "friction: friction may err either way; oil flow is an upper bound of that with less oil at the inlet",
       others);
 }
 

@@ -3,12 +3,17 @@ import { element, svgElement } from '../dom.js';
 import { swatchSvg } from '../plot/svg.js';
 import { angleInWords, errorText, meaningful, number } from '../units.js';
 
+/** A misprint of the reproduced paper, whose loads are 20 to 40 times too large: no model that anyone would choose. */
+const kMisprint = /polynomial-as-printed/;
+
 /**
  * Lowest and highest value among the case and its solved other choices, in display units; null where fewer than
  * two were computed.
  */
 export function modelBand(model, c, name) {
-  const solved = c.ledger.flatMap((entry) => entry.variants).filter((v) => v.solved);
+  const solved = c.ledger
+    .flatMap((entry) => entry.variants)
+    .filter((v) => v.solved && !kMisprint.test(v.setting));
   const values = [c, ...solved]
     .map((one) => model.value(one, name).value)
     .filter((v) => v !== null && Number.isFinite(v));
@@ -88,7 +93,7 @@ export function cards(model) {
       ),
       card(model, 'In mixed lubrication', 'mixed_share', () => 'of the cycle'),
       card(model, 'Mean oil flow', 'mean_absolute_oil_flow', (c) =>
-        c.complete ? 'upper bound: edges flooded' : '',
+        c.complete ? 'upper bound of a starved inlet' : '',
       ),
     ),
     explanation(model),

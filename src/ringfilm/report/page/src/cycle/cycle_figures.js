@@ -279,12 +279,13 @@ function linerFrictionFigure(model) {
 function flowFigure(model) {
   return {
     id: 'oil-flow-middle',
-    title: 'Oil flow at mid-face (upper bound)',
+    title: 'Oil flow at mid-face',
     paper: 'Fig. 11',
     panels: [cyclePanel(model, 'oil_flow_middle', { zeroLine: true })],
     caption:
       'Mass flow through the middle section of the face, whole circumference, seen from the ring; ' +
-      'positive from chamber to crankcase. An upper bound: the edges are taken as flooded. Mean without ' +
+      'positive from chamber to crankcase. The inlet is taken as flooded: with less oil ahead of the ring ' +
+      'less flows, an upper bound. Mean without ' +
       'sign: ' +
       ofEachCycle(model, (c) => valueWithUnit(model, c, 'mean_absolute_oil_flow')) +
       '; net over the cycle: ' +

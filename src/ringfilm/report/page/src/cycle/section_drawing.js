@@ -36,7 +36,13 @@ function sampleAt(c, angle) {
 
 /** Index of the stored fields within a degree of an angle, -1 without them. */
 function fieldsAt(c, angle) {
-  return c.fields.crank_angle.findIndex((a) => Math.abs(wrapped(wrapped(a) - angle)) <= 1);
+  const distance = (a) => Math.abs(wrapped(wrapped(a) - angle));
+  const angles = c.fields.crank_angle;
+  const nearest = angles.reduce(
+    (best, a, i) => (best < 0 || distance(a) < distance(angles[best]) ? i : best),
+    -1,
+  );
+  return nearest >= 0 && distance(angles[nearest]) <= 1 ? nearest : -1;
 }
 
 /**
@@ -136,7 +142,7 @@ function pressures(state, y) {
 function labels(state, y) {
   const middle = (kFace.top + kFace.bottom) / 2;
   const ring = kGroove + 40;
-  const behind = state.share * state.above;
+  const behind = state.below + state.share * (state.above - state.below);
   const thinnest = state.gap.indexOf(Math.min(...state.gap));
   return [
     text(8, 20, `gas above the ring ${bar(state.above)}`, { weight: 600 }),
