@@ -93,7 +93,7 @@ export function cards(model) {
       ),
       card(model, 'In mixed lubrication', 'mixed_share', () => 'of the cycle'),
       card(model, 'Mean oil flow', 'mean_absolute_oil_flow', (c) =>
-        c.complete ? 'upper bound of a starved inlet' : '',
+        c.complete ? 'flooded inlet: an upper bound' : '',
       ),
     ),
     explanation(model),

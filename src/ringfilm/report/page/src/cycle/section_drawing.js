@@ -63,6 +63,7 @@ export function sectionState(c, angle) {
     gap: height.map((v) => v - lowest + film),
     above: at('gas_pressure'),
     below: at('crankcase_pressure'),
+    wetted: [at('wetted_begin') ?? x[0], at('wetted_end') ?? x[x.length - 1]],
     tension: c.derived.elastic_pressure ?? null,
     share: c.inputs.find((entry) => entry.key === 'gas.pressure_behind_ring')?.value_si ?? 1,
     filmPressure: k >= 0 ? (c.fields.film_pressure[k] ?? null) : null,
@@ -89,7 +90,14 @@ function arrow(from, to, y, stroke) {
   );
 }
 
-function solids(edge) {
+/** What fills the gap along a part of the face. */
+function fluid(edge, state, [from, to], fill) {
+  const part = edge.filter((_, i) => state.x[i] >= from && state.x[i] <= to);
+  if (part.length < 2) return '';
+  return area([...part, [kLiner, part[part.length - 1][1]], [kLiner, part[0][1]]], fill, 0.85);
+}
+
+function solids(edge, state) {
   const clearance = 7;
   const { top, bottom } = kFace;
   const land = kLiner - kLand;
@@ -101,7 +109,9 @@ function solids(edge) {
     box(0, bottom, land, kHeight - 40 - bottom, kPiston),
     box(0, top - clearance - 1, kGroove, bottom - top + clearance + 2, kPiston),
     box(kLiner, 0, kWidth - kLiner, kHeight, kWall),
-    area([...edge, [kLiner, bottom], [kLiner, top]], kOil, 0.85),
+    fluid(edge, state, [state.x[0], state.wetted[0]], kGas),
+    fluid(edge, state, state.wetted, kOil),
+    fluid(edge, state, [state.wetted[1], state.x[state.x.length - 1]], kBelow),
     area([[kGroove + 34, top], ...edge, [kGroove + 34, bottom]], kRing, 1),
     line([[kGroove + 34, top], ...edge, [kGroove + 34, bottom], [kGroove + 34, top]], kInk, { width: 1.4 }),
     rule(kLiner, 0, kLiner, kHeight, kInk, 1.4),
@@ -178,7 +188,7 @@ export function sectionSvg(state) {
   return (
     `<svg xmlns="http://www.w3.org/2000/svg" width="${kWidth}" height="${kHeight}" viewBox="0 0 ${kWidth} ` +
     `${kHeight}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif">` +
-    `${[...solids(edge), ...pressures(state, y), ...labels(state, y)].join('')}</svg>`
+    `${[...solids(edge, state), ...pressures(state, y), ...labels(state, y)].join('')}</svg>`
   );
 }
 
