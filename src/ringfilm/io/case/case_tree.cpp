@@ -423,6 +423,9 @@ class Gatherer {
   }
 
   void replace(const TomlEntry& entry) {
+    if (dropped_ != nullptr && tree_.from_oil_file.contains(entry.key)) {
+      dropped_->push_back({entry.key, entries_.at(entry.key).value.key_mark});
+    }
     entries_.insert_or_assign(entry.key, entry);
     tree_.faulty.erase(entry.key);
     tree_.from_oil_file.erase(entry.key);

@@ -35,7 +35,7 @@ constexpr Unit kCelsius{"degC", 1, 273.15}, kPlain{"", 1};
 Assumption cavitation(const Case& c) {
   const char* key = "film.cavitation";
   return assumption("cavitation-model", "the film ruptures and forms again after the \"" + chosen(key, c) + "\" model",
-                    "the paper gives the exit condition and nothing on how the film forms again",
+                    "the models differ in where the film forms again; Reynolds' exit does not keep mass there",
                     other_choices(key, c));
 }
 
@@ -116,14 +116,16 @@ Assumption composite_modulus(const cycle::Setup& setup) {
     return assumption("composite-modulus",
                       text("E' is %.1f GPa, with the modulus of the %s", setup.ring.E_prime / 1e9,
                            of_coating ? "coating" : "ring below its coating"),
-                      "contact spots far smaller than the coating is thick feel the coating alone",
+                      "contact spots are far smaller than the coating is thick: the modulus of the coating counts",
                       other_choices(key, c));
   }
   const double other = other_than(setup.ring.E_prime, 190e9, 135e9);
   return assumption(
-      "composite-modulus", text("E' is %.1f GPa; the coating's own modulus is not known", setup.ring.E_prime / 1e9),
-      "contact spots are far smaller than the coating is thick, so that its modulus rules; near 190 GPa both film "
-      "parameters of the paper are met",
+      "composite-modulus",
+      text(c.contact.composite_modulus ? "E' is %.1f GPa, as stated" : "E' is %.1f GPa, of ring and liner uncoated",
+           setup.ring.E_prime / 1e9),
+      "contact spots are far smaller than a coating is thick: on a coated ring the modulus of the coating counts "
+      "(ring.coating.youngs_modulus)",
       other_numbers("contact.composite_modulus", setup.input, setup.ring.E_prime, kGPa, {other}));
 }
 
@@ -270,14 +272,14 @@ std::vector<Assumption> always_open(const cycle::Setup& setup) {
       assumption("round-bore", "the bore is round; static, thermal and dynamic deformation are zero",
                  "a ring follows smooth distortions of low order; what it cannot follow opens gaps"),
       assumption("rigid-surfaces", "ring and liner do not deform under the film pressure",
-                 "holds where film pressures stay far below the moduli, as in gasoline engines"),
+                 "holds where film pressures stay far below the moduli, as under piston rings"),
       ring_gap(c),
       assumption(
           "dry-shear-strength",
           text("the boundary shear strength coefficient is %.4g at any temperature, speed and film",
                c.contact.boundary_shear_strength_coefficient),
-          "boundary friction is proportional to it; by lateral force microscopy it is that of dry surfaces at other "
-          "spots than N, beta and sigma, and additives lower it"),
+          "boundary friction is proportional to it; a value of lateral force microscopy is that of dry surfaces at "
+          "other spots than N, beta and sigma, and additives lower it"),
       gaussian_summits(setup),
       assumption("newtonian-oil", "the oil is Newtonian at any shear rate",
                  "multigrade oils lose viscosity from about 1e6 1/s on"),
