@@ -199,12 +199,18 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   fronts_.restart();
 
   const double beyond = kBeyondKink * block_.scale;
+  std::vector<double> bounds(static_cast<std::size_t>(shape_.n_across), 0.0);  // the same in all strips
+  if (block_.bounds == Bounds::kOwn) {
+    for (int i = 0; i < shape_.n_across; ++i) {
+      bounds[i] = strip.pressure_bound(problem.strip.grid, i) - strip.p_cavitation;
+    }
+  }
   for (int s = 0; s < shape_.n_strips; ++s) {
     const auto from = static_cast<std::size_t>(s + first_) * shape_.n_across;
     for (int i = 0; i < shape_.n_across; ++i) {
       const std::size_t place = shape_.at(i, s);
-      block_.bound[place] = strip.pressure_bound(problem.strip.grid, i) - strip.p_cavitation;
-      const double over = guess.p[from + i] - strip.p_cavitation - block_.bound[place];
+      block_.bound[place] = bounds[i];
+      const double over = guess.p[from + i] - strip.p_cavitation - bounds[i];
       const double film = over < beyond ? beyond : over;  // a NaN stays
       block_.z[place] = guess.deficit[from + i] > 0 ? -guess.deficit[from + i] * block_.content_scale : film;
       const double source = strip.source.empty() ? 0.0 : strip.source[from + i];
