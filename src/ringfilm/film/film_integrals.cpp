@@ -120,10 +120,6 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   const double* deficit = state.deficit.data();
   const auto next = [&](int i, bool cavity) { return problem.kernels->next_node(deficit, i, n, cavity); };
   sums.wetted_end = grid.width;
-  const auto add = [&sums, &grid](const Cavity& cavity) {
-    sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
-    sums.cavities.push_back(cavity);
-  };
   for (int i = next(1, true); i < n; i = next(i, true)) {
     Cavity cavity;
     const int first = i;
@@ -132,18 +128,18 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
     cavity.end = std::max(front_position(grid, state.p, inputs.pressure_bound(grid, i - 1), i, i - 1), cavity.begin);
     // Gas fills it from its edge up to the lowest place of the gap at most; what is beyond is a cavity of its own.
     if (first == 1 && inputs.gas_at(grid, first) == &inputs.left) {
-      const bool reaches_throat = i >= grid.throat;
-      sums.is_broken_through = sums.is_broken_through || reaches_throat;
+      sums.is_broken_through = sums.is_broken_through || i >= grid.throat;
       sums.wetted_begin = i > grid.throat ? grid.x[grid.throat] : cavity.end;
       cavity.begin = sums.wetted_begin;
     }
     if (i == n && inputs.gas_at(grid, n - 1) == &inputs.right) {
-      const bool reaches_throat = first <= grid.throat + 1;
-      sums.is_broken_through = sums.is_broken_through || reaches_throat;
+      sums.is_broken_through = sums.is_broken_through || first <= grid.throat + 1;
       sums.wetted_end = first <= grid.throat ? grid.x[grid.throat] : cavity.begin;
       cavity.end = sums.wetted_end;
     }
-    if (!inputs.has_gas() || cavity.end > cavity.begin) add(cavity);
+    if (inputs.has_gas() && cavity.end <= cavity.begin) continue;
+    sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
+    sums.cavities.push_back(cavity);
   }
 }
 

@@ -45,12 +45,12 @@ double WideFilm::lowest_height() const {
 
 film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& inputs, const film::FilmState& previous,
                                                film::FilmState& state) {
+  const auto supply = setup().supply();
+  if (!supply) return film::solve_film_at_separation(problem_, inputs, previous, state, workspace_);
   film::FilmInputs supplied = inputs;
-  if (const auto supply = setup().supply()) {
-    const std::vector<double>& rise = problem_.grid.face_height;
-    const double h = state.h_m + (inputs.U >= 0 ? rise.front() : rise.back());
-    (inputs.U >= 0 ? supplied.left : supplied.right).film_content = std::min(1.0, 2 * *supply / h);
-  }
+  const std::vector<double>& rise = problem_.grid.face_height;
+  const double h = state.h_m + (inputs.U >= 0 ? rise.front() : rise.back());
+  (inputs.U >= 0 ? supplied.left : supplied.right).film_content = std::min(1.0, 2 * *supply / h);
   return film::solve_film_at_separation(problem_, supplied, previous, state, workspace_);
 }
 

@@ -55,24 +55,6 @@ void check_cavitation_pressure(const Film& film, Breaches& breaches) {
        "pressures around a ring are absolute, for example \"1.01325 bar\""});
 }
 
-void check_gas_edges(const Case& c, Breaches& breaches) {
-  if (!c.film.has_gas_edge()) return;
-  const char* key = c.film.chamber_edge == EdgeFluid::kGas ? "film.chamber_edge" : "film.crankcase_edge";
-  const std::string gas = std::string(key) + " = \"gas\"";
-  if (c.film.cavitation != Cavitation::kMassConserving) {
-    breaches.push_back({key, gas + " requires film.cavitation = \"mass-conserving\"",
-                        "a meniscus is found by the balance of mass; state that model, or oil at the edges"});
-  }
-  if (c.is_unrolled()) {
-    breaches.push_back({key, gas + " requires film.dimension = \"face\"",
-                        "the film of the whole ring has oil at its edges; compute the face, or state oil"});
-  }
-  if (c.solver.method != Method::kCoupledNewton) {
-    breaches.push_back({key, gas + " requires solver.method = \"coupled-newton\"",
-                        "the other methods are those of the paper, for edges of oil"});
-  }
-}
-
 void check_engine(const Case& c, Breaches& breaches) {
   if (c.engine.connecting_rod_length > c.engine.stroke / 2) return;
   breaches.push_back({"engine.connecting_rod_length",
@@ -324,7 +306,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   if (c.problem == Problem::kPad) return broken_pad_rules(c);
   Breaches breaches;
   check_cavitation_pressure(c.film, breaches);
-  check_gas_edges(c, breaches);
+  append_gas_edge_breaches(c, breaches);
   check_engine(c, breaches);
   check_thermal(c.thermal, breaches);
   if (c.gas.model == GasModel::kWiebe) {

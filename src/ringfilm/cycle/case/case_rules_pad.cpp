@@ -101,20 +101,6 @@ void check_edge_pressures(const Case& c, Breaches& breaches) {
   check("pad.back_pressure", pad.back_pressure);
 }
 
-void check_gas_edges_of_pad(const Case& c, Breaches& breaches) {
-  if (!c.film.has_gas_edge_of_pad()) return;
-  const char* key = c.film.left_edge == EdgeFluid::kGas ? "film.left_edge" : "film.right_edge";
-  const std::string gas = std::string(key) + " = \"gas\"";
-  if (c.film.cavitation != Cavitation::kMassConserving) {
-    breaches.push_back({key, gas + " requires film.cavitation = \"mass-conserving\"",
-                        "a meniscus is found by the balance of mass; state that model, or oil at the edges"});
-  }
-  if (c.pad.width) {
-    breaches.push_back({key, gas + " is for a pad without pad.width",
-                        "a film in two dimensions has oil at its edges; omit the width, or state oil"});
-  }
-}
-
 void check_film(const Pad& pad, Breaches& breaches) {
   models::RingFace::Minimum lowest{};
   std::string across;
@@ -238,11 +224,38 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
     check_joined_gap(c.pad, breaches);
     check_nodes(c, breaches);
   }
-  check_gas_edges_of_pad(c, breaches);
+  append_gas_edge_breaches(c, breaches);
   check_edge_pressures(c, breaches);
   if (!c.pad.history_time.empty() || c.pad.oscillation.amplitude) check_times(c, breaches);
   check_oil(c, breaches);
   return breaches;
+}
+
+void append_gas_edge_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
+  const Film& film = c.film;
+  const char* key = film.chamber_edge == EdgeFluid::kGas     ? "film.chamber_edge"
+                    : film.crankcase_edge == EdgeFluid::kGas ? "film.crankcase_edge"
+                    : film.left_edge == EdgeFluid::kGas      ? "film.left_edge"
+                    : film.right_edge == EdgeFluid::kGas     ? "film.right_edge"
+                                                             : nullptr;
+  if (key == nullptr) return;
+  const std::string gas = std::string(key) + " = \"gas\"";
+  if (film.cavitation != Cavitation::kMassConserving) {
+    breaches.push_back({key, gas + " requires film.cavitation = \"mass-conserving\"",
+                        "a meniscus is found by the balance of mass; state that model, or oil at the edges"});
+  }
+  if (c.is_unrolled()) {
+    breaches.push_back({key, gas + " requires film.dimension = \"face\"",
+                        "the film of the whole ring has oil at its edges; compute the face, or state oil"});
+  }
+  if (c.pad.width) {
+    breaches.push_back({key, gas + " is for a pad without pad.width",
+                        "a film in two dimensions has oil at its edges; omit the width, or state oil"});
+  }
+  if (c.solver.method != Method::kCoupledNewton) {
+    breaches.push_back({key, gas + " requires solver.method = \"coupled-newton\"",
+                        "the other methods are those of the paper, for edges of oil"});
+  }
 }
 
 }  // namespace ringfilm::cycle

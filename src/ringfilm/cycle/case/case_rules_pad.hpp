@@ -8,4 +8,7 @@ namespace ringfilm::cycle {
 /// The rules that join the keys of a pad.
 std::vector<RuleBreach> broken_pad_rules(const Case& c);
 
+/// What gas at an edge requires of the film, of a pad and of a ring.
+void append_gas_edge_breaches(const Case& c, std::vector<RuleBreach>& breaches);
+
 }  // namespace ringfilm::cycle

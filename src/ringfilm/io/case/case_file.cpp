@@ -113,14 +113,16 @@ Case case_as_read(const CaseTree& tree, const Units& units) {
   return CaseReader(tree, units).read(ignored);
 }
 
-/// Removes the keys of files that are in use without the overrides, in `before`, and not with them.
-/// @returns whether there was one
-bool drop_unused(PackTrees& pack, const PackTrees& before, const Units& units, std::vector<DroppedKey>& dropped) {
-  if (pack.trees.size() != before.trees.size()) return false;
+/// Removes the keys of files that are in use in the case without the overrides, and not with them.
+/// @param without_overrides the case of each tree @returns whether there was such a key
+bool drop_unused(PackTrees& pack, const std::vector<Case>& without_overrides, const Units& units,
+                 std::vector<DroppedKey>& dropped) {
+  if (pack.trees.size() != without_overrides.size()) return false;
   std::size_t n_removed = 0;
   for (std::size_t i = 0; i < pack.trees.size(); ++i) {
     CaseTree& tree = pack.trees[i];
-    const Case now = case_as_read(tree, units), once = case_as_read(before.trees[i], units);
+    const Case& once = without_overrides[i];
+    const Case now = case_as_read(tree, units);
     if (now.problem != once.problem) continue;
     n_removed += std::erase_if(tree.entries, [&](const TomlEntry& entry) {
       const cycle::Field& field = *cycle::find_field(entry.key);
@@ -178,8 +180,12 @@ cycle::Case read_case_dropping(const std::string& path, const std::vector<Overri
                                std::vector<DroppedKey>& dropped) {
   PackTrees pack = pack_trees(read_case_tree(path, overrides, &dropped));
   if (!overrides.empty()) {
+    std::vector<Case> without_overrides;
     const PackTrees before = pack_trees(read_case_tree(path, {}));
-    while (drop_unused(pack, before, units, dropped)) {
+    for (const CaseTree& tree : before.trees) {
+      without_overrides.push_back(case_as_read(tree, units));
+    }
+    while (drop_unused(pack, without_overrides, units, dropped)) {
       // A key that was removed may have been the reason for another.
     }
   }

@@ -125,7 +125,7 @@ ${number(value, 2)} (${number(low, 2)} to ${number(high, 2)})`)}</title></rect>`
       return `Sobol indices of ${q.short_name} from ${first.rows} rows${
         first.omitted
           ? ` (${first.omitted} with a \
-scenario that was not solved left out)`
+scenario that was not solved omitted)`
           : ''
       }; thin lines: 95 % confidence intervals by the bootstrap. First index: share of the variance that would go if \
 the factor were known; total index: what would stay if all others were. Strongest: ${strongest.name}. What no factor \
