@@ -243,6 +243,17 @@ class SettingsTest(StartTest):
         said, _ = self.dropped("--set", "thermal.liner=150 degC", "thermal.ring=180 degC")
         self.assertIn("operating.oil_temperature", said)
 
+    def test_a_trace_of_the_whole_cycle_drops_the_pressures_that_a_part_of_it_needed(self):
+        rows = "".join(f"{angle},{1 + 40 / (1 + (angle / 30) ** 2)}\n" for angle in range(-180, 181, 5))
+        (self.folder / "part.csv").write_text("crank_angle [degree],pressure [bar]\n" + rows)
+        part = 'cylinder_pressure = "part.csv"\nintake_pressure = "1 bar"\nexhaust_pressure = "1 bar"\n'
+        text = program.CASE.replace('cylinder_pressure = "trace.csv"\n', part)
+        (self.folder / "case.toml").write_text(text)
+        said, stated = self.dropped("--set", "gas.cylinder_pressure=trace.csv")
+        for key in ("gas.intake_pressure", "gas.exhaust_pressure"):
+            self.assertIn(key, said)
+            self.assertNotIn(key, stated)
+
     def test_another_way_to_state_the_tension_replaces_the_one_of_the_case(self):
         said, stated = self.dropped("--set", "ring.tangential_force=12.5 N")
         self.assertIn("ring.elastic_pressure (case.toml:", said)

@@ -15,6 +15,7 @@ Border::Border(const Film2dKernels& kernels, std::size_t n, int count, double* c
       solution_(count, std::vector<double>(n, 0.0)),
       corner_(static_cast<std::size_t>(count) * count, 0.0),
       lu_(corner_),
+      left_(count),
       order_(count) {
   for (int k = 1; k < count; ++k) {
     for (std::vector<double*>* of : {&column_, &row_}) {
@@ -64,12 +65,11 @@ void Border::multiply(const double* x, const double* b, double* to) const {
   }
 }
 
-void Border::eliminate(const double* g, double* x, double* b) const {
-  std::vector<double> left(count_);
-  for (int k = first_; k < count_; ++k) left[k] = g[k] - kernels_->dot(row_[k], x, n_);
+void Border::eliminate(const double* g, double* x, double* b) {
+  for (int k = first_; k < count_; ++k) left_[k] = g[k] - kernels_->dot(row_[k], x, n_);
   for (int k = 0; k < first_; ++k) b[k] = 0;
   for (int k = first_; k < count_; ++k) {
-    b[k] = left[order_[k]];
+    b[k] = left_[order_[k]];
     for (int l = first_; l < k; ++l) b[k] -= lu(k, l) * b[l];
   }
   for (int k = count_ - 1; k >= first_; --k) {

@@ -34,7 +34,7 @@ class Border {
   /// `to` = R x + D b.
   void multiply(const double* x, const double* b, double* to) const;
   /// Brings f's approximate solution x and g to those of the whole system. Unknowns before that of factor() are 0.
-  void eliminate(const double* g, double* x, double* b) const;
+  void eliminate(const double* g, double* x, double* b);
 
  private:
   double slope(int k, int l) const { return corner_[static_cast<std::size_t>(k) * count_ + l]; }
@@ -48,7 +48,8 @@ class Border {
   std::vector<double*> column_, row_;
   std::vector<std::vector<double>> solution_;  ///< Y
   std::vector<double> corner_, lu_;
-  std::vector<int> order_;  ///< of the rows after the exchanges of pivots
+  std::vector<double> left_;  ///< of g, while it is eliminated
+  std::vector<int> order_;    ///< of the rows after the exchanges of pivots
 };
 
 }  // namespace ringfilm::film

@@ -198,23 +198,20 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   border_scale_ = block_.scale * std::sqrt(static_cast<double>(shape_.n_across) * shape_.n_strips);
   fronts_.restart();
 
-  const double beyond = kBeyondKink * block_.scale;
-  std::vector<double> bounds(static_cast<std::size_t>(shape_.n_across), 0.0);  // the same in all strips
-  if (block_.bounds == Bounds::kOwn) {
-    for (int i = 0; i < shape_.n_across; ++i) {
-      bounds[i] = strip.pressure_bound(problem.strip.grid, i) - strip.p_cavitation;
-    }
-  }
-  for (int s = 0; s < shape_.n_strips; ++s) {
-    const auto from = static_cast<std::size_t>(s + first_) * shape_.n_across;
-    for (int i = 0; i < shape_.n_across; ++i) {
-      const std::size_t place = shape_.at(i, s);
-      block_.bound[place] = bounds[i];
-      const double over = guess.p[from + i] - strip.p_cavitation - bounds[i];
+  const double beyond = kBeyondKink * block_.scale, content_scale = block_.content_scale, rate = block_.rate;
+  double *z = block_.z, *inflow = block_.inflow;
+  for (int i = 0; i < shape_.n_across; ++i) {
+    double bound = 0;  // the same in all strips
+    if (block_.bounds == Bounds::kOwn) bound = strip.pressure_bound(problem.strip.grid, i) - strip.p_cavitation;
+    const double share = block_.share[i];
+    for (int s = 0; s < shape_.n_strips; ++s) {
+      const std::size_t place = shape_.at(i, s), node = static_cast<std::size_t>(s + first_) * shape_.n_across + i;
+      block_.bound[place] = bound;
+      const double over = guess.p[node] - strip.p_cavitation - bound;
       const double film = over < beyond ? beyond : over;  // a NaN stays
-      block_.z[place] = guess.deficit[from + i] > 0 ? -guess.deficit[from + i] * block_.content_scale : film;
-      const double source = strip.source.empty() ? 0.0 : strip.source[from + i];
-      block_.inflow[place] = block_.share[i] * (block_.rate * previous.mass_per_area[from + i] + source);
+      z[place] = guess.deficit[node] > 0 ? -guess.deficit[node] * content_scale : film;
+      const double source = strip.source.empty() ? 0.0 : strip.source[node];
+      inflow[place] = share * (rate * previous.mass_per_area[node] + source);
     }
   }
   if (ends_ == Ends::kJoined) StripMultigrid::join_ends(shape_, ends_, block_.bound);

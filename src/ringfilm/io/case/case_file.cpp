@@ -23,10 +23,7 @@ class CaseReader {
 
   /// @param faults receives all that is wrong
   Case read(std::vector<Fault>& faults) {
-    case_ = cycle::blank_case(problem());
-    case_.files = tree_.files;
-    case_.notes = tree_.notes;
-    for (const TomlEntry& entry : tree_.entries) read_value(entry);
+    read_values();
     read_data_files();
     if (tree_.complete) check();
     sort_faults();
@@ -34,7 +31,21 @@ class CaseReader {
     return std::move(case_);
   }
 
+  /// The case of a tree that may have faults.
+  Case read_as_far_as_possible(bool with_data_files) {
+    read_values();
+    if (with_data_files) read_data_files();
+    return std::move(case_);
+  }
+
  private:
+  void read_values() {
+    case_ = cycle::blank_case(problem());
+    case_.files = tree_.files;
+    case_.notes = tree_.notes;
+    for (const TomlEntry& entry : tree_.entries) read_value(entry);
+  }
+
   /// A pad where any of its keys is stated, be it with a slip.
   cycle::Problem problem() const {
     const auto of_pad = [](const std::string& key) { return key.rfind("pad.", 0) == 0; };
@@ -107,22 +118,16 @@ bool same(const Fault& a, const Fault& b) {
          a.message == b.message;
 }
 
-/// The case of a tree, also of one with faults.
-Case case_as_read(const CaseTree& tree, const Units& units) {
-  std::vector<Fault> ignored;
-  return CaseReader(tree, units).read(ignored);
-}
-
 /// Removes the keys of files that are in use in the case without the overrides, and not with them.
 /// @param without_overrides the case of each tree @returns whether there was such a key
-bool drop_unused(PackTrees& pack, const std::vector<Case>& without_overrides, const Units& units,
+bool drop_unused(PackTrees& pack, const std::vector<Case>& without_overrides, bool with_data_files, const Units& units,
                  std::vector<DroppedKey>& dropped) {
   if (pack.trees.size() != without_overrides.size()) return false;
   std::size_t n_removed = 0;
   for (std::size_t i = 0; i < pack.trees.size(); ++i) {
     CaseTree& tree = pack.trees[i];
     const Case& once = without_overrides[i];
-    const Case now = case_as_read(tree, units);
+    const Case now = CaseReader(tree, units).read_as_far_as_possible(with_data_files);
     if (now.problem != once.problem) continue;
     n_removed += std::erase_if(tree.entries, [&](const TomlEntry& entry) {
       const cycle::Field& field = *cycle::find_field(entry.key);
@@ -180,12 +185,16 @@ cycle::Case read_case_dropping(const std::string& path, const std::vector<Overri
                                std::vector<DroppedKey>& dropped) {
   PackTrees pack = pack_trees(read_case_tree(path, overrides, &dropped));
   if (!overrides.empty()) {
+    // Whether a trace covers the cycle decides on keys of the gas, and data files on no others.
+    const bool with_data_files = std::any_of(overrides.begin(), overrides.end(), [](const Override& override) {
+      return override.key.rfind("gas.", 0) == 0;
+    });
     std::vector<Case> without_overrides;
     const PackTrees before = pack_trees(read_case_tree(path, {}));
     for (const CaseTree& tree : before.trees) {
-      without_overrides.push_back(case_as_read(tree, units));
+      without_overrides.push_back(CaseReader(tree, units).read_as_far_as_possible(with_data_files));
     }
-    while (drop_unused(pack, without_overrides, units, dropped)) {
+    while (drop_unused(pack, without_overrides, with_data_files, units, dropped)) {
       // A key that was removed may have been the reason for another.
     }
   }
