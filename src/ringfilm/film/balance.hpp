@@ -51,14 +51,18 @@ struct Flux {
   Real value, by_left, by_right, by_h;
 };
 
-/// Lowest pressures of the nodes of a film.
-enum class Bounds {
-  kOne,  ///< p_c at all nodes: pressure drives oil out of full nodes alone
-  kOwn,  ///< each node has its own (eq-pressure-bound): pressure drives out of a node the oil that it has
+/// What a film has beyond full edges of oil, smooth walls and a Newtonian oil.
+enum class Terms {
+  kPlain,  ///< nothing: the lowest pressure of all nodes is p_c, and pressure drives oil out of full nodes alone
+  kAll,    ///< each node has its lowest pressure (eq-pressure-bound), and pressure drives out of a node the oil that it
+           ///< has; inlets may be short of oil (limit_inlet); flow factors
 };
 
+/// Four times the mass per area of an inlet that takes what it wants: none runs out of so much [kg/m2].
+inline constexpr double kUnlimited = 1e300;
+
 /// The walls as the faces see them. @tparam kFilmContent the cavity carries theta of its upstream node
-template <class Real, bool kFilmContent, Bounds kBounds>
+template <class Real, bool kFilmContent, Terms kTerms>
 struct Motion {
   Real quarter_U, content_from_left, content_from_right;  ///< U/4; slopes in z of what a cavity on this side carries
   Real inverse_content_scale;
@@ -78,10 +82,10 @@ struct Motion {
   }
 };
 
-/// @param h mean height of the face  @param conductance of the mean of h^3
+/// @param h mean height of the oil that the wall carries through the face  @param conductance of the mean of h^3
 /// @param third a third of the slope of `conductance` in h
-template <class Real, bool kFilmContent, Bounds kBounds>
-RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kBounds>& motion, Real h, Real conductance, Real third,
+template <class Real, bool kFilmContent, Terms kTerms>
+RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion, Real h, Real conductance, Real third,
                                 const Node<Real>& left, const Node<Real>& right) {
   const Real K = left.K + right.K;
   const Real rho = left.rho + right.rho;
@@ -89,7 +93,7 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kBounds>& motio
   const Real upwind = motion.upwind(left, right);
   const Real couette = upwind * h;
   [[maybe_unused]] Real drained_left(0), drained_right(0);
-  if constexpr (kFilmContent && kBounds == Bounds::kOwn) {
+  if constexpr (kFilmContent && kTerms == Terms::kAll) {
     const auto to_left = dp > Real(0);
     const Real theta = select(to_left, right.theta, left.theta);
     const Real drained = pressure_flux(conductance, K, dp) * motion.inverse_content_scale;
@@ -104,7 +108,7 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kBounds>& motio
   const Real film_right = couette * right.drho - conductance * (K + right.dK * dp);
   if constexpr (kFilmContent) {
     const Real stream = h * rho;
-    if constexpr (kBounds == Bounds::kOwn) {
+    if constexpr (kTerms == Terms::kAll) {
       flux.by_left = select(left.is_film, film_left, motion.content_from_left * stream + drained_left);
       flux.by_right = select(right.is_film, film_right, motion.content_from_right * stream + drained_right);
     } else {
@@ -117,6 +121,24 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kBounds>& motio
   }
   flux.by_h = upwind * rho - Real(3) * third * (K * dp);
   return flux;
+}
+
+/// Through the face at an edge the wall carries no more than lies on it. @param flux that of a full gap at the edge
+/// @param supply four times the mass per area on the wall, or kUnlimited [kg/m2]
+template <class Real>
+RINGFILM_INLINE void limit_inlet(Real quarter_U, Real h, Real supply, const Node<Real>& left, const Node<Real>& right,
+                                 Flux<Real>& flux) {
+  const Real rho = left.rho + right.rho;
+  const Real surplus = h * rho - supply;
+  const auto limited = surplus > Real(0);
+  if (!Real::any(limited)) return;
+  const auto take = [&](Real& from, Real what) RINGFILM_INLINE_BODY {
+    from -= select(limited, quarter_U * what, Real(0));
+  };
+  take(flux.value, surplus);
+  take(flux.by_left, select(left.is_film, h * left.drho, Real(0)));
+  take(flux.by_right, select(right.is_film, h * right.drho, Real(0)));
+  take(flux.by_h, rho);
 }
 
 /// Where no wall moves along: the direction around the ring.

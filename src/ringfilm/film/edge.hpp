@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 
 /// What lies at the edges of a film.
 namespace ringfilm::film {
@@ -13,7 +14,8 @@ enum class EdgeFluid {
 struct EdgeState {
   double pressure = 0;  ///< absolute [Pa]
   EdgeFluid fluid = EdgeFluid::kOil;
-  double film_content = 1;  ///< theta at an edge of gas; where a film f enters, 2 f/h with h of the first face [-]
+  /// Oil on the moving wall ahead of an edge of gas at which the film enters: of it no more can enter [kg/m2].
+  double supply = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace ringfilm::film

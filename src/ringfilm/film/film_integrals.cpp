@@ -73,9 +73,13 @@ void add_flow(const FilmProblem& problem, const FilmInputs& inputs, const FilmSt
   const auto storage = [&](int i) {
     return problem.grid.share[i] / inputs.time_step * (state.mass_per_area[i] - previous.mass_per_area[i]);
   };
-  sums.flow_left = flow.left() + storage(0);
-  sums.flow_right = flow.right() - storage(n);
+  // Next to an edge of gas the film lies on the wall: its flow is that of the first face, before the edge's half cell.
+  const auto stored_at = [&](const EdgeState& edge, int i) { return edge.fluid == EdgeFluid::kGas ? 0 : storage(i); };
+  sums.flow_left = flow.left() + stored_at(inputs.left, 0);
+  sums.flow_right = flow.right() - stored_at(inputs.right, n);
   sums.flow_middle = flow.middle();
+  if (inputs.left.fluid == EdgeFluid::kGas) sums.mass_defect -= storage(0);
+  if (inputs.right.fluid == EdgeFluid::kGas) sums.mass_defect -= storage(n);
   sums.mass_defect += sums.flow_right - sums.flow_left;
 }
 
@@ -165,7 +169,7 @@ FilmSums sums_of_film(const FilmProblem& problem, const models::OilAtTemperature
 FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                              const FilmState& state) {
   FilmIntegrals sums;
-  FilmView film = film_view(problem, state);
+  FilmView film = film_view(problem, inputs, state);
   std::vector<double> sheared;
   if (inputs.has_gas()) {
     sheared = shear_deficit(problem, inputs, state);

@@ -74,12 +74,19 @@ struct FilmProblem {
   const models::GreenwoodTripp* contact = nullptr;  ///< nullptr: surfaces so smooth that they never touch
   Cavitation cavitation = Cavitation::kMassConserving;
   ContactSpread contact_spread = ContactSpread::kLocal;
-  Bounds bounds = Bounds::kOne;  ///< kOwn: the edges may be in gas
+  Terms terms = Terms::kPlain;  ///< kAll: the edges may be in gas, and the inputs may hold flow factors
   double tolerance = 0;          ///< relative error that the iteration may leave in film and pressure [-]
   const FilmKernels* kernels = &film::kernels();  ///< the inner loops that this machine runs
 };
 
 inline constexpr double kSteady = std::numeric_limits<double>::infinity();
+
+/// By what the flow of a film differs from that of a Newtonian oil between smooth walls; held during a solve.
+struct FlowFactors {
+  std::vector<double> mobility;  ///< of the flow by pressure, at the nodes: 1 between smooth walls [-]
+  std::vector<double> stored;    ///< by how much more oil the gap holds than its height, at the nodes [m]
+  std::vector<double> carried;   ///< the same of what the wall carries through the faces [m]
+};
 
 /// What acts on the film during one step.
 struct FilmInputs {
@@ -89,6 +96,7 @@ struct FilmInputs {
   double p_cavitation = 0;     ///< not above either edge pressure [Pa]
   double load = 0;             ///< W per length [N/m]
   double time_step = kSteady;  ///< [s]
+  std::shared_ptr<const FlowFactors> factors;  ///< nullptr: none
   /// Mass that appears per length and time, at the nodes; empty: none. For manufactured solutions [kg/(m2 s)].
   std::vector<double> source;
 

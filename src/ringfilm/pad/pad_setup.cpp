@@ -60,7 +60,7 @@ film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
   // strong compressibility among its cases, and can afford the iteration that takes the last step from 1e-4 to 1e-6.
   constexpr double kStricter = 1e-4, kRounding = 1e-13;
   const double tolerance = input.solver.tolerance;
-  problem.bounds = input.film.has_gas_edge_of_pad() ? film::Bounds::kOwn : film::Bounds::kOne;
+  problem.terms = input.film.has_gas_edge_of_pad() ? film::Terms::kAll : film::Terms::kPlain;
   problem.tolerance = std::min(tolerance, std::max(kStricter * tolerance, kRounding));
   return problem;
 }

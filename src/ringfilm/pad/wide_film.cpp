@@ -48,9 +48,8 @@ film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& inputs, c
   const auto supply = setup().supply();
   if (!supply) return film::solve_film_at_separation(problem_, inputs, previous, state, workspace_);
   film::FilmInputs supplied = inputs;
-  const std::vector<double>& rise = problem_.grid.face_height;
-  const double h = state.h_m + (inputs.U >= 0 ? rise.front() : rise.back());
-  (inputs.U >= 0 ? supplied.left : supplied.right).film_content = std::min(1.0, 2 * *supply / h);
+  film::EdgeState& inlet = inputs.U >= 0 ? supplied.left : supplied.right;
+  inlet.supply = *supply * inputs.oil->density(inlet.pressure);
   return film::solve_film_at_separation(problem_, supplied, previous, state, workspace_);
 }
 

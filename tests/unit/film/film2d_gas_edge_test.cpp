@@ -12,7 +12,7 @@ TEST(GasEdge, StripsHoldTwentyBarAtTheExitOfAStarvedFilm) {
   const testing::GasFilm form = testing::starved(0.58e-6);
   testing::SmoothFilm film(
       240, form.width, [&](double x) { return form.height(x) - form.h_m; }, form.eta, Cavitation::kMassConserving);
-  film.problem.bounds = Bounds::kOwn;
+  film.problem.terms = Terms::kAll;
   film.problem.tolerance = 1e-8;
   for (const Ends ends : {Ends::kClosed, Ends::kJoined}) {
     const Film2dProblem problem = film2d_of(film.problem, uniform_around(7, 0.01, ends));

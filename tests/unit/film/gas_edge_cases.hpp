@@ -73,7 +73,6 @@ inline GasFilm flooded() {
 }
 
 inline FilmInputs inputs_of(const GasFilm& film, const SmoothFilm& smooth) {
-  const FilmGrid& grid = smooth.problem.grid;
   FilmInputs inputs = smooth.inputs();
   inputs.U = film.U;
   inputs.load = film.load();
@@ -81,7 +80,7 @@ inline FilmInputs inputs_of(const GasFilm& film, const SmoothFilm& smooth) {
   inputs.left.pressure = film.p_in;
   if (film.begin > 0) {
     inputs.left.fluid = EdgeFluid::kGas;
-    inputs.left.film_content = film.h_star / (film.h_m + grid.face_height.front());
+    inputs.left.supply = film.h_star / 2;  // density 1
   }
   inputs.right = {film.p_out, EdgeFluid::kGas};
   return inputs;

@@ -22,7 +22,7 @@ film::FilmProblem film_across(const Setup& setup) {
   problem.contact_spread =
       input.contact.lambda_ratio == LambdaRatio::kLocal ? film::ContactSpread::kLocal : film::ContactSpread::kNominal;
   problem.tolerance = input.solver.tolerance;
-  problem.bounds = input.film.has_gas_edge() ? film::Bounds::kOwn : film::Bounds::kOne;
+  problem.terms = input.film.has_gas_edge() ? film::Terms::kAll : film::Terms::kPlain;
   problem.kernels = setup.kernels;
   return problem;
 }

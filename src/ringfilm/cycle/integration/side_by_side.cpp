@@ -24,7 +24,7 @@ struct LaneKind {
   const film::FilmKernels* kernels;
   film::LaneLaws laws;
   film::LaneCavity cavity;
-  film::Bounds bounds;
+  film::Terms terms;
   friend auto operator<=>(const LaneKind&, const LaneKind&) = default;
 };
 
@@ -34,7 +34,7 @@ LaneKind kind_of(const TimeIntegration& integration) {
           film::best_laws(integration.instant().at.inputs),
           problem.cavitation == film::Cavitation::kMassConserving ? film::LaneCavity::kFilmContent
                                                                   : film::LaneCavity::kMultiplier,
-          problem.bounds};
+          problem.terms};
 }
 
 /// The lanes of one kind.

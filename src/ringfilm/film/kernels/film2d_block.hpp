@@ -20,12 +20,12 @@ struct Film2dBlock {
   StripSystem system;  ///< slopes of the balance of mass, in z
   LaneLaws laws;
   LaneCavity cavity;
-  Bounds bounds;
+  Terms terms;
   bool has_steps;  ///< the gap jumps within faces
 
   // Of nodes
   double* z;                              ///< eq-film-content, "one number per node" [Pa]
-  double* bound;                          ///< lowest pressure over p_c; 0 with Bounds::kOne [Pa]
+  double* bound;                          ///< lowest pressure over p_c; 0 with Terms::kPlain [Pa]
   double* inflow;                         ///< what the step before left and what sources add [kg/(m s)]
   double* node_height;                    ///< [m]
   double *face_x, *low_face, *high_face;  ///< heights of the faces to the next node across and to the strips beside [m]
@@ -49,6 +49,7 @@ struct Film2dBlock {
   const double* share;        ///< [m]
   const double* conductance;  ///< 1/(24 dx) [1/m]
 
+  double left_supply, right_supply;  ///< four times that of the edges, or kUnlimited [kg/m2]
   double quarter_U, rate, p_cavitation, scale, content_scale;
   double ln_h_scale;  ///< dh/d ln h_m: h_m, the lowest separation [m]
   double start_h;     ///< h_m that weighs the multiplier [m]

@@ -17,7 +17,7 @@ RINGFILM_INLINE void for_packs(const ZebraShape& shape, const Body& body) {
 
 /// @tparam kShapes the ring bends: slopes by the separations of the strips apart. A choice of the compiler, not of the
 /// machine: which products and sums it fuses, and so the last bit, depends on all that is done with them.
-template <class Real, LaneCavity kCavity, bool kSteps, Bounds kBounds, bool kShapes>
+template <class Real, LaneCavity kCavity, bool kSteps, Terms kTerms, bool kShapes>
 class Film2dBalance {
   using Mask = typename Real::Mask;
   static constexpr bool kFilmContent = kCavity == LaneCavity::kFilmContent;
@@ -44,7 +44,7 @@ class Film2dBalance {
   RINGFILM_INLINE Node node(std::size_t place) const {
     const Real z = Real::load(b_.z + place);
     Real p = max(Real(0), z);  // over p_c: gradients alone count
-    if constexpr (kBounds == Bounds::kOwn) p += Real::load(b_.bound + place);
+    if constexpr (kTerms == Terms::kAll) p += Real::load(b_.bound + place);
     return {p,
             kFilmContent ? Real(1) + min(Real(0), z) * inverse_content_scale_ : Real(1),
             Real::load(b_.rho + place),
@@ -76,7 +76,12 @@ class Film2dBalance {
     const Real h = h_m + Real::load(b_.face_x + place);
     const Cube cubed = cube(h, b_.face_x_second, b_.face_x_third, place);
     const Real conductance(b_.conductance[i]);
-    return film::flux(motion_, h, conductance * cubed.value, conductance * cubed.square, left, right);
+    Flux flux = film::flux(motion_, h, conductance * cubed.value, conductance * cubed.square, left, right);
+    if constexpr (kTerms == Terms::kAll) {
+      if (i == 0) limit_inlet(motion_.quarter_U, h, Real(b_.left_supply), left, right, flux);
+      if (i == shape_.n_across - 2) limit_inlet(motion_.quarter_U, h, Real(b_.right_supply), left, right, flux);
+    }
+    return flux;
   }
 
   /// Flux on from node i, and the balance of node i if it is not an edge.
@@ -166,7 +171,7 @@ class Film2dBalance {
         for (int k = 0; k + Real::kWidth <= shape_.stride; k += Real::kWidth) {
           const Real weight = Real::load(b_.weight + static_cast<std::size_t>(colour) * shape_.stride + k);
           Real over = max(Real(0), Real::load(b_.z + row + k));
-          if constexpr (kBounds == Bounds::kOwn) over += Real::load(b_.bound + row + k);
+          if constexpr (kTerms == Terms::kAll) over += Real::load(b_.bound + row + k);
           along += weight * (Real(b_.p_cavitation) + over);
         }
         load += Real(b_.share[i]) * along;
@@ -178,7 +183,7 @@ class Film2dBalance {
   Film2dBlock& b_;
   const ZebraShape shape_;
   Real inverse_content_scale_;
-  Motion<Real, kFilmContent, kBounds> motion_;
+  Motion<Real, kFilmContent, kTerms> motion_;
   Real ln_h_scale_;
 };
 
@@ -194,7 +199,7 @@ void oil(Film2dBlock& b) {
     };
     for (int a = 0; a < kAbreast; ++a) {
       Real p = Real(b.p_cavitation) + max(Real(0), Real::load(b.z + place + a * Real::kWidth));
-      if (b.bounds == Bounds::kOwn) p += Real::load(b.bound + place + a * Real::kWidth);
+      if (b.terms == Terms::kAll) p += Real::load(b.bound + place + a * Real::kWidth);
       t[a] = min(Real(1), (p - Real(b.fit_centre)) * Real(b.fit_inverse_half_width));
     }
     base::sum_of_powers<kFluidityTerms, kAbreast>(b.fit_K, t, value);
@@ -208,36 +213,36 @@ void oil(Film2dBlock& b) {
   }
 }
 
-template <class Real, LaneCavity kCavity, bool kSteps, Bounds kBounds>
+template <class Real, LaneCavity kCavity, bool kSteps, Terms kTerms>
 void balance_of_steps(Film2dBlock& b) {
   if (b.own_column != nullptr) {
-    Film2dBalance<Real, kCavity, kSteps, kBounds, true>(b).run();
+    Film2dBalance<Real, kCavity, kSteps, kTerms, true>(b).run();
   } else {
-    Film2dBalance<Real, kCavity, kSteps, kBounds, false>(b).run();
+    Film2dBalance<Real, kCavity, kSteps, kTerms, false>(b).run();
   }
 }
 
-template <class Real, LaneCavity kCavity, Bounds kBounds>
+template <class Real, LaneCavity kCavity, Terms kTerms>
 void balance_of(Film2dBlock& b) {
   if (b.has_steps) {
-    balance_of_steps<Real, kCavity, true, kBounds>(b);
+    balance_of_steps<Real, kCavity, true, kTerms>(b);
   } else {
-    balance_of_steps<Real, kCavity, false, kBounds>(b);
+    balance_of_steps<Real, kCavity, false, kTerms>(b);
   }
 }
 
 template <class Real>
 void balance(Film2dBlock& b) {
   using enum LaneCavity;
-  using enum Bounds;
+  using enum Terms;
   if (b.cavity == kFilmContent) {
-    b.bounds == kOne ? balance_of<Real, kFilmContent, kOne>(b) : balance_of<Real, kFilmContent, kOwn>(b);
+    b.terms == kPlain ? balance_of<Real, kFilmContent, kPlain>(b) : balance_of<Real, kFilmContent, kAll>(b);
   } else {
-    b.bounds == kOne ? balance_of<Real, kMultiplier, kOne>(b) : balance_of<Real, kMultiplier, kOwn>(b);
+    b.terms == kPlain ? balance_of<Real, kMultiplier, kPlain>(b) : balance_of<Real, kMultiplier, kAll>(b);
   }
 }
 
-template <class Real, bool kFilmContent, Bounds kBounds>
+template <class Real, bool kFilmContent, Terms kTerms>
 void update_nodes(Film2dBlock& b, const double* step) {
   const ZebraShape& shape = b.system.shape;
   KinkStep<Real> kink{Real(b.scale), Real(1 / b.scale), Real(b.content_scale), Real(1 / b.content_scale)};
@@ -251,7 +256,7 @@ void update_nodes(Film2dBlock& b, const double* step) {
       const Real after = kink.template take<kFilmContent>(Real::load(b.z + place), move);
       check += select(inside, after, Real(0));
       Real over = after;
-      if constexpr (kBounds == Bounds::kOwn) over = max(Real(0), after) + Real::load(b.bound + place);
+      if constexpr (kTerms == Terms::kAll) over = max(Real(0), after) + Real::load(b.bound + place);
       peak = max(peak, select(inside, over, Real(0)));
       after.store(b.z + place);
     }
@@ -272,11 +277,11 @@ void update_nodes(Film2dBlock& b, const double* step) {
 
 template <class Real>
 void update(Film2dBlock& b, const double* step) {
-  using enum Bounds;
+  using enum Terms;
   if (b.cavity == LaneCavity::kFilmContent) {
-    b.bounds == kOne ? update_nodes<Real, true, kOne>(b, step) : update_nodes<Real, true, kOwn>(b, step);
+    b.terms == kPlain ? update_nodes<Real, true, kPlain>(b, step) : update_nodes<Real, true, kAll>(b, step);
   } else {
-    b.bounds == kOne ? update_nodes<Real, false, kOne>(b, step) : update_nodes<Real, false, kOwn>(b, step);
+    b.terms == kPlain ? update_nodes<Real, false, kPlain>(b, step) : update_nodes<Real, false, kAll>(b, step);
   }
 }
 

@@ -13,6 +13,7 @@ struct FilmView {
   const double* shear_deficit;  ///< 1 where gas fills the gap next to a thin film, which bears no shear; else `deficit`
   double h_m;                   ///< [m]
   double deficit_share;         ///< 1: theta = 1 - deficit; 0: theta = 1
+  double left_supply = kUnlimited, right_supply = kUnlimited;  ///< four times that of the edges [kg/m2]
 };
 
 /// One lane of a block: z, and how far apart its numbers are.
@@ -80,8 +81,14 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
   const auto film_content = [&](bool from_left) {
     return 1 - film.deficit_share * film.deficit[from_left ? i : i + 1];
   };
-  return face_flux(entrainment(0.25 * U, film_content(U >= 0), h), rho[0] + rho[1],
-                   film_content(dp <= 0) * conductance(h * h * h, film.spacing[i]), K[0] + K[1], dp);
+  const double supply = i == 0 ? film.left_supply : i == film.n_cells - 1 ? film.right_supply : kUnlimited;
+  double carried = entrainment(0.25 * U, film_content(U >= 0), h);
+  if (supply < kUnlimited) {
+    const double limit = supply / (rho[0] + rho[1]);
+    carried = 0.25 * U * (limit < h ? limit : h);
+  }
+  return face_flux(carried, rho[0] + rho[1], film_content(dp <= 0) * conductance(h * h * h, film.spacing[i]),
+                   K[0] + K[1], dp);
 }
 
 /// Sums along the face with packs of Real, and what is left over one by one.

@@ -6,11 +6,11 @@
 namespace ringfilm::film {
 
 template <class Real, class Wide, LaneLaws kLaws, LaneCavity kCavity>
-void sweep_with_bounds(LaneBlock& block) {
-  if (block.bounds == Bounds::kOne) {
-    NewtonSweep<Real, Wide, kLaws, kCavity, Bounds::kOne>(block).run();
+void sweep_with_terms(LaneBlock& block) {
+  if (block.terms == Terms::kPlain) {
+    NewtonSweep<Real, Wide, kLaws, kCavity, Terms::kPlain>(block).run();
   } else {
-    NewtonSweep<Real, Wide, kLaws, kCavity, Bounds::kOwn>(block).run();
+    NewtonSweep<Real, Wide, kLaws, kCavity, Terms::kAll>(block).run();
   }
 }
 
@@ -19,15 +19,15 @@ void sweep(LaneBlock& block) {
   const bool film_content = block.cavity == LaneCavity::kFilmContent;
   if (block.laws == LaneLaws::kFitted) {
     if (film_content) {
-      sweep_with_bounds<Real, Wide, LaneLaws::kFitted, LaneCavity::kFilmContent>(block);
+      sweep_with_terms<Real, Wide, LaneLaws::kFitted, LaneCavity::kFilmContent>(block);
     } else {
-      sweep_with_bounds<Real, Wide, LaneLaws::kFitted, LaneCavity::kMultiplier>(block);
+      sweep_with_terms<Real, Wide, LaneLaws::kFitted, LaneCavity::kMultiplier>(block);
     }
   } else {
     if (film_content) {
-      sweep_with_bounds<Real, Wide, LaneLaws::kGiven, LaneCavity::kFilmContent>(block);
+      sweep_with_terms<Real, Wide, LaneLaws::kGiven, LaneCavity::kFilmContent>(block);
     } else {
-      sweep_with_bounds<Real, Wide, LaneLaws::kGiven, LaneCavity::kMultiplier>(block);
+      sweep_with_terms<Real, Wide, LaneLaws::kGiven, LaneCavity::kMultiplier>(block);
     }
   }
 }

@@ -36,11 +36,13 @@ struct LaneBlock {
   int n_cells;
   LaneLaws laws;
   LaneCavity cavity;
-  Bounds bounds;
+  Terms terms;
 
   // Over nodes 0..n
   double* z;                          ///< eq-film-content, "one number per node" [Pa]
-  double* bound;                      ///< lowest pressure over p_c; only with Bounds::kOwn [Pa]
+  // Of nodes, only with Terms::kAll
+  double* bound;                      ///< lowest pressure over p_c [Pa]
+  double *mobility, *stored;          ///< FlowFactors [-], [m]
   double* inflow;                     ///< what the step before left and what sources add [kg/(m s)]
   double* node_height;                ///< h_s [m]
   double* share;                      ///< [m]
@@ -48,6 +50,7 @@ struct LaneBlock {
   // Over cells 0..n-1
   double* face_height;  ///< h_s [m]
   double* conductance;  ///< 1/(24 dx) [1/m]
+  double* carried;      ///< FlowFactors, only with Terms::kAll [m]
   // Scratch over inner nodes
   double *upper, *column, *rhs;
 
@@ -62,6 +65,7 @@ struct LaneBlock {
   alignas(64) Lanes load;                   ///< [N/m]
   alignas(64) Lanes continues;  ///< 1: the film in z is what the step before left, at h_m = `left_h`: inflow is its own
   alignas(64) Lanes left_h;     ///< [m]
+  alignas(64) Lanes left_supply, right_supply;  ///< four times that of the edges, or kUnlimited [kg/m2]
   alignas(64) Lanes movable;    ///< 1: h_m is unknown; 0: it is given
   alignas(64) Lanes start_h;    ///< h_m that weighs the multiplier [m]
   alignas(64) Lanes cavity_K;   ///< K at the cavitation pressure [s/m2]

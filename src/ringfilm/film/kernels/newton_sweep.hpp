@@ -21,7 +21,7 @@ struct Choice<false, A, B> {
 
 /// @tparam Real a pack with a film in each lane
 /// @tparam Wide the widest pack of the machine: what has no neighbours is worked out along the face where Real is one
-template <class Real, class Wide, LaneLaws kLaws, LaneCavity kCavity, Bounds kBounds>
+template <class Real, class Wide, LaneLaws kLaws, LaneCavity kCavity, Terms kTerms>
 class NewtonSweep {
   static constexpr int kWidth = Real::kWidth;
   static constexpr bool kAlongFace = kWidth == 1;
@@ -90,13 +90,13 @@ class NewtonSweep {
   }
 
   /// Sums of a polynomial at the nodes abreast.
-  template <int kTerms>
+  template <int kCoefficients>
   RINGFILM_INLINE static void sum(const Lanes* c, const Visitor* t, Stretch& to, int slot) {
     Visitor value[kAbreast];
-    const Visitor highest = of_lanes(c[kTerms - 1]);
+    const Visitor highest = of_lanes(c[kCoefficients - 1]);
     for (int a = 0; a < kAbreast; ++a) value[a] = highest;
 #pragma GCC unroll 16
-    for (int k = kTerms - 2; k >= 0; --k) {
+    for (int k = kCoefficients - 2; k >= 0; --k) {
       const Visitor term = of_lanes(c[k]);
       for (int a = 0; a < kAbreast; ++a) value[a] = value[a] * t[a] + term;
     }
@@ -111,7 +111,7 @@ class NewtonSweep {
     for (int a = 0; a < kAbreast; ++a) {
       const Visitor z = seen(b_.z, i, a);
       Visitor p = p_c + max(Visitor(0), z);
-      if constexpr (kBounds == Bounds::kOwn) p += seen(b_.bound, i, a);
+      if constexpr (kTerms == Terms::kAll) p += seen(b_.bound, i, a);
       put(p, film.p, slot, a);
       if constexpr (kFilmContent) put(Visitor(1) + min(Visitor(0), z) * inverse_content_scale, film.theta, slot, a);
       load_ += seen(b_.share, i, a) * p;
@@ -129,6 +129,14 @@ class NewtonSweep {
         put(seen(b_.dK_dp, i, a), film.dK, slot, a);
         put(seen(b_.rho, i, a), film.rho, slot, a);
         put(seen(b_.drho_dp, i, a), film.drho, slot, a);
+      }
+    }
+    if constexpr (kTerms == Terms::kAll) {
+      for (int a = 0; a < kAbreast; ++a) {
+        for (Stretch* of : {&film.K, &film.dK}) {
+          double* at = of->value + slot * kWidth + a * Visitor::kWidth;
+          (Visitor::load(at) * seen(b_.mobility, i, a)).store(at);
+        }
       }
     }
   }
@@ -174,7 +182,24 @@ class NewtonSweep {
   RINGFILM_INLINE Flux flux(int face, const Node& left, const Node& right) const {
     const Real h = h_m_ + at(b_.face_height, face);
     const Real third = h * h * at(b_.conductance, face);
-    return film::flux(motion_, h, third * h, third, left, right);
+    if constexpr (kTerms == Terms::kAll) {
+      const Real carried = h + at(b_.carried, face);
+      Flux flux = film::flux(motion_, carried, third * h, third, left, right);
+      if (face == 0) limit_inlet(motion_.quarter_U, carried, Real::load(b_.left_supply), left, right, flux);
+      limit_right(face, carried, left, right, flux);
+      return flux;
+    } else {
+      return film::flux(motion_, h, third * h, third, left, right);
+    }
+  }
+
+  /// Films of a block may end at different faces: at the last one the conductance is not 0, and after it it is.
+  RINGFILM_INLINE void limit_right(int face, Real carried, const Node& left, const Node& right, Flux& flux) const {
+    const Real supply = Real::load(b_.right_supply);
+    if (!Real::any(supply < Real(kUnlimited))) return;
+    const Mask is_last = Real::only(at(b_.conductance, face) > Real(0), at(b_.conductance, face + 1) > Real(0));
+    if (!Real::any(is_last)) return;
+    limit_inlet(motion_.quarter_U, carried, select(is_last, supply, Real(kUnlimited)), left, right, flux);
   }
 
   /// Balance of mass and load, eliminated down to one equation for ln h_m; returns its solution.
@@ -204,7 +229,8 @@ class NewtonSweep {
         const Real share = at(b_.share, i);
         const Real h = h_m_ + height;
         const Real volume = share * rate;
-        const Real stored = volume * h;  // times rho theta
+        Real stored = volume * h;  // times rho theta
+        if constexpr (kTerms == Terms::kAll) stored += volume * at(b_.stored, i);
         const Real filled = filled_density<kFilmContent>(here);
         Real inflow = at(b_.inflow, i);
         if (some_continue) {
@@ -269,7 +295,7 @@ class NewtonSweep {
       step = at(b_.rhs, i) - at(b_.column, i) * d_ln_h - at(b_.upper, i) * step;
       const Real after = kink.template take<kFilmContent>(at(b_.z, i), step);
       check_ += after;  // a NaN of `largest` is one here as well
-      if constexpr (kBounds == Bounds::kOwn) {
+      if constexpr (kTerms == Terms::kAll) {
         peak = max(peak, max(Real(0), after) + at(b_.bound, i));
       } else {
         peak = max(peak, after);
@@ -285,7 +311,7 @@ class NewtonSweep {
 
   LaneBlock& b_;
   Real h_m_, inverse_content_scale_;
-  Motion<Real, kFilmContent, kBounds> motion_;
+  Motion<Real, kFilmContent, kTerms> motion_;
   Visitor load_, slope_;  ///< W_h + W_a, and the slope of W_a in h_m, as far as visited
   Real check_;
 };

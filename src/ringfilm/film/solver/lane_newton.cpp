@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostIterations = 40;  // of the coupled Newton
 constexpr double kNowhere = -1;      // a reach of contact that no gap is within
 
-constexpr int kNodalArrays = 14;
+constexpr int kNodalArrays = 17;
 
 /// Nothing moves and nothing changes: no equation holds the film content, and a node that the iteration put below p_c
 /// is held there by the multiplier, as in Reynolds' exit, until its pressure comes back.
@@ -34,7 +34,8 @@ LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
   double* array = base::aligned_zeros(memory_, kNodalArrays * stride);
   for (double** nodal : {&block_.z, &block_.bound, &block_.inflow, &block_.node_height, &block_.share,
                          &block_.face_height, &block_.conductance, &block_.upper, &block_.column, &block_.rhs,
-                         &block_.rho, &block_.drho_dp, &block_.K, &block_.dK_dp}) {
+                         &block_.rho, &block_.drho_dp, &block_.K, &block_.dK_dp, &block_.mobility, &block_.stored,
+                         &block_.carried}) {
     *nodal = array;
     array += stride;
   }
@@ -52,6 +53,7 @@ void LaneNewton::clear(int lane) {
   block_.quarter_U[lane] = block_.rate[lane] = block_.load[lane] = block_.movable[lane] = 0;
   block_.continues[lane] = block_.left_h[lane] = 0;
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
+  block_.left_supply[lane] = block_.right_supply[lane] = kUnlimited;
   clear_from(lane, 0);
   fit_block();
 }
@@ -59,10 +61,10 @@ void LaneNewton::clear(int lane) {
 void LaneNewton::clear_from(int lane, int node) {
   for (int i = node; i < most_cells_ + 1 + kPadding; ++i) {
     for (double* array : {block_.bound, block_.inflow, block_.node_height, block_.share, block_.face_height,
-                          block_.conductance, block_.drho_dp, block_.dK_dp}) {
+                          block_.conductance, block_.drho_dp, block_.dK_dp, block_.stored, block_.carried}) {
       nodal(array, i, lane) = 0;
     }
-    for (double* array : {block_.z, block_.rho, block_.K}) nodal(array, i, lane) = 1;
+    for (double* array : {block_.z, block_.rho, block_.K, block_.mobility}) nodal(array, i, lane) = 1;
   }
 }
 
@@ -149,7 +151,7 @@ void LaneNewton::limit_search_effort(int lane) {
 }
 
 void LaneNewton::continue_from_last_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m) {
-  const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane] && block_.bounds == Bounds::kOne;
+  const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane] && block_.terms == Terms::kPlain;
   const Unknowns unknowns = Unknowns::kFilmAndSeparation;
   if (!same_zero) return start(lane, inputs, previous, previous, h_m, unknowns, block_.laws);
   // The kernel works out what is left of the step before with the fit of this one.
@@ -160,11 +162,8 @@ void LaneNewton::continue_from_last_step(int lane, const FilmInputs& inputs, con
 
 void LaneNewton::set_edges(int lane) {
   const Lane& at = lanes_[lane];
-  const auto z_of = [&](const EdgeState& edge) {
-    return edge_z(edge, at.inputs->p_cavitation, block_.content_scale[lane]);
-  };
-  nodal(block_.z, 0, lane) = z_of(at.inputs->left);
-  nodal(block_.z, at.n_cells, lane) = z_of(at.inputs->right);
+  nodal(block_.z, 0, lane) = edge_z(at.inputs->left, at.inputs->p_cavitation);
+  nodal(block_.z, at.n_cells, lane) = edge_z(at.inputs->right, at.inputs->p_cavitation);
 }
 
 void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
@@ -200,7 +199,7 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   if (block_.cavity == LaneCavity::kMultiplier) {
     block_.cavity_K[lane] = at.oil->density(inputs.p_cavitation) / at.oil->viscosity(inputs.p_cavitation);
   }
-  set_bounds(lane, inputs);
+  set_terms(lane, inputs);
   block_.continues[lane] = inflow_is == Inflow::kOfTheLane && inputs.source.empty() ? 1 : 0;
   block_.left_h[lane] = previous.h_m;
   if (block_.continues[lane] > 0) return;
@@ -212,12 +211,22 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   }
 }
 
-void LaneNewton::set_bounds(int lane, const FilmInputs& inputs) {
+void LaneNewton::set_terms(int lane, const FilmInputs& inputs) {
   const Lane& at = lanes_[lane];
-  block_.bounds = at.problem->bounds;
-  if (block_.bounds == Bounds::kOne) {
+  block_.terms = at.problem->terms;
+  if (block_.terms == Terms::kPlain) {
     if (inputs.has_gas()) throw std::invalid_argument("a film between edges of oil has gas at an edge");
+    if (inputs.factors) throw std::invalid_argument("a film between smooth walls has flow factors");
     return;
+  }
+  block_.left_supply[lane] = std::min(4 * inputs.left.supply, kUnlimited);
+  block_.right_supply[lane] = std::min(4 * inputs.right.supply, kUnlimited);
+  const FlowFactors* factors = inputs.factors.get();
+  const auto factor = [](const std::vector<double>& of, int i, double none) { return of.empty() ? none : of[i]; };
+  for (int i = 0; i <= at.n_cells; ++i) {
+    nodal(block_.mobility, i, lane) = factors ? factor(factors->mobility, i, 1) : 1;
+    nodal(block_.stored, i, lane) = factors ? factor(factors->stored, i, 0) : 0;
+    if (i < at.n_cells) nodal(block_.carried, i, lane) = factors ? factor(factors->carried, i, 0) : 0;
   }
   for (int i = 0; i <= at.n_cells; ++i) {
     nodal(block_.bound, i, lane) = inputs.pressure_bound(at.problem->grid, i) - inputs.p_cavitation;
@@ -307,13 +316,18 @@ void LaneNewton::read(int lane, FilmState& state) const {
   state.deficit.resize(n_nodes);
   kernels_->read({block_.z + lane, width_, inputs.p_cavitation, block_.inverse_content_scale[lane]},
                  static_cast<int>(n_nodes), {state.p.data(), state.deficit.data()});
-  if (block_.bounds == Bounds::kOwn) {
+  if (block_.terms == Terms::kAll) {
     for (std::size_t i = 0; i < n_nodes; ++i) state.p[i] += nodal(block_.bound, static_cast<int>(i), lane);
   }
   state.p.front() = inputs.left.pressure;
   state.p.back() = inputs.right.pressure;
-  state.deficit.front() = edge_deficit(inputs.left);
-  state.deficit.back() = edge_deficit(inputs.right);
+  const std::vector<double>& rise = lanes_[lane].problem->grid.node_height;
+  const auto full = [&](const EdgeState& edge, double height) {
+    return inputs.oil->density(edge.pressure) * (state.h_m + height);
+  };
+  state.deficit.front() = edge_deficit(inputs.left, full(inputs.left, rise.front()), state.deficit[1]);
+  state.deficit.back() =
+      edge_deficit(inputs.right, full(inputs.right, rise.back()), state.deficit[state.deficit.size() - 2]);
 }
 
 }  // namespace ringfilm::film

@@ -93,7 +93,7 @@ class LaneNewton {
   void set_edges(int lane);
   void set_oil(int lane, const FilmInputs& inputs);
   void set_contact(int lane);
-  void set_bounds(int lane, const FilmInputs& inputs);
+  void set_terms(int lane, const FilmInputs& inputs);
   void fit_block();
   void evaluate_properties(int lane);
   void conclude(int lane);

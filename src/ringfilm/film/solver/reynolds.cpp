@@ -89,7 +89,7 @@ OilHere oil_at(const models::OilAtTemperature& oil, const FilmState& state, int 
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i) {
   const OilHere left = oil_at(*inputs.oil, state, i), right = oil_at(*inputs.oil, state, i + 1);
   const double rho[] = {left.rho, right.rho}, K[] = {left.K, right.K};
-  return flux_through(film_view(problem, state), inputs.U, rho, K, i);
+  return flux_through(film_view(problem, inputs, state), inputs.U, rho, K, i);
 }
 
 void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const NodalOil& oil,
@@ -107,7 +107,7 @@ void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLa
   state.mass_per_area.resize(n_nodes);
   state.laws = laws;
   if (laws == LaneLaws::kFitted) {
-    problem.kernels->mass_per_area(film_view(problem, state), fitted_oil_view(*inputs.oil), state.mass_per_area.data());
+    problem.kernels->mass_per_area(film_view(problem, inputs, state), fitted_oil_view(*inputs.oil), state.mass_per_area.data());
     return;
   }
   for (std::size_t i = 0; i < n_nodes; ++i) {
@@ -116,7 +116,7 @@ void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLa
   }
 }
 
-FilmView film_view(const FilmProblem& problem, const FilmState& state) {
+FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
   const FilmGrid& grid = problem.grid;
   return {grid.n_cells(),
           grid.node_height.data(),
@@ -128,7 +128,9 @@ FilmView film_view(const FilmProblem& problem, const FilmState& state) {
           state.mass_per_area.data(),
           state.deficit.data(),
           state.h_m,
-          problem.cavitation == Cavitation::kMassConserving ? 1.0 : 0.0};
+          problem.cavitation == Cavitation::kMassConserving ? 1.0 : 0.0,
+          std::min(4 * inputs.left.supply, kUnlimited),
+          std::min(4 * inputs.right.supply, kUnlimited)};
 }
 
 FittedOilView fitted_oil_view(const models::OilAtTemperature& oil) {

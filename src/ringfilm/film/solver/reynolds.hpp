@@ -43,7 +43,7 @@ void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const
 void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLaws laws, FilmState& state);
 
 /// The state as the kernels see it.
-FilmView film_view(const FilmProblem& problem, const FilmState& state);
+FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state);
 /// Of an oil that has fits.
 FittedOilView fitted_oil_view(const models::OilAtTemperature& oil);
 

@@ -160,16 +160,13 @@ void Film2dNewton::set_given(const Film2dInputs& inputs) {
   const auto put = [&](int s, double p) {
     for (int i = 0; i <= last; ++i) block_.z[shape_.at(i, s)] = p - inputs.strip.p_cavitation;
   };
-  const auto z_of = [&](const EdgeState& edge) {
-    return edge_z(edge, inputs.strip.p_cavitation, block_.content_scale);
-  };
   if (ends_ == Ends::kOpen) {
     put(-1, inputs.p_low);
     put(shape_.n_strips, inputs.p_high);
   }
   for (int s = 0; s < shape_.n_strips; ++s) {
-    block_.z[shape_.at(0, s)] = z_of(inputs.strip.left);
-    block_.z[shape_.at(last, s)] = z_of(inputs.strip.right);
+    block_.z[shape_.at(0, s)] = edge_z(inputs.strip.left, inputs.strip.p_cavitation);
+    block_.z[shape_.at(last, s)] = edge_z(inputs.strip.right, inputs.strip.p_cavitation);
   }
 }
 
@@ -183,7 +180,9 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   block_.quarter_U = 0.25 * strip.U;
   block_.rate = 1 / strip.time_step;
   block_.p_cavitation = strip.p_cavitation;
-  block_.bounds = problem.strip.bounds;
+  block_.terms = problem.strip.terms;
+  block_.left_supply = std::min(4 * strip.left.supply, kUnlimited);
+  block_.right_supply = std::min(4 * strip.right.supply, kUnlimited);
   block_.scale = block_.content_scale = strip.mean_pressure(problem.strip.grid);
   block_.start_h = guess.h_m;
   block_.cavity_K = strip.oil->density(strip.p_cavitation) / strip.oil->viscosity(strip.p_cavitation);
@@ -202,7 +201,7 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   double *z = block_.z, *inflow = block_.inflow;
   for (int i = 0; i < shape_.n_across; ++i) {
     double bound = 0;  // the same in all strips
-    if (block_.bounds == Bounds::kOwn) bound = strip.pressure_bound(problem.strip.grid, i) - strip.p_cavitation;
+    if (block_.terms == Terms::kAll) bound = strip.pressure_bound(problem.strip.grid, i) - strip.p_cavitation;
     const double share = block_.share[i];
     for (int s = 0; s < shape_.n_strips; ++s) {
       const std::size_t place = shape_.at(i, s), node = static_cast<std::size_t>(s + first_) * shape_.n_across + i;
@@ -478,8 +477,12 @@ void Film2dNewton::read(const Film2dProblem& problem, const Film2dInputs& inputs
       state.p[first] = strip.left.pressure;
       state.p[first + last] = strip.right.pressure;
     }
-    state.deficit[first] = edge_deficit(strip.left);
-    state.deficit[first + last] = edge_deficit(strip.right);
+    const auto full = [&](const EdgeState& edge, std::size_t node) {
+      return strip.oil->density(edge.pressure) * (state.h_m + problem.gap.node[node]);
+    };
+    state.deficit[first] = edge_deficit(strip.left, full(strip.left, first), state.deficit[first + 1]);
+    state.deficit[first + last] =
+        edge_deficit(strip.right, full(strip.right, first + last), state.deficit[first + last - 1]);
   }
 }
 
