@@ -58,6 +58,26 @@ class CheckTest(StartTest):
         self.assertIn("multigrade", topics["newtonian-oil"]["consequence"])
         self.assertEqual([note for note in checked["notes"] if not note["message"]], [])
 
+    def test_json_of_a_bad_case_has_its_errors(self):
+        self.assertEqual(self.checked("case.toml")["errors"], [])
+        (self.folder / "case.toml").write_text(
+            program.CASE.replace('bore = "89 mm"', 'bore = "89"').replace("[solver]", "[solver]\nmesh = 3")
+        )
+        done = self.run_program("check", "case.toml", "--json")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("2 errors; nothing was run or written (exit code 2)", done.stderr)
+        checked = json.loads(done.stdout)
+        self.assertEqual(checked["case"], "case.toml")
+        bore, mesh = checked["errors"]
+        self.assertEqual((bore["file"], bore["line"], bore["column"]), ("case.toml", 3, 8))
+        self.assertEqual(bore["line_text"], 'bore = "89"')
+        self.assertIn("has no unit", bore["message"])
+        self.assertIn("a length is required here", bore["remedy"])
+        self.assertIn("unknown key solver.mesh", mesh["message"])
+        done = self.run_program("check", "nowhere.toml", "--json")
+        self.assertEqual(done.returncode, 2)
+        self.assertIsNone(json.loads(done.stdout)["errors"][0]["line"])
+
     def test_the_summary_uses_the_same_two_terms(self):
         printed = self.run_well("run", "case.toml")
         self.assertRegex(printed, r"default inputs: \d+ keys that the case does not state")
