@@ -118,6 +118,13 @@ class NewTest(StartTest):
                 self.assertRegex(text, rf"(?m)^{entry['key'].split('.')[-1]} = .*  # ")
         self.assertIn("solver.cells", [entry["key"] for entry in checked["default_inputs"]])
 
+    def test_the_result_of_a_start_case_has_fields_along_the_face(self):
+        text, _ = self.new()
+        self.assertRegex(text, r'(?m)^fields = "all"  # for the slider along the face in the report')
+        self.run_well("run", "mine.toml", "--set", "solver.cells=60", "--output", "mine.nc")
+        self.run_well("report", "mine.nc", "--output", "mine.html")
+        self.assertNotIn('"stored_angles":0', (self.folder / "mine.html").read_text())
+
     def test_the_commented_defaults_are_the_defaults(self):
         for engine in ("passenger-car", "heavy-duty"):
             text, _ = self.new("--engine", engine)
@@ -141,6 +148,8 @@ class NewTest(StartTest):
             topics = {note["topic"] for note in values["notes"]}
             unusual = [topic for topic in topics if re.search("unusual|viscosity-(high|low)|ratio-too-low|gas-", topic)]
             self.assertEqual(unusual, [])
+            self.assertNotIn("asperity-slopes-high", topics)
+            self.assertLess(values["asperity_slope"], 0.2)
 
     def test_an_unknown_engine_is_refused(self):
         refused = self.refused("new", "mine.toml", "--engine", "heavy_duty")
