@@ -219,12 +219,18 @@ class Refusals(PadTest):
         self.refuse_set("pad.separation=", "exactly one of")
         text = PAD.replace('separation = "0 um"\n', 'separation = "0 um"\nload = "1 kN/m"\n')
         (self.folder / "pad.toml").write_text(text)
-        self.refuse("pad.separation and pad.load", "exactly one of")
+        self.refuse("pad.separation and pad.load", "exactly one of", "with [pad.oscillation]")
+        self.assertRegex(self.run_program("check", "pad.toml").stderr, r"delete line \d+ or line \d+ of pad.toml")
 
     def test_a_load_of_the_command_line_takes_the_place_of_the_separation(self):
         done = self.run_program("run", "pad.toml", "--json", "--set", "pad.load=100 kN/m")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(done.stderr, r"^--set makes .*: pad.separation \(pad.toml:\d+\)\n$")
+        oscillation = '[pad.oscillation]\namplitude = "5 um"\nperiod = "0.1 s"\n'
+        (self.folder / "pad.toml").write_text(PAD.replace("[lubricant]", oscillation + "[lubricant]"))
+        done = self.run_program("run", "pad.toml", "--json", "--set", "pad.load=100 kN/m")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"pad.separation .*, pad.oscillation.amplitude .*, pad.oscillation.period ")
 
     def test_keys_of_an_engine(self):
         (self.folder / "pad.toml").write_text(

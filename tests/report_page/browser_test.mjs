@@ -224,6 +224,17 @@ test('every part of the report is there, in order', async () => {
   await page.close();
 });
 
+test('the page of a ring pack has the sum of its rings', async () => {
+  const { page, faults } = await opened('pack.html', 1400);
+  const rows = await page.$$eval('.card:first-child .card-row', (nodes) => nodes.map((n) => n.textContent));
+  assert.equal(rows.length, 3);
+  const [top, second, sum] = rows.map((text) => Number(text.match(/FMEP ([\d.]+)/)[1]));
+  assert.match(rows[2], /^all 2 rings/);
+  assert.ok(Math.abs(top + second - sum) < 0.1);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
 test('no width of the window upsets the page', async () => {
   const { page, faults } = await opened('three.html', 1400);
   for (let width = 320; width <= 1440; width += 35) {
@@ -237,6 +248,22 @@ test('no width of the window upsets the page', async () => {
   }
   assert.deepEqual(faults, []);
   await page.close();
+});
+
+test('on a phone every link to a section is shown in full', async () => {
+  for (const width of [320, 420, 700]) {
+    const { page } = await opened('three.html', width);
+    const cut = await page.$$eval('.contents a', (links) =>
+      links
+        .filter((link) => {
+          const { left, right } = link.getBoundingClientRect();
+          return left < 0 || right > window.innerWidth;
+        })
+        .map((link) => link.textContent),
+    );
+    assert.deepEqual(cut, []);
+    await page.close();
+  }
 });
 
 test('on a phone every button of the bar can be reached', async () => {

@@ -18,14 +18,32 @@ const test = (name, run) => tests.push({ name, run });
 
 test('usual ranges are those that the manual argues', () => {
   const page = readFileSync(join(process.argv[2], '../../../../docs/manual/guide/plausibility.md'), 'utf8');
-  const { kUsualFmep, kUsualCoefficient, kModifiedCoefficient, verdict } = usual;
+  const { kUsualFmep, kUsualDieselFmep, kUsualCoefficient, kModifiedCoefficient, verdict } = usual;
   assert.ok(page.includes(`FMEP between ${kUsualFmep.low} and ${kUsualFmep.high} kPa for a top ring`));
+  assert.ok(
+    page.includes(
+      `| top ring alone, diesel engine | ${kUsualDieselFmep.low} to ${kUsualDieselFmep.high} kPa |`,
+    ),
+  );
+  assert.ok(page.includes(`a bore above ${usual.kLargestCarBore} mm or a peak pressure above`));
+  assert.ok(page.includes(`a peak pressure above ${usual.kHighestCarPeak} bar`));
   assert.ok(page.includes(`| ${kUsualCoefficient.low} to ${kUsualCoefficient.high} |`));
   assert.ok(page.includes(`| down to ${kModifiedCoefficient} |`));
   assert.deepEqual(
     [0.5, 7, 19.1, 22, null, NaN].map((v) => verdict(v, kUsualFmep)),
     ['below', 'usual', 'upper end', 'above', null, null],
   );
+});
+
+test('the range of the friction is that of the engine of the case', () => {
+  const range = (bore, peak) => {
+    const model = smallModel([{ key: 'engine.bore', value_si: bore }], {}, { peak_gas_pressure: peak });
+    return usual.fmepRange(model, model.cases[0]);
+  };
+  assert.deepEqual(range(0.089, 62e5), { ...usual.kUsualFmep, reason: '' });
+  assert.equal(range(0.13, 90e5).high, usual.kUsualDieselFmep.high);
+  assert.equal(range(0.13, 90e5).reason, ', for a bore of 130 mm');
+  assert.equal(range(0.083, 180e5).reason, ', for a peak pressure of 180 bar');
 });
 
 test('the section is drawn from the numbers of the case at the peak of the gas pressure', () => {

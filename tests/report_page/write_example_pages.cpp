@@ -5,6 +5,7 @@
 
 #include "example_document.hpp"
 #include "measurement_example.hpp"
+#include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/report/html.hpp"
 #include "ringfilm/report/measurement_page.hpp"
 #include "study_example.hpp"
@@ -42,6 +43,10 @@ int main(int argc, char** argv) {
                             false, "<script>window.hostile=1</script>"});
   hostile.result.notes.push_back({"hostile", "<img src=x onerror=window.hostile=1>", 1});
   const bool hostile_written = write("hostile.html", report::report_page({hostile}, {}));
+
+  const io::ResultDocument pack =
+      io::pack_document("a pack", {example::document("top"), example::document("second", 0.7)});
+  const bool pack_written = write("pack.html", report::report_page({pack}, {}));
 
   io::ResultDocument coarse = example::document("coarse grid");
   for (cycle::Sample& error : coarse.errors->samples) {
@@ -81,8 +86,8 @@ int main(int argc, char** argv) {
         std::pair{"study_comparison.html", example::comparison_page()},
         std::pair{"hostile_study.html", example::uncertainty_page(hostile.title)}})
     studies_written = write(name, page) && studies_written;
-  return three_written && studies_written && around_written && hostile_written && coarse_written && bare_written &&
-                 surface_written && hostile_surface_written
+  return three_written && studies_written && around_written && hostile_written && coarse_written && pack_written &&
+                 bare_written && surface_written && hostile_surface_written
              ? 0
              : 1;
 }

@@ -77,11 +77,17 @@ cycle::Case case_with_settings(const std::string& path, const std::vector<io::Ov
 }
 
 void check(const CheckOptions& options) {
-  const io::CaseCheck found = checked(case_with_settings(options.case_path, options.overrides), options.case_path);
+  const std::string& path = options.case_path;
   if (options.summary == SummaryForm::kJson) {
-    std::cout << io::check_json(found);
+    try {
+      std::cout << io::check_json(checked(case_with_settings(path, options.overrides), path));
+    } catch (const InputError& error) {
+      std::cout << io::errors_json(path, error.faults());
+      throw;
+    }
     return;
   }
+  const io::CaseCheck found = checked(case_with_settings(path, options.overrides), path);
   print_inputs(found);
   print_assumptions(found);
   for (const cycle::Note& note : found.notes) std::cout << "note: " << note.message << "\n";

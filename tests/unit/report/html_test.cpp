@@ -10,6 +10,7 @@
 #include "example_document.hpp"
 #include "page_data.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/io/result/result_document.hpp"
 
 namespace {
 
@@ -60,6 +61,16 @@ TEST(ReportPage, KeepsValuesInSiUnits) {
             document.ledger[0].variants[0].values.fmep);
   EXPECT_EQ(only["comparison"][0]["published"].get<double>(), 1.41);
   EXPECT_TRUE(only["inputs"][2]["assumed"].get<bool>());
+}
+
+TEST(ReportPage, HasTheSumOfTheFrictionOfAPack) {
+  EXPECT_TRUE(example::data_of(report::report_page({example::document("one")}, {}))["packs"].empty());
+  const auto pack = io::pack_document("pack", {example::document("one"), example::document("two", 0.7)});
+  const json data = example::data_of(report::report_page({pack, example::document("three")}, {}));
+  ASSERT_EQ(data["packs"].size(), 1u);
+  EXPECT_EQ(data["packs"][0]["n_rings"], 2);
+  const double sum = pack.rings[0].result.values.fmep + pack.rings[1].result.values.fmep;
+  EXPECT_NEAR(data["packs"][0]["values"]["fmep"].get<double>(), sum, 1e-12 * sum);
 }
 
 TEST(ReportPage, HasOneScriptAndOneDataElementWhateverTheTextsState) {

@@ -170,9 +170,16 @@ bool is_required(const Field& field, const Case& c);
 /// Rules that join several keys: exclusive tensions, moduli against composite modulus, lists that must not be empty,
 /// solver and output angles that must fit. Empty if all hold. Each entry names the key at fault and the remedy.
 struct RuleBreach {
+  /// What breaks the rule.
+  enum class By {
+    kValues,     ///< values that do not fit together
+    kMissingKey  ///< a key that the case does not state; holds whatever other keys are missing, too
+  };
   std::string key;
   std::string message;
   std::string remedy;
+  By by = By::kValues;
+  std::vector<std::vector<std::string>> ways = {};  ///< keys of each stated way, where one way alone may remain
 };
 std::vector<RuleBreach> broken_rules(const Case& c);
 

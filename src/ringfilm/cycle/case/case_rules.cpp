@@ -1,6 +1,7 @@
 #include <cmath>
 #include <optional>
 
+#include "ringfilm/base/joined.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/case/case_rules_measured.hpp"
@@ -17,6 +18,7 @@ namespace ringfilm::cycle {
 namespace {
 
 using Breaches = std::vector<RuleBreach>;
+constexpr RuleBreach::By kMissingKey = RuleBreach::By::kMissingKey;
 
 /// Do whole steps make one cycle? A step typed with few digits ("0.333333 degree") does not.
 bool divides_cycle(double step_deg) {
@@ -71,11 +73,13 @@ void check_thermal(const Thermal& thermal, Breaches& breaches) {
   const std::string both = thermal.film == FilmTemperature::kMeanOfWalls ? "the mean of ring and liner" : "that wall's";
   if (takes_ring && !thermal.ring) {
     breaches.push_back({"thermal.ring", "the film has " + both + " temperature, and thermal.ring is not stated",
-                        "state it, for example ring = \"190 degC\" in [thermal], or " + film + " = \"liner\""});
+                        "state it, for example ring = \"190 degC\" in [thermal], or " + film + " = \"liner\"",
+                        kMissingKey});
   }
   if (takes_liner && thermal.liner.empty()) {
     breaches.push_back({"thermal.liner", "the film has " + both + " temperature, and thermal.liner is not stated",
-                        "state it, for example liner = \"150 degC\" in [thermal], or " + film + " = \"ring\""});
+                        "state it, for example liner = \"150 degC\" in [thermal], or " + film + " = \"ring\"",
+                        kMissingKey});
   }
   for (std::size_t i = 0; i < thermal.liner.size(); ++i) {
     const double distance = thermal.liner[i].distance;
@@ -149,11 +153,11 @@ void check_trace(const Case& c, Breaches& breaches) {
   const std::string remedy = " is required to join the rest smoothly, for example ";
   if (!gas.intake_pressure) {
     breaches.push_back({"gas.intake_pressure", span + "gas.intake_pressure is not stated",
-                        "an absolute pressure" + remedy + "intake_pressure = \"0.95 bar\" in [gas]"});
+                        "an absolute pressure" + remedy + "intake_pressure = \"0.95 bar\" in [gas]", kMissingKey});
   }
   if (!gas.exhaust_pressure) {
     breaches.push_back({"gas.exhaust_pressure", span + "gas.exhaust_pressure is not stated",
-                        "an absolute pressure" + remedy + "exhaust_pressure = \"1.05 bar\" in [gas]"});
+                        "an absolute pressure" + remedy + "exhaust_pressure = \"1.05 bar\" in [gas]", kMissingKey});
   }
   const std::optional<TraceStart> start = trace_start(c);
   if (!start || !contradicts_intake(*start)) return;
@@ -186,6 +190,21 @@ void check_tension_range(const Case& c, Breaches& breaches) {
                       usual_tension()});
 }
 
+RuleBreach tension_stated_twice(const Ring& ring, const std::string& remedy) {
+  std::vector<std::vector<std::string>> ways;
+  if (ring.elastic_pressure) ways.push_back({"ring.elastic_pressure"});
+  if (ring.tangential_force) ways.push_back({"ring.tangential_force"});
+  if (ring.free_gap && ring.radial_thickness) {
+    ways.push_back({"ring.free_gap", "ring.radial_thickness"});
+  } else if (ring.free_gap || ring.radial_thickness) {
+    ways.push_back({ring.free_gap ? "ring.free_gap" : "ring.radial_thickness"});
+  }
+  std::vector<std::string> keys;
+  for (const auto& way : ways) keys.push_back(way.front());
+  return {ring.tangential_force ? "ring.tangential_force" : keys.back(),
+          "the tension of the ring is stated twice: " + joined(keys, " and "), remedy, RuleBreach::By::kValues, ways};
+}
+
 void check_tension(const Case& c, Breaches& breaches) {
   const Ring& ring = c.ring;
   const bool gap = ring.free_gap || ring.radial_thickness;
@@ -193,15 +212,9 @@ void check_tension(const Case& c, Breaches& breaches) {
   const std::string ways =
       "state one of ring.elastic_pressure, ring.tangential_force, or ring.free_gap with ring.radial_thickness";
   if (stated == 0) {
-    breaches.push_back({"ring.elastic_pressure", "the tension of the ring is missing", ways});
+    breaches.push_back({"ring.elastic_pressure", "the tension of the ring is missing", ways, kMissingKey});
   } else if (stated > 1) {
-    std::string names = ring.elastic_pressure ? "ring.elastic_pressure" : "";
-    if (ring.tangential_force) names += (names.empty() ? "" : " and ") + std::string("ring.tangential_force");
-    if (gap) names += " and ring.free_gap";
-    breaches.push_back({ring.tangential_force ? "ring.tangential_force"
-                        : gap                 ? "ring.free_gap"
-                                              : "ring.elastic_pressure",
-                        "the tension of the ring is stated twice: " + names, ways});
+    breaches.push_back(tension_stated_twice(ring, ways));
   } else if (gap && !ring.free_gap) {
     breaches.push_back({"ring.free_gap", "ring.radial_thickness is stated without ring.free_gap", ways});
   } else if (gap && !ring.radial_thickness) {

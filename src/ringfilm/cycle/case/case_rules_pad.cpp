@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "ringfilm/base/joined.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case/case_face.hpp"
 #include "ringfilm/cycle/case/case_rules_film2d.hpp"
@@ -23,14 +24,18 @@ void check_what_is_given(const Pad& pad, Breaches& breaches) {
   if (pad.load) given.push_back("pad.load");
   if (pad.separation_history_file) given.push_back("pad.separation_history");
   if (given.size() == 1) return;
-  const std::string ways = "state exactly one of pad.separation, pad.load and pad.separation_history";
+  const std::string remedy =
+      "state exactly one of pad.separation, alone or with [pad.oscillation], pad.load and pad.separation_history";
   if (given.empty()) {
-    breaches.push_back({"pad.separation", "neither separation nor load of the pad is stated", ways});
+    breaches.push_back(
+        {"pad.separation", "neither separation nor load of the pad is stated", remedy, RuleBreach::By::kMissingKey});
     return;
   }
-  std::string names = given.front();
-  for (std::size_t i = 1; i < given.size(); ++i) names += " and " + given[i];
-  breaches.push_back({given.back(), names + " are stated together", ways});
+  std::vector<std::vector<std::string>> ways;
+  for (const std::string& key : given) ways.push_back({key});
+  if (pad.separation && pad.oscillation.amplitude) ways.front().push_back("pad.oscillation.amplitude");
+  breaches.push_back(
+      {given.back(), joined(given, " and ") + " are stated together", remedy, RuleBreach::By::kValues, ways});
 }
 
 /// Do places run from 0 to the end?

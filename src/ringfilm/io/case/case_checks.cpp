@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/text/toml_tree.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -133,17 +134,37 @@ class Checks {
 
   void check_rules() {
     for (const cycle::RuleBreach& breach : cycle::broken_rules(case_)) {
-      const std::string section = section_of(breach.key);
-      const auto of_section = [&section](const std::string& key) { return section_of(key) == section; };
-      if (std::any_of(stated_.faulty.begin(), stated_.faulty.end(), of_section) ||
-          std::any_of(missing_.begin(), missing_.end(), of_section)) {
-        continue;
-      }
+      if (!can_be_judged(breach)) continue;
       const auto found = stated_.given.find(breach.key);
       const SourceMark mark =
           found == stated_.given.end() ? SourceMark{stated_.path, 0, 0, ""} : found->second.value_mark;
-      faults_.push_back({mark, breach.message, breach.remedy});
+      const std::string deletion = deletion_of(breach.ways);
+      faults_.push_back({mark, breach.message, breach.remedy + (deletion.empty() ? "" : "; " + deletion)});
     }
+  }
+
+  /// Not where a key of the same section is wrong, or missing: what is there may be as it should be.
+  bool can_be_judged(const cycle::RuleBreach& breach) const {
+    const std::string section = section_of(breach.key);
+    const auto of_section = [&section](const std::string& key) { return section_of(key) == section; };
+    if (std::any_of(stated_.faulty.begin(), stated_.faulty.end(), of_section)) return false;
+    if (breach.by == cycle::RuleBreach::By::kMissingKey) return true;
+    return std::none_of(missing_.begin(), missing_.end(), of_section);
+  }
+
+  /// Which lines to delete so that one of several ways remains.
+  std::string deletion_of(const std::vector<std::vector<std::string>>& ways) const {
+    std::vector<std::vector<SourceMark>> places;
+    for (const std::vector<std::string>& way : ways) {
+      std::vector<SourceMark> of_way;
+      for (const std::string& key : way) {
+        const auto found = stated_.given.find(key);
+        if (found == stated_.given.end()) return "";
+        of_way.push_back(found->second.key_mark);
+      }
+      places.push_back(std::move(of_way));
+    }
+    return places.empty() ? "" : deletion_words(std::move(places));
   }
 
   const cycle::Case& case_;

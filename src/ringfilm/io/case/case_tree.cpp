@@ -25,7 +25,9 @@ using Ways = std::vector<std::vector<std::string>>;
 /// Of these a case states one way. The first key of a way decides.
 const std::vector<Ways> kWays = {
     {{"ring.elastic_pressure"}, {"ring.tangential_force"}, {"ring.free_gap", "ring.radial_thickness"}},
-    {{"pad.separation"}, {"pad.load"}, {"pad.separation_history"}},
+    {{"pad.separation", "pad.oscillation.amplitude", "pad.oscillation.period", "pad.oscillation.phase"},
+     {"pad.load"},
+     {"pad.separation_history"}},
     {{kOilFile}, {kOilGrade}},
 };
 

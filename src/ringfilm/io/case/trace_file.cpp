@@ -19,11 +19,22 @@ constexpr double kNotedMismatch = 1e-3, kLargestMismatch = 0.05;
 /// The peak of any engine's trace lies between these; outside, the unit is wrong [Pa].
 constexpr double kLeastPeak = 5e4, kHighestPeak = 1e8;
 
-bool sounds_like_angle(std::string name) {
+std::string in_small_letters(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return name;
+}
+
+bool sounds_like_angle(const std::string& written) {
+  const std::string name = in_small_letters(written);
   return name == "phi" || name == "theta" || name.find("angle") != std::string::npos ||
          name.find("crank") != std::string::npos || name.find("cad") != std::string::npos ||
          name.find("degca") != std::string::npos;
+}
+
+bool sounds_like_pressure(const std::string& written) {
+  const std::string name = in_small_letters(written);
+  return name == "p" || name.rfind("p_", 0) == 0 || name.rfind("p ", 0) == 0 || name.rfind("pcyl", 0) == 0 ||
+         name.find("press") != std::string::npos;
 }
 
 /// One of the two columns that a trace needs.
@@ -32,53 +43,61 @@ struct Role {
   std::string si_unit;
   std::string column_key, unit_key;  ///< "gas.angle_column", "gas.angle_unit"
   std::string header_example;
+  std::string units;  ///< that are read, in words
+  bool (*sounds_like)(const std::string&);
   std::optional<std::string> column, unit;
 };
 
 class TraceReader {
  public:
   TraceReader(const NamedFile& file, const TraceColumns& stated, const Units& units)
-      : csv_(read_csv(file)), stated_(stated), units_(units) {}
+      : csv_(read_csv(file)),
+        place_(stated.place),
+        units_(units),
+        angle_{"crank angle", "degree",          "gas.angle_column",  "gas.angle_unit", "crank_angle [degree]",
+               kAngleUnits,   sounds_like_angle, stated.angle_column, stated.angle_unit},
+        pressure_{"pressure",
+                  "Pa",
+                  "gas.pressure_column",
+                  "gas.pressure_unit",
+                  "cylinder_pressure [Pa]",
+                  kPressureUnits,
+                  sounds_like_pressure,
+                  stated.pressure_column,
+                  stated.pressure_unit} {
+    csv_.read_units_in_parentheses([this](const std::string& text) {
+      return units_.measures(text, "degree") || units_.measures(text, "Pa") || is_gauge(text);
+    });
+  }
 
-  TraceOutline outline() const {
+  TraceOutline outline() {
+    const std::vector<std::size_t> angles = candidates(angle_), pressures = candidates(pressure_);
+    if (angles.empty()) refuse_all_columns(angle_);
+    if (pressures.empty()) refuse_all_columns(pressure_);
+    if (!faults_.empty()) throw InputError(faults_);
     TraceOutline seen;
-    const CsvColumn *angle = nullptr, *pressure = nullptr;
-    for (const CsvColumn& column : csv_.columns) {
-      const bool is_angle = may_be(column, kAngle);
-      if (!is_angle && !may_be(column, kPressure)) continue;
-      (is_angle ? seen.angle : seen.pressure).push_back({column.name, column.unit});
-      (is_angle ? angle : pressure) = &column;
-    }
-    if (seen.pressure.size() == 1 && pressure->unit) seen.has_gauge_unit = is_gauge(*pressure->unit);
-    const bool is_clear = seen.angle.size() == 1 && seen.pressure.size() == 1 && angle->unit && pressure->unit;
-    if (!is_clear || seen.has_gauge_unit) return seen;
-    seen.samples = {in_si(*angle, "degree"), in_si(*pressure, "Pa")};
+    for (const std::size_t i : angles) seen.angle.push_back({csv_.columns[i].name, csv_.columns[i].unit});
+    for (const std::size_t i : pressures) seen.pressure.push_back({csv_.columns[i].name, csv_.columns[i].unit});
+    if (angles.size() == 1) outline_angles(angles.front(), seen);
+    if (pressures.size() == 1) outline_pressures(pressures.front(), seen);
+    if (!faults_.empty()) throw InputError(faults_);
     return seen;
   }
 
-  TraceFile read() {
-    const Role angle{
-        "crank angle",        "degree",          "gas.angle_column", "gas.angle_unit", "crank_angle [degree]",
-        stated_.angle_column, stated_.angle_unit};
-    const Role pressure{"pressure",
-                        "Pa",
-                        "gas.pressure_column",
-                        "gas.pressure_unit",
-                        "cylinder_pressure [Pa]",
-                        stated_.pressure_column,
-                        stated_.pressure_unit};
-    const auto i_angle = column_for(angle);
-    const auto i_pressure = column_for(pressure);
+  TraceFile read(cycle::PressureReference reference) {
+    reference_ = reference;
+    const auto i_angle = column_for(angle_);
+    const auto i_pressure = column_for(pressure_);
     TraceFile trace;
     if (i_angle && i_pressure) {
-      trace.samples = {values(*i_angle, angle), values(*i_pressure, pressure)};
+      trace.samples = {values(*i_angle, angle_), values(*i_pressure, pressure_)};
       if (!faults_.empty()) throw TraceKeyError(faults_);
       check_angles(trace.samples.crank_angle_deg, *i_angle);
       if (faults_.empty()) {
         check_pressures(trace.samples.value, *i_pressure);
         if (!faults_.empty()) throw TraceKeyError(faults_);
       }
-      if (faults_.empty()) check_repetition(trace.samples, *i_pressure);
+      if (faults_.empty()) check_repetition(trace.samples.crank_angle_deg, trace.samples.value, *i_pressure);
     }
     if (!i_angle || !i_pressure) throw TraceKeyError(faults_);
     if (!faults_.empty()) throw InputError(faults_);
@@ -89,23 +108,87 @@ class TraceReader {
   }
 
  private:
-  static constexpr const char *kAngle = "degree", *kPressure = "Pa";
-
-  bool may_be(const CsvColumn& column, const std::string& si_unit) const {
-    if (column.unit) return units_.measures(*column.unit, si_unit) || (si_unit == kPressure && is_gauge(*column.unit));
-    return sounds_like_angle(column.name) == (si_unit == kAngle);
+  void outline_angles(std::size_t i_column, TraceOutline& seen) {
+    const CsvColumn& column = csv_.columns[i_column];
+    const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
+    seen.is_degree_by_span = !column.unit && *high - *low > models::kLongestSpanInRadians;
+    if (column.unit) {
+      seen.crank_angle_deg = in_si(column, units_.scale(*column.unit, angle_.si_unit));
+    } else if (seen.is_degree_by_span) {
+      seen.crank_angle_deg = column.values;
+    }
+    if (!seen.crank_angle_deg.empty()) check_angles(seen.crank_angle_deg, i_column);
   }
 
-  std::vector<double> in_si(const CsvColumn& column, const std::string& si_unit) const {
-    const Scale scale = units_.scale(*column.unit, si_unit);
+  void outline_pressures(std::size_t i_column, TraceOutline& seen) {
+    const CsvColumn& column = csv_.columns[i_column];
+    if (column.unit && is_gauge(*column.unit)) seen.reference_of_unit = cycle::PressureReference::kGauge;
+    if (column.unit && is_absolute(*column.unit)) seen.reference_of_unit = cycle::PressureReference::kAbsolute;
+    if (seen.crank_angle_deg.empty() || !faults_.empty()) return;
+    seen.is_in_pascal = column.unit.has_value();
+    seen.pressure_values = column.values;
+    if (!seen.is_in_pascal) return;
+    const std::string unit = is_gauge(*column.unit) ? without_gauge(*column.unit) : *column.unit;
+    seen.pressure_values = in_si(column, units_.scale(unit, pressure_.si_unit));
+    reference_ = seen.reference_of_unit;
+    check_pressures(seen.pressure_values, i_column);
+    if (faults_.empty()) check_repetition(seen.crank_angle_deg, seen.pressure_values, i_column);
+  }
+
+  bool may_be(const CsvColumn& column, const Role& role) const {
+    if (!column.unit) return sounds_like_angle(column.name) == (&role == &angle_);
+    return units_.measures(*column.unit, role.si_unit) || (&role == &pressure_ && is_gauge(*column.unit));
+  }
+
+  std::vector<std::size_t> candidates(const Role& role) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < csv_.columns.size(); ++i) {
+      if (may_be(csv_.columns[i], role)) found.push_back(i);
+    }
+    return found;
+  }
+
+  static std::vector<double> in_si(const CsvColumn& column, const Scale& scale) {
     std::vector<double> si(column.values.size());
     std::transform(column.values.begin(), column.values.end(), si.begin(), [&](double v) { return scale.to_si(v); });
     return si;
   }
 
+  static std::string without_gauge(const std::string& unit) { return unit.substr(0, unit.find_first_of("g (")); }
+
   bool is_gauge(const std::string& unit) const {
     return unit.size() > 1 && !units_.measures(unit, "Pa") && (unit.back() == 'g' || unit.back() == ')') &&
-           units_.measures(unit.substr(0, unit.find_first_of("g (")), "Pa");
+           units_.measures(without_gauge(unit), "Pa");
+  }
+
+  static bool is_absolute(const std::string& unit) { return unit == "bara" || unit == "psia"; }
+
+  /// What is wrong with the unit of a column that has one.
+  UnitError unit_error(const CsvColumn& column, const Role& role) const {
+    try {
+      units_.scale(*column.unit, role.si_unit);
+    } catch (const UnitError& problem) {
+      return problem;
+    }
+    throw std::logic_error("the unit " + *column.unit + " is right");
+  }
+
+  /// No column may be the one of this role: those that are named like it have a wrong unit, or all are listed.
+  void refuse_all_columns(const Role& role) {
+    const std::size_t n_faults = faults_.size();
+    for (std::size_t i = 0; i < csv_.columns.size(); ++i) {
+      const CsvColumn& column = csv_.columns[i];
+      if (!column.unit || !role.sounds_like(column.name)) continue;
+      const UnitError problem = unit_error(column, role);
+      faults_.push_back({csv_.unit_mark(i), "the column " + column.name + " " + problem.what(),
+                         (problem.remedy.empty() ? "" : problem.remedy + "; ") + "a " + role.words + " is in " +
+                             role.units + ", for example " + role.header_example + "; or name another column with " +
+                             role.column_key});
+    }
+    if (faults_.size() > n_faults) return;
+    faults_.push_back({csv_.source.mark(csv_.header_line, 1),
+                       "no column of the file is a " + role.words + ": " + why_none_is(role),
+                       "a header such as " + role.header_example + " is required, or " + role.column_key});
   }
 
   std::string why_none_is(const Role& role) const {
@@ -132,16 +215,12 @@ class TraceReader {
       }
       return found;
     }
-    std::vector<std::size_t> candidates;
-    for (std::size_t i = 0; i < csv_.columns.size(); ++i) {
-      if (may_be(csv_.columns[i], role.si_unit)) candidates.push_back(i);
-    }
-    if (candidates.size() == 1) return candidates.front();
-    if (candidates.empty()) {
-      faults_.push_back({header, "no column of the file is a " + role.words + ": " + why_none_is(role),
-                         "a header such as " + role.header_example + " is required, or " + role.column_key});
+    const std::vector<std::size_t> found = candidates(role);
+    if (found.size() == 1) return found.front();
+    if (found.empty()) {
+      refuse_all_columns(role);
     } else {
-      faults_.push_back({header, fmt::format("{} columns of the file may be the {}", candidates.size(), role.words),
+      faults_.push_back({header, fmt::format("{} columns of the file may be the {}", found.size(), role.words),
                          "name one of them with " + role.column_key + "; the file has: " + csv_.names()});
     }
     return std::nullopt;
@@ -158,8 +237,7 @@ class TraceReader {
                     "write it as " + role.header_example + ", or state " + role.unit_key);
     }
     const std::string unit = column.unit ? *column.unit : *role.unit;
-    const bool stated_gauge = stated_.reference == cycle::PressureReference::kGauge;
-    if (stated_gauge && (unit == "bara" || unit == "psia")) {
+    if (reference_ == cycle::PressureReference::kGauge && is_absolute(unit)) {
       return refuse("the unit " + unit + " is absolute, but gas.pressure_reference = \"gauge\"",
                     "one of them is wrong");
     }
@@ -172,9 +250,7 @@ class TraceReader {
                         "one of them is wrong");
         }
       }
-      std::vector<double> si(column.values.size());
-      std::transform(column.values.begin(), column.values.end(), si.begin(), [&](double v) { return scale.to_si(v); });
-      return si;
+      return in_si(column, scale);
     } catch (const UnitError& problem) {
       const bool gauge = role.si_unit == "Pa" && is_gauge(unit);
       return refuse("the column " + column.name + " " + problem.what(),
@@ -210,17 +286,17 @@ class TraceReader {
              models::kLargestSampleDistanceDeg)});
   }
 
-  double atmosphere() const { return stated_.reference == cycle::PressureReference::kGauge ? base::kAtmosphere : 0; }
+  /// What is to be added to the pressures at the most, so that they are absolute.
+  double atmosphere() const { return reference_ == cycle::PressureReference::kAbsolute ? 0 : base::kAtmosphere; }
 
-  void check_repetition(const cycle::SampledTrace& samples, std::size_t i_column) {
-    const auto& angle = samples.crank_angle_deg;
+  void check_repetition(const std::vector<double>& angle, const std::vector<double>& p, std::size_t i_column) {
     if (angle.back() - angle.front() < cycle::kCycleDeg * (1 - 1e-9)) return;
-    const double first = samples.value.front() + atmosphere(), last = samples.value.back() + atmosphere();
+    const double first = p.front() + atmosphere(), last = p.back() + atmosphere();
     const double mismatch = std::abs(last - first) / std::max(first, last);
     if (mismatch <= kNotedMismatch) return;
     const std::string message =
         fmt::format("the pressure is {:.6g} bar at {:.8g} degree and {:.6g} bar one cycle later, at {:.8g} degree",
-                    samples.value.front() / 1e5, angle.front(), samples.value.back() / 1e5, angle.back());
+                    p.front() / 1e5, angle.front(), p.back() / 1e5, angle.back());
     if (mismatch > kLargestMismatch) {
       faults_.push_back({csv_.cell_mark(angle.size() - 1, i_column), message,
                          "a cycle repeats itself; take the last sample out, or average the cycles"});
@@ -230,31 +306,55 @@ class TraceReader {
   }
 
   void check_pressures(const std::vector<double>& p, std::size_t i_column) {
-    const bool gauge = stated_.reference == cycle::PressureReference::kGauge;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      if (p[k] + atmosphere() > 0) continue;
-      const std::string rule = gauge ? "a gauge pressure is above -1.01325 bar" : "an absolute pressure is above 0";
-      faults_.push_back({csv_.cell_mark(k, i_column), fmt::format("the pressure is {:.6g} Pa; {}", p[k], rule),
-                         gauge ? "" : "is the trace a gauge pressure? Then gas.pressure_reference = \"gauge\""});
+    const auto is_impossible = [this](double one) { return !(one + atmosphere() > 0); };
+    const auto first = std::find_if(p.begin(), p.end(), is_impossible);
+    if (first != p.end()) {
+      const bool is_alone = std::count_if(p.begin(), p.end(), is_impossible) == 1;
+      faults_.push_back({csv_.cell_mark(static_cast<std::size_t>(first - p.begin()), i_column),
+                         fmt::format("the pressure is {:.6g} Pa; {}", *first, rule_of_reference()),
+                         remedy_of_low(*first, is_alone)});
       return;
     }
-    if (stated_.place == TracePlace::kCrankcase) return;
+    if (place_ == TracePlace::kCrankcase) return;
     const auto peak = std::max_element(p.begin(), p.end());
     if (*peak < kLeastPeak || *peak > kHighestPeak) {
       faults_.push_back({csv_.cell_mark(static_cast<std::size_t>(peak - p.begin()), i_column),
                          fmt::format("the highest pressure of the trace is {:.6g} bar", *peak / 1e5),
-                         "is its unit right?"});
+                         fmt::format("is its unit right? That of engines is between {:.6g} and {:.6g} bar",
+                                     kLeastPeak / 1e5, kHighestPeak / 1e5)});
     }
   }
 
+  std::string rule_of_reference() const {
+    const std::string absolute = "an absolute pressure is above 0", gauge = "a gauge pressure is above -1.01325 bar";
+    if (!reference_) return absolute + ", " + gauge;
+    return reference_ == cycle::PressureReference::kGauge ? gauge : absolute;
+  }
+
+  std::string remedy_of_low(double pressure, bool is_alone) const {
+    std::string remedy =
+        is_alone ? "one sample alone: if it is a fault of the measurement, correct it or take it out" : "";
+    if (pressure + base::kAtmosphere > 0) {
+      remedy += (remedy.empty() ? "" : "; ") +
+                std::string("is the trace a gauge pressure? Then gas.pressure_reference = \"gauge\"");
+    }
+    return remedy.empty() ? "is the unit of the trace right?" : remedy;
+  }
+
   CsvFile csv_;
-  const TraceColumns& stated_;
+  TracePlace place_;
   const Units& units_;
+  Role angle_, pressure_;
+  std::optional<cycle::PressureReference> reference_;  ///< nothing where it is not known
   std::vector<Fault> faults_;
   std::vector<std::string> notes_;
 };
 
 }  // namespace
+
+bool TraceOutline::has_lone_low_pressure() const {
+  return std::count_if(pressure_values.begin(), pressure_values.end(), [](double p) { return p <= 0; }) == 1;
+}
 
 TraceOutline trace_outline(const NamedFile& file, const Units& units) {
   const TraceColumns nothing_stated;
@@ -262,7 +362,7 @@ TraceOutline trace_outline(const NamedFile& file, const Units& units) {
 }
 
 TraceFile read_trace(const NamedFile& file, const TraceColumns& stated, const Units& units) {
-  return TraceReader(file, stated, units).read();
+  return TraceReader(file, stated, units).read(stated.reference);
 }
 
 }  // namespace ringfilm::io

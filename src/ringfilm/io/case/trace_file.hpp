@@ -41,14 +41,24 @@ struct TraceColumn {
   std::optional<std::string> unit;  ///< as written
 };
 
+/// The units that the columns of a trace have, in words.
+inline constexpr const char *kAngleUnits = "degree or rad", *kPressureUnits = "bar, Pa, kPa or MPa";
+
 /// What a trace shows of itself before a case states anything of it.
 struct TraceOutline {
   std::vector<TraceColumn> angle, pressure;  ///< the columns that may be the crank angle and the pressure
-  bool has_gauge_unit = false;               ///< is the unit of the one pressure a gauge one, such as barg?
-  cycle::SampledTrace samples;               ///< in SI and degrees; empty unless one column with its unit is either
+  bool is_degree_by_span = false;            ///< has the angle no unit, and a span that is too long for radians?
+  std::optional<cycle::PressureReference> reference_of_unit;  ///< that of bara or barg, of the one pressure
+  std::vector<double> crank_angle_deg;  ///< empty unless one column is the angle, in a unit that is known
+  std::vector<double> pressure_values;  ///< empty where the angles are, or several columns may be the pressure
+  bool is_in_pascal = false;            ///< the pressures; else as written, without unit
+
+  /// Is one pressure alone not above zero, as a disturbed sample is? Many are in a gauge trace.
+  bool has_lone_low_pressure() const;
 };
 
-/// Looks at the header of a trace. Throws InputError for a file that is not a table of numbers.
+/// Looks at a trace. Throws InputError for a file that is not a table of numbers, and with the faults of read_trace
+/// that hold whatever a case states.
 TraceOutline trace_outline(const NamedFile& file, const Units& units);
 
 /// Reads pressure [Pa] against crank angle [degree] from a CSV file. Throws InputError with all faults of the file:

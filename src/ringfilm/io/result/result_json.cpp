@@ -164,7 +164,24 @@ std::string check_json(const CaseCheck& check) {
                                {"stated", stated},
                                {"default_inputs", defaults},
                                {"modelling_assumptions", assumptions},
-                               {"notes", notes}};
+                               {"notes", notes},
+                               {"errors", ordered_json::array()}};
+  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string errors_json(const std::string& case_path, const std::vector<Fault>& faults) {
+  const auto text = [](const std::string& one) { return one.empty() ? ordered_json() : ordered_json(one); };
+  const auto number = [](int one) { return one == 0 ? ordered_json() : ordered_json(one); };
+  ordered_json errors = ordered_json::array();
+  for (const auto& [mark, message, remedy] : faults) {
+    errors.push_back({{"file", text(mark.file)},
+                      {"line", number(mark.line)},
+                      {"column", number(mark.column)},
+                      {"line_text", text(mark.line_text)},
+                      {"message", message},
+                      {"remedy", text(remedy)}});
+  }
+  const ordered_json object = {{"case", case_path}, {"errors", errors}};
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
+#include <vector>
 
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 
 namespace ringfilm::io {
@@ -20,7 +22,11 @@ struct CaseCheck {
   std::vector<cycle::Note> notes;                            ///< those of reading with the topic "input"
 };
 
-/// The same as JSON: "stated" and "default_inputs", "modelling_assumptions" and "notes".
+/// The same as JSON: "stated" and "default_inputs", "modelling_assumptions" and "notes", and "errors", which is empty.
 std::string check_json(const CaseCheck& check);
+
+/// What is wrong with a case as JSON: "case" and "errors", each with its file, line, column and text of the line (null
+/// where it has no place in a file), message and remedy (null where there is none).
+std::string errors_json(const std::string& case_path, const std::vector<Fault>& faults);
 
 }  // namespace ringfilm::io

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/joined.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/start/trace_keys.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
@@ -59,11 +60,12 @@ const std::vector<Engine>& engines() {
   return all;
 }
 
-/// A pair of run-in surfaces with N beta sigma = 0.04, the middle of its range (greenwood1971), in oil.
+/// A pair of smooth run-in surfaces in oil: N beta sigma = 0.05, the upper end of its range (greenwood1971), and an
+/// rms slope of 0.15 (eq-spectral-moments).
 const std::vector<StartValue>& contact() {
   static const std::vector<StartValue> values = {
-      {"contact.asperity_density", "\"0.025 um-2\"", kAssumed + ": N beta sigma = 0.04"},
-      {"contact.asperity_radius", "\"4 um\"", ""},
+      {"contact.asperity_density", "\"0.0125 um-2\"", kAssumed + ": N beta sigma = 0.05"},
+      {"contact.asperity_radius", "\"10 um\"", ""},
       {"contact.roughness", "\"0.4 um\"", ""},
       {"contact.boundary_shear_strength_coefficient", "0.12", kAssumed + ": engine oil with anti-wear additive"}};
   return values;
@@ -74,11 +76,9 @@ const Engine& engine_of(const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return engines()[static_cast<std::size_t>(found - names.begin())];
   const std::string near = nearest_word(name, names);
-  std::string known;
-  for (const std::string& one : names) known += (known.empty() ? "" : ", ") + one;
   throw InputError(
       "there is no start case for the engine " + quoted(name) + (near.empty() ? "" : "; did you mean " + near + "?"),
-      "one of: " + known);
+      "one of: " + joined(names, ", "));
 }
 
 std::string head(const Engine& engine) {
@@ -125,6 +125,7 @@ StartCase start_case(const StartOptions& options) {
   }
   append(contact(), values);
   values.push_back({"lubricant.grade", quoted(engine.grade), kAssumed + "; `ringfilm oils` lists others"});
+  values.push_back({"output.fields", quoted("all"), "for the slider along the face in the report; 3 MB in the result"});
   start.text = commented_case(head(engine), values);
   return start;
 }

@@ -7,9 +7,11 @@
 #include <filesystem>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/models/gas/gas.hpp"
+#include "ringfilm/models/gas/trace_span.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -34,8 +36,12 @@ class TraceAnswers {
   TraceKeys answers(const std::string& name) {
     state("gas.model", quoted("trace"), "the cylinder pressure of a file");
     state("gas.cylinder_pressure", quoted(name), "relative to the folder of this file");
-    column("gas.pressure_column", "gas.pressure_unit", "pressure", "bar, Pa, kPa or MPa", seen_.pressure);
-    column("gas.angle_column", "gas.angle_unit", "crank angle", "degree or rad", seen_.angle);
+    column("gas.pressure_column", "gas.pressure_unit", "pressure", kPressureUnits, seen_.pressure);
+    if (seen_.is_degree_by_span) {
+      state("gas.angle_unit", quoted("degree"), kFromFile + ": radians would span more than a cycle");
+    } else {
+      column("gas.angle_column", "gas.angle_unit", "crank angle", kAngleUnits, seen_.angle);
+    }
     reference();
     zero();
     span();
@@ -66,26 +72,36 @@ class TraceAnswers {
   }
 
   void reference() {
-    const auto& p = seen_.samples.value;
-    if (seen_.has_gauge_unit) {
-      state("gas.pressure_reference", quoted("gauge"), kFromFile);
+    const auto& p = seen_.pressure_values;
+    if (seen_.reference_of_unit) {
+      const bool is_gauge = seen_.reference_of_unit == cycle::PressureReference::kGauge;
+      state("gas.pressure_reference", quoted(is_gauge ? "gauge" : "absolute"), kFromFile);
+      if (!is_gauge) return;
       keys_.missing.push_back("the unit " + *seen_.pressure.front().unit +
                               " in the header of the trace: write it without the g");
-    } else if (!p.empty() && *std::min_element(p.begin(), p.end()) <= 0) {
+      return;
+    }
+    const std::string question = "absolute or gauge?";
+    if (p.empty()) return ask("gas.pressure_reference", question);
+    const auto lowest = std::min_element(p.begin(), p.end());
+    if (*lowest <= 0 && !seen_.has_lone_low_pressure()) {
       state("gas.pressure_reference", quoted("gauge"), kFromFile + ": the lowest pressure is not above zero");
+    } else if (*lowest <= 0) {
+      ask("gas.pressure_reference",
+          fmt::format("{} One sample alone, at {:.6g} degree, is not above zero: if it is a fault of the measurement, "
+                      "correct it in the file",
+                      question, seen_.crank_angle_deg[static_cast<std::size_t>(lowest - p.begin())]));
     } else {
       ask("gas.pressure_reference",
-          "absolute or gauge?" + (p.empty() ? ""
-                                            : fmt::format(" The lowest pressure is {:.4g} bar",
-                                                          *std::min_element(p.begin(), p.end()) / 1e5)));
+          question + (seen_.is_in_pascal ? fmt::format(" The lowest pressure is {:.4g} bar", *lowest / 1e5) : ""));
     }
   }
 
   void zero() {
-    const auto& p = seen_.samples.value;
+    const auto& p = seen_.pressure_values;
     if (p.empty()) return ask("gas.angle_zero", "firing-tdc or gas-exchange-tdc?");
     const double peak =
-        seen_.samples.crank_angle_deg[static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin())];
+        seen_.crank_angle_deg[static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin())];
     constexpr double kCycle = 720, kHalf = 360;
     const auto follows = [peak](double tdc) {
       const double after = std::remainder(peak - tdc, kCycle);
@@ -98,14 +114,18 @@ class TraceAnswers {
   }
 
   void span() {
-    const auto& angles = seen_.samples.crank_angle_deg;
+    const auto& angles = seen_.crank_angle_deg;
     if (angles.empty()) return;
-    const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
-    const auto& p = seen_.samples.value;
-    keys_.found.push_back(fmt::format("{} samples from {:.6g} to {:.6g} degree, highest pressure {:.4g} bar",
-                                      angles.size(), *low, *high, *std::max_element(p.begin(), p.end()) / 1e5));
+    const auto& p = seen_.pressure_values;
+    const std::string highest =
+        seen_.is_in_pascal ? fmt::format(", highest pressure {:.4g} bar", *std::max_element(p.begin(), p.end()) / 1e5)
+                           : "";
+    keys_.found.push_back(fmt::format("{} samples from {:.6g} to {:.6g} degree{}", angles.size(), angles.front(),
+                                      angles.back(), highest));
     if (models::covers_cycle(angles)) return;
-    const std::string part = "the trace covers a part of the cycle; ";
+    const std::string part = "the trace covers a part of the cycle" +
+                             (models::covers_one_revolution(angles) ? std::string(", ") + models::kOneRevolution : "") +
+                             "; ";
     ask("gas.intake_pressure", part + "what is the pressure during intake, absolute?");
     ask("gas.exhaust_pressure", part + "what is the pressure during exhaust, absolute?");
   }
@@ -121,16 +141,24 @@ std::string named_from(const std::string& case_folder, const std::string& path) 
   return error || relative.empty() ? fs::absolute(path).string() : relative.string();
 }
 
+/// The rules of a case on the span of its trace.
+void check_span(const std::string& path, const std::vector<double>& crank_angle_deg) {
+  cycle::Case c;
+  c.gas.model = cycle::GasModel::kTrace;
+  c.gas.cylinder_pressure_file = path;
+  c.gas.cylinder_pressure = cycle::SampledTrace{crank_angle_deg, {}};
+  std::vector<Fault> faults;
+  for (const cycle::RuleBreach& breach : cycle::broken_rules(c)) {
+    if (breach.key == "gas.cylinder_pressure") faults.push_back({{path, 0, 0, ""}, breach.message, breach.remedy});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
 }  // namespace
 
 TraceKeys trace_keys(const std::string& path, const std::string& case_folder, const Units& units) {
   TraceOutline seen = trace_outline({path, path}, units);
-  if (seen.angle.empty() || seen.pressure.empty()) {
-    throw InputError(std::vector<Fault>{
-        {{path, 0, 0, ""},
-         std::string("no column of the file is a ") + (seen.angle.empty() ? "crank angle" : "pressure"),
-         "a header such as crank_angle [degree],cylinder_pressure [bar] is required"}});
-  }
+  check_span(path, seen.crank_angle_deg);
   return TraceAnswers(std::move(seen)).answers(named_from(case_folder, path));
 }
 

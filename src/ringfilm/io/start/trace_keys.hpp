@@ -16,7 +16,8 @@ struct TraceKeys {
 
 /// Looks at the file of a cylinder pressure: its columns, their units, which dead centre is its zero, whether it covers
 /// a cycle. @param path as named in the working folder @param case_folder to which the case names it. Throws InputError
-/// for a file that is not a table of numbers or has no crank angle or pressure.
+/// for a file that is not a table of numbers, has no crank angle or pressure, or breaks a rule on traces whatever the
+/// case states.
 TraceKeys trace_keys(const std::string& path, const std::string& case_folder, const Units& units);
 
 }  // namespace ringfilm::io

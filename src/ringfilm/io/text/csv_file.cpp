@@ -66,11 +66,22 @@ std::optional<std::string> unit_of(std::string cell) {
   return cell == "-" ? "1" : cell;
 }
 
-CsvColumn column_of(const std::string& header) {
-  const std::size_t open = header.find('['), close = header.rfind(']');
-  if (open == std::string::npos || close == std::string::npos || close < open) return {header, std::nullopt, {}};
-  const std::size_t end = header.find_last_not_of(" \t", open == 0 ? 0 : open - 1);
-  return {open == 0 ? "" : header.substr(0, end + 1), header.substr(open + 1, close - open - 1), {}};
+CsvColumn column_of(const std::string& heading) {
+  const std::size_t open = heading.find('['), close = heading.rfind(']');
+  if (open == std::string::npos || close == std::string::npos || close < open) {
+    return {heading, std::nullopt, {}, heading};
+  }
+  return {trimmed(heading.substr(0, open)), heading.substr(open + 1, close - open - 1), {}, heading};
+}
+
+/// Where the parenthesis opens that ends a text; nothing where none does, or nothing is before it.
+std::optional<std::size_t> last_parenthesis(const std::string& text) {
+  int depth = 0;
+  for (std::size_t i = text.size(); i-- > 1;) {
+    depth += text[i] == ')' ? 1 : text[i] == '(' ? -1 : 0;
+    if (depth == 0) return text[i] == '(' ? std::optional(i) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 class CsvReader {
@@ -235,10 +246,22 @@ SourceMark CsvFile::cell_mark(std::size_t i_row, std::size_t i_column) const {
   return source.mark(line, split(source.lines[line - 1], separator)[i_column].column);
 }
 
+void CsvFile::read_units_in_parentheses(const std::function<bool(const std::string&)>& is_unit) {
+  for (CsvColumn& column : columns) {
+    const std::optional<std::size_t> open = column.unit ? std::nullopt : last_parenthesis(column.name);
+    if (!open) continue;
+    const std::string unit = trimmed(column.name.substr(*open + 1, column.name.size() - *open - 2));
+    if (!is_unit(unit)) continue;
+    column.name = trimmed(column.name.substr(0, *open));
+    column.unit = unit;
+  }
+}
+
 std::optional<std::size_t> CsvFile::find(const std::string& name) const {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const CsvColumn& column = columns[i];
-    if (column.name == name || (column.unit && column.name + " [" + *column.unit + "]" == name)) return i;
+    const bool is_name_and_unit = column.unit && column.name + " [" + *column.unit + "]" == name;
+    if (column.name == name || column.heading == name || is_name_and_unit) return i;
   }
   return std::nullopt;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct CsvColumn {
   std::string name;                 ///< without the unit
   std::optional<std::string> unit;  ///< as written in brackets, or in the row of units; nothing if there is none
   std::vector<double> values;       ///< as written
+  std::string heading;              ///< name and unit as the header has them
 };
 
 struct CsvFile {
@@ -31,6 +33,10 @@ struct CsvFile {
   /// Where the unit of a column is stated, or would be.
   SourceMark unit_mark(std::size_t i_column) const;
   SourceMark cell_mark(std::size_t i_row, std::size_t i_column) const;
+
+  /// Takes a text in parentheses at the end of a name, `pressure (bar)`, for the unit of a column that has none in
+  /// brackets, where `is_unit` holds.
+  void read_units_in_parentheses(const std::function<bool(const std::string&)>& is_unit);
 
   /// The column of that name (with or without its unit); nothing if there is none.
   std::optional<std::size_t> find(const std::string& name) const;

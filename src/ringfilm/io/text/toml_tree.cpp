@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "ringfilm/base/joined.hpp"
 #include "ringfilm/base/printable_text.hpp"
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/io/text/toml_scan.hpp"
@@ -129,12 +130,30 @@ void flatten_into(const TomlValue& table, const std::string& prefix, const std::
 
 }  // namespace
 
-std::string deletion_words(const SourceMark& one, const SourceMark& other) {
-  if (one.file != other.file) {
-    return fmt::format("delete line {} of {} or line {} of {}", one.line, one.file, other.line, other.file);
+std::string deletion_words(const SourceMark& one, const SourceMark& other) { return deletion_words({{one}, {other}}); }
+
+std::string deletion_words(std::vector<std::vector<SourceMark>> ways) {
+  const std::string file = ways.front().front().file;
+  bool is_one_file = true;
+  for (const std::vector<SourceMark>& way : ways) {
+    for (const SourceMark& mark : way) {
+      if (mark.line == 0) return "";
+      is_one_file = is_one_file && mark.file == file;
+    }
   }
-  const auto [first, second] = std::minmax(one.line, other.line);
-  return fmt::format("delete line {} or line {} of {}", first, second, one.file);
+  const auto is_before = [](const auto& a, const auto& b) { return a.front().line < b.front().line; };
+  if (is_one_file) std::stable_sort(ways.begin(), ways.end(), is_before);
+  std::vector<std::string> places;
+  for (const std::vector<SourceMark>& way : ways) {
+    std::vector<std::string> lines;
+    for (const SourceMark& mark : way) {
+      lines.push_back("line " + std::to_string(mark.line) + (is_one_file ? "" : " of " + mark.file));
+    }
+    places.push_back(joined(lines, " and "));
+  }
+  const std::string of_file = is_one_file ? " of " + file : "";
+  if (places.size() == 2) return "delete " + joined(places, " or ") + of_file;
+  return "delete all but one of these: " + joined(places, "; ") + of_file;
 }
 
 TomlValue parse_toml(const SourceText& source) {

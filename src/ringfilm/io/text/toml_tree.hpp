@@ -41,6 +41,10 @@ struct TomlEntry {
 /// Which lines to delete so that what two places of files state is stated once; the lines of one file in order.
 std::string deletion_words(const SourceMark& one, const SourceMark& other);
 
+/// The same of several ways to state one thing, each with the places of its keys: which lines to delete so that one way
+/// remains. Empty if a place is not in a line of a file.
+std::string deletion_words(std::vector<std::vector<SourceMark>> ways);
+
 /// Parses one file. Throws InputError with the place of the first syntax error, or of each key and text that holds a
 /// control character; refuses keys that are not ASCII and nesting beyond any case file before the parser sees them.
 TomlValue parse_toml(const SourceText& source);

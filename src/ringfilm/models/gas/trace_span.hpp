@@ -24,9 +24,14 @@ static_assert(kLongestPartialTraceDeg == base::kCycleDeg - kJoinedOverlapEndDeg 
 /// more, and no blend of a few values makes up for compression and expansion.
 inline constexpr double kShortestPartialTraceDeg = 180;
 
+/// By this share the span of samples may differ from whole revolutions, as where the last one is missing.
+inline constexpr double kScatterOfSpan = 0.05;
+/// Two revolutions in radians: numbers that span more are degrees.
+inline constexpr double kLongestSpanInRadians = 4 * std::numbers::pi * (1 + kScatterOfSpan);
+
 /// Do the samples span one or two revolutions in radians, while they are read as degrees? The last one may be missing.
 inline bool spans_radians(const std::vector<double>& crank_angle_deg) {
-  constexpr double kRevolution = 2 * std::numbers::pi, kScatter = 0.05;
+  constexpr double kRevolution = 2 * std::numbers::pi, kScatter = kScatterOfSpan;
   if (crank_angle_deg.empty()) return false;
   const double span = crank_angle_deg.back() - crank_angle_deg.front();
   return std::abs(span - kRevolution) <= kScatter * kRevolution ||

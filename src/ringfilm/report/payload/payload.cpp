@@ -173,6 +173,15 @@ const char* word_of(cycle::NoteCount count) {
   return "occurrences";
 }
 
+/// What the friction of the rings of a pack adds up to.
+ordered_json pack(const io::ResultDocument& d) {
+  const cycle::CycleValues& sum = d.result.values;
+  return {{"title", d.title},
+          {"n_rings", d.rings.size()},
+          {"complete", d.result.complete},
+          {"values", {{"fmep", exact(sum.fmep)}, {"mean_power_loss", exact(sum.mean_power_loss)}}}};
+}
+
 /// A note with its place in the order of all notes and what it counts.
 ordered_json note_object(const cycle::Note& note) {
   const cycle::NoteTopic* entry = cycle::note_topic(note.topic);
@@ -239,7 +248,9 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
   root["unrolled_fields"] = described_all(cycle::unrolled_fields());
   root["strip_fields"] = described_all(cycle::strip_fields());
   root["cases"] = ordered_json::array();
+  root["packs"] = ordered_json::array();
   for (const io::ResultDocument& d : documents) {
+    if (d.is_pack()) root["packs"].push_back(pack(d));
     for (const io::ResultDocument& ring : io::rings_of(d)) root["cases"].push_back(document(ring));
   }
   root["overlays"] = ordered_json::array();

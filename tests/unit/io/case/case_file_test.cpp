@@ -204,7 +204,14 @@ INSTANTIATE_TEST_SUITE_P(
                 [] { return with_more(&CaseText::ring, "tangential_force = \"10 N\"\n"); },
                 {"case.toml:16:20: the tension of the ring is stated twice: ring.elastic_pressure and "
                  "ring.tangential_force",
-                 "state one of"}},
+                 "state one of", "delete line 15 or line 16 of case.toml"}},
+        Mistake{"ThreeTensions",
+                [] {
+                  return with_more(&CaseText::ring,
+                                   "tangential_force = \"10 N\"\nfree_gap = \"10 mm\"\nradial_thickness = \"3 mm\"\n");
+                },
+                {"ring.elastic_pressure and ring.tangential_force and ring.free_gap",
+                 "delete all but one of these: line 15; line 16; line 17 and line 18 of case.toml"}},
         Mistake{"NoTension",
                 [] { return with(&CaseText::ring, "[ring]\nface_width = \"1.2 mm\"\n"); },
                 {"the tension of the ring is missing", "ring.free_gap with ring.radial_thickness"}},

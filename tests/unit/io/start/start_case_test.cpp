@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
+
 #include "../case_example.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/io/case/case_file.hpp"
@@ -64,6 +66,73 @@ TEST(TraceKeys, AskForWhatTheFileDoesNotShow) {
   ASSERT_EQ(keys.missing.size(), 1u);
   EXPECT_THAT(keys.missing.front(),
               HasSubstr("gas.pressure_reference: absolute or gauge? The lowest pressure is 1 bar"));
+}
+
+/// What is reported of a trace of these rows, all that is asked for or the error.
+std::string reported(const std::string& heads, const std::vector<std::pair<double, double>>& rows) {
+  const ScratchFolder folder;
+  std::string text = heads + "\n";
+  for (const auto& [angle, pressure] : rows) text += std::to_string(angle) + "," + std::to_string(pressure) + "\n";
+  write_text(folder / "p.csv", text);
+  try {
+    std::string asked;
+    for (const std::string& one : trace_keys(folder / "p.csv", "", Units()).missing) asked += one + "\n";
+    return asked;
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+/// A bell of 41 bar at 10 degree on 1.2 bar.
+std::vector<std::pair<double, double>> bell(double from = -360, double to = 358, double scale = 1) {
+  std::vector<std::pair<double, double>> rows;
+  for (double angle = from; angle <= to; angle += 2) {
+    const double distance = (angle - 10) / 20;
+    rows.push_back({angle, scale * (1.2 + 40 / (1 + distance * distance))});
+  }
+  return rows;
+}
+
+const std::string kHeads = "crank_angle [degree],pressure [bar]";
+
+TEST(TraceKeys, RefuseATraceAsACaseDoes) {
+  auto rows = bell();
+  std::reverse(rows.begin(), rows.end());
+  EXPECT_THAT(reported(kHeads, rows), HasSubstr("p.csv:3:1: the crank angle falls from 358 to 356 degree"));
+  rows = bell();
+  rows.insert(rows.begin() + 5, rows[4]);
+  EXPECT_THAT(reported(kHeads, rows), HasSubstr("the crank angle -352 degree comes twice"));
+  EXPECT_THAT(reported(kHeads, bell(-360, 1078)), HasSubstr("the crank angles span 1438 degree"));
+  EXPECT_THAT(reported(kHeads, bell(-360, 358, 1e-3)), HasSubstr("the highest pressure of the trace is 0.0412 bar"));
+  EXPECT_THAT(reported(kHeads, bell(-360, 358, 1e5)), HasSubstr("the highest pressure of the trace is 4.12e+06 bar"));
+  EXPECT_THAT(reported("crank_angle [degree],pressure [mm]", bell()),
+              HasSubstr("the column pressure is not a pressure: \"mm\" measures something else"));
+  rows = bell();
+  rows.erase(rows.begin() + 190, rows.begin() + 200);
+  EXPECT_THAT(reported(kHeads, rows), HasSubstr("no samples between 18 and 40 degree"));
+  EXPECT_THAT(reported(kHeads, bell(-60, 60)), HasSubstr("less than the 180 degree"));
+}
+
+TEST(TraceKeys, DoNotTakeADisturbedSampleForAGaugeTrace) {
+  auto rows = bell();
+  rows[100].second = -0.5;
+  EXPECT_THAT(reported(kHeads, rows),
+              HasSubstr("gas.pressure_reference: absolute or gauge? One sample alone, at -160 degree"));
+  rows[100].second = -50;
+  EXPECT_THAT(reported(kHeads, rows), HasSubstr("an absolute pressure is above 0, a gauge pressure is above -1.01325"));
+  rows[100].second = rows[101].second = -0.5;
+  EXPECT_EQ(reported(kHeads, rows), "");
+  EXPECT_EQ(reported("crank_angle (deg),pressure (bara)", bell()), "");
+}
+
+TEST(TraceKeys, AskForEverythingAtOnce) {
+  const std::string asked = reported("crank_angle,pressure", bell(-180, 180));
+  for (const char* key :
+       {"gas.pressure_unit", "gas.pressure_reference", "gas.intake_pressure", "gas.exhaust_pressure"}) {
+    EXPECT_THAT(asked, HasSubstr(key));
+  }
+  EXPECT_THAT(asked, ::testing::Not(HasSubstr("gas.angle_unit")));  // 360 radians are not a cycle
+  EXPECT_THAT(asked, ::testing::Not(HasSubstr("gas.angle_zero")));
 }
 
 TEST(ShippedOils, AreFoundByTheirGrade) {

@@ -99,6 +99,8 @@ export class Model {
       // Sums and extremes of an integration that stopped early are not those of a cycle: they are omitted.
       values: c.complete ? { ...c.values, ...c.unrolled_values } : {},
     }));
+    // Of a pack that stopped early there is no sum, either.
+    this.packs = (payload.packs ?? []).filter((pack) => pack.complete);
     this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;
   }
 

@@ -40,7 +40,25 @@ function accuracy(model, c, name) {
     : null;
 }
 
-function card(model, heading, name, detail) {
+/** One value with its unit. */
+function shownValue(text, unit) {
+  return element('span', { class: 'card-value' }, element('b', {}, text), unit ? ` ${unit}` : '');
+}
+
+/** The sum over the rings of a pack, under those of its rings. */
+function sumRow(model, pack, name, detail) {
+  const { value, unit } = model.value(pack, name);
+  const isAlone = model.packs.length === 1 && pack.n_rings === model.cases.length;
+  return element(
+    'div',
+    { class: 'card-row' },
+    element('span', { class: 'card-name' }, `${isAlone ? '' : `${pack.title}: `}all ${pack.n_rings} rings`),
+    shownValue(meaningful(value, null), unit),
+    element('span', { class: 'card-detail' }, detail(pack)),
+  );
+}
+
+function card(model, heading, name, detail, sums = []) {
   const rows = model.cases.map((c) => {
     const { value, unit } = model.value(c, name);
     return element(
@@ -54,17 +72,12 @@ function card(model, heading, name, detail) {
             c.name,
           )
         : null,
-      element(
-        'span',
-        { class: 'card-value' },
-        element('b', {}, meaningful(value, model.error(c, name))),
-        unit && value !== null ? ` ${unit}` : '',
-      ),
+      shownValue(meaningful(value, model.error(c, name)), value === null ? '' : unit),
       element('span', { class: 'card-detail' }, detail(c)),
       accuracy(model, c, name),
     );
   });
-  return element('section', { class: 'card' }, element('h2', {}, heading), rows);
+  return element('section', { class: 'card' }, element('h2', {}, heading), rows, sums);
 }
 
 /** What the words "mesh" and "model" on the cards mean, as far as they occur. */
@@ -87,7 +100,13 @@ export function cards(model) {
     element(
       'div',
       { class: 'cards' },
-      card(model, 'Mean friction power', 'mean_power_loss', fmep),
+      card(
+        model,
+        'Mean friction power',
+        'mean_power_loss',
+        fmep,
+        model.packs.map((pack) => sumRow(model, pack, 'mean_power_loss', fmep)),
+      ),
       card(model, 'Thinnest film', 'min_film_thickness', (c) =>
         c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '',
       ),

@@ -2,8 +2,13 @@
 import { element } from '../dom.js';
 import { number } from '../units.js';
 
-/** Friction mean effective pressure of one compression ring of a car engine [kPa]. */
-export const kUsualFmep = { low: 1, high: 20 };
+/** Friction mean effective pressure of one compression ring [kPa]. */
+export const kUsualFmep = { low: 1, high: 20, engine: 'car' };
+/** The same of a diesel engine, whose peak pressures are about twice as high. */
+export const kUsualDieselFmep = { low: 2, high: 40, engine: 'diesel' };
+/** A larger bore [mm], or a higher peak pressure [bar], is that of a diesel engine. */
+export const kLargestCarBore = 100;
+export const kHighestCarPeak = 120;
 /** Boundary friction in engine oil with anti-wear additive. */
 export const kUsualCoefficient = { low: 0.08, high: 0.15 };
 /** The lowest with a friction modifier (MoDTC). */
@@ -27,15 +32,31 @@ const kWords = {
   above: 'not usual: above',
 };
 
+/** The range of FMEP of the engine of a case, by its bore and peak pressure, and in words by which of them. */
+export function fmepRange(model, c) {
+  const bore = (model.input(c, 'engine.bore')?.value_si ?? 0) * 1e3;
+  const peak = (c.values.peak_gas_pressure ?? 0) / 1e5;
+  const reasons = [
+    bore > kLargestCarBore ? `a bore of ${number(bore, 3)} mm` : null,
+    peak > kHighestCarPeak ? `a peak pressure of ${number(peak, 3)} bar` : null,
+  ].filter(Boolean);
+  return reasons.length
+    ? { ...kUsualDieselFmep, reason: `, for ${reasons.join(' and ')}` }
+    : { ...kUsualFmep, reason: '' };
+}
+
 /** @returns { value, found, text } on the FMEP of a case, null without a cycle */
 export function fmepVerdict(model, c) {
   const { value, unit } = model.value(c, 'fmep');
-  const found = verdict(value, kUsualFmep);
+  const range = fmepRange(model, c);
+  const found = verdict(value, range);
   if (!found) return null;
   return {
     found,
     value: `${number(value, 3)} ${unit}`,
-    text: `${kWords[found]} ${kUsualFmep.low} to ${kUsualFmep.high} kPa of one compression ring of a car engine`,
+    text:
+      `${kWords[found]} ${range.low} to ${range.high} kPa of one compression ring of a ${range.engine} engine` +
+      range.reason,
   };
 }
 
