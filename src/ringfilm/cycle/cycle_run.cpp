@@ -64,10 +64,20 @@ void CycleRun::arrived() {
   if (k_ % check_every_ == 0 && since_start * step_deg_ <= kCheckedDeg) {
     const auto before = one_cycle_ago_.find(k_);
     if (before != one_cycle_ago_.end()) distance_ = integration_.distance(before->second);
-    done_ = distance_ <= kPeriodicityFactor * setup_.input.solver.tolerance;
-    if (!done_) one_cycle_ago_[k_] = integration_.state();
+    done_ = distance_ <= allowed_distance();
+    if (!done_) one_cycle_ago_[k_] = integration_.snapshot();
   }
   if (!done_ && since_start == 0) check_approach();
+}
+
+double CycleRun::allowed_distance() const {
+  const Solver& solver = setup_.input.solver;
+  const double iterated = kPeriodicityFactor * solver.tolerance;
+  // The steps of a cycle follow from the film, and the film on the liner from the steps of the cycle before: with the
+  // error that a step may make, cycles differ.
+  const bool follows_steps =
+      setup_.input.film.supply == OilSupply::kFilmOnLiner && solver.crank_step_control == StepControl::kAdaptive;
+  return follows_steps ? std::max(iterated, solver.step_error) : iterated;
 }
 
 void CycleRun::check_approach() {
@@ -79,7 +89,7 @@ void CycleRun::check_approach() {
                 "the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
                 "before, %.2g is allowed, and the difference did not halve in the last %zu cycles; take a larger "
                 "solver.tolerance or a smaller solver.crank_step",
-                n, distance_, kPeriodicityFactor * setup_.input.solver.tolerance, kCyclesToHalve);
+                n, distance_, allowed_distance(), kCyclesToHalve);
   throw ConvergenceError(text, crank_angle_deg());
 }
 

@@ -47,6 +47,8 @@ class CycleRun final : public BatchMember {
 
  private:
   void arrived();
+  /// From the state of one cycle before, where the cycle counts as the same.
+  double allowed_distance() const;
   /// At the end of a cycle. Throws ConvergenceError where its state approaches that of the one before no longer.
   void check_approach();
   void stopped(const ConvergenceError& error, std::optional<film::Failure> failure);
@@ -60,7 +62,7 @@ class CycleRun final : public BatchMember {
   int check_every_;
   TimeIntegration integration_;
   Recorder recorder_;
-  std::map<int, film::FilmState> one_cycle_ago_;  ///< by base angle
+  std::map<int, TimeIntegration::Snapshot> one_cycle_ago_;  ///< by base angle
   int k_ = 0;                                     ///< base angle
   int steps_integrated_ = 0;
   double distance_;

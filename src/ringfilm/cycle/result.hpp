@@ -50,6 +50,9 @@ struct Sample {
   double rupture_position = 0;      ///< where the cavity begins, from the chamber edge [m]; NaN where the film is full
   double reformation_position = 0;  ///< where the cavity ends, from the chamber edge [m]; NaN where the film is full
   double film_temperature = 0;      ///< of the oil film [K]
+  double film_ahead = 0;        ///< oil on the liner ahead of the ring; NaN where it floods the inlet [m]
+  double film_left_behind = 0;  ///< oil on the liner behind a trailing edge in gas; NaN at an edge of oil [m]
+  double bead_volume = 0;       ///< scraped oil that the ring moves ahead of it [m3]
   double newton_iterations = 0;     ///< spent on the way here from the crank step before
   double crank_sub_steps = 0;       ///< steps taken on that way
   double fallbacks = 0;             ///< bracketed searches and shorter steps that were needed on it

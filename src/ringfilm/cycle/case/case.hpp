@@ -161,6 +161,19 @@ enum class Cavitation {
   kMassConserving  ///< and mass is kept, too (JFO)
 };
 
+/// `film.supply`: what lies on the liner ahead of an edge of gas.
+enum class OilSupply {
+  kFlooded,     ///< as much oil as the film takes
+  kGiven,       ///< the same film on every stroke
+  kFilmOnLiner  ///< what the strokes before have left there, and on downstrokes what the oil ring leaves
+};
+
+/// `supply.scraped`: what becomes of oil that an inlet does not take.
+enum class Scraped {
+  kBead,      ///< it moves on ahead of the edge, feeds the film, and stays behind at the end of the stroke
+  kDiscarded  ///< it is gone
+};
+
 using film::EdgeFluid;  ///< `film.chamber_edge`, `film.crankcase_edge`
 
 /// `solver.crank_step_control`: how long a crank step is.
@@ -408,8 +421,10 @@ struct Film {
   FilmDimension dimension = FilmDimension::kFace;  ///< across the face, alike all around, or the whole unrolled ring
   Cavitation cavitation = Cavitation::kMassConserving;  ///< where the film ruptures: Reynolds, or mass kept (JFO)
   double cavitation_pressure = 101325;  ///< p_c, absolute [Pa]; of a pad counted like its other pressures
-  /// What lies at an edge where the film leaves; the edge at which it enters is flooded with oil at its pressure.
+  /// What lies at an edge where the film leaves, and with a supply that is not flooded where it enters.
   EdgeFluid chamber_edge = EdgeFluid::kOil, crankcase_edge = EdgeFluid::kOil;
+
+  OilSupply supply = OilSupply::kFlooded;  ///< what enters at an edge of gas
 
   bool has_gas_edge() const { return chamber_edge == EdgeFluid::kGas || crankcase_edge == EdgeFluid::kGas; }
   // of a pad
@@ -418,6 +433,13 @@ struct Film {
   std::optional<double> supply_left, supply_right;
 
   bool has_gas_edge_of_pad() const { return left_edge == EdgeFluid::kGas || right_edge == EdgeFluid::kGas; }
+};
+
+/// The keys under `supply`, of a film whose inlet is not flooded.
+struct Supply {
+  std::optional<double> film;   ///< on the liner ahead of the ring, or what the oil ring leaves [m]
+  std::optional<double> reach;  ///< from this distance of the ring below TDC on the oil ring lays it on downstrokes [m]
+  Scraped scraped = Scraped::kBead;  ///< oil that an inlet does not take
 };
 
 /// The keys under `solver`.
@@ -515,6 +537,7 @@ struct Case {
   Liner liner;                        ///< what the bore is made of
   Contact contact;                    ///< roughness of the pair and boundary friction
   Lubricant lubricant;                ///< the oil by its laws, or by a table
+  Supply supply;                      ///< oil on the liner, if the inlet is not flooded
   Film film;                          ///< in one dimension or two, and how it ruptures
   Solver solver;                      ///< grid, steps, tolerances
   Output output;                      ///< what is kept of the integration

@@ -16,10 +16,15 @@ constexpr When kInletLeft{[](const Case& c) { return c.enters_out_of_gas(Directi
 constexpr When kInletRight{[](const Case& c) { return c.enters_out_of_gas(Direction::kMinusX); },
                            "film.right_edge = \"gas\", pad.direction = \"-x\" and pad.speed is not 0"};
 
+constexpr When kNotFlooded{[](const Case& c) { return c.film.supply != OilSupply::kFlooded; },
+                           "film.supply is not \"flooded\""};
+constexpr When kFilmOnLiner{[](const Case& c) { return c.film.supply == OilSupply::kFilmOnLiner; },
+                            "film.supply = \"film-on-liner\""};
+
 std::string edge_help(const std::string& edge, const std::string& stroke) {
   return "what the " + edge + " edge of the face meets on the " + stroke +
-         ", where the film leaves there: oil, or gas that fills the face up to the meniscus; the edge at which the "
-         "film enters is flooded with oil";
+         ", where the film leaves there: oil, or gas that fills the face up to the meniscus; where the film enters "
+         "there, film.supply tells how much oil is at hand";
 }
 
 }  // namespace
@@ -46,6 +51,26 @@ void append_run_fields(std::vector<Field>& fields) {
                 Need::kDefault, {}, {edge_help("chamber", "downstroke"), "\"gas\""}),
           field("film.crankcase_edge", choice<&Case::film, &Film::crankcase_edge>({"oil", "gas"}), kNoUnit, {},
                 Need::kDefault, {}, {edge_help("crankcase", "upstroke"), "\"gas\""}),
+          field("film.supply",
+                choice<&Case::film, &Film::supply>({"flooded", "given", "film-on-liner"}), kNoUnit, {}, Need::kDefault,
+                {},
+                {"oil at an edge of gas where the film enters: as much as it takes, the same film on every stroke, or "
+                 "what earlier strokes left on the liner",
+                 "\"film-on-liner\""}),
+          field("supply.film", OptionalNumberKind{member<&Case::supply, &Supply::film>}, {"m", "um"},
+                above(0, 1e-3), Need::kRequired, kNotFlooded,
+                {"film on the liner ahead of the ring, f; with film-on-liner what the oil ring leaves on downstrokes",
+                 "\"2 um\""}),
+          field("supply.reach", OptionalNumberKind{member<&Case::supply, &Supply::reach>}, {"m", "mm"},
+                between(0, 5), Need::kRequired, kFilmOnLiner,
+                {"distance of the ring below its TDC position from which on the oil ring has laid its film ahead of it "
+                 "on each downstroke",
+                 "\"10 mm\""}),
+          field("supply.scraped", choice<&Case::supply, &Supply::scraped>({"bead", "discarded"}), kNoUnit, {},
+                Need::kDefault, kFilmOnLiner,
+                {"oil that the inlet does not take: it stays ahead of the edge as a bead until the stroke ends, or is "
+                 "lost at once",
+                 "\"bead\""}),
           field("film.left_edge", choice<&Case::film, &Film::left_edge>({"oil", "gas"}), kNoUnit, {}, Need::kDefault,
                 {}, {"what the film meets at x = 0: oil, which floods it, or gas at pad.left_pressure", "\"gas\""}),
           field("film.right_edge", choice<&Case::film, &Film::right_edge>({"oil", "gas"}), kNoUnit, {}, Need::kDefault,

@@ -236,7 +236,36 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
   return breaches;
 }
 
+void append_supply_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
+  if (c.film.supply == OilSupply::kFlooded) return;
+  if (!c.film.has_gas_edge()) {
+    breaches.push_back({"film.supply", "film.supply is for an edge of gas: both edges are flooded with oil",
+                        "state film.chamber_edge = \"gas\" and film.crankcase_edge = \"gas\", or omit film.supply"});
+  }
+  if (c.film.supply != OilSupply::kFilmOnLiner) return;
+  if (c.supply.reach && !(*c.supply.reach < c.engine.stroke)) {
+    breaches.push_back({"supply.reach",
+                        "supply.reach = " + number_text(*c.supply.reach * 1e3) + " mm is not within the stroke of " +
+                            number_text(c.engine.stroke * 1e3) + " mm",
+                        "the ring would never find oil; the oil ring reaches up to some 10 mm below TDC"});
+  }
+  if (c.ring.face.orientation == Orientation::kLeadingEdge) {
+    breaches.push_back({"film.supply",
+                        "film.supply = \"film-on-liner\" and ring.face.orientation = \"leading-edge\" exclude one another",
+                        "a face that turns over at the dead centres keeps no account of its oil; state how the ring is "
+                        "installed, \"x0-chamber\" or \"x0-crankcase\""});
+  }
+  const double steps = 180 / c.solver.crank_step_deg;
+  if (std::abs(steps - std::round(steps)) > 1e-9 * steps) {
+    breaches.push_back({"solver.crank_step",
+                        "solver.crank_step = " + number_text(c.solver.crank_step_deg) +
+                            " degree does not end at the dead centres, as film.supply = \"film-on-liner\" requires",
+                        "state a step that divides 180 degree"});
+  }
+}
+
 void append_gas_edge_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
+  append_supply_breaches(c, breaches);
   const Film& film = c.film;
   const char* key = film.chamber_edge == EdgeFluid::kGas     ? "film.chamber_edge"
                     : film.crankcase_edge == EdgeFluid::kGas ? "film.crankcase_edge"

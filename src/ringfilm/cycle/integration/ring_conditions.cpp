@@ -22,13 +22,17 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
 
   RingConditions at;
   at.axis = turned ? Axis::kFromCrankcase : Axis::kFromChamber;
+  at.piston_velocity = U;
   at.inputs.U = turned ? -U : U;
   film::EdgeState chamber{above}, crankcase{below};
-  // Where the film enters oil is at hand; where it leaves, gas may be.
-  if (motion(angle) == Motion::kTowardsTdc) {
-    crankcase.fluid = c.film.crankcase_edge;
-  } else {
-    chamber.fluid = c.film.chamber_edge;
+  // Where the film leaves, gas may be; where it enters, too, unless oil floods the inlet.
+  const bool up = motion(angle) == Motion::kTowardsTdc, flooded = c.film.supply == OilSupply::kFlooded;
+  if (up || !flooded) crankcase.fluid = c.film.crankcase_edge;
+  if (!up || !flooded) chamber.fluid = c.film.chamber_edge;
+  film::EdgeState& inlet = up ? chamber : crankcase;
+  if (!flooded && inlet.fluid == EdgeFluid::kGas) {
+    at.oil_ahead = ring.oil.density * *c.supply.film;
+    inlet.supply = at.oil_ahead;
   }
   at.inputs.left = turned ? crankcase : chamber;
   at.inputs.right = turned ? chamber : crankcase;

@@ -18,7 +18,9 @@ double pressure_behind_ring(const Gas& gas, double above, double below);
 struct RingConditions {
   film::FilmInputs inputs;  ///< speed, edges, oil and load of its film
   Axis axis = Axis::kFromChamber;
+  double piston_velocity = 0;   ///< positive towards TDC [m/s]
   double film_temperature = 0;  ///< [K]
+  double oil_ahead = 0;         ///< on the liner ahead of an inlet that is not flooded; 0: flooded [kg/m2]
 };
 
 /// @param crank_angle_deg any [degree] @param time_step that leads there; film::kSteady [s]

@@ -19,10 +19,12 @@ struct FromChamber {
   double wetted_begin, wetted_end;
 };
 
+/// Of a position or a film that is none.
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) {
-  constexpr double kFull = std::numeric_limits<double>::quiet_NaN();  // documented: no cavity
-  const double begin = f.cavities.empty() ? kFull : f.cavities.front().begin;
-  const double end = f.cavities.empty() ? kFull : f.cavities.back().end;
+  const double begin = f.cavities.empty() ? kUnknown : f.cavities.front().begin;
+  const double end = f.cavities.empty() ? kUnknown : f.cavities.back().end;
   if (axis == Axis::kFromChamber) {
     return {f.shear_couette, f.shear_poiseuille, f.flow_left, f.flow_middle, f.flow_right, begin, end,
             f.wetted_begin,  f.wetted_end};
@@ -56,7 +58,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.crank_angle_deg = angle;
   s.piston_position = setup.engine.crank.position(radians(angle));
   const bool from_chamber_edge = instant.at.axis == Axis::kFromChamber;
-  s.piston_velocity = from_chamber_edge ? in.U : -in.U;
+  s.piston_velocity = instant.at.piston_velocity;
   s.sliding_distance = sliding_distance(setup.engine.crank, angle, s.piston_position);
   s.gas_pressure = from_chamber_edge ? in.left.pressure : in.right.pressure;
   s.crankcase_pressure = from_chamber_edge ? in.right.pressure : in.left.pressure;
@@ -90,6 +92,13 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.wetted_begin = f.wetted_begin;
   s.wetted_end = f.wetted_end;
   s.gas_breakthrough = integrals.is_broken_through ? 1 : 0;
+  const double rho = setup.ring.oil.density;
+  const film::EdgeState& trailing = in.U >= 0 ? in.right : in.left;
+  const double behind = in.U >= 0 ? integrals.flow_right : -integrals.flow_left;
+  const bool is_known = trailing.fluid == film::EdgeFluid::kGas && in.U != 0;
+  s.film_ahead = instant.at.oil_ahead > 0 ? instant.at.oil_ahead / rho : kUnknown;
+  s.film_left_behind = is_known ? behind / (rho * std::abs(in.U)) : kUnknown;
+  s.bead_volume = instant.bead * length / rho;
   s.rupture_position = sense == Motion::kTowardsTdc ? f.cavity_begin : f.cavity_end;
   s.reformation_position = sense == Motion::kTowardsTdc ? f.cavity_end : f.cavity_begin;
   s.newton_iterations = instant.effort.newton_iterations;

@@ -6,7 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/film/solver/reynolds.hpp"
 #include "ringfilm/models/oil/viscosity_laws.hpp"
 
 namespace ringfilm::cycle {
@@ -78,7 +80,22 @@ const film::EdgeState& crankcase_edge(const RingConditions& at) {
 
 }  // namespace
 
-TimeIntegration::TimeIntegration(const Setup& setup) : setup_(setup), film_(setup) {}
+TimeIntegration::TimeIntegration(const Setup& setup) : setup_(setup), film_(setup) {
+  if (setup.input.film.supply == OilSupply::kFilmOnLiner) liner_oil_.emplace(setup);
+}
+
+RingConditions TimeIntegration::conditions(double from_deg, double to_deg, double time_step) const {
+  RingConditions at = ring_conditions(setup_, to_deg, time_step);
+  if (liner_oil_) liner_oil_->limit(at, from_deg, to_deg);
+  return at;
+}
+
+/// Of the candidate, which is taken as the next state.
+void TimeIntegration::account_of_oil() {
+  if (!liner_oil_) return;
+  const auto flow = [&](int face) { return film::mass_flux(problem(), step_.at.inputs, candidate_, face); };
+  liner_oil_->pass(angle_deg_, step_.to_deg, step_.time_step, flow(0), flow(problem().grid.n_cells() - 1));
+}
 
 void TimeIntegration::count(const film::FilmReport& report) {
   totals_.newton_iterations += report.iterations;
@@ -99,7 +116,13 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
   const double film = std::abs(std::log(to.h_m / state_.h_m) - ratio * std::log(state_.h_m / before_.h_m));
   double content = 0;
   double total = 0;
+  const bool with_gas = step_.at.inputs.has_gas();
   for (std::size_t i = 0; i < to.mass_per_area.size(); ++i) {
+    // Oil next to gas lies on the liner and moves with it: it bears nothing, and its steps in x are steps in time.
+    if (with_gas && film::is_cavity(to.deficit[i]) &&
+        step_.at.inputs.gas_at(problem().grid, static_cast<int>(i)) != nullptr) {
+      continue;
+    }
     const double predicted = state_.mass_per_area[i] + ratio * (state_.mass_per_area[i] - before_.mass_per_area[i]);
     content += film_.weight(i) * std::abs(to.mass_per_area[i] - predicted);
     total += film_.weight(i) * to.mass_per_area[i];
@@ -135,7 +158,7 @@ void TimeIntegration::start(int k) {
   count(report);
   if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
   axis_ = at.axis;
-  instant_ = {wrapped(angle_deg_), at, &before_, &state_, effort_};
+  instant_ = {wrapped(angle_deg_), at, &before_, &state_, effort_, 0};
 }
 
 void TimeIntegration::propose() {
@@ -148,7 +171,7 @@ void TimeIntegration::propose() {
   const int ticks = kTicks >> level_;
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
   step_.time_step = radians(base_deg * ticks / kTicks) / setup_.engine.speed;
-  step_.at = ring_conditions(setup_, step_.to_deg, step_.time_step);
+  step_.at = conditions(angle_deg_, step_.to_deg, step_.time_step);
   // The film does not follow its past across a step where oil takes the place of gas at an edge.
   if (chamber_edge(step_.at).fluid != chamber_edge(instant_.at).fluid ||
       crankcase_edge(step_.at).fluid != crankcase_edge(instant_.at).fluid) {
@@ -189,6 +212,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
     return;
   }
   waypoints.before_step(*this, angle_deg_, step_.to_deg);
+  account_of_oil();
   std::swap(before_, state_);
   std::swap(state_, candidate_);
   time_step_before_ = step_.time_step;
@@ -200,7 +224,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   totals_.uncontrolled_steps +=
       adaptive() && error > std::max(1.0, kUncontrolledError / setup_.input.solver.step_error);
   totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
-  instant_ = {wrapped(angle_deg_), step_.at, &before_, &state_, effort_};
+  instant_ = {wrapped(angle_deg_), step_.at, &before_, &state_, effort_, liner_oil_ ? liner_oil_->bead() : 0};
   waypoints.after_step(*this);
   if (adaptive() && level_ > 0 && is_error_known && error < kCoarsenBelow && tick_ % (2 * ticks) == 0) --level_;
   if (tick_ == kTicks) {
@@ -224,7 +248,8 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
     to = state_;
     Axis axis = axis_;
     for (int part = 1; part <= parts; ++part) {
-      at = ring_conditions(setup_, angle_deg_ + part * part_deg, radians(part_deg) / setup_.engine.speed);
+      const double to_deg = angle_deg_ + part * part_deg;
+      at = conditions(to_deg - part_deg, to_deg, radians(part_deg) / setup_.engine.speed);
       if (at.axis != axis) turn(to);
       axis = at.axis;
       side_before_ = to;
@@ -233,10 +258,15 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
     }
   }
   if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, crank_angle_deg);
-  return {wrapped(crank_angle_deg), at, &side_before_, &to, {1, report.iterations, 0}};
+  return {wrapped(crank_angle_deg), at, &side_before_, &to, {1, report.iterations, 0}, instant_.bead};
 }
 
-double TimeIntegration::distance(const film::FilmState& other) const {
+TimeIntegration::Snapshot TimeIntegration::snapshot() const {
+  return {state_, liner_oil_ ? liner_oil_->film().mass_per_area() : std::vector<double>()};
+}
+
+double TimeIntegration::distance(const Snapshot& snapshot) const {
+  const film::FilmState& other = snapshot.film;
   const double scale = instant_.at.inputs.mean_pressure(problem().grid);
   double largest = std::abs(std::log(state_.h_m / other.h_m));
   for (std::size_t i = 0; i < state_.p.size(); ++i) {
@@ -244,6 +274,15 @@ double TimeIntegration::distance(const film::FilmState& other) const {
     if (problem().cavitation == film::Cavitation::kMassConserving) {
       largest = std::max(largest, std::abs(state_.deficit[i] - other.deficit[i]));
     }
+  }
+  if (liner_oil_) {
+    const std::vector<double>& now = liner_oil_->film().mass_per_area();
+    double difference = 0, all = 0;
+    for (std::size_t c = 0; c < now.size(); ++c) {
+      difference += std::abs(now[c] - snapshot.on_liner[c]);
+      all += now[c];
+    }
+    largest = std::max(largest, difference / all);
   }
   return largest;
 }

@@ -1,9 +1,12 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/integration/liner_oil.hpp"
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 
@@ -23,6 +26,7 @@ struct Instant {
   const film::FilmState* previous = nullptr;
   const film::FilmState* state = nullptr;
   StepEffort effort;
+  double bead = 0;  ///< of scraped oil ahead of the ring, per length of circumference [kg/m]
 };
 
 /// Nothing balances the load at a crank angle.
@@ -103,8 +107,17 @@ class TimeIntegration {
   /// Of an unrolled film, else nullptr.
   const film::Film2dProblem* film2d() const { return film_.film2d(); }
 
-  /// Largest relative difference of film, pressure and film content from another state [-].
-  double distance(const film::FilmState& other) const;
+  /// The oil on the liner; nullptr where the case follows none.
+  const LinerOil* liner_oil() const { return liner_oil_ ? &*liner_oil_ : nullptr; }
+
+  /// What comes back after one cycle.
+  struct Snapshot {
+    film::FilmState film;
+    std::vector<double> on_liner;  ///< [kg/m2]
+  };
+  Snapshot snapshot() const;
+  /// Largest relative difference of film, pressure, film content and oil on the liner from another state [-].
+  double distance(const Snapshot& other) const;
 
   struct Totals {
     long crank_steps = 0, newton_iterations = 0, sub_steps = 0;
@@ -121,9 +134,13 @@ class TimeIntegration {
   double time_error(const film::FilmState& to, double time_step) const;
   void turn(film::FilmState& state) const;
   void count(const film::FilmReport& report);
+  /// What acts on the ring at the end of a step from the current state.
+  RingConditions conditions(double from_deg, double to_deg, double time_step) const;
+  void account_of_oil();
 
   const Setup& setup_;
   CycleFilm film_;
+  std::optional<LinerOil> liner_oil_;
   film::FilmState state_, before_, candidate_, side_before_;
   Axis axis_ = Axis::kFromChamber;  ///< of `state_` and `before_`
   double time_step_before_ = 0;     ///< 0: no history

@@ -1,0 +1,115 @@
+#include "ringfilm/cycle/integration/liner_oil.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ringfilm/cycle/integration/kinematics.hpp"
+
+namespace ringfilm::cycle {
+
+LinerFilm::LinerFilm(double length, double mass_per_area)
+    : cell_(length / kCells), mass_per_area_(kCells, mass_per_area) {}
+
+int LinerFilm::cell_at(double place) const { return std::clamp(static_cast<int>(place / cell_), 0, kCells - 1); }
+
+double LinerFilm::mass(double begin, double end) const {
+  double sum = 0;
+  for (int c = cell_at(begin); c <= cell_at(end); ++c) {
+    const double overlap = std::min(end, (c + 1) * cell_) - std::max(begin, c * cell_);
+    if (overlap > 0) sum += mass_per_area_[c] * overlap;
+  }
+  return sum;
+}
+
+void LinerFilm::lay(double begin, double end, double mass, bool open_below) {
+  if (!(end > begin)) return;
+  const double laid = mass / (end - begin);
+  for (int c = cell_at(begin); c <= cell_at(end); ++c) {
+    const double low = c * cell_, high = (c + 1) * cell_;
+    const double overlap = std::min(end, high) - std::max(begin, low);
+    if (overlap <= 0) continue;
+    const double open = open_below ? std::max(high - std::max(end, low), 0.0) : std::max(std::min(begin, high) - low, 0.0);
+    mass_per_area_[c] = (mass_per_area_[c] * open + laid * overlap) / (open + overlap);
+  }
+}
+
+LinerOil::LinerOil(const Setup& setup)
+    : setup_(&setup),
+      face_width_(setup.input.ring.face_width),
+      reach_(setup.input.supply.reach.value_or(0)),
+      fresh_(setup.ring.oil.density * setup.input.supply.film.value_or(0)),
+      film_(setup.engine.crank.stroke() + face_width_, fresh_) {}
+
+LinerOil::Sweep LinerOil::sweep(double from_deg, double to_deg) const {
+  const auto place = [this](double angle) { return setup_->engine.crank.position(radians(wrapped(angle))); };
+  const double from = place(from_deg), to = place(to_deg);
+  if (to < from) return {to, from, to + face_width_, from + face_width_, true};
+  return {from + face_width_, to + face_width_, from, to, false};
+}
+
+double LinerOil::mass_ahead(const Sweep& swept) const {
+  if (swept.up) return film_.mass(swept.lead_begin, swept.lead_end);
+  // The reach is that of the chamber edge; what the ring meets is ahead of its other edge.
+  const double reach = std::clamp(reach_ + face_width_, swept.lead_begin, swept.lead_end);
+  return film_.mass(swept.lead_begin, reach) + fresh_ * (swept.lead_end - reach);
+}
+
+double LinerOil::replenished_of(const Sweep& swept) const {
+  return mass_ahead(swept) - film_.mass(swept.lead_begin, swept.lead_end);
+}
+
+void LinerOil::limit(RingConditions& at, double from_deg, double to_deg) const {
+  const Sweep swept = sweep(from_deg, to_deg);
+  if (!(swept.length() > 0)) return;
+  const double speed = swept.length() / at.inputs.time_step;
+  at.inputs.U = swept.up ? speed : -speed;
+  film::EdgeState& lead = swept.up ? at.inputs.left : at.inputs.right;
+  if (lead.fluid != film::EdgeFluid::kGas) return;
+  const double bead = swept.up == up_ ? bead_ : 0;
+  at.oil_ahead = mass_ahead(swept) / swept.length();
+  lead.supply = at.oil_ahead + bead / swept.length();
+}
+
+void LinerOil::turn(bool up) {
+  if (begun_) (up_ ? account_.scraped_up : account_.scraped_down) += bead_;
+  bead_ = 0;
+  up_ = up;
+  begun_ = true;
+}
+
+void LinerOil::pass(double from_deg, double to_deg, double time_step, double from_chamber, double to_crankcase) {
+  const Sweep swept = sweep(from_deg, to_deg);
+  const auto stroke = static_cast<std::size_t>(wrapped(0.5 * (from_deg + to_deg)) / 180) % kStrokes;
+  if (swept.up != up_ || !begun_) {
+    passes_[(stroke + kStrokes - 1) % kStrokes].after = film_.mass_per_area();
+    turn(swept.up);
+    passes_[stroke].before = film_.mass_per_area();
+    if (!swept.up) {
+      const auto first = static_cast<std::size_t>((reach_ + face_width_) / film_.cell());
+      std::vector<double>& before = passes_[stroke].before;
+      std::fill(before.begin() + static_cast<std::ptrdiff_t>(std::min(first, before.size())), before.end(), fresh_);
+    }
+  }
+  const double ahead = mass_ahead(swept);
+  const double taken = (swept.up ? from_chamber : -to_crankcase) * time_step;
+  const double left = (swept.up ? to_crankcase : -from_chamber) * time_step;
+  account_.replenished += replenished_of(swept);
+  account_.taken += taken;
+  account_.left += left;
+  bead_ += ahead - taken;
+  if (setup_->input.supply.scraped == Scraped::kDiscarded || bead_ < 0) {
+    // An inlet of oil takes more than lies on the liner: that is oil from elsewhere.
+    if (bead_ < 0) account_.replenished -= bead_;
+    if (bead_ > 0) (up_ ? account_.scraped_up : account_.scraped_down) += bead_;
+    bead_ = 0;
+  }
+  film_.lay(swept.trail_begin, swept.trail_end, left, swept.up);
+}
+
+double LinerOil::on_liner(double crank_angle_deg) const {
+  const double place = setup_->engine.crank.position(radians(wrapped(crank_angle_deg)));
+  const double end = film_.cell() * static_cast<double>(film_.mass_per_area().size());
+  return film_.mass(0, place) + film_.mass(place + face_width_, end);
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,94 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "ringfilm/cycle/integration/ring_conditions.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/film/film_state.hpp"
+
+/// The oil that lies on the liner and what passes of the ring leave of it (docs/theory/oil-supply.md).
+namespace ringfilm::cycle {
+
+/// Mass per area along the stroke, in cells. A cell that the edge of the ring divides holds that of its open part.
+class LinerFilm {
+ public:
+  LinerFilm(double length, double mass_per_area);
+
+  /// Oil on the liner between two places that the ring does not cover [kg/m].
+  double mass(double begin, double end) const;
+
+  /// Lays oil on a stretch that an edge of the ring sets free. @param mass of it [kg/m]
+  /// @param open_below the ring moves towards TDC: the open part of the last cell lies on the crankcase's side
+  void lay(double begin, double end, double mass, bool open_below);
+
+  const std::vector<double>& mass_per_area() const { return mass_per_area_; }
+  double cell() const { return cell_; }
+
+ private:
+  static constexpr int kCells = 4000;
+  int cell_at(double place) const;
+
+  double cell_;                        ///< [m]
+  std::vector<double> mass_per_area_;  ///< [kg/m2]
+};
+
+/// Strokes from firing TDC on: power, exhaust, intake, compression.
+inline constexpr std::size_t kStrokes = 4;
+
+/// What the ring meets and leaves: its film on the liner, the beads of scraped oil ahead of its edges, and the account
+/// of all oil. Per length of circumference.
+class LinerOil {
+ public:
+  explicit LinerOil(const Setup& setup);
+
+  /// The speed and the supply of a step: what the leading edge sweeps lies ahead of it, and its bead.
+  void limit(RingConditions& at, double from_deg, double to_deg) const;
+
+  /// Takes an accepted step into account. @param from_chamber,to_crankcase mass flows in +x from the chamber edge
+  /// through the edges [kg/(m s)]
+  void pass(double from_deg, double to_deg, double time_step, double from_chamber, double to_crankcase);
+
+  /// Films by distance from the ring's TDC position, before and after the passes of the last strokes.
+  struct Pass {
+    std::vector<double> before, after;  ///< [kg/m2]
+  };
+  const std::array<Pass, kStrokes>& passes() const { return passes_; }
+  const LinerFilm& film() const { return film_; }
+  double bead() const { return bead_; }  ///< ahead of the leading edge [kg/m]
+
+  /// Oil since the start of the integration [kg/m].
+  struct Account {
+    double replenished = 0;   ///< laid on the liner by the oil ring, less what that took away
+    double scraped_up = 0;    ///< left at TDC, or shed on upstrokes
+    double scraped_down = 0;  ///< left at BDC, or shed on downstrokes
+    double taken = 0;         ///< into the film under the ring
+    double left = 0;          ///< out of it, behind the ring
+  };
+  const Account& account() const { return account_; }
+  /// Oil on the liner outside the ring at a crank angle [kg/m].
+  double on_liner(double crank_angle_deg) const;
+
+ private:
+  struct Sweep {
+    double lead_begin, lead_end;    ///< liner that the leading edge covers [m]
+    double trail_begin, trail_end;  ///< liner that the other edge sets free [m]
+    bool up;
+    double length() const { return lead_end - lead_begin; }
+  };
+  Sweep sweep(double from_deg, double to_deg) const;
+  /// Ahead of the ring with what the oil ring leaves there on a downstroke [kg/m].
+  double mass_ahead(const Sweep& swept) const;
+  double replenished_of(const Sweep& swept) const;
+  void turn(bool up);
+
+  const Setup* setup_;
+  double face_width_, reach_, fresh_;  ///< [m], [m], mass per area that the oil ring leaves [kg/m2]
+  LinerFilm film_;
+  double bead_ = 0;
+  bool up_ = true;
+  bool begun_ = false;
+  std::array<Pass, kStrokes> passes_;
+  Account account_;
+};
+
+}  // namespace ringfilm::cycle
