@@ -355,6 +355,7 @@ struct Options {
   std::optional<int> only;
   std::optional<int> cells;  ///< in place of those of the sample
   bool gas_edges = false;    ///< gas where the film leaves, and mass-conserving cavitation, in all scenarios
+  bool oil_on_liner = false;  ///< the same, and inlets that find what lies on the liner
   std::string failures;
 };
 
@@ -374,11 +375,23 @@ double processor_seconds() {
 EngineScenario scenario_of(const Options& options, int index) {
   EngineScenario scenario = testing::engine_scenario(options.seed, index);
   scenario.input.solver.cells = options.cells.value_or(scenario.input.solver.cells);
-  if (options.gas_edges) {
+  if (options.gas_edges || options.oil_on_liner) {
     Film& film = scenario.input.film;
     film.cavitation = Cavitation::kMassConserving;
     film.chamber_edge = film.crankcase_edge = EdgeFluid::kGas;
     scenario.input.solver.method = Method::kCoupledNewton;
+  }
+  if (options.oil_on_liner) {
+    // From 0.3 to 20 um, and from 5 to 25 % of the stroke.
+    const double golden = 0.5 * (std::sqrt(5.0) - 1), place = std::fmod(golden * index, 1.0);
+    scenario.input.film.supply = OilSupply::kFilmOnLiner;
+    scenario.input.supply.film = 0.3e-6 * std::pow(20 / 0.3, place);
+    scenario.input.supply.reach = (0.05 + 0.2 * std::fmod(golden * place, 1.0)) * scenario.input.engine.stroke;
+    const double steps = 180 / scenario.input.solver.crank_step_deg;
+    if (steps != std::round(steps)) scenario.input.solver.crank_step_deg = 1;
+    if (scenario.input.ring.face.orientation == Orientation::kLeadingEdge) {
+      scenario.input.ring.face.orientation = Orientation::kX0Chamber;
+    }
   }
   return scenario;
 }
@@ -484,6 +497,7 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", options.jobs, "threads")->check(CLI::Range(1, 256))->capture_default_str();
   app.add_option("--only", options.only, "integrate this one scenario and print it")->check(CLI::NonNegativeNumber);
   app.add_option("--cells", options.cells, "solver.cells of all scenarios")->check(CLI::Range(8, 100'000));
+  app.add_flag("--oil-on-liner", options.oil_on_liner, "the same, with 0.3 to 20 um that the oil ring leaves");
   app.add_flag("--gas-edges", options.gas_edges, "gas where the film leaves, and mass-conserving cavitation");
   app.add_option("--failures", options.failures, "file for one line of JSON per scenario that was not solved");
   CLI11_PARSE(app, argc, argv);

@@ -155,6 +155,24 @@ StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base
   return profile;
 }
 
+void add_liner_oil(const Setup& setup, const LinerOil& oil, CycleValues& values, StrokeProfile& profile) {
+  const double length = setup.input.ring_length(), rho = setup.ring.oil.density;
+  const LinerOil::Account account = oil.of_last_cycle();
+  values.oil_scraped_up = account.scraped_up * length;
+  values.oil_scraped_down = account.scraped_down * length;
+  values.oil_replenished = account.replenished * length;
+  const double bin = setup.engine.crank.stroke() / kStrokeBins;
+  for (std::size_t stroke = 0; stroke < kStrokes; ++stroke) {
+    const LinerOil::Pass& pass = oil.passes()[stroke];
+    const bool down = stroke % 2 == 0;
+    for (int b = 0; b < kStrokeBins; ++b) {
+      const double begin = b * bin, end = (b + 1) * bin;
+      profile.film_ahead[stroke].push_back(oil.mean(pass.before, begin, end, down) / rho);
+      profile.film_behind[stroke].push_back(oil.mean(pass.after, begin, end, !down) / rho);
+    }
+  }
+}
+
 std::map<std::string, double> derived_values(const Setup& setup, const film::FilmGrid& grid) {
   const Case& c = setup.input;
   std::map<std::string, double> values = {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/cycle/integration/liner_oil.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/film/film_state.hpp"
@@ -17,6 +18,9 @@ CycleValues no_cycle_values();
 
 /// Contact work along the stroke from the same samples, shared out over the liner that each crank step sweeps.
 StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base);
+
+/// Adds the oil on the liner to what the samples give.
+void add_liner_oil(const Setup& setup, const LinerOil& oil, CycleValues& values, StrokeProfile& profile);
 
 /// Values of `derived_quantities()`.
 std::map<std::string, double> derived_values(const Setup& setup, const film::FilmGrid& grid);

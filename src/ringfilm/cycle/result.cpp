@@ -1,5 +1,7 @@
 #include "ringfilm/cycle/result.hpp"
 
+#include <iterator>
+
 namespace ringfilm::cycle {
 
 const std::vector<CurveQuantity>& curve_quantities() {
@@ -161,6 +163,12 @@ const std::vector<CycleQuantity>& cycle_quantities() {
        &V::peak_film_pressure},
       {{"mean_cavitated_fraction", "1", "%", "mean cavitated share of the face", "x_c", "eq-complementarity"},
        &V::mean_cavitated_fraction},
+      {{"oil_scraped_up", "kg", "mg", "oil that the ring leaves above it at TDC, per cycle", "m_up", "eq-bead"},
+       &V::oil_scraped_up},
+      {{"oil_scraped_down", "kg", "mg", "oil that the ring leaves below it at BDC, per cycle", "m_down", "eq-bead"},
+       &V::oil_scraped_down},
+      {{"oil_replenished", "kg", "mg", "oil that the oil ring lays on the liner, per cycle", "m_oil", "eq-oil-account"},
+       &V::oil_replenished},
       {{"archard_wear_load", "J", "J", "asperity load times sliding distance, per cycle", "int W_a |U| dt",
         "eq-archard-wear-load"},
        &V::archard_wear_load},
@@ -183,6 +191,26 @@ std::optional<std::size_t> cycle_quantity_index(const std::string& name) {
     if (all[i].name == name) return i;
   }
   return std::nullopt;
+}
+
+const std::vector<StrokeFilm>& stroke_films() {
+  static const std::vector<StrokeFilm> films = [] {
+    std::vector<StrokeFilm> all;
+    const char* strokes[] = {"power", "exhaust", "intake", "compression"};
+    for (std::size_t k = 0; k < std::size(strokes); ++k) {
+      const std::string stroke = strokes[k];
+      all.push_back({{"film_ahead_" + stroke, "m", "um", "oil on the liner ahead of the ring, " + stroke + " stroke", "f",
+                      "eq-inlet-supply"},
+                     &StrokeProfile::film_ahead,
+                     k});
+      all.push_back({{"film_behind_" + stroke, "m", "um", "oil on the liner behind the ring, " + stroke + " stroke",
+                      "f_out", "eq-film-left"},
+                     &StrokeProfile::film_behind,
+                     k});
+    }
+    return all;
+  }();
+  return films;
 }
 
 const std::vector<Quantity>& derived_quantities() {

@@ -114,6 +114,9 @@ struct CycleValues {
   double mean_absolute_oil_flow = 0;     ///< mean of its modulus [kg/s]
   double peak_film_pressure = 0;         ///< largest along the face and over the cycle, absolute [Pa]
   double mean_cavitated_fraction = 0;    ///< share of the face that is a cavity [-]
+  double oil_scraped_up = 0;    ///< left above the ring at TDC, per cycle; 0 where the film on the liner is not followed [kg]
+  double oil_scraped_down = 0;  ///< the same below it at BDC [kg]
+  double oil_replenished = 0;   ///< laid by the oil ring, less what it takes away, per cycle; 0 likewise [kg]
   double archard_wear_load = 0;          ///< integral of asperity load x speed over the cycle [J]
   double power_stroke_energy = 0;        ///< part of E from 0 to 180 degree [J]
   double exhaust_stroke_energy = 0;      ///< part of E from 180 to 360 degree [J]
@@ -220,7 +223,17 @@ struct StrokeProfile {
   std::vector<double> liner_position;  ///< distance below the ring's TDC position, bin centres [m]
   std::vector<double>
       archard_wear_load_density;  ///< contact work per length of liner [J/m] (= N summed over the passes)
+  /// Oil on the liner where the ring stands, ahead of it and behind it, by stroke from power on; empty where it is not
+  /// followed (`film.supply = "film-on-liner"`) [m].
+  std::array<std::vector<double>, 4> film_ahead, film_behind;
 };
+
+/// A film on the liner over the stroke, and where `StrokeProfile` has it.
+struct StrokeFilm : Quantity {
+  std::array<std::vector<double>, 4> StrokeProfile::*films;  ///< the member that holds it
+  std::size_t stroke;                                        ///< 0 power, 1 exhaust, 2 intake, 3 compression
+};
+const std::vector<StrokeFilm>& stroke_films();  ///< in the order of files
 
 /// Something the user must know about this result: a law outside its range, a remedy that was used.
 struct Note {

@@ -41,9 +41,20 @@ RINGFILM_INLINE Real face_flux(Real entrainment, Real rho, Real conductance, Rea
 /// A node, and its oil at its pressure.
 template <class Real>
 struct Node {
-  Real p, theta, rho, drho, K, dK;  ///< pressure from any zero [Pa]; K = rho/eta
+  Real p, theta, rho, drho, K, dK;  ///< pressure from any zero [Pa]; K = rho/eta; theta: the share that flows
   typename Real::Mask is_film;
+  Real filled;  ///< share of the gap that holds oil: theta, but of a film that lies on the wall (carried_share)
+  Real gain{1};  ///< slope of theta in `filled`
 };
+
+/// How much of a gap flows, by the share that holds oil. In a cavity both walls carry the oil, at U/2 in the mean. A
+/// film next to the gas of an edge lies on the moving wall, at U: it counts twice, until it is half of the gap
+/// (eq-film-on-wall).
+inline constexpr double kOnWall = 2, kBetweenWalls = 1;
+template <class Real>
+RINGFILM_INLINE Real carried_share(Real filled, Real carry) {
+  return min(Real(1), carry * filled);
+}
 
 /// Flux through a face, and its slopes in z of its two nodes and in h.
 template <class Real>
@@ -97,8 +108,8 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion
     const auto to_left = dp > Real(0);
     const Real theta = select(to_left, right.theta, left.theta);
     const Real drained = pressure_flux(conductance, K, dp) * motion.inverse_content_scale;
-    drained_left = select(to_left, Real(0), drained);
-    drained_right = select(to_left, drained, Real(0));
+    drained_left = select(to_left, Real(0), drained * left.gain);
+    drained_right = select(to_left, drained * right.gain, Real(0));
     conductance = theta * conductance;
     third = theta * third;
   }
@@ -109,8 +120,8 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion
   if constexpr (kFilmContent) {
     const Real stream = h * rho;
     if constexpr (kTerms == Terms::kAll) {
-      flux.by_left = select(left.is_film, film_left, motion.content_from_left * stream + drained_left);
-      flux.by_right = select(right.is_film, film_right, motion.content_from_right * stream + drained_right);
+      flux.by_left = select(left.is_film, film_left, motion.content_from_left * left.gain * stream + drained_left);
+      flux.by_right = select(right.is_film, film_right, motion.content_from_right * right.gain * stream + drained_right);
     } else {
       flux.by_left = select(left.is_film, film_left, motion.content_from_left * stream);
       flux.by_right = select(right.is_film, film_right, motion.content_from_right * stream);
@@ -158,7 +169,7 @@ RINGFILM_INLINE Flux<Real> cross_flux(Real conductance, Real third, const Node<R
 template <bool kFilmContent, class Real>
 RINGFILM_INLINE Real filled_density(const Node<Real>& node) {
   if constexpr (kFilmContent) {
-    return node.rho * node.theta;
+    return node.rho * node.filled;
   } else {
     return node.rho;
   }

@@ -438,7 +438,7 @@ struct Film {
 /// The keys under `supply`, of a film whose inlet is not flooded.
 struct Supply {
   std::optional<double> film;   ///< on the liner ahead of the ring, or what the oil ring leaves [m]
-  std::optional<double> reach;  ///< from this distance of the ring below TDC on the oil ring lays it on downstrokes [m]
+  std::optional<double> reach;  ///< liner from so far below the TDC position of the chamber edge has it on downstrokes [m]
   Scraped scraped = Scraped::kBead;  ///< oil that an inlet does not take
 };
 

@@ -16,10 +16,13 @@ constexpr When kInletLeft{[](const Case& c) { return c.enters_out_of_gas(Directi
 constexpr When kInletRight{[](const Case& c) { return c.enters_out_of_gas(Direction::kMinusX); },
                            "film.right_edge = \"gas\", pad.direction = \"-x\" and pad.speed is not 0"};
 
-constexpr When kNotFlooded{[](const Case& c) { return c.film.supply != OilSupply::kFlooded; },
+constexpr When kGasEdge{[](const Case& c) { return c.film.has_gas_edge(); },
+                        "film.chamber_edge or film.crankcase_edge is \"gas\""};
+constexpr When kNotFlooded{[](const Case& c) { return c.film.has_gas_edge() && c.film.supply != OilSupply::kFlooded; },
                            "film.supply is not \"flooded\""};
-constexpr When kFilmOnLiner{[](const Case& c) { return c.film.supply == OilSupply::kFilmOnLiner; },
-                            "film.supply = \"film-on-liner\""};
+constexpr When kFilmOnLiner{
+    [](const Case& c) { return c.film.has_gas_edge() && c.film.supply == OilSupply::kFilmOnLiner; },
+    "film.supply = \"film-on-liner\""};
 
 std::string edge_help(const std::string& edge, const std::string& stroke) {
   return "what the " + edge + " edge of the face meets on the " + stroke +
@@ -53,7 +56,7 @@ void append_run_fields(std::vector<Field>& fields) {
                 Need::kDefault, {}, {edge_help("crankcase", "upstroke"), "\"gas\""}),
           field("film.supply",
                 choice<&Case::film, &Film::supply>({"flooded", "given", "film-on-liner"}), kNoUnit, {}, Need::kDefault,
-                {},
+                kGasEdge,
                 {"oil at an edge of gas where the film enters: as much as it takes, the same film on every stroke, or "
                  "what earlier strokes left on the liner",
                  "\"film-on-liner\""}),
@@ -63,7 +66,7 @@ void append_run_fields(std::vector<Field>& fields) {
                  "\"2 um\""}),
           field("supply.reach", OptionalNumberKind{member<&Case::supply, &Supply::reach>}, {"m", "mm"},
                 between(0, 5), Need::kRequired, kFilmOnLiner,
-                {"distance of the ring below its TDC position from which on the oil ring has laid its film ahead of it "
+                {"distance below the TDC position of the chamber edge from which on the oil ring lays its film ahead of the ring "
                  "on each downstroke",
                  "\"10 mm\""}),
           field("supply.scraped", choice<&Case::supply, &Supply::scraped>({"bead", "discarded"}), kNoUnit, {},

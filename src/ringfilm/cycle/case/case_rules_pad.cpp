@@ -237,11 +237,6 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
 }
 
 void append_supply_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
-  if (c.film.supply == OilSupply::kFlooded) return;
-  if (!c.film.has_gas_edge()) {
-    breaches.push_back({"film.supply", "film.supply is for an edge of gas: both edges are flooded with oil",
-                        "state film.chamber_edge = \"gas\" and film.crankcase_edge = \"gas\", or omit film.supply"});
-  }
   if (c.film.supply != OilSupply::kFilmOnLiner) return;
   if (c.supply.reach && !(*c.supply.reach < c.engine.stroke)) {
     breaches.push_back({"supply.reach",
@@ -251,7 +246,7 @@ void append_supply_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   }
   if (c.ring.face.orientation == Orientation::kLeadingEdge) {
     breaches.push_back({"film.supply",
-                        "film.supply = \"film-on-liner\" and ring.face.orientation = \"leading-edge\" exclude one another",
+                        "film.supply = \"film-on-liner\" excludes ring.face.orientation = \"leading-edge\"",
                         "a face that turns over at the dead centres keeps no account of its oil; state how the ring is "
                         "installed, \"x0-chamber\" or \"x0-crankcase\""});
   }

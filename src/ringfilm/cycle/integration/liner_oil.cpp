@@ -10,6 +10,9 @@ namespace ringfilm::cycle {
 LinerFilm::LinerFilm(double length, double mass_per_area)
     : cell_(length / kCells), mass_per_area_(kCells, mass_per_area) {}
 
+LinerFilm::LinerFilm(double cell, std::vector<double> mass_per_area)
+    : cell_(cell), mass_per_area_(std::move(mass_per_area)) {}
+
 int LinerFilm::cell_at(double place) const { return std::clamp(static_cast<int>(place / cell_), 0, kCells - 1); }
 
 double LinerFilm::mass(double begin, double end) const {
@@ -49,8 +52,7 @@ LinerOil::Sweep LinerOil::sweep(double from_deg, double to_deg) const {
 
 double LinerOil::mass_ahead(const Sweep& swept) const {
   if (swept.up) return film_.mass(swept.lead_begin, swept.lead_end);
-  // The reach is that of the chamber edge; what the ring meets is ahead of its other edge.
-  const double reach = std::clamp(reach_ + face_width_, swept.lead_begin, swept.lead_end);
+  const double reach = std::clamp(reach_, swept.lead_begin, swept.lead_end);
   return film_.mass(swept.lead_begin, reach) + fresh_ * (swept.lead_end - reach);
 }
 
@@ -75,6 +77,19 @@ void LinerOil::turn(bool up) {
   bead_ = 0;
   up_ = up;
   begun_ = true;
+  std::rotate(at_turns_.begin(), at_turns_.end() - 1, at_turns_.end());
+  at_turns_.front() = account_;
+}
+
+LinerOil::Account LinerOil::of_last_cycle() const {
+  const Account &now = at_turns_.front(), &before = at_turns_.back();
+  return {now.replenished - before.replenished, now.scraped_up - before.scraped_up,
+          now.scraped_down - before.scraped_down, now.taken - before.taken, now.left - before.left};
+}
+
+double LinerOil::mean(const std::vector<double>& films, double begin, double end, bool below) const {
+  const double shift = below ? face_width_ : 0;
+  return LinerFilm(film_.cell(), films).mass(begin + shift, end + shift) / (end - begin);
 }
 
 void LinerOil::pass(double from_deg, double to_deg, double time_step, double from_chamber, double to_crankcase) {
@@ -85,7 +100,7 @@ void LinerOil::pass(double from_deg, double to_deg, double time_step, double fro
     turn(swept.up);
     passes_[stroke].before = film_.mass_per_area();
     if (!swept.up) {
-      const auto first = static_cast<std::size_t>((reach_ + face_width_) / film_.cell());
+      const auto first = static_cast<std::size_t>(reach_ / film_.cell());
       std::vector<double>& before = passes_[stroke].before;
       std::fill(before.begin() + static_cast<std::ptrdiff_t>(std::min(first, before.size())), before.end(), fresh_);
     }

@@ -13,6 +13,7 @@ namespace ringfilm::cycle {
 class LinerFilm {
  public:
   LinerFilm(double length, double mass_per_area);
+  LinerFilm(double cell, std::vector<double> mass_per_area);
 
   /// Oil on the liner between two places that the ring does not cover [kg/m].
   double mass(double begin, double end) const;
@@ -65,6 +66,11 @@ class LinerOil {
     double left = 0;          ///< out of it, behind the ring
   };
   const Account& account() const { return account_; }
+  /// The same over the last whole cycle, from dead centre to dead centre.
+  Account of_last_cycle() const;
+  /// Mean film over the stretch of liner that the ring passes while it goes from one place below TDC to another.
+  /// @param films of Pass [kg/m2]  @param below at the crankcase edge of the ring, else at the chamber edge
+  double mean(const std::vector<double>& films, double begin, double end, bool below) const;
   /// Oil on the liner outside the ring at a crank angle [kg/m].
   double on_liner(double crank_angle_deg) const;
 
@@ -89,6 +95,7 @@ class LinerOil {
   bool begun_ = false;
   std::array<Pass, kStrokes> passes_;
   Account account_;
+  std::array<Account, kStrokes + 1> at_turns_;  ///< at the last dead centres, the latest first
 };
 
 }  // namespace ringfilm::cycle

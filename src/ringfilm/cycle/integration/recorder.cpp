@@ -139,6 +139,9 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
   const std::vector<Sample>& base = result.complete ? base_ : passed;
   result.values = result.complete ? cycle_values(setup_, base) : no_cycle_values();
   if (result.complete) result.stroke = stroke_profile(setup_, base);
+  if (result.complete && integration.liner_oil() != nullptr) {
+    add_liner_oil(setup_, *integration.liner_oil(), result.values, result.stroke);
+  }
   if (unrolled_) unrolled_->add_to(result, integration, base);
   result.derived = derived_values(setup_, integration.problem().grid);
 

@@ -45,13 +45,15 @@ class Film2dBalance {
     const Real z = Real::load(b_.z + place);
     Real p = max(Real(0), z);  // over p_c: gradients alone count
     if constexpr (kTerms == Terms::kAll) p += Real::load(b_.bound + place);
+    const Real theta = kFilmContent ? Real(1) + min(Real(0), z) * inverse_content_scale_ : Real(1);
     return {p,
-            kFilmContent ? Real(1) + min(Real(0), z) * inverse_content_scale_ : Real(1),
+            theta,
             Real::load(b_.rho + place),
             Real::load(b_.drho_dp + place),
             Real::load(b_.K + place),
             Real::load(b_.dK_dp + place),
-            z > Real(0)};
+            z > Real(0),
+            theta};
   }
 
   /// Mean of h^3 over a face, and a third of its slope in h_m.

@@ -13,6 +13,7 @@ struct FilmView {
   const double* shear_deficit;  ///< 1 where gas fills the gap next to a thin film, which bears no shear; else `deficit`
   double h_m;                   ///< [m]
   double deficit_share;         ///< 1: theta = 1 - deficit; 0: theta = 1
+  int left_gas_end = 0, right_gas_begin = 1 << 30;  ///< nodes before and from there on are next to gas of an edge
   double left_supply = kUnlimited, right_supply = kUnlimited;  ///< four times that of the edges [kg/m2]
 };
 
@@ -79,7 +80,10 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
   const double h = film.h_m + film.face_height[i];
   const double dp = film.p[i + 1] - film.p[i];
   const auto film_content = [&](bool from_left) {
-    return 1 - film.deficit_share * film.deficit[from_left ? i : i + 1];
+    const int node = from_left ? i : i + 1;
+    const bool on_wall = node < film.left_gas_end || node >= film.right_gas_begin;
+    const double carried = (on_wall ? kOnWall : kBetweenWalls) * (1 - film.deficit_share * film.deficit[node]);
+    return carried < 1 ? carried : 1;
   };
   const double supply = i == 0 ? film.left_supply : i == film.n_cells - 1 ? film.right_supply : kUnlimited;
   double carried = entrainment(0.25 * U, film_content(U >= 0), h);

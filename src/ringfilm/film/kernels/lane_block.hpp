@@ -43,6 +43,7 @@ struct LaneBlock {
   // Of nodes, only with Terms::kAll
   double* bound;                      ///< lowest pressure over p_c [Pa]
   double *mobility, *stored;          ///< FlowFactors [-], [m]
+  double* carry;                      ///< of carried_share [-]
   double* inflow;                     ///< what the step before left and what sources add [kg/(m s)]
   double* node_height;                ///< h_s [m]
   double* share;                      ///< [m]

@@ -173,10 +173,15 @@ class NewtonSweep {
 
   /// Node `i`, in slot `k` of its stretch.
   RINGFILM_INLINE Node node(const Film& film, int i, int k) const {
-    return {film.p.at(k),         kFilmContent ? film.theta.at(k) : Real(1),
-            film.rho.at(k),       film.drho.at(k),
-            film.K.at(k),         film.dK.at(k),
-            at(b_.z, i) > Real(0)};
+    const Real filled = kFilmContent ? film.theta.at(k) : Real(1);
+    Node node{film.p.at(k), filled, film.rho.at(k), film.drho.at(k), film.K.at(k), film.dK.at(k),
+              at(b_.z, i) > Real(0), filled};
+    if constexpr (kFilmContent && kTerms == Terms::kAll) {
+      const Real carry = at(b_.carry, i);
+      node.theta = carried_share(filled, carry);
+      node.gain = select(carry * filled < Real(1), carry, select(carry > Real(kBetweenWalls), Real(0), Real(1)));
+    }
+    return node;
   }
 
   RINGFILM_INLINE Flux flux(int face, const Node& left, const Node& right) const {

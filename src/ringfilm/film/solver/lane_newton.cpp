@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostIterations = 40;  // of the coupled Newton
 constexpr double kNowhere = -1;      // a reach of contact that no gap is within
 
-constexpr int kNodalArrays = 17;
+constexpr int kNodalArrays = 18;
 
 /// Nothing moves and nothing changes: no equation holds the film content, and a node that the iteration put below p_c
 /// is held there by the multiplier, as in Reynolds' exit, until its pressure comes back.
@@ -35,7 +35,7 @@ LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
   for (double** nodal : {&block_.z, &block_.bound, &block_.inflow, &block_.node_height, &block_.share,
                          &block_.face_height, &block_.conductance, &block_.upper, &block_.column, &block_.rhs,
                          &block_.rho, &block_.drho_dp, &block_.K, &block_.dK_dp, &block_.mobility, &block_.stored,
-                         &block_.carried}) {
+                         &block_.carried, &block_.carry}) {
     *nodal = array;
     array += stride;
   }
@@ -64,7 +64,7 @@ void LaneNewton::clear_from(int lane, int node) {
                           block_.conductance, block_.drho_dp, block_.dK_dp, block_.stored, block_.carried}) {
       nodal(array, i, lane) = 0;
     }
-    for (double* array : {block_.z, block_.rho, block_.K, block_.mobility}) nodal(array, i, lane) = 1;
+    for (double* array : {block_.z, block_.rho, block_.K, block_.mobility, block_.carry}) nodal(array, i, lane) = 1;
   }
 }
 
@@ -225,6 +225,7 @@ void LaneNewton::set_terms(int lane, const FilmInputs& inputs) {
   const auto factor = [](const std::vector<double>& of, int i, double none) { return of.empty() ? none : of[i]; };
   for (int i = 0; i <= at.n_cells; ++i) {
     nodal(block_.mobility, i, lane) = factors ? factor(factors->mobility, i, 1) : 1;
+    nodal(block_.carry, i, lane) = inputs.carry(at.problem->grid, i);
     nodal(block_.stored, i, lane) = factors ? factor(factors->stored, i, 0) : 0;
     if (i < at.n_cells) nodal(block_.carried, i, lane) = factors ? factor(factors->carried, i, 0) : 0;
   }
@@ -323,7 +324,7 @@ void LaneNewton::read(int lane, FilmState& state) const {
   state.p.back() = inputs.right.pressure;
   const std::vector<double>& rise = lanes_[lane].problem->grid.node_height;
   const auto full = [&](const EdgeState& edge, double height) {
-    return inputs.oil->density(edge.pressure) * (state.h_m + height);
+    return inputs.oil->density(edge.pressure) * (state.h_m + height) / (inputs.is_steady() ? kOnWall : kBetweenWalls);
   };
   state.deficit.front() = edge_deficit(inputs.left, full(inputs.left, rise.front()), state.deficit[1]);
   state.deficit.back() =

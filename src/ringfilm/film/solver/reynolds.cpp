@@ -118,6 +118,7 @@ void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLa
 
 FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
   const FilmGrid& grid = problem.grid;
+  const auto is_on_wall = [&](int node) { return inputs.carry(grid, node) == kOnWall; };
   return {grid.n_cells(),
           grid.node_height.data(),
           grid.face_height.data(),
@@ -129,6 +130,8 @@ FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const F
           state.deficit.data(),
           state.h_m,
           problem.cavitation == Cavitation::kMassConserving ? 1.0 : 0.0,
+          is_on_wall(0) ? grid.throat : 0,
+          is_on_wall(grid.n_cells()) ? grid.throat + 1 : grid.n_cells() + 1,
           std::min(4 * inputs.left.supply, kUnlimited),
           std::min(4 * inputs.right.supply, kUnlimited)};
 }

@@ -119,6 +119,9 @@ void exchange_fields(File& file, Result& result) {
                described("archard_wear_load_density", "J m-1", "work of asperity contact per length of liner and cycle",
                          "w", "eq-archard-wear-load"),
                stroke.archard_wear_load_density);
+  for (const cycle::StrokeFilm& film : cycle::stroke_films()) {
+    file.numbers({"liner_position"}, film, (stroke.*film.films)[film.stroke]);
+  }
 }
 
 template <class File, class Document>

@@ -82,6 +82,16 @@ ordered_json field(const std::vector<double>& values, std::size_t n_nodes, const
   return list;
 }
 
+ordered_json stroke_profile(const cycle::StrokeProfile& stroke) {
+  ordered_json object = {{"liner_position", rounded_list(stroke.liner_position, kCurveDigits)},
+                         {"archard_wear_load_density", rounded_list(stroke.archard_wear_load_density, kCurveDigits)}};
+  for (const cycle::StrokeFilm& film : cycle::stroke_films()) {
+    const std::vector<double>& values = (stroke.*film.films)[film.stroke];
+    if (!values.empty()) object[film.name] = rounded_list(values, kCurveDigits);
+  }
+  return object;
+}
+
 ordered_json face_fields(const cycle::FaceFields& fields) {
   const std::size_t n_nodes = fields.x.size();
   const std::size_t n_angles = fields.crank_angle_deg.size();
@@ -215,9 +225,7 @@ ordered_json document(const io::ResultDocument& d) {
           {"fields", face_fields(d.result.fields)},
           {"unrolled_values", unrolled_values(d.result)},
           {"unrolled", unrolled_payload(d.result.unrolled, rupture_pressure(d.inputs))},
-          {"stroke",
-           {{"liner_position", rounded_list(d.result.stroke.liner_position, kCurveDigits)},
-            {"archard_wear_load_density", rounded_list(d.result.stroke.archard_wear_load_density, kCurveDigits)}}},
+          {"stroke", stroke_profile(d.result.stroke)},
           {"derived", std::move(derived)},
           {"notes", std::move(notes)},
           {"input_notes", d.input_notes},

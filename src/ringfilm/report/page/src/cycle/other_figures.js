@@ -95,6 +95,49 @@ export function faceFigure(model) {
   };
 }
 
+/** Oil on the liner ahead of the ring and behind it, stroke by stroke; null where no case follows it. */
+export function linerFilmFigure(model) {
+  const strokes = [
+    ['power', 'power stroke, down'],
+    ['exhaust', 'exhaust stroke, up'],
+    ['intake', 'intake stroke, down'],
+    ['compression', 'compression stroke, up'],
+  ];
+  const cases = model.cases.filter((c) => c.stroke.film_ahead_power?.length > 1);
+  if (cases.length === 0) return null;
+  const line = (c, stroke, where, part) => ({
+    caseIndex: c.series,
+    part,
+    label: `${model.cases.length > 1 ? `${c.name}, ` : ''}${where} the ring`,
+    x: c.stroke.liner_position.map((v) => v * 1e3),
+    y: c.stroke[`film_${where === 'behind' ? 'behind' : 'ahead'}_${stroke}`].map((v) => v * 1e6),
+  });
+  const panel = ([stroke, words]) => {
+    const series = cases.flatMap((c) => [
+      line(c, stroke, 'ahead of', 'viscous'),
+      line(c, stroke, 'behind', null),
+    ]);
+    return {
+      id: `film-${stroke}`,
+      fromZero: true,
+      yLabel: `oil on the liner, ${words}`,
+      yUnit: 'µm',
+      xLabel: 'distance of the ring below TDC',
+      xUnit: 'mm',
+      series,
+      xRange: [0, Math.max(...series.map((s) => s.x[s.x.length - 1]))],
+    };
+  };
+  return {
+    id: 'film-on-liner',
+    title: 'Oil on the liner along the stroke',
+    panels: strokes.map(panel),
+    caption:
+      'What the ring meets on each stroke (dashed) and what it leaves (full line), where it stands. Left is TDC, ' +
+      'right is BDC. On downstrokes the oil ring replenishes the liner below its reach.',
+  };
+}
+
 export function wearFigure(model) {
   const series = model.cases
     .filter((c) => c.stroke.liner_position.length > 1)
