@@ -153,7 +153,11 @@ void TimeIntegration::start(int k) {
   time_step_before_ = 0;
   level_ = 0;
   tick_ = kTicks;
-  const RingConditions at = ring_conditions(setup_, angle_deg_, film::kSteady);
+  RingConditions at = ring_conditions(setup_, angle_deg_, film::kSteady);
+  // A steady film with a full inlet exists at any speed.
+  for (film::EdgeState* edge : {&at.inputs.left, &at.inputs.right}) {
+    if (std::isfinite(edge->supply)) *edge = {edge->pressure};
+  }
   const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
   count(report);
   if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
