@@ -108,6 +108,16 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
   return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
 }
 
+HeatBefore TimeIntegration::heat_of_state(const RingConditions& at) const {
+  if (!setup_.input.thermal.is_heated()) return {};
+  return {viscous_heating_rise(at.inputs, state_), setup_.ring.oil.range->viscosity(at.film_temperature)};
+}
+
+double TimeIntegration::viscous_heating_rise(const film::FilmInputs& inputs, const film::FilmState& state) const {
+  const Lubricant& oil = setup_.input.lubricant;
+  return film_.heating(inputs, state).rise(oil.thermal_conductivity, oil.specific_heat);
+}
+
 /// The face turns over at a reversal. The share of the gap that is full of oil stays where it is, and so does the
 /// pressure. Where the face is not symmetric, the gap changes and its oil with it: as much oil in a smaller gap would
 /// have to leave at once, at a pressure that rises without limit as the step is cut.
@@ -130,11 +140,13 @@ void TimeIntegration::start(int k) {
   time_step_before_ = 0;
   level_ = 0;
   tick_ = kTicks;
+  heat_ = {};
   const RingConditions at = ring_conditions(setup_, angle_deg_, film::kSteady);
   const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
   count(report);
   if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
   axis_ = at.axis;
+  heat_ = heat_of_state(at);
   instant_ = {wrapped(angle_deg_), at, &before_, &state_, effort_};
 }
 
@@ -148,7 +160,7 @@ void TimeIntegration::propose() {
   const int ticks = kTicks >> level_;
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
   step_.time_step = radians(base_deg * ticks / kTicks) / setup_.engine.speed;
-  step_.at = ring_conditions(setup_, step_.to_deg, step_.time_step);
+  step_.at = ring_conditions(setup_, step_.to_deg, step_.time_step, heat_);
   // The film does not follow its past across a step where oil takes the place of gas at an edge.
   if (chamber_edge(step_.at).fluid != chamber_edge(instant_.at).fluid ||
       crankcase_edge(step_.at).fluid != crankcase_edge(instant_.at).fluid) {
@@ -192,6 +204,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   std::swap(before_, state_);
   std::swap(state_, candidate_);
   time_step_before_ = step_.time_step;
+  heat_ = heat_of_state(step_.at);
   angle_deg_ = step_.to_deg;
   tick_ += ticks;
   ++effort_.steps;
@@ -224,7 +237,7 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
     to = state_;
     Axis axis = axis_;
     for (int part = 1; part <= parts; ++part) {
-      at = ring_conditions(setup_, angle_deg_ + part * part_deg, radians(part_deg) / setup_.engine.speed);
+      at = ring_conditions(setup_, angle_deg_ + part * part_deg, radians(part_deg) / setup_.engine.speed, heat_);
       if (at.axis != axis) turn(to);
       axis = at.axis;
       side_before_ = to;

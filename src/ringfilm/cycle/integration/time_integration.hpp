@@ -103,6 +103,10 @@ class TimeIntegration {
   /// Of an unrolled film, else nullptr.
   const film::Film2dProblem* film2d() const { return film_.film2d(); }
 
+  /// Rise of the film's temperature above that of its walls by its own shear, eq-viscous-heating; of an unrolled film
+  /// that of its strip halfway [K].
+  double viscous_heating_rise(const film::FilmInputs& inputs, const film::FilmState& state) const;
+
   /// Largest relative difference of film, pressure and film content from another state [-].
   double distance(const film::FilmState& other) const;
 
@@ -119,6 +123,7 @@ class TimeIntegration {
  private:
   bool adaptive() const { return setup_.input.solver.crank_step_control == StepControl::kAdaptive; }
   double time_error(const film::FilmState& to, double time_step) const;
+  HeatBefore heat_of_state(const RingConditions& at) const;
   void turn(film::FilmState& state) const;
   void count(const film::FilmReport& report);
 
@@ -127,6 +132,7 @@ class TimeIntegration {
   film::FilmState state_, before_, candidate_, side_before_;
   Axis axis_ = Axis::kFromChamber;  ///< of `state_` and `before_`
   double time_step_before_ = 0;     ///< 0: no history
+  HeatBefore heat_;                 ///< of `state_`, if it counts
   int k_ = 0;                       ///< current base angle
   double angle_deg_ = 0;            ///< the same as an angle, within a base step too
   int level_ = 0;                   ///< steps are 2^-level of the base step
