@@ -90,6 +90,17 @@ TEST(ViscousHeating, HasANoteWhereItIsLargeAndIgnored) {
   EXPECT_FALSE(has_note(simulated(heated(c))));
 }
 
+TEST(ViscousHeating, EndsWithTheOilTable) {
+  Case c = heated(new_ring(5500));
+  c.lubricant.table_file = "oil.csv";
+  c.lubricant.table = OilTable{{383.15, 394.15}, {1e5, 2e7}, {7e-3, 9e-3, 5.6e-3, 7e-3}, {790, 798, 783, 791}};
+  const CycleResult result = simulated(c);
+  for (const Sample& s : result.samples) EXPECT_LE(s.film_temperature, 394.15) << s.crank_angle_deg;
+  EXPECT_EQ(at(result, 70).film_temperature, 394.15);
+  EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(),
+                          [](const Note& note) { return note.topic == "viscous-heating-high"; }));
+}
+
 TEST(ViscousHeating, InABatchAgreesWithThatAlone) {
   std::vector<Case> cases(5, heated(new_ring(4000)));
   for (std::size_t i = 0; i < cases.size(); ++i) cases[i].operating.speed *= 1 + 0.1 * static_cast<double>(i);
