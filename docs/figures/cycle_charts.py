@@ -191,6 +191,53 @@ def stribeck():
     return picture
 
 
+SPEEDS = (("1500 rpm", Style(BLUE)), ("5500 rpm", Style(ORANGE, "7 3")))
+
+
+def heat():
+    """What the friction of the new ring heats: the film by shear, the liner by asperities."""
+    picture = Picture("Temperature rise of the film by viscous heating, and flash temperature of the liner", 480)
+    mark_synthetic(picture)
+    legend(picture, LEFT, 20, [(style, speed) for speed, style in SPEEDS], step=130)
+    results = [
+        (case("styles2014/new.toml", film__cavitation="mass-conserving", operating__speed=speed).run(), style)
+        for speed, style in SPEEDS
+    ]
+    shown = (
+        ("viscous_heating_rise", "rise of the film above its walls ΔT [K]", 3, range(0, 4)),
+        ("flash_temperature", "flash temperature of the liner ΔT_{f} [K]", 8, range(0, 9, 2)),
+    )
+    for k, (name, title, highest, ticks) in enumerate(shown):
+        panel = cycle_panel(picture, 60 + 205 * k, 150, 0, highest)
+        panel.title(title)
+        panel.y_axis("", ticks)
+        panel.crank(last=k == 1)
+        for result, style in results:
+            panel.curve(*curves(result, name), style)
+    return picture
+
+
+def gas_holding():
+    """Which pressure difference the film of the new ring holds, and where the gas breaks through."""
+    picture = Picture("Gas-holding margin of the new ring in the power stroke", 330)
+    mark_synthetic(picture)
+    gas = {"film__chamber_edge": "gas", "film__crankcase_edge": "gas", "film__cavitation": "mass-conserving"}
+    panel = Panel(picture, LEFT, 44, ACROSS, 224, (0, 90), (0.1, 10), "y")
+    panel.y_axis("gas-holding margin m_{g} [-]", [0.1, 0.2, 0.5, 1, 2, 5, 10])
+    panel.x_axis("crank angle [deg CA], 0 at firing TDC", range(0, 91, 15))
+    entries = [(style, speed) for speed, style in SPEEDS]
+    legend(picture, LEFT, 20, [*entries, (Style(RED, width=6), "gas breaks through")], step=130)
+    for speed, style in SPEEDS:
+        result = case("styles2014/new.toml", operating__speed=speed, **gas).run()
+        early = [k for k, angle in enumerate(result.crank_angle) if 2 <= angle <= 90]
+        broken = [k for k in early if result.gas_breakthrough[k] > 0]
+        for part, look in ((broken, Style(RED, width=6)), (early, style)):
+            panel.curve([result.crank_angle[k] for k in part], [result.gas_holding_margin[k] for k in part], look)
+    panel.level(1, Style(BLACK, "2 3", 1.2))
+    panel.frame()
+    return picture
+
+
 def grid_error():
     """How a value converges in the cells, with the error estimate."""
     picture = Picture("Convergence of friction and film in cells, and the estimated error", 330)
@@ -284,6 +331,8 @@ PICTURES = {
     "cycle-values": cycle_values,
     "two-speeds": two_speeds,
     "stribeck": stribeck,
+    "heat": heat,
+    "gas-holding": gas_holding,
     "grid-error": grid_error,
     "step-control": step_control,
     "assumptions": assumptions,

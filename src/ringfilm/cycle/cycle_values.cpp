@@ -82,6 +82,13 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
                 v.peak_viscous_friction_angle);
   mean_and_peak(&Sample::total_friction, v.mean_total_friction, v.peak_total_friction, v.peak_total_friction_angle);
 
+  const Peak heating = largest(base, &Sample::viscous_heating_rise);
+  v.peak_viscous_heating_rise = heating.value;
+  v.peak_viscous_heating_rise_angle = heating.angle_deg;
+  const Peak flash = largest(base, &Sample::flash_temperature);
+  v.peak_flash_temperature = flash.value;
+  v.peak_flash_temperature_angle = flash.angle_deg;
+
   const Peak mu = largest(base, &Sample::friction_coefficient);
   v.peak_friction_coefficient = mu.value;
   v.peak_friction_coefficient_angle = mu.angle_deg;

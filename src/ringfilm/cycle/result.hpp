@@ -53,10 +53,15 @@ struct Sample {
   double film_ahead = 0;        ///< oil on the liner ahead of the ring; NaN where it floods the inlet [m]
   double film_left_behind = 0;  ///< oil on the liner behind a trailing edge in gas; NaN at an edge of oil [m]
   double bead_volume = 0;       ///< scraped oil that the ring moves ahead of it [m3]
-  double newton_iterations = 0;     ///< spent on the way here from the crank step before
-  double crank_sub_steps = 0;       ///< steps taken on that way
-  double fallbacks = 0;             ///< bracketed searches and shorter steps that were needed on it
-  double load_residual = 0;         ///< |W_h + W_a - W|/W [-]
+  double viscous_heating_rise = 0;  ///< mean rise of its temperature above that of its walls, by shear [K]
+  double flash_temperature = 0;     ///< mean rise of the liner's surface under the face, by boundary friction [K]
+  /// Largest difference of pressure that the film holds against gas where it leaves over the one that acts [-]; NaN
+  /// where the film leaves into oil or towards the lower pressure.
+  double gas_holding_margin = 0;
+  double newton_iterations = 0;  ///< spent on the way here from the crank step before
+  double crank_sub_steps = 0;    ///< steps taken on that way
+  double fallbacks = 0;          ///< bracketed searches and shorter steps that were needed on it
+  double load_residual = 0;      ///< |W_h + W_a - W|/W [-]
 };
 
 /// Name, unit and meaning of one quantity; `name` is the word used everywhere, from the CSV header to the caption.
@@ -117,11 +122,15 @@ struct CycleValues {
   double oil_scraped_up = 0;    ///< left above the ring at TDC, per cycle; 0 where the film on the liner is not followed [kg]
   double oil_scraped_down = 0;  ///< the same below it at BDC [kg]
   double oil_replenished = 0;   ///< laid by the oil ring, less what it takes away, per cycle; 0 likewise [kg]
-  double archard_wear_load = 0;          ///< integral of asperity load x speed over the cycle [J]
-  double power_stroke_energy = 0;        ///< part of E from 0 to 180 degree [J]
-  double exhaust_stroke_energy = 0;      ///< part of E from 180 to 360 degree [J]
-  double intake_stroke_energy = 0;       ///< part of E from 360 to 540 degree [J]
-  double compression_stroke_energy = 0;  ///< part of E from 540 to 720 degree [J]
+  double peak_viscous_heating_rise = 0;  ///< largest rise of the film's temperature by shear [K]
+  double peak_viscous_heating_rise_angle = 0;  ///< crank angle of it [degree]
+  double peak_flash_temperature = 0;           ///< largest rise of the liner's surface under the face [K]
+  double peak_flash_temperature_angle = 0;     ///< crank angle of it [degree]
+  double archard_wear_load = 0;                ///< integral of asperity load x speed over the cycle [J]
+  double power_stroke_energy = 0;              ///< part of E from 0 to 180 degree [J]
+  double exhaust_stroke_energy = 0;            ///< part of E from 180 to 360 degree [J]
+  double intake_stroke_energy = 0;             ///< part of E from 360 to 540 degree [J]
+  double compression_stroke_energy = 0;        ///< part of E from 540 to 720 degree [J]
 };
 
 /// A value of the cycle and where `CycleValues` has it.

@@ -55,6 +55,7 @@ template <class Real>
 RINGFILM_INLINE Real carried_share(Real filled, Real carry) {
   return min(Real(1), carry * filled);
 }
+inline double carried_share(double filled, double carry) { return carry * filled < 1 ? carry * filled : 1; }
 
 /// Flux through a face, and its slopes in z of its two nodes and in h.
 template <class Real>

@@ -94,6 +94,7 @@ inline double fair_scale(const CycleResult& result, const CycleQuantity& quantit
   if (name == "peak_boundary_friction" || name == "peak_viscous_friction") return v.peak_total_friction;
   if (name == "net_oil_flow") return v.mean_absolute_oil_flow;
   if (name == "peak_mean_real_pressure") return std::max(v.peak_mean_real_pressure, 1e9);  // 0 without contact
+  if (name == "peak_flash_temperature") return std::max(v.peak_flash_temperature, 1.0);    // likewise
   if (name == "archard_wear_load") {  // as if the asperities carried all of the load
     double power = 0;
     for (const Sample& sample : result.samples) power += sample.applied_load * std::abs(sample.piston_velocity);

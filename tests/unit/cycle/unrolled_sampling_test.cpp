@@ -40,12 +40,21 @@ film::Film2dIntegrals made_up() {
   return integrals;
 }
 
+/// A full film of 1 um at no pressure.
+film::FilmState full_film(const TimeIntegration& integration) {
+  film::FilmState state;
+  state.h_m = 1e-6;
+  state.p.assign(integration.film2d()->n_nodes(), 0.0);
+  state.deficit = state.p;
+  return state;
+}
+
 TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
   const cycle::Setup setup = prepare(small_ring());
   const TimeIntegration integration(setup);
-  film::FilmState state;
-  state.h_m = 1e-6;
+  const film::FilmState state = full_film(integration);
   Instant instant;
+  instant.at.inputs.oil = setup.ring.oil.range->at(setup.ring.oil.temperature);
   instant.crank_angle_deg = 400;
   instant.at.inputs.U = -5;
   instant.at.inputs.load = 980;
@@ -76,9 +85,9 @@ TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
 TEST(UnrolledSampling, AShareOfNoFlowIsNone) {
   const cycle::Setup setup = prepare(small_ring());
   const TimeIntegration integration(setup);
-  film::FilmState state;
-  state.h_m = 1e-6;
+  const film::FilmState state = full_film(integration);
   Instant instant;
+  instant.at.inputs.oil = setup.ring.oil.range->at(setup.ring.oil.temperature);
   instant.at.inputs.load = 980;
   instant.state = &state;
   film::Film2dIntegrals integrals = made_up();
@@ -95,14 +104,11 @@ TEST(UnrolledSampling, TheStripHalfwayIsThatOfTheFilm2d) {
   const cycle::Setup setup = prepare(c);
   const TimeIntegration integration(setup);
   const auto halfway = static_cast<std::size_t>(integration.film2d()->around.halfway());
-  film::FilmState state;
-  state.h_m = 1e-6;
-  const std::size_t n = integration.film2d()->n_nodes(),
-                    n_across = static_cast<std::size_t>(integration.film2d()->n_across());
-  state.p.assign(n, 0.0);
-  state.deficit.assign(n, 0.0);
+  film::FilmState state = full_film(integration);
+  const auto n_across = static_cast<std::size_t>(integration.film2d()->n_across());
   state.p[halfway * n_across + 3] = 5e5;
   Instant instant;
+  instant.at.inputs.oil = setup.ring.oil.range->at(setup.ring.oil.temperature);
   instant.at.inputs.load = 980;
   instant.state = &state;
   film::Film2dIntegrals integrals = made_up();

@@ -223,13 +223,21 @@ struct Operating {
 
 using FilmTemperature = models::FilmTemperature;  ///< `thermal.film`
 
-/// The keys under `thermal`, in place of one oil temperature.
-struct Thermal {
-  std::optional<double> ring;                            ///< of the face of the ring [K]
-  std::vector<LinerTemperature> liner;                   ///< by distance, increasing; one point: the same everywhere
-  FilmTemperature film = FilmTemperature::kMeanOfWalls;  ///< whose temperature the oil film has
+/// `thermal.viscous_heating`: what the heat of shear does to the film.
+enum class ViscousHeating {
+  kNone,   ///< nothing: its rise of temperature is reported alone
+  kInFilm  ///< the oil of a step is warmer by it
+};
 
-  bool is_stated() const { return ring || !liner.empty(); }  ///< of a case: else one oil temperature
+/// The keys under `thermal`: wall temperatures in place of one oil temperature, and the film's own heat.
+struct Thermal {
+  std::optional<double> ring;                              ///< of the face of the ring [K]
+  std::vector<LinerTemperature> liner;                     ///< by distance, increasing; one point: the same everywhere
+  FilmTemperature film = FilmTemperature::kMeanOfWalls;    ///< whose temperature the oil film has
+  ViscousHeating viscous_heating = ViscousHeating::kNone;  ///< of the oil film, above that temperature
+
+  bool is_stated() const { return ring || !liner.empty(); }  ///< are there walls? Else one oil temperature
+  bool is_heated() const { return viscous_heating == ViscousHeating::kInFilm; }  ///< by its own shear
 };
 
 /// The keys under `gas`, with the traces that they name.
@@ -342,6 +350,10 @@ struct Ring {
 struct Liner {
   double youngs_modulus = 92.3e9;  ///< E_2 [Pa]
   double poissons_ratio = 0.211;   ///< nu_2 [-]
+  // of grey cast iron, for the flash temperature
+  double thermal_conductivity = 55;  ///< [W/(m K)]
+  double density = 7200;             ///< [kg/m3]
+  double specific_heat = 490;        ///< [J/(kg K)]
 };
 
 /// How zeta was measured: standard deviations by origin. The last two are common to all samples of one calibration.
@@ -413,6 +425,8 @@ struct Lubricant {
   Compressibility compressibility = Compressibility::kDowsonHigginson;    ///< law of density against pressure
   double dh_a = models::DowsonHigginson{}.a;  ///< a of the density rho_0 [1 + a p/(1 + b p)] [1/Pa]
   double dh_b = models::DowsonHigginson{}.b;  ///< b of the same law [1/Pa]
+  double thermal_conductivity = 0.14;         ///< k, of a mineral oil [W/(m K)]
+  double specific_heat = 2100;                ///< c_p, of a mineral oil [J/(kg K)]
   double viscosity = 0;                       ///< of a pad, at the zero of its pressures [Pa s]
 };
 

@@ -127,6 +127,14 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                 {"a of the density rho_0 [1 + a p/(1 + b p)]", "\"6e-10 Pa-1\""}),
           field("lubricant.dh_b", NumberKind{member<&Case::lubricant, &Lubricant::dh_b>}, {"Pa-1", "Pa-1"},
                 between(0, 1e-6), Need::kDefault, kDowsonHigginson, {"b of the same law", "\"1.7e-9 Pa-1\""}),
+          field("lubricant.thermal_conductivity",
+                NumberKind{member<&Case::lubricant, &Lubricant::thermal_conductivity>}, {"W/(m K)", "W/(m K)"},
+                between(0.01, 10), Need::kDefault, {},
+                {"thermal conductivity of the oil, k, for the viscous heating; typical of mineral oils, assumed",
+                 "\"0.14 W/(m K)\""}),
+          field("lubricant.specific_heat", NumberKind{member<&Case::lubricant, &Lubricant::specific_heat>},
+                {"J/(kg K)", "J/(kg K)"}, between(100, 10000), Need::kDefault, {},
+                {"specific heat of the oil, c_p; typical of mineral oils, assumed", "\"2100 J/(kg K)\""}),
       });
 }
 

@@ -137,6 +137,17 @@ void append_ring_fields(std::vector<Field>& fields) {
           field("liner.poissons_ratio", NumberKind{member<&Case::liner, &Liner::poissons_ratio>}, kPlainNumber,
                 Range{0, 0.5, false, true}, Need::kDefault, kFourModuli,
                 {"Poisson's ratio of the liner, nu_2", "0.211"}),
+          field(
+              "liner.thermal_conductivity", NumberKind{member<&Case::liner, &Liner::thermal_conductivity>},
+              {"W/(m K)", "W/(m K)"}, between(0.1, 2500), Need::kDefault, {},
+              {"thermal conductivity of the liner, k_2, for the flash temperature; typical of grey cast iron, assumed",
+               "\"55 W/(m K)\""}),
+          field("liner.density", NumberKind{member<&Case::liner, &Liner::density>}, {"kg/m3", "kg/m3"},
+                between(500, 25000), Need::kDefault, {},
+                {"density of the liner, rho_2; typical of grey cast iron, assumed", "\"7200 kg/m3\""}),
+          field("liner.specific_heat", NumberKind{member<&Case::liner, &Liner::specific_heat>},
+                {"J/(kg K)", "J/(kg K)"}, between(50, 5000), Need::kDefault, {},
+                {"specific heat of the liner, c_2; typical of grey cast iron, assumed", "\"490 J/(kg K)\""}),
       });
 }
 

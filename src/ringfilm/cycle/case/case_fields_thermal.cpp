@@ -25,6 +25,11 @@ void append_thermal_fields(std::vector<Field>& fields) {
           field("thermal.film", choice<&Case::thermal, &Thermal::film>({"mean-of-walls", "liner", "ring"}), kNoUnit, {},
                 Need::kDefault, kWallTemperatures,
                 {"whose temperature the oil film has, in place of operating.oil_temperature", "\"mean-of-walls\""}),
+          field("thermal.viscous_heating", choice<&Case::thermal, &Thermal::viscous_heating>({"none", "in-film"}),
+                kNoUnit, {}, Need::kDefault, {},
+                {"whether the oil of each step is warmer by the rise that its shear causes; the rise is reported in "
+                 "both cases",
+                 "\"in-film\""}),
       });
 }
 

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/film/film_heating.hpp"
 #include "ringfilm/film/solver/method.hpp"
 #include "ringfilm/film/solver2d/film2d_solver.hpp"
 
@@ -27,6 +28,11 @@ class CycleFilm {
 
   /// By the method of the case; parameters as of film::solve_film.
   film::FilmReport solve(const film::FilmInputs& inputs, const film::FilmState& previous, film::FilmState& state);
+
+  /// What heats a film that was solved with `inputs`; of an unrolled film its strip halfway.
+  film::FilmHeating heating(const film::FilmInputs& inputs, const film::FilmState& state) const {
+    return film::film_heating(across_, inputs, state, film2d_ ? film2d_->around.halfway() : 0);
+  }
 
   /// Length of the ring that node `i` of a state represents, to a factor common to all.
   double weight(std::size_t i) const { return film2d_ ? film2d_->around.share[i / film2d_->n_across()] : 1; }

@@ -10,6 +10,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 #include "ringfilm/models/oil/oil_of_functions.hpp"
+#include "ringfilm/models/oil/oil_temperature.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -103,6 +104,14 @@ double viscosity_of_grade(const GradeLine& grade, double temperature, double den
   return models::oil_state(laws, temperature).eta_T;
 }
 
+/// The highest temperature at which the oil of a case serves a film that is warmer than its walls [K].
+double hottest(const Lubricant& lubricant, double of_walls, double rise) {
+  if (rise == 0) return of_walls;
+  const double end = lubricant.table_file ? lubricant.table->temperature.back()
+                                          : 0.5 * (of_walls + models::kHottestOil);  // a temperature below the highest
+  return std::min(of_walls + rise, end);
+}
+
 /// Up to where the polynomials should serve [Pa].
 double range_of_fits(double largest_mean_pressure) {
   constexpr double kLeastRange = 20e6;  // [Pa]
@@ -119,16 +128,21 @@ PreparedOil prepared_oil(const Lubricant& lubricant, std::optional<models::WallT
     const auto of_table = [table = lubricant.table](double at) { return models::tabulated_oil(*table, at); };
     of_table(range.low);  // refused where the table does not reach
     of_table(range.high);
-    auto oil = std::make_shared<models::OilOverTemperature>(of_table, range.low, range.high);
+    const double high = hottest(lubricant, range.high, conditions.rise);
+    auto oil = std::make_shared<models::OilOverTemperature>(of_table, range.low, high);
     const auto at = oil->at(T);
-    return {
-        {std::move(walls), oil, T, at->viscosity(base::kAtmosphere), at->density(base::kAtmosphere)}, oil, range, {}};
+    return {{std::move(walls), oil, T, at->viscosity(base::kAtmosphere), at->density(base::kAtmosphere), high},
+            oil,
+            range,
+            {}};
   }
   const models::OilLaws laws = oil_laws(lubricant);
+  const double high = hottest(lubricant, range.high, conditions.rise);
   auto oil = std::make_shared<models::OilOverTemperature>(
-      [laws](double at) { return models::closed_form_oil(laws, at); }, range.low, range.high);
+      [laws](double at) { return models::closed_form_oil(laws, at); }, range.low, high);
   const models::OilState at = models::oil_state(laws, T);
-  return {{std::move(walls), oil, T, at.eta_T, at.rho_T}, oil, range, extrapolation_notes(lubricant, laws, range)};
+  return {
+      {std::move(walls), oil, T, at.eta_T, at.rho_T, high}, oil, range, extrapolation_notes(lubricant, laws, range)};
 }
 
 void append_viscosity_notes(const PreparedOil& oil, std::vector<Note>& notes) {

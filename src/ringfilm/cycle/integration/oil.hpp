@@ -26,6 +26,7 @@ struct PreparedOil {
 struct OilConditions {
   double temperature;  ///< operating.oil_temperature [K]
   double stroke;       ///< [m]
+  double rise = 0;     ///< of the film above its walls that the oil is to serve at least [K]
 };
 
 /// The oil of a case at the temperatures of its film, by the laws that the case names.

@@ -1,6 +1,7 @@
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include "ringfilm/cycle/integration/kinematics.hpp"
 
@@ -11,7 +12,30 @@ double pressure_behind_ring(const Gas& gas, double above, double below) {
   return gas.pressure_behind_ring * above + (1 - gas.pressure_behind_ring) * below;
 }
 
-RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, double time_step) {
+namespace {
+
+/// Rise above the walls [K], eq-viscous-heating-step: that of the step before in proportion to the viscosity, which
+/// falls with the rise.
+double rise_of_step(const OilSetup& oil, double wall_temperature, const HeatBefore& before) {
+  if (before.rise == 0) return 0;
+  const double cold = before.rise * oil.range->viscosity(wall_temperature) / before.viscosity;
+  const double high = std::min(cold, oil.hottest - wall_temperature);
+  if (high <= 0) return 0;
+  const auto excess = [&](double rise) {
+    return rise - before.rise * oil.range->viscosity(wall_temperature + rise) / before.viscosity;
+  };
+  const double at_high = excess(high);
+  if (at_high <= 0) return high;
+  constexpr double kTolerance = 1e-9;  // [K]
+  boost::uintmax_t most = 100;
+  const auto [low_end, high_end] = boost::math::tools::toms748_solve(
+      excess, 0.0, high, -cold, at_high, [](double a, double b) { return b - a < kTolerance; }, most);
+  return 0.5 * (low_end + high_end);
+}
+
+}  // namespace
+
+RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, double time_step, const HeatBefore& before) {
   const double angle = wrapped(crank_angle_deg);
   const RingSetup& ring = setup.ring;
   const Case& c = setup.input;
@@ -41,6 +65,7 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
   at.inputs.time_step = time_step;
   at.film_temperature = ring.oil.temperature;
   if (ring.oil.walls) at.film_temperature = ring.oil.walls->film(setup.engine.crank.position(radians(angle)));
+  at.film_temperature += rise_of_step(ring.oil, at.film_temperature, before);
   at.inputs.oil = ring.oil.range->at(at.film_temperature);
   return at;
 }

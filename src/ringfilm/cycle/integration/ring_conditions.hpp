@@ -23,7 +23,17 @@ struct RingConditions {
   double oil_ahead = 0;         ///< on the liner ahead of an inlet that is not flooded; 0: flooded [kg/m2]
 };
 
+/// How the film of the step before heated itself; zero where the case does not heat its film (`Thermal::is_heated`).
+struct HeatBefore {
+  double rise = 0;       ///< of its temperature above that of its walls [K]
+  double viscosity = 0;  ///< of its oil, at atmospheric pressure [Pa s]
+};
+
+/// Up to this rise the oil serves a film that its own shear heats [K]. It covers starts at -30 degC.
+inline constexpr double kServedRise = 60;
+
 /// @param crank_angle_deg any [degree] @param time_step that leads there; film::kSteady [s]
-RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, double time_step);
+RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, double time_step,
+                               const HeatBefore& before = {});
 
 }  // namespace ringfilm::cycle

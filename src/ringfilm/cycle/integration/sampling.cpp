@@ -7,6 +7,8 @@
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/gas_holding.hpp"
+#include "ringfilm/models/flash_temperature.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -36,6 +38,26 @@ FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) 
 double mean_real_pressure(double load, double area, double applied_load) {
   constexpr double kFelt = 0.01;  // of the load: below it the ratio is that of two numbers that mean nothing
   return load > kFelt * applied_load && area > 0 ? load / area : 0;
+}
+
+/// eq-gas-holding-margin; NaN where the film leaves into oil or towards the lower pressure.
+double gas_holding_margin(const film::FilmGrid& grid, const film::FilmInputs& in, double h_m, film::FilmEdge exit) {
+  const bool to_right = exit == film::FilmEdge::kRight;
+  const film::EdgeState &outlet = to_right ? in.right : in.left, &inlet = to_right ? in.left : in.right;
+  if (outlet.fluid != film::EdgeFluid::kGas || outlet.pressure <= inlet.pressure) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const double held = 6 * std::abs(in.U) * film::gas_holding_integral(grid, h_m, exit) *
+                      film::mean_viscosity(*in.oil, inlet.pressure, outlet.pressure);
+  return held / (outlet.pressure - inlet.pressure);
+}
+
+/// eq-flash-temperature of boundary friction on the whole face [K].
+double flash_temperature(const Case& c, double boundary_friction, double speed) {
+  const double heat_flux = boundary_friction * speed / (c.ring_length() * c.ring.face_width);
+  const Liner& liner = c.liner;
+  return models::flash_temperature(heat_flux, c.ring.face_width, speed,
+                                   {liner.thermal_conductivity, liner.density, liner.specific_heat});
 }
 
 }  // namespace
@@ -84,9 +106,15 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.oil_flow_chamber_edge = f.flow_chamber * length;
   s.oil_flow_crankcase_edge = f.flow_crankcase * length;
   const OilSetup& oil = setup.ring.oil;
-  const double eta = oil.walls ? in.oil->viscosity(base::kAtmosphere) : oil.viscosity;
+  const bool is_one_temperature = !oil.walls && !setup.input.thermal.is_heated();
+  const double eta = is_one_temperature ? oil.viscosity : in.oil->viscosity(base::kAtmosphere);
   s.stribeck_number = eta * speed / (mean_pressure * setup.ring.sigma);
   s.film_temperature = instant.at.film_temperature;
+  s.viscous_heating_rise = integration.viscous_heating_rise(in, *instant.state);
+  s.flash_temperature = flash_temperature(setup.input, s.boundary_friction, speed);
+  const bool leaves_at_x_b = (sense == Motion::kTowardsTdc) == from_chamber_edge;
+  s.gas_holding_margin = gas_holding_margin(integration.problem().grid, in, instant.state->h_m,
+                                            leaves_at_x_b ? film::FilmEdge::kRight : film::FilmEdge::kLeft);
   s.peak_film_pressure = integrals.peak_pressure;
   s.cavitated_fraction = integrals.cavitated_fraction;
   s.wetted_begin = f.wetted_begin;

@@ -165,7 +165,8 @@ double elastic_pressure(const Case& c) {
 
 Setup prepare(const Case& c) {
   PreparedOil oil =
-      prepared_oil(c.lubricant, wall_temperatures(c.thermal), {c.operating.oil_temperature, c.engine.stroke});
+      prepared_oil(c.lubricant, wall_temperatures(c.thermal),
+                   {c.operating.oil_temperature, c.engine.stroke, c.thermal.is_heated() ? kServedRise : 0});
   return with_oil(c, std::move(oil), land_pressures(c));
 }
 
@@ -173,6 +174,10 @@ Setup prepare(const Case& c, const OwnOil& oil) {
   if (c.thermal.is_stated()) {
     throw InputError("an own oil is known at one temperature, and the case has those of ring and liner ([thermal])",
                      "state operating.oil_temperature in place of [thermal]");
+  }
+  if (c.thermal.is_heated()) {
+    throw InputError("an own oil is known at one temperature, and thermal.viscous_heating = \"in-film\" changes it",
+                     "state thermal.viscous_heating = \"none\"; viscous_heating_rise is reported in both cases");
   }
   LandPressures lands = land_pressures(c);
   PreparedOil prepared = own_oil(oil.name, oil.law, c.operating.oil_temperature, largest_mean_pressure(c, lands));

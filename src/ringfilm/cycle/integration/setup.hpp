@@ -41,6 +41,7 @@ struct OilSetup {
   double temperature;                                       ///< of the film; with walls in the middle of the stroke [K]
   double viscosity;                                         ///< at `temperature` and no pressure [Pa s]
   double density;                                           ///< likewise [kg/m3]
+  double hottest = 0;  ///< up to which `range` serves a film that its own shear heats [K]
 };
 
 /// One ring and what it meets.

@@ -85,7 +85,7 @@ TimeIntegration::TimeIntegration(const Setup& setup) : setup_(setup), film_(setu
 }
 
 RingConditions TimeIntegration::conditions(double from_deg, double to_deg, double time_step) const {
-  RingConditions at = ring_conditions(setup_, to_deg, time_step);
+  RingConditions at = ring_conditions(setup_, to_deg, time_step, heat_);
   if (liner_oil_) liner_oil_->limit(at, from_deg, to_deg);
   return at;
 }
@@ -131,6 +131,16 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
   return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
 }
 
+HeatBefore TimeIntegration::heat_of_state(const RingConditions& at) const {
+  if (!setup_.input.thermal.is_heated()) return {};
+  return {viscous_heating_rise(at.inputs, state_), setup_.ring.oil.range->viscosity(at.film_temperature)};
+}
+
+double TimeIntegration::viscous_heating_rise(const film::FilmInputs& inputs, const film::FilmState& state) const {
+  const Lubricant& oil = setup_.input.lubricant;
+  return film_.heating(inputs, state).rise(oil.thermal_conductivity, oil.specific_heat);
+}
+
 /// The face turns over at a reversal. The share of the gap that is full of oil stays where it is, and so does the
 /// pressure. Where the face is not symmetric, the gap changes and its oil with it: as much oil in a smaller gap would
 /// have to leave at once, at a pressure that rises without limit as the step is cut.
@@ -147,12 +157,37 @@ void TimeIntegration::turn(film::FilmState& state) const {
   for (std::size_t i = 0; i < state.mass_per_area.size(); ++i) state.mass_per_area[i] *= gap(i);
 }
 
+TimeIntegration::Fluids TimeIntegration::fluids(const RingConditions& at) {
+  return {chamber_edge(at).fluid, crankcase_edge(at).fluid};
+}
+
+/// The film that lay on the wall flows as before, but between both walls (eq-film-on-wall).
+void TimeIntegration::flood(film::FilmState& state, const Fluids& before, const RingConditions& at) const {
+  const bool from_chamber = at.axis == Axis::kFromChamber;
+  const film::EdgeFluid left = from_chamber ? before.chamber : before.crankcase;
+  const film::EdgeFluid right = from_chamber ? before.crankcase : before.chamber;
+  const auto is_flooded = [](film::EdgeFluid was, const film::EdgeState& is) {
+    return was == film::EdgeFluid::kGas && is.fluid == film::EdgeFluid::kOil;
+  };
+  const int throat = problem().grid.throat, n = problem().grid.n_cells();
+  const auto flood_nodes = [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const double filled = 1 - state.deficit[i], carried = film::carried_share(filled, film::kOnWall);
+      if (filled > 0) state.mass_per_area[i] *= carried / filled;
+      state.deficit[i] = 1 - carried;
+    }
+  };
+  if (is_flooded(left, at.inputs.left)) flood_nodes(0, throat);
+  if (is_flooded(right, at.inputs.right)) flood_nodes(throat + 1, n + 1);
+}
+
 void TimeIntegration::start(int k) {
   k_ = k;
   angle_deg_ = k * setup_.input.solver.crank_step_deg;
   time_step_before_ = 0;
   level_ = 0;
   tick_ = kTicks;
+  heat_ = {};
   RingConditions at = ring_conditions(setup_, angle_deg_, film::kSteady);
   // A steady film with a full inlet exists at any speed.
   for (film::EdgeState* edge : {&at.inputs.left, &at.inputs.right}) {
@@ -162,6 +197,8 @@ void TimeIntegration::start(int k) {
   count(report);
   if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
   axis_ = at.axis;
+  fluids_ = fluids(at);
+  heat_ = heat_of_state(at);
   instant_ = {wrapped(angle_deg_), at, &before_, &state_, effort_, 0};
 }
 
@@ -176,16 +213,17 @@ void TimeIntegration::propose() {
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
   step_.time_step = radians(base_deg * ticks / kTicks) / setup_.engine.speed;
   step_.at = conditions(angle_deg_, step_.to_deg, step_.time_step);
-  // The film does not follow its past across a step where oil takes the place of gas at an edge.
-  if (chamber_edge(step_.at).fluid != chamber_edge(instant_.at).fluid ||
-      crankcase_edge(step_.at).fluid != crankcase_edge(instant_.at).fluid) {
-    time_step_before_ = 0;
-  }
   step_.state_was_turned = step_.at.axis != axis_;
   if (step_.state_was_turned) {
     turn(state_);
     turn(before_);
     axis_ = step_.at.axis;
+  }
+  // The film does not follow its past across a step where oil takes the place of gas at an edge.
+  if (fluids(step_.at) != fluids_) {
+    flood(state_, fluids_, step_.at);
+    fluids_ = fluids(step_.at);
+    time_step_before_ = 0;
   }
   step_.h_m = state_.h_m;
   if (time_step_before_ > 0) {
@@ -220,6 +258,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   std::swap(before_, state_);
   std::swap(state_, candidate_);
   time_step_before_ = step_.time_step;
+  heat_ = heat_of_state(step_.at);
   angle_deg_ = step_.to_deg;
   tick_ += ticks;
   ++effort_.steps;
@@ -251,11 +290,14 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
     const double part_deg = (crank_angle_deg - angle_deg_) / parts;
     to = state_;
     Axis axis = axis_;
+    Fluids before = fluids_;
     for (int part = 1; part <= parts; ++part) {
       const double to_deg = angle_deg_ + part * part_deg;
       at = conditions(to_deg - part_deg, to_deg, radians(part_deg) / setup_.engine.speed);
       if (at.axis != axis) turn(to);
       axis = at.axis;
+      flood(to, before, at);
+      before = fluids(at);
       side_before_ = to;
       report = film_.solve(at.inputs, side_before_, to);
       if (!report.converged) break;

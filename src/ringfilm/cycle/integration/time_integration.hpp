@@ -107,6 +107,10 @@ class TimeIntegration {
   /// Of an unrolled film, else nullptr.
   const film::Film2dProblem* film2d() const { return film_.film2d(); }
 
+  /// Rise of the film's temperature above that of its walls by its own shear, eq-viscous-heating; of an unrolled film
+  /// that of its strip halfway [K].
+  double viscous_heating_rise(const film::FilmInputs& inputs, const film::FilmState& state) const;
+
   /// The oil on the liner; nullptr where the case follows none.
   const LinerOil* liner_oil() const { return liner_oil_ ? &*liner_oil_ : nullptr; }
 
@@ -132,7 +136,16 @@ class TimeIntegration {
  private:
   bool adaptive() const { return setup_.input.solver.crank_step_control == StepControl::kAdaptive; }
   double time_error(const film::FilmState& to, double time_step) const;
+  HeatBefore heat_of_state(const RingConditions& at) const;
   void turn(film::FilmState& state) const;
+  /// What the edges meet.
+  struct Fluids {
+    film::EdgeFluid chamber = film::EdgeFluid::kOil, crankcase = film::EdgeFluid::kOil;
+    friend bool operator==(const Fluids&, const Fluids&) = default;
+  };
+  static Fluids fluids(const RingConditions& at);
+  /// Oil comes to edges that were in gas.
+  void flood(film::FilmState& state, const Fluids& before, const RingConditions& at) const;
   void count(const film::FilmReport& report);
   /// What acts on the ring at the end of a step from the current state.
   RingConditions conditions(double from_deg, double to_deg, double time_step) const;
@@ -143,7 +156,9 @@ class TimeIntegration {
   std::optional<LinerOil> liner_oil_;
   film::FilmState state_, before_, candidate_, side_before_;
   Axis axis_ = Axis::kFromChamber;  ///< of `state_` and `before_`
+  Fluids fluids_;                   ///< at the edges of `state_`
   double time_step_before_ = 0;     ///< 0: no history
+  HeatBefore heat_;                 ///< of `state_`, if it counts
   int k_ = 0;                       ///< current base angle
   double angle_deg_ = 0;            ///< the same as an angle, within a base step too
   int level_ = 0;                   ///< steps are 2^-level of the base step

@@ -82,8 +82,7 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
   const auto film_content = [&](bool from_left) {
     const int node = from_left ? i : i + 1;
     const bool on_wall = node < film.left_gas_end || node >= film.right_gas_begin;
-    const double carried = (on_wall ? kOnWall : kBetweenWalls) * (1 - film.deficit_share * film.deficit[node]);
-    return carried < 1 ? carried : 1;
+    return carried_share(1 - film.deficit_share * film.deficit[node], on_wall ? kOnWall : kBetweenWalls);
   };
   const double supply = i == 0 ? film.left_supply : i == film.n_cells - 1 ? film.right_supply : kUnlimited;
   double carried = entrainment(0.25 * U, film_content(U >= 0), h);

@@ -94,6 +94,10 @@ OilFit OilOverTemperature::interpolated(double T) const {
   return sum;
 }
 
+double OilOverTemperature::viscosity(double T) const {
+  return (only_ ? only_ : laws_(T))->viscosity(base::kAtmosphere);
+}
+
 std::shared_ptr<const OilAtTemperature> OilOverTemperature::at(double T) const {
   if (only_) return only_;
   return nodes_.fit.empty() ? laws_(T) : with_fit(laws_(T), interpolated(T));

@@ -29,6 +29,8 @@ class OilOverTemperature {
   /// The oil at T [K] within the range, with a fit where `fit` succeeded.
   std::shared_ptr<const OilAtTemperature> at(double T) const;
 
+  double viscosity(double T) const;  ///< at atmospheric pressure, by the laws [Pa s]
+
  private:
   /// The fits at Chebyshev's nodes in temperature; K and its slope relative to K[0], which is kept as a logarithm.
   struct Nodes {

@@ -179,20 +179,25 @@ Assumption pressure_under_ring(const Case& c) {
 }
 
 Assumption oil_temperature(const Case& c) {
+  const std::vector<Alternative> heating = other_choices("thermal.viscous_heating", c);
+  const bool is_heated = c.thermal.is_heated();
+  const char* words = is_heated ? "its mean rise by shear is added" : "it is not heated by shear";
   if (c.thermal.is_stated()) {
+    std::vector<Alternative> others = other_choices("thermal.film", c);
+    others.insert(others.end(), heating.begin(), heating.end());
     return assumption("one-oil-temperature",
-                      "the oil film has the temperature \"" + chosen("thermal.film", c) +
-                          "\" of its walls; it is not heated by shear",
-                      "the walls carry the heat of shear away; that of asperity friction is not computed",
-                      other_choices("thermal.film", c));
+                      "the oil film has the temperature \"" + chosen("thermal.film", c) + "\" of its walls; " + words,
+                      "the walls carry the heat of shear away; that of asperity friction does not reach the oil",
+                      std::move(others));
   }
   const double T = c.operating.oil_temperature;
+  std::vector<Alternative> others = other_numbers("operating.oil_temperature", c, T, kCelsius, {T - 20, T + 20});
+  others.insert(others.end(), heating.begin(), heating.end());
   return assumption(
-      "one-oil-temperature",
-      text("all oil is at %.4g degC; it is not heated in the film and the walls do not differ", T - 273.15),
+      "one-oil-temperature", text("the walls of all oil are at %.4g degC; %s", T - 273.15, words),
       "the walls carry the heat of shear away; the temperatures of ring and liner decide, and they vary along the "
       "stroke",
-      other_numbers("operating.oil_temperature", c, T, kCelsius, {T - 20, T + 20}));
+      std::move(others));
 }
 
 // --- edges, gap and what this program cannot lift yet

@@ -182,8 +182,9 @@ TEST(Assumptions, OilLawsCanBeLiftedWhereLawsAreInUse) {
 TEST(Assumptions, SettingsOutsideTheRangeOfAKeyAreNotOffered) {
   Case hot = coarse_case();
   hot.operating.oil_temperature = 590;  // a case may have 200 K to 600 K
-  EXPECT_EQ(settings(hot, "one-oil-temperature"),
-            std::vector<std::string>{"operating.oil_temperature = \"296.9 degC\""});
+  const std::vector<std::string> left{"operating.oil_temperature = \"296.9 degC\"",
+                                      "thermal.viscous_heating = \"in-film\""};
+  EXPECT_EQ(settings(hot, "one-oil-temperature"), left);
 }
 
 TEST(Assumptions, ASyntheticTraceComesFirstAndOnlyWhereOneIsUsed) {

@@ -1,0 +1,98 @@
+#include "ringfilm/film/film_heating.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "film_cases.hpp"
+
+/// The heat of a film against closed forms of flow between parallel plates.
+namespace ringfilm::film::testing {
+namespace {
+
+constexpr double kLength = 1e-3, kGap = 1e-6, kEta = 5.06e-3;
+
+SmoothFilm parallel_plates() {
+  return {50, kLength, [](double) { return 0.0; }, kEta, Cavitation::kMassConserving};
+}
+
+FilmState film_between(const SmoothFilm& film, double p_left, double p_right) {
+  FilmState state;
+  state.h_m = kGap;
+  for (const double x : film.problem.grid.x) state.p.push_back(p_left + (p_right - p_left) * x / kLength);
+  state.deficit.assign(state.p.size(), 0);
+  return state;
+}
+
+/// Mean of the temperature above that of both walls, of a film sheared at U/h: k T'' + eta (U/h)^2 = 0 on a fine grid.
+double mean_rise_by_differences(double U, double conductivity) {
+  constexpr int n = 2000;
+  const double dy = kGap / n, source = kEta * std::pow(U / kGap, 2) * dy * dy / conductivity;
+  std::vector<double> factor(n, 0.0), T(n + 1, 0.0);
+  for (int i = 1; i < n; ++i) {  // the tridiagonal matrix (-1, 2, -1)
+    factor[i] = 1 / (2 - factor[i - 1]);
+    T[i] = (source + T[i - 1]) * factor[i];
+  }
+  double sum = 0;
+  for (int i = n - 1; i > 0; --i) {
+    T[i] += factor[i] * T[i + 1];
+    sum += T[i];
+  }
+  return sum / n;
+}
+
+TEST(FilmHeating, IsThatOfCouetteFlowWithoutConvection) {
+  const SmoothFilm film = parallel_plates();
+  FilmInputs inputs = film.inputs();
+  for (const auto& [U, expected] : {std::pair{6.5, 0.127}, std::pair{23.8, 1.71}}) {
+    inputs.U = U;
+    const double rise = film_heating(film.problem, inputs, film_between(film, 1e5, 1e5)).rise(0.14, 0);
+    EXPECT_NEAR(rise, kEta * U * U / (12 * 0.14), 1e-12 * rise);
+    EXPECT_NEAR(rise, expected, 0.005 * expected);
+    EXPECT_NEAR(rise, mean_rise_by_differences(U, 0.14), 1e-6 * rise);
+  }
+}
+
+TEST(FilmHeating, WithoutConductionWarmsTheOilByTheWorkDone) {
+  // Pressure flow between plates at rest: each cubic metre loses p_left - p_right.
+  const SmoothFilm film = parallel_plates();
+  const FilmState state = film_between(film, 30e5, 1e5);
+  const FilmHeating heating = film_heating(film.problem, film.inputs(), state);
+  const double volume_flow = std::pow(kGap, 3) * 29e5 / (12 * kEta * kLength);
+  EXPECT_NEAR(heating.dissipation, volume_flow * 29e5, 1e-12 * heating.dissipation);
+  EXPECT_NEAR(heating.mass_flow, film.oil->density(0) * volume_flow, 1e-12 * heating.mass_flow);
+  EXPECT_NEAR(heating.rise(0, 2100), 29e5 / (film.oil->density(0) * 2100), 1e-9);
+}
+
+TEST(FilmHeating, CountsTheFullFilmAlone) {
+  const SmoothFilm film = parallel_plates();
+  FilmInputs inputs = film.inputs();
+  inputs.U = 6.5;
+  FilmState state = film_between(film, 1e5, 1e5);
+  const FilmHeating full = film_heating(film.problem, inputs, state);
+  for (std::size_t i = 26; i < state.deficit.size(); ++i) state.deficit[i] = 0.5;  // 25 of 50 cells remain
+  const FilmHeating half = film_heating(film.problem, inputs, state);
+  EXPECT_NEAR(half.dissipation, 0.5 * full.dissipation, 1e-12 * full.dissipation);
+  EXPECT_NEAR(half.conductance, 0.5 * full.conductance, 1e-12 * full.conductance);
+  EXPECT_NEAR(half.mass_flow, full.mass_flow, 1e-12 * full.mass_flow);
+  state.deficit.assign(state.p.size(), 0.5);
+  EXPECT_EQ(film_heating(film.problem, inputs, state).rise(0.14, 2100), 0);
+}
+
+TEST(FilmHeating, OfAStripIsThatOfAFilmAcrossTheFace) {
+  const SmoothFilm film = parallel_plates();
+  FilmInputs inputs = film.inputs();
+  inputs.U = -6.5;
+  const FilmState alone = film_between(film, 1e5, 20e5);
+  FilmState strips = film_between(film, 1e5, 1e5);
+  for (const double p : alone.p) strips.p.push_back(p);
+  strips.deficit.resize(strips.p.size(), 0.0);
+  const FilmHeating expected = film_heating(film.problem, inputs, alone);
+  const FilmHeating second = film_heating(film.problem, inputs, strips, 1);
+  EXPECT_EQ(second.dissipation, expected.dissipation);
+  EXPECT_EQ(second.mass_flow, expected.mass_flow);
+}
+
+}  // namespace
+}  // namespace ringfilm::film::testing
