@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the pictures of the documents: `schematic` ones from their description, all others from shipped cases.
+"""Draws the pictures of the documents: drawings from their description, charts from shipped cases.
 
 usage: docs/figures/draw.py [FOLDER]      (environment: PYTHONPATH with the module ringfilm, RINGFILM_DATA)
 
@@ -16,6 +16,7 @@ MODULES = {  # folder of the pictures: modules that draw them
     "cycle": ("cycle_charts",),
     "model": ("model_charts",),
     "film": ("film_charts",),
+    "supply": ("supply_charts",),
     "measured": ("measured_charts",),
     "study": ("study_charts",),
 }

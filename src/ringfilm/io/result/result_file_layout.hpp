@@ -120,7 +120,12 @@ void exchange_fields(File& file, Result& result) {
                          "w", "eq-archard-wear-load"),
                stroke.archard_wear_load_density);
   for (const cycle::StrokeFilm& film : cycle::stroke_films()) {
-    file.numbers({"liner_position"}, film, (stroke.*film.films)[film.stroke]);
+    auto& values = (stroke.*film.films)[film.stroke];
+    if constexpr (File::kReads) {
+      if (file.has_variable(film.name)) file.numbers({"liner_position"}, film, values);
+    } else {
+      if (!values.empty()) file.numbers({"liner_position"}, film, values);
+    }
   }
 }
 
