@@ -70,7 +70,7 @@ enum class Terms {
            ///< has; inlets may be short of oil (limit_inlet); flow factors
 };
 
-/// Four times the mass per area of an inlet that takes what it wants: none runs out of so much [kg/m2].
+/// Four times the mass per area of an inlet that is not short of oil [kg/m2].
 inline constexpr double kUnlimited = 1e300;
 
 /// The walls as the faces see them. @tparam kFilmContent the cavity carries theta of its upstream node

@@ -161,6 +161,13 @@ enum class Cavitation {
   kMassConserving  ///< and mass is kept, too (JFO)
 };
 
+/// `conditions`: from which edges, supply of oil and temperatures a case starts.
+enum class Conditions {
+  kOfTheCase,  ///< what the keys say; edges of oil by default
+  kAsInPaper,  ///< edges flooded with oil, one oil temperature, as in styles2014
+  kEngine      ///< gas at the edges, oil on the liner, hot walls
+};
+
 /// `film.supply`: what lies on the liner ahead of an edge of gas.
 enum class OilSupply {
   kFlooded,     ///< as much oil as the film takes
@@ -543,6 +550,7 @@ struct InputFile {
 struct Case {
   Problem problem = Problem::kCycle;  ///< a pad where any of its keys is stated
   std::string title;                  ///< for people; names pages and figures
+  Conditions conditions = Conditions::kOfTheCase;  ///< from which defaults the rest starts
   Engine engine;                      ///< bore and crank
   Operating operating;                ///< speed and oil temperature
   Thermal thermal;                    ///< temperatures of ring and liner, if the film has them

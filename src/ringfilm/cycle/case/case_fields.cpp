@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "ringfilm/cycle/case/case_fields_table.hpp"
+#include "ringfilm/cycle/case/fields/case_fields_table.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
 
 namespace ringfilm::cycle {
@@ -42,6 +42,12 @@ std::vector<Field> all_fields() {
   std::vector<Field> fields{
       field("title", TextKind{member<&Case::title>}, kNoUnit, {}, Need::kRequiredInCycle, {},
             {"what this case is, for people", "\"My engine, compression ring\""}),
+      field("conditions", choice<&Case::conditions>({"of-the-case", "as-in-the-paper", "engine"}), kNoUnit, {},
+            Need::kDefault, {},
+            {"edges, supply of oil and temperatures that the case starts from: those of its keys alone, oil at the "
+             "edges and one temperature, or gas at the edges, oil on the liner and hot walls; keys that are stated "
+             "replace them",
+             "\"engine\""}),
       field("engine.bore", NumberKind{member<&Case::engine, &Engine::bore>}, {"m", "mm"}, above(0, 2), Need::kRequired,
             {}, {"bore of the cylinder, B", "\"89.0 mm\""}),
       field("engine.stroke", NumberKind{member<&Case::engine, &Engine::stroke>}, {"m", "mm"}, above(0, 5),

@@ -237,7 +237,13 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
 }
 
 void append_supply_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
+  if (c.film.supply == OilSupply::kFlooded || !c.film.has_gas_edge()) return;
+  const auto require = [&](const std::optional<double>& value, const std::string& key, const char* meaning) {
+    if (!value) breaches.push_back({key, "the key " + key + " is missing: " + meaning, "state it, or film.supply = \"flooded\""});
+  };
+  require(c.supply.film, "supply.film", "the film on the liner ahead of the ring, for example \"2 um\"");
   if (c.film.supply != OilSupply::kFilmOnLiner) return;
+  require(c.supply.reach, "supply.reach", "how far up the oil ring lays its film, for example \"10 mm\"");
   if (c.supply.reach && !(*c.supply.reach < c.engine.stroke)) {
     breaches.push_back({"supply.reach",
                         "supply.reach = " + number_text(*c.supply.reach * 1e3) + " mm is not within the stroke of " +

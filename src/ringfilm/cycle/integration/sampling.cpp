@@ -21,7 +21,7 @@ struct FromChamber {
   double wetted_begin, wetted_end;
 };
 
-/// Of a position or a film that is none.
+/// Of a position or a film that does not exist.
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) {

@@ -7,6 +7,7 @@
 
 #include "ringfilm/base/append_new.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/case/conditions.hpp"
 #include "ringfilm/io/case/case_checks.hpp"
 #include "ringfilm/io/case/case_data.hpp"
 #include "ringfilm/io/case/case_tree.hpp"
@@ -43,7 +44,17 @@ class CaseReader {
     case_ = cycle::blank_case(problem());
     case_.files = tree_.files;
     case_.notes = tree_.notes;
-    for (const TomlEntry& entry : tree_.entries) read_value(entry);
+    // First, since all other keys replace what the conditions set.
+    const auto conditions = std::find_if(tree_.entries.begin(), tree_.entries.end(),
+                                         [](const TomlEntry& entry) { return entry.key == "conditions"; });
+    if (conditions != tree_.entries.end()) {
+      read_value(*conditions);
+      cycle::set_conditions(case_.conditions, case_);
+    }
+    for (const TomlEntry& entry : tree_.entries) {
+      if (entry.key != "conditions") read_value(entry);
+    }
+    cycle::keep_own_temperature(case_);
   }
 
   /// A pad where any of its keys is stated, be it with a slip.

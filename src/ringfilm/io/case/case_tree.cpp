@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/case/conditions.hpp"
 #include "ringfilm/io/storage/shipped_oils.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/io/text/trade_terms.hpp"
@@ -123,6 +124,7 @@ class Gatherer {
     add_file(root, tree_.path);
     const std::vector<TomlEntry> stated = read_overrides(overrides);
     drop_other_ways(stated);
+    drop_other_conditions(stated);
     add_oil(stated);
     for (const TomlEntry& entry : stated) replace(entry);
     for (auto& [key, entry] : entries_) tree_.entries.push_back(entry);
@@ -370,6 +372,19 @@ class Gatherer {
         }
       }
     }
+  }
+
+  /// Conditions of the command line replace those that files state.
+  void drop_other_conditions(const std::vector<TomlEntry>& stated) {
+    const auto are_conditions = [](const TomlEntry& entry) { return entry.key == "conditions"; };
+    if (dropped_ == nullptr || std::none_of(stated.begin(), stated.end(), are_conditions)) return;
+    std::vector<std::string> keys;
+    for (const auto& [key, entry] : entries_) {
+      for (const std::string_view of_conditions : cycle::kKeysOfConditions) {
+        if (key == of_conditions || (of_conditions.back() == '.' && key.starts_with(of_conditions))) keys.push_back(key);
+      }
+    }
+    for (const std::string& key : keys) drop(key);
   }
 
   void drop(const std::string& key) {

@@ -33,7 +33,6 @@ const std::vector<Engine>& engines() {
         {"engine.stroke", "\"79.5 mm\"", ""},
         {"engine.connecting_rod_length", "\"138.1 mm\"", ""},
         {"operating.speed", "\"1500 rpm\"", ""},
-        {"operating.oil_temperature", "\"120 degC\"", ""},
         {"ring.face_width", "\"1.2 mm\"", ""},
         {"ring.elastic_pressure", "\"0.2 MPa\"", kAssumed + "; 0.12 to 0.25 MPa are usual"},
         {"ring.face.form", "\"parabola\"", ""},
@@ -46,7 +45,6 @@ const std::vector<Engine>& engines() {
         {"engine.stroke", "\"160 mm\"", ""},
         {"engine.connecting_rod_length", "\"260 mm\"", ""},
         {"operating.speed", "\"1200 rpm\"", ""},
-        {"operating.oil_temperature", "\"110 degC\"", ""},
         {"ring.face_width", "\"3 mm\"", ""},
         {"ring.elastic_pressure", "\"0.2 MPa\"", kAssumed + "; 0.12 to 0.25 MPa are usual"},
         {"ring.face.form", "\"parabola\"", ""},
@@ -112,7 +110,9 @@ std::vector<std::string> start_engines() {
 StartCase start_case(const StartOptions& options) {
   const Engine& engine = engine_of(options.engine);
   StartCase start;
-  std::vector<StartValue> values = {{"title", quoted(engine.title), "for people"}};
+  std::vector<StartValue> values = {
+      {"title", quoted(engine.title), "for people"},
+      {"conditions", quoted("engine"), kAssumed + ": gas at the edges, oil on the liner, hot walls at full load"}};
   append(engine.values, values);
   if (options.trace) {
     TraceKeys trace = trace_keys(*options.trace, options.case_folder, Units());

@@ -27,7 +27,7 @@ Assumption assumption(const std::string& topic, std::string statement, std::stri
   return {std::move(entry), std::move(alternatives)};
 }
 
-constexpr Unit kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5}, kNewton{"N", 1}, kMm{"mm", 1e-3};
+constexpr Unit kMicrometre{"um", 1e-6}, kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5}, kNewton{"N", 1}, kMm{"mm", 1e-3};
 constexpr Unit kCelsius{"degC", 1, 273.15}, kPlain{"", 1};
 
 // --- choices of model -------------------------------------------------------------------------------------------
@@ -203,11 +203,33 @@ Assumption oil_temperature(const Case& c) {
 // --- edges, gap and what this program cannot lift yet
 // ----------------------------------------------------------------------------
 
+std::vector<Alternative> other_supplies(const Case& c) {
+  const double film = *c.supply.film;
+  std::vector<Alternative> others = other_numbers("supply.film", c, film, kMicrometre, {0.5 * film, 2 * film});
+  if (c.supply.reach) {
+    const double reach = *c.supply.reach;
+    for (Alternative& other : other_numbers("supply.reach", c, reach, kMm, {0.5 * reach})) others.push_back(std::move(other));
+  }
+  for (Alternative& other : other_choices("film.supply", c)) others.push_back(std::move(other));
+  return others;
+}
+
 Assumption flooded_inlet(const cycle::Setup& setup) {
   const Case& c = setup.input;
   const char* topic = "flooded-inlet";
   std::vector<Alternative> others = other_choices("film.chamber_edge", c);
   for (Alternative& other : other_choices("film.crankcase_edge", c)) others.push_back(std::move(other));
+  if (c.film.supply != cycle::OilSupply::kFlooded) {
+    const bool follows = c.film.supply == cycle::OilSupply::kFilmOnLiner;
+    return assumption(topic,
+                      follows ? text("the ring finds on the liner what earlier strokes left, and below %.3g mm the %.3g "
+                                     "um of the oil ring",
+                                     1e3 * *c.supply.reach, 1e6 * *c.supply.film)
+                              : text("a film of %.3g um is ahead of the ring on every stroke", 1e6 * *c.supply.film),
+                      "what the oil ring leaves is seldom known; below half of the film at which the asperities carry "
+                      "the load alone the ring runs dry",
+                      other_supplies(c));
+  }
   if (c.film.has_gas_edge()) {
     const char* where = c.film.chamber_edge == c.film.crankcase_edge    ? "either edge"
                         : c.film.chamber_edge == cycle::EdgeFluid::kGas ? "the chamber edge"

@@ -133,7 +133,7 @@ export function linerFilmFigure(model) {
     title: 'Oil on the liner along the stroke',
     panels: strokes.map(panel),
     caption:
-      'What the ring meets on each stroke (dashed) and what it leaves (full line), where it stands. Left is TDC, ' +
+      'What the ring meets on each stroke (dashed) and what it leaves (full line), by its position. Left is TDC, ' +
       'right is BDC. On downstrokes the oil ring replenishes the liner below its reach.',
   };
 }

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/case/case_fields_table.hpp"
+#include "ringfilm/cycle/case/fields/case_fields_table.hpp"
 
 namespace ringfilm::cycle::table {
 namespace {

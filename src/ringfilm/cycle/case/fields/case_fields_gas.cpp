@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/case/case_fields_table.hpp"
+#include "ringfilm/cycle/case/fields/case_fields_table.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 
 namespace ringfilm::cycle::table {

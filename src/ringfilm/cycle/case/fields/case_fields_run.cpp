@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/case/case_fields_table.hpp"
+#include "ringfilm/cycle/case/fields/case_fields_table.hpp"
 
 namespace ringfilm::cycle::table {
 namespace {
@@ -27,7 +27,7 @@ constexpr When kFilmOnLiner{
 std::string edge_help(const std::string& edge, const std::string& stroke) {
   return "what the " + edge + " edge of the face meets on the " + stroke +
          ", where the film leaves there: oil, or gas that fills the face up to the meniscus; where the film enters "
-         "there, film.supply tells how much oil is at hand";
+         "there, film.supply states how much oil is at hand";
 }
 
 }  // namespace
@@ -61,11 +61,11 @@ void append_run_fields(std::vector<Field>& fields) {
                  "what earlier strokes left on the liner",
                  "\"film-on-liner\""}),
           field("supply.film", OptionalNumberKind{member<&Case::supply, &Supply::film>}, {"m", "um"},
-                above(0, 1e-3), Need::kRequired, kNotFlooded,
+                above(0, 1e-3), Need::kOptional, kNotFlooded,
                 {"film on the liner ahead of the ring, f; with film-on-liner what the oil ring leaves on downstrokes",
                  "\"2 um\""}),
           field("supply.reach", OptionalNumberKind{member<&Case::supply, &Supply::reach>}, {"m", "mm"},
-                between(0, 5), Need::kRequired, kFilmOnLiner,
+                between(0, 5), Need::kOptional, kFilmOnLiner,
                 {"distance below the TDC position of the chamber edge from which on the oil ring lays its film ahead of the ring "
                  "on each downstroke",
                  "\"10 mm\""}),

@@ -1,0 +1,37 @@
+#include "ringfilm/cycle/case/conditions.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+constexpr double kCelsius = 273.15;
+
+// Typical, assumed (docs/manual/guide/typical-inputs.md): full load.
+constexpr double kOilRingFilm = 2e-6, kOilRingReach = 10e-3;                    // [m]
+constexpr double kRing = 190 + kCelsius, kLinerAtTdc = 180 + kCelsius;          // [K]
+constexpr double kLinerBelow = 115 + kCelsius, kDistanceOfLinerBelow = 80e-3;  // [K], [m]
+
+}  // namespace
+
+void set_conditions(Conditions conditions, Case& c) {
+  c.conditions = conditions;
+  if (conditions == Conditions::kOfTheCase) return;
+  const bool engine = conditions == Conditions::kEngine;
+  c.film.cavitation = engine ? Cavitation::kMassConserving : c.film.cavitation;
+  c.film.chamber_edge = c.film.crankcase_edge = engine ? EdgeFluid::kGas : EdgeFluid::kOil;
+  c.film.supply = engine ? OilSupply::kFilmOnLiner : OilSupply::kFlooded;
+  c.supply = {};
+  c.thermal = {};
+  if (!engine) return;
+  c.supply.film = kOilRingFilm;
+  c.supply.reach = kOilRingReach;
+  c.thermal.ring = kRing;
+  c.thermal.liner = {{0, kLinerAtTdc}, {kDistanceOfLinerBelow, kLinerBelow}};
+}
+
+void keep_own_temperature(Case& c) {
+  if (!c.stated.contains("operating.oil_temperature")) return;
+  if (!c.stated.contains("thermal.ring")) c.thermal.ring.reset();
+  if (!c.stated.contains("thermal.liner")) c.thermal.liner.clear();
+}
+
+}  // namespace ringfilm::cycle
