@@ -50,6 +50,7 @@ struct Sample {
   double rupture_position = 0;      ///< where the cavity begins, from the chamber edge [m]; NaN where the film is full
   double reformation_position = 0;  ///< where the cavity ends, from the chamber edge [m]; NaN where the film is full
   double film_temperature = 0;      ///< of the oil film [K]
+  double peak_shear_rate = 0;       ///< largest along the face [1/s]
   double newton_iterations = 0;     ///< spent on the way here from the crank step before
   double crank_sub_steps = 0;       ///< steps taken on that way
   double fallbacks = 0;             ///< bracketed searches and shorter steps that were needed on it

@@ -81,11 +81,17 @@ struct FilmProblem {
 
 inline constexpr double kSteady = std::numeric_limits<double>::infinity();
 
-/// By what the flow of a film differs from that of a Newtonian oil between smooth walls; held during a solve.
+/// By what a film differs from that of a Newtonian oil between smooth walls; held during a solve. Those of shear stress
+/// only enter integrals. An empty list has no influence.
 struct FlowFactors {
   std::vector<double> mobility;  ///< of the flow by pressure, at the nodes: 1 between smooth walls [-]
   std::vector<double> stored;    ///< by how much more oil the gap holds than its height, at the nodes [m]
   std::vector<double> carried;   ///< the same of what the wall carries through the faces [m]
+  std::vector<double> thinning;  ///< viscosity over that without shear, at the nodes [-]
+  // eq-average-shear, at the faces
+  std::vector<double> sliding_stress;     ///< of the stress by sliding, phi_f [-]
+  std::vector<double> stress_difference;  ///< by which it is smaller on the moving wall, V_r Phi_fs [-]
+  std::vector<double> pressure_stress;    ///< of the stress by pressure, phi_fp [-]
 };
 
 /// What acts on the film during one step.
@@ -126,6 +132,7 @@ struct FilmState {
   std::vector<double> mass_per_area;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
   std::vector<double> amplitudes;     ///< of a ring that bends, in its shapes; empty: none [m]
   LaneLaws laws = LaneLaws::kGiven;   ///< whose oil a solved film holds: kGiven, that of the laws themselves
+  std::shared_ptr<const FlowFactors> factors;  ///< with which it was solved; nullptr: none
 };
 
 enum class Route { kNewton, kSecant };

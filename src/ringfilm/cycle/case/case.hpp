@@ -161,6 +161,25 @@ enum class Cavitation {
   kMassConserving  ///< and mass is kept, too (JFO)
 };
 
+/// `film.flow_factors`, `film.shear_flow`, `film.stress_factors`: what roughness does in the film.
+enum class Roughness {
+  kNone,       ///< nothing: that of smooth walls
+  kPatirCheng  ///< the factors of Patir and Cheng
+};
+
+/// `film.average_gap`: film thickness that the gap stores and the liner carries.
+enum class AverageGap {
+  kNominal,   ///< that of smooth walls
+  kTruncated  ///< mean of the local one, where the surfaces do not overlap
+};
+
+/// `lubricant.shear_thinning`: law of viscosity against the shear rate.
+enum class ShearThinning {
+  kNone,    ///< none: a Newtonian oil
+  kCross,   ///< R + (1 - R)/(1 + (g/g_c)^m)
+  kCarreau  ///< R + (1 - R)(1 + (g/g_c)^2)^((n - 1)/2)
+};
+
 using film::EdgeFluid;  ///< `film.chamber_edge`, `film.crankcase_edge`
 
 /// `solver.crank_step_control`: how long a crank step is.
@@ -376,6 +395,7 @@ struct Contact {
   std::optional<double> hardness;
   ContactIntegrals integrals = ContactIntegrals::kExact;  ///< of the heights, F_2 and F_5/2
   LambdaRatio lambda_ratio = LambdaRatio::kLocal;         ///< contact pressure from h(x)/sigma, or h_m/sigma all over
+  double ring_roughness_share = 0;  ///< of the square of sigma, the ring's own [-]; film.shear_flow
   MeasuredContact measured;                               ///< where N, beta, sigma and zeta come from
 };
 
@@ -401,6 +421,16 @@ struct Lubricant {
   double dh_a = models::DowsonHigginson{}.a;  ///< a of the density rho_0 [1 + a p/(1 + b p)] [1/Pa]
   double dh_b = models::DowsonHigginson{}.b;  ///< b of the same law [1/Pa]
   double viscosity = 0;                       ///< of a pad, at the zero of its pressures [Pa s]
+  ShearThinning shear_thinning = ShearThinning::kNone;    ///< law of viscosity against the shear rate
+  double second_newtonian_ratio = 0.7;                    ///< R: viscosity at the highest shear rates over that at none
+  std::optional<double> critical_shear_rate;              ///< g_c, at the temperature below [1/s]
+  std::optional<double> critical_shear_rate_temperature;  ///< [K]
+  std::optional<double> shear_exponent;                   ///< m or n; absent: models::usual_exponent [-]
+  /// Viscosity at 150 degC and 1e6 1/s, which determines g_c where the case does not state it [Pa s].
+  std::optional<double> hths_viscosity;
+
+  /// Is the oil any other than a Newtonian one?
+  bool thins() const { return shear_thinning != ShearThinning::kNone && second_newtonian_ratio < 1; }
 };
 
 /// The keys under `film`.
@@ -411,6 +441,18 @@ struct Film {
   /// What lies at an edge where the film leaves; the edge at which it enters is flooded with oil at its pressure.
   EdgeFluid chamber_edge = EdgeFluid::kOil, crankcase_edge = EdgeFluid::kOil;
 
+  Roughness flow_factors = Roughness::kNone;      ///< of the flow by pressure
+  Roughness shear_flow = Roughness::kNone;        ///< of the flow by sliding
+  Roughness stress_factors = Roughness::kNone;    ///< of the shear stress
+  AverageGap average_gap = AverageGap::kNominal;  ///< that is stored and carried
+  double orientation = 1;  ///< gamma of the roughness: correlation length along the motion over that across it [-]
+
+  /// Do roughness keys take orientation?
+  bool has_pattern() const {
+    return flow_factors != Roughness::kNone || shear_flow != Roughness::kNone || stress_factors != Roughness::kNone;
+  }
+  /// Does the film differ by roughness from that of smooth walls?
+  bool is_rough() const { return has_pattern() || average_gap != AverageGap::kNominal; }
   bool has_gas_edge() const { return chamber_edge == EdgeFluid::kGas || crankcase_edge == EdgeFluid::kGas; }
   // of a pad
   EdgeFluid left_edge = EdgeFluid::kOil, right_edge = EdgeFluid::kOil;  ///< at x = 0 and x = length
@@ -523,6 +565,8 @@ struct Case {
   /// its own; `ring` and `contact` of the pack itself are those of the first. Empty: a case of one ring.
   std::vector<Case> rings;
 
+  /// Does the film differ from that of a Newtonian oil between smooth walls?
+  bool has_flow_factors() const { return film.is_rough() || lubricant.thins(); }
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }

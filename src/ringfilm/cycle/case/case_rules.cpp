@@ -307,6 +307,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   Breaches breaches;
   check_cavitation_pressure(c.film, breaches);
   append_gas_edge_breaches(c, breaches);
+  append_flow_factor_breaches(c, breaches);
   check_engine(c, breaches);
   check_thermal(c.thermal, breaches);
   if (c.gas.model == GasModel::kWiebe) {

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 #include "ringfilm/models/oil/oil_of_functions.hpp"
+#include "ringfilm/models/oil/oil_temperature.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -84,6 +87,43 @@ std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaw
   return notes;
 }
 
+/// The oil without shear at a temperature, at atmospheric pressure [Pa s].
+using ViscosityAt = std::function<double(double T)>;
+
+/// g_c at the temperature at which HTHS is measured, from that viscosity.
+double rate_from_hths(const models::ShearThinning& law, double hths, double without_shear) {
+  const auto given = [](double eta) { return number_text(eta * 1e3) + " mPa s"; };
+  const double ratio = hths / without_shear;
+  if (ratio >= 1) {
+    throw InputError("lubricant.hths_viscosity = " + given(hths) + " is not below the viscosity of the oil without " +
+                         "shear at 150 degC, " + given(without_shear),
+                     "the viscosity falls with the shear rate; check lubricant.hths_viscosity, "
+                     "lubricant.kinematic_viscosity and lubricant.density, or state shear_thinning = \"none\"");
+  }
+  if (ratio <= law.second_newtonian) {
+    throw InputError("lubricant.hths_viscosity = " + given(hths) + " is not above lubricant.second_newtonian_ratio = " +
+                         number_text(law.second_newtonian) + " of the viscosity without shear at 150 degC, " +
+                         given(without_shear),
+                     "at the highest shear rates the oil keeps that share; state a smaller one");
+  }
+  return models::kHthsShearRate / law.rate(ratio);
+}
+
+/// Of an oil that thins. @param T_low,T_high between which the viscosity is known [K]
+void add_thinning(const Lubricant& lubricant, const ViscosityAt& viscosity, double T_low, double T_high,
+                  OilSetup& setup) {
+  const auto law = shear_thinning(lubricant);
+  if (!law) return;
+  const double T_hths = models::kHthsTemperature;
+  const double T = lubricant.hths_viscosity ? T_hths : lubricant.critical_shear_rate_temperature.value();
+  const double rate = lubricant.hths_viscosity ? rate_from_hths(*law, *lubricant.hths_viscosity, viscosity(T))
+                                               : lubricant.critical_shear_rate.value();
+  setup.thinning = film::ThinningOil{*law, rate * viscosity(T), base::kAtmosphere};
+  if (T_hths < T_low || T_hths > T_high) return;
+  const double eta = viscosity(T_hths);
+  setup.hths_viscosity = eta * law->ratio(models::kHthsShearRate * eta / setup.thinning->critical_stress);
+}
+
 /// Two points of the line (ASTM D341) of an oil [m2/s].
 struct GradeLine {
   const char* name;
@@ -121,14 +161,25 @@ PreparedOil prepared_oil(const Lubricant& lubricant, std::optional<models::WallT
     of_table(range.high);
     auto oil = std::make_shared<models::OilOverTemperature>(of_table, range.low, range.high);
     const auto at = oil->at(T);
-    return {
-        {std::move(walls), oil, T, at->viscosity(base::kAtmosphere), at->density(base::kAtmosphere)}, oil, range, {}};
+    PreparedOil prepared{
+        {std::move(walls), oil, T, at->viscosity(base::kAtmosphere), at->density(base::kAtmosphere), {}, {}},
+        oil,
+        range,
+        {}};
+    const auto viscosity = [&](double at_T) { return of_table(at_T)->viscosity(base::kAtmosphere); };
+    const std::vector<double>& known = lubricant.table->temperature;
+    add_thinning(lubricant, viscosity, known.front(), known.back(), prepared.setup);
+    return prepared;
   }
   const models::OilLaws laws = oil_laws(lubricant);
   auto oil = std::make_shared<models::OilOverTemperature>(
       [laws](double at) { return models::closed_form_oil(laws, at); }, range.low, range.high);
   const models::OilState at = models::oil_state(laws, T);
-  return {{std::move(walls), oil, T, at.eta_T, at.rho_T}, oil, range, extrapolation_notes(lubricant, laws, range)};
+  PreparedOil prepared{
+      {std::move(walls), oil, T, at.eta_T, at.rho_T, {}, {}}, oil, range, extrapolation_notes(lubricant, laws, range)};
+  const auto viscosity = [&](double at_T) { return models::oil_state(laws, at_T).eta_T; };
+  add_thinning(lubricant, viscosity, models::kColdestOil, models::kHottestOil, prepared.setup);
+  return prepared;
 }
 
 void append_viscosity_notes(const PreparedOil& oil, std::vector<Note>& notes) {
@@ -158,7 +209,7 @@ PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAt
   const double viscosity = law->viscosity(base::kAtmosphere), density = law->density(base::kAtmosphere);
   const std::string called = name.empty() ? "an oil without a name" : "\"" + name + "\"";
   auto oil = std::make_shared<models::OilOverTemperature>(std::move(law));
-  return {{std::nullopt, oil, temperature, viscosity, density},
+  return {{std::nullopt, oil, temperature, viscosity, density, {}, {}},
           oil,
           {temperature, temperature},
           {{"own-oil",
@@ -177,6 +228,14 @@ void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
        "no polynomials follow the oil's laws within a relative " + std::string(allowed) +
            ", as solver.properties = \"fitted\" requires: the laws themselves are used, which takes longer",
        1});
+}
+
+std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant) {
+  if (!lubricant.thins()) return std::nullopt;
+  using Law = models::ShearThinningLaw;
+  const Law law = lubricant.shear_thinning == ShearThinning::kCross ? Law::kCross : Law::kCarreau;
+  return models::ShearThinning{law, lubricant.second_newtonian_ratio,
+                               lubricant.shear_exponent.value_or(models::usual_exponent(law))};
 }
 
 std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant) {

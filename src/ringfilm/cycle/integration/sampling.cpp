@@ -85,6 +85,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   const double eta = oil.walls ? in.oil->viscosity(base::kAtmosphere) : oil.viscosity;
   s.stribeck_number = eta * speed / (mean_pressure * setup.ring.sigma);
   s.film_temperature = instant.at.film_temperature;
+  s.peak_shear_rate = integrals.peak_shear_rate;
   s.peak_film_pressure = integrals.peak_pressure;
   s.cavitated_fraction = integrals.cavitated_fraction;
   s.wetted_begin = f.wetted_begin;

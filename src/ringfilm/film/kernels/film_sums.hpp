@@ -14,6 +14,7 @@ struct FilmView {
   double h_m;                   ///< [m]
   double deficit_share;         ///< 1: theta = 1 - deficit; 0: theta = 1
   double left_supply = kUnlimited, right_supply = kUnlimited;  ///< four times that of the edges [kg/m2]
+  const double *mobility = nullptr, *carried = nullptr;        ///< FlowFactors; nullptr: none
 };
 
 /// One lane of a block: z, and how far apart its numbers are.
@@ -77,18 +78,20 @@ struct ContactSums {
 /// Mass flux in +x through the face between nodes i and i+1. @param rho,K of these two nodes
 RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double* rho, const double* K, int i) {
   const double h = film.h_m + film.face_height[i];
+  const double stream = film.carried == nullptr ? h : h + film.carried[i];
   const double dp = film.p[i + 1] - film.p[i];
+  const auto mobile = [&](int k) { return film.mobility == nullptr ? K[k] : K[k] * film.mobility[i + k]; };
   const auto film_content = [&](bool from_left) {
     return 1 - film.deficit_share * film.deficit[from_left ? i : i + 1];
   };
   const double supply = i == 0 ? film.left_supply : i == film.n_cells - 1 ? film.right_supply : kUnlimited;
-  double carried = entrainment(0.25 * U, film_content(U >= 0), h);
+  double carried = entrainment(0.25 * U, film_content(U >= 0), stream);
   if (supply < kUnlimited) {
     const double limit = supply / (rho[0] + rho[1]);
-    carried = 0.25 * U * (limit < h ? limit : h);
+    carried = 0.25 * U * (limit < stream ? limit : stream);
   }
   return face_flux(carried, rho[0] + rho[1], film_content(dp <= 0) * conductance(h * h * h, film.spacing[i]),
-                   K[0] + K[1], dp);
+                   mobile(0) + mobile(1), dp);
 }
 
 /// Sums along the face with packs of Real, and what is left over one by one.

@@ -1,0 +1,68 @@
+#include "ringfilm/film/factors/average_shear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/solver/reynolds.hpp"
+
+namespace ringfilm::film {
+namespace {
+
+double factor(const std::vector<double>& of, int i, double none) { return of.empty() ? none : of[i]; }
+
+}  // namespace
+
+double pressure_slope(const FilmProblem& problem, const FilmState& state, int i) {
+  const int low = std::max(i - 1, 0), high = std::min(i + 1, problem.grid.n_cells());
+  return (state.p[high] - state.p[low]) / (problem.grid.x[high] - problem.grid.x[low]);
+}
+
+double pressure_shear(double h, double slope) { return 0.5 * std::numbers::inv_sqrt3 * h * std::abs(slope); }
+
+AverageShear average_shear(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state,
+                           const double* deficit) {
+  const FilmGrid& grid = problem.grid;
+  const FlowFactors& factors = *state.factors;
+  const int upstream = inputs.U >= 0 ? 0 : 1;
+  const auto viscosity = [&](int i) {
+    return factor(factors.thinning, i, 1) * viscosity_at(*inputs.oil, state.laws, state.p[i]);
+  };
+  AverageShear sum{0, 0};
+  double left = viscosity(0);
+  for (int i = 0; i < grid.n_cells(); ++i) {
+    const double right = viscosity(i + 1), h = state.h_m + grid.face_height[i];
+    const double sliding = grid.spacing[i] * film_content(problem.cavitation, deficit[i + upstream]) * 0.5 *
+                           (left + right) * inputs.U / h;
+    sum.mean += factor(factors.sliding_stress, i, 1) * sliding;
+    sum.half_difference += 0.5 * factor(factors.pressure_stress, i, 1) * h * (state.p[i + 1] - state.p[i]) -
+                           factor(factors.stress_difference, i, 0) * sliding;
+    left = right;
+  }
+  return sum;
+}
+
+double peak_shear_rate(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state,
+                       const double* deficit) {
+  const FilmGrid& grid = problem.grid;
+  const bool is_content = problem.cavitation == Cavitation::kMassConserving;
+  const bool thins = state.factors && !state.factors->thinning.empty();
+  // No viscosity of a Newtonian oil is lower: it rises with pressure.
+  const double lowest = viscosity_at(*inputs.oil, state.laws, inputs.p_cavitation);
+  double largest = 0;
+  const auto visit = [&](int i) {
+    if (is_content && deficit[i] == 1) return;  // gas
+    const double h = state.h_m + grid.node_height[i];
+    const double slide = inputs.U / h, stress = pressure_shear(h, pressure_slope(problem, state, i));
+    const double bound = stress / lowest;
+    if (!thins && slide * slide + bound * bound <= largest * largest) return;
+    const double eta = viscosity_at(*inputs.oil, state.laws, state.p[i]);
+    largest = std::max(largest, std::hypot(slide, stress / (thins ? eta * state.factors->thinning[i] : eta)));
+  };
+  visit(grid.throat);
+  for (int i = 0; i <= grid.n_cells(); ++i) visit(i);
+  return largest;
+}
+
+}  // namespace ringfilm::film
