@@ -254,6 +254,39 @@ def convergence():
     return picture
 
 
+def flow_factors():
+    """What the orientation of the roughness and shear thinning change in the new ring of styles2014."""
+
+    def new_ring(**changes):
+        return case("styles2014/new.toml", film__cavitation="mass-conserving", **changes).run()
+
+    orientations = (1 / 9, 1 / 6, 1 / 3, 1, 3, 6, 9)
+    factors = {"film__flow_factors": "patir-cheng", "film__stress_factors": "patir-cheng"}
+    fmep = [1e-3 * new_ring(film__orientation=gamma, **factors).values["fmep"] for gamma in orientations]
+    newtonian, thinned = new_ring(), new_ring(lubricant__shear_thinning="cross")
+    picture = Picture("FMEP over the orientation of the roughness, and viscous friction with shear thinning", 400)
+    mark_synthetic(picture)
+    half = 296
+    left = Panel(picture, LEFT, 58, half, 264, (0.1, 10), (14, 22), "x")
+    left.title("FMEP [kPa]")
+    left.y_axis("", range(14, 23, 2))
+    left.x_axis("orientation γ [-]", [0.1, 0.3, 1, 3, 10])
+    left.level(1e-3 * newtonian.values["fmep"], Style(BLACK, "2 3", 1.2), "smooth walls", anchor="start")
+    left.curve(orientations, fmep, KEEPING)
+    left.points(orientations, fmep, BLUE, 3.5)
+    left.frame()
+    right = Panel(picture, LEFT + half + 76, 58, half, 264, (-360, 360), (0, 40))
+    right.title("viscous friction [N]")
+    right.y_axis("", range(0, 41, 10))
+    right.crank()
+    entries = ((newtonian, KEEPING, "Newtonian"), (thinned, EXIT, "Cross, HTHS 2.9 mPa s"))
+    for result, style, _ in entries:
+        angle, friction = from_firing(result.crank_angle, result.viscous_friction)
+        right.curve(angle, friction, style)
+    legend(picture, LEFT + half + 76, 388, [(style, words) for _, style, words in entries], 120)
+    return picture
+
+
 PICTURES = {
     "film-states": film_states,
     "ring-film": ring_film,
@@ -261,4 +294,5 @@ PICTURES = {
     "pads": pads,
     "pocket-pad": pocket_pad,
     "convergence": convergence,
+    "flow-factors": flow_factors,
 }

@@ -9,7 +9,6 @@
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 #include "ringfilm/models/oil/oil_of_functions.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
@@ -90,25 +89,6 @@ std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaw
 /// The oil without shear at a temperature, at atmospheric pressure [Pa s].
 using ViscosityAt = std::function<double(double T)>;
 
-/// g_c at the temperature at which HTHS is measured, from that viscosity.
-double rate_from_hths(const models::ShearThinning& law, double hths, double without_shear) {
-  const auto given = [](double eta) { return number_text(eta * 1e3) + " mPa s"; };
-  const double ratio = hths / without_shear;
-  if (ratio >= 1) {
-    throw InputError("lubricant.hths_viscosity = " + given(hths) + " is not below the viscosity of the oil without " +
-                         "shear at 150 degC, " + given(without_shear),
-                     "the viscosity falls with the shear rate; check lubricant.hths_viscosity, "
-                     "lubricant.kinematic_viscosity and lubricant.density, or state shear_thinning = \"none\"");
-  }
-  if (ratio <= law.second_newtonian) {
-    throw InputError("lubricant.hths_viscosity = " + given(hths) + " is not above lubricant.second_newtonian_ratio = " +
-                         number_text(law.second_newtonian) + " of the viscosity without shear at 150 degC, " +
-                         given(without_shear),
-                     "at the highest shear rates the oil keeps that share; state a smaller one");
-  }
-  return models::kHthsShearRate / law.rate(ratio);
-}
-
 /// Of an oil that thins. @param T_low,T_high between which the viscosity is known [K]
 void add_thinning(const Lubricant& lubricant, const ViscosityAt& viscosity, double T_low, double T_high,
                   OilSetup& setup) {
@@ -116,8 +96,10 @@ void add_thinning(const Lubricant& lubricant, const ViscosityAt& viscosity, doub
   if (!law) return;
   const double T_hths = models::kHthsTemperature;
   const double T = lubricant.hths_viscosity ? T_hths : lubricant.critical_shear_rate_temperature.value();
-  const double rate = lubricant.hths_viscosity ? rate_from_hths(*law, *lubricant.hths_viscosity, viscosity(T))
-                                               : lubricant.critical_shear_rate.value();
+  const auto rate_from_hths = [&] {
+    return models::kHthsShearRate / law->rate(*lubricant.hths_viscosity / viscosity(T));
+  };
+  const double rate = lubricant.hths_viscosity ? rate_from_hths() : lubricant.critical_shear_rate.value();
   setup.thinning = film::ThinningOil{*law, rate * viscosity(T), base::kAtmosphere};
   if (T_hths < T_low || T_hths > T_high) return;
   const double eta = viscosity(T_hths);
@@ -228,6 +210,14 @@ void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
        "no polynomials follow the oil's laws within a relative " + std::string(allowed) +
            ", as solver.properties = \"fitted\" requires: the laws themselves are used, which takes longer",
        1});
+}
+
+std::optional<double> viscosity_for_hths(const Lubricant& lubricant) {
+  const double T = models::kHthsTemperature;
+  if (!lubricant.table_file) return models::oil_state(oil_laws(lubricant), T).eta_T;
+  const std::vector<double>& known = lubricant.table->temperature;
+  if (T < known.front() || T > known.back()) return std::nullopt;
+  return models::tabulated_oil(*lubricant.table, T)->viscosity(base::kAtmosphere);
 }
 
 std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant) {
