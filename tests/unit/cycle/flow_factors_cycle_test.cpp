@@ -91,8 +91,9 @@ TEST(FlowFactorCycle, CriticalShearRateFollowsFromHths) {
   const cycle::Setup setup = prepare(c);
   ASSERT_TRUE(setup.ring.oil.hths_viscosity);
   EXPECT_NEAR(*setup.ring.oil.hths_viscosity, 2.9e-3, 1e-12);
-  const double at_120 = setup.ring.oil.thinning->critical_stress / setup.ring.oil.viscosity;
-  EXPECT_NEAR(at_120, 2.4e6, 0.1e6);
+  constexpr double kWithoutShear = 3.076e-3;  // ASTM D341 through the values of the oil, by hand
+  const double share = (2.9e-3 / kWithoutShear - 0.7) / 0.3, critical_rate = 1e6 * share / (1 - share);
+  EXPECT_NEAR(setup.ring.oil.thinning->critical_stress, critical_rate * kWithoutShear, 0.01 * critical_rate * kWithoutShear);
   EXPECT_NEAR(simulate(setup).derived.at("hths_viscosity"), 2.9e-3, 1e-12);
 }
 
@@ -140,7 +141,7 @@ TEST(FlowFactorCycle, ShearRateIsThatOfSlidingAndPressure) {
   const CycleResult result = simulated(mass_conserving());
   for (const Sample& s : result.samples) {
     const double slide = std::abs(s.piston_velocity) / s.min_film_thickness;
-    EXPECT_GE(s.peak_shear_rate, slide * (1 - 1e-12)) << s.crank_angle_deg;
+    EXPECT_GE(s.peak_shear_rate, slide * (1 - 1e-3)) << s.crank_angle_deg;  // the lowest node is above h_m
     EXPECT_LT(s.peak_shear_rate, 3 * slide + 1e6) << s.crank_angle_deg;
   }
 }
