@@ -132,9 +132,8 @@ RINGFILM_INLINE void limit_inlet(Real quarter_U, Real h, Real supply, const Node
   const Real surplus = h * rho - supply;
   const auto limited = surplus > Real(0);
   if (!Real::any(limited)) return;
-  const auto take = [&](Real& from, Real what) RINGFILM_INLINE_BODY {
-    from -= select(limited, quarter_U * what, Real(0));
-  };
+  const auto take = [&](Real& from, Real what)
+                        RINGFILM_INLINE_BODY { from -= select(limited, quarter_U * what, Real(0)); };
   take(flux.value, surplus);
   take(flux.by_left, select(left.is_film, h * left.drho, Real(0)));
   take(flux.by_right, select(right.is_film, h * right.drho, Real(0)));

@@ -75,7 +75,7 @@ struct FilmProblem {
   Cavitation cavitation = Cavitation::kMassConserving;
   ContactSpread contact_spread = ContactSpread::kLocal;
   Terms terms = Terms::kPlain;  ///< kAll: the edges may be in gas, and the inputs may hold flow factors
-  double tolerance = 0;          ///< relative error that the iteration may leave in film and pressure [-]
+  double tolerance = 0;         ///< relative error that the iteration may leave in film and pressure [-]
   const FilmKernels* kernels = &film::kernels();  ///< the inner loops that this machine runs
 };
 
@@ -97,11 +97,11 @@ struct FlowFactors {
 /// What acts on the film during one step.
 struct FilmInputs {
   std::shared_ptr<const models::OilAtTemperature> oil;  ///< of this step
-  double U = 0;                ///< velocity of the liner against the ring, positive in +x [m/s]
-  EdgeState left, right;       ///< at x = 0 and x = b
-  double p_cavitation = 0;     ///< not above either edge pressure [Pa]
-  double load = 0;             ///< W per length [N/m]
-  double time_step = kSteady;  ///< [s]
+  double U = 0;                                ///< velocity of the liner against the ring, positive in +x [m/s]
+  EdgeState left, right;                       ///< at x = 0 and x = b
+  double p_cavitation = 0;                     ///< not above either edge pressure [Pa]
+  double load = 0;                             ///< W per length [N/m]
+  double time_step = kSteady;                  ///< [s]
   std::shared_ptr<const FlowFactors> factors;  ///< nullptr: none
   /// Mass that appears per length and time, at the nodes; empty: none. For manufactured solutions [kg/(m2 s)].
   std::vector<double> source;
@@ -129,9 +129,9 @@ struct FilmState {
   double h_m = 0;               ///< minimum film thickness [m]
   std::vector<double> p;        ///< pressure at the nodes, absolute [Pa]
   std::vector<double> deficit;  ///< 0 where the film is full; 1 - theta, or the scaled multiplier of Reynolds exit [-]
-  std::vector<double> mass_per_area;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
-  std::vector<double> amplitudes;     ///< of a ring that bends, in its shapes; empty: none [m]
-  LaneLaws laws = LaneLaws::kGiven;   ///< whose oil a solved film holds: kGiven, that of the laws themselves
+  std::vector<double> mass_per_area;           ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
+  std::vector<double> amplitudes;              ///< of a ring that bends, in its shapes; empty: none [m]
+  LaneLaws laws = LaneLaws::kGiven;            ///< whose oil a solved film holds: kGiven, that of the laws themselves
   std::shared_ptr<const FlowFactors> factors;  ///< with which it was solved; nullptr: none
 };
 

@@ -57,7 +57,8 @@ PatirCheng::PatirCheng(double gamma) {
   const auto above = std::upper_bound(kOrientation.begin(), kOrientation.end(), gamma);
   row_ = std::max(0, static_cast<int>(above - kOrientation.begin()) - 1);
   const bool is_between = gamma > kOrientation[row_] && row_ + 1 < kRows;
-  share_ = is_between ? std::log(gamma / kOrientation[row_]) / std::log(kOrientation[row_ + 1] / kOrientation[row_]) : 0;
+  share_ =
+      is_between ? std::log(gamma / kOrientation[row_]) / std::log(kOrientation[row_ + 1] / kOrientation[row_]) : 0;
 }
 
 template <class Factor>

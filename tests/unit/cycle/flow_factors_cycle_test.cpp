@@ -79,7 +79,9 @@ TEST(FlowFactorCycle, BatchesHaveTheBitsOfSingleRuns) {
   for (std::size_t k = 0; k < cases.size(); ++k) fmep[k] = simulate(setups[k]).values.fmep;
   std::vector<double> in_batch(cases.size());
   auto next = setups.begin();
-  const SetupSource source = [&]() { return next == setups.end() ? std::nullopt : std::optional<cycle::Setup>(*next++); };
+  const SetupSource source = [&]() {
+    return next == setups.end() ? std::nullopt : std::optional<cycle::Setup>(*next++);
+  };
   simulate_batch(source, [&](const BatchOutcome& of) { in_batch[of.index] = of.result.values.fmep; });
   EXPECT_EQ(in_batch, fmep);
 }
@@ -93,7 +95,8 @@ TEST(FlowFactorCycle, CriticalShearRateFollowsFromHths) {
   EXPECT_NEAR(*setup.ring.oil.hths_viscosity, 2.9e-3, 1e-12);
   constexpr double kWithoutShear = 3.076e-3;  // ASTM D341 through the values of the oil, by hand
   const double share = (2.9e-3 / kWithoutShear - 0.7) / 0.3, critical_rate = 1e6 * share / (1 - share);
-  EXPECT_NEAR(setup.ring.oil.thinning->critical_stress, critical_rate * kWithoutShear, 0.01 * critical_rate * kWithoutShear);
+  EXPECT_NEAR(setup.ring.oil.thinning->critical_stress, critical_rate * kWithoutShear,
+              0.01 * critical_rate * kWithoutShear);
   EXPECT_NEAR(simulate(setup).derived.at("hths_viscosity"), 2.9e-3, 1e-12);
 }
 
@@ -106,8 +109,8 @@ TEST(FlowFactorCycle, RefusesAnHthsThatTheOilCannotHave) {
     return breaches.empty() ? "accepted" : breaches.front().message;
   };
   EXPECT_EQ(message(2.9e-3), "accepted");
-  EXPECT_THAT(message(3.5e-3), ::testing::AllOf(::testing::HasSubstr("3.5 mPa s is not below"),
-                                                ::testing::HasSubstr("150 degC, 3.0")));
+  EXPECT_THAT(message(3.5e-3),
+              ::testing::AllOf(::testing::HasSubstr("3.5 mPa s is not below"), ::testing::HasSubstr("150 degC, 3.0")));
   EXPECT_THAT(message(2.0e-3), ::testing::HasSubstr("second_newtonian_ratio"));
 }
 

@@ -32,10 +32,10 @@ Solved solved_at(const SmoothFilm& film, const FactorLaws& laws, const FilmInput
   Solved solved;
   solved.state = previous;
   solved.state.h_m = h_m;
-  solved.report = FactorIteration(film.problem, laws)
-                      .solve(inputs, solved.state, [&](const FilmInputs& held, FilmState& state) {
-                        return solve_film_at_separation(film.problem, held, previous, state, workspace);
-                      });
+  solved.report =
+      FactorIteration(film.problem, laws).solve(inputs, solved.state, [&](const FilmInputs& held, FilmState& state) {
+        return solve_film_at_separation(film.problem, held, previous, state, workspace);
+      });
   solved.integrals = film_integrals(film.problem, inputs, previous, solved.state);
   return solved;
 }

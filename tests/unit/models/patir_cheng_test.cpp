@@ -13,8 +13,8 @@ TEST(PatirCheng, HasThePublishedRows) {
     double gamma, C, r;
   };
   // patir1978, Table 1
-  for (const Row& row : {Row{1.0 / 9, 1.48, 0.42}, Row{1.0 / 6, 1.38, 0.42}, Row{0.3333333333333333, 1.18, 0.42},
-                         Row{1, 0.90, 0.56}}) {
+  for (const Row& row :
+       {Row{1.0 / 9, 1.48, 0.42}, Row{1.0 / 6, 1.38, 0.42}, Row{0.3333333333333333, 1.18, 0.42}, Row{1, 0.90, 0.56}}) {
     EXPECT_EQ(PatirCheng(row.gamma).pressure_flow(3), 1 - row.C * std::exp(-row.r * 3)) << row.gamma;
   }
   for (const Row& row : {Row{3, 0.225, 1.5}, Row{6, 0.520, 1.5}, Row{9, 0.870, 1.5}}) {

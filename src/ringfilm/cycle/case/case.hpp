@@ -7,7 +7,9 @@
 
 #include "ringfilm/base/shared.hpp"
 #include "ringfilm/film/edge.hpp"
+#include "ringfilm/film/factors/roughness.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
+#include "ringfilm/models/oil/shear_thinning.hpp"
 #include "ringfilm/models/wall_temperature.hpp"
 
 /// The input of one engine cycle, or of a pad, as one plain value: SI units, complete, checked. Angles alone are in
@@ -161,25 +163,9 @@ enum class Cavitation {
   kMassConserving  ///< and mass is kept, too (JFO)
 };
 
-/// `film.flow_factors`, `film.shear_flow`, `film.stress_factors`: what roughness does in the film.
-enum class Roughness {
-  kNone,       ///< nothing: that of smooth walls
-  kPatirCheng  ///< the factors of Patir and Cheng
-};
-
-/// `film.average_gap`: film thickness that the gap stores and the liner carries.
-enum class AverageGap {
-  kNominal,   ///< that of smooth walls
-  kTruncated  ///< mean of the local one, where the surfaces do not overlap
-};
-
-/// `lubricant.shear_thinning`: law of viscosity against the shear rate.
-enum class ShearThinning {
-  kNone,    ///< none: a Newtonian oil
-  kCross,   ///< R + (1 - R)/(1 + (g/g_c)^m)
-  kCarreau  ///< R + (1 - R)(1 + (g/g_c)^2)^((n - 1)/2)
-};
-
+using film::AverageGap;                          ///< `film.average_gap`
+using film::Roughness;                           ///< `film.flow_factors`, `film.shear_flow`, `film.stress_factors`
+using ShearThinning = models::ShearThinningLaw;  ///< `lubricant.shear_thinning`
 using film::EdgeFluid;  ///< `film.chamber_edge`, `film.crankcase_edge`
 
 /// `solver.crank_step_control`: how long a crank step is.
@@ -396,7 +382,7 @@ struct Contact {
   ContactIntegrals integrals = ContactIntegrals::kExact;  ///< of the heights, F_2 and F_5/2
   LambdaRatio lambda_ratio = LambdaRatio::kLocal;         ///< contact pressure from h(x)/sigma, or h_m/sigma all over
   double ring_roughness_share = 0;  ///< of the square of sigma, the ring's own [-]; film.shear_flow
-  MeasuredContact measured;                               ///< where N, beta, sigma and zeta come from
+  MeasuredContact measured;         ///< where N, beta, sigma and zeta come from
 };
 
 /// The keys under `lubricant`, with the oil of the file that they name.
@@ -418,9 +404,9 @@ struct Lubricant {
   models::LawParameters law_parameters = models::usual_law_parameters();  ///< of viscosity against pressure [SI]
   DensityTemperature density_temperature = DensityTemperature::kTable;    ///< linear through the points, or by gamma
   Compressibility compressibility = Compressibility::kDowsonHigginson;    ///< law of density against pressure
-  double dh_a = models::DowsonHigginson{}.a;  ///< a of the density rho_0 [1 + a p/(1 + b p)] [1/Pa]
-  double dh_b = models::DowsonHigginson{}.b;  ///< b of the same law [1/Pa]
-  double viscosity = 0;                       ///< of a pad, at the zero of its pressures [Pa s]
+  double dh_a = models::DowsonHigginson{}.a;              ///< a of the density rho_0 [1 + a p/(1 + b p)] [1/Pa]
+  double dh_b = models::DowsonHigginson{}.b;              ///< b of the same law [1/Pa]
+  double viscosity = 0;                                   ///< of a pad, at the zero of its pressures [Pa s]
   ShearThinning shear_thinning = ShearThinning::kNone;    ///< law of viscosity against the shear rate
   double second_newtonian_ratio = 0.7;                    ///< R: viscosity at the highest shear rates over that at none
   std::optional<double> critical_shear_rate;              ///< g_c, at the temperature below [1/s]

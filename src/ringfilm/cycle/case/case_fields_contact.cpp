@@ -28,8 +28,7 @@ void append_contact_fields(std::vector<Field>& fields) {
           field("contact.asperity_radius", NumberKind{member<&Case::contact, &Contact::asperity_radius>}, {"m", "um"},
                 above(0, 1e-2), Need::kRequired, {}, {"mean radius of the asperity summits, beta", "\"1.56 um\""}),
           field("contact.roughness", NumberKind{member<&Case::contact, &Contact::roughness>}, {"m", "um"},
-                above(0, 1e-4), Need::kRequired, kRoughness,
-                {"composite roughness of the pair, sigma", "\"0.48 um\""}),
+                above(0, 1e-4), Need::kRequired, kRoughness, {"composite roughness of the pair, sigma", "\"0.48 um\""}),
           field("contact.ring_roughness_share", NumberKind{member<&Case::contact, &Contact::ring_roughness_share>},
                 kPlainNumber, between(0, 1), Need::kRequired, kShearFlow,
                 {"share of the ring, or of a pad's fixed surface, in the square of the composite roughness: "

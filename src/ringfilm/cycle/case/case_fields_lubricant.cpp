@@ -20,10 +20,9 @@ constexpr When kThermalExpansivity{[](const Case& c) {
                                    "lubricant.density_temperature = \"thermal-expansivity\""};
 constexpr When kThinning{[](const Case& c) { return c.lubricant.shear_thinning != ShearThinning::kNone; },
                          "lubricant.shear_thinning = \"cross\" or \"carreau\""};
-constexpr When kCriticalShearRate{[](const Case& c) {
-                                    return kThinning.holds(c) && c.lubricant.critical_shear_rate.has_value();
-                                  },
-                                  "lubricant.critical_shear_rate is stated"};
+constexpr When kCriticalShearRate{
+    [](const Case& c) { return kThinning.holds(c) && c.lubricant.critical_shear_rate.has_value(); },
+    "lubricant.critical_shear_rate is stated"};
 constexpr When kReferenceTemperature{
     [](const Case& c) { return kHoupert.holds(c) || kThermalExpansivity.holds(c); },
     "lubricant.viscosity_temperature = \"houpert\" or lubricant.density_temperature = \"thermal-expansivity\""};

@@ -67,8 +67,8 @@ void append_run_fields(std::vector<Field>& fields) {
                 Need::kDefault, {},
                 {"flow by sliding: that of smooth walls, or with what the roughness of one of them carries, phi_s",
                  "\"patir-cheng\""}),
-          field("film.stress_factors", choice<&Case::film, &Film::stress_factors>({"none", "patir-cheng"}), kNoUnit,
-                {}, Need::kDefault, {},
+          field("film.stress_factors", choice<&Case::film, &Film::stress_factors>({"none", "patir-cheng"}), kNoUnit, {},
+                Need::kDefault, {},
                 {"shear stress: that of smooth walls, or with the factors phi_f, phi_fp and, with film.shear_flow, "
                  "phi_fs of rough ones",
                  "\"patir-cheng\""}),

@@ -301,8 +301,9 @@ void append_flow_factor_breaches(const Case& c, std::vector<RuleBreach>& breache
   if (!c.has_flow_factors()) return;
   const std::string key = key_of_factors(c);
   if (c.is_unrolled()) {
-    breaches.push_back({key, key + " requires film.dimension = \"face\"",
-                        "the film of the whole ring has smooth walls and a Newtonian oil; compute the face, or omit it"});
+    breaches.push_back(
+        {key, key + " requires film.dimension = \"face\"",
+         "the film of the whole ring has smooth walls and a Newtonian oil; compute the face, or omit it"});
   }
   if (c.problem == Problem::kPad && c.pad.width) {
     breaches.push_back({key, key + " is for a pad without pad.width",

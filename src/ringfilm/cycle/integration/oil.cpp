@@ -222,10 +222,9 @@ std::optional<double> viscosity_for_hths(const Lubricant& lubricant) {
 
 std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant) {
   if (!lubricant.thins()) return std::nullopt;
-  using Law = models::ShearThinningLaw;
-  const Law law = lubricant.shear_thinning == ShearThinning::kCross ? Law::kCross : Law::kCarreau;
-  return models::ShearThinning{law, lubricant.second_newtonian_ratio,
-                               lubricant.shear_exponent.value_or(models::usual_exponent(law))};
+  const double usual = models::usual_exponent(lubricant.shear_thinning);
+  return models::ShearThinning{lubricant.shear_thinning, lubricant.second_newtonian_ratio,
+                               lubricant.shear_exponent.value_or(usual)};
 }
 
 std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant) {

@@ -175,7 +175,7 @@ film::FactorLaws factor_laws(const Case& c, double sigma, const std::optional<fi
     laws.shear_flow = rough;
     laws.share_difference = 1 - 2 * c.contact.ring_roughness_share;
   }
-  if (c.film.average_gap == AverageGap::kTruncated) laws.average_gap = film::AverageGap::kTruncated;
+  laws.average_gap = c.film.average_gap;
   return laws;
 }
 

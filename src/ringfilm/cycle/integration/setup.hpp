@@ -43,7 +43,7 @@ struct OilSetup {
   double viscosity;                                         ///< at `temperature` and no pressure [Pa s]
   double density;                                           ///< likewise [kg/m3]
   std::optional<film::ThinningOil> thinning;                ///< nothing: the oil is Newtonian
-  std::optional<double> hths_viscosity;                     ///< of an oil that thins, where it is known at 150 degC [Pa s]
+  std::optional<double> hths_viscosity;  ///< of an oil that thins, where it is known at 150 degC [Pa s]
 };
 
 /// One ring and what it meets.

@@ -33,8 +33,8 @@ AverageShear average_shear(const FilmProblem& problem, const FilmInputs& inputs,
   double left = viscosity(0);
   for (int i = 0; i < grid.n_cells(); ++i) {
     const double right = viscosity(i + 1), h = state.h_m + grid.face_height[i];
-    const double sliding = grid.spacing[i] * film_content(problem.cavitation, deficit[i + upstream]) * 0.5 *
-                           (left + right) * inputs.U / h;
+    const double sliding =
+        grid.spacing[i] * film_content(problem.cavitation, deficit[i + upstream]) * 0.5 * (left + right) * inputs.U / h;
     sum.mean += factor(factors.sliding_stress, i, 1) * sliding;
     sum.half_difference += 0.5 * factor(factors.pressure_stress, i, 1) * h * (state.p[i + 1] - state.p[i]) -
                            factor(factors.stress_difference, i, 0) * sliding;
@@ -58,7 +58,8 @@ double peak_shear_rate(const FilmProblem& problem, const FilmInputs& inputs, con
     const double bound = stress / lowest;
     if (!thins && slide * slide + bound * bound <= largest * largest) return;
     const double eta = viscosity_at(*inputs.oil, state.laws, state.p[i]);
-    largest = std::max(largest, std::hypot(slide, stress / (thins ? eta * state.factors->thinning[i] : eta)));
+    const double by_pressure = stress / (thins ? eta * state.factors->thinning[i] : eta);
+    largest = std::max(largest, std::sqrt(slide * slide + by_pressure * by_pressure));
   };
   visit(grid.throat);
   for (int i = 0; i <= grid.n_cells(); ++i) visit(i);

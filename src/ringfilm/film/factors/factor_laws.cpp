@@ -38,8 +38,7 @@ void add_stress(const FactorLaws& laws, const FilmGrid& grid, double h_m, FlowFa
   factors.sliding_stress = at_faces(models::mean_inverse_film);
   factors.pressure_stress = at_faces([&](double H) { return laws.stress->pressure_stress(H); });
   if (laws.share_difference == 0) return;
-  factors.stress_difference =
-      at_faces([&](double H) { return laws.share_difference * laws.stress->shear_stress(H); });
+  factors.stress_difference = at_faces([&](double H) { return laws.share_difference * laws.stress->shear_stress(H); });
 }
 
 }  // namespace
@@ -51,7 +50,8 @@ std::shared_ptr<const FlowFactors> flow_factors(const FactorLaws& laws, const Fi
   auto factors = std::make_shared<FlowFactors>();
   if (laws.thinning) add_thinning(*laws.thinning, problem, inputs, state, h_m, *factors);
   if (laws.pressure_flow) {
-    factors->mobility = along(grid.node_height, h_m, [&](double h) { return laws.pressure_flow->pressure_flow(h / sigma); });
+    factors->mobility =
+        along(grid.node_height, h_m, [&](double h) { return laws.pressure_flow->pressure_flow(h / sigma); });
   }
   if (laws.thinning && !laws.pressure_flow) factors->mobility.assign(grid.x.size(), 1.0);
   for (std::size_t i = 0; i < factors->thinning.size(); ++i) factors->mobility[i] /= factors->thinning[i];

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 
+#include "ringfilm/film/factors/roughness.hpp"
 #include "ringfilm/film/film_state.hpp"
 #include "ringfilm/models/oil/shear_thinning.hpp"
 #include "ringfilm/models/patir_cheng.hpp"
@@ -13,12 +14,6 @@ struct ThinningOil {
   models::ShearThinning law;
   double critical_stress;     ///< g_c times the viscosity at its temperature and the reference pressure [Pa]
   double reference_pressure;  ///< absolute, or from the zero of a pad [Pa]
-};
-
-/// Film thickness that the gap stores and the wall carries.
-enum class AverageGap {
-  kNominal,   ///< that of smooth walls
-  kTruncated  ///< mean of the local one, where Gaussian heights do not overlap
 };
 
 /// The laws from which the factors of a film follow; those that are absent have no influence.

@@ -119,8 +119,8 @@ void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLa
                                    state.mass_per_area.data());
   } else {
     for (std::size_t i = 0; i < n_nodes; ++i) {
-      state.mass_per_area[i] = inputs.oil->density(state.p[i]) * film_content(problem.cavitation, state.deficit[i]) *
-                               (state.h_m + rise[i]);
+      state.mass_per_area[i] =
+          inputs.oil->density(state.p[i]) * film_content(problem.cavitation, state.deficit[i]) * (state.h_m + rise[i]);
     }
   }
   if (!state.factors || state.factors->stored.empty()) return;

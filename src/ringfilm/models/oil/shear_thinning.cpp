@@ -19,7 +19,8 @@ double ShearThinning::ratio(double slide, double stress) const {
   constexpr double kEnough = 1e-13;
   double eta = 1;
   for (int k = 0; k < kMost; ++k) {
-    const double next = ratio(std::hypot(slide, stress / eta));
+    const double by_pressure = stress / eta;
+    const double next = ratio(std::sqrt(slide * slide + by_pressure * by_pressure));
     if (eta - next <= kEnough * eta) return next;
     eta = next;
   }

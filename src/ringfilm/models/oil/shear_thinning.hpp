@@ -5,6 +5,7 @@ namespace ringfilm::models {
 
 /// Law of viscosity against the shear rate g.
 enum class ShearThinningLaw {
+  kNone,    ///< none: a Newtonian oil
   kCross,   ///< R + (1 - R)/(1 + (g/g_c)^m)
   kCarreau  ///< R + (1 - R)(1 + (g/g_c)^2)^((n - 1)/2)
 };
@@ -16,7 +17,7 @@ inline constexpr double kHthsTemperature = 423.15;
 
 /// Viscosity over that without shear, eq-cross. Immutable.
 struct ShearThinning {
-  ShearThinningLaw law;
+  ShearThinningLaw law;     ///< kCross or kCarreau
   double second_newtonian;  ///< R: at the highest shear rates, above 0 to 1 [-]
   double exponent;          ///< m of Cross' law, n of Carreau's [-]
 
