@@ -48,22 +48,35 @@ double peak_shear_rate(const FilmProblem& problem, const FilmInputs& inputs, con
   const FilmGrid& grid = problem.grid;
   const bool is_content = problem.cavitation == Cavitation::kMassConserving;
   const bool thins = state.factors && !state.factors->thinning.empty();
-  // No viscosity of a Newtonian oil is lower: it rises with pressure.
-  const double lowest = viscosity_at(*inputs.oil, state.laws, inputs.p_cavitation);
+  const auto viscosity = [&](int i) {
+    const double eta = viscosity_at(*inputs.oil, state.laws, state.p[i]);
+    return thins ? eta * state.factors->thinning[i] : eta;
+  };
   double largest = 0;
   const auto visit = [&](int i) {
     if (is_content && deficit[i] == 1) return;  // gas
     const double h = state.h_m + grid.node_height[i];
-    const double slide = inputs.U / h, stress = pressure_shear(h, pressure_slope(problem, state, i));
-    const double bound = stress / lowest;
-    if (!thins && slide * slide + bound * bound <= largest * largest) return;
-    const double eta = viscosity_at(*inputs.oil, state.laws, state.p[i]);
-    const double by_pressure = stress / (thins ? eta * state.factors->thinning[i] : eta);
-    largest = std::max(largest, std::sqrt(slide * slide + by_pressure * by_pressure));
+    const double slide = inputs.U / h;
+    const double by_pressure = pressure_shear(h, pressure_slope(problem, state, i)) / viscosity(i);
+    largest = std::max(largest, slide * slide + by_pressure * by_pressure);
   };
-  visit(grid.throat);
-  for (int i = 0; i <= grid.n_cells(); ++i) visit(i);
-  return largest;
+  const int n = grid.n_cells();
+  if (thins) {
+    for (int i = 0; i <= n; ++i) visit(i);
+    return std::sqrt(largest);
+  }
+  for (const int i : {grid.throat, 0, n}) visit(i);
+  // No viscosity of a Newtonian oil is below that at the lowest pressure: few nodes may have the largest rate. The
+  // comparison is without divisions, since all nodes are compared.
+  const double per_slope = pressure_shear(1, 1) / viscosity_at(*inputs.oil, state.laws, inputs.p_cavitation);
+  const double *x = grid.x.data(), *p = state.p.data(), *rise = grid.node_height.data();
+  const double U_squared = inputs.U * inputs.U;
+  for (int i = 1; i < n; ++i) {
+    const double h = state.h_m + rise[i], length = x[i + 1] - x[i - 1];
+    const double by_pressure = per_slope * h * h * (p[i + 1] - p[i - 1]), reach = h * length;
+    if (U_squared * length * length + by_pressure * by_pressure > largest * reach * reach) visit(i);
+  }
+  return std::sqrt(largest);
 }
 
 }  // namespace ringfilm::film
