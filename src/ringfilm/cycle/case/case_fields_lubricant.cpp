@@ -23,6 +23,8 @@ constexpr When kThinning{[](const Case& c) { return c.lubricant.shear_thinning !
 constexpr When kCriticalShearRate{
     [](const Case& c) { return kThinning.holds(c) && c.lubricant.critical_shear_rate.has_value(); },
     "lubricant.critical_shear_rate is stated"};
+constexpr When kHths{[](const Case& c) { return kThinning.holds(c) && !c.lubricant.critical_shear_rate; },
+                     "lubricant.shear_thinning = \"cross\" or \"carreau\", without lubricant.critical_shear_rate"};
 constexpr When kReferenceTemperature{
     [](const Case& c) { return kHoupert.holds(c) || kThermalExpansivity.holds(c); },
     "lubricant.viscosity_temperature = \"houpert\" or lubricant.density_temperature = \"thermal-expansivity\""};
@@ -158,7 +160,7 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                 kPlainNumber, above(0, 2), Need::kOptional, kThinning,
                 {"m of \"cross\", 1 if omitted, or n of \"carreau\", below 1, 0.5 if omitted", "1.0"}),
           field("lubricant.hths_viscosity", OptionalNumberKind{member<&Case::lubricant, &Lubricant::hths_viscosity>},
-                {"Pa s", "mPa s"}, above(0, 1e3), Need::kOptional, kThinning,
+                {"Pa s", "mPa s"}, above(0, 1e3), Need::kOptional, kHths,
                 {"viscosity at 150 degC and 1e6 s-1 (HTHS, ASTM D4683), from which g_c follows", "\"2.9 mPa s\""}),
       });
 }

@@ -280,7 +280,7 @@ void check_laws(const Lubricant& oil, Breaches& breaches) {
 
 /// Of laws that break no rule.
 void check_hths(const Lubricant& oil, Breaches& breaches) {
-  if (!oil.thins() || !oil.hths_viscosity) return;
+  if (!oil.thins() || oil.critical_shear_rate || !oil.hths_viscosity) return;
   const std::optional<double> without_shear = viscosity_for_hths(oil);
   if (!without_shear) return;
   const auto written = [](double eta) { return number_text(eta * 1e3) + " mPa s"; };

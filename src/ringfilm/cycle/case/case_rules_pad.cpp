@@ -216,18 +216,12 @@ void check_oil(const Case& c, Breaches& breaches) {
 
 void check_critical_rate(const Case& c, Breaches& breaches) {
   const Lubricant& oil = c.lubricant;
-  if (oil.critical_shear_rate && oil.hths_viscosity) {
-    breaches.push_back({"lubricant.critical_shear_rate",
-                        "the critical shear rate of the oil is stated twice: lubricant.critical_shear_rate and "
-                        "lubricant.hths_viscosity",
-                        "omit one of them; the shipped oils have lubricant.hths_viscosity"});
-  } else if (!oil.critical_shear_rate && !oil.hths_viscosity) {
-    const bool is_pad = c.problem == Problem::kPad;
-    breaches.push_back({"lubricant.shear_thinning", "the critical shear rate of the oil is missing",
-                        is_pad ? "state lubricant.critical_shear_rate, for example \"2.4e6 s-1\""
-                               : "state lubricant.hths_viscosity, for example \"2.9 mPa s\", or "
-                                 "lubricant.critical_shear_rate with its temperature"});
-  }
+  if (oil.critical_shear_rate || oil.hths_viscosity) return;
+  const bool is_pad = c.problem == Problem::kPad;
+  breaches.push_back({"lubricant.shear_thinning", "the critical shear rate of the oil is missing",
+                      is_pad ? "state lubricant.critical_shear_rate, for example \"2.4e6 s-1\""
+                             : "state lubricant.hths_viscosity, for example \"2.9 mPa s\", or "
+                               "lubricant.critical_shear_rate with its temperature"});
 }
 
 void check_thinning(const Case& c, Breaches& breaches) {

@@ -95,11 +95,12 @@ void add_thinning(const Lubricant& lubricant, const ViscosityAt& viscosity, doub
   const auto law = shear_thinning(lubricant);
   if (!law) return;
   const double T_hths = models::kHthsTemperature;
-  const double T = lubricant.hths_viscosity ? T_hths : lubricant.critical_shear_rate_temperature.value();
+  const auto& stated = lubricant.critical_shear_rate;
+  const double T = stated ? lubricant.critical_shear_rate_temperature.value() : T_hths;
   const auto rate_from_hths = [&] {
-    return models::kHthsShearRate / law->rate(*lubricant.hths_viscosity / viscosity(T));
+    return models::kHthsShearRate / law->rate(lubricant.hths_viscosity.value() / viscosity(T));
   };
-  const double rate = lubricant.hths_viscosity ? rate_from_hths() : lubricant.critical_shear_rate.value();
+  const double rate = stated ? *stated : rate_from_hths();
   setup.thinning = film::ThinningOil{*law, rate * viscosity(T), base::kAtmosphere};
   if (T_hths < T_low || T_hths > T_high) return;
   const double eta = viscosity(T_hths);
