@@ -264,26 +264,25 @@ def flow_factors():
     factors = {"film__flow_factors": "patir-cheng", "film__stress_factors": "patir-cheng"}
     fmep = [1e-3 * new_ring(film__orientation=gamma, **factors).values["fmep"] for gamma in orientations]
     newtonian, thinned = new_ring(), new_ring(lubricant__shear_thinning="cross")
-    picture = Picture("FMEP over the orientation of the roughness, and viscous friction with shear thinning", 400)
+    picture = Picture("FMEP over the orientation of the roughness, and viscous friction with shear thinning", 540)
     mark_synthetic(picture)
-    half = 296
-    left = Panel(picture, LEFT, 58, half, 264, (0.1, 10), (14, 22), "x")
-    left.title("FMEP [kPa]")
-    left.y_axis("", range(14, 23, 2))
-    left.x_axis("orientation γ [-]", [0.1, 0.3, 1, 3, 10])
-    left.level(1e-3 * newtonian.values["fmep"], Style(BLACK, "2 3", 1.2), "smooth walls", anchor="start")
-    left.curve(orientations, fmep, KEEPING)
-    left.points(orientations, fmep, BLUE, 3.5)
-    left.frame()
-    right = Panel(picture, LEFT + half + 76, 58, half, 264, (-360, 360), (0, 40))
-    right.title("viscous friction [N]")
-    right.y_axis("", range(0, 41, 10))
-    right.crank()
+    top = Panel(picture, LEFT, 58, ACROSS, 170, (0.1, 10), (16, 21), "x")
+    top.title("FMEP [kPa] with factors of pressure flow and stress")
+    top.y_axis("", range(16, 22))
+    top.x_axis("orientation γ [-]", [0.1, 0.3, 1, 3, 10])
+    top.level(1e-3 * newtonian.values["fmep"], Style(BLACK, "2 3", 1.2), "smooth walls", anchor="start")
+    top.curve(orientations, fmep, KEEPING)
+    top.points(orientations, fmep, BLUE, 3.5)
+    top.frame()
     entries = ((newtonian, KEEPING, "Newtonian"), (thinned, EXIT, "Cross, HTHS 2.9 mPa s"))
+    legend(picture, LEFT + 220, 312, [(style, words) for _, style, words in entries], 130)
+    low = Panel(picture, LEFT, 324, ACROSS, 160, (-360, 360), (0, 8))
+    low.title("viscous friction [N]")
+    low.y_axis("", range(0, 9, 2))
+    low.crank()
     for result, style, _ in entries:
         angle, friction = from_firing(result.crank_angle, result.viscous_friction)
-        right.curve(angle, friction, style)
-    legend(picture, LEFT + half + 76, 388, [(style, words) for _, style, words in entries], 120)
+        low.curve(angle, friction, style)
     return picture
 
 
