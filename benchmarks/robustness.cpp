@@ -353,8 +353,8 @@ struct Options {
   int jobs = 1;
   std::uint64_t seed = 1;
   std::optional<int> only;
-  std::optional<int> cells;  ///< in place of those of the sample
-  bool gas_edges = false;    ///< gas where the film leaves, and mass-conserving cavitation, in all scenarios
+  std::optional<int> cells;   ///< in place of those of the sample
+  bool gas_edges = false;     ///< gas where the film leaves, and mass-conserving cavitation, in all scenarios
   bool oil_on_liner = false;  ///< the same, and inlets that find what lies on the liner
   std::string failures;
 };

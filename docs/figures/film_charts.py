@@ -254,6 +254,38 @@ def convergence():
     return picture
 
 
+def flow_factors():
+    """What the orientation of the roughness and shear thinning change in the new ring of styles2014."""
+
+    def new_ring(**changes):
+        return case("styles2014/new.toml", film__cavitation="mass-conserving", **changes).run()
+
+    orientations = (1 / 9, 1 / 6, 1 / 3, 1, 3, 6, 9)
+    factors = {"film__flow_factors": "patir-cheng", "film__stress_factors": "patir-cheng"}
+    fmep = [1e-3 * new_ring(film__orientation=gamma, **factors).values["fmep"] for gamma in orientations]
+    newtonian, thinned = new_ring(), new_ring(lubricant__shear_thinning="cross")
+    picture = Picture("FMEP over the orientation of the roughness, and viscous friction with shear thinning", 540)
+    mark_synthetic(picture)
+    top = Panel(picture, LEFT, 58, ACROSS, 170, (0.1, 10), (16, 21), "x")
+    top.title("FMEP [kPa] with factors of pressure flow and stress")
+    top.y_axis("", range(16, 22))
+    top.x_axis("orientation γ [-]", [0.1, 0.3, 1, 3, 10])
+    top.level(1e-3 * newtonian.values["fmep"], Style(BLACK, "2 3", 1.2), "smooth walls", anchor="start")
+    top.curve(orientations, fmep, KEEPING)
+    top.points(orientations, fmep, BLUE, 3.5)
+    top.frame()
+    entries = ((newtonian, KEEPING, "Newtonian"), (thinned, EXIT, "Cross, HTHS 2.9 mPa s"))
+    legend(picture, LEFT + 220, 312, [(style, words) for _, style, words in entries], 130)
+    low = Panel(picture, LEFT, 324, ACROSS, 160, (-360, 360), (0, 8))
+    low.title("viscous friction [N]")
+    low.y_axis("", range(0, 9, 2))
+    low.crank()
+    for result, style, _ in entries:
+        angle, friction = from_firing(result.crank_angle, result.viscous_friction)
+        low.curve(angle, friction, style)
+    return picture
+
+
 PICTURES = {
     "film-states": film_states,
     "ring-film": ring_film,
@@ -261,4 +293,5 @@ PICTURES = {
     "pads": pads,
     "pocket-pad": pocket_pad,
     "convergence": convergence,
+    "flow-factors": flow_factors,
 }

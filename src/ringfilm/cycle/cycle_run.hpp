@@ -63,7 +63,7 @@ class CycleRun final : public BatchMember {
   TimeIntegration integration_;
   Recorder recorder_;
   std::map<int, TimeIntegration::Snapshot> one_cycle_ago_;  ///< by base angle
-  int k_ = 0;                                     ///< base angle
+  int k_ = 0;                                               ///< base angle
   int steps_integrated_ = 0;
   double distance_;
   std::vector<double> distances_;  ///< at the end of each cycle

@@ -207,6 +207,7 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
       values["plasticity_index"] = models::plasticity_index(pair, summits->summit_spread, *c.contact.hardness);
     }
   }
+  if (const auto& hths = setup.ring.oil.hths_viscosity) values["hths_viscosity"] = *hths;
   if (const models::OilFit* fit = setup.ring.oil.range->at(setup.ring.oil.temperature)->fit()) {
     values["property_fit_error"] = fit->error;
     values["property_fit_pressure"] = fit->high;

@@ -88,6 +88,8 @@ const std::vector<CurveQuantity>& curve_quantities() {
       {{"gas_holding_margin", "1", "1", "pressure difference that the film holds against gas over the one that acts",
         "m_g", "eq-gas-holding-margin"},
        &S::gas_holding_margin},
+      {{"peak_shear_rate", "s-1", "s-1", "largest shear rate of the oil along the face", "g_max", "eq-shear-rate"},
+       &S::peak_shear_rate},
       {{"newton_iterations", "1", "1", "Newton iterations spent on the way to this angle", "n_it", "eq-load-balance"},
        &S::newton_iterations},
       {{"crank_sub_steps", "1", "1", "steps taken on the way to this angle", "n_step", "eq-load-balance"},
@@ -220,8 +222,8 @@ const std::vector<StrokeFilm>& stroke_films() {
     const char* strokes[] = {"power", "exhaust", "intake", "compression"};
     for (std::size_t k = 0; k < std::size(strokes); ++k) {
       const std::string stroke = strokes[k];
-      all.push_back({{"film_ahead_" + stroke, "m", "um", "oil on the liner ahead of the ring, " + stroke + " stroke", "f",
-                      "eq-inlet-supply"},
+      all.push_back({{"film_ahead_" + stroke, "m", "um", "oil on the liner ahead of the ring, " + stroke + " stroke",
+                      "f", "eq-inlet-supply"},
                      &StrokeProfile::film_ahead,
                      k});
       all.push_back({{"film_behind_" + stroke, "m", "um", "oil on the liner behind the ring, " + stroke + " stroke",
@@ -252,6 +254,8 @@ const std::vector<Quantity>& derived_quantities() {
        "eta", "eq-walther"},
       {"oil_density", "kg/m3", "kg/m3", "oil density at its temperature (with [thermal] at mid stroke) and 1 atm",
        "rho", "eq-density-temperature"},
+      {"hths_viscosity", "Pa s", "mPa s", "viscosity of the oil at 150 degC and 1e6 s-1 by its law of shear thinning",
+       "eta_HTHS", "eq-hths"},
       {"face_height_minimum", "m", "um", "lowest height of the face as given", "min h_s", "eq-face-polynomial"},
       {"face_height_chamber_edge", "m", "um", "height of the face at the chamber edge above its lowest point", "h_s(0)",
        "eq-face-polynomial"},

@@ -50,14 +50,15 @@ struct Sample {
   double rupture_position = 0;      ///< where the cavity begins, from the chamber edge [m]; NaN where the film is full
   double reformation_position = 0;  ///< where the cavity ends, from the chamber edge [m]; NaN where the film is full
   double film_temperature = 0;      ///< of the oil film [K]
-  double film_ahead = 0;        ///< oil on the liner ahead of the ring; NaN where it floods the inlet [m]
-  double film_left_behind = 0;  ///< oil on the liner behind a trailing edge in gas; NaN at an edge of oil [m]
-  double bead_volume = 0;       ///< scraped oil that the ring moves ahead of it [m3]
+  double film_ahead = 0;            ///< oil on the liner ahead of the ring; NaN where it floods the inlet [m]
+  double film_left_behind = 0;      ///< oil on the liner behind a trailing edge in gas; NaN at an edge of oil [m]
+  double bead_volume = 0;           ///< scraped oil that the ring moves ahead of it [m3]
   double viscous_heating_rise = 0;  ///< mean rise of its temperature above that of its walls, by shear [K]
   double flash_temperature = 0;     ///< mean rise of the liner's surface under the face, by boundary friction [K]
   /// Largest difference of pressure that the film holds against gas where it leaves over the one that acts [-]; NaN
   /// where the film leaves into oil or towards the lower pressure.
   double gas_holding_margin = 0;
+  double peak_shear_rate = 0;    ///< largest along the face [1/s]
   double newton_iterations = 0;  ///< spent on the way here from the crank step before
   double crank_sub_steps = 0;    ///< steps taken on that way
   double fallbacks = 0;          ///< bracketed searches and shorter steps that were needed on it
@@ -113,15 +114,16 @@ struct CycleValues {
   double mixed_share = 0;                       ///< share of time in mixed lubrication: h_m/sigma below 3 [-]
   /// Weighted with the load, as are the next two: what a scenario is on a Stribeck curve [-].
   double mean_friction_coefficient = 0;
-  double mean_stribeck_number = 0;       ///< weighted with the load [-]
-  double mean_lambda_ratio = 0;          ///< weighted with the load [-]
-  double net_oil_flow = 0;               ///< mean through the middle of the face, positive to the crankcase [kg/s]
-  double mean_absolute_oil_flow = 0;     ///< mean of its modulus [kg/s]
-  double peak_film_pressure = 0;         ///< largest along the face and over the cycle, absolute [Pa]
-  double mean_cavitated_fraction = 0;    ///< share of the face that is a cavity [-]
-  double oil_scraped_up = 0;    ///< left above the ring at TDC, per cycle; 0 where the film on the liner is not followed [kg]
-  double oil_scraped_down = 0;  ///< the same below it at BDC [kg]
-  double oil_replenished = 0;   ///< laid by the oil ring, less what it takes away, per cycle; 0 likewise [kg]
+  double mean_stribeck_number = 0;     ///< weighted with the load [-]
+  double mean_lambda_ratio = 0;        ///< weighted with the load [-]
+  double net_oil_flow = 0;             ///< mean through the middle of the face, positive to the crankcase [kg/s]
+  double mean_absolute_oil_flow = 0;   ///< mean of its modulus [kg/s]
+  double peak_film_pressure = 0;       ///< largest along the face and over the cycle, absolute [Pa]
+  double mean_cavitated_fraction = 0;  ///< share of the face that is a cavity [-]
+  double oil_scraped_up =
+      0;  ///< left above the ring at TDC, per cycle; 0 where the film on the liner is not followed [kg]
+  double oil_scraped_down = 0;           ///< the same below it at BDC [kg]
+  double oil_replenished = 0;            ///< laid by the oil ring, less what it takes away, per cycle; 0 likewise [kg]
   double peak_viscous_heating_rise = 0;  ///< largest rise of the film's temperature by shear [K]
   double peak_viscous_heating_rise_angle = 0;  ///< crank angle of it [degree]
   double peak_flash_temperature = 0;           ///< largest rise of the liner's surface under the face [K]

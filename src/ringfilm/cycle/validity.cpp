@@ -15,7 +15,7 @@ namespace {
 /// Below this lambda ratio asperities carry most of the load, their contact spots grow together and the flow between
 /// them is no longer that of a smooth gap: Greenwood-Tripp and Reynolds are both outside what they were made for.
 constexpr double kContactModelNeeds = 0.5;
-/// Below this one the smooth-gap Reynolds equation is off by flow factors that are not in the model.
+/// Below this one the smooth-gap Reynolds equation is off, and flow factors are extrapolated.
 constexpr double kSmoothGapNeeds = 1.0;
 /// Newtonian flow is an assumption above this shear rate (docs/theory/assumptions.md).
 constexpr double kNewtonianUpTo = 1e6;  // [1/s]
@@ -305,14 +305,16 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
                      below(kContactModelNeeds)});
   } else if (lowest->lambda_ratio < kSmoothGapNeeds) {
     notes.push_back({"lambda-ratio-low",
-                     text("lambda ratio down to %.2f (at %.0f degree): below %.1f the flow through the roughness "
-                          "differs from that of a smooth gap",
-                          lowest->lambda_ratio, lowest->crank_angle_deg, kSmoothGapNeeds),
+                     text("lambda ratio down to %.2f (at %.0f degree): below %.1f %s", lowest->lambda_ratio,
+                          lowest->crank_angle_deg, kSmoothGapNeeds,
+                          setup.input.film.flow_factors == Roughness::kNone
+                              ? "the flow through the roughness differs from that of a smooth gap"
+                              : "the flow factors are at the end of what they were fitted to"),
                      below(kSmoothGapNeeds)});
   }
   const auto fastest = std::max_element(base.begin(), base.end(),
                                         [](const Sample& a, const Sample& b) { return shear_rate(a) < shear_rate(b); });
-  if (shear_rate(*fastest) > kNewtonianUpTo) {
+  if (!setup.input.lubricant.thins() && shear_rate(*fastest) > kNewtonianUpTo) {
     notes.push_back({"shear-rate-high",
                      text("shear rate U/h up to %.1e 1/s (at %.0f degree) while the oil is taken as Newtonian",
                           shear_rate(*fastest), fastest->crank_angle_deg),

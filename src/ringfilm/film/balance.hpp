@@ -43,7 +43,7 @@ template <class Real>
 struct Node {
   Real p, theta, rho, drho, K, dK;  ///< pressure from any zero [Pa]; K = rho/eta; theta: the share that flows
   typename Real::Mask is_film;
-  Real filled;  ///< share of the gap that holds oil: theta, but of a film that lies on the wall (carried_share)
+  Real filled;   ///< share of the gap that holds oil: theta, but of a film that lies on the wall (carried_share)
   Real gain{1};  ///< slope of theta in `filled`
 };
 
@@ -122,7 +122,8 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion
     const Real stream = h * rho;
     if constexpr (kTerms == Terms::kAll) {
       flux.by_left = select(left.is_film, film_left, motion.content_from_left * left.gain * stream + drained_left);
-      flux.by_right = select(right.is_film, film_right, motion.content_from_right * right.gain * stream + drained_right);
+      flux.by_right =
+          select(right.is_film, film_right, motion.content_from_right * right.gain * stream + drained_right);
     } else {
       flux.by_left = select(left.is_film, film_left, motion.content_from_left * stream);
       flux.by_right = select(right.is_film, film_right, motion.content_from_right * stream);
@@ -144,9 +145,8 @@ RINGFILM_INLINE void limit_inlet(Real quarter_U, Real h, Real supply, const Node
   const Real surplus = h * rho - supply;
   const auto limited = surplus > Real(0);
   if (!Real::any(limited)) return;
-  const auto take = [&](Real& from, Real what) RINGFILM_INLINE_BODY {
-    from -= select(limited, quarter_U * what, Real(0));
-  };
+  const auto take = [&](Real& from, Real what)
+                        RINGFILM_INLINE_BODY { from -= select(limited, quarter_U * what, Real(0)); };
   take(flux.value, surplus);
   take(flux.by_left, select(left.is_film, h * left.drho, Real(0)));
   take(flux.by_right, select(right.is_film, h * right.drho, Real(0)));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/factors/average_shear.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
 
@@ -182,6 +183,12 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   sums.hydrodynamic_load = of_film.hydrodynamic_load;
   sums.shear_couette = of_film.shear_couette;
   sums.shear_poiseuille = of_film.shear_poiseuille;
+  if (state.factors) {
+    const AverageShear shear = average_shear(problem, inputs, state, film.shear_deficit);
+    sums.shear_couette = shear.mean;
+    sums.shear_poiseuille = shear.half_difference;
+  }
+  sums.peak_shear_rate = peak_shear_rate(problem, inputs, state, film.shear_deficit);
   sums.mass_defect = of_film.storage;
   sums.peak_pressure = of_film.peak_pressure;
   if (problem.contact != nullptr && problem.contact->fit() != nullptr && inputs.oil->fit() != nullptr) {

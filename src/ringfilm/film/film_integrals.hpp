@@ -17,8 +17,10 @@ struct FilmIntegrals {
   double asperity_load = 0;                    ///< int p_a dx [N/m]
   double asperity_load_beyond_polynomial = 0;  ///< of it, from lambda > 1.911 where the printed F5/2 rises again [N/m]
   double asperity_area = 0;                    ///< int A_a/A dx [m]
-  double shear_couette = 0;     ///< int eta U/h dx [N/m], in the cavity weighted by theta if mass is conserved
-  double shear_poiseuille = 0;  ///< int h/2 dp/dx dx [N/m]
+  /// int eta U/h dx, in the cavity weighted by theta if mass is conserved: half the sum of both walls [N/m].
+  double shear_couette = 0;
+  double shear_poiseuille = 0;  ///< int h/2 dp/dx dx: half the difference of both walls, the moving one first [N/m]
+  double peak_shear_rate = 0;   ///< eq-shear-rate, the largest at a node that oil fills or passes [1/s]
   double flow_left = 0;         ///< mass flux in +x through x = 0 [kg/(m s)]
   double flow_middle = 0;       ///< through x = b/2
   double flow_right = 0;        ///< through x = b

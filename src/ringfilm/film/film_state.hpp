@@ -75,27 +75,33 @@ struct FilmProblem {
   Cavitation cavitation = Cavitation::kMassConserving;
   ContactSpread contact_spread = ContactSpread::kLocal;
   Terms terms = Terms::kPlain;  ///< kAll: the edges may be in gas, and the inputs may hold flow factors
-  double tolerance = 0;          ///< relative error that the iteration may leave in film and pressure [-]
+  double tolerance = 0;         ///< relative error that the iteration may leave in film and pressure [-]
   const FilmKernels* kernels = &film::kernels();  ///< the inner loops that this machine runs
 };
 
 inline constexpr double kSteady = std::numeric_limits<double>::infinity();
 
-/// By what the flow of a film differs from that of a Newtonian oil between smooth walls; held during a solve.
+/// By what a film differs from that of a Newtonian oil between smooth walls; held during a solve. Those of shear stress
+/// only enter integrals. An empty list has no influence.
 struct FlowFactors {
   std::vector<double> mobility;  ///< of the flow by pressure, at the nodes: 1 between smooth walls [-]
   std::vector<double> stored;    ///< by how much more oil the gap holds than its height, at the nodes [m]
   std::vector<double> carried;   ///< the same of what the wall carries through the faces [m]
+  std::vector<double> thinning;  ///< viscosity over that without shear, at the nodes [-]
+  // eq-average-shear, at the faces
+  std::vector<double> sliding_stress;     ///< of the stress by sliding, phi_f [-]
+  std::vector<double> stress_difference;  ///< by which it is smaller on the moving wall, V_r Phi_fs [-]
+  std::vector<double> pressure_stress;    ///< of the stress by pressure, phi_fp [-]
 };
 
 /// What acts on the film during one step.
 struct FilmInputs {
   std::shared_ptr<const models::OilAtTemperature> oil;  ///< of this step
-  double U = 0;                ///< velocity of the liner against the ring, positive in +x [m/s]
-  EdgeState left, right;       ///< at x = 0 and x = b
-  double p_cavitation = 0;     ///< not above either edge pressure [Pa]
-  double load = 0;             ///< W per length [N/m]
-  double time_step = kSteady;  ///< [s]
+  double U = 0;                                ///< velocity of the liner against the ring, positive in +x [m/s]
+  EdgeState left, right;                       ///< at x = 0 and x = b
+  double p_cavitation = 0;                     ///< not above either edge pressure [Pa]
+  double load = 0;                             ///< W per length [N/m]
+  double time_step = kSteady;                  ///< [s]
   std::shared_ptr<const FlowFactors> factors;  ///< nullptr: none
   /// Mass that appears per length and time, at the nodes; empty: none. For manufactured solutions [kg/(m2 s)].
   std::vector<double> source;
@@ -128,9 +134,10 @@ struct FilmState {
   double h_m = 0;               ///< minimum film thickness [m]
   std::vector<double> p;        ///< pressure at the nodes, absolute [Pa]
   std::vector<double> deficit;  ///< 0 where the film is full; 1 - theta, or the scaled multiplier of Reynolds exit [-]
-  std::vector<double> mass_per_area;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
-  std::vector<double> amplitudes;     ///< of a ring that bends, in its shapes; empty: none [m]
-  LaneLaws laws = LaneLaws::kGiven;   ///< whose oil a solved film holds: kGiven, that of the laws themselves
+  std::vector<double> mass_per_area;           ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
+  std::vector<double> amplitudes;              ///< of a ring that bends, in its shapes; empty: none [m]
+  LaneLaws laws = LaneLaws::kGiven;            ///< whose oil a solved film holds: kGiven, that of the laws themselves
+  std::shared_ptr<const FlowFactors> factors;  ///< with which it was solved; nullptr: none
 };
 
 enum class Route { kNewton, kSecant };

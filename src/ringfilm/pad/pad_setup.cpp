@@ -49,6 +49,14 @@ GapSurface gap_surface(const cycle::Pad& pad, double lowest) {
   return {pad.gap_x, std::move(y), std::move(height)};
 }
 
+/// An oil that thins, at the one temperature of a pad.
+std::optional<film::ThinningOil> thinning_oil(const cycle::Lubricant& oil) {
+  const auto law = cycle::shear_thinning(oil);
+  if (!law) return std::nullopt;
+  constexpr double kZeroOfPressures = 0;
+  return film::ThinningOil{*law, oil.critical_shear_rate.value() * oil.viscosity, kZeroOfPressures};
+}
+
 }  // namespace
 
 film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
@@ -60,7 +68,8 @@ film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
   // strong compressibility among its cases, and can afford the iteration that takes the last step from 1e-4 to 1e-6.
   constexpr double kStricter = 1e-4, kRounding = 1e-13;
   const double tolerance = input.solver.tolerance;
-  problem.terms = input.film.has_gas_edge_of_pad() ? film::Terms::kAll : film::Terms::kPlain;
+  const bool is_plain = !input.film.has_gas_edge_of_pad() && factors.are_of_plain_film();
+  problem.terms = is_plain ? film::Terms::kPlain : film::Terms::kAll;
   problem.tolerance = std::min(tolerance, std::max(kStricter * tolerance, kRounding));
   return problem;
 }
@@ -89,6 +98,7 @@ PadSetup prepare_pad(const cycle::Case& c) {
   }
   setup.U = pad.direction == cycle::Direction::kPlusX ? pad.speed : -pad.speed;
   setup.p_cavitation = std::min({c.film.cavitation_pressure, pad.left_pressure, pad.right_pressure});
+  setup.factors = cycle::factor_laws(c, c.contact.roughness, thinning_oil(c.lubricant));
   return setup;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/film/film_state.hpp"
+#include "ringfilm/film/factors/factor_laws.hpp"
 #include "ringfilm/pad/gap_surface.hpp"
 
 namespace ringfilm::pad {
@@ -18,6 +18,7 @@ struct PadSetup {
   double lowest_gap;                   ///< min g [m]
   double U;                            ///< velocity of the flat surface, positive in +x [m/s]
   double p_cavitation;                 ///< p_c, not above the pressure of any edge [Pa]
+  film::FactorLaws factors;            ///< of an infinitely wide pad
 
   /// The film across a grid.
   film::FilmProblem problem(film::FilmGrid grid) const;

@@ -33,7 +33,10 @@ Peak peak(const film::FilmGrid& grid, const film::FilmState& state) {
 }  // namespace
 
 WideFilm::WideFilm(const PadSetup& setup, int n_cells)
-    : PadFilm(setup), problem_(setup.problem(film::grid_of_pieces(n_cells, setup.pieces))), workspace_(problem_) {}
+    : PadFilm(setup),
+      problem_(setup.problem(film::grid_of_pieces(n_cells, setup.pieces))),
+      factors_(problem_, setup.factors),
+      workspace_(problem_) {}
 
 double WideFilm::lowest_height() const {
   const film::FilmGrid& grid = problem_.grid;
@@ -45,17 +48,21 @@ double WideFilm::lowest_height() const {
 
 film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& inputs, const film::FilmState& previous,
                                                film::FilmState& state) {
-  const auto supply = setup().supply();
-  if (!supply) return film::solve_film_at_separation(problem_, inputs, previous, state, workspace_);
   film::FilmInputs supplied = inputs;
-  film::EdgeState& inlet = inputs.U >= 0 ? supplied.left : supplied.right;
-  inlet.supply = *supply * inputs.oil->density(inlet.pressure);
-  return film::solve_film_at_separation(problem_, supplied, previous, state, workspace_);
+  if (const auto supply = setup().supply()) {
+    film::EdgeState& inlet = inputs.U >= 0 ? supplied.left : supplied.right;
+    inlet.supply = *supply * inputs.oil->density(inlet.pressure);
+  }
+  return factors_.solve(supplied, state, [&](const film::FilmInputs& held, film::FilmState& found) {
+    return film::solve_film_at_separation(problem_, held, previous, found, workspace_);
+  });
 }
 
 film::FilmReport WideFilm::solve(const film::FilmInputs& inputs, const film::FilmState& previous,
                                  film::FilmState& state) {
-  return film::solve_film(problem_, inputs, previous, state, workspace_);
+  return factors_.solve(inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
+    return film::solve_film(problem_, held, previous, found, workspace_);
+  });
 }
 
 film::FilmState WideFilm::full(double h_m) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include "ringfilm/film/factors/factor_iteration.hpp"
 #include "ringfilm/film/solver/film_solver.hpp"
 #include "ringfilm/pad/pad_film.hpp"
 
@@ -27,6 +28,7 @@ class WideFilm : public PadFilm {
 
  private:
   film::FilmProblem problem_;
+  film::FactorIteration factors_;
   film::FilmWorkspace workspace_;
   std::vector<double> strips_{0.0};
 };

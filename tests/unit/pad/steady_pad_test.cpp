@@ -48,6 +48,32 @@ TEST(PadSlider, MatchesItsClosedForms) {
   EXPECT_LT(s.mass_residual, 1e-9);
 }
 
+TEST(PadSlider, OfAnOilAtItsSecondNewtonianViscosityIsThatOfAThinnerOil) {
+  cycle::Case c = slider();
+  c.lubricant.shear_thinning = cycle::ShearThinning::kCross;
+  c.lubricant.second_newtonian_ratio = 0.5;
+  c.lubricant.critical_shear_rate = 1e-3;
+  const Sample s = solved(c);
+  EXPECT_NEAR(s.load / (0.5 * slider_load()), 1, 1e-4);
+  EXPECT_NEAR(s.friction_moving / (0.5 * slider_friction_moving()), 1, 1e-4);
+  EXPECT_LT(s.mass_residual, 1e-9);
+}
+
+TEST(PadSlider, BetweenRoughWallsCarriesTheLoadItIsGiven) {
+  cycle::Case c = slider();
+  c.pad.gap_height = {kOutlet, 0};
+  c.pad.separation.reset();
+  c.pad.load = slider_load();
+  c.film.flow_factors = c.film.stress_factors = cycle::Roughness::kPatirCheng;
+  c.contact.roughness = 0.5 * kOutlet;
+  const Sample isotropic = solved(c);
+  EXPECT_NEAR(isotropic.load / slider_load(), 1, 1e-8);
+  c.film.orientation = 1.0 / 9;  // roughness across the motion holds the oil in the film
+  EXPECT_GT(solved(c).separation, 1.05 * isotropic.separation);
+  c.contact.roughness = 1e-3 * kOutlet;
+  EXPECT_NEAR(solved(c).separation / kOutlet, 1, 1e-4);  // a thick film
+}
+
 TEST(PadSlider, FindsTheSeparationThatCarriesItsLoad) {
   cycle::Case c = slider();
   c.pad.gap_height = {kOutlet, 0};

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ringfilm/base/shared.hpp"
-#include "ringfilm/film/edge.hpp"
+#include "ringfilm/cycle/case/case_choices.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 #include "ringfilm/models/wall_temperature.hpp"
 
@@ -37,183 +37,6 @@ struct SampledTrace {
 };
 
 using OilTable = models::OilTable;  ///< viscosity and density of an oil of one's own
-
-/// An engine cycle, or a pad: a pad where any key of `pad` is stated.
-enum class Problem {
-  kCycle,  ///< a ring over the four strokes
-  kPad     ///< a film of stated shape
-};
-
-/// `pad.direction`: which way the flat surface moves.
-enum class Direction {
-  kPlusX,  ///< towards larger x
-  kMinusX  ///< towards x = 0
-};
-
-/// `pad.sides`: what the film ends at across the motion.
-enum class Sides {
-  kOpen,      ///< stated pressures
-  kPeriodic,  ///< its own other side
-  kClosed     ///< walls
-};
-
-/// `gas.model`: where the cylinder pressure comes from.
-enum class GasModel {
-  kTrace,  ///< a file
-  kWiebe   ///< a single-zone cycle with Wiebe heat release
-};
-
-/// `gas.pressure_reference`: the zero of the pressures of a trace.
-enum class PressureReference {
-  kAbsolute,  ///< no pressure
-  kGauge      ///< 1.01325 bar
-};
-
-/// `gas.angle_zero`: the dead centre at which a trace has crank angle 0.
-enum class AngleZero {
-  kFiringTdc,      ///< that of the firing, as everywhere else
-  kGasExchangeTdc  ///< that of the gas exchange, 360 degree off
-};
-
-/// `gas.trace_origin`: where a trace comes from.
-enum class TraceOrigin {
-  kNotStated,  ///< not stated in the case
-  kMeasured,   ///< on an engine
-  kComputed,   ///< by a model of the engine
-  kSynthetic   ///< made up; marked SYNTHETIC wherever it appears
-};
-
-/// `ring.face.form` and `pad.face.form`: how the height of the face is given.
-enum class FaceForm {
-  kPolynomial,  ///< coefficients
-  kParabola,    ///< crown height and place of the lowest point
-  kPoints,      ///< points of a file, straight between them
-  kCosine       ///< of a pad: one period, as in a journal bearing that is unwrapped; crown height and lowest point
-};
-
-/// `ring.face.height_zero`: zero of the stored heights of the face.
-enum class HeightZero {
-  kMinimum,  ///< its lowest point
-  kAsGiven   ///< that of the input
-};
-
-/// `ring.face.orientation`: which edge is x = 0 of the input.
-enum class Orientation {
-  kX0Chamber,    ///< that at the chamber
-  kX0Crankcase,  ///< that at the crankcase
-  kLeadingEdge   ///< always the leading one: the face turns over at each reversal
-};
-
-/// `ring.coating.contact_modulus`: whose modulus the contact spots feel.
-enum class ContactModulus {
-  kCoating,  ///< that of the coating
-  kBase      ///< that of the ring below
-};
-
-/// `contact.roughness_measure`: what is made of the stated roughness.
-enum class RoughnessMeasure {
-  kAsGiven,  ///< it is sigma
-  kRaToRq    ///< it is Ra, and sigma is sqrt(pi/2) = 1.2533 times as much, as for a Gaussian surface
-};
-
-/// `contact.integrals`: the Gaussian height integrals F_2 and F_5/2.
-enum class ContactIntegrals {
-  kExact,               ///< their values
-  kPolynomial4Digit,    ///< a fit of the literature, zero from its first root on
-  kPolynomialAsPrinted  ///< the same as styles2014 has it, digits cut off: rises again beyond 1.911
-};
-
-/// `contact.lambda_ratio`: what the contact pressure follows.
-enum class LambdaRatio {
-  kLocal,   ///< h(x)/sigma along the face
-  kNominal  ///< h_m/sigma, on the whole face
-};
-
-/// `lubricant.viscosity_temperature`: law of viscosity against temperature.
-enum class ViscosityTemperature {
-  kWalther,  ///< ASTM D341 through the points
-  kHoupert   ///< Houpert's term
-};
-
-using ViscosityPressure = models::ViscosityPressureLaw;  ///< `lubricant.viscosity_pressure`
-
-/// `lubricant.density_temperature`: law of density against temperature.
-enum class DensityTemperature {
-  kTable,              ///< linear through the points and beyond
-  kThermalExpansivity  ///< by the expansivity gamma
-};
-
-/// `lubricant.compressibility`: law of density against pressure.
-enum class Compressibility {
-  kDowsonHigginson,  ///< rho_0 [1 + a p/(1 + b p)]
-  kNone              ///< none: pressure does not change it
-};
-
-/// `film.dimension`: on what the film is solved.
-enum class FilmDimension {
-  kFace,     ///< across the face, alike all around
-  kUnrolled  ///< the whole unrolled ring, with the ends of its gap
-};
-
-/// `film.cavitation`: how the film ruptures.
-enum class Cavitation {
-  kReynoldsExit,   ///< pressure is never below p_c (Reynolds)
-  kMassConserving  ///< and mass is kept, too (JFO)
-};
-
-/// `conditions`: from which edges, supply of oil and temperatures a case starts.
-enum class Conditions {
-  kOfTheCase,  ///< what the keys say; edges of oil by default
-  kAsInPaper,  ///< edges flooded with oil, one oil temperature, as in styles2014
-  kEngine      ///< gas at the edges, oil on the liner, hot walls
-};
-
-/// `film.supply`: what lies on the liner ahead of an edge of gas.
-enum class OilSupply {
-  kFlooded,     ///< as much oil as the film takes
-  kGiven,       ///< the same film on every stroke
-  kFilmOnLiner  ///< what the strokes before have left there, and on downstrokes what the oil ring leaves
-};
-
-/// `supply.scraped`: what becomes of oil that an inlet does not take.
-enum class Scraped {
-  kBead,      ///< it moves on ahead of the edge, feeds the film, and stays behind at the end of the stroke
-  kDiscarded  ///< it is gone
-};
-
-using film::EdgeFluid;  ///< `film.chamber_edge`, `film.crankcase_edge`
-
-/// `solver.crank_step_control`: how long a crank step is.
-enum class StepControl {
-  kAdaptive,  ///< refined where the film needs it
-  kFixed      ///< the stated one alone
-};
-
-/// `solver.method`: how film and load balance are solved.
-enum class Method {
-  kCoupledNewton,    ///< both at once by Newton's method
-  kPointRelaxation,  ///< pressures one by one, in a relaxed correction of h_m, as in styles2014
-  kNestedSecant      ///< the film at fixed h_m by Newton's method, in a secant on h_m
-};
-
-/// `solver.properties`: what the iteration asks for oil and contact.
-enum class Properties {
-  kFitted,  ///< polynomials fitted to their laws
-  kExact    ///< the laws themselves
-};
-
-/// `output.fields`: at which crank angles pressure and film along the face are kept.
-enum class FieldOutput {
-  kNone,    ///< at none
-  kListed,  ///< at Output::field_angles_deg
-  kAll      ///< at all of the result
-};
-
-/// `output.reduction`: what is kept of the fields of an unrolled film.
-enum class FieldReduction {
-  kNone,      ///< each place
-  kAlongFace  ///< what each strip across the face sums up to
-};
 
 /// The keys under `engine`.
 struct Engine {
@@ -408,7 +231,8 @@ struct Contact {
   std::optional<double> hardness;
   ContactIntegrals integrals = ContactIntegrals::kExact;  ///< of the heights, F_2 and F_5/2
   LambdaRatio lambda_ratio = LambdaRatio::kLocal;         ///< contact pressure from h(x)/sigma, or h_m/sigma all over
-  MeasuredContact measured;                               ///< where N, beta, sigma and zeta come from
+  double ring_roughness_share = 0;  ///< of the square of sigma, the ring's own [-]; film.shear_flow
+  MeasuredContact measured;         ///< where N, beta, sigma and zeta come from
 };
 
 /// The keys under `lubricant`, with the oil of the file that they name.
@@ -430,11 +254,21 @@ struct Lubricant {
   models::LawParameters law_parameters = models::usual_law_parameters();  ///< of viscosity against pressure [SI]
   DensityTemperature density_temperature = DensityTemperature::kTable;    ///< linear through the points, or by gamma
   Compressibility compressibility = Compressibility::kDowsonHigginson;    ///< law of density against pressure
-  double dh_a = models::DowsonHigginson{}.a;  ///< a of the density rho_0 [1 + a p/(1 + b p)] [1/Pa]
-  double dh_b = models::DowsonHigginson{}.b;  ///< b of the same law [1/Pa]
-  double thermal_conductivity = 0.14;         ///< k, of a mineral oil [W/(m K)]
-  double specific_heat = 2100;                ///< c_p, of a mineral oil [J/(kg K)]
-  double viscosity = 0;                       ///< of a pad, at the zero of its pressures [Pa s]
+  double dh_a = models::DowsonHigginson{}.a;              ///< a of the density rho_0 [1 + a p/(1 + b p)] [1/Pa]
+  double dh_b = models::DowsonHigginson{}.b;              ///< b of the same law [1/Pa]
+  double thermal_conductivity = 0.14;                     ///< k, of a mineral oil [W/(m K)]
+  double specific_heat = 2100;                            ///< c_p, of a mineral oil [J/(kg K)]
+  double viscosity = 0;                                   ///< of a pad, at the zero of its pressures [Pa s]
+  ShearThinning shear_thinning = ShearThinning::kNone;    ///< law of viscosity against the shear rate
+  double second_newtonian_ratio = 0.7;                    ///< R: viscosity at the highest shear rates over that at none
+  std::optional<double> critical_shear_rate;              ///< g_c, at the temperature below [1/s]
+  std::optional<double> critical_shear_rate_temperature;  ///< [K]
+  std::optional<double> shear_exponent;                   ///< m or n; absent: models::usual_exponent [-]
+  /// Viscosity at 150 degC and 1e6 1/s, which determines g_c where the case does not state it [Pa s].
+  std::optional<double> hths_viscosity;
+
+  /// Is the oil any other than a Newtonian one?
+  bool thins() const { return shear_thinning != ShearThinning::kNone && second_newtonian_ratio < 1; }
 };
 
 /// The keys under `film`.
@@ -447,6 +281,18 @@ struct Film {
 
   OilSupply supply = OilSupply::kFlooded;  ///< what enters at an edge of gas
 
+  Roughness flow_factors = Roughness::kNone;      ///< of the flow by pressure
+  Roughness shear_flow = Roughness::kNone;        ///< of the flow by sliding
+  Roughness stress_factors = Roughness::kNone;    ///< of the shear stress
+  AverageGap average_gap = AverageGap::kNominal;  ///< that is stored and carried
+  double orientation = 1;  ///< gamma of the roughness: correlation length along the motion over that across it [-]
+
+  /// Do roughness keys take orientation?
+  bool has_pattern() const {
+    return flow_factors != Roughness::kNone || shear_flow != Roughness::kNone || stress_factors != Roughness::kNone;
+  }
+  /// Does the film differ by roughness from that of smooth walls?
+  bool is_rough() const { return has_pattern() || average_gap != AverageGap::kNominal; }
   bool has_gas_edge() const { return chamber_edge == EdgeFluid::kGas || crankcase_edge == EdgeFluid::kGas; }
   // of a pad
   EdgeFluid left_edge = EdgeFluid::kOil, right_edge = EdgeFluid::kOil;  ///< at x = 0 and x = length
@@ -458,8 +304,9 @@ struct Film {
 
 /// The keys under `supply`, of a film whose inlet is not flooded.
 struct Supply {
-  std::optional<double> film;   ///< on the liner ahead of the ring, or what the oil ring leaves [m]
-  std::optional<double> reach;  ///< liner from so far below the TDC position of the chamber edge has it on downstrokes [m]
+  std::optional<double> film;  ///< on the liner ahead of the ring, or what the oil ring leaves [m]
+  std::optional<double>
+      reach;  ///< liner from so far below the TDC position of the chamber edge has it on downstrokes [m]
   Scraped scraped = Scraped::kBead;  ///< oil that an inlet does not take
 };
 
@@ -548,26 +395,28 @@ struct InputFile {
 
 /// All keys of a case. Members that a problem or a model does not use stay as they are.
 struct Case {
-  Problem problem = Problem::kCycle;  ///< a pad where any of its keys is stated
-  std::string title;                  ///< for people; names pages and figures
+  Problem problem = Problem::kCycle;               ///< a pad where any of its keys is stated
+  std::string title;                               ///< for people; names pages and figures
   Conditions conditions = Conditions::kOfTheCase;  ///< from which defaults the rest starts
-  Engine engine;                      ///< bore and crank
-  Operating operating;                ///< speed and oil temperature
-  Thermal thermal;                    ///< temperatures of ring and liner, if the film has them
-  Gas gas;                            ///< pressure above, below and behind the ring
-  Ring ring;                          ///< size, tension, face, coating, gap
-  Liner liner;                        ///< what the bore is made of
-  Contact contact;                    ///< roughness of the pair and boundary friction
-  Lubricant lubricant;                ///< the oil by its laws, or by a table
-  Supply supply;                      ///< oil on the liner, if the inlet is not flooded
-  Film film;                          ///< in one dimension or two, and how it ruptures
-  Solver solver;                      ///< grid, steps, tolerances
-  Output output;                      ///< what is kept of the integration
-  Pad pad;                            ///< of Problem::kPad alone
+  Engine engine;                                   ///< bore and crank
+  Operating operating;                             ///< speed and oil temperature
+  Thermal thermal;                                 ///< temperatures of ring and liner, if the film has them
+  Gas gas;                                         ///< pressure above, below and behind the ring
+  Ring ring;                                       ///< size, tension, face, coating, gap
+  Liner liner;                                     ///< what the bore is made of
+  Contact contact;                                 ///< roughness of the pair and boundary friction
+  Lubricant lubricant;                             ///< the oil by its laws, or by a table
+  Supply supply;                                   ///< oil on the liner, if the inlet is not flooded
+  Film film;                                       ///< in one dimension or two, and how it ruptures
+  Solver solver;                                   ///< grid, steps, tolerances
+  Output output;                                   ///< what is kept of the integration
+  Pad pad;                                         ///< of Problem::kPad alone
   /// Of a ring pack ([[ring]]) the case of each ring, from the chamber to the crankcase, complete and without rings of
   /// its own; `ring` and `contact` of the pack itself are those of the first. Empty: a case of one ring.
   std::vector<Case> rings;
 
+  /// Does the film differ from that of a Newtonian oil between smooth walls?
+  bool has_flow_factors() const { return film.is_rough() || lubricant.thins(); }
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }

@@ -291,6 +291,27 @@ void check_laws(const Lubricant& oil, Breaches& breaches) {
   check_points("lubricant.density", oil.density, Trend::kAny, breaches);
 }
 
+/// Of laws that break no rule.
+void check_hths(const Lubricant& oil, Breaches& breaches) {
+  if (!oil.thins() || oil.critical_shear_rate || !oil.hths_viscosity) return;
+  const std::optional<double> without_shear = viscosity_for_hths(oil);
+  if (!without_shear) return;
+  const auto written = [](double eta) { return number_text(eta * 1e3) + " mPa s"; };
+  const std::string hths = "lubricant.hths_viscosity = " + written(*oil.hths_viscosity);
+  const std::string viscosity = "viscosity of the oil without shear at 150 degC, " + written(*without_shear);
+  const double ratio = *oil.hths_viscosity / *without_shear;
+  if (ratio >= 1) {
+    breaches.push_back({"lubricant.hths_viscosity", hths + " is not below the " + viscosity,
+                        "the viscosity falls with the shear rate; check hths_viscosity, kinematic_viscosity and "
+                        "density, or state shear_thinning = \"none\""});
+  } else if (ratio <= oil.second_newtonian_ratio) {
+    breaches.push_back({"lubricant.hths_viscosity",
+                        hths + " is not above lubricant.second_newtonian_ratio = " +
+                            number_text(oil.second_newtonian_ratio) + " times the " + viscosity,
+                        "at the highest shear rates the oil keeps that share; state a smaller ratio"});
+  }
+}
+
 void check_angles(const Case& c, Breaches& breaches) {
   const auto refuse_step = [&breaches](const std::string& key, double step_deg) {
     breaches.push_back({key, key + " = " + number_text(step_deg) + " degree does not divide the cycle of 720 degrees",
@@ -320,6 +341,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   Breaches breaches;
   check_cavitation_pressure(c.film, breaches);
   append_gas_edge_breaches(c, breaches);
+  append_flow_factor_breaches(c, breaches);
   check_engine(c, breaches);
   check_thermal(c.thermal, breaches);
   if (c.gas.model == GasModel::kWiebe) {
@@ -337,6 +359,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   if (!c.lubricant.table_file) check_laws(c.lubricant, breaches);
   check_angles(c, breaches);
   append_unrolled_breaches(c, breaches);
+  if (breaches.empty()) check_hths(c.lubricant, breaches);
   return breaches;
 }
 

@@ -219,6 +219,37 @@ void check_oil(const Case& c, Breaches& breaches) {
   }
 }
 
+void check_critical_rate(const Case& c, Breaches& breaches) {
+  const Lubricant& oil = c.lubricant;
+  if (oil.critical_shear_rate || oil.hths_viscosity) return;
+  const bool is_pad = c.problem == Problem::kPad;
+  breaches.push_back({"lubricant.shear_thinning", "the critical shear rate of the oil is missing",
+                      is_pad ? "state lubricant.critical_shear_rate, for example \"2.4e6 s-1\""
+                             : "state lubricant.hths_viscosity, for example \"2.9 mPa s\", or "
+                               "lubricant.critical_shear_rate with its temperature"});
+}
+
+void check_thinning(const Case& c, Breaches& breaches) {
+  const Lubricant& oil = c.lubricant;
+  if (oil.shear_thinning == ShearThinning::kNone) return;
+  check_critical_rate(c, breaches);
+  if (oil.shear_thinning == ShearThinning::kCarreau && oil.shear_exponent && *oil.shear_exponent >= 1) {
+    breaches.push_back({"lubricant.shear_exponent",
+                        "lubricant.shear_exponent = " + number_text(*oil.shear_exponent) +
+                            " is not below 1, and the viscosity of Carreau's law would not fall",
+                        "n lies between 0 and 1, for example 0.5"});
+  }
+}
+
+/// The key that makes a film other than one of a Newtonian oil between smooth walls.
+std::string key_of_factors(const Case& c) {
+  if (c.film.flow_factors != Roughness::kNone) return "film.flow_factors";
+  if (c.film.shear_flow != Roughness::kNone) return "film.shear_flow";
+  if (c.film.stress_factors != Roughness::kNone) return "film.stress_factors";
+  if (c.film.average_gap != AverageGap::kNominal) return "film.average_gap";
+  return "lubricant.shear_thinning";
+}
+
 }  // namespace
 
 std::vector<RuleBreach> broken_pad_rules(const Case& c) {
@@ -230,6 +261,7 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
     check_nodes(c, breaches);
   }
   append_gas_edge_breaches(c, breaches);
+  append_flow_factor_breaches(c, breaches);
   check_edge_pressures(c, breaches);
   if (!c.pad.history_time.empty() || c.pad.oscillation.amplitude) check_times(c, breaches);
   check_oil(c, breaches);
@@ -239,7 +271,8 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
 void append_supply_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   if (c.film.supply == OilSupply::kFlooded || !c.film.has_gas_edge()) return;
   const auto require = [&](const std::optional<double>& value, const std::string& key, const char* meaning) {
-    if (!value) breaches.push_back({key, "the key " + key + " is missing: " + meaning, "state it, or film.supply = \"flooded\""});
+    if (!value)
+      breaches.push_back({key, "the key " + key + " is missing: " + meaning, "state it, or film.supply = \"flooded\""});
   };
   require(c.supply.film, "supply.film", "the film on the liner ahead of the ring, for example \"2 um\"");
   if (c.film.supply != OilSupply::kFilmOnLiner) return;
@@ -290,6 +323,25 @@ void append_gas_edge_breaches(const Case& c, std::vector<RuleBreach>& breaches) 
   if (c.solver.method != Method::kCoupledNewton) {
     breaches.push_back({key, gas + " requires solver.method = \"coupled-newton\"",
                         "the other methods are those of the paper, for edges of oil"});
+  }
+}
+
+void append_flow_factor_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
+  check_thinning(c, breaches);
+  if (!c.has_flow_factors()) return;
+  const std::string key = key_of_factors(c);
+  if (c.is_unrolled()) {
+    breaches.push_back(
+        {key, key + " requires film.dimension = \"face\"",
+         "the film of the whole ring has smooth walls and a Newtonian oil; compute the face, or omit it"});
+  }
+  if (c.problem == Problem::kPad && c.pad.width) {
+    breaches.push_back({key, key + " is for a pad without pad.width",
+                        "a film in two dimensions has smooth walls and a Newtonian oil; omit the width, or this key"});
+  }
+  if (c.solver.method != Method::kCoupledNewton) {
+    breaches.push_back({key, key + " requires solver.method = \"coupled-newton\"",
+                        "the other methods are those of the paper, for a Newtonian oil between smooth walls"});
   }
 }
 

@@ -6,8 +6,8 @@ namespace {
 constexpr double kCelsius = 273.15;
 
 // Typical, assumed (docs/manual/guide/typical-inputs.md): full load.
-constexpr double kOilRingFilm = 2e-6, kOilRingReach = 10e-3;                    // [m]
-constexpr double kRing = 190 + kCelsius, kLinerAtTdc = 180 + kCelsius;          // [K]
+constexpr double kOilRingFilm = 2e-6, kOilRingReach = 10e-3;                   // [m]
+constexpr double kRing = 190 + kCelsius, kLinerAtTdc = 180 + kCelsius;         // [K]
 constexpr double kLinerBelow = 115 + kCelsius, kDistanceOfLinerBelow = 80e-3;  // [K], [m]
 
 }  // namespace

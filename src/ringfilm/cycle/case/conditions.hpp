@@ -12,7 +12,12 @@ void set_conditions(Conditions conditions, Case& c);
 void keep_own_temperature(Case& c);
 
 /// Sections and keys that conditions replace where the command line asks for them.
-inline constexpr std::array kKeysOfConditions{"operating.oil_temperature", "film.cavitation", "film.chamber_edge",
-                                              "film.crankcase_edge", "film.supply", "supply.", "thermal."};
+inline constexpr std::array kKeysOfConditions{"operating.oil_temperature",
+                                              "film.cavitation",
+                                              "film.chamber_edge",
+                                              "film.crankcase_edge",
+                                              "film.supply",
+                                              "supply.",
+                                              "thermal."};
 
 }  // namespace ringfilm::cycle

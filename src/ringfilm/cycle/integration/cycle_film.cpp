@@ -22,7 +22,8 @@ film::FilmProblem film_across(const Setup& setup) {
   problem.contact_spread =
       input.contact.lambda_ratio == LambdaRatio::kLocal ? film::ContactSpread::kLocal : film::ContactSpread::kNominal;
   problem.tolerance = input.solver.tolerance;
-  problem.terms = input.film.has_gas_edge() ? film::Terms::kAll : film::Terms::kPlain;
+  const bool is_plain = !input.film.has_gas_edge() && setup.ring.factors.are_of_plain_film();
+  problem.terms = is_plain ? film::Terms::kPlain : film::Terms::kAll;
   problem.kernels = setup.kernels;
   return problem;
 }
@@ -80,11 +81,18 @@ CycleFilm::Workspace CycleFilm::workspace_of(const Setup& setup, const CycleFilm
 }
 
 CycleFilm::CycleFilm(const Setup& setup)
-    : across_(film_across(setup)), film2d_(film_on_ring(setup, across_)), workspace_(workspace_of(setup, *this)) {}
+    : across_(film_across(setup)),
+      factors_(across_, setup.ring.factors),
+      film2d_(film_on_ring(setup, across_)),
+      workspace_(workspace_of(setup, *this)) {}
 
 film::FilmReport CycleFilm::solve(const film::FilmInputs& inputs, const film::FilmState& previous,
                                   film::FilmState& state) {
-  if (!film2d_) return film::solve_film(across_, inputs, previous, state, std::get<film::MethodWorkspace>(workspace_));
+  if (!film2d_) {
+    return factors_.solve(inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
+      return film::solve_film(across_, held, previous, found, std::get<film::MethodWorkspace>(workspace_));
+    });
+  }
   return film::solve_film2d(*film2d_, film2d_inputs(inputs), previous, state,
                             std::get<film::Film2dWorkspace>(workspace_));
 }

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/film/factors/factor_iteration.hpp"
 #include "ringfilm/film/film_heating.hpp"
 #include "ringfilm/film/solver/method.hpp"
 #include "ringfilm/film/solver2d/film2d_solver.hpp"
@@ -42,6 +43,7 @@ class CycleFilm {
   static Workspace workspace_of(const Setup& setup, const CycleFilm& film);
 
   film::FilmProblem across_;
+  film::FactorIteration factors_;              ///< of the film across the face
   std::optional<film::Film2dProblem> film2d_;  ///< of an unrolled film
   Workspace workspace_;
 };

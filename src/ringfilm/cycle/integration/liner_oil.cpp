@@ -31,7 +31,8 @@ void LinerFilm::lay(double begin, double end, double mass, bool open_below) {
     const double low = c * cell_, high = (c + 1) * cell_;
     const double overlap = std::min(end, high) - std::max(begin, low);
     if (overlap <= 0) continue;
-    const double open = open_below ? std::max(high - std::max(end, low), 0.0) : std::max(std::min(begin, high) - low, 0.0);
+    const double open =
+        open_below ? std::max(high - std::max(end, low), 0.0) : std::max(std::min(begin, high) - low, 0.0);
     mass_per_area_[c] = (mass_per_area_[c] * open + laid * overlap) / (open + overlap);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -85,6 +86,27 @@ std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaw
   return notes;
 }
 
+/// The oil without shear at a temperature, at atmospheric pressure [Pa s].
+using ViscosityAt = std::function<double(double T)>;
+
+/// Of an oil that thins. @param T_low,T_high between which the viscosity is known [K]
+void add_thinning(const Lubricant& lubricant, const ViscosityAt& viscosity, double T_low, double T_high,
+                  OilSetup& setup) {
+  const auto law = shear_thinning(lubricant);
+  if (!law) return;
+  const double T_hths = models::kHthsTemperature;
+  const auto& stated = lubricant.critical_shear_rate;
+  const double T = stated ? lubricant.critical_shear_rate_temperature.value() : T_hths;
+  const auto rate_from_hths = [&] {
+    return models::kHthsShearRate / law->rate(lubricant.hths_viscosity.value() / viscosity(T));
+  };
+  const double rate = stated ? *stated : rate_from_hths();
+  setup.thinning = film::ThinningOil{*law, rate * viscosity(T), base::kAtmosphere};
+  if (T_hths < T_low || T_hths > T_high) return;
+  const double eta = viscosity(T_hths);
+  setup.hths_viscosity = eta * law->ratio(models::kHthsShearRate * eta / setup.thinning->critical_stress);
+}
+
 /// Two points of the line (ASTM D341) of an oil [m2/s].
 struct GradeLine {
   const char* name;
@@ -131,18 +153,28 @@ PreparedOil prepared_oil(const Lubricant& lubricant, std::optional<models::WallT
     const double high = hottest(lubricant, range.high, conditions.rise);
     auto oil = std::make_shared<models::OilOverTemperature>(of_table, range.low, high);
     const auto at = oil->at(T);
-    return {{std::move(walls), oil, T, at->viscosity(base::kAtmosphere), at->density(base::kAtmosphere), high},
-            oil,
-            range,
-            {}};
+    PreparedOil prepared{
+        {std::move(walls), oil, T, at->viscosity(base::kAtmosphere), at->density(base::kAtmosphere), high, {}, {}},
+        oil,
+        range,
+        {}};
+    const auto viscosity = [&](double at_T) { return of_table(at_T)->viscosity(base::kAtmosphere); };
+    const std::vector<double>& known = lubricant.table->temperature;
+    add_thinning(lubricant, viscosity, known.front(), known.back(), prepared.setup);
+    return prepared;
   }
   const models::OilLaws laws = oil_laws(lubricant);
   const double high = hottest(lubricant, range.high, conditions.rise);
   auto oil = std::make_shared<models::OilOverTemperature>(
       [laws](double at) { return models::closed_form_oil(laws, at); }, range.low, high);
   const models::OilState at = models::oil_state(laws, T);
-  return {
-      {std::move(walls), oil, T, at.eta_T, at.rho_T, high}, oil, range, extrapolation_notes(lubricant, laws, range)};
+  PreparedOil prepared{{std::move(walls), oil, T, at.eta_T, at.rho_T, high, {}, {}},
+                       oil,
+                       range,
+                       extrapolation_notes(lubricant, laws, range)};
+  const auto viscosity = [&](double at_T) { return models::oil_state(laws, at_T).eta_T; };
+  add_thinning(lubricant, viscosity, models::kColdestOil, models::kHottestOil, prepared.setup);
+  return prepared;
 }
 
 void append_viscosity_notes(const PreparedOil& oil, std::vector<Note>& notes) {
@@ -172,7 +204,7 @@ PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAt
   const double viscosity = law->viscosity(base::kAtmosphere), density = law->density(base::kAtmosphere);
   const std::string called = name.empty() ? "an oil without a name" : "\"" + name + "\"";
   auto oil = std::make_shared<models::OilOverTemperature>(std::move(law));
-  return {{std::nullopt, oil, temperature, viscosity, density},
+  return {{std::nullopt, oil, temperature, viscosity, density, temperature, {}, {}},
           oil,
           {temperature, temperature},
           {{"own-oil",
@@ -191,6 +223,21 @@ void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
        "no polynomials follow the oil's laws within a relative " + std::string(allowed) +
            ", as solver.properties = \"fitted\" requires: the laws themselves are used, which takes longer",
        1});
+}
+
+std::optional<double> viscosity_for_hths(const Lubricant& lubricant) {
+  const double T = models::kHthsTemperature;
+  if (!lubricant.table_file) return models::oil_state(oil_laws(lubricant), T).eta_T;
+  const std::vector<double>& known = lubricant.table->temperature;
+  if (T < known.front() || T > known.back()) return std::nullopt;
+  return models::tabulated_oil(*lubricant.table, T)->viscosity(base::kAtmosphere);
+}
+
+std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant) {
+  if (!lubricant.thins()) return std::nullopt;
+  const double usual = models::usual_exponent(lubricant.shear_thinning);
+  return models::ShearThinning{lubricant.shear_thinning, lubricant.second_newtonian_ratio,
+                               lubricant.shear_exponent.value_or(usual)};
 }
 
 std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,13 @@ PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAt
 /// Gives the oil its polynomials for the inner loop, from zero to four times the largest mean pressure on the face [Pa]
 /// and 20 MPa at least; to half of that where no certified fit reaches further. Adds a note where there is none at all.
 void fit_properties(PreparedOil& oil, double largest_mean_pressure);
+
+/// Viscosity without shear at the temperature at which HTHS is measured; nothing where the table of the oil does not
+/// reach it [Pa s].
+std::optional<double> viscosity_for_hths(const Lubricant& lubricant);
+
+/// The law of an oil that thins with the shear rate, without its critical shear rate; nothing for a Newtonian one.
+std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant);
 
 /// The oil of a pad: viscosity and density as stated at the zero of its pressures, from which the laws count.
 std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant);

@@ -115,6 +115,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   const bool leaves_at_x_b = (sense == Motion::kTowardsTdc) == from_chamber_edge;
   s.gas_holding_margin = gas_holding_margin(integration.problem().grid, in, instant.state->h_m,
                                             leaves_at_x_b ? film::FilmEdge::kRight : film::FilmEdge::kLeft);
+  s.peak_shear_rate = integrals.peak_shear_rate;
   s.peak_film_pressure = integrals.peak_pressure;
   s.cavitated_fraction = integrals.cavitated_fraction;
   s.wetted_begin = f.wetted_begin;

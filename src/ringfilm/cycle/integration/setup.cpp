@@ -139,10 +139,11 @@ Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
   append_tension_note(p_e, oil.notes);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, lands));
   sort_notes(oil.notes);
+  film::FactorLaws factors = factor_laws(c, roughness(c), oil.setup.thinning);
   return {c,
           {crank_slider(c), c.operating.speed},
           {ring_face(c), p_e, composite_modulus(c), roughness(c), asperity_contact(c), std::move(lands),
-           std::move(oil.setup)},
+           std::move(oil.setup), std::move(factors)},
           std::move(oil.notes)};
 }
 
@@ -163,6 +164,21 @@ double elastic_pressure(const Case& c) {
                                                 c.engine.bore);
 }
 
+film::FactorLaws factor_laws(const Case& c, double sigma, const std::optional<film::ThinningOil>& thinning) {
+  film::FactorLaws laws;
+  laws.thinning = thinning;
+  laws.sigma = sigma;
+  const models::PatirCheng rough(c.film.orientation);
+  if (c.film.flow_factors != Roughness::kNone) laws.pressure_flow = rough;
+  if (c.film.stress_factors != Roughness::kNone) laws.stress = rough;
+  if (c.film.shear_flow != Roughness::kNone) {
+    laws.shear_flow = rough;
+    laws.share_difference = 1 - 2 * c.contact.ring_roughness_share;
+  }
+  laws.average_gap = c.film.average_gap;
+  return laws;
+}
+
 Setup prepare(const Case& c) {
   PreparedOil oil =
       prepared_oil(c.lubricant, wall_temperatures(c.thermal),
@@ -178,6 +194,10 @@ Setup prepare(const Case& c, const OwnOil& oil) {
   if (c.thermal.is_heated()) {
     throw InputError("an own oil is known at one temperature, and thermal.viscous_heating = \"in-film\" changes it",
                      "state thermal.viscous_heating = \"none\"; viscous_heating_rise is reported in both cases");
+  }
+  if (c.lubricant.thins()) {
+    throw InputError("an own oil is known without shear, and lubricant.shear_thinning is not \"none\"",
+                     "state lubricant.shear_thinning = \"none\"");
   }
   LandPressures lands = land_pressures(c);
   PreparedOil prepared = own_oil(oil.name, oil.law, c.operating.oil_temperature, largest_mean_pressure(c, lands));

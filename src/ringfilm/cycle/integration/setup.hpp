@@ -6,6 +6,7 @@
 
 #include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/film/factors/factor_laws.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/models/asperity_contact.hpp"
 #include "ringfilm/models/crank_slider.hpp"
@@ -41,7 +42,9 @@ struct OilSetup {
   double temperature;                                       ///< of the film; with walls in the middle of the stroke [K]
   double viscosity;                                         ///< at `temperature` and no pressure [Pa s]
   double density;                                           ///< likewise [kg/m3]
-  double hottest = 0;  ///< up to which `range` serves a film that its own shear heats [K]
+  double hottest = 0;                         ///< up to which `range` serves a film that its own shear heats [K]
+  std::optional<film::ThinningOil> thinning;  ///< nothing: the oil is Newtonian
+  std::optional<double> hths_viscosity;       ///< of an oil that thins, where it is known at 150 degC [Pa s]
 };
 
 /// One ring and what it meets.
@@ -53,6 +56,7 @@ struct RingSetup {
   models::GreenwoodTripp contact;  ///< asperity contact of the pair
   LandPressures lands;             ///< gas above and below
   OilSetup oil;                    ///< that of its film
+  film::FactorLaws factors;        ///< of its film
 };
 
 /// A case of one ring, set up for time integration: models built, traces joined. Immutable; may be used from several
@@ -72,6 +76,9 @@ std::string usual_tension();
 
 /// p_e of the one way in which the case states the tension of the ring, eq-elastic-pressure [Pa].
 double elastic_pressure(const Case& c);
+
+/// By what the film of a case differs from that of a Newtonian oil between smooth walls. @param sigma [m]
+film::FactorLaws factor_laws(const Case& c, double sigma, const std::optional<film::ThinningOil>& thinning);
 
 /// Builds the models of a checked case. Throws InputError where a value that is fine by itself cannot be used with the
 /// others (partial trace without intake pressure, peak that the Wiebe cycle cannot reach).

@@ -155,6 +155,7 @@ void TimeIntegration::turn(film::FilmState& state) const {
     }
   }
   for (std::size_t i = 0; i < state.mass_per_area.size(); ++i) state.mass_per_area[i] *= gap(i);
+  state.factors = nullptr;  // those of the face as it was
 }
 
 TimeIntegration::Fluids TimeIntegration::fluids(const RingConditions& at) {

@@ -80,9 +80,11 @@ class TimeIntegration {
   /// Is the step from base angle to base angle done?
   bool at_base_angle() const { return tick_ == kTicksPerBaseStep; }
 
-  /// Can its films be sought in the lane of a block: films across the face, by the coupled Newton method?
+  /// Can its films be sought in the lane of a block: films across the face, by the coupled Newton method, without
+  /// factors that follow from the film?
   bool fits_a_lane() const {
-    return !setup_.input.is_unrolled() && setup_.input.solver.method == Method::kCoupledNewton;
+    return !setup_.input.is_unrolled() && setup_.input.solver.method == Method::kCoupledNewton &&
+           setup_.ring.factors.are_of_plain_film();
   }
 
   /// A base step may be cut into as many.

@@ -39,7 +39,7 @@ struct LaneBlock {
   Terms terms;
 
   // Over nodes 0..n
-  double* z;                          ///< eq-film-content, "one number per node" [Pa]
+  double* z;  ///< eq-film-content, "one number per node" [Pa]
   // Of nodes, only with Terms::kAll
   double* bound;                      ///< lowest pressure over p_c [Pa]
   double *mobility, *stored;          ///< FlowFactors [-], [m]
@@ -67,11 +67,11 @@ struct LaneBlock {
   alignas(64) Lanes continues;  ///< 1: the film in z is what the step before left, at h_m = `left_h`: inflow is its own
   alignas(64) Lanes left_h;     ///< [m]
   alignas(64) Lanes left_supply, right_supply;  ///< four times that of the edges, or kUnlimited [kg/m2]
-  alignas(64) Lanes movable;    ///< 1: h_m is unknown; 0: it is given
-  alignas(64) Lanes start_h;    ///< h_m that weighs the multiplier [m]
-  alignas(64) Lanes cavity_K;   ///< K at the cavitation pressure [s/m2]
-  alignas(64) Lanes contact_load;   ///< W_a where no fit gives it [N/m]
-  alignas(64) Lanes contact_slope;  ///< dW_a/dh_m of it [N/m2]
+  alignas(64) Lanes movable;                    ///< 1: h_m is unknown; 0: it is given
+  alignas(64) Lanes start_h;                    ///< h_m that weighs the multiplier [m]
+  alignas(64) Lanes cavity_K;                   ///< K at the cavitation pressure [s/m2]
+  alignas(64) Lanes contact_load;               ///< W_a where no fit gives it [N/m]
+  alignas(64) Lanes contact_slope;              ///< dW_a/dh_m of it [N/m2]
 
   // Fits
   alignas(64) Lanes fit_centre, fit_inverse_half_width;  ///< [Pa], [1/Pa]

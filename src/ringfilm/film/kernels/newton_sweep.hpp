@@ -174,8 +174,8 @@ class NewtonSweep {
   /// Node `i`, in slot `k` of its stretch.
   RINGFILM_INLINE Node node(const Film& film, int i, int k) const {
     const Real filled = kFilmContent ? film.theta.at(k) : Real(1);
-    Node node{film.p.at(k), filled, film.rho.at(k), film.drho.at(k), film.K.at(k), film.dK.at(k),
-              at(b_.z, i) > Real(0), filled};
+    Node node{film.p.at(k), filled,        film.rho.at(k),        film.drho.at(k),
+              film.K.at(k), film.dK.at(k), at(b_.z, i) > Real(0), filled};
     if constexpr (kFilmContent && kTerms == Terms::kAll) {
       const Real carry = at(b_.carry, i);
       node.theta = carried_share(filled, carry);

@@ -32,10 +32,10 @@ LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
   const std::size_t stride =
       (nodes * width + base::kNumbersPerLine - 1) / base::kNumbersPerLine * base::kNumbersPerLine;
   double* array = base::aligned_zeros(memory_, kNodalArrays * stride);
-  for (double** nodal : {&block_.z, &block_.bound, &block_.inflow, &block_.node_height, &block_.share,
-                         &block_.face_height, &block_.conductance, &block_.upper, &block_.column, &block_.rhs,
-                         &block_.rho, &block_.drho_dp, &block_.K, &block_.dK_dp, &block_.mobility, &block_.stored,
-                         &block_.carried, &block_.carry}) {
+  for (double** nodal :
+       {&block_.z, &block_.bound, &block_.inflow, &block_.node_height, &block_.share, &block_.face_height,
+        &block_.conductance, &block_.upper, &block_.column, &block_.rhs, &block_.rho, &block_.drho_dp, &block_.K,
+        &block_.dK_dp, &block_.mobility, &block_.stored, &block_.carried, &block_.carry}) {
     *nodal = array;
     array += stride;
   }

@@ -86,6 +86,12 @@ OilHere oil_at(const models::OilAtTemperature& oil, const FilmState& state, int 
 
 }  // namespace
 
+double viscosity_at(const models::OilAtTemperature& oil, LaneLaws laws, double p) {
+  if (laws != LaneLaws::kFitted) return oil.viscosity(p);
+  const auto fitted = oil.fit()->at(p);
+  return fitted.rho / fitted.K;
+}
+
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i) {
   const OilHere left = oil_at(*inputs.oil, state, i), right = oil_at(*inputs.oil, state, i + 1);
   const double rho[] = {left.rho, right.rho}, K[] = {left.K, right.K};
@@ -104,21 +110,30 @@ void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const
 
 void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLaws laws, FilmState& state) {
   const std::size_t n_nodes = state.p.size();
+  const std::vector<double>& rise = problem.grid.node_height;
   state.mass_per_area.resize(n_nodes);
   state.laws = laws;
+  state.factors = inputs.factors;
   if (laws == LaneLaws::kFitted) {
-    problem.kernels->mass_per_area(film_view(problem, inputs, state), fitted_oil_view(*inputs.oil), state.mass_per_area.data());
-    return;
+    problem.kernels->mass_per_area(film_view(problem, inputs, state), fitted_oil_view(*inputs.oil),
+                                   state.mass_per_area.data());
+  } else {
+    for (std::size_t i = 0; i < n_nodes; ++i) {
+      state.mass_per_area[i] =
+          inputs.oil->density(state.p[i]) * film_content(problem.cavitation, state.deficit[i]) * (state.h_m + rise[i]);
+    }
   }
+  if (!state.factors || state.factors->stored.empty()) return;
   for (std::size_t i = 0; i < n_nodes; ++i) {
-    state.mass_per_area[i] = inputs.oil->density(state.p[i]) * film_content(problem.cavitation, state.deficit[i]) *
-                             (state.h_m + problem.grid.node_height[i]);
+    state.mass_per_area[i] *= 1 + state.factors->stored[i] / (state.h_m + rise[i]);
   }
 }
 
 FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
   const FilmGrid& grid = problem.grid;
   const auto is_on_wall = [&](int node) { return inputs.carry(grid, node) == kOnWall; };
+  const FlowFactors* factors = state.factors.get();
+  const auto given = [](const std::vector<double>& of) { return of.empty() ? nullptr : of.data(); };
   return {grid.n_cells(),
           grid.node_height.data(),
           grid.face_height.data(),
@@ -133,7 +148,9 @@ FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const F
           is_on_wall(0) ? grid.throat : 0,
           is_on_wall(grid.n_cells()) ? grid.throat + 1 : grid.n_cells() + 1,
           std::min(4 * inputs.left.supply, kUnlimited),
-          std::min(4 * inputs.right.supply, kUnlimited)};
+          std::min(4 * inputs.right.supply, kUnlimited),
+          factors == nullptr ? nullptr : given(factors->mobility),
+          factors == nullptr ? nullptr : given(factors->carried)};
 }
 
 FittedOilView fitted_oil_view(const models::OilAtTemperature& oil) {

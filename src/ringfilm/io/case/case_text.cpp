@@ -49,9 +49,11 @@ Case case_stating(const std::vector<StartValue>& values, const Units& units) {
   // Before the rest: files that the rest names are not read.
   if (grade != values.end() && find_shipped_folder()) update(c, {{kGrade, parse_toml_value(grade->value)}}, units);
   std::vector<Fault> faults;
-  const auto conditions = std::find_if(values.begin(), values.end(), [](const auto& one) { return one.key == "conditions"; });
+  const auto conditions =
+      std::find_if(values.begin(), values.end(), [](const auto& one) { return one.key == "conditions"; });
   if (conditions != values.end()) {
-    set_value(c, *cycle::find_field("conditions"), {"conditions", parse_toml_value(conditions->value), ""}, units, faults);
+    set_value(c, *cycle::find_field("conditions"), {"conditions", parse_toml_value(conditions->value), ""}, units,
+              faults);
     cycle::set_conditions(c.conditions, c);
   }
   for (const auto& [key, value, remark] : values) {

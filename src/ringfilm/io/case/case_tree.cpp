@@ -381,7 +381,8 @@ class Gatherer {
     std::vector<std::string> keys;
     for (const auto& [key, entry] : entries_) {
       for (const std::string_view of_conditions : cycle::kKeysOfConditions) {
-        if (key == of_conditions || (of_conditions.back() == '.' && key.starts_with(of_conditions))) keys.push_back(key);
+        if (key == of_conditions || (of_conditions.back() == '.' && key.starts_with(of_conditions)))
+          keys.push_back(key);
       }
     }
     for (const std::string& key : keys) drop(key);

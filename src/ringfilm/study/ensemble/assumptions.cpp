@@ -27,7 +27,8 @@ Assumption assumption(const std::string& topic, std::string statement, std::stri
   return {std::move(entry), std::move(alternatives)};
 }
 
-constexpr Unit kMicrometre{"um", 1e-6}, kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5}, kNewton{"N", 1}, kMm{"mm", 1e-3};
+constexpr Unit kMicrometre{"um", 1e-6}, kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5}, kNewton{"N", 1},
+    kMm{"mm", 1e-3};
 constexpr Unit kCelsius{"degC", 1, 273.15}, kPlain{"", 1};
 
 // --- choices of model -------------------------------------------------------------------------------------------
@@ -208,7 +209,8 @@ std::vector<Alternative> other_supplies(const Case& c) {
   std::vector<Alternative> others = other_numbers("supply.film", c, film, kMicrometre, {0.5 * film, 2 * film});
   if (c.supply.reach) {
     const double reach = *c.supply.reach;
-    for (Alternative& other : other_numbers("supply.reach", c, reach, kMm, {0.5 * reach})) others.push_back(std::move(other));
+    for (Alternative& other : other_numbers("supply.reach", c, reach, kMm, {0.5 * reach}))
+      others.push_back(std::move(other));
   }
   for (Alternative& other : other_choices("film.supply", c)) others.push_back(std::move(other));
   return others;
@@ -222,10 +224,11 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
   if (c.film.supply != cycle::OilSupply::kFlooded) {
     const bool follows = c.film.supply == cycle::OilSupply::kFilmOnLiner;
     return assumption(topic,
-                      follows ? text("the ring finds on the liner what earlier strokes left, and below %.3g mm the %.3g "
-                                     "um of the oil ring",
-                                     1e3 * *c.supply.reach, 1e6 * *c.supply.film)
-                              : text("a film of %.3g um is ahead of the ring on every stroke", 1e6 * *c.supply.film),
+                      follows
+                          ? text("the ring finds on the liner what earlier strokes left, and below %.3g mm the %.3g "
+                                 "um of the oil ring",
+                                 1e3 * *c.supply.reach, 1e6 * *c.supply.film)
+                          : text("a film of %.3g um is ahead of the ring on every stroke", 1e6 * *c.supply.film),
                       "what the oil ring leaves is seldom known; below half of the film at which the asperities carry "
                       "the load alone the ring runs dry",
                       other_supplies(c));
@@ -293,6 +296,43 @@ Assumption gaussian_summits(const cycle::Setup& setup) {
                     "size do not");
 }
 
+/// What the oils of data/lubricants determine by their HTHS the ledger runs; of others it would have to be made up.
+Assumption newtonian_oil(const Case& c) {
+  const char* topic = "newtonian-oil";
+  const cycle::Lubricant& oil = c.lubricant;
+  const auto others = other_choices("lubricant.shear_thinning", c);
+  if (!oil.thins()) {
+    return assumption(topic, "the oil is Newtonian at any shear rate",
+                      "multigrade oils lose viscosity from about 1e6 1/s on; lubricant.shear_thinning with "
+                      "lubricant.hths_viscosity computes it",
+                      others);
+  }
+  return assumption(topic,
+                    text("viscosity falls with the shear rate after the \"%s\" law, to %.3g of that without shear",
+                         chosen("lubricant.shear_thinning", c).c_str(), oil.second_newtonian_ratio),
+                    "the ratio is that of other oils as a rule; shear by pressure and by sliding act as one rate",
+                    others);
+}
+
+Assumption smooth_gap_flow(const Case& c) {
+  const char* topic = "smooth-gap-flow";
+  std::vector<Alternative> others = other_choices("film.flow_factors", c);
+  if (c.film.flow_factors == cycle::Roughness::kNone) {
+    return assumption(topic, "roughness does not hinder the flow (no flow factors)",
+                      "friction may err either way, with the lay of the roughness, below a lambda ratio of about 3; "
+                      "film.flow_factors with film.orientation computes it",
+                      others);
+  }
+  const double gamma = c.film.orientation;
+  for (Alternative& other : other_numbers("film.orientation", c, gamma, kPlain, {1.0 / 3, 1, 3})) {
+    others.push_back(std::move(other));
+  }
+  return assumption(topic, text("roughness changes the flow by pressure as that of an orientation of %.3g", gamma),
+                    "the factors are fits to Gaussian surfaces that may overlap and do not deform; below a lambda "
+                    "ratio of about 1 they are extrapolated",
+                    others);
+}
+
 std::vector<Assumption> always_open(const cycle::Setup& setup) {
   const Case& c = setup.input;
   return {
@@ -308,10 +348,8 @@ std::vector<Assumption> always_open(const cycle::Setup& setup) {
           "boundary friction is proportional to it; a value of lateral force microscopy is that of dry surfaces at "
           "other spots than N, beta and sigma, and additives lower it"),
       gaussian_summits(setup),
-      assumption("newtonian-oil", "the oil is Newtonian at any shear rate",
-                 "multigrade oils lose viscosity from about 1e6 1/s on"),
-      assumption("smooth-gap-flow", "roughness does not hinder the flow (no flow factors)",
-                 "friction may err either way, with the lay of the roughness, below a lambda ratio of about 3"),
+      newtonian_oil(c),
+      smooth_gap_flow(c),
   };
 }
 

@@ -27,6 +27,7 @@ cycle::Case read_again(const cycle::Case& c) {
 void expect_same_values(const cycle::Case& a, const cycle::Case& b) {
   for (const cycle::Field& field : cycle::case_fields()) {
     if (field.key == "lubricant.file") continue;  // written out key by key
+    if (!cycle::is_active(field, a)) continue;    // an oil file may state keys that the case does not use
     EXPECT_EQ(exact_value(field, a), exact_value(field, b)) << field.key;
   }
   EXPECT_EQ(a.engine.bore, b.engine.bore);

@@ -8,6 +8,12 @@ ChoiceKind only_contact_model() {
   return {{"greenwood-tripp"}, [](const Case&) { return 0; }, [](Case&, int) {}};
 }
 
+constexpr When kRoughness{[](const Case& c) { return c.problem == Problem::kCycle || c.film.is_rough(); },
+                          "the case is not a pad, or film.flow_factors, film.shear_flow, film.stress_factors or "
+                          "film.average_gap is not that of smooth walls"};
+constexpr When kShearFlow{[](const Case& c) { return c.film.shear_flow != Roughness::kNone; },
+                          "film.shear_flow = \"patir-cheng\""};
+
 }  // namespace
 
 void append_contact_fields(std::vector<Field>& fields) {
@@ -22,7 +28,12 @@ void append_contact_fields(std::vector<Field>& fields) {
           field("contact.asperity_radius", NumberKind{member<&Case::contact, &Contact::asperity_radius>}, {"m", "um"},
                 above(0, 1e-2), Need::kRequired, {}, {"mean radius of the asperity summits, beta", "\"1.56 um\""}),
           field("contact.roughness", NumberKind{member<&Case::contact, &Contact::roughness>}, {"m", "um"},
-                above(0, 1e-4), Need::kRequired, {}, {"composite roughness of the pair, sigma", "\"0.48 um\""}),
+                above(0, 1e-4), Need::kRequired, kRoughness, {"composite roughness of the pair, sigma", "\"0.48 um\""}),
+          field("contact.ring_roughness_share", NumberKind{member<&Case::contact, &Contact::ring_roughness_share>},
+                kPlainNumber, between(0, 1), Need::kRequired, kShearFlow,
+                {"share of the ring, or of a pad's fixed surface, in the square of the composite roughness: "
+                 "sigma_ring^2/sigma^2; 0: only the other wall is rough, 0.5: both alike",
+                 "0.7"}),
           field(
               "contact.roughness_measure",
               choice<&Case::contact, &Contact::roughness_measure>({"as-given", "ra-to-rq"}), kNoUnit, {},

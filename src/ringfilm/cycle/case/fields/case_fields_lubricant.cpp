@@ -1,4 +1,5 @@
 #include "ringfilm/cycle/case/fields/case_fields_table.hpp"
+#include "ringfilm/models/oil/oil_temperature.hpp"
 
 namespace ringfilm::cycle::table {
 namespace {
@@ -17,6 +18,13 @@ constexpr When kThermalExpansivity{[](const Case& c) {
                                             c.lubricant.density_temperature == DensityTemperature::kThermalExpansivity;
                                    },
                                    "lubricant.density_temperature = \"thermal-expansivity\""};
+constexpr When kThinning{[](const Case& c) { return c.lubricant.shear_thinning != ShearThinning::kNone; },
+                         "lubricant.shear_thinning = \"cross\" or \"carreau\""};
+constexpr When kCriticalShearRate{
+    [](const Case& c) { return kThinning.holds(c) && c.lubricant.critical_shear_rate.has_value(); },
+    "lubricant.critical_shear_rate is stated"};
+constexpr When kHths{[](const Case& c) { return kThinning.holds(c) && !c.lubricant.critical_shear_rate; },
+                     "lubricant.shear_thinning = \"cross\" or \"carreau\", without lubricant.critical_shear_rate"};
 constexpr When kReferenceTemperature{
     [](const Case& c) { return kHoupert.holds(c) || kThermalExpansivity.holds(c); },
     "lubricant.viscosity_temperature = \"houpert\" or lubricant.density_temperature = \"thermal-expansivity\""};
@@ -135,6 +143,33 @@ void append_lubricant_fields(std::vector<Field>& fields) {
           field("lubricant.specific_heat", NumberKind{member<&Case::lubricant, &Lubricant::specific_heat>},
                 {"J/(kg K)", "J/(kg K)"}, between(100, 10000), Need::kDefault, {},
                 {"specific heat of the oil, c_p; typical of mineral oils, assumed", "\"2100 J/(kg K)\""}),
+          field("lubricant.shear_thinning",
+                choice<&Case::lubricant, &Lubricant::shear_thinning>({"none", "cross", "carreau"}), kNoUnit, {},
+                Need::kDefault, {},
+                {"viscosity against the shear rate: none, eta times R + (1 - R)/(1 + (g/g_c)^m), or eta times "
+                 "R + (1 - R)(1 + (g/g_c)^2)^((n - 1)/2)",
+                 "\"cross\""}),
+          field("lubricant.second_newtonian_ratio",
+                NumberKind{member<&Case::lubricant, &Lubricant::second_newtonian_ratio>}, kPlainNumber, above(0, 1),
+                Need::kDefault, kThinning,
+                {"viscosity at the highest shear rates over that without shear, R; typical of multigrade oils, assumed",
+                 "0.7"}),
+          field("lubricant.critical_shear_rate",
+                OptionalNumberKind{member<&Case::lubricant, &Lubricant::critical_shear_rate>}, {"s-1", "s-1"},
+                above(0, 1e15), Need::kOptional, kThinning,
+                {"shear rate g_c of the law, in place of lubricant.hths_viscosity", "\"2.4e6 s-1\""}),
+          field("lubricant.critical_shear_rate_temperature",
+                OptionalNumberKind{member<&Case::lubricant, &Lubricant::critical_shear_rate_temperature>},
+                {"K", "degC"}, strictly_between(models::kColdestOil, models::kHottestOil), Need::kRequired,
+                kCriticalShearRate,
+                {"temperature at which the oil has that g_c; at others g_c goes with the inverse of the viscosity",
+                 "\"120 degC\""}),
+          field("lubricant.shear_exponent", OptionalNumberKind{member<&Case::lubricant, &Lubricant::shear_exponent>},
+                kPlainNumber, above(0, 2), Need::kOptional, kThinning,
+                {"m of \"cross\", 1 if omitted, or n of \"carreau\", below 1, 0.5 if omitted", "1.0"}),
+          field("lubricant.hths_viscosity", OptionalNumberKind{member<&Case::lubricant, &Lubricant::hths_viscosity>},
+                {"Pa s", "mPa s"}, above(0, 1e3), Need::kOptional, kHths,
+                {"viscosity at 150 degC and 1e6 s-1 (HTHS, ASTM D4683), from which g_c follows", "\"2.9 mPa s\""}),
       });
 }
 

@@ -23,6 +23,8 @@ constexpr When kNotFlooded{[](const Case& c) { return c.film.has_gas_edge() && c
 constexpr When kFilmOnLiner{
     [](const Case& c) { return c.film.has_gas_edge() && c.film.supply == OilSupply::kFilmOnLiner; },
     "film.supply = \"film-on-liner\""};
+constexpr When kPattern{[](const Case& c) { return c.film.has_pattern(); },
+                        "film.flow_factors, film.shear_flow or film.stress_factors = \"patir-cheng\""};
 
 std::string edge_help(const std::string& edge, const std::string& stroke) {
   return "what the " + edge + " edge of the face meets on the " + stroke +
@@ -54,19 +56,19 @@ void append_run_fields(std::vector<Field>& fields) {
                 Need::kDefault, {}, {edge_help("chamber", "downstroke"), "\"gas\""}),
           field("film.crankcase_edge", choice<&Case::film, &Film::crankcase_edge>({"oil", "gas"}), kNoUnit, {},
                 Need::kDefault, {}, {edge_help("crankcase", "upstroke"), "\"gas\""}),
-          field("film.supply",
-                choice<&Case::film, &Film::supply>({"flooded", "given", "film-on-liner"}), kNoUnit, {}, Need::kDefault,
-                kGasEdge,
+          field("film.supply", choice<&Case::film, &Film::supply>({"flooded", "given", "film-on-liner"}), kNoUnit, {},
+                Need::kDefault, kGasEdge,
                 {"oil at an edge of gas where the film enters: as much as it takes, the same film on every stroke, or "
                  "what earlier strokes left on the liner",
                  "\"film-on-liner\""}),
-          field("supply.film", OptionalNumberKind{member<&Case::supply, &Supply::film>}, {"m", "um"},
-                above(0, 1e-3), Need::kOptional, kNotFlooded,
+          field("supply.film", OptionalNumberKind{member<&Case::supply, &Supply::film>}, {"m", "um"}, above(0, 1e-3),
+                Need::kOptional, kNotFlooded,
                 {"film on the liner ahead of the ring, f; with film-on-liner what the oil ring leaves on downstrokes",
                  "\"2 um\""}),
-          field("supply.reach", OptionalNumberKind{member<&Case::supply, &Supply::reach>}, {"m", "mm"},
-                between(0, 5), Need::kOptional, kFilmOnLiner,
-                {"distance below the TDC position of the chamber edge from which on the oil ring lays its film ahead of the ring "
+          field("supply.reach", OptionalNumberKind{member<&Case::supply, &Supply::reach>}, {"m", "mm"}, between(0, 5),
+                Need::kOptional, kFilmOnLiner,
+                {"distance below the TDC position of the chamber edge from which on the oil ring lays its film ahead "
+                 "of the ring "
                  "on each downstroke",
                  "\"10 mm\""}),
           field("supply.scraped", choice<&Case::supply, &Supply::scraped>({"bead", "discarded"}), kNoUnit, {},
@@ -84,6 +86,29 @@ void append_run_fields(std::vector<Field>& fields) {
           field("film.supply_right", OptionalNumberKind{member<&Case::film, &Film::supply_right>}, {"m", "um"},
                 above(0, 1), Need::kRequired, kInletRight,
                 {"film on the flat surface that comes in at x = length, out of the gas, f", "\"2 um\""}),
+          field("film.flow_factors", choice<&Case::film, &Film::flow_factors>({"none", "patir-cheng"}), kNoUnit, {},
+                Need::kDefault, {},
+                {"flow by pressure: that of smooth walls, or with the factor phi_x of rough ones, from h(x)/sigma",
+                 "\"patir-cheng\""}),
+          field("film.shear_flow", choice<&Case::film, &Film::shear_flow>({"none", "patir-cheng"}), kNoUnit, {},
+                Need::kDefault, {},
+                {"flow by sliding: that of smooth walls, or with what the roughness of one of them carries, phi_s",
+                 "\"patir-cheng\""}),
+          field("film.stress_factors", choice<&Case::film, &Film::stress_factors>({"none", "patir-cheng"}), kNoUnit, {},
+                Need::kDefault, {},
+                {"shear stress: that of smooth walls, or with the factors phi_f, phi_fp and, with film.shear_flow, "
+                 "phi_fs of rough ones",
+                 "\"patir-cheng\""}),
+          field("film.average_gap", choice<&Case::film, &Film::average_gap>({"nominal", "truncated"}), kNoUnit, {},
+                Need::kDefault, {},
+                {"film thickness that the gap stores and the liner carries: the nominal one, or the mean of that "
+                 "between Gaussian surfaces that do not overlap",
+                 "\"nominal\""}),
+          field("film.orientation", NumberKind{member<&Case::film, &Film::orientation>}, kPlainNumber, above(0, 1e6),
+                Need::kDefault, kPattern,
+                {"orientation of the roughness, gamma: its correlation length along the motion over that across it; "
+                 "below 1 ridges across, 1 isotropic, above 1 ridges along; tables reach from 1/9 to 9",
+                 "1.0"}),
           field("solver.cells", CountKind{member<&Case::solver, &Solver::cells>}, kPlainNumber, between(8, 100000),
                 Need::kDefault, {}, {"cells across the face", "200"}),
           field("solver.cells_y", CountKind{member<&Case::solver, &Solver::cells_y>}, kPlainNumber, between(4, 100000),

@@ -16,7 +16,14 @@ import { firstScreen, operatingLine, reportTitle } from './cycle/first_screen.js
 import { comparisonSection } from './cycle/comparison.js';
 import { influenceFigure, ledgerSection } from './cycle/ledger.js';
 import { Model } from './model.js';
-import { energyFigure, faceFigure, fieldAngles, linerFilmFigure, stribeckFigure, wearFigure } from './cycle/other_figures.js';
+import {
+  energyFigure,
+  faceFigure,
+  fieldAngles,
+  linerFilmFigure,
+  stribeckFigure,
+  wearFigure,
+} from './cycle/other_figures.js';
 import { swatchSvg } from './plot/svg.js';
 import { cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
 import { display } from './units.js';

@@ -1,0 +1,190 @@
+#pragma once
+#include "ringfilm/film/edge.hpp"
+#include "ringfilm/film/factors/roughness.hpp"
+#include "ringfilm/models/oil/lubricant.hpp"
+#include "ringfilm/models/oil/shear_thinning.hpp"
+
+/// What a case may choose among: the values of keys that are a name.
+namespace ringfilm::cycle {
+
+/// An engine cycle, or a pad: a pad where any key of `pad` is stated.
+enum class Problem {
+  kCycle,  ///< a ring over the four strokes
+  kPad     ///< a film of stated shape
+};
+
+/// `pad.direction`: which way the flat surface moves.
+enum class Direction {
+  kPlusX,  ///< towards larger x
+  kMinusX  ///< towards x = 0
+};
+
+/// `pad.sides`: what the film ends at across the motion.
+enum class Sides {
+  kOpen,      ///< stated pressures
+  kPeriodic,  ///< its own other side
+  kClosed     ///< walls
+};
+
+/// `gas.model`: where the cylinder pressure comes from.
+enum class GasModel {
+  kTrace,  ///< a file
+  kWiebe   ///< a single-zone cycle with Wiebe heat release
+};
+
+/// `gas.pressure_reference`: the zero of the pressures of a trace.
+enum class PressureReference {
+  kAbsolute,  ///< no pressure
+  kGauge      ///< 1.01325 bar
+};
+
+/// `gas.angle_zero`: the dead centre at which a trace has crank angle 0.
+enum class AngleZero {
+  kFiringTdc,      ///< that of the firing, as everywhere else
+  kGasExchangeTdc  ///< that of the gas exchange, 360 degree off
+};
+
+/// `gas.trace_origin`: where a trace comes from.
+enum class TraceOrigin {
+  kNotStated,  ///< not stated in the case
+  kMeasured,   ///< on an engine
+  kComputed,   ///< by a model of the engine
+  kSynthetic   ///< made up; marked SYNTHETIC wherever it appears
+};
+
+/// `ring.face.form` and `pad.face.form`: how the height of the face is given.
+enum class FaceForm {
+  kPolynomial,  ///< coefficients
+  kParabola,    ///< crown height and place of the lowest point
+  kPoints,      ///< points of a file, straight between them
+  kCosine       ///< of a pad: one period, as in a journal bearing that is unwrapped; crown height and lowest point
+};
+
+/// `ring.face.height_zero`: zero of the stored heights of the face.
+enum class HeightZero {
+  kMinimum,  ///< its lowest point
+  kAsGiven   ///< that of the input
+};
+
+/// `ring.face.orientation`: which edge is x = 0 of the input.
+enum class Orientation {
+  kX0Chamber,    ///< that at the chamber
+  kX0Crankcase,  ///< that at the crankcase
+  kLeadingEdge   ///< always the leading one: the face turns over at each reversal
+};
+
+/// `ring.coating.contact_modulus`: whose modulus the contact spots feel.
+enum class ContactModulus {
+  kCoating,  ///< that of the coating
+  kBase      ///< that of the ring below
+};
+
+/// `contact.roughness_measure`: what is made of the stated roughness.
+enum class RoughnessMeasure {
+  kAsGiven,  ///< it is sigma
+  kRaToRq    ///< it is Ra, and sigma is sqrt(pi/2) = 1.2533 times as much, as for a Gaussian surface
+};
+
+/// `contact.integrals`: the Gaussian height integrals F_2 and F_5/2.
+enum class ContactIntegrals {
+  kExact,               ///< their values
+  kPolynomial4Digit,    ///< a fit of the literature, zero from its first root on
+  kPolynomialAsPrinted  ///< the same as styles2014 has it, digits cut off: rises again beyond 1.911
+};
+
+/// `contact.lambda_ratio`: what the contact pressure follows.
+enum class LambdaRatio {
+  kLocal,   ///< h(x)/sigma along the face
+  kNominal  ///< h_m/sigma, on the whole face
+};
+
+/// `lubricant.viscosity_temperature`: law of viscosity against temperature.
+enum class ViscosityTemperature {
+  kWalther,  ///< ASTM D341 through the points
+  kHoupert   ///< Houpert's term
+};
+
+using ViscosityPressure = models::ViscosityPressureLaw;  ///< `lubricant.viscosity_pressure`
+
+/// `lubricant.density_temperature`: law of density against temperature.
+enum class DensityTemperature {
+  kTable,              ///< linear through the points and beyond
+  kThermalExpansivity  ///< by the expansivity gamma
+};
+
+/// `lubricant.compressibility`: law of density against pressure.
+enum class Compressibility {
+  kDowsonHigginson,  ///< rho_0 [1 + a p/(1 + b p)]
+  kNone              ///< none: pressure does not change it
+};
+
+/// `film.dimension`: on what the film is solved.
+enum class FilmDimension {
+  kFace,     ///< across the face, alike all around
+  kUnrolled  ///< the whole unrolled ring, with the ends of its gap
+};
+
+/// `film.cavitation`: how the film ruptures.
+enum class Cavitation {
+  kReynoldsExit,   ///< pressure is never below p_c (Reynolds)
+  kMassConserving  ///< and mass is kept, too (JFO)
+};
+
+/// `conditions`: from which edges, supply of oil and temperatures a case starts.
+enum class Conditions {
+  kOfTheCase,  ///< what the keys say; edges of oil by default
+  kAsInPaper,  ///< edges flooded with oil, one oil temperature, as in styles2014
+  kEngine      ///< gas at the edges, oil on the liner, hot walls
+};
+
+/// `film.supply`: what lies on the liner ahead of an edge of gas.
+enum class OilSupply {
+  kFlooded,     ///< as much oil as the film takes
+  kGiven,       ///< the same film on every stroke
+  kFilmOnLiner  ///< what the strokes before have left there, and on downstrokes what the oil ring leaves
+};
+
+/// `supply.scraped`: what becomes of oil that an inlet does not take.
+enum class Scraped {
+  kBead,      ///< it moves on ahead of the edge, feeds the film, and stays behind at the end of the stroke
+  kDiscarded  ///< it is gone
+};
+
+using film::AverageGap;                          ///< `film.average_gap`
+using film::Roughness;                           ///< `film.flow_factors`, `film.shear_flow`, `film.stress_factors`
+using ShearThinning = models::ShearThinningLaw;  ///< `lubricant.shear_thinning`
+using film::EdgeFluid;                           ///< `film.chamber_edge`, `film.crankcase_edge`
+
+/// `solver.crank_step_control`: how long a crank step is.
+enum class StepControl {
+  kAdaptive,  ///< refined where the film needs it
+  kFixed      ///< the stated one alone
+};
+
+/// `solver.method`: how film and load balance are solved.
+enum class Method {
+  kCoupledNewton,    ///< both at once by Newton's method
+  kPointRelaxation,  ///< pressures one by one, in a relaxed correction of h_m, as in styles2014
+  kNestedSecant      ///< the film at fixed h_m by Newton's method, in a secant on h_m
+};
+
+/// `solver.properties`: what the iteration asks for oil and contact.
+enum class Properties {
+  kFitted,  ///< polynomials fitted to their laws
+  kExact    ///< the laws themselves
+};
+
+/// `output.fields`: at which crank angles pressure and film along the face are kept.
+enum class FieldOutput {
+  kNone,    ///< at none
+  kListed,  ///< at Output::field_angles_deg
+  kAll      ///< at all of the result
+};
+
+/// `output.reduction`: what is kept of the fields of an unrolled film.
+enum class FieldReduction {
+  kNone,      ///< each place
+  kAlongFace  ///< what each strip across the face sums up to
+};
+
+}  // namespace ringfilm::cycle

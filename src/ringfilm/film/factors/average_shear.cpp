@@ -1,0 +1,82 @@
+#include "ringfilm/film/factors/average_shear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/solver/reynolds.hpp"
+
+namespace ringfilm::film {
+namespace {
+
+double factor(const std::vector<double>& of, int i, double none) { return of.empty() ? none : of[i]; }
+
+}  // namespace
+
+double pressure_slope(const FilmProblem& problem, const FilmState& state, int i) {
+  const int low = std::max(i - 1, 0), high = std::min(i + 1, problem.grid.n_cells());
+  return (state.p[high] - state.p[low]) / (problem.grid.x[high] - problem.grid.x[low]);
+}
+
+double pressure_shear(double h, double slope) { return 0.5 * std::numbers::inv_sqrt3 * h * std::abs(slope); }
+
+AverageShear average_shear(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state,
+                           const double* deficit) {
+  const FilmGrid& grid = problem.grid;
+  const FlowFactors& factors = *state.factors;
+  const int upstream = inputs.U >= 0 ? 0 : 1;
+  const auto viscosity = [&](int i) {
+    return factor(factors.thinning, i, 1) * viscosity_at(*inputs.oil, state.laws, state.p[i]);
+  };
+  AverageShear sum{0, 0};
+  double left = viscosity(0);
+  for (int i = 0; i < grid.n_cells(); ++i) {
+    const double right = viscosity(i + 1), h = state.h_m + grid.face_height[i];
+    const double sliding =
+        grid.spacing[i] * film_content(problem.cavitation, deficit[i + upstream]) * 0.5 * (left + right) * inputs.U / h;
+    sum.mean += factor(factors.sliding_stress, i, 1) * sliding;
+    sum.half_difference += 0.5 * factor(factors.pressure_stress, i, 1) * h * (state.p[i + 1] - state.p[i]) -
+                           factor(factors.stress_difference, i, 0) * sliding;
+    left = right;
+  }
+  return sum;
+}
+
+double peak_shear_rate(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state,
+                       const double* deficit) {
+  const FilmGrid& grid = problem.grid;
+  const bool is_content = problem.cavitation == Cavitation::kMassConserving;
+  const bool thins = state.factors && !state.factors->thinning.empty();
+  const auto viscosity = [&](int i) {
+    const double eta = viscosity_at(*inputs.oil, state.laws, state.p[i]);
+    return thins ? eta * state.factors->thinning[i] : eta;
+  };
+  double largest = 0;
+  const auto visit = [&](int i) {
+    if (is_content && deficit[i] == 1) return;  // gas
+    const double h = state.h_m + grid.node_height[i];
+    const double slide = inputs.U / h;
+    const double by_pressure = pressure_shear(h, pressure_slope(problem, state, i)) / viscosity(i);
+    largest = std::max(largest, slide * slide + by_pressure * by_pressure);
+  };
+  const int n = grid.n_cells();
+  if (thins) {
+    for (int i = 0; i <= n; ++i) visit(i);
+    return std::sqrt(largest);
+  }
+  for (const int i : {grid.throat, 0, n}) visit(i);
+  // No viscosity of a Newtonian oil is below that at the lowest pressure: few nodes may have the largest rate. The
+  // comparison is without divisions, since all nodes are compared.
+  const double per_slope = pressure_shear(1, 1) / viscosity_at(*inputs.oil, state.laws, inputs.p_cavitation);
+  const double *x = grid.x.data(), *p = state.p.data(), *rise = grid.node_height.data();
+  const double U_squared = inputs.U * inputs.U;
+  for (int i = 1; i < n; ++i) {
+    const double h = state.h_m + rise[i], length = x[i + 1] - x[i - 1];
+    const double by_pressure = per_slope * h * h * (p[i + 1] - p[i - 1]), reach = h * length;
+    if (U_squared * length * length + by_pressure * by_pressure > largest * reach * reach) visit(i);
+  }
+  return std::sqrt(largest);
+}
+
+}  // namespace ringfilm::film

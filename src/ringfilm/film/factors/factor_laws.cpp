@@ -1,0 +1,90 @@
+#include "ringfilm/film/factors/factor_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ringfilm/film/factors/average_shear.hpp"
+#include "ringfilm/film/solver/reynolds.hpp"
+
+namespace ringfilm::film {
+namespace {
+
+void add_thinning(const ThinningOil& oil, const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state,
+                  double h_m, FlowFactors& factors) {
+  const double eta_T = viscosity_at(*inputs.oil, state.laws, oil.reference_pressure);
+  const double per_rate = eta_T / oil.critical_stress;  // 1/g_c at this temperature
+  factors.thinning.reserve(state.p.size());
+  for (int i = 0; i <= problem.grid.n_cells(); ++i) {
+    const double h = h_m + problem.grid.node_height[i];
+    const double eta = viscosity_at(*inputs.oil, state.laws, state.p[i]);
+    const double stress = pressure_shear(h, pressure_slope(problem, state, i));
+    factors.thinning.push_back(oil.law.ratio(std::abs(inputs.U) / h * per_rate, stress / eta * per_rate));
+  }
+}
+
+/// From heights along the grid.
+template <class Factor>
+std::vector<double> along(const std::vector<double>& heights, double h_m, const Factor& factor) {
+  std::vector<double> values;
+  values.reserve(heights.size());
+  for (const double height : heights) values.push_back(factor(h_m + height));
+  return values;
+}
+
+void add_stress(const FactorLaws& laws, const FilmGrid& grid, double h_m, FlowFactors& factors) {
+  const auto at_faces = [&](const auto& factor) {
+    return along(grid.face_height, h_m, [&](double h) { return factor(h / laws.sigma); });
+  };
+  factors.sliding_stress = at_faces(models::mean_inverse_film);
+  factors.pressure_stress = at_faces([&](double H) { return laws.stress->pressure_stress(H); });
+  if (laws.share_difference == 0) return;
+  factors.stress_difference = at_faces([&](double H) { return laws.share_difference * laws.stress->shear_stress(H); });
+}
+
+}  // namespace
+
+std::shared_ptr<const FlowFactors> flow_factors(const FactorLaws& laws, const FilmProblem& problem,
+                                                const FilmInputs& inputs, const FilmState& state, double h_m) {
+  const FilmGrid& grid = problem.grid;
+  const double sigma = laws.sigma;
+  auto factors = std::make_shared<FlowFactors>();
+  if (laws.thinning) add_thinning(*laws.thinning, problem, inputs, state, h_m, *factors);
+  if (laws.pressure_flow) {
+    factors->mobility =
+        along(grid.node_height, h_m, [&](double h) { return laws.pressure_flow->pressure_flow(h / sigma); });
+  }
+  if (laws.thinning && !laws.pressure_flow) factors->mobility.assign(grid.x.size(), 1.0);
+  for (std::size_t i = 0; i < factors->thinning.size(); ++i) factors->mobility[i] /= factors->thinning[i];
+  if (laws.average_gap == AverageGap::kTruncated) {
+    const auto excess = [&](double h) { return sigma * models::average_gap_excess(h / sigma); };
+    factors->stored = along(grid.node_height, h_m, excess);
+    factors->carried = along(grid.face_height, h_m, excess);
+  }
+  if (laws.shear_flow && laws.share_difference != 0) {
+    factors->carried.resize(grid.face_height.size());
+    for (std::size_t i = 0; i < factors->carried.size(); ++i) {
+      factors->carried[i] +=
+          sigma * laws.share_difference * laws.shear_flow->shear_flow((h_m + grid.face_height[i]) / sigma);
+    }
+  }
+  if (laws.stress) add_stress(laws, grid, h_m, *factors);
+  return factors;
+}
+
+double difference(const FlowFactors& one, const FlowFactors& other, const FilmGrid& grid, double h_m) {
+  double largest = 0;
+  for (std::size_t i = 0; i < one.mobility.size(); ++i) {
+    largest = std::max(largest, std::abs(one.mobility[i] / other.mobility[i] - 1));
+  }
+  const auto compare_lengths = [&](const std::vector<double>& a, const std::vector<double>& b,
+                                   const std::vector<double>& heights) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      largest = std::max(largest, std::abs(a[i] - b[i]) / (h_m + heights[i]));
+    }
+  };
+  compare_lengths(one.stored, other.stored, grid.node_height);
+  compare_lengths(one.carried, other.carried, grid.face_height);
+  return largest;
+}
+
+}  // namespace ringfilm::film

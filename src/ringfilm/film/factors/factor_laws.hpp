@@ -1,0 +1,39 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "ringfilm/film/factors/roughness.hpp"
+#include "ringfilm/film/film_state.hpp"
+#include "ringfilm/models/oil/shear_thinning.hpp"
+#include "ringfilm/models/patir_cheng.hpp"
+
+namespace ringfilm::film {
+
+/// Oil that thins with the shear rate.
+struct ThinningOil {
+  models::ShearThinning law;
+  double critical_stress;     ///< g_c times the viscosity at its temperature and the reference pressure [Pa]
+  double reference_pressure;  ///< absolute, or from the zero of a pad [Pa]
+};
+
+/// The laws from which the factors of a film follow; those that are absent have no influence.
+struct FactorLaws {
+  std::optional<ThinningOil> thinning;
+  std::optional<models::PatirCheng> pressure_flow, shear_flow, stress;
+  AverageGap average_gap = AverageGap::kNominal;
+  double sigma = 0;             ///< composite roughness [m]
+  double share_difference = 0;  ///< V_r: share of the moving wall in sigma^2 less that of the fixed one [-]
+
+  bool are_of_plain_film() const {
+    return !thinning && !pressure_flow && !shear_flow && !stress && average_gap == AverageGap::kNominal;
+  }
+};
+
+/// The factors of a film with the pressures of `state` at the separation h_m [m].
+std::shared_ptr<const FlowFactors> flow_factors(const FactorLaws& laws, const FilmProblem& problem,
+                                                const FilmInputs& inputs, const FilmState& state, double h_m);
+
+/// Largest difference of two sets of factors that move the film, relative to the factor, of lengths to the film [-].
+double difference(const FlowFactors& one, const FlowFactors& other, const FilmGrid& grid, double h_m);
+
+}  // namespace ringfilm::film
