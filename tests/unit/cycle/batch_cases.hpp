@@ -122,6 +122,7 @@ inline Difference difference(const CycleResult& a, const std::optional<Stop>& st
   if (stop_a || stop_b) return found;
   for (const CycleQuantity& quantity : cycle_quantities()) {
     const double off = std::abs(a.values.*quantity.value - b.values.*quantity.value);
+    if (off == 0) continue;
     if (jumps(quantity)) {
       found.jumps += off > 1e-9;  // one node in a cycle is a share of 1e-5
     } else if (off / fair_scale(a, quantity) > found.largest) {

@@ -132,7 +132,7 @@ enum class Cavitation {
 
 /// `conditions`: from which edges, supply of oil and temperatures a case starts.
 enum class Conditions {
-  kOfTheCase,  ///< what the keys say; edges of oil by default
+  kOfTheCase,  ///< what the keys state; edges of oil by default
   kAsInPaper,  ///< edges flooded with oil, one oil temperature, as in styles2014
   kEngine      ///< gas at the edges, oil on the liner, hot walls
 };

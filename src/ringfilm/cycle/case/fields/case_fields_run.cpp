@@ -61,21 +61,6 @@ void append_run_fields(std::vector<Field>& fields) {
                 {"oil at an edge of gas where the film enters: as much as it takes, the same film on every stroke, or "
                  "what earlier strokes left on the liner",
                  "\"film-on-liner\""}),
-          field("supply.film", OptionalNumberKind{member<&Case::supply, &Supply::film>}, {"m", "um"}, above(0, 1e-3),
-                Need::kOptional, kNotFlooded,
-                {"film on the liner ahead of the ring, f; with film-on-liner what the oil ring leaves on downstrokes",
-                 "\"2 um\""}),
-          field("supply.reach", OptionalNumberKind{member<&Case::supply, &Supply::reach>}, {"m", "mm"}, between(0, 5),
-                Need::kOptional, kFilmOnLiner,
-                {"distance below the TDC position of the chamber edge from which on the oil ring lays its film ahead "
-                 "of the ring "
-                 "on each downstroke",
-                 "\"10 mm\""}),
-          field("supply.scraped", choice<&Case::supply, &Supply::scraped>({"bead", "discarded"}), kNoUnit, {},
-                Need::kDefault, kFilmOnLiner,
-                {"oil that the inlet does not take: it stays ahead of the edge as a bead until the stroke ends, or is "
-                 "lost at once",
-                 "\"bead\""}),
           field("film.left_edge", choice<&Case::film, &Film::left_edge>({"oil", "gas"}), kNoUnit, {}, Need::kDefault,
                 {}, {"what the film meets at x = 0: oil, which floods it, or gas at pad.left_pressure", "\"gas\""}),
           field("film.right_edge", choice<&Case::film, &Film::right_edge>({"oil", "gas"}), kNoUnit, {}, Need::kDefault,
@@ -109,6 +94,21 @@ void append_run_fields(std::vector<Field>& fields) {
                 {"orientation of the roughness, gamma: its correlation length along the motion over that across it; "
                  "below 1 ridges across, 1 isotropic, above 1 ridges along; tables reach from 1/9 to 9",
                  "1.0"}),
+          field("supply.film", OptionalNumberKind{member<&Case::supply, &Supply::film>}, {"m", "um"}, above(0, 1e-3),
+                Need::kOptional, kNotFlooded,
+                {"film on the liner ahead of the ring, f; with film-on-liner what the oil ring leaves on downstrokes",
+                 "\"2 um\""}),
+          field("supply.reach", OptionalNumberKind{member<&Case::supply, &Supply::reach>}, {"m", "mm"}, between(0, 5),
+                Need::kOptional, kFilmOnLiner,
+                {"distance below the TDC position of the chamber edge from which on the oil ring lays its film ahead "
+                 "of the ring "
+                 "on each downstroke",
+                 "\"10 mm\""}),
+          field("supply.scraped", choice<&Case::supply, &Supply::scraped>({"bead", "discarded"}), kNoUnit, {},
+                Need::kDefault, kFilmOnLiner,
+                {"oil that the inlet does not take: it stays ahead of the edge as a bead until the stroke ends, or is "
+                 "lost at once",
+                 "\"bead\""}),
           field("solver.cells", CountKind{member<&Case::solver, &Solver::cells>}, kPlainNumber, between(8, 100000),
                 Need::kDefault, {}, {"cells across the face", "200"}),
           field("solver.cells_y", CountKind{member<&Case::solver, &Solver::cells_y>}, kPlainNumber, between(4, 100000),

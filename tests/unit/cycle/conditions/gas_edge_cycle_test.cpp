@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
-#include "styles_case.hpp"
+#include "../styles_case.hpp"
 
 /// Gas at the trailing edge of a ring, the inlet flooded.
 namespace ringfilm::cycle::testing {

@@ -8,7 +8,7 @@
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
-#include "styles_case.hpp"
+#include "../styles_case.hpp"
 
 namespace ringfilm::cycle {
 namespace {

@@ -10,7 +10,7 @@
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
 #include "ringfilm/models/oil/oil_of_functions.hpp"
-#include "styles_case.hpp"
+#include "../styles_case.hpp"
 
 /// Viscous heating, flash temperature and the gas that a film holds, over a cycle.
 namespace ringfilm::cycle::testing {

@@ -7,7 +7,7 @@
 
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
-#include "styles_case.hpp"
+#include "../styles_case.hpp"
 
 /// Cycles with an oil that thins and between rough walls.
 namespace ringfilm::cycle::testing {
