@@ -4,6 +4,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/case/conditions.hpp"
+
 namespace ringfilm::study {
 namespace {
 
@@ -221,7 +224,8 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
   const char* topic = "flooded-inlet";
   std::vector<Alternative> others = other_choices("film.chamber_edge", c);
   for (Alternative& other : other_choices("film.crankcase_edge", c)) others.push_back(std::move(other));
-  if (c.film.supply != cycle::OilSupply::kFlooded) {
+  if (c.film.has_gas_edge() && c.film.supply != cycle::OilSupply::kFlooded) {
+    for (Alternative& other : other_supplies(c)) others.push_back(std::move(other));
     const bool follows = c.film.supply == cycle::OilSupply::kFilmOnLiner;
     return assumption(topic,
                       follows
@@ -231,7 +235,14 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
                           : text("a film of %.3g um is ahead of the ring on every stroke", 1e6 * *c.supply.film),
                       "what the oil ring leaves is seldom known; below half of the film at which the asperities carry "
                       "the load alone the ring runs dry",
-                      other_supplies(c));
+                      std::move(others));
+  }
+  if (c.conditions != cycle::Conditions::kEngine) {
+    // All at once: gas takes friction away, short oil and hot walls add it.
+    Alternative engine{"conditions = \"engine\"", [](Case& x) { set_conditions(cycle::Conditions::kEngine, x); }};
+    Case changed = c;
+    engine.apply(changed);
+    if (cycle::broken_rules(changed).empty()) others.push_back(std::move(engine));
   }
   if (c.film.has_gas_edge()) {
     const char* where = c.film.chamber_edge == c.film.crankcase_edge    ? "either edge"
