@@ -146,7 +146,9 @@ class NewTest(StartTest):
             values = json.loads(self.run_well("run", "mine.toml", "--json", "--set", "solver.cells=60"))
             self.assertTrue(values["complete"])
             topics = {note["topic"] for note in values["notes"]}
-            unusual = [topic for topic in topics if re.search("unusual|viscosity-(high|low)|ratio-too-low|gas-pressure", topic)]
+            unusual = [
+                topic for topic in topics if re.search("unusual|viscosity-(high|low)|ratio-too-low|gas-pressure", topic)
+            ]
             # With 160 bar and little oil near TDC the asperities of the truck's ring carry nearly all.
             self.assertEqual(unusual, ["lambda-ratio-too-low"] if "heavy-duty" in words else [])
             self.assertNotIn("asperity-slopes-high", topics)

@@ -11,8 +11,11 @@ from patched_project import Project
 
 LAWS = "tests/laws/motion_and_gas_laws_test.cpp"
 CASE = "src/ringfilm/cycle/case/"
-KEYS = [CASE + "case_fields_pad.cpp", CASE + "case_fields_ring.cpp"]
-HEADERS = [CASE + "case.hpp", CASE + "case_face.hpp", CASE + "case_fields_table.hpp", "src/ringfilm/models/ring.hpp"]
+KEYS = [CASE + "fields/case_fields_pad.cpp", CASE + "fields/case_fields_ring.cpp"]
+HEADERS = [
+    *(CASE + name for name in ("case.hpp", "case_choices.hpp", "case_face.hpp", "fields/case_fields_table.hpp")),
+    "src/ringfilm/models/ring.hpp",
+]
 FACE = "src/ringfilm/models/ring.cpp"
 
 with Project("docs/manual/extending/adding-a-face-form.md") as project:

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "../styles_case.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
-#include "../styles_case.hpp"
 
 /// Cycles with an oil that thins and between rough walls.
 namespace ringfilm::cycle::testing {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
 #include "../styles_case.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
 
 /// Gas at the trailing edge of a ring, the inlet flooded.
 namespace ringfilm::cycle::testing {

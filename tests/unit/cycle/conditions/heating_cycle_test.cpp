@@ -6,11 +6,11 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "../styles_case.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
 #include "ringfilm/models/oil/oil_of_functions.hpp"
-#include "../styles_case.hpp"
 
 /// Viscous heating, flash temperature and the gas that a film holds, over a cycle.
 namespace ringfilm::cycle::testing {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "../styles_case.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/cycle/integration/time_integration.hpp"
-#include "../styles_case.hpp"
 
 /// Oil that lies on the liner ahead of a ring between edges of gas.
 namespace ringfilm::cycle::testing {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../styles_case.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
-#include "../styles_case.hpp"
 
 namespace ringfilm::cycle {
 namespace {
