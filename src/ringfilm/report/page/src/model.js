@@ -146,6 +146,11 @@ export class Model {
     return oneCase.inputs.find((entry) => entry.key === key);
   }
 
+  /** Has the inlet as much oil as the film takes? */
+  hasFloodedInlet(oneCase) {
+    return (this.input(oneCase, 'film.supply')?.shown ?? 'flooded') === 'flooded';
+  }
+
   isSynthetic(oneCase) {
     return this.input(oneCase, 'gas.trace_origin')?.shown === 'synthetic';
   }

@@ -112,7 +112,7 @@ export function cards(model) {
       ),
       card(model, 'In mixed lubrication', 'mixed_share', () => 'of the cycle'),
       card(model, 'Mean oil flow', 'mean_absolute_oil_flow', (c) =>
-        c.complete ? 'flooded inlet: an upper bound' : '',
+        c.complete && model.hasFloodedInlet(c) ? 'flooded inlet: an upper bound' : '',
       ),
     ),
     explanation(model),

@@ -284,9 +284,11 @@ function flowFigure(model) {
     panels: [cyclePanel(model, 'oil_flow_middle', { zeroLine: true })],
     caption:
       'Mass flow through the middle section of the face, whole circumference, seen from the ring; ' +
-      'positive from chamber to crankcase. The inlet is taken as flooded: with less oil ahead of the ring ' +
-      'less flows, an upper bound. Mean without ' +
-      'sign: ' +
+      'positive from chamber to crankcase. ' +
+      (model.cases.some((c) => model.hasFloodedInlet(c))
+        ? 'A flooded inlet gives an upper bound: with less oil ahead of the ring less flows. '
+        : '') +
+      'Mean without sign: ' +
       ofEachCycle(model, (c) => valueWithUnit(model, c, 'mean_absolute_oil_flow')) +
       '; net over the cycle: ' +
       ofEachCycle(model, (c) => valueWithUnit(model, c, 'net_oil_flow')) +

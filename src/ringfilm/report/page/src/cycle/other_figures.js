@@ -120,7 +120,7 @@ export function linerFilmFigure(model) {
     return {
       id: `film-${stroke}`,
       fromZero: true,
-      yLabel: `oil on the liner, ${words}`,
+      yLabel: `oil film, ${words}`,
       yUnit: 'µm',
       xLabel: 'distance of the ring below TDC',
       xUnit: 'mm',
@@ -131,6 +131,7 @@ export function linerFilmFigure(model) {
   return {
     id: 'film-on-liner',
     title: 'Oil on the liner along the stroke',
+    layout: 'row',
     panels: strokes.map(panel),
     caption:
       'What the ring meets on each stroke (dashed) and what it leaves (full line), by its position. Left is TDC, ' +
