@@ -275,6 +275,23 @@ class SettingsTest(StartTest):
         said, _ = self.dropped("--set", "thermal.liner=150 degC", "thermal.ring=180 degC")
         self.assertIn("operating.oil_temperature", said)
 
+    def test_other_conditions_replace_what_the_case_states_and_the_same_ones_nothing(self):
+        said, stated = self.dropped("--set", "conditions=engine")
+        self.assertIn("operating.oil_temperature", said)
+        self.assertIn("conditions", stated)
+        (self.folder / "case.toml").write_text('conditions = "engine"\n' + program.CASE)
+        done = self.run_program("check", "case.toml", "--json", "--set", "conditions=engine")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("operating.oil_temperature", {entry["key"] for entry in json.loads(done.stdout)["stated"]})
+        study = (
+            'title = "conditions"\nkind = "map"\n[[base]]\nname = "a"\ncase = "case.toml"\n[[factor]]\nkey = "conditions"\n'
+            'values = ["engine", "as-in-the-paper"]\n[plan]\nmethod = "grid"\n'
+        )
+        (self.folder / "study.toml").write_text(study)
+        self.run_well("study", "study.toml", "--output", "study.nc")
+        with netCDF4.Dataset(self.folder / "study.nc") as file:
+            self.assertEqual(len(set(file["fmep"][:].flatten().tolist())), 2)
+
     def test_a_trace_of_the_whole_cycle_drops_the_pressures_that_a_part_of_it_needed(self):
         rows = "".join(f"{angle},{1 + 40 / (1 + (angle / 30) ** 2)}\n" for angle in range(-180, 181, 5))
         (self.folder / "part.csv").write_text("crank_angle [degree],pressure [bar]\n" + rows)

@@ -64,10 +64,24 @@ void CycleRun::arrived() {
   if (k_ % check_every_ == 0 && since_start * step_deg_ <= kCheckedDeg) {
     const auto before = one_cycle_ago_.find(k_);
     if (before != one_cycle_ago_.end()) distance_ = integration_.distance(before->second);
-    done_ = distance_ <= allowed_distance();
+    done_ = distance_ <= strict_distance() || (distance_ <= allowed_distance() && has_settled());
     if (!done_) one_cycle_ago_[k_] = integration_.snapshot();
   }
   if (!done_ && since_start == 0) check_approach();
+}
+
+double CycleRun::strict_distance() const {
+  const Solver& solver = setup_.input.solver;
+  constexpr double kShareOfStepError = 0.01;
+  return std::max(kPeriodicityFactor * solver.tolerance,
+                  allowed_distance() > kPeriodicityFactor * solver.tolerance ? kShareOfStepError * solver.step_error : 0);
+}
+
+/// Does the difference no longer fall from cycle to cycle? One that does is a drift, which is followed.
+bool CycleRun::has_settled() const {
+  constexpr std::size_t kCycles = 6;
+  const std::size_t n = distances_.size();
+  return n > kCycles && distance_ > distances_[n - kCycles] / 2;
 }
 
 double CycleRun::allowed_distance() const {
@@ -87,9 +101,11 @@ void CycleRun::check_approach() {
   char text[512];
   std::snprintf(text, sizeof text,
                 "the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
-                "before, %.2g is allowed, and the difference did not halve in the last %zu cycles; take a larger "
-                "solver.tolerance or a smaller solver.crank_step",
-                n, distance_, allowed_distance(), kCyclesToHalve);
+                "before, %.2g is allowed, and the difference did not halve in the last %zu cycles; take a larger %s",
+                n, distance_, allowed_distance(), kCyclesToHalve,
+                setup_.input.film.supply == OilSupply::kFilmOnLiner
+                    ? "solver.step_error, or supply.reach that leaves the ring more oil"
+                    : "solver.tolerance or a smaller solver.crank_step");
   throw ConvergenceError(text, crank_angle_deg());
 }
 

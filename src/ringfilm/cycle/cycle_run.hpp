@@ -49,6 +49,8 @@ class CycleRun final : public BatchMember {
   void arrived();
   /// From the state of one cycle before, where the cycle counts as the same.
   double allowed_distance() const;
+  double strict_distance() const;
+  bool has_settled() const;
   /// At the end of a cycle. Throws ConvergenceError where its state approaches that of the one before no longer.
   void check_approach();
   void stopped(const ConvergenceError& error, std::optional<film::Failure> failure);

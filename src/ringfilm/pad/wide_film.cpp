@@ -46,14 +46,17 @@ double WideFilm::lowest_height() const {
   return lowest;
 }
 
-film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& inputs, const film::FilmState& previous,
-                                               film::FilmState& state) {
-  film::FilmInputs supplied = inputs;
+film::FilmInputs WideFilm::supplied(film::FilmInputs inputs) const {
   if (const auto supply = setup().supply()) {
-    film::EdgeState& inlet = inputs.U >= 0 ? supplied.left : supplied.right;
+    film::EdgeState& inlet = inputs.U >= 0 ? inputs.left : inputs.right;
     inlet.supply = *supply * inputs.oil->density(inlet.pressure);
   }
-  return factors_.solve(supplied, state, [&](const film::FilmInputs& held, film::FilmState& found) {
+  return inputs;
+}
+
+film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& inputs, const film::FilmState& previous,
+                                               film::FilmState& state) {
+  return factors_.solve(supplied(inputs), state, [&](const film::FilmInputs& held, film::FilmState& found) {
     return film::solve_film_at_separation(problem_, held, previous, found, workspace_);
   });
 }
@@ -76,8 +79,9 @@ film::FilmState WideFilm::full(double h_m) const {
 
 double WideFilm::load(const film::FilmState& state) const { return film::hydrodynamic_load(problem_, state); }
 
-Sample WideFilm::sample(const film::FilmInputs& inputs, const film::FilmState& previous, const film::FilmState& state,
+Sample WideFilm::sample(const film::FilmInputs& given, const film::FilmState& previous, const film::FilmState& state,
                         double time) const {
+  const film::FilmInputs inputs = supplied(given);
   const film::FilmIntegrals sums = film::film_integrals(problem_, inputs, previous, state);
   Sample out = sample_of(setup(), sums, state.h_m, time);
   const Peak top = peak(problem_.grid, state);

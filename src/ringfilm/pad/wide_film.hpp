@@ -27,6 +27,8 @@ class WideFilm : public PadFilm {
   Profile profile(const film::FilmState& state, double time) const override;
 
  private:
+  film::FilmInputs supplied(film::FilmInputs inputs) const;  ///< with the oil ahead of the inlet
+
   film::FilmProblem problem_;
   film::FactorIteration factors_;
   film::FilmWorkspace workspace_;

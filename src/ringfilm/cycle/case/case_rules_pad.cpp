@@ -262,6 +262,11 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
   }
   append_gas_edge_breaches(c, breaches);
   append_flow_factor_breaches(c, breaches);
+  if (c.film.left_edge == EdgeFluid::kGas && c.film.right_edge == EdgeFluid::kGas && c.pad.speed == 0 &&
+      c.pad.history_time.empty() && !c.pad.oscillation.amplitude && c.pad.left_pressure != c.pad.right_pressure) {
+    breaches.push_back({"pad.speed", "with gas at both edges, of different pressures, no film is steady at rest",
+                        "the gas blows through: state pad.speed, oil at an edge, or equal pressures"});
+  }
   check_edge_pressures(c, breaches);
   if (!c.pad.history_time.empty() || c.pad.oscillation.amplitude) check_times(c, breaches);
   check_oil(c, breaches);

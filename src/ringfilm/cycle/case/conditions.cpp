@@ -1,5 +1,8 @@
 #include "ringfilm/cycle/case/conditions.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 namespace ringfilm::cycle {
 namespace {
 
@@ -26,6 +29,19 @@ void set_conditions(Conditions conditions, Case& c) {
   c.supply.reach = kOilRingReach;
   c.thermal.ring = kRing;
   c.thermal.liner = {{0, kLinerAtTdc}, {kDistanceOfLinerBelow, kLinerBelow}};
+}
+
+void replace_conditions(Case& c) {
+  std::erase_if(c.stated, [](const std::string& key) {
+    return std::any_of(kKeysOfConditions.begin(), kKeysOfConditions.end(), [&key](std::string_view of) {
+      return key == of || (of.back() == '.' && key.starts_with(of));
+    });
+  });
+  if (c.conditions == Conditions::kEngine) {
+    for (const char* key : kKeysOfEngine) c.stated.erase(key);
+  }
+  set_conditions(c.conditions, c);
+  keep_own_temperature(c);
 }
 
 void keep_own_temperature(Case& c) {

@@ -101,6 +101,12 @@ void add_thinning(const Lubricant& lubricant, const ViscosityAt& viscosity, doub
     return models::kHthsShearRate / law->rate(lubricant.hths_viscosity.value() / viscosity(T));
   };
   const double rate = stated ? *stated : rate_from_hths();
+  constexpr double kLowest = 1, kHighest = 1e15;  // [1/s]
+  if (!(rate >= kLowest && rate <= kHighest)) {
+    throw InputError("lubricant.hths_viscosity and lubricant.shear_exponent give no critical shear rate of an oil: " +
+                         std::to_string(rate) + " s-1",
+                     "check both, or state lubricant.critical_shear_rate");
+  }
   setup.thinning = film::ThinningOil{*law, rate * viscosity(T), base::kAtmosphere};
   if (T_hths < T_low || T_hths > T_high) return;
   const double eta = viscosity(T_hths);

@@ -6,6 +6,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/case/conditions.hpp"
 #include "ringfilm/io/case/case_checks.hpp"
 #include "ringfilm/io/case/case_data.hpp"
 #include "ringfilm/io/case/case_file.hpp"
@@ -127,13 +128,18 @@ Files apply(const Change& change, Case& c, const Units& units) {
   const Field& field = known_field(change.key);
   const bool is_oil = names_oil(change.key) && change.value;
   if (!change.value || has_two_forms(field)) take_out(c, field);
+  const cycle::Conditions before = c.conditions;
   if (change.value) put(c, field, {change.key, *change.value, ""}, units);
+  if (c.conditions != before) cycle::replace_conditions(c);
   if (is_oil) read_oil(c, change.key, change.value->text, units);
   return is_oil || moves_files(field, c) ? Files::kMoved : Files::kUnmoved;
 }
 
 Files apply(std::vector<Change> changes, Case& c, const Units& units) {
   std::stable_partition(changes.begin(), changes.end(), [](const Change& change) { return names_oil(change.key); });
+  // Other changes replace what the conditions set.
+  std::stable_partition(changes.begin(), changes.end(),
+                        [](const Change& change) { return names_oil(change.key) || change.key == "conditions"; });
   if (changes.size() > 1 && changes[0].value && changes[1].value && names_oil(changes[1].key)) {
     throw InputError("lubricant.file and lubricant.grade are both given", "keep one of them");
   }

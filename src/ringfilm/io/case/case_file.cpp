@@ -49,7 +49,7 @@ class CaseReader {
                                          [](const TomlEntry& entry) { return entry.key == "conditions"; });
     if (conditions != tree_.entries.end()) {
       read_value(*conditions);
-      cycle::set_conditions(case_.conditions, case_);
+      if (case_.problem == cycle::Problem::kCycle) cycle::set_conditions(case_.conditions, case_);
     }
     for (const TomlEntry& entry : tree_.entries) {
       if (entry.key != "conditions") read_value(entry);

@@ -377,8 +377,12 @@ class Gatherer {
   /// Conditions of the command line replace those that files state.
   void drop_other_conditions(const std::vector<TomlEntry>& stated) {
     const auto are_conditions = [](const TomlEntry& entry) { return entry.key == "conditions"; };
-    if (dropped_ == nullptr || std::none_of(stated.begin(), stated.end(), are_conditions)) return;
+    const auto asked = std::find_if(stated.begin(), stated.end(), are_conditions);
+    if (dropped_ == nullptr || asked == stated.end()) return;
+    const auto own = entries_.find("conditions");
+    if (own != entries_.end() && own->second.value.text == asked->value.text) return;
     std::vector<std::string> keys;
+    if (asked->value.text == "engine") keys.assign(cycle::kKeysOfEngine.begin(), cycle::kKeysOfEngine.end());
     for (const auto& [key, entry] : entries_) {
       for (const std::string_view of_conditions : cycle::kKeysOfConditions) {
         if (key == of_conditions || (of_conditions.back() == '.' && key.starts_with(of_conditions)))

@@ -80,7 +80,8 @@ std::string printed(std::string value) {
 
 bool is_of_conditions(const std::string& key) {
   const auto names = [&key](std::string_view of) { return key == of || (of.back() == '.' && key.starts_with(of)); };
-  return std::any_of(cycle::kKeysOfConditions.begin(), cycle::kKeysOfConditions.end(), names);
+  return std::any_of(cycle::kKeysOfConditions.begin(), cycle::kKeysOfConditions.end(), names) ||
+         std::any_of(cycle::kKeysOfEngine.begin(), cycle::kKeysOfEngine.end(), names);
 }
 
 /// Every alternative changes the key that its setting names, to the value that it names, and nothing else; conditions
