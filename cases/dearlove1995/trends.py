@@ -1,16 +1,19 @@
 #!/usr/bin/env python3
 """Computes the study of trends.toml and compares it, at mid-stroke, with the ranges and trends of dearlove1995.
 
-usage: trends.py      (requires the Python module ringfilm); prints the tables of docs/manual/guide/rig-trends.md
+usage: trends.py             (requires the Python module ringfilm); prints the tables of docs/manual/guide/rig-trends.md
+       trends.py supply      the same for supply.toml: gas at both edges and a given film of oil on the liner
 """
 
 import itertools
 import pathlib
+import sys
 
 import numpy
 import ringfilm
 
 STUDY = pathlib.Path(__file__).resolve().with_name("trends.toml")
+SUPPLY = STUDY.with_name("supply.toml")
 PUBLISHED_FILM = (0.5e-6, 4e-6)  # [m], dearlove1995, mid-stroke
 PUBLISHED_COEFFICIENT = (0.02, 0.1)  # dearlove1995, mid-stroke
 
@@ -58,11 +61,23 @@ class Trends:
         return numpy.diff(self.coefficient, axis=SPEED) < 0
 
 
-def compute():
-    data = ringfilm.Study.read(STUDY).run().to_xarray()
+def run(study):
+    """The results of all scenarios of a study, and its case."""
+    data = ringfilm.Study.read(study).run().to_xarray()
     if not data["solved"].all():
-        raise RuntimeError("a scenario of trends.toml was not solved")
-    return Trends(data, ringfilm.Case.read(STUDY.with_name("rig.toml")))
+        raise RuntimeError(f"a scenario of {study.name} was not solved")
+    return data, ringfilm.Case.read(study.with_name("rig.toml"))
+
+
+def compute():
+    return Trends(*run(STUDY))
+
+
+def compute_supplies(study=SUPPLY):
+    """The trends of each film of oil on the liner [m] of supply.toml."""
+    data, case = run(study)
+    film = data["factor_oil_on_the_liner"].values
+    return {given: Trends(data.isel(scenario=film == given), case) for given in numpy.unique(film)}
 
 
 def inside(values, limits):
@@ -104,5 +119,35 @@ def tables(trends):
     )
 
 
+def supply_rows(trends, label):
+    """A row for each roughness, over all oils, speeds, loads and crown heights."""
+    load, speed = trends.rises_with_load(), trends.falls_with_speed()
+    rows = []
+    for i, roughness in enumerate(trends.roughnesses):
+        film, coefficient = trends.film[..., i, :], trends.coefficient[..., i, :]
+        rings = load[..., i, :].all(axis=(0, 1, 2)) & speed[..., i, :].all(axis=(0, 1, 2))
+        rows.append(
+            [
+                f"{1e6 * roughness:.1f} µm",
+                label,
+                f"{1e6 * film.min():.2f} to {1e6 * film.max():.1f} µm",
+                count(inside(film, PUBLISHED_FILM)),
+                count(inside(coefficient, PUBLISHED_COEFFICIENT)),
+                count(load[..., i, :]),
+                count(speed[..., i, :]),
+                count(rings),
+            ]
+        )
+    return rows
+
+
+def supply_table(supplies):
+    """As Markdown: ranges and trends of each roughness with each film of oil on the liner."""
+    rows = itertools.chain(*(supply_rows(trends, f"{1e6 * given:.0f} µm") for given, trends in supplies.items()))
+    head = ["roughness", "oil on the liner", "film", "film within", "coefficient within", "rises with load"]
+    # Stable: films of oil keep their order within a roughness.
+    return table([*head, "falls with speed", "rings with all trends"], sorted(rows, key=lambda row: row[0]))
+
+
 if __name__ == "__main__":
-    print("\n\n".join(tables(compute())))
+    print(supply_table(compute_supplies()) if sys.argv[1:] == ["supply"] else "\n\n".join(tables(compute())))
