@@ -289,6 +289,10 @@ class SettingsTest(StartTest):
         )
         (self.folder / "study.toml").write_text(study)
         self.run_well("study", "study.toml", "--output", "study.nc")
+        try:
+            import netCDF4
+        except ImportError:
+            program.skip_loudly(self, "no module netCDF4")
         with netCDF4.Dataset(self.folder / "study.nc") as file:
             self.assertEqual(len(set(file["fmep"][:].flatten().tolist())), 2)
 

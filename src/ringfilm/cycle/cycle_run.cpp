@@ -73,8 +73,9 @@ void CycleRun::arrived() {
 double CycleRun::strict_distance() const {
   const Solver& solver = setup_.input.solver;
   constexpr double kShareOfStepError = 0.01;
-  return std::max(kPeriodicityFactor * solver.tolerance,
-                  allowed_distance() > kPeriodicityFactor * solver.tolerance ? kShareOfStepError * solver.step_error : 0);
+  return std::max(kPeriodicityFactor * solver.tolerance, allowed_distance() > kPeriodicityFactor * solver.tolerance
+                                                             ? kShareOfStepError * solver.step_error
+                                                             : 0);
 }
 
 /// Does the difference no longer fall from cycle to cycle? One that does is a drift, which is followed.

@@ -33,9 +33,8 @@ void set_conditions(Conditions conditions, Case& c) {
 
 void replace_conditions(Case& c) {
   std::erase_if(c.stated, [](const std::string& key) {
-    return std::any_of(kKeysOfConditions.begin(), kKeysOfConditions.end(), [&key](std::string_view of) {
-      return key == of || (of.back() == '.' && key.starts_with(of));
-    });
+    return std::any_of(kKeysOfConditions.begin(), kKeysOfConditions.end(),
+                       [&key](std::string_view of) { return key == of || (of.back() == '.' && key.starts_with(of)); });
   });
   if (c.conditions == Conditions::kEngine) {
     for (const char* key : kKeysOfEngine) c.stated.erase(key);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "ringfilm/cycle/case/conditions.hpp"
 #include "ringfilm/study/wording.hpp"
 
 namespace ringfilm::study {
@@ -130,7 +131,9 @@ void choose(Case& c, const Field& field, const Choice& choice) {
   if (names == nullptr) throw std::logic_error("a text that no model computes with: " + choice.text);
   const auto found = std::find(names->names.begin(), names->names.end(), choice.text);
   if (found == names->names.end()) throw std::logic_error("a choice that the key does not have: " + choice.text);
+  const cycle::Conditions before = c.conditions;
   names->choose(c, static_cast<int>(found - names->names.begin()));
+  if (c.conditions != before) cycle::replace_conditions(c);
 }
 
 /// Puts in what was read from files with the choices of the point.
@@ -146,11 +149,15 @@ void put_readings(const Study& study, const Point& point, Case& c) {
   }
 }
 
-/// When it is the turn of a factor: no choice must undo a number, and no number that is set one that is
-/// added.
+constexpr int kTurns = 5;
+
+/// When it is the turn of a factor: conditions must not undo a choice, no choice a number, and no number that is set
+/// one that is added.
 int turn(const Factor& factor) {
-  if (std::holds_alternative<Choices>(factor.variation)) return 1;
-  return factor.how == FactorMode::kSet ? 2 : factor.how == FactorMode::kScale ? 3 : 4;
+  const auto is_conditions = [](const Target& target) { return target.key == "conditions"; };
+  if (std::any_of(factor.targets.begin(), factor.targets.end(), is_conditions)) return 1;
+  if (std::holds_alternative<Choices>(factor.variation)) return 2;
+  return factor.how == FactorMode::kSet ? 3 : factor.how == FactorMode::kScale ? 4 : kTurns;
 }
 
 struct ValueText {
@@ -237,7 +244,7 @@ Case scenario_case(const Study& study, const Point& point) {
   std::vector<Fault> faults;
   // What a file brings must not undo what is chosen beside it.
   put_readings(study, point, c);
-  for (int now = 1; now <= 4; ++now) {
+  for (int now = 1; now <= kTurns; ++now) {
     for (std::size_t j = 0; j < study.factors.size(); ++j) {
       const Factor& factor = study.factors[j];
       if (turn(factor) != now || !point.values.at(j)) continue;
