@@ -284,8 +284,8 @@ class SettingsTest(StartTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("operating.oil_temperature", {entry["key"] for entry in json.loads(done.stdout)["stated"]})
         study = (
-            'title = "conditions"\nkind = "map"\n[[base]]\nname = "a"\ncase = "case.toml"\n[[factor]]\nkey = "conditions"\n'
-            'values = ["engine", "as-in-the-paper"]\n[plan]\nmethod = "grid"\n'
+            'title = "conditions"\nkind = "map"\n[[base]]\nname = "a"\ncase = "case.toml"\n'
+            '[[factor]]\nkey = "conditions"\nvalues = ["engine", "as-in-the-paper"]\n[plan]\nmethod = "grid"\n'
         )
         (self.folder / "study.toml").write_text(study)
         self.run_well("study", "study.toml", "--output", "study.nc")
