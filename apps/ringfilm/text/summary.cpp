@@ -68,6 +68,10 @@ std::string values_table(const CycleValues& values, const std::optional<study::E
   table.add("lambda_ratio_at_peak_pressure", "lowest of the cycle " + table.shown("min_lambda_ratio"));
   table.add("mixed_share");
   table.add("mean_absolute_oil_flow", "net " + table.shown("net_oil_flow") + ", positive to the crankcase");
+  if (values.oil_replenished != 0) {  // the oil on the liner is followed
+    table.add("oil_replenished",
+              "left at TDC " + table.shown("oil_scraped_up") + ", at BDC " + table.shown("oil_scraped_down"));
+  }
   table.add("peak_film_pressure",
             "peak gas pressure " + table.shown("peak_gas_pressure") + " " + table.at("peak_gas_pressure_angle"));
   table.add("archard_wear_load");
