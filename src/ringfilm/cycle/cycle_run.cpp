@@ -64,18 +64,12 @@ void CycleRun::arrived() {
   if (k_ % check_every_ == 0 && since_start * step_deg_ <= kCheckedDeg) {
     const auto before = one_cycle_ago_.find(k_);
     if (before != one_cycle_ago_.end()) distance_ = integration_.distance(before->second);
-    done_ = distance_ <= strict_distance() || (distance_ <= allowed_distance() && has_settled());
+    constexpr double kOfACycleThatStillApproaches = 0.01;
+    done_ = distance_ <= allowed_distance(kOfACycleThatStillApproaches) ||
+            (distance_ <= allowed_distance() && has_settled());
     if (!done_) one_cycle_ago_[k_] = integration_.snapshot();
   }
   if (!done_ && since_start == 0) check_approach();
-}
-
-double CycleRun::strict_distance() const {
-  const Solver& solver = setup_.input.solver;
-  constexpr double kShareOfStepError = 0.01;
-  return std::max(kPeriodicityFactor * solver.tolerance, allowed_distance() > kPeriodicityFactor * solver.tolerance
-                                                             ? kShareOfStepError * solver.step_error
-                                                             : 0);
 }
 
 /// Does the difference no longer fall from cycle to cycle? One that does is a drift, which is followed.
@@ -85,14 +79,14 @@ bool CycleRun::has_settled() const {
   return n > kCycles && distance_ > distances_[n - kCycles] / 2;
 }
 
-double CycleRun::allowed_distance() const {
+double CycleRun::allowed_distance(double share_of_step_error) const {
   const Solver& solver = setup_.input.solver;
   const double iterated = kPeriodicityFactor * solver.tolerance;
   // The steps of a cycle follow from the film, and the film on the liner from the steps of the cycle before: with the
   // error that a step may make, cycles differ.
   const bool follows_steps =
       setup_.input.film.supply == OilSupply::kFilmOnLiner && solver.crank_step_control == StepControl::kAdaptive;
-  return follows_steps ? std::max(iterated, solver.step_error) : iterated;
+  return follows_steps ? std::max(iterated, share_of_step_error * solver.step_error) : iterated;
 }
 
 void CycleRun::check_approach() {

@@ -1,6 +1,7 @@
 #include "ringfilm/cycle/case/conditions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace ringfilm::cycle {
@@ -31,14 +32,15 @@ void set_conditions(Conditions conditions, Case& c) {
   c.thermal.liner = {{0, kLinerAtTdc}, {kDistanceOfLinerBelow, kLinerBelow}};
 }
 
+bool is_replaced_by(Conditions conditions, std::string_view key) {
+  if (key == "operating.oil_temperature" || key == "film.cavitation") return conditions == Conditions::kEngine;
+  constexpr std::array kKeys{"film.chamber_edge", "film.crankcase_edge", "film.supply",
+                             "thermal.ring",      "thermal.liner",       "thermal.film"};
+  return key.starts_with("supply.") || std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
+}
+
 void replace_conditions(Case& c) {
-  std::erase_if(c.stated, [](const std::string& key) {
-    return std::any_of(kKeysOfConditions.begin(), kKeysOfConditions.end(),
-                       [&key](std::string_view of) { return key == of || (of.back() == '.' && key.starts_with(of)); });
-  });
-  if (c.conditions == Conditions::kEngine) {
-    for (const char* key : kKeysOfEngine) c.stated.erase(key);
-  }
+  std::erase_if(c.stated, [&c](const std::string& key) { return is_replaced_by(c.conditions, key); });
   set_conditions(c.conditions, c);
   keep_own_temperature(c);
 }

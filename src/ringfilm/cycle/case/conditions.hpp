@@ -1,5 +1,5 @@
 #pragma once
-#include <array>
+#include <string_view>
 
 #include "ringfilm/cycle/case/case.hpp"
 
@@ -14,10 +14,7 @@ void replace_conditions(Case& c);
 /// A case that states one oil temperature has no other walls than those that it states, too.
 void keep_own_temperature(Case& c);
 
-/// Sections and keys that conditions replace where the command line asks for others than the files.
-inline constexpr std::array kKeysOfConditions{"film.chamber_edge", "film.crankcase_edge", "film.supply", "supply.",
-                                              "thermal.ring",      "thermal.liner",       "thermal.film"};
-/// Those of an engine also these: they have walls, and gas requires mass to be kept.
-inline constexpr std::array kKeysOfEngine{"operating.oil_temperature", "film.cavitation"};
+/// Do these conditions replace a key that files state, where the command line or a study asks for them?
+bool is_replaced_by(Conditions conditions, std::string_view key);
 
 }  // namespace ringfilm::cycle

@@ -57,10 +57,6 @@ double LinerOil::mass_ahead(const Sweep& swept) const {
   return film_.mass(swept.lead_begin, reach) + fresh_ * (swept.lead_end - reach);
 }
 
-double LinerOil::replenished_of(const Sweep& swept) const {
-  return mass_ahead(swept) - film_.mass(swept.lead_begin, swept.lead_end);
-}
-
 void LinerOil::limit(RingConditions& at, double from_deg, double to_deg) const {
   const Sweep swept = sweep(from_deg, to_deg);
   if (!(swept.length() > 0)) return;
@@ -109,7 +105,7 @@ void LinerOil::pass(double from_deg, double to_deg, double time_step, double fro
   const double ahead = mass_ahead(swept);
   const double taken = (swept.up ? from_chamber : -to_crankcase) * time_step;
   const double left = (swept.up ? to_crankcase : -from_chamber) * time_step;
-  account_.replenished += replenished_of(swept);
+  account_.replenished += ahead - film_.mass(swept.lead_begin, swept.lead_end);
   account_.taken += taken;
   account_.left += left;
   bead_ += ahead - taken;

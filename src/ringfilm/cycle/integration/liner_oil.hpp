@@ -84,7 +84,6 @@ class LinerOil {
   Sweep sweep(double from_deg, double to_deg) const;
   /// Ahead of the ring with what the oil ring leaves there on a downstroke [kg/m].
   double mass_ahead(const Sweep& swept) const;
-  double replenished_of(const Sweep& swept) const;
   void turn(bool up);
 
   const Setup* setup_;

@@ -381,13 +381,10 @@ class Gatherer {
     if (dropped_ == nullptr || asked == stated.end()) return;
     const auto own = entries_.find("conditions");
     if (own != entries_.end() && own->second.value.text == asked->value.text) return;
+    const auto conditions = asked->value.text == "engine" ? cycle::Conditions::kEngine : cycle::Conditions::kAsInPaper;
     std::vector<std::string> keys;
-    if (asked->value.text == "engine") keys.assign(cycle::kKeysOfEngine.begin(), cycle::kKeysOfEngine.end());
     for (const auto& [key, entry] : entries_) {
-      for (const std::string_view of_conditions : cycle::kKeysOfConditions) {
-        if (key == of_conditions || (of_conditions.back() == '.' && key.starts_with(of_conditions)))
-          keys.push_back(key);
-      }
+      if (cycle::is_replaced_by(conditions, key)) keys.push_back(key);
     }
     for (const std::string& key : keys) drop(key);
   }
