@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
+#include "ringfilm/cycle/simulate_pack.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 
@@ -31,6 +33,31 @@ Computation integrated(const RunRequest& requested, ComputationWatch& watch) {
   }
   done.document = io::result_document(input, std::move(result));
   return done;
+}
+
+/// The rings of a pack that share the oil on the liner, together.
+std::vector<Computation> integrated_together(std::span<const RunRequest> rings, ComputationWatch& watch) {
+  watch.begins(rings.front());
+  std::vector<cycle::Setup> setups;
+  for (const RunRequest& ring : rings) setups.push_back(cycle::prepare(ring.input));
+  std::vector<Computation> all;
+  for (cycle::RingOutcome& outcome : cycle::simulate_pack(std::move(setups), &watch)) {
+    Computation done;
+    if (outcome.stop) done.stopped = ConvergenceError(outcome.stop->message, outcome.stop->crank_angle_deg);
+    done.document = io::result_document(rings[all.size()].input, std::move(outcome.result));
+    all.push_back(std::move(done));
+  }
+  return all;
+}
+
+/// Integrations of other grids and choices know one ring by itself.
+void refuse_inquiries(const RunRequest& requested) {
+  const bool ledger = requested.ledger == LedgerRequest::kComputed;
+  if (!ledger && requested.errors == ErrorRequest::kNone) return;
+  throw InputError(std::string("the rings of the pack share the oil on the liner (film.supply = \"film-on-liner\"), "
+                               "and ") +
+                       (ledger ? "a ledger" : "an error estimate") + " computes each ring by itself",
+                   "leave it out, or compute one ring as [ring] or with film.supply = \"given\"");
 }
 
 /// What is to be found out about one computation by further integrations, and where theirs are in the batch of all.
@@ -69,10 +96,23 @@ class LineWatch : public ComputationWatch {
   std::optional<IntegrationProgress> integration_;
 };
 
-std::vector<Computation> of_single_rings(const std::vector<RunRequest>& requested, const study::BatchOptions& options,
-                                         ComputationWatch& watch) {
+/// The rings of all requests: to be integrated one by one, or several together.
+struct Rings {
+  std::vector<RunRequest> requests;
+  std::vector<std::size_t> together;  ///< sizes of the groups that follow one another in `requests`
+};
+
+std::vector<Computation> of_rings(const Rings& rings, const study::BatchOptions& options, ComputationWatch& watch) {
+  const std::vector<RunRequest>& requested = rings.requests;
   std::vector<Computation> all;
-  for (const RunRequest& one : requested) all.push_back(integrated(one, watch));
+  for (const std::size_t n : rings.together) {
+    const std::span<const RunRequest> group(requested.data() + all.size(), n);
+    if (n == 1) {
+      all.push_back(integrated(group.front(), watch));
+    } else {
+      std::ranges::move(integrated_together(group, watch), std::back_inserter(all));
+    }
+  }
 
   std::vector<cycle::Case> further;
   std::vector<FollowUpRuns> inquiries(all.size());
@@ -108,12 +148,22 @@ std::vector<Computation> of_single_rings(const std::vector<RunRequest>& requeste
 }
 
 /// The rings of a pack as requests of their own; of others the request as it is.
-void append_rings(const RunRequest& requested, std::vector<RunRequest>& requests) {
-  if (!requested.input.is_pack()) return requests.push_back(requested);
-  for (std::size_t i = 0; i < requested.input.rings.size(); ++i) {
-    requests.push_back(requested);
-    requests.back().input = requested.input.rings[i];
-    requests.back().name += fmt::format(", ring {}", i + 1);
+void append_rings(const RunRequest& requested, Rings& rings) {
+  const std::size_t n = requested.input.rings.size();
+  if (n == 0) {
+    rings.requests.push_back(requested);
+    rings.together.push_back(1);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    rings.requests.push_back(requested);
+    rings.requests.back().input = requested.input.rings[i];
+    rings.requests.back().name += fmt::format(", ring {}", i + 1);
+  }
+  if (cycle::shares_oil(requested.input)) {
+    refuse_inquiries(requested);
+    rings.together.push_back(n);
+  } else {
+    rings.together.insert(rings.together.end(), n, 1);
   }
 }
 
@@ -139,9 +189,9 @@ std::vector<Computation> computations(const std::vector<RunRequest>& requested, 
 
 std::vector<Computation> computations(const std::vector<RunRequest>& requested, const study::BatchOptions& options,
                                       ComputationWatch& watch) {
-  std::vector<RunRequest> requests;
-  for (const RunRequest& one : requested) append_rings(one, requests);
-  std::vector<Computation> singles = of_single_rings(requests, options, watch);
+  Rings rings;
+  for (const RunRequest& one : requested) append_rings(one, rings);
+  std::vector<Computation> singles = of_rings(rings, options, watch);
   std::vector<Computation> all;
   auto next = std::make_move_iterator(singles.begin());
   for (const RunRequest& one : requested) {

@@ -352,6 +352,9 @@ values = ["1000 rpm", "2000 rpm"]
 """
 
 
+RING_OIL = ("replenished", "scraped_up", "scraped_down")
+
+
 class Pack(program.ProgramTest):
     def setUp(self):
         super().setUp()
@@ -414,6 +417,30 @@ class Pack(program.ProgramTest):
         self.assertIn("ring.1.pressure_below is missing", refused)
         refused = self.refused("run", "pack.toml", "--set", "ring.2.pressure_above=3 bar")
         self.assertIn("ring.2.pressure_above is the pressure below ring 1", refused)
+
+    def test_rings_that_share_the_oil_are_computed_together(self):
+        shared = [
+            "film.cavitation=mass-conserving",
+            "film.chamber_edge=gas",
+            "film.crankcase_edge=gas",
+            "film.supply=film-on-liner",
+            "supply.film=2 um",
+            "supply.reach=10 mm",
+        ]
+        settings = [word for setting in shared for word in ("--set", setting)]
+        with_default = json.loads(self.run_well("run", "pack.toml", "--json", *settings))
+        topics = [[note["topic"] for note in ring["notes"]] for ring in with_default["rings"]]
+        self.assertEqual(["ring-distance-assumed" in of_ring for of_ring in topics], [True, False])
+        land = ["--set", "ring.1.land_below=3.5 mm"]
+        pack = json.loads(self.run_well("run", "pack.toml", "--json", *settings, *land))
+        laid, up, down = (sum(ring[f"oil_{name}"] for ring in pack["rings"]) for name in RING_OIL)
+        self.assertAlmostEqual(laid / (up + down), 1, delta=1e-3)
+        alone = json.loads(self.run_well("run", "second.toml", "--json", *settings))
+        self.assertNotAlmostEqual(pack["rings"][1]["fmep"] / alone["fmep"], 1, places=3)
+        self.assertIn("computes each ring by itself", self.refused("run", "pack.toml", "--ledger", *settings))
+        for file, key in (("pack.toml", "ring.2.land_below"), ("second.toml", "ring.land_below")):
+            refused = self.refused("run", file, *settings, "--set", key + "=3 mm")
+            self.assertIn(key + " is the height of a piston land between two rings", refused)
 
     def test_unknown_keys_rings_and_mixtures_are_refused(self):
         self.assertIn(

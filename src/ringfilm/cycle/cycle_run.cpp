@@ -27,12 +27,13 @@ constexpr std::size_t kCyclesToHalve = 50;
 
 }  // namespace
 
-CycleRun::CycleRun(Setup setup)
+CycleRun::CycleRun(Setup setup, PlaceOnLiner place)
     : setup_(std::move(setup)),
+      place_(std::move(place)),
       n_steps_(steps_per_cycle(setup_.input.solver)),
       step_deg_(kCycleDeg / n_steps_),
       check_every_(std::max(1, static_cast<int>(std::lround(kCheckSpacingDeg / step_deg_)))),
-      integration_(setup_),
+      integration_(setup_, place_),
       recorder_(setup_),
       k_(static_cast<int>(std::lround(kStartAngleDeg / step_deg_)) % n_steps_),
       distance_(std::numeric_limits<double>::infinity()) {
@@ -65,11 +66,12 @@ void CycleRun::arrived() {
     const auto before = one_cycle_ago_.find(k_);
     if (before != one_cycle_ago_.end()) distance_ = integration_.distance(before->second);
     constexpr double kOfACycleThatStillApproaches = 0.01;
-    done_ = distance_ <= allowed_distance(kOfACycleThatStillApproaches) ||
-            (distance_ <= allowed_distance() && has_settled());
-    if (!done_) one_cycle_ago_[k_] = integration_.snapshot();
+    repeats_ = distance_ <= allowed_distance(kOfACycleThatStillApproaches) ||
+               (distance_ <= allowed_distance() && has_settled());
+    const bool goes_on = !repeats_ || place_.film != nullptr;  // until all rings of the pack repeat themselves
+    if (goes_on) one_cycle_ago_[k_] = integration_.snapshot();
   }
-  if (!done_ && since_start == 0) check_approach();
+  if (!repeats_ && since_start == 0) check_approach();
 }
 
 /// Does the difference no longer fall from cycle to cycle? One that does is a drift, which is followed.
@@ -106,7 +108,6 @@ void CycleRun::check_approach() {
 
 void CycleRun::stopped(const ConvergenceError& error, std::optional<film::Failure> failure) {
   stop_ = Stop{error.what(), error.crank_angle_deg(), failure};
-  done_ = true;
 }
 
 std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
@@ -125,9 +126,8 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
   return graded;
 }
 
-CycleResult CycleRun::result() const {
-  return recorder_.result(integration_, distance_, steps_integrated_,
-                          stop_ ? Completeness::kStopped : Completeness::kComplete);
+CycleResult CycleRun::result(Completeness others) const {
+  return recorder_.result(integration_, distance_, steps_integrated_, repeats_ ? others : Completeness::kStopped);
 }
 
 }  // namespace ringfilm::cycle

@@ -31,18 +31,18 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop);
 class CycleRun final : public BatchMember {
  public:
   /// Starts the integration; a start without an answer is a stop like any other.
-  explicit CycleRun(Setup setup);
+  explicit CycleRun(Setup setup, PlaceOnLiner place = {});
 
   TimeIntegration& integration() override { return integration_; }
   void conclude(const film::FilmReport& report) override;
-  bool done() const override { return done_; }
+  bool done() const override { return stop_ || repeats_; }
 
   const Setup& setup() const { return setup_; }
   int steps_integrated() const { return steps_integrated_; }
   double crank_angle_deg() const { return k_ * step_deg_; }  ///< of the last base angle
 
-  /// Once done: what was found, and why no more if the integration stopped.
-  CycleResult result() const;
+  /// Once done: what was found, and why no more if the integration stopped. @param others of its pack
+  CycleResult result(Completeness others = Completeness::kComplete) const;
   const std::optional<Stop>& stop() const { return stop_; }
 
  private:
@@ -58,6 +58,7 @@ class CycleRun final : public BatchMember {
   void attempt(const Part& part);
 
   Setup setup_;
+  PlaceOnLiner place_;
   int n_steps_;  ///< of a cycle
   double step_deg_;
   int check_every_;
@@ -68,7 +69,7 @@ class CycleRun final : public BatchMember {
   int steps_integrated_ = 0;
   double distance_;
   std::vector<double> distances_;  ///< at the end of each cycle
-  bool done_ = false;
+  bool repeats_ = false;
   std::optional<Stop> stop_;
 };
 

@@ -169,6 +169,7 @@ struct Ring {
   std::optional<double> radial_thickness;  ///< of the ring, t; goes with free_gap [m]
   LandPressure pressure_above;             ///< of the piston land above; not stated: that of the cylinder
   LandPressure pressure_below;             ///< of the piston land below; not stated: that of the crankcase
+  std::optional<double> land_below;        ///< height of the piston land down to the next ring [m]
   // film.dimension = "unrolled"
   std::optional<double> end_gap;  ///< between the ends of the ring in the bore; absent: a closed ring [m]
   double gap_position_deg = 0;    ///< of the gap's middle around the bore [degree]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ringfilm/cycle/integration/kinematics.hpp"
 
@@ -37,24 +38,33 @@ void LinerFilm::lay(double begin, double end, double mass, bool open_below) {
   }
 }
 
-LinerOil::LinerOil(const Setup& setup)
+LinerFilm fresh_liner(const Setup& last_ring, double below_first_ring) {
+  return {below_first_ring + last_ring.engine.crank.stroke() + last_ring.input.ring.face_width,
+          last_ring.ring.oil.density * last_ring.input.supply.film.value_or(0)};
+}
+
+LinerOil::LinerOil(const Setup& setup, const PlaceOnLiner& place)
     : setup_(&setup),
       face_width_(setup.input.ring.face_width),
-      reach_(setup.input.supply.reach.value_or(0)),
+      reach_(place.is_last ? setup.input.supply.reach.value_or(0) : std::numeric_limits<double>::infinity()),
       fresh_(setup.ring.oil.density * setup.input.supply.film.value_or(0)),
-      film_(setup.engine.crank.stroke() + face_width_, fresh_) {}
+      below_first_ring_(place.below_first_ring),
+      film_(place.film ? place.film : std::make_shared<LinerFilm>(fresh_liner(setup, 0))),
+      left_(*film_) {}
 
 LinerOil::Sweep LinerOil::sweep(double from_deg, double to_deg) const {
-  const auto place = [this](double angle) { return setup_->engine.crank.position(radians(wrapped(angle))); };
+  const auto place = [this](double angle) {
+    return below_first_ring_ + setup_->engine.crank.position(radians(wrapped(angle)));
+  };
   const double from = place(from_deg), to = place(to_deg);
   if (to < from) return {to, from, to + face_width_, from + face_width_, true};
   return {from + face_width_, to + face_width_, from, to, false};
 }
 
 double LinerOil::mass_ahead(const Sweep& swept) const {
-  if (swept.up) return film_.mass(swept.lead_begin, swept.lead_end);
+  if (swept.up) return film_->mass(swept.lead_begin, swept.lead_end);
   const double reach = std::clamp(reach_, swept.lead_begin, swept.lead_end);
-  return film_.mass(swept.lead_begin, reach) + fresh_ * (swept.lead_end - reach);
+  return film_->mass(swept.lead_begin, reach) + fresh_ * (swept.lead_end - reach);
 }
 
 void LinerOil::limit(RingConditions& at, double from_deg, double to_deg) const {
@@ -85,27 +95,27 @@ LinerOil::Account LinerOil::of_last_cycle() const {
 }
 
 double LinerOil::mean(const std::vector<double>& films, double begin, double end, bool below) const {
-  const double shift = below ? face_width_ : 0;
-  return LinerFilm(film_.cell(), films).mass(begin + shift, end + shift) / (end - begin);
+  const double shift = below_first_ring_ + (below ? face_width_ : 0);
+  return LinerFilm(film_->cell(), films).mass(begin + shift, end + shift) / (end - begin);
 }
 
 void LinerOil::pass(double from_deg, double to_deg, double time_step, double from_chamber, double to_crankcase) {
   const Sweep swept = sweep(from_deg, to_deg);
   const auto stroke = static_cast<std::size_t>(wrapped(0.5 * (from_deg + to_deg)) / 180) % kStrokes;
   if (swept.up != up_ || !begun_) {
-    passes_[(stroke + kStrokes - 1) % kStrokes].after = film_.mass_per_area();
+    passes_[(stroke + kStrokes - 1) % kStrokes].after = left_.mass_per_area();
     turn(swept.up);
-    passes_[stroke].before = film_.mass_per_area();
-    if (!swept.up) {
-      const auto first = static_cast<std::size_t>(reach_ / film_.cell());
-      std::vector<double>& before = passes_[stroke].before;
-      std::fill(before.begin() + static_cast<std::ptrdiff_t>(std::min(first, before.size())), before.end(), fresh_);
+    left_ = *film_;
+    std::vector<double>& before = passes_[stroke].before = film_->mass_per_area();
+    const double first = reach_ / film_->cell();
+    if (!swept.up && first < static_cast<double>(before.size())) {
+      std::fill(before.begin() + static_cast<std::ptrdiff_t>(first), before.end(), fresh_);
     }
   }
   const double ahead = mass_ahead(swept);
   const double taken = (swept.up ? from_chamber : -to_crankcase) * time_step;
   const double left = (swept.up ? to_crankcase : -from_chamber) * time_step;
-  account_.replenished += ahead - film_.mass(swept.lead_begin, swept.lead_end);
+  account_.replenished += ahead - film_->mass(swept.lead_begin, swept.lead_end);
   account_.taken += taken;
   account_.left += left;
   bead_ += ahead - taken;
@@ -115,13 +125,12 @@ void LinerOil::pass(double from_deg, double to_deg, double time_step, double fro
     if (bead_ > 0) (up_ ? account_.scraped_up : account_.scraped_down) += bead_;
     bead_ = 0;
   }
-  film_.lay(swept.trail_begin, swept.trail_end, left, swept.up);
+  for (LinerFilm* film : {film_.get(), &left_}) film->lay(swept.trail_begin, swept.trail_end, left, swept.up);
 }
 
 double LinerOil::on_liner(double crank_angle_deg) const {
-  const double place = setup_->engine.crank.position(radians(wrapped(crank_angle_deg)));
-  const double end = film_.cell() * static_cast<double>(film_.mass_per_area().size());
-  return film_.mass(0, place) + film_.mass(place + face_width_, end);
+  const double place = below_first_ring_ + setup_->engine.crank.position(radians(wrapped(crank_angle_deg)));
+  return film_->mass(0, place) + film_->mass(place + face_width_, film_->length());
 }
 
 }  // namespace ringfilm::cycle

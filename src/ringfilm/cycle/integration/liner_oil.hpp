@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
@@ -24,6 +25,7 @@ class LinerFilm {
 
   const std::vector<double>& mass_per_area() const { return mass_per_area_; }
   double cell() const { return cell_; }
+  double length() const { return cell_ * static_cast<double>(mass_per_area_.size()); }
 
  private:
   static constexpr int kCells = 4000;
@@ -36,11 +38,22 @@ class LinerFilm {
 /// Strokes from firing TDC on: power, exhaust, intake, compression.
 inline constexpr std::size_t kStrokes = 4;
 
-/// What the ring meets and leaves: its film on the liner, the beads of scraped oil ahead of its edges, and the account
+/// A liner down to the BDC position of its last ring, with the film that the oil ring leaves.
+/// @param below_first_ring distance of that ring's chamber edge from that of the first ring [m]
+LinerFilm fresh_liner(const Setup& last_ring, double below_first_ring);
+
+/// Where a ring runs on a liner that it shares with others of its pack.
+struct PlaceOnLiner {
+  std::shared_ptr<LinerFilm> film;  ///< counted from the TDC position of the first ring; nullptr: the ring's own
+  double below_first_ring = 0;      ///< distance of the ring's chamber edge from that of the first ring [m]
+  bool is_last = true;              ///< only the oil ring follows
+};
+
+/// What the ring meets and leaves: the film on the liner, the beads of scraped oil ahead of its edges, and the account
 /// of all oil. Per length of circumference.
 class LinerOil {
  public:
-  explicit LinerOil(const Setup& setup);
+  explicit LinerOil(const Setup& setup, const PlaceOnLiner& place = {});
 
   /// The speed and the supply of a step: what the leading edge sweeps lies ahead of it, and its bead.
   void limit(RingConditions& at, double from_deg, double to_deg) const;
@@ -49,12 +62,12 @@ class LinerOil {
   /// through the edges [kg/(m s)]
   void pass(double from_deg, double to_deg, double time_step, double from_chamber, double to_crankcase);
 
-  /// Films by distance from the ring's TDC position, before and after the passes of the last strokes.
+  /// Films by distance from the TDC position of the first ring, before and after the last passes of this one.
   struct Pass {
     std::vector<double> before, after;  ///< [kg/m2]
   };
   const std::array<Pass, kStrokes>& passes() const { return passes_; }
-  const LinerFilm& film() const { return film_; }
+  const LinerFilm& film() const { return *film_; }
   double bead() const { return bead_; }  ///< ahead of the leading edge [kg/m]
 
   /// Oil since the start of the integration [kg/m].
@@ -88,7 +101,9 @@ class LinerOil {
 
   const Setup* setup_;
   double face_width_, reach_, fresh_;  ///< [m], [m], mass per area that the oil ring leaves [kg/m2]
-  LinerFilm film_;
+  double below_first_ring_;            ///< [m]
+  std::shared_ptr<LinerFilm> film_;    ///< as all rings have left it
+  LinerFilm left_;                     ///< as this ring leaves it in its present stroke
   double bead_ = 0;
   bool up_ = true;
   bool begun_ = false;

@@ -80,8 +80,8 @@ const film::EdgeState& crankcase_edge(const RingConditions& at) {
 
 }  // namespace
 
-TimeIntegration::TimeIntegration(const Setup& setup) : setup_(setup), film_(setup) {
-  if (setup.input.film.supply == OilSupply::kFilmOnLiner) liner_oil_.emplace(setup);
+TimeIntegration::TimeIntegration(const Setup& setup, const PlaceOnLiner& place) : setup_(setup), film_(setup) {
+  if (setup.input.film.supply == OilSupply::kFilmOnLiner) liner_oil_.emplace(setup, place);
 }
 
 RingConditions TimeIntegration::conditions(double from_deg, double to_deg, double time_step) const {

@@ -52,7 +52,7 @@ class StepObserver {
 /// Advances the film from one base crank angle to the next, with shorter steps where the film asks for them.
 class TimeIntegration {
  public:
-  explicit TimeIntegration(const Setup& setup);
+  explicit TimeIntegration(const Setup& setup, const PlaceOnLiner& place = {});
   TimeIntegration(const TimeIntegration&) = delete;  // an Instant refers to its states
   TimeIntegration& operator=(const TimeIntegration&) = delete;
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr const char* kAbove = "ring.pressure_above";
 constexpr const char* kBelow = "ring.pressure_below";
+constexpr const char* kLand = "ring.land_below";
 /// More rings than any engine has; a larger number is a slip.
 constexpr std::size_t kMostRings = 20;
 
@@ -23,6 +24,13 @@ struct RingEntries {
 };
 
 std::string number(std::size_t ring) { return std::to_string(ring); }
+
+/// A piston land lies between two rings.
+void refuse_last_land(const std::string& key, const TomlEntry* stated, std::vector<Fault>& faults) {
+  if (stated == nullptr) return;
+  faults.push_back({stated->value.key_mark,
+                    key + " is the height of a piston land between two rings, and no ring follows", "leave it out"});
+}
 
 /// Gives each ring the pressure of the piston land above it.
 void join_lands(std::map<std::size_t, RingEntries>& rings, const std::string& path, std::vector<Fault>& faults) {
@@ -63,9 +71,13 @@ PackTrees pack_trees(CaseTree tree) {
     plain.key = of_ring->key;
     rings[of_ring->ring].entries.emplace(of_ring->key, std::move(plain));
   }
-  if (rings.empty()) return {{std::move(tree)}, false, {}};
-
   PackTrees pack;
+  if (rings.empty()) {
+    const auto land = std::ranges::find(tree.entries, kLand, &TomlEntry::key);
+    refuse_last_land(kLand, land == tree.entries.end() ? nullptr : &*land, pack.faults);
+    pack.trees.push_back(std::move(tree));
+    return pack;
+  }
   pack.is_pack = true;
   const std::size_t n = rings.rbegin()->first;
   if (n != rings.size() || n > kMostRings) {
@@ -89,6 +101,9 @@ PackTrees pack_trees(CaseTree tree) {
     }
   }
   join_lands(rings, tree.path, pack.faults);
+  const Entries& last = rings.at(n).entries;
+  const auto land = last.find(kLand);
+  refuse_last_land(cycle::pack_key(n, kLand), land == last.end() ? nullptr : &land->second, pack.faults);
   for (auto& [i, ring] : rings) {
     CaseTree one = tree;
     if (i > 1) one.faults.clear();

@@ -14,6 +14,8 @@ constexpr When kFourModuliOrFreeGap{
 constexpr When kUnrolled{[](const Case& c) { return c.is_unrolled(); }, "film.dimension = \"unrolled\""};
 constexpr When kGapped{[](const Case& c) { return c.is_unrolled() && c.ring.end_gap.has_value(); },
                        "ring.end_gap is stated"};
+constexpr When kOilOnLiner{[](const Case& c) { return c.film.supply == OilSupply::kFilmOnLiner; },
+                           "film.supply = \"film-on-liner\""};
 constexpr When kCoated{
     [](const Case& c) { return !c.contact.composite_modulus && c.ring.coating.youngs_modulus.has_value(); },
     "ring.coating.youngs_modulus is stated, and contact.composite_modulus is not"};
@@ -61,6 +63,10 @@ void append_ring_fields(std::vector<Field>& fields) {
                 {"gas pressure below the ring, absolute, or a CSV file like that of the cylinder; if omitted, that of "
                  "the crankcase",
                  "\"1.4 bar\""}),
+          field("ring.land_below", OptionalNumberKind{member<&Case::ring, &Ring::land_below>}, kLength, above(0, 1),
+                Need::kOptional, kOilOnLiner,
+                {"in a pack, height of the piston land down to the next ring; if omitted, the face width, with a note",
+                 "\"3.5 mm\""}),
           field("ring.end_gap", OptionalNumberKind{member<&Case::ring, &Ring::end_gap>}, kLength, above(0, 1),
                 Need::kOptional, kUnrolled,
                 {"gap between the ends of the ring in the bore, g; if omitted, the ring is closed", "\"0.3 mm\""}),

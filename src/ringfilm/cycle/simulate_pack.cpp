@@ -1,0 +1,100 @@
+#include "ringfilm/cycle/simulate_pack.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+using Runs = std::vector<std::unique_ptr<CycleRun>>;
+
+/// Height of the piston land below a ring. Where the case leaves it open, with a note: as high as the face is wide.
+double land_below(Setup& ring, std::size_t number) {
+  if (const auto& stated = ring.input.ring.land_below) return *stated;
+  const double width = ring.input.ring.face_width;
+  ring.notes.push_back({kRingDistanceAssumed,
+                        "the piston land below the ring is taken to be as high as its face is wide, " +
+                            number_text(width * 1e3) + " mm, since " + pack_key(number, "ring.land_below") +
+                            " is not stated",
+                        1});
+  return width;
+}
+
+/// Distances of the chamber edges from that of the first ring.
+std::vector<double> below_first_ring(std::vector<Setup>& rings) {
+  std::vector<double> below{0};
+  for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
+    below.push_back(below.back() + rings[i].input.ring.face_width + land_below(rings[i], i + 1));
+  }
+  return below;
+}
+
+Runs started(const std::vector<Setup>& rings, const std::vector<double>& below) {
+  const auto liner = std::make_shared<LinerFilm>(fresh_liner(rings.back(), below.back()));
+  Runs runs;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    runs.push_back(std::make_unique<CycleRun>(rings[i], PlaceOnLiner{liner, below[i], i + 1 == rings.size()}));
+  }
+  return runs;
+}
+
+int stroke_from(double crank_angle_deg) { return static_cast<int>(wrapped(crank_angle_deg) / (kCycleDeg / kStrokes)); }
+
+/// One ring to the next dead centre. @returns whether it got there
+bool finish_stroke(CycleRun& ring, Observer* observer) {
+  const int stroke = stroke_from(ring.crank_angle_deg()), n_steps = steps_per_cycle(ring.setup().input.solver);
+  while (!ring.stop() && stroke_from(ring.crank_angle_deg()) == stroke) {
+    const int before = ring.steps_integrated();
+    ring.integration().propose();
+    ring.conclude(ring.integration().solve());
+    if (observer != nullptr && ring.steps_integrated() > before) {
+      observer->advanced(1 + before / n_steps, ring.crank_angle_deg());
+    }
+  }
+  return !ring.stop();
+}
+
+/// All rings until each repeats itself or one stops.
+void integrate(Runs& runs, Observer* observer) {
+  const auto repeats = [](const auto& run) { return !run->stop() && run->done(); };
+  const auto finish = [&](const auto& run) { return finish_stroke(*run, observer); };
+  bool goes_on = true;
+  while (goes_on && !std::all_of(runs.begin(), runs.end(), repeats)) {
+    const bool down = stroke_from(runs.front()->crank_angle_deg()) % 2 == 0;
+    goes_on = down ? std::all_of(runs.rbegin(), runs.rend(), finish) : std::all_of(runs.begin(), runs.end(), finish);
+  }
+}
+
+}  // namespace
+
+bool shares_oil(const Case& pack) {
+  return pack.rings.size() > 1 && pack.rings.front().film.supply == OilSupply::kFilmOnLiner;
+}
+
+std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* observer) {
+  const std::vector<double> below = below_first_ring(rings);
+  for (;;) {
+    Runs runs = started(rings, below);
+    integrate(runs, observer);
+    const auto stopped =
+        std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run->stop().has_value(); });
+    if (stopped != runs.end()) {
+      if (std::optional<Setup> graded = second_attempt((*stopped)->setup(), *(*stopped)->stop())) {
+        rings[stopped - runs.begin()] = std::move(*graded);
+        continue;
+      }
+    }
+    const Completeness all = stopped == runs.end() ? Completeness::kComplete : Completeness::kStopped;
+    std::vector<RingOutcome> outcomes;
+    for (const auto& run : runs) outcomes.push_back({run->result(all), run->stop()});
+    return outcomes;
+  }
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../styles_case.hpp"
+#include "ringfilm/cycle/simulate_pack.hpp"
+
+/// Rings of a pack that share the oil on the liner.
+namespace ringfilm::cycle::testing {
+namespace {
+
+constexpr int kBins = 100;  // of a stroke profile
+
+/// The second ring has half the tension, so that its film differs. The edges next to the land are three bins of the
+/// stroke apart.
+std::vector<Setup> two_rings(double film, Scraped scraped) {
+  Case c = styles_new_ring();
+  c.film.cavitation = Cavitation::kMassConserving;
+  c.film.chamber_edge = c.film.crankcase_edge = EdgeFluid::kGas;
+  c.film.supply = OilSupply::kFilmOnLiner;
+  c.supply.film = film;
+  c.supply.reach = 10e-3;
+  c.supply.scraped = scraped;
+  c.solver.cells = 80;
+  c.ring.land_below = 3 * c.engine.stroke / kBins;
+  Case second = c;
+  second.ring.elastic_pressure = 0.5 * *c.ring.elastic_pressure;
+  second.ring.pressure_above.constant = 1.5e5;
+  second.ring.land_below.reset();
+  return {prepare(c), prepare(second)};
+}
+
+/// Films of two rings at the same places on the liner, away from the dead centres, where each strip has been passed.
+void expect_passed_on(const std::vector<double>& left, int below_tdc, const std::vector<double>& met, int below_tdc_2) {
+  for (int bin = 10; bin < kBins - 10; ++bin) {
+    EXPECT_NEAR(met.at(bin - below_tdc_2), left.at(bin - below_tdc), 1e-6 * left.at(bin - below_tdc)) << bin;
+  }
+}
+
+TEST(PackOil, EachRingMeetsWhatTheRingBeforeItLeft) {
+  const std::vector<RingOutcome> pack = simulate_pack(two_rings(2e-6, Scraped::kBead));
+  for (const RingOutcome& ring : pack) ASSERT_FALSE(ring.stop) << ring.stop->message;
+  const StrokeProfile &top = pack[0].result.stroke, &second = pack[1].result.stroke;
+  for (const std::size_t down : {0U, 2U}) {
+    // The stroke that is under way when the cycle repeats has its profile of one cycle before.
+    expect_passed_on(second.film_behind[down], 3, top.film_ahead[down], 0);
+    expect_passed_on(top.film_behind[down + 1], 0, second.film_ahead[down + 1], 3);
+  }
+  EXPECT_GT(std::abs(top.film_behind[3].at(50) - second.film_behind[3].at(47)), 1e-9);
+}
+
+TEST(PackOil, WhatTheOilRingLaysIsScrapedOffInACycle) {
+  for (const Scraped scraped : {Scraped::kBead, Scraped::kDiscarded}) {
+    for (const double film : {2e-6, 0.7e-6}) {
+      auto rings = two_rings(film, scraped);
+      const std::vector<RingOutcome> pack = simulate_pack(std::move(rings));
+      double laid = 0, gone = 0;
+      for (const RingOutcome& ring : pack) {
+        ASSERT_FALSE(ring.stop) << ring.stop->message;
+        laid += ring.result.values.oil_replenished;
+        gone += ring.result.values.oil_scraped_up + ring.result.values.oil_scraped_down;
+      }
+      EXPECT_NEAR(gone / laid, 1, 1e-4) << film;
+      EXPECT_LT(std::abs(pack[0].result.values.oil_replenished), 1e-6 * laid) << film;
+    }
+  }
+}
+
+TEST(PackOil, ALandWithoutHeightIsAssumedWithANote) {
+  auto rings = two_rings(2e-6, Scraped::kBead);
+  rings[0].input.ring.land_below.reset();
+  const std::vector<RingOutcome> pack = simulate_pack(std::move(rings));
+  const auto is_noted = [](const RingOutcome& ring) {
+    const auto& notes = ring.result.notes;
+    return std::any_of(notes.begin(), notes.end(), [](const Note& note) { return note.topic == kRingDistanceAssumed; });
+  };
+  EXPECT_TRUE(is_noted(pack[0]));
+  EXPECT_FALSE(is_noted(pack[1]));
+}
+
+// A ring that the gas lifts off ends the pack; the ring that solved keeps what it has, without values of a cycle.
+TEST(PackOil, ARingWithoutAFilmStopsThePack) {
+  auto rings = two_rings(2e-6, Scraped::kBead);
+  Case second = rings[1].input;
+  second.ring.pressure_above.constant = 1e5;
+  second.ring.pressure_below.constant = 30e5;
+  rings[1] = prepare(second);
+  const std::vector<RingOutcome> pack = simulate_pack(std::move(rings));
+  EXPECT_FALSE(pack[0].stop);
+  EXPECT_FALSE(pack[0].result.complete);
+  ASSERT_TRUE(pack[1].stop);
+  EXPECT_NE(pack[1].stop->message.find("lifts the ring off"), std::string::npos) << pack[1].stop->message;
+}
+
+}  // namespace
+}  // namespace ringfilm::cycle::testing
