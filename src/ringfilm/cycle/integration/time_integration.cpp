@@ -118,8 +118,9 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
   double total = 0;
   const bool with_gas = step_.at.inputs.has_gas();
   for (std::size_t i = 0; i < to.mass_per_area.size(); ++i) {
-    // Oil next to gas lies on the liner and moves with it: it bears nothing, and its steps in x are steps in time.
-    if (with_gas && film::is_cavity(to.deficit[i]) &&
+    // Oil next to gas lies on the liner and moves with it: it bears nothing, and its steps in x are steps in time. So
+    // are those of a meniscus that crosses nodes.
+    if (with_gas && (film::is_cavity(to.deficit[i]) || film::is_cavity(state_.deficit[i])) &&
         step_.at.inputs.gas_at(problem().grid, static_cast<int>(i)) != nullptr) {
       continue;
     }
