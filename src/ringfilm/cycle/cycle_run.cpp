@@ -15,7 +15,8 @@ namespace {
 
 /// The integration starts here, from a steady film: mid exhaust stroke, high speed and low load.
 constexpr double kStartAngleDeg = 270;
-/// States are compared with those of one cycle before at this spacing, over the first stroke.
+/// States are compared with those of one cycle before at this spacing, over the first stroke; with oil on the liner,
+/// which strokes leave to the next ones, over all.
 constexpr double kCheckSpacingDeg = 15;
 constexpr double kCheckedDeg = 180;
 /// A film forgets its start within half a stroke, as a rule. Very cold oil on a nearly flat face is squeezed out so
@@ -62,33 +63,28 @@ void CycleRun::arrived() {
   k_ = (k_ + 1) % n_steps_;
   ++steps_integrated_;
   const int since_start = steps_integrated_ % n_steps_;
-  if (k_ % check_every_ == 0 && since_start * step_deg_ <= kCheckedDeg) {
+  const bool is_checked = since_start * step_deg_ <= kCheckedDeg || integration_.liner_oil() != nullptr;
+  if (k_ % check_every_ == 0 && is_checked) {
     const auto before = one_cycle_ago_.find(k_);
-    if (before != one_cycle_ago_.end()) distance_ = integration_.distance(before->second);
-    constexpr double kOfACycleThatStillApproaches = 0.01;
-    repeats_ = distance_ <= allowed_distance(kOfACycleThatStillApproaches) ||
-               (distance_ <= allowed_distance() && has_settled());
+    if (before != one_cycle_ago_.end()) {
+      const TimeIntegration::Distance distance = integration_.distance(before->second);
+      distance_ = distance.largest();
+      repeats_ = distance.film <= allowed_distance() && distance.on_liner <= setup_.input.solver.step_error;
+    }
     const bool goes_on = !repeats_ || place_.film != nullptr;  // until all rings of the pack repeat themselves
     if (goes_on) one_cycle_ago_[k_] = integration_.snapshot();
   }
   if (!repeats_ && since_start == 0) check_approach();
 }
 
-/// Does the difference no longer fall from cycle to cycle? One that does is a drift, which is followed.
-bool CycleRun::has_settled() const {
-  constexpr std::size_t kCycles = 6;
-  const std::size_t n = distances_.size();
-  return n > kCycles && distance_ > distances_[n - kCycles] / 2;
-}
-
-double CycleRun::allowed_distance(double share_of_step_error) const {
+double CycleRun::allowed_distance() const {
   const Solver& solver = setup_.input.solver;
   const double iterated = kPeriodicityFactor * solver.tolerance;
   // The steps of a cycle follow from the film, and the film on the liner from the steps of the cycle before: with the
   // error that a step may make, cycles differ.
   const bool follows_steps =
       setup_.input.film.supply == OilSupply::kFilmOnLiner && solver.crank_step_control == StepControl::kAdaptive;
-  return follows_steps ? std::max(iterated, share_of_step_error * solver.step_error) : iterated;
+  return follows_steps ? std::max(iterated, solver.step_error) : iterated;
 }
 
 void CycleRun::check_approach() {

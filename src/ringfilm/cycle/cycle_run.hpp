@@ -48,8 +48,7 @@ class CycleRun final : public BatchMember {
  private:
   void arrived();
   /// From the state of one cycle before, where the cycle counts as the same.
-  double allowed_distance(double share_of_step_error = 1) const;
-  bool has_settled() const;
+  double allowed_distance() const;
   /// At the end of a cycle. Throws ConvergenceError where its state approaches that of the one before no longer.
   void check_approach();
   void stopped(const ConvergenceError& error, std::optional<film::Failure> failure);

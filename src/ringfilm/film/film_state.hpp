@@ -94,6 +94,12 @@ struct FlowFactors {
   std::vector<double> pressure_stress;    ///< of the stress by pressure, phi_fp [-]
 };
 
+/// What follows where Newton's method finds no film.
+enum class Fallback {
+  kSearch,  ///< a search over the separation, which takes a hundred times as long
+  kNone     ///< the film counts as not found
+};
+
 /// What acts on the film during one step.
 struct FilmInputs {
   std::shared_ptr<const models::OilAtTemperature> oil;  ///< of this step
@@ -103,6 +109,7 @@ struct FilmInputs {
   double load = 0;                             ///< W per length [N/m]
   double time_step = kSteady;                  ///< [s]
   std::shared_ptr<const FlowFactors> factors;  ///< nullptr: none
+  Fallback fallback = Fallback::kSearch;
   /// Mass that appears per length and time, at the nodes; empty: none. For manufactured solutions [kg/(m2 s)].
   std::vector<double> source;
 

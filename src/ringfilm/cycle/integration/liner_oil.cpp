@@ -38,9 +38,17 @@ void LinerFilm::lay(double begin, double end, double mass, bool open_below) {
   }
 }
 
+/// Above the reach of the oil ring oil comes and goes slowly, over some tens of cycles. This share of what the oil ring
+/// leaves is near the end of it in the cases of docs/theory/oil-supply.md [-].
+constexpr double kFirstAboveReach = 0.2;
+
 LinerFilm fresh_liner(const Setup& last_ring, double below_first_ring) {
-  return {below_first_ring + last_ring.engine.crank.stroke() + last_ring.input.ring.face_width,
-          last_ring.ring.oil.density * last_ring.input.supply.film.value_or(0)};
+  const Supply& supply = last_ring.input.supply;
+  const double length = below_first_ring + last_ring.engine.crank.stroke() + last_ring.input.ring.face_width;
+  const double fresh = last_ring.ring.oil.density * supply.film.value_or(0), reach = supply.reach.value_or(0);
+  LinerFilm film(length, fresh);
+  film.lay(0, reach, kFirstAboveReach * fresh * reach, false);
+  return film;
 }
 
 LinerOil::LinerOil(const Setup& setup, const PlaceOnLiner& place)

@@ -17,6 +17,8 @@ namespace {
 constexpr int kTicks = TimeIntegration::kTicksPerBaseStep;
 constexpr int kFinestLevel = 6;
 static_assert(kTicks == 1 << kFinestLevel);
+/// From this level on films are searched for where Newton's method finds none.
+constexpr int kSearchedLevel = 3;
 /// A step twice as long makes four times the error; it is tried only with something to spare.
 constexpr double kCoarsenBelow = 0.15;
 
@@ -215,6 +217,8 @@ void TimeIntegration::propose() {
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
   step_.time_step = radians(base_deg * ticks / kTicks) / setup_.engine.speed;
   step_.at = conditions(angle_deg_, step_.to_deg, step_.time_step);
+  // A step that can be shortened is not searched for: most films that Newton's method misses change fast.
+  if (adaptive() && level_ < kSearchedLevel) step_.at.inputs.fallback = film::Fallback::kNone;
   step_.state_was_turned = step_.at.axis != axis_;
   if (step_.state_was_turned) {
     turn(state_);
@@ -313,26 +317,28 @@ TimeIntegration::Snapshot TimeIntegration::snapshot() const {
   return {state_, liner_oil_ ? liner_oil_->film().mass_per_area() : std::vector<double>()};
 }
 
-double TimeIntegration::distance(const Snapshot& snapshot) const {
+TimeIntegration::Distance TimeIntegration::distance(const Snapshot& snapshot) const {
   const film::FilmState& other = snapshot.film;
   const double scale = instant_.at.inputs.mean_pressure(problem().grid);
-  double largest = std::abs(std::log(state_.h_m / other.h_m));
+  Distance distance{std::abs(std::log(state_.h_m / other.h_m)), 0};
   for (std::size_t i = 0; i < state_.p.size(); ++i) {
-    largest = std::max(largest, std::abs(state_.p[i] - other.p[i]) / scale);
+    distance.film = std::max(distance.film, std::abs(state_.p[i] - other.p[i]) / scale);
     if (problem().cavitation == film::Cavitation::kMassConserving) {
-      largest = std::max(largest, std::abs(state_.deficit[i] - other.deficit[i]));
+      distance.film = std::max(distance.film, std::abs(state_.deficit[i] - other.deficit[i]));
     }
   }
   if (liner_oil_) {
     const std::vector<double>& now = liner_oil_->film().mass_per_area();
-    double difference = 0, all = 0;
+    // Scatter from cell to cell, which follows the steps, does not count.
+    double moved = 0, all = 0;
     for (std::size_t c = 0; c < now.size(); ++c) {
-      difference += std::abs(now[c] - snapshot.on_liner[c]);
+      moved += now[c] - snapshot.on_liner[c];
+      distance.on_liner = std::max(distance.on_liner, std::abs(moved));
       all += now[c];
     }
-    largest = std::max(largest, difference / all);
+    distance.on_liner /= all;
   }
-  return largest;
+  return distance;
 }
 
 }  // namespace ringfilm::cycle

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -122,8 +123,13 @@ class TimeIntegration {
     std::vector<double> on_liner;  ///< [kg/m2]
   };
   Snapshot snapshot() const;
-  /// Largest relative difference of film, pressure, film content and oil on the liner from another state [-].
-  double distance(const Snapshot& other) const;
+  /// From another state [-].
+  struct Distance {
+    double film = 0;      ///< largest relative difference of film, pressure and film content
+    double on_liner = 0;  ///< oil that lies elsewhere on the liner, as a share of all
+    double largest() const { return std::max(film, on_liner); }
+  };
+  Distance distance(const Snapshot& other) const;
 
   struct Totals {
     long crank_steps = 0, newton_iterations = 0, sub_steps = 0;

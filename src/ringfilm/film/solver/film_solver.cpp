@@ -102,7 +102,8 @@ FilmReport solve_film(const FilmProblem& problem, const FilmInputs& inputs, cons
   FilmReport report;
   const FilmState guess = state;
   FilmSolve film(problem, inputs, previous, state, workspace);
-  const bool found = film.solve(Unknowns::kFilmAndSeparation, report) || film.solve_by_search(guess, report);
+  const bool found = film.solve(Unknowns::kFilmAndSeparation, report) ||
+                     (inputs.fallback == Fallback::kSearch && film.solve_by_search(guess, report));
   if (found) accept(*inputs.oil, inputs.p_cavitation, state, report);
   return report;
 }
