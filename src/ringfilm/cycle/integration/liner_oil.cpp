@@ -40,7 +40,7 @@ void LinerFilm::lay(double begin, double end, double mass, bool open_below) {
 
 /// Above the reach of the oil ring oil comes and goes slowly, over some tens of cycles. This share of what the oil ring
 /// leaves is near the end of it in the cases of docs/theory/oil-supply.md [-].
-constexpr double kFirstAboveReach = 0.2;
+constexpr double kFirstAboveReach = 0.1;
 
 LinerFilm fresh_liner(const Setup& last_ring, double below_first_ring) {
   const Supply& supply = last_ring.input.supply;

@@ -68,6 +68,7 @@ class LinerOil {
   };
   const std::array<Pass, kStrokes>& passes() const { return passes_; }
   const LinerFilm& film() const { return *film_; }
+  double mean_on_liner() const { return film_->mass(0, film_->length()) / film_->length(); }  ///< [kg/m2]
   double bead() const { return bead_; }  ///< ahead of the leading edge [kg/m]
 
   /// Oil since the start of the integration [kg/m].

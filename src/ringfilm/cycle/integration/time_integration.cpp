@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/solver/first_guess.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
 #include "ringfilm/models/oil/viscosity_laws.hpp"
@@ -185,6 +186,16 @@ void TimeIntegration::flood(film::FilmState& state, const Fluids& before, const 
   if (is_flooded(right, at.inputs.right)) flood_nodes(throat + 1, n + 1);
 }
 
+void TimeIntegration::start_steady(RingConditions& at) {
+  // A steady film with a full inlet exists at any speed.
+  for (film::EdgeState* edge : {&at.inputs.left, &at.inputs.right}) {
+    if (std::isfinite(edge->supply)) *edge = {edge->pressure};
+  }
+  const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
+  count(report);
+  if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
+}
+
 void TimeIntegration::start(int k) {
   k_ = k;
   angle_deg_ = k * setup_.input.solver.crank_step_deg;
@@ -193,13 +204,13 @@ void TimeIntegration::start(int k) {
   tick_ = kTicks;
   heat_ = {};
   RingConditions at = ring_conditions(setup_, angle_deg_, film::kSteady);
-  // A steady film with a full inlet exists at any speed.
-  for (film::EdgeState* edge : {&at.inputs.left, &at.inputs.right}) {
-    if (std::isfinite(edge->supply)) *edge = {edge->pressure};
+  std::optional<film::FilmState> dry;
+  if (liner_oil_) dry = film::dry_film(problem(), at.inputs, liner_oil_->mean_on_liner());
+  if (dry) {
+    before_ = state_ = std::move(*dry);
+  } else {
+    start_steady(at);
   }
-  const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
-  count(report);
-  if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
   axis_ = at.axis;
   fluids_ = fluids(at);
   heat_ = heat_of_state(at);

@@ -57,7 +57,7 @@ class TimeIntegration {
   TimeIntegration(const TimeIntegration&) = delete;  // an Instant refers to its states
   TimeIntegration& operator=(const TimeIntegration&) = delete;
 
-  /// A steady film at the base angle k. Throws ConvergenceError.
+  /// A steady film at the base angle k, or with oil on the liner a ring without film. Throws ConvergenceError.
   void start(int k);
 
   /// To the next base angle. Throws ConvergenceError with the state left at the last good angle.
@@ -145,6 +145,7 @@ class TimeIntegration {
   bool adaptive() const { return setup_.input.solver.crank_step_control == StepControl::kAdaptive; }
   double time_error(const film::FilmState& to, double time_step) const;
   HeatBefore heat_of_state(const RingConditions& at) const;
+  void start_steady(RingConditions& at);
   void turn(film::FilmState& state) const;
   /// What the edges meet.
   struct Fluids {

@@ -1,9 +1,11 @@
 #include "ringfilm/film/solver/first_guess.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
 #include "ringfilm/film/solver/film_solver.hpp"
+#include "ringfilm/film/solver/load_balance.hpp"
 
 namespace ringfilm::film {
 namespace {
@@ -51,6 +53,29 @@ FilmProblem coarsened(const FilmProblem& problem) {
 }
 
 }  // namespace
+
+std::optional<FilmState> dry_film(const FilmProblem& problem, const FilmInputs& inputs, double on_wall) {
+  const bool between_gases = inputs.left.fluid == EdgeFluid::kGas && inputs.right.fluid == EdgeFluid::kGas;
+  if (!between_gases || problem.contact == nullptr) return std::nullopt;
+  const FilmGrid& grid = problem.grid;
+  const int n = grid.n_cells();
+  FilmState state;
+  for (int i = 0; i <= n; ++i) state.p.push_back(inputs.pressure_bound(grid, i));
+  const double carried = inputs.load - hydrodynamic_load(problem, state);
+  const auto excess = [&](double ln_h) { return asperity_load(problem, std::exp(ln_h)) / carried - 1; };
+  const double thin = std::log(kMolecules), thick = std::log(problem.contact->reach());
+  if (!(carried > 0) || !(excess(thin) > 0) || !(excess(thick) < 0)) return std::nullopt;
+  boost::uintmax_t evaluations = 200;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      excess, thin, thick, [&](double a, double b) { return b - a < problem.tolerance; }, evaluations);
+  state.h_m = std::exp(0.5 * (low + high));
+  for (int i = 0; i <= n; ++i) {
+    const double full = inputs.oil->density(state.p[i]) * (state.h_m + grid.node_height[i]);
+    state.mass_per_area.push_back(std::min(on_wall, full));
+    state.deficit.push_back(1 - state.mass_per_area.back() / full);
+  }
+  return state;
+}
 
 FilmState first_guess(const FilmProblem& problem, const FilmInputs& inputs) {
   FilmState state = coarse_guess(problem, inputs);

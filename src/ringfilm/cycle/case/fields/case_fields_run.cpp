@@ -124,12 +124,17 @@ void append_run_fields(std::vector<Field>& fields) {
                 kNoUnit, {}, Need::kDefault, {},
                 {"refine the crank step where the film needs it, or integrate with the stated step alone",
                  "\"adaptive\""}),
-          field(
-              "solver.step_error", NumberKind{member<&Case::solver, &Solver::step_error>}, kPlainNumber,
-              between(1e-8, 0.1), Need::kDefault,
-              {[](const Case& c) { return c.solver.crank_step_control == StepControl::kAdaptive; },
-               "solver.crank_step_control = \"adaptive\""},
-              {"error that one step may make in the logarithm of the film; half of it in the oil on the face", "1e-3"}),
+          field("solver.step_error", NumberKind{member<&Case::solver, &Solver::step_error>}, kPlainNumber,
+                between(1e-8, 0.1), Need::kDefault,
+                {[](const Case& c) {
+                   return c.solver.crank_step_control == StepControl::kAdaptive ||
+                          c.film.supply == OilSupply::kFilmOnLiner;
+                 },
+                 "solver.crank_step_control = \"adaptive\" or film.supply = \"film-on-liner\""},
+                {"error that one step may make in the logarithm of the film; half of it in the oil on the face; and "
+                 "share "
+                 "of the oil on the liner that may lie elsewhere after a cycle",
+                 "1e-3"}),
           field("solver.tolerance", NumberKind{member<&Case::solver, &Solver::tolerance>}, kPlainNumber,
                 between(1e-14, 1e-2), Need::kDefault, {},
                 {"relative error that the iteration may leave in film and pressure", "1e-8"}),
