@@ -136,21 +136,17 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion
   return flux;
 }
 
-/// Through the face at an edge the wall carries no more than lies on it. @param flux that of a full gap at the edge
+/// Through the face at an edge no more flows in than lies on the wall, eq-inlet-supply. Where a full gap takes less, its
+/// flux stays. @param flux that of a full gap at the edge
 /// @param supply four times the mass per area on the wall, or kUnlimited [kg/m2]
 template <class Real>
-RINGFILM_INLINE void limit_inlet(Real quarter_U, Real h, Real supply, const Node<Real>& left, const Node<Real>& right,
-                                 Flux<Real>& flux) {
-  const Real rho = left.rho + right.rho;
-  const Real surplus = h * rho - supply;
-  const auto limited = surplus > Real(0);
+RINGFILM_INLINE void limit_inlet(Real quarter_U, Real supply, Flux<Real>& flux) {
+  const Real limit = quarter_U * supply;
+  const Real surplus = select(quarter_U >= Real(0), flux.value - limit, limit - flux.value);
+  const auto limited = Real::both(surplus > Real(0), supply < Real(kUnlimited));
   if (!Real::any(limited)) return;
-  const auto take = [&](Real& from, Real what)
-                        RINGFILM_INLINE_BODY { from -= select(limited, quarter_U * what, Real(0)); };
-  take(flux.value, surplus);
-  take(flux.by_left, select(left.is_film, h * left.drho, Real(0)));
-  take(flux.by_right, select(right.is_film, h * right.drho, Real(0)));
-  take(flux.by_h, rho);
+  flux = {select(limited, limit, flux.value), select(limited, Real(0), flux.by_left),
+          select(limited, Real(0), flux.by_right), select(limited, Real(0), flux.by_h)};
 }
 
 /// Where no wall moves along: the direction around the ring.

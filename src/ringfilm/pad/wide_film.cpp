@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/film_heating.hpp"
 #include "ringfilm/film/film_integrals.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
@@ -77,7 +78,9 @@ film::FilmState WideFilm::full(double h_m) const {
   return state;
 }
 
-double WideFilm::load(const film::FilmState& state) const { return film::hydrodynamic_load(problem_, state); }
+double WideFilm::load(const film::FilmState& state) const { 
+  return film::hydrodynamic_load(problem_, state) + film::asperity_load(problem_, state.h_m);
+}
 
 Sample WideFilm::sample(const film::FilmInputs& given, const film::FilmState& previous, const film::FilmState& state,
                         double time) const {
@@ -89,6 +92,9 @@ Sample WideFilm::sample(const film::FilmInputs& given, const film::FilmState& pr
   out.peak_position = top.position;
   const double largest_flow = largest_flux(problem_, inputs, state);
   out.mass_residual = largest_flow > 0 ? std::abs(sums.mass_defect) / largest_flow : 0.0;
+  const cycle::Lubricant& oil = setup().input.lubricant;
+  out.viscous_heating_rise =
+      film::film_heating(problem_, inputs, state).rise(oil.thermal_conductivity, oil.specific_heat);
   add_fronts(setup(), inputs, state.deficit, sums, out);
   return out;
 }

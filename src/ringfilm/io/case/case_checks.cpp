@@ -109,7 +109,8 @@ class Checks {
 
   /// Has either problem keys of its own there?
   static bool is_shared(const std::string& section) {
-    return section == "lubricant" || section == "film" || section == "solver";
+    return section == "lubricant" || section == "film" || section == "solver" || section == "contact" ||
+           section == "thermal";
   }
 
   /// A case with keys of both problems: reported once a section that the case must not have at all, else for each key.
