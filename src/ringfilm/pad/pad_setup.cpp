@@ -65,7 +65,7 @@ film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
   const bool is_plain = !input.film.has_gas_edge_of_pad() && factors.are_of_plain_film();
   problem.contact = contact.get();
   problem.contact_spread = input.contact.lambda_ratio == cycle::LambdaRatio::kLocal ? film::ContactSpread::kLocal
-                                                                                     : film::ContactSpread::kNominal;
+                                                                                    : film::ContactSpread::kNominal;
   problem.terms = is_plain ? film::Terms::kPlain : film::Terms::kAll;
   problem.tolerance = std::min(tolerance, std::max(kStricter * tolerance, kRounding));
   return problem;

@@ -78,7 +78,7 @@ film::FilmState WideFilm::full(double h_m) const {
   return state;
 }
 
-double WideFilm::load(const film::FilmState& state) const { 
+double WideFilm::load(const film::FilmState& state) const {
   return film::hydrodynamic_load(problem_, state) + film::asperity_load(problem_, state.h_m);
 }
 

@@ -9,9 +9,7 @@ bool has_laws(const Case& c) { return !c.lubricant.table_file; }
 bool has_temperature(const Case& c) { return c.problem == Problem::kCycle || c.thermal.is_stated(); }
 
 /// Does the oil follow laws of temperature? That of a pad without walls has one viscosity.
-bool has_laws_of_temperature(const Case& c) {
-  return has_laws(c) && has_temperature(c);
-}
+bool has_laws_of_temperature(const Case& c) { return has_laws(c) && has_temperature(c); }
 
 constexpr When kLaws{has_laws, "no lubricant.table"};
 constexpr When kLawsOfTemperature{has_laws_of_temperature,
@@ -19,9 +17,11 @@ constexpr When kLawsOfTemperature{has_laws_of_temperature,
 constexpr When kTemperature{has_temperature, "the case is not a pad, or thermal.ring or thermal.liner is stated"};
 constexpr When kOneViscosity{[](const Case& c) { return !c.thermal.is_stated(); },
                              "no thermal.ring or thermal.liner is stated"};
-constexpr When kHoupert{
-    [](const Case& c) { return has_laws_of_temperature(c) && c.lubricant.viscosity_temperature == ViscosityTemperature::kHoupert; },
-    "lubricant.viscosity_temperature = \"houpert\""};
+constexpr When kHoupert{[](const Case& c) {
+                          return has_laws_of_temperature(c) &&
+                                 c.lubricant.viscosity_temperature == ViscosityTemperature::kHoupert;
+                        },
+                        "lubricant.viscosity_temperature = \"houpert\""};
 constexpr When kDowsonHigginson{
     [](const Case& c) { return has_laws(c) && c.lubricant.compressibility == Compressibility::kDowsonHigginson; },
     "lubricant.compressibility = \"dowson-higginson\""};
@@ -38,11 +38,10 @@ constexpr When kCriticalShearRate{[](const Case& c) {
                                   },
                                   "lubricant.critical_shear_rate is stated, in a pad with thermal.ring or "
                                   "thermal.liner"};
-constexpr When kHths{[](const Case& c) {
-                       return kThinning.holds(c) && has_temperature(c) && !c.lubricant.critical_shear_rate;
-                     },
-                     "lubricant.shear_thinning = \"cross\" or \"carreau\", without lubricant.critical_shear_rate; in "
-                     "a pad with thermal.ring or thermal.liner"};
+constexpr When kHths{
+    [](const Case& c) { return kThinning.holds(c) && has_temperature(c) && !c.lubricant.critical_shear_rate; },
+    "lubricant.shear_thinning = \"cross\" or \"carreau\", without lubricant.critical_shear_rate; in "
+    "a pad with thermal.ring or thermal.liner"};
 constexpr When kReferenceTemperature{
     [](const Case& c) { return kHoupert.holds(c) || kThermalExpansivity.holds(c); },
     "lubricant.viscosity_temperature = \"houpert\" or lubricant.density_temperature = \"thermal-expansivity\""};

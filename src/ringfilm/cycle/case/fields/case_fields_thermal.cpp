@@ -24,7 +24,8 @@ void append_thermal_fields(std::vector<Field>& fields) {
                  "[[\"0 mm\", \"180 degC\"], [\"79.5 mm\", \"110 degC\"]]"}),
           field("thermal.film", choice<&Case::thermal, &Thermal::film>({"mean-of-walls", "liner", "ring"}), kNoUnit, {},
                 Need::kDefault, kWallTemperatures,
-                {"whose temperature the oil film has, in place of operating.oil_temperature or a pad's lubricant.viscosity",
+                {"whose temperature the oil film has, in place of operating.oil_temperature or a pad's "
+                 "lubricant.viscosity",
                  "\"mean-of-walls\""}),
           field("thermal.viscous_heating", choice<&Case::thermal, &Thermal::viscous_heating>({"none", "in-film"}),
                 kNoUnit, {}, Need::kDefault, {},
