@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -137,6 +138,22 @@ TEST(PadGasEdge, WithMoreOilThanTheInletTakesIsFlooded) {
   EXPECT_NEAR(supplied.load / flooded.load, 1, 1e-9);
   EXPECT_NEAR(supplied.film_left_behind / flooded.film_left_behind, 1, 1e-9);
   EXPECT_EQ(supplied.wetted_left, 0);
+}
+
+// The film falls from its peak to the lower pressure of the exit, also before the lowest place: no gas of the inlet is
+// there. An inlet in oil has the same film.
+TEST(PadGasEdge, OfAHigherPressureAtTheInletReachesToThePeakOfTheFilmAtMost) {
+  cycle::Case c = starved(8e-6, 3e-6);
+  c.pad.speed = 1;
+  c.pad.left_pressure = 9e5;
+  c.pad.right_pressure = 1e5;
+  c.film.cavitation_pressure = 1e5;
+  const Sample supplied = solved(c);
+  c.film.left_edge = cycle::EdgeFluid::kOil;
+  c.film.supply_left.reset();
+  const Sample flooded = solved(c);
+  EXPECT_NEAR(supplied.load / flooded.load, 1, 1e-9);
+  EXPECT_THAT(supplied.rupture_positions, ::testing::IsEmpty());
 }
 
 }  // namespace
