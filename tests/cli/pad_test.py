@@ -27,6 +27,13 @@ cells = 100
 """
 GAP = "x [mm],h [um]\n0,20\n10,10\n"
 SLIDER_LOAD = 6 * (math.log(2) - 2 / 3) * 0.02 * 5 * 0.01**2 / 10e-6**2  # Rayleigh 1918, m = 2 [N/m]
+CONTACT = """\
+[contact]
+composite_modulus = "134.8 GPa"
+asperity_density = "0.1 um-2"
+asperity_radius = "1.5 um"
+roughness = "4 um"
+"""
 HISTORY = "time [s],h [um]\n0,10\n0.001,5\n0.002,10\n"
 
 
@@ -200,6 +207,77 @@ class Numbers(PadTest):
                 reported = self.json_of(case=str(path))
                 self.assertTrue(reported["complete"])
                 self.assertEqual(reported["effort"]["cut_steps"] + reported["effort"]["eased_starts"], 0)
+
+
+class Contact(PadTest):
+    def test_adds_a_load_and_friction(self):
+        smooth = self.json_of()
+        (self.folder / "pad.toml").write_text(PAD + CONTACT)
+        rough = self.json_of()
+        self.assertEqual(smooth["asperity_load"], 0)
+        self.assertGreater(rough["asperity_load"], 0)
+        self.assertEqual(rough["film_load"], smooth["film_load"])
+        self.assertAlmostEqual(rough["load"], rough["film_load"] + rough["asperity_load"], delta=1e-9 * rough["load"])
+        self.assertGreater(rough["boundary_friction"], 0, "of the Eyring stress alone")
+        self.assertEqual(rough["assumed"]["contact.boundary_shear_strength_coefficient"], "0")
+        self.assertEqual(rough["units"]["asperity_load"], "N/m")
+
+    def test_is_for_an_infinitely_wide_pad(self):
+        text = PAD.replace('separation = "0 um"', 'separation = "0 um"\nwidth = "10 mm"\nsides = "closed"')
+        (self.folder / "pad.toml").write_text(text + CONTACT)
+        self.assert_refused(
+            self.run_program("run", "pad.toml"), "contact.composite_modulus is for a pad without pad.width", "[contact]"
+        )
+
+    def test_needs_the_modulus(self):
+        (self.folder / "pad.toml").write_text(PAD + CONTACT.replace('composite_modulus = "134.8 GPa"\n', ""))
+        self.assert_refused(
+            self.run_program("run", "pad.toml"),
+            "contact.asperity_density is not used in this case",
+            "contact.composite_modulus is stated",
+        )
+
+    def test_names_the_keys_that_are_missing(self):
+        (self.folder / "pad.toml").write_text(PAD + '[contact]\ncomposite_modulus = "134.8 GPa"\n')
+        self.assert_refused(
+            self.run_program("run", "pad.toml"),
+            "the key contact.asperity_density is missing",
+            "the key contact.asperity_radius is missing",
+            "the key contact.roughness is missing",
+        )
+
+
+class Temperatures(PadTest):
+    THERMAL = '[thermal]\nring = "140 degC"\nliner = "100 degC"\n[lubricant]\n'
+
+    def setUp(self):
+        super().setUp()
+        text = PAD.replace('viscosity = "0.02 Pa s"\ndensity = "850 kg/m3"\n', 'grade = "SAE 10W-40"\n')
+        self.text = text.replace("[lubricant]\n", self.THERMAL + 'viscosity_pressure = "none"\n')
+        (self.folder / "pad.toml").write_text(self.text)
+
+    def test_give_the_oil_its_viscosity(self):
+        reported = self.json_of()
+        self.assertAlmostEqual(reported["film_temperature"], 273.15 + 120)
+        self.assertGreater(reported["viscous_heating_rise"], 0)
+        self.assertGreater(self.json_of("--set", "thermal.film=liner")["load"], reported["load"])
+        self.assertEqual(self.json_of("--set", "thermal.film=liner")["film_temperature"], 373.15)
+
+    def test_are_one_of_each_wall(self):
+        (self.folder / "pad.toml").write_text(
+            self.text.replace('"100 degC"', '[["0 mm", "180 degC"], ["79 mm", "110 degC"]]')
+        )
+        self.assert_refused(
+            self.run_program("run", "pad.toml"), "thermal.liner has several temperatures", "one temperature"
+        )
+
+    def test_take_the_place_of_the_viscosity(self):
+        (self.folder / "pad.toml").write_text(self.text.replace("grade =", 'viscosity = "5 mPa s"\ngrade ='))
+        self.assert_refused(self.run_program("run", "pad.toml"), "lubricant.viscosity is not used", "thermal.ring")
+
+    def test_are_complete(self):
+        (self.folder / "pad.toml").write_text(self.text.replace('liner = "100 degC"\n', ""))
+        self.assert_refused(self.run_program("run", "pad.toml"), "thermal.liner is not stated")
 
 
 class Refusals(PadTest):

@@ -117,7 +117,7 @@ void PadFilm2d::add_peak(const film::FilmState& state, Sample& sample) const {
 Sample PadFilm2d::sample(const film::FilmInputs& inputs, const film::FilmState& previous, const film::FilmState& state,
                          double time) const {
   const film::Film2dIntegrals sums = film::film2d_integrals(problem_, inputs_of(inputs), previous, state);
-  const double width = problem_.around.length, density = setup().input.lubricant.constant_density.value();
+  const double width = problem_.around.length, density = setup().density;
   Sample out = sample_of(setup(), sums.mean, state.h_m, time);
   add_peak(state, out);
   const double largest_flow = largest_flux(inputs, state, sums);

@@ -76,6 +76,7 @@ void append_notes(const PadFilm& film, PadResult& result) {
          text("the load presses the pad %.6g um closer than the gap is given, to a smallest film of %.6g um",
               -last.separation * um, last.min_film_thickness * um));
   }
+  result.notes.insert(result.notes.end(), setup.notes.begin(), setup.notes.end());
   append_limit_notes(film, result);
   if (has_film && has_jumps_in_corners(pad)) {
     note("edge-flow-grows",

@@ -9,7 +9,7 @@
 namespace ringfilm::pad {
 
 /// Everything at one instant. x runs along the pad; flow is positive in +x, whichever way the flat surface moves.
-/// Friction is shear alone, positive where the oil brakes the moving surface and drags the pad along.
+/// Friction is shear, and that of asperities, positive where the oil brakes the moving surface and drags the pad along.
 struct Sample {
   double time = 0;
   double load = 0, mean_film_pressure = 0, peak_film_pressure = 0, peak_position = 0;
@@ -20,9 +20,13 @@ struct Sample {
   double cavitated_fraction = 0;             ///< without the gas of the edges
   double wetted_left = 0, wetted_right = 0;  ///< between them the film is full, but for cavities; else gas
   double film_load = 0, gas_load = 0;        ///< of the load, on the wetted length and beyond it
+  double asperity_load = 0;                  ///< of the load, on the asperities
+  double boundary_friction = 0;              ///< of both frictions, that of the asperities; 0 at rest
   double film_left_behind = 0;               ///< on the flat surface where it leaves; NaN where it stands still
   double gas_breakthrough = 0;               ///< 1 where gas of an edge reaches the lowest place of the gap
   double stable_solutions = 0;               ///< separations that carry pad.load and are stable; NaN without it
+  double film_temperature = 0;               ///< NaN without temperatures of the walls
+  double viscous_heating_rise = 0;           ///< of the oil by its shear, above its walls; NaN with a width
   double mass_residual = 0;  ///< balance of the whole film over the largest flow in it; round-off if mass is kept
   std::vector<double> rupture_positions;      ///< upstream ends of the cavities, from x = 0 on
   std::vector<double> reformation_positions;  ///< downstream ends; a cavity open to the downstream edge has none

@@ -6,7 +6,9 @@
 
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/cycle/case/case_face.hpp"
+#include "ringfilm/cycle/case/contact_plausibility.hpp"
 #include "ringfilm/cycle/integration/oil.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 
 namespace ringfilm::pad {
 namespace {
@@ -49,14 +51,6 @@ GapSurface gap_surface(const cycle::Pad& pad, double lowest) {
   return {pad.gap_x, std::move(y), std::move(height)};
 }
 
-/// An oil that thins, at the one temperature of a pad.
-std::optional<film::ThinningOil> thinning_oil(const cycle::Lubricant& oil) {
-  const auto law = cycle::shear_thinning(oil);
-  if (!law) return std::nullopt;
-  constexpr double kZeroOfPressures = 0;
-  return film::ThinningOil{*law, oil.critical_shear_rate.value() * oil.viscosity, kZeroOfPressures};
-}
-
 }  // namespace
 
 film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
@@ -69,6 +63,9 @@ film::FilmProblem PadSetup::problem(film::FilmGrid grid) const {
   constexpr double kStricter = 1e-4, kRounding = 1e-13;
   const double tolerance = input.solver.tolerance;
   const bool is_plain = !input.film.has_gas_edge_of_pad() && factors.are_of_plain_film();
+  problem.contact = contact.get();
+  problem.contact_spread = input.contact.lambda_ratio == cycle::LambdaRatio::kLocal ? film::ContactSpread::kLocal
+                                                                                    : film::ContactSpread::kNominal;
   problem.terms = is_plain ? film::Terms::kPlain : film::Terms::kAll;
   problem.tolerance = std::min(tolerance, std::max(kStricter * tolerance, kRounding));
   return problem;
@@ -88,7 +85,16 @@ PadSetup prepare_pad(const cycle::Case& c) {
   const cycle::Pad& pad = c.pad;
   PadSetup setup;
   setup.input = c;
-  setup.oil = cycle::constant_oil(c.lubricant);
+  cycle::PadOil oil = cycle::pad_oil(c);
+  setup.oil = std::move(oil.law);
+  setup.viscosity = oil.viscosity;
+  setup.density = oil.density;
+  setup.film_temperature = oil.temperature;
+  setup.notes = std::move(oil.notes);
+  if (c.has_contact()) {
+    setup.contact = std::make_shared<const models::GreenwoodTripp>(cycle::asperity_contact(c));
+    cycle::append_contact_notes(c, cycle::roughness(c), setup.notes);
+  }
   setup.lowest_gap = pad.has_formula() ? cycle::face_of_formula(pad.face, pad.length).minimum().height
                                        : *std::min_element(pad.gap_height.begin(), pad.gap_height.end());
   if (pad.width) {
@@ -98,7 +104,7 @@ PadSetup prepare_pad(const cycle::Case& c) {
   }
   setup.U = pad.direction == cycle::Direction::kPlusX ? pad.speed : -pad.speed;
   setup.p_cavitation = std::min({c.film.cavitation_pressure, pad.left_pressure, pad.right_pressure});
-  setup.factors = cycle::factor_laws(c, c.contact.roughness, thinning_oil(c.lubricant));
+  setup.factors = cycle::factor_laws(c, cycle::roughness(c), oil.thinning);
   return setup;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/result.hpp"
 #include "ringfilm/film/factors/factor_laws.hpp"
 #include "ringfilm/pad/gap_surface.hpp"
 
@@ -13,12 +14,16 @@ namespace ringfilm::pad {
 struct PadSetup {
   cycle::Case input;
   std::shared_ptr<const models::OilAtTemperature> oil;
+  double viscosity, density;                              ///< of the oil at the zero of the pressures [Pa s], [kg/m3]
+  std::optional<double> film_temperature;                 ///< of a case with walls of stated temperatures [K]
+  std::shared_ptr<const models::GreenwoodTripp> contact;  ///< nullptr: the surfaces never touch
   std::vector<film::GapPiece> pieces;  ///< of an infinitely wide pad: heights above the lowest point of the gap
   std::optional<GapSurface> surface;   ///< of one with a width, likewise
   double lowest_gap;                   ///< min g [m]
   double U;                            ///< velocity of the flat surface, positive in +x [m/s]
   double p_cavitation;                 ///< p_c, not above the pressure of any edge [Pa]
   film::FactorLaws factors;            ///< of an infinitely wide pad
+  std::vector<cycle::Note> notes;      ///< on the oil and the contact as stated
 
   /// The film across a grid.
   film::FilmProblem problem(film::FilmGrid grid) const;

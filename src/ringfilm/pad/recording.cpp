@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ringfilm/cycle/integration/sampling.hpp"
 #include "ringfilm/film/cavitation.hpp"
 
 namespace ringfilm::pad {
@@ -35,15 +36,18 @@ Peak top_of_parabola(Peak node, double p_before, double p_after, double spacing)
 
 Sample sample_of(const PadSetup& setup, const film::FilmIntegrals& sums, double h_m, double time) {
   const double sense = setup.runs_left() ? -1 : 1;
-  const double density = setup.input.lubricant.constant_density.value();
+  const double density = setup.density;
   Sample out;
   out.time = time;
-  out.load = sums.hydrodynamic_load;
-  out.mean_film_pressure = out.load / setup.input.pad.length;
+  out.load = sums.hydrodynamic_load + sums.asperity_load;
+  out.asperity_load = sums.asperity_load;
+  out.mean_film_pressure = sums.hydrodynamic_load / setup.input.pad.length;
   out.separation = h_m - setup.lowest_gap;
   out.min_film_thickness = h_m;
-  out.friction_moving = sense * (sums.shear_couette + sums.shear_poiseuille);
-  out.friction_fixed = sense * (sums.shear_couette - sums.shear_poiseuille);
+  if (setup.U != 0)
+    out.boundary_friction = cycle::boundary_friction(setup.input.contact, sums.asperity_load, sums.asperity_area);
+  out.friction_moving = sense * (sums.shear_couette + sums.shear_poiseuille) + out.boundary_friction;
+  out.friction_fixed = sense * (sums.shear_couette - sums.shear_poiseuille) + out.boundary_friction;
   constexpr double kNoLoad = 1e-6;  // of the friction: what the load is then is rounding
   out.friction_coefficient = out.load > kNoLoad * std::abs(out.friction_moving)
                                  ? out.friction_moving / out.load
@@ -58,8 +62,10 @@ Sample sample_of(const PadSetup& setup, const film::FilmIntegrals& sums, double 
   out.wetted_right = std::clamp(sums.wetted_end, 0.0, L);
   out.gas_load =
       setup.input.pad.left_pressure * out.wetted_left + setup.input.pad.right_pressure * (L - out.wetted_right);
-  out.film_load = out.load - out.gas_load;
+  out.film_load = sums.hydrodynamic_load - out.gas_load;
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  out.film_temperature = setup.film_temperature.value_or(kNaN);
+  out.viscous_heating_rise = kNaN;
   out.film_left_behind = setup.U == 0 ? kNaN : (setup.U > 0 ? out.flow_right : out.flow_left) / setup.U;
   out.gas_breakthrough = sums.is_broken_through ? 1 : 0;
   out.stable_solutions = kNaN;

@@ -45,6 +45,7 @@ void clear_rounding(Sample& sample) {
         &Sample::flow_front, &Sample::flow_back, &Sample::mass_flow_front, &Sample::mass_flow_back}) {
     if (!std::isnan(sample.*value)) sample.*value = 0;
   }
+  sample.load = sample.asperity_load;
   sample.friction_coefficient = std::numeric_limits<double>::quiet_NaN();
 }
 

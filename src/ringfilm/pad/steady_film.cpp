@@ -15,7 +15,7 @@ constexpr double kNoPressure = 1.0;    // scale where neither motion nor edges m
 
 /// Pressures that wedge, squeeze and edges may make [Pa]; never 0.
 double estimated_pressure(const PadSetup& setup, const film::FilmInputs& inputs, double h_m, double closing) {
-  const double L = setup.input.pad.length, eta = setup.input.lubricant.viscosity;
+  const double L = setup.input.pad.length, eta = setup.viscosity;
   const double wedge = eta * std::abs(inputs.U) * L / (h_m * h_m);
   // What the film remembers is rounded: a motion of the plate by less than that in a step is not used as a measure.
   const double speed = std::max(std::abs(closing), kStandstill * h_m / inputs.time_step);

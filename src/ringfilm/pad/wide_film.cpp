@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/film_heating.hpp"
 #include "ringfilm/film/film_integrals.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
@@ -35,6 +36,7 @@ Peak peak(const film::FilmGrid& grid, const film::FilmState& state) {
 WideFilm::WideFilm(const PadSetup& setup, int n_cells)
     : PadFilm(setup),
       problem_(setup.problem(film::grid_of_pieces(n_cells, setup.pieces))),
+      lowest_node_(problem_.grid.throat),
       factors_(problem_, setup.factors),
       workspace_(problem_) {}
 
@@ -54,8 +56,40 @@ film::FilmInputs WideFilm::supplied(film::FilmInputs inputs) const {
   return inputs;
 }
 
+int WideFilm::meeting_of_bounds(const film::FilmInputs& inputs, const film::FilmState& state) const {
+  const bool to_right = inputs.U >= 0;
+  const film::EdgeState &inlet = to_right ? inputs.left : inputs.right, &outlet = to_right ? inputs.right : inputs.left;
+  const double fall = inlet.pressure - outlet.pressure;
+  if (!inputs.is_steady() || inlet.fluid != film::EdgeFluid::kGas || !(fall > 0)) return lowest_node_;
+  // From its peak on the film falls to the pressure of the outlet: below that of the inlet, maybe before the lowest
+  // place, and no gas of the inlet is there.
+  constexpr double kRounding = 1e-6;
+  const int top = static_cast<int>(std::max_element(state.p.begin(), state.p.end()) - state.p.begin());
+  const bool is_peak = state.p[top] > inlet.pressure + kRounding * fall;
+  const bool is_before = to_right ? top < lowest_node_ : top > lowest_node_;
+  return is_peak && is_before ? top : lowest_node_;
+}
+
 film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& inputs, const film::FilmState& previous,
                                                film::FilmState& state) {
+  constexpr int kMostMoves = 5;  // of the node at which the bounds meet; one or two are usual
+  problem_.grid.throat = lowest_node_;
+  film::FilmReport total = solve_with_bounds(inputs, previous, state);
+  for (int move = 0; move < kMostMoves && total.converged; ++move) {
+    const int node = meeting_of_bounds(inputs, state);
+    if (node == problem_.grid.throat) break;
+    problem_.grid.throat = node;
+    film::FilmState next = state;
+    const film::FilmReport report = solve_with_bounds(inputs, previous, next);
+    total.iterations += report.iterations;
+    if (!report.converged) break;
+    state = std::move(next);
+  }
+  return total;
+}
+
+film::FilmReport WideFilm::solve_with_bounds(const film::FilmInputs& inputs, const film::FilmState& previous,
+                                             film::FilmState& state) {
   return factors_.solve(supplied(inputs), state, [&](const film::FilmInputs& held, film::FilmState& found) {
     return film::solve_film_at_separation(problem_, held, previous, found, workspace_);
   });
@@ -77,18 +111,25 @@ film::FilmState WideFilm::full(double h_m) const {
   return state;
 }
 
-double WideFilm::load(const film::FilmState& state) const { return film::hydrodynamic_load(problem_, state); }
+double WideFilm::load(const film::FilmState& state) const {
+  return film::hydrodynamic_load(problem_, state) + film::asperity_load(problem_, state.h_m);
+}
 
 Sample WideFilm::sample(const film::FilmInputs& given, const film::FilmState& previous, const film::FilmState& state,
                         double time) const {
   const film::FilmInputs inputs = supplied(given);
-  const film::FilmIntegrals sums = film::film_integrals(problem_, inputs, previous, state);
+  film::FilmProblem problem = problem_;
+  problem.grid.throat = meeting_of_bounds(inputs, state);
+  const film::FilmIntegrals sums = film::film_integrals(problem, inputs, previous, state);
   Sample out = sample_of(setup(), sums, state.h_m, time);
   const Peak top = peak(problem_.grid, state);
   out.peak_film_pressure = top.pressure;
   out.peak_position = top.position;
-  const double largest_flow = largest_flux(problem_, inputs, state);
+  const double largest_flow = largest_flux(problem, inputs, state);
   out.mass_residual = largest_flow > 0 ? std::abs(sums.mass_defect) / largest_flow : 0.0;
+  const cycle::Lubricant& oil = setup().input.lubricant;
+  out.viscous_heating_rise =
+      film::film_heating(problem_, inputs, state).rise(oil.thermal_conductivity, oil.specific_heat);
   add_fronts(setup(), inputs, state.deficit, sums, out);
   return out;
 }

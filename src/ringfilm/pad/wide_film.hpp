@@ -28,8 +28,13 @@ class WideFilm : public PadFilm {
 
  private:
   film::FilmInputs supplied(film::FilmInputs inputs) const;  ///< with the oil ahead of the inlet
+  film::FilmReport solve_with_bounds(const film::FilmInputs& inputs, const film::FilmState& previous,
+                                     film::FilmState& state);
+  /// The node at which the lower pressure bounds of the two edges meet, eq-pressure-bound.
+  int meeting_of_bounds(const film::FilmInputs& inputs, const film::FilmState& state) const;
 
   film::FilmProblem problem_;
+  int lowest_node_;
   film::FactorIteration factors_;
   film::FilmWorkspace workspace_;
   std::vector<double> strips_{0.0};

@@ -118,6 +118,13 @@ std::optional<cycle::Quantity> find_measured(const std::string& name) {
   return std::nullopt;
 }
 
+std::optional<cycle::Quantity> find_curve(const std::string& name) {
+  for (const cycle::Quantity& quantity : cycle::curve_quantities()) {
+    if (quantity.name == name) return quantity;
+  }
+  return std::nullopt;
+}
+
 Measurement measure(const cycle::Case& c) {
   if (c.problem == cycle::Problem::kPad) return of_pad(pad::solve_pad(c));
   return of_ring(cycle::simulate(cycle::prepare(c)));

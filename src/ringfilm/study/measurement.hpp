@@ -26,6 +26,9 @@ struct Probe {
 /// Every quantity that a measurement of a pad or a ring can hold, lists of fronts without their number.
 const std::vector<cycle::Quantity>& measured_quantities();
 
+/// The curve of a ring over crank angle of that name; nothing if there is none. A pad may have a number of that name.
+std::optional<cycle::Quantity> find_curve(const std::string& name);
+
 /// The quantity of a probe's name; nothing if there is none.
 std::optional<cycle::Quantity> find_measured(const std::string& name);
 

@@ -418,6 +418,8 @@ struct Case {
 
   /// Does the film differ from that of a Newtonian oil between smooth walls?
   bool has_flow_factors() const { return film.is_rough() || lubricant.thins(); }
+  /// Do asperities carry load? Those of a pad do where a composite modulus is stated.
+  bool has_contact() const { return problem == Problem::kCycle || contact.composite_modulus.has_value(); }
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }

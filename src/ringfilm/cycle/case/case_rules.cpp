@@ -5,6 +5,7 @@
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/case/case_rules_measured.hpp"
+#include "ringfilm/cycle/case/case_rules_oil.hpp"
 #include "ringfilm/cycle/case/case_rules_pad.hpp"
 #include "ringfilm/cycle/case/case_rules_unrolled.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
@@ -63,33 +64,6 @@ void check_engine(const Case& c, Breaches& breaches) {
                       "engine.connecting_rod_length = " + number_text(c.engine.connecting_rod_length * 1e3) +
                           " mm is not longer than the crank radius, " + number_text(c.engine.stroke * 500) + " mm",
                       "the crank could not turn; check engine.stroke and engine.connecting_rod_length"});
-}
-
-void check_thermal(const Thermal& thermal, Breaches& breaches) {
-  if (!thermal.is_stated()) return;
-  const std::string film = find_field("thermal.film")->key;
-  const bool takes_ring = thermal.film != FilmTemperature::kLiner;
-  const bool takes_liner = thermal.film != FilmTemperature::kRing;
-  const std::string both = thermal.film == FilmTemperature::kMeanOfWalls ? "the mean of ring and liner" : "that wall's";
-  if (takes_ring && !thermal.ring) {
-    breaches.push_back({"thermal.ring", "the film has " + both + " temperature, and thermal.ring is not stated",
-                        "state it, for example ring = \"190 degC\" in [thermal], or " + film + " = \"liner\"",
-                        kMissingKey});
-  }
-  if (takes_liner && thermal.liner.empty()) {
-    breaches.push_back({"thermal.liner", "the film has " + both + " temperature, and thermal.liner is not stated",
-                        "state it, for example liner = \"150 degC\" in [thermal], or " + film + " = \"ring\"",
-                        kMissingKey});
-  }
-  for (std::size_t i = 0; i < thermal.liner.size(); ++i) {
-    const double distance = thermal.liner[i].distance;
-    if (distance >= 0 && (i == 0 || distance > thermal.liner[i - 1].distance)) continue;
-    breaches.push_back({"thermal.liner",
-                        "thermal.liner has the distance " + number_text(distance * 1e3) + " mm " +
-                            (distance < 0 ? "above the TDC position of the ring"
-                                          : "after " + number_text(thermal.liner[i - 1].distance * 1e3) + " mm"),
-                        "distances count downwards from the TDC position of the ring and increase"});
-  }
 }
 
 void check_wiebe(const Gas& gas, Breaches& breaches) {
@@ -246,72 +220,6 @@ void check_measured_width(const Ring& ring, Breaches& breaches) {
        "state the width that was measured, or fit the trace again over this one: ringfilm face --width"});
 }
 
-/// Increasing temperatures; `falling`: values that fall with them.
-enum class Trend { kAny, kFalling };
-
-void check_points(const std::string& key, const std::vector<TemperatureValue>& points, Trend trend,
-                  Breaches& breaches) {
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i].temperature == points[i - 1].temperature) {
-      breaches.push_back({key, key + " has two values at " + number_text(points[i].temperature - 273.15) + " degC",
-                          "keep one of them"});
-    } else if (trend == Trend::kFalling && points[i].value >= points[i - 1].value) {
-      breaches.push_back({key,
-                          key + " does not fall from " + number_text(points[i - 1].temperature - 273.15) + " to " +
-                              number_text(points[i].temperature - 273.15) + " degC",
-                          "the viscosity of an oil falls with temperature; are two values exchanged?"});
-    }
-  }
-}
-
-void check_density(const Lubricant& oil, Breaches& breaches) {
-  const auto refuse_unless_oil = [&breaches](double density) {
-    if (is_oil_density(density)) return;
-    breaches.push_back({"lubricant.density", "lubricant.density = " + number_text(density) + " kg/m3 is out of range",
-                        kAllowedOilDensity});
-  };
-  if (oil.constant_density) refuse_unless_oil(*oil.constant_density);
-  for (const TemperatureValue& point : oil.density) refuse_unless_oil(point.value);
-}
-
-void check_laws(const Lubricant& oil, Breaches& breaches) {
-  check_density(oil, breaches);
-  const auto& nu = oil.kinematic_viscosity;
-  const bool houpert = oil.viscosity_temperature == ViscosityTemperature::kHoupert;
-  if (nu.size() == 1 && !houpert) {
-    breaches.push_back({"lubricant.kinematic_viscosity",
-                        "lubricant.kinematic_viscosity has one value; the Walther line needs two or more",
-                        "add the viscosity at another temperature, for example 100 degC"});
-  } else if (nu.size() == 1 && nu.front().temperature != oil.reference_temperature) {
-    breaches.push_back({"lubricant.kinematic_viscosity",
-                        "lubricant.kinematic_viscosity has one value, and it is not at lubricant.reference_temperature",
-                        "state the value at the reference temperature, or two values"});
-  }
-  check_points("lubricant.kinematic_viscosity", nu, Trend::kFalling, breaches);
-  check_points("lubricant.density", oil.density, Trend::kAny, breaches);
-}
-
-/// Of laws that break no rule.
-void check_hths(const Lubricant& oil, Breaches& breaches) {
-  if (!oil.thins() || oil.critical_shear_rate || !oil.hths_viscosity) return;
-  const std::optional<double> without_shear = viscosity_for_hths(oil);
-  if (!without_shear) return;
-  const auto written = [](double eta) { return number_text(eta * 1e3) + " mPa s"; };
-  const std::string hths = "lubricant.hths_viscosity = " + written(*oil.hths_viscosity);
-  const std::string viscosity = "viscosity of the oil without shear at 150 degC, " + written(*without_shear);
-  const double ratio = *oil.hths_viscosity / *without_shear;
-  if (ratio >= 1) {
-    breaches.push_back({"lubricant.hths_viscosity", hths + " is not below the " + viscosity,
-                        "the viscosity falls with the shear rate; check hths_viscosity, kinematic_viscosity and "
-                        "density, or state shear_thinning = \"none\""});
-  } else if (ratio <= oil.second_newtonian_ratio) {
-    breaches.push_back({"lubricant.hths_viscosity",
-                        hths + " is not above lubricant.second_newtonian_ratio = " +
-                            number_text(oil.second_newtonian_ratio) + " times the " + viscosity,
-                        "at the highest shear rates the oil keeps that share; state a smaller ratio"});
-  }
-}
-
 void check_angles(const Case& c, Breaches& breaches) {
   const auto refuse_step = [&breaches](const std::string& key, double step_deg) {
     breaches.push_back({key, key + " = " + number_text(step_deg) + " degree does not divide the cycle of 720 degrees",
@@ -343,7 +251,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   append_gas_edge_breaches(c, breaches);
   append_flow_factor_breaches(c, breaches);
   check_engine(c, breaches);
-  check_thermal(c.thermal, breaches);
+  append_thermal_breaches(c, breaches);
   if (c.gas.model == GasModel::kWiebe) {
     check_wiebe(c.gas, breaches);
   } else {
@@ -356,10 +264,10 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   if (c.ring.face.form == FaceForm::kPoints) check_face_points(c.ring, breaches);
   check_measured_width(c.ring, breaches);
   append_measured_breaches(c.contact.measured, breaches);
-  if (!c.lubricant.table_file) check_laws(c.lubricant, breaches);
+  if (!c.lubricant.table_file) append_oil_law_breaches(c.lubricant, breaches);
   check_angles(c, breaches);
   append_unrolled_breaches(c, breaches);
-  if (breaches.empty()) check_hths(c.lubricant, breaches);
+  if (breaches.empty()) append_hths_breaches(c.lubricant, breaches);
   return breaches;
 }
 

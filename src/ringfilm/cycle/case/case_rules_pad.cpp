@@ -8,6 +8,7 @@
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case/case_face.hpp"
 #include "ringfilm/cycle/case/case_rules_film2d.hpp"
+#include "ringfilm/cycle/case/case_rules_oil.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -206,9 +207,13 @@ void check_times(const Case& c, Breaches& breaches) {
 }
 
 void check_oil(const Case& c, Breaches& breaches) {
-  if (!c.lubricant.constant_density && !c.lubricant.density.empty()) {
-    breaches.push_back({"lubricant.density", "lubricant.density has values at temperatures; a pad has no temperature",
-                        "write one value, for example \"850 kg/m3\""});
+  if (c.thermal.is_stated()) {
+    append_thermal_breaches(c, breaches);
+    append_oil_law_breaches(c.lubricant, breaches);
+  } else if (!c.lubricant.constant_density && !c.lubricant.density.empty()) {
+    breaches.push_back({"lubricant.density",
+                        "lubricant.density has values at temperatures; a pad without [thermal] has no temperature",
+                        "write one value, for example \"850 kg/m3\", or state the temperatures of the walls"});
   }
   for (const auto& parameter : models::viscosity_law(c.lubricant.viscosity_pressure).parameters) {
     if (parameter.statement == models::Statement::kRequired || c.stated.contains("lubricant." + parameter.key))
@@ -222,7 +227,7 @@ void check_oil(const Case& c, Breaches& breaches) {
 void check_critical_rate(const Case& c, Breaches& breaches) {
   const Lubricant& oil = c.lubricant;
   if (oil.critical_shear_rate || oil.hths_viscosity) return;
-  const bool is_pad = c.problem == Problem::kPad;
+  const bool is_pad = c.problem == Problem::kPad && !c.thermal.is_stated();
   breaches.push_back({"lubricant.shear_thinning", "the critical shear rate of the oil is missing",
                       is_pad ? "state lubricant.critical_shear_rate, for example \"2.4e6 s-1\""
                              : "state lubricant.hths_viscosity, for example \"2.9 mPa s\", or "
@@ -239,6 +244,12 @@ void check_thinning(const Case& c, Breaches& breaches) {
                             " is not below 1, and the viscosity of Carreau's law would not fall",
                         "n lies between 0 and 1, for example 0.5"});
   }
+}
+
+void check_contact(const Case& c, Breaches& breaches) {
+  if (!c.has_contact() || !c.pad.width) return;
+  breaches.push_back({"contact.composite_modulus", "contact.composite_modulus is for a pad without pad.width",
+                      "a film in two dimensions has no asperity contact in a pad; omit the width, or [contact]"});
 }
 
 /// The key that makes a film other than one of a Newtonian oil between smooth walls.
@@ -269,7 +280,9 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
   }
   check_edge_pressures(c, breaches);
   if (!c.pad.history_time.empty() || c.pad.oscillation.amplitude) check_times(c, breaches);
+  check_contact(c, breaches);
   check_oil(c, breaches);
+  if (breaches.empty() && c.thermal.is_stated()) append_hths_breaches(c.lubricant, breaches);
   return breaches;
 }
 

@@ -246,15 +246,36 @@ std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant) 
                                lubricant.shear_exponent.value_or(usual)};
 }
 
-std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant) {
+PadOil pad_oil(const Case& c) {
+  constexpr double kZeroOfPressures = 0;
+  const Lubricant& lubricant = c.lubricant;
   models::DowsonHigginson compression{0, 0};
-  if (lubricant.compressibility == Compressibility::kDowsonHigginson) {
-    compression = {lubricant.dh_a, lubricant.dh_b};
+  if (lubricant.compressibility == Compressibility::kDowsonHigginson) compression = {lubricant.dh_a, lubricant.dh_b};
+  compression.reference_pressure = kZeroOfPressures;
+  PadOil oil;
+  models::OilState at{};
+  if (const auto walls = wall_temperatures(c.thermal)) {
+    const double T = walls->film(0);
+    const models::OilLaws laws = oil_laws(lubricant);
+    at = models::oil_state(laws, T);
+    oil.temperature = T;
+    oil.notes = extrapolation_notes(lubricant, laws, {T, T});
+    OilSetup setup{};
+    const auto viscosity = [&](double at_T) { return models::oil_state(laws, at_T).eta_T; };
+    add_thinning(lubricant, viscosity, models::kColdestOil, models::kHottestOil, setup);
+    oil.thinning = setup.thinning;
+    if (oil.thinning) oil.thinning->reference_pressure = kZeroOfPressures;
+  } else {
+    at = {lubricant.viscosity, lubricant.constant_density.value(), lubricant.viscosity};
+    if (const auto law = shear_thinning(lubricant)) {
+      oil.thinning = {*law, lubricant.critical_shear_rate.value() * lubricant.viscosity, kZeroOfPressures};
+    }
   }
-  compression.reference_pressure = 0;
-  const double eta = lubricant.viscosity;
-  return models::closed_form_oil(models::viscosity_law(lubricant.viscosity_pressure),
-                                 {eta, eta, lubricant.law_parameters}, lubricant.constant_density.value(), compression);
+  oil.viscosity = at.eta_T;
+  oil.density = at.rho_T;
+  oil.law = models::closed_form_oil(models::viscosity_law(lubricant.viscosity_pressure),
+                                    {at.eta_T, at.eta_0, lubricant.law_parameters}, at.rho_T, compression);
+  return oil;
 }
 
 }  // namespace ringfilm::cycle

@@ -53,7 +53,16 @@ std::optional<double> viscosity_for_hths(const Lubricant& lubricant);
 /// The law of an oil that thins with the shear rate, without its critical shear rate; nothing for a Newtonian one.
 std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant);
 
-/// The oil of a pad: viscosity and density as stated at the zero of its pressures, from which the laws count.
-std::shared_ptr<const models::OilAtTemperature> constant_oil(const Lubricant& lubricant);
+/// The oil of a pad. Its laws count from the zero of the pad's pressures.
+struct PadOil {
+  std::shared_ptr<const models::OilAtTemperature> law;
+  double viscosity = 0, density = 0;          ///< at that zero [Pa s], [kg/m3]
+  std::optional<double> temperature;          ///< of the film; nothing: the case states viscosity and density [K]
+  std::optional<film::ThinningOil> thinning;  ///< nothing: the oil is Newtonian
+  std::vector<Note> notes;                    ///< extrapolations
+};
+
+/// With viscosity and density as stated, or with those at the temperature that the walls give the film.
+PadOil pad_oil(const Case& c);
 
 }  // namespace ringfilm::cycle

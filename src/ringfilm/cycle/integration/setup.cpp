@@ -68,19 +68,6 @@ double composite_modulus(const Case& c) {
   return models::composite_modulus(E_1, nu_1, c.liner.youngs_modulus, c.liner.poissons_ratio);
 }
 
-double roughness(const Case& c) {
-  return c.contact.roughness * (c.contact.roughness_measure == RoughnessMeasure::kRaToRq ? kRqOverRa : 1.0);
-}
-
-models::GreenwoodTripp asperity_contact(const Case& c) {
-  using Form = models::ContactIntegralForm;
-  const Form form = c.contact.integrals == ContactIntegrals::kExact              ? Form::kExact
-                    : c.contact.integrals == ContactIntegrals::kPolynomial4Digit ? Form::kPolynomial4Digit
-                                                                                 : Form::kPolynomialAsPrinted;
-  return models::GreenwoodTripp(
-      {c.contact.asperity_density, c.contact.asperity_radius, roughness(c), composite_modulus(c), form});
-}
-
 void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
   if (!c.is_unrolled() || !c.ring.end_gap) return;
   const double reached = strips_of(c).spacing.front();
@@ -104,16 +91,6 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
                    "the tension of the ring makes an elastic pressure of " + number_text(elastic_pressure / 1e6) +
                        " MPa: " + usual_tension(),
                    1});
-}
-
-std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal) {
-  if (!thermal.is_stated()) return std::nullopt;
-  std::vector<double> distance, liner;
-  for (const LinerTemperature& point : thermal.liner) {
-    distance.push_back(point.distance);
-    liner.push_back(point.temperature);
-  }
-  return models::WallTemperatures(thermal.film, thermal.ring, std::move(distance), std::move(liner));
 }
 
 models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
@@ -148,6 +125,29 @@ Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
 }
 
 }  // namespace
+
+double roughness(const Case& c) {
+  return c.contact.roughness * (c.contact.roughness_measure == RoughnessMeasure::kRaToRq ? kRqOverRa : 1.0);
+}
+
+models::GreenwoodTripp asperity_contact(const Case& c) {
+  using Form = models::ContactIntegralForm;
+  const Form form = c.contact.integrals == ContactIntegrals::kExact              ? Form::kExact
+                    : c.contact.integrals == ContactIntegrals::kPolynomial4Digit ? Form::kPolynomial4Digit
+                                                                                 : Form::kPolynomialAsPrinted;
+  return models::GreenwoodTripp(
+      {c.contact.asperity_density, c.contact.asperity_radius, roughness(c), composite_modulus(c), form});
+}
+
+std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal) {
+  if (!thermal.is_stated()) return std::nullopt;
+  std::vector<double> distance, liner;
+  for (const LinerTemperature& point : thermal.liner) {
+    distance.push_back(point.distance);
+    liner.push_back(point.temperature);
+  }
+  return models::WallTemperatures(thermal.film, thermal.ring, std::move(distance), std::move(liner));
+}
 
 std::string usual_tension() {
   return "compression rings press with 0.05 to 0.5 MPa, oil rings with up to 2 MPa; check the units of the tension, "

@@ -77,6 +77,15 @@ std::string usual_tension();
 /// p_e of the one way in which the case states the tension of the ring, eq-elastic-pressure [Pa].
 double elastic_pressure(const Case& c);
 
+/// sigma of the pair as the contact model uses it [m].
+double roughness(const Case& c);
+
+/// Asperity contact of the pair of a case that has one.
+models::GreenwoodTripp asperity_contact(const Case& c);
+
+/// Temperatures of the walls; nothing where the case has one temperature of the oil, or none.
+std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal);
+
 /// By what the film of a case differs from that of a Newtonian oil between smooth walls. @param sigma [m]
 film::FactorLaws factor_laws(const Case& c, double sigma, const std::optional<film::ThinningOil>& thinning);
 

@@ -80,8 +80,10 @@ class Film2dBalance {
     const Real conductance(b_.conductance[i]);
     Flux flux = film::flux(motion_, h, conductance * cubed.value, conductance * cubed.square, left, right);
     if constexpr (kTerms == Terms::kAll) {
-      if (i == 0) limit_inlet(motion_.quarter_U, h, Real(b_.left_supply), left, right, flux);
-      if (i == shape_.n_across - 2) limit_inlet(motion_.quarter_U, h, Real(b_.right_supply), left, right, flux);
+      const auto is_steady = Real(0) >= Real(b_.rate);
+      if (i == 0) limit_inlet(motion_.quarter_U, h, Real(b_.left_supply), is_steady, left, right, flux);
+      if (i == shape_.n_across - 2)
+        limit_inlet(motion_.quarter_U, h, Real(b_.right_supply), is_steady, left, right, flux);
     }
     return flux;
   }

@@ -15,6 +15,7 @@ struct FilmView {
   double deficit_share;         ///< 1: theta = 1 - deficit; 0: theta = 1
   int left_gas_end = 0, right_gas_begin = 1 << 30;  ///< nodes before and from there on are next to gas of an edge
   double left_supply = kUnlimited, right_supply = kUnlimited;  ///< four times that of the edges [kg/m2]
+  bool is_steady = false;                                      ///< no storage: the inlet is limited as a whole
   const double *mobility = nullptr, *carried = nullptr;        ///< FlowFactors; nullptr: none
 };
 
@@ -82,19 +83,25 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
   const double stream = film.carried == nullptr ? h : h + film.carried[i];
   const double dp = film.p[i + 1] - film.p[i];
   const auto mobile = [&](int k) { return film.mobility == nullptr ? K[k] : K[k] * film.mobility[i + k]; };
+  const double supply = i == 0 ? film.left_supply : i == film.n_cells - 1 ? film.right_supply : kUnlimited;
+  const bool is_steady_inlet = supply < kUnlimited && film.is_steady;
   const auto film_content = [&](bool from_left) {
+    if (is_steady_inlet && from_left == (i == 0)) return 1.0;
     const int node = from_left ? i : i + 1;
     const bool on_wall = node < film.left_gas_end || node >= film.right_gas_begin;
     return carried_share(1 - film.deficit_share * film.deficit[node], on_wall ? kOnWall : kBetweenWalls);
   };
-  const double supply = i == 0 ? film.left_supply : i == film.n_cells - 1 ? film.right_supply : kUnlimited;
   double carried = entrainment(0.25 * U, film_content(U >= 0), stream);
-  if (supply < kUnlimited) {
+  if (supply < kUnlimited && !film.is_steady) {
     const double limit = supply / (rho[0] + rho[1]);
     carried = 0.25 * U * (limit < stream ? limit : stream);
   }
-  return face_flux(carried, rho[0] + rho[1], film_content(dp <= 0) * conductance(h * h * h, film.spacing[i]),
-                   mobile(0) + mobile(1), dp);
+  const double flux =
+      face_flux(carried, rho[0] + rho[1], film_content(dp <= 0) * conductance(h * h * h, film.spacing[i]),
+                mobile(0) + mobile(1), dp);
+  if (!is_steady_inlet) return flux;  // limit_inlet
+  const double limit = 0.25 * U * supply;
+  return (U >= 0 ? flux > limit : flux < limit) ? limit : flux;
 }
 
 /// Sums along the face with packs of Real, and what is left over one by one.

@@ -149,6 +149,7 @@ FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const F
           is_on_wall(grid.n_cells()) ? grid.throat + 1 : grid.n_cells() + 1,
           std::min(4 * inputs.left.supply, kUnlimited),
           std::min(4 * inputs.right.supply, kUnlimited),
+          inputs.is_steady(),
           factors == nullptr ? nullptr : given(factors->mobility),
           factors == nullptr ? nullptr : given(factors->carried)};
 }

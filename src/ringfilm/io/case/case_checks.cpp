@@ -31,17 +31,11 @@ class Checks {
     });
   }
 
-  /// Sections whose keys decide on each other's use.
-  static std::string group_of(const std::string& key) {
-    const std::string section = section_of(key);
-    return section == "liner" || section == "contact" ? "ring" : section;
-  }
-
   /// May the key `other` decide whether `field` is in use? A trace does for the pressures that join a partial one.
   static bool decides(const Field& other, const Field& field) {
     // A key of another section decides where the words on its use name it.
     if (field.active_when.find(other.key) != std::string::npos) return true;
-    if (group_of(other.key) != group_of(field.key)) return false;
+    if (section_of(other.key) != section_of(field.key)) return false;
     if (std::holds_alternative<cycle::FileKind>(other.kind)) {
       return std::holds_alternative<cycle::OptionalNumberKind>(field.kind);
     }
@@ -109,7 +103,8 @@ class Checks {
 
   /// Has either problem keys of its own there?
   static bool is_shared(const std::string& section) {
-    return section == "lubricant" || section == "film" || section == "solver";
+    return section == "lubricant" || section == "film" || section == "solver" || section == "contact" ||
+           section == "thermal";
   }
 
   /// A case with keys of both problems: reported once a section that the case must not have at all, else for each key.

@@ -139,8 +139,12 @@ class Table {
   }
 
   /// The unit of the quantity that the table names; 1 where it names none that exists.
-  std::string unit_of(const std::string& quantity) {
-    const auto found = study::find_measured(quantity);
+  std::string unit_of(const std::string& quantity) { return unit_of(quantity, study::find_measured(quantity)); }
+
+  /// The same of a curve over crank angle.
+  std::string unit_of_curve(const std::string& quantity) { return unit_of(quantity, study::find_curve(quantity)); }
+
+  std::string unit_of(const std::string& quantity, const std::optional<cycle::Quantity>& found) {
     if (found) return found->unit;
     if (quantity.empty()) return "1";
     std::vector<std::string> names;
@@ -367,7 +371,7 @@ class VerificationReader {
     table.read(check);
     check.run = run(table, table.text("case"));
     check.quantity = table.text("quantity");
-    const std::string unit = table.unit_of(check.quantity);
+    const std::string unit = table.unit_of_curve(check.quantity);
     check.tolerance = table.tolerance(unit);
     if (const TomlValue* zone = table.find("dead_centre_zone")) {
       const double reach_deg = table.number_of("dead_centre_zone", *zone, "degree");

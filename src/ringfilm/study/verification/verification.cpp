@@ -125,7 +125,7 @@ class Runner {
         tolerance.value = std::max(tolerance.value, zone->tolerance);
       }
       const VerificationRow row =
-          row_of(check, *find_measured(check.quantity), check.expected[k],
+          row_of(check, *find_curve(check.quantity), check.expected[k],
                  run == nullptr ? kNothing : curve_value(*run, check.quantity, angle), tolerance);
       const double used = row.error / tolerance.value;
       if (used <= most) continue;  // a NaN is worse than any number

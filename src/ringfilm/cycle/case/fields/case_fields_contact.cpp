@@ -8,9 +8,11 @@ ChoiceKind only_contact_model() {
   return {{"greenwood-tripp"}, [](const Case&) { return 0; }, [](Case&, int) {}};
 }
 
-constexpr When kRoughness{[](const Case& c) { return c.problem == Problem::kCycle || c.film.is_rough(); },
-                          "the case is not a pad, or film.flow_factors, film.shear_flow, film.stress_factors or "
-                          "film.average_gap is not that of smooth walls"};
+constexpr When kContact{[](const Case& c) { return c.has_contact(); },
+                        "the case is not a pad, or contact.composite_modulus is stated"};
+constexpr When kRoughness{[](const Case& c) { return c.has_contact() || c.film.is_rough(); },
+                          "the case is not a pad, or contact.composite_modulus is stated, or film.flow_factors, "
+                          "film.shear_flow, film.stress_factors or film.average_gap is not that of smooth walls"};
 constexpr When kShearFlow{[](const Case& c) { return c.film.shear_flow != Roughness::kNone; },
                           "film.shear_flow = \"patir-cheng\""};
 
@@ -20,13 +22,14 @@ void append_contact_fields(std::vector<Field>& fields) {
   fields.insert(
       fields.end(),
       {
-          field("contact.model", only_contact_model(), kNoUnit, {}, Need::kDefault, {},
+          field("contact.model", only_contact_model(), kNoUnit, {}, Need::kDefault, kContact,
                 {"law of the asperity contact", "\"greenwood-tripp\""}),
           field("contact.asperity_density", NumberKind{member<&Case::contact, &Contact::asperity_density>},
-                {"m-2", "um-2"}, above(0, 1e18), Need::kRequired, {},
+                {"m-2", "um-2"}, above(0, 1e18), Need::kRequired, kContact,
                 {"asperity peaks per area of the pair, N", "\"0.097 um-2\""}),
           field("contact.asperity_radius", NumberKind{member<&Case::contact, &Contact::asperity_radius>}, {"m", "um"},
-                above(0, 1e-2), Need::kRequired, {}, {"mean radius of the asperity summits, beta", "\"1.56 um\""}),
+                above(0, 1e-2), Need::kRequired, kContact,
+                {"mean radius of the asperity summits, beta", "\"1.56 um\""}),
           field("contact.roughness", NumberKind{member<&Case::contact, &Contact::roughness>}, {"m", "um"},
                 above(0, 1e-4), Need::kRequired, kRoughness, {"composite roughness of the pair, sigma", "\"0.48 um\""}),
           field("contact.ring_roughness_share", NumberKind{member<&Case::contact, &Contact::ring_roughness_share>},
@@ -37,19 +40,23 @@ void append_contact_fields(std::vector<Field>& fields) {
           field(
               "contact.roughness_measure",
               choice<&Case::contact, &Contact::roughness_measure>({"as-given", "ra-to-rq"}), kNoUnit, {},
-              Need::kDefault, {},
+              Need::kDefault, kRoughness,
               {"use sigma as given, or take it as Ra and multiply by sqrt(pi/2) = 1.2533 for the rms", "\"as-given\""}),
           field(
               "contact.boundary_shear_strength_coefficient",
               NumberKind{member<&Case::contact, &Contact::boundary_shear_strength_coefficient>}, kPlainNumber,
-              between(0, 5), Need::kRequired, {},
-              {"boundary shear strength over contact pressure, zeta; measured by lateral force microscopy", "0.3581"}),
+              between(0, 5), Need::kRequiredInCycle, kContact,
+              {"boundary shear strength over contact pressure, zeta; measured by lateral force microscopy; 0 if a pad "
+               "does not state it",
+               "0.3581"}),
           field("contact.eyring_shear_stress", NumberKind{member<&Case::contact, &Contact::eyring_shear_stress>},
-                {"Pa", "MPa"}, between(0, 1e10), Need::kDefault, {},
+                {"Pa", "MPa"}, between(0, 1e10), Need::kDefault, kContact,
                 {"Eyring shear stress of the boundary film, tau_0", "\"2 MPa\""}),
           field("contact.composite_modulus", OptionalNumberKind{member<&Case::contact, &Contact::composite_modulus>},
                 {"Pa", "GPa"}, between(1e8, 1e13), Need::kOptional, {},
-                {"E' of 2/E' = sum (1 - nu^2)/E, instead of the moduli of ring and liner", "\"134.8 GPa\""}),
+                {"E' of 2/E' = sum (1 - nu^2)/E, instead of the moduli of ring and liner; in a pad the key that adds "
+                 "asperity contact",
+                 "\"134.8 GPa\""}),
           field("contact.hardness", OptionalNumberKind{member<&Case::contact, &Contact::hardness>}, {"Pa", "GPa"},
                 between(1e6, 1e12), Need::kOptional, {},
                 {"indentation hardness of the softer face, H; the contact is elastic, and H shows by how much its "
@@ -57,10 +64,10 @@ void append_contact_fields(std::vector<Field>& fields) {
                  "\"2.5 GPa\""}),
           field("contact.integrals",
                 choice<&Case::contact, &Contact::integrals>({"exact", "polynomial-4-digit", "polynomial-as-printed"}),
-                kNoUnit, {}, Need::kDefault, {},
+                kNoUnit, {}, Need::kDefault, kContact,
                 {"Gaussian height integrals F_2 and F_5/2: exact, or one of two published fits", "\"exact\""}),
           field("contact.lambda_ratio", choice<&Case::contact, &Contact::lambda_ratio>({"local", "nominal"}), kNoUnit,
-                {}, Need::kDefault, {},
+                {}, Need::kDefault, kContact,
                 {"contact pressure from h(x)/sigma over the face, or from h_m/sigma on the whole face", "\"local\""}),
       });
 }

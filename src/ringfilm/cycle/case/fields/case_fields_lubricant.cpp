@@ -6,25 +6,42 @@ namespace {
 
 bool has_laws(const Case& c) { return !c.lubricant.table_file; }
 
+bool has_temperature(const Case& c) { return c.problem == Problem::kCycle || c.thermal.is_stated(); }
+
+/// Does the oil follow laws of temperature? That of a pad without walls has one viscosity.
+bool has_laws_of_temperature(const Case& c) { return has_laws(c) && has_temperature(c); }
+
 constexpr When kLaws{has_laws, "no lubricant.table"};
-constexpr When kHoupert{
-    [](const Case& c) { return has_laws(c) && c.lubricant.viscosity_temperature == ViscosityTemperature::kHoupert; },
-    "lubricant.viscosity_temperature = \"houpert\""};
+constexpr When kLawsOfTemperature{has_laws_of_temperature,
+                                  "no lubricant.table; in a pad thermal.ring or thermal.liner is stated"};
+constexpr When kTemperature{has_temperature, "the case is not a pad, or thermal.ring or thermal.liner is stated"};
+constexpr When kOneViscosity{[](const Case& c) { return !c.thermal.is_stated(); },
+                             "no thermal.ring or thermal.liner is stated"};
+constexpr When kHoupert{[](const Case& c) {
+                          return has_laws_of_temperature(c) &&
+                                 c.lubricant.viscosity_temperature == ViscosityTemperature::kHoupert;
+                        },
+                        "lubricant.viscosity_temperature = \"houpert\""};
 constexpr When kDowsonHigginson{
     [](const Case& c) { return has_laws(c) && c.lubricant.compressibility == Compressibility::kDowsonHigginson; },
     "lubricant.compressibility = \"dowson-higginson\""};
 constexpr When kThermalExpansivity{[](const Case& c) {
-                                     return has_laws(c) &&
+                                     return has_laws_of_temperature(c) &&
                                             c.lubricant.density_temperature == DensityTemperature::kThermalExpansivity;
                                    },
                                    "lubricant.density_temperature = \"thermal-expansivity\""};
 constexpr When kThinning{[](const Case& c) { return c.lubricant.shear_thinning != ShearThinning::kNone; },
                          "lubricant.shear_thinning = \"cross\" or \"carreau\""};
-constexpr When kCriticalShearRate{
-    [](const Case& c) { return kThinning.holds(c) && c.lubricant.critical_shear_rate.has_value(); },
-    "lubricant.critical_shear_rate is stated"};
-constexpr When kHths{[](const Case& c) { return kThinning.holds(c) && !c.lubricant.critical_shear_rate; },
-                     "lubricant.shear_thinning = \"cross\" or \"carreau\", without lubricant.critical_shear_rate"};
+constexpr When kCriticalShearRate{[](const Case& c) {
+                                    return kThinning.holds(c) && has_temperature(c) &&
+                                           c.lubricant.critical_shear_rate.has_value();
+                                  },
+                                  "lubricant.critical_shear_rate is stated, in a pad with thermal.ring or "
+                                  "thermal.liner"};
+constexpr When kHths{
+    [](const Case& c) { return kThinning.holds(c) && has_temperature(c) && !c.lubricant.critical_shear_rate; },
+    "lubricant.shear_thinning = \"cross\" or \"carreau\", without lubricant.critical_shear_rate; in "
+    "a pad with thermal.ring or thermal.liner"};
 constexpr When kReferenceTemperature{
     [](const Case& c) { return kHoupert.holds(c) || kThermalExpansivity.holds(c); },
     "lubricant.viscosity_temperature = \"houpert\" or lubricant.density_temperature = \"thermal-expansivity\""};
@@ -70,25 +87,26 @@ void append_lubricant_fields(std::vector<Field>& fields) {
       fields.end(),
       {
           field("lubricant.file", OptionalTextKind{member<&Case::lubricant, &Lubricant::file>}, kNoUnit, {},
-                Need::kOptional, {},
+                Need::kOptional, kTemperature,
                 {"TOML file with the keys of this section; a key given in both is an error",
                  "\"data/lubricants/styles2014.toml\""}),
           field(
               "lubricant.grade", OptionalTextKind{member<&Case::lubricant, &Lubricant::grade>}, kNoUnit, {},
-              Need::kOptional, {},
+              Need::kOptional, kTemperature,
               {"SAE grade of a shipped oil (`ringfilm oils` lists them), instead of lubricant.file", "\"SAE 10W-40\""}),
           field("lubricant.name", TextKind{member<&Case::lubricant, &Lubricant::name>}, kNoUnit, {}, Need::kDefault, {},
                 {"what the oil is called, for people", "\"my oil\""}),
           field(
               "lubricant.kinematic_viscosity",
               TemperatureValuesKind{member<&Case::lubricant, &Lubricant::kinematic_viscosity>}, {"m2/s", "mm2/s"},
-              above(0, 1), Need::kRequired, kLaws,
+              above(0, 1), Need::kRequired, kLawsOfTemperature,
               {"kinematic viscosity nu at two or more temperatures; houpert: one at the reference temperature will do",
                "[{ temperature = \"40 degC\", value = \"59.99 mm2/s\" }, "
                "{ temperature = \"100 degC\", value = \"9.590 mm2/s\" }]"}),
           field("lubricant.viscosity", NumberKind{member<&Case::lubricant, &Lubricant::viscosity>}, {"Pa s", "mPa s"},
-                above(0, 1e6), Need::kRequired, {},
-                {"dynamic viscosity eta of a pad's oil at the zero of its pressures", "\"39 mPa s\""}),
+                above(0, 1e6), Need::kRequired, kOneViscosity,
+                {"dynamic viscosity eta of a pad's oil at the zero of its pressures, in place of temperatures",
+                 "\"39 mPa s\""}),
           field("lubricant.density",
                 ConstantOrTemperatureValuesKind{member<&Case::lubricant, &Lubricant::constant_density>,
                                                 member<&Case::lubricant, &Lubricant::density>},
@@ -103,7 +121,7 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                  "\"oil_table.csv\""}),
           field("lubricant.viscosity_temperature",
                 choice<&Case::lubricant, &Lubricant::viscosity_temperature>({"walther", "houpert"}), kNoUnit, {},
-                Need::kDefault, kLaws,
+                Need::kDefault, kLawsOfTemperature,
                 {"viscosity against temperature: ASTM D341 through the points, or Houpert's term", "\"walther\""}),
           field("lubricant.viscosity_pressure", choice<&Case::lubricant, &Lubricant::viscosity_pressure>(law_names()),
                 kNoUnit, {}, Need::kDefault, kLaws, {law_meanings(), "\"roelands\""}),
@@ -121,7 +139,7 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                 {"where eta_0 and rho_0 are taken, theta_0", "\"40 degC\""}),
           field("lubricant.density_temperature",
                 choice<&Case::lubricant, &Lubricant::density_temperature>({"table", "thermal-expansivity"}), kNoUnit,
-                {}, Need::kDefault, kLaws,
+                {}, Need::kDefault, kLawsOfTemperature,
                 {"density against temperature: linear through the points and beyond, or by the expansivity",
                  "\"table\""}),
           field("lubricant.thermal_expansivity", NumberKind{member<&Case::lubricant, &Lubricant::thermal_expansivity>},

@@ -16,15 +16,17 @@ void append_thermal_fields(std::vector<Field>& fields) {
       fields.end(),
       {
           field("thermal.ring", OptionalNumberKind{member<&Case::thermal, &Thermal::ring>}, kelvin, temperature,
-                Need::kOptional, {}, {"temperature of the ring's face", "\"190 degC\""}),
+                Need::kOptional, {}, {"temperature of the ring's face, or of a pad", "\"190 degC\""}),
           field("thermal.liner", DistanceTemperaturesKind{member<&Case::thermal, &Thermal::liner>}, kelvin, temperature,
                 Need::kOptional, {},
                 {"temperature of the liner: one, or [distance of the ring from its TDC position, temperature] at "
-                 "increasing distances, linear between them and constant beyond",
+                 "increasing distances, linear between them and constant beyond; of the flat surface under a pad one",
                  "[[\"0 mm\", \"180 degC\"], [\"79.5 mm\", \"110 degC\"]]"}),
           field("thermal.film", choice<&Case::thermal, &Thermal::film>({"mean-of-walls", "liner", "ring"}), kNoUnit, {},
                 Need::kDefault, kWallTemperatures,
-                {"whose temperature the oil film has, in place of operating.oil_temperature", "\"mean-of-walls\""}),
+                {"whose temperature the oil film has, in place of operating.oil_temperature or a pad's "
+                 "lubricant.viscosity",
+                 "\"mean-of-walls\""}),
           field("thermal.viscous_heating", choice<&Case::thermal, &Thermal::viscous_heating>({"none", "in-film"}),
                 kNoUnit, {}, Need::kDefault, {},
                 {"whether the oil of each step is warmer by the rise that its shear causes; the rise is reported in "

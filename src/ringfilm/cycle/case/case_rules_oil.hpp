@@ -1,0 +1,17 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+
+namespace ringfilm::cycle {
+
+/// What the temperatures of the walls require, of a pad and of a ring.
+void append_thermal_breaches(const Case& c, std::vector<RuleBreach>& breaches);
+
+/// What the laws of viscosity and density against temperature require.
+void append_oil_law_breaches(const Lubricant& oil, std::vector<RuleBreach>& breaches);
+
+/// What HTHS requires of an oil that thins. Of laws that break no rule.
+void append_hths_breaches(const Lubricant& oil, std::vector<RuleBreach>& breaches);
+
+}  // namespace ringfilm::cycle
