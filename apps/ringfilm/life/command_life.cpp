@@ -1,0 +1,51 @@
+#include "life/command_life.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "life/life_summary.hpp"
+#include "output_names.hpp"
+#include "progress.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
+#include "ringfilm/io/life/life_output.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/study/ensemble/cycle_integrators.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+io::LifeFile checked_life(const LifeOptions& options) {
+  io::LifeFile file = io::read_life(options.life_path);
+  if (!options.output) return file;
+  check_suffix("--output", *options.output, OutputKind::kNetcdf);
+  io::check_can_write(*options.output, io::Sink::kFile);
+  for (const cycle::InputFile& input : file.files) {
+    if (!is_same_file(*options.output, input.path)) continue;
+    throw InputError(*options.output + ": the output is a file that the life is read from", "name another file");
+  }
+  return file;
+}
+
+}  // namespace
+
+void run_life(const LifeOptions& options) {
+  io::LifeDocument document{checked_life(options), {}, io::this_run()};
+  document.provenance.kernels += fmt::format("; bands {} lanes", film::kernels().width);
+  {
+    ProgressLine line;
+    const auto progress = [&](int ended, int total) {
+      line.show(fmt::format("{}: {} of {} cycles", options.life_path, ended, total));
+    };
+    document.result = life::run_life(document.file.life, study::cycle_integrators({options.threads}, progress));
+  }
+  if (options.output) io::write_life(*options.output, document);
+  if (options.summary == SummaryForm::kJson) {
+    std::cout << io::life_json(document);
+    return;
+  }
+  std::cout << life_summary(document);
+  if (options.output) std::cout << "wrote " << *options.output << "\n";
+}
+
+}  // namespace ringfilm::app

@@ -1,0 +1,172 @@
+#include "ringfilm/io/life/life_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "ringfilm/io/study/study_table.hpp"
+#include "ringfilm/io/text/source_text.hpp"
+#include "ringfilm/io/text/units.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+class LifeReader {
+ public:
+  LifeReader(const std::string& path, const std::vector<Override>& overrides)
+      : path_(path), folder_(std::filesystem::path(path).parent_path().string()), overrides_(overrides) {}
+
+  LifeFile read() {
+    const SourceText source = read_source_text(path_, path_, kLargestToml);
+    const TomlValue root = parse_toml(source);
+    record({"life", path_, source.sha256});
+    StudyTable table(root, "a life", {"title", "case", "mode", "hours", "state", "path"}, faults_);
+    life_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
+    life_.mode = table.chosen<life::Mode>("mode", {{"measured-path", life::Mode::kMeasuredPath}}).value_or(life_.mode);
+    read_hours(table);
+    read_base(table);
+    for (const TomlValue& state : table.items("state")) read_state(state);
+    read_path(table);
+    if (faults_.empty()) faults_ = life::faults_of(life_);
+    if (!faults_.empty()) throw InputError(with_places(faults_));
+    return {std::move(life_), std::move(files_)};
+  }
+
+ private:
+  void record(const cycle::InputFile& file) {
+    if (recorded_.insert(file.path + "\n" + file.sha256).second) files_.push_back(file);
+  }
+
+  /// What lies at no place of the file concerns it as a whole.
+  std::vector<Fault> with_places(std::vector<Fault> faults) const {
+    for (Fault& fault : faults) {
+      if (fault.mark.file.empty()) fault.mark.file = path_;
+    }
+    return faults;
+  }
+
+  std::optional<double> read_quantity(StudyTable& table, const std::string& key, const TomlValue& value,
+                                      const std::string& unit, const std::string& example) {
+    if (value.kind != TomlValue::Kind::kText) {
+      table.refuse(value.mark, fmt::format("{} = {} has no unit", key, value.as_written()),
+                   fmt::format("write it with its unit in quotes, for example {}", example));
+      return std::nullopt;
+    }
+    try {
+      return units_.quantity(value.text, unit, example);
+    } catch (const UnitError& problem) {
+      table.refuse(value.mark, fmt::format("{} = \"{}\" {}", key, value.text, problem.what()), problem.remedy);
+      return std::nullopt;
+    }
+  }
+
+  std::optional<double> read_time(StudyTable& table, const std::string& key, const TomlValue& value) {
+    return read_quantity(table, key, value, "s", "\"10 h\"");
+  }
+
+  void read_hours(StudyTable& table) {
+    const TomlValue* hours = table.find("hours");
+    if (hours == nullptr || (hours->kind == TomlValue::Kind::kList && hours->items.empty())) {
+      table.refuse(hours == nullptr ? SourceMark{path_, 0, 0, ""} : hours->mark, "the life has no hours to report",
+                   "write, for example, hours = [\"0 h\", \"10 h\", \"150 h\"]");
+      return;
+    }
+    for (const TomlValue& item : table.items("hours")) {
+      if (const auto time = read_time(table, "hours", item)) life_.times.push_back({*time, item.mark});
+    }
+  }
+
+  /// The case that a key names; nothing if it cannot be read.
+  std::optional<cycle::Case> read_named_case(StudyTable& table, const std::string& example) {
+    const std::string name = table.needed_text("case", example);
+    if (name.empty()) return std::nullopt;
+    const std::string path = locate(name, folder_).shown;
+    const SourceMark& mark = table.find("case")->mark;
+    try {
+      cycle::Case input = read_case(path, overrides_, units_);
+      if (input.problem == cycle::Problem::kPad) {
+        table.refuse(mark, fmt::format("{} is a pad", path), "a life is that of a ring over engine cycles");
+        return std::nullopt;
+      }
+      if (input.is_pack()) {
+        table.refuse(
+            mark, fmt::format("{} is a pack of {} rings", path, input.rings.size()),
+            "a life is that of one ring: write it as [ring], with ring.pressure_above and ring.pressure_below");
+        return std::nullopt;
+      }
+      for (const cycle::InputFile& file : input.files) record(file);
+      return input;
+    } catch (const InputError& error) {
+      for (const Fault& f : error.faults()) {
+        faults_.push_back(f.mark.line > 0 ? f : Fault{mark, f.message, f.remedy});
+      }
+      return std::nullopt;
+    }
+  }
+
+  void read_base(StudyTable& table) {
+    if (auto input = read_named_case(table, "\"new.toml\"")) {
+      life_.points.push_back({"duty", 1, std::move(*input)});
+    }
+  }
+
+  void read_state(const TomlValue& value) {
+    StudyTable table(value, "[[state]]", {"hours", "case"}, faults_);
+    life::MeasuredState state;
+    state.mark = value.key_mark;
+    const TomlValue* hours = table.find("hours");
+    std::optional<double> time;
+    if (hours == nullptr) {
+      table.refuse(value.key_mark, "[[state]] has no hours", "write, for example, hours = \"10 h\"");
+    } else {
+      time = read_time(table, "hours", *hours);
+      state.mark = hours->mark;
+    }
+    auto input = read_named_case(table, "\"run-in.toml\"");
+    if (!time || !input) return;
+    state.time = *time;
+    state.input = std::move(*input);
+    life_.states.push_back(std::move(state));
+  }
+
+  void read_path(StudyTable& root) {
+    const TomlValue* value = root.find("path");
+    if (value == nullptr) return;
+    StudyTable table(*value, "[path]", {"time_scale", "time_constant"}, faults_);
+    life::Interpolation& path = life_.path;
+    path.scale = table
+                     .chosen<life::TimeScale>("time_scale", {{"logarithmic", life::TimeScale::kLogarithmic},
+                                                             {"linear", life::TimeScale::kLinear}})
+                     .value_or(path.scale);
+    const TomlValue* tau = table.find("time_constant");
+    if (tau == nullptr) return;
+    if (path.scale == life::TimeScale::kLinear) {
+      table.refuse(tau->key_mark, "path.time_constant means nothing with time_scale = \"linear\"",
+                   "leave it out, or take time_scale = \"logarithmic\"");
+    }
+    const auto constant = read_time(table, "time_constant", *tau);
+    if (constant && !(*constant > 0)) {
+      table.refuse(tau->mark, fmt::format("path.time_constant = {} is not above 0", tau->as_written()),
+                   "state a time after which the ring changes more slowly, for example \"1 h\"");
+    }
+    path.time_constant = constant.value_or(path.time_constant);
+  }
+
+  std::string path_, folder_;
+  const std::vector<Override>& overrides_;
+  Units units_;
+  life::Life life_;
+  std::vector<cycle::InputFile> files_;
+  std::set<std::string> recorded_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace
+
+LifeFile read_life(const std::string& path, const std::vector<Override>& overrides) {
+  return LifeReader(path, overrides).read();
+}
+
+}  // namespace ringfilm::io

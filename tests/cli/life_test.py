@@ -1,0 +1,110 @@
+"""The life of a ring: `ringfilm life LIFE.toml`, its numbers, its files, its refusals."""
+
+import json
+import unittest
+
+import program
+
+LIFE = """\
+title = "a small life"
+case = "case.toml"
+hours = ["0 h", "2 h", "10 h", "20 h"]
+[[state]]
+hours = "0 h"
+case = "case.toml"
+[[state]]
+hours = "10 h"
+case = "worn.toml"
+"""
+WORN = (
+    program.CASE.replace("15 um", "9 um")
+    .replace('"0.48 um"', '"0.40 um"')
+    .replace("strength_coefficient = 0.3581", "strength_coefficient = 0.2")
+)
+SHIPPED = program.SOURCES / "cases" / "life" / "styles2014.toml"
+
+
+class LifeTest(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "worn.toml").write_text(WORN)
+        (self.folder / "life.toml").write_text(LIFE)
+
+    def life(self, name="life.toml", *words):
+        return json.loads(self.run_well("life", str(name), "--json", *words))
+
+    def refused(self, text, *fragments):
+        (self.folder / "life.toml").write_text(text)
+        self.assert_refused(self.run_program("life", "life.toml"), *fragments)
+
+
+class Path(LifeTest):
+    def test_measured_states_are_the_cases_to_the_bit(self):
+        states = self.life()["states"]
+        for state, case in ((states[0], "case.toml"), (states[2], "worn.toml"), (states[3], "worn.toml")):
+            alone = json.loads(self.run_well("run", case, "--json"))
+            for name in ("mean_power_loss", "fmep", "mean_absolute_oil_flow", "peak_friction_coefficient_firing"):
+                self.assertEqual(state[name], alone[name], f"{case}: {name}")
+
+    def test_states_report_how_they_are_known(self):
+        reported = self.life()
+        self.assertEqual(
+            [state["standing"] for state in reported["states"]], ["measured", "interpolated", "measured", "held"]
+        )
+        self.assertIn("state-held", [note["topic"] for note in reported["notes"]])
+        self.assertIsNone(reported["states"][1]["worn_area"], "a path does not determine what was lost")
+
+    def test_the_band_holds_the_value_and_closes_at_measured_states(self):
+        for state in self.life()["states"]:
+            low, high = state["band"]["mean_power_loss"]
+            self.assertLessEqual(low, state["mean_power_loss"])
+            self.assertGreaterEqual(high, state["mean_power_loss"])
+            self.assertEqual(low == high, state["standing"] != "interpolated")
+
+    def test_netcdf_holds_the_running_time(self):
+        self.run_well("life", "life.toml", "--output", "life.nc")
+        stored = (self.folder / "life.nc").read_bytes()
+        for name in (b"running_time", b"mean_power_loss_high", b"face_height", b"ringfilm_life_schema"):
+            self.assertIn(name, stored)
+
+    def test_the_number_of_threads_changes_nothing(self):
+        self.assertEqual(self.life(), self.life("life.toml", "--threads", "1"))
+
+    def test_the_shipped_life_has_the_values_of_an_independent_program(self):
+        """Computed by another program with the equations of the paper; docs/theory/life.md."""
+        power = (118.0, 107.6, 98.2, 84.9, 64.9, 51.4, 43.3)
+        flow = (869, 914, 962, 1040, 1058, 1080, 1099)
+        turned = (121.4, 106.6, 93.1, 76.9, 53.5, 41.1, 34.6)
+        states = self.life(SHIPPED)["states"]
+        for state, watts, mg_per_s, other in zip(states, power, flow, turned, strict=True):
+            self.assertAlmostEqual(state["mean_power_loss"], watts, delta=0.06)
+            self.assertAlmostEqual(state["mean_absolute_oil_flow"] * 1e6, mg_per_s, delta=0.6)
+            self.assertAlmostEqual(state["turned"]["mean_power_loss"], other, delta=0.06)
+        alone = states[-1]["attribution"]
+        for part, watts in (("face", 117.9), ("roughness", 89.3), ("shear_strength", 54.0)):
+            self.assertAlmostEqual(alone[part]["mean_power_loss"], watts, delta=0.06)
+
+
+class Refusals(LifeTest):
+    def test_states_out_of_order(self):
+        self.refused(LIFE.replace('"10 h"\ncase', '"-1 h"\ncase'), "life.toml:8:9", "is before the start of the life")
+
+    def test_a_state_without_hours(self):
+        self.refused(LIFE.replace('hours = "10 h"\n', ""), "[[state]] has no hours")
+
+    def test_hours_without_a_unit(self):
+        self.refused(LIFE.replace('"2 h"', "2"), "life.toml:3:17: hours = 2 has no unit", 'for example "10 h"')
+
+    def test_an_unknown_key(self):
+        self.refused(LIFE.replace("hours = [", "hour = ["), "unknown key hour", "did you mean hours?")
+
+    def test_a_time_constant_of_zero(self):
+        self.refused(LIFE + '[path]\ntime_constant = "0 h"\n', 'path.time_constant = "0 h" is not above 0')
+
+    def test_an_output_that_is_an_input(self):
+        done = self.run_program("life", "life.toml", "--output", "life.toml")
+        self.assert_refused(done, "life.toml")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
