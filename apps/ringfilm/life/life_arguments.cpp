@@ -13,7 +13,7 @@ constexpr const char* kLifeFooter =
     "  ringfilm life cases/life/styles2014.toml\n"
     "  ringfilm life my_life.toml --json\n"
     "  ringfilm life my_life.toml --output my_life.nc\n"
-    "What a life file holds: docs/manual/life.md";
+    "What a life file holds: docs/manual/guide/life.md";
 
 struct LifeArguments {
   LifeOptions options;

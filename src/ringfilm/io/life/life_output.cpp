@@ -53,6 +53,7 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
   object["boundary_shear_strength_coefficient"] = state.ring.boundary_shear_strength_coefficient;
   object["face_height_chamber_edge"] = state.face_height.front();
   object["face_height_crankcase_edge"] = state.face_height.back();
+  object["face_height"] = state.face_height;
   if (!state.other_paths.empty()) {
     object["band"] = band_object(state);
     ordered_json& others = object["interpolations"] = ordered_json::object();
@@ -81,6 +82,8 @@ ordered_json units_object() {
                         {"asperity_radius", "m"},
                         {"roughness", "m"},
                         {"boundary_shear_strength_coefficient", "1"},
+                        {"x", "m"},
+                        {"face_height", "m"},
                         {"face_height_chamber_edge", "m"},
                         {"face_height_crankcase_edge", "m"}};
   for (const life::LifeQuantity& quantity : life::life_quantities()) units[quantity.name] = quantity.unit;
@@ -171,6 +174,7 @@ std::string life_json(const LifeDocument& document) {
   ordered_json object = {{"title", document.file.life.title}, {"mode", "measured-path"}};
   ordered_json& states = object["states"] = ordered_json::array();
   for (const life::LifeState& state : document.result.states) states.push_back(state_object(document, state));
+  object["x"] = document.result.states.front().x;
   object["units"] = units_object();
   ordered_json& notes = object["notes"] = ordered_json::array();
   for (const cycle::Note& note : document.result.notes) {
