@@ -27,6 +27,13 @@ io::LifeFile checked_life(const LifeOptions& options) {
   return file;
 }
 
+/// A coating that is worn through ends a life before its last hours.
+void check_end(const life::LifeResult& result) {
+  if (!result.wear || !result.wear->worn_through) return;
+  throw FailedChecks(fmt::format("the coating is worn through after {}; nothing later was computed",
+                                 life::hours_text(*result.wear->worn_through)));
+}
+
 }  // namespace
 
 void run_life(const LifeOptions& options) {
@@ -39,13 +46,14 @@ void run_life(const LifeOptions& options) {
     };
     document.result = life::run_life(document.file.life, study::cycle_integrators({options.threads}, progress));
   }
-  if (options.output) io::write_life(*options.output, document);
+  if (options.output && !document.result.states.empty()) io::write_life(*options.output, document);
   if (options.summary == SummaryForm::kJson) {
     std::cout << io::life_json(document);
-    return;
+  } else {
+    std::cout << life_summary(document);
+    if (options.output && !document.result.states.empty()) std::cout << "wrote " << *options.output << "\n";
   }
-  std::cout << life_summary(document);
-  if (options.output) std::cout << "wrote " << *options.output << "\n";
+  check_end(document.result);
 }
 
 }  // namespace ringfilm::app

@@ -35,6 +35,17 @@ std::string turned_line(const life::LifeState& state) {
                      state.turned[power], state.turned[flow] * 1e6);
 }
 
+std::string wear_table(const io::LifeDocument& document) {
+  const life::WearEffort& effort = document.result.wear->effort;
+  std::string text = fmt::format("\n{:>8} {:>16} {:>16}\n", "hours", "worn area um mm", "largest depth um");
+  for (const life::LifeState& state : document.result.states) {
+    text += fmt::format("{:>8.6g} {:>16.5g} {:>16.5g}\n", state.time / life::kHour, state.worn->worn_area * 1e9,
+                        state.worn->largest_depth * 1e6);
+  }
+  return text + fmt::format("{} jumps, {} rejected; stages of a jump differ by up to {:.2g} um, volumes by {:.1g}\n",
+                            effort.jumps, effort.rejected_jumps, effort.stage_difference * 1e6, effort.balance_error);
+}
+
 }  // namespace
 
 std::string life_summary(const io::LifeDocument& document) {
@@ -46,6 +57,7 @@ std::string life_summary(const io::LifeDocument& document) {
   for (const life::LifeState& state : document.result.states) text += row(state);
   text += "\n";
   for (const life::LifeState& state : document.result.states) text += turned_line(state);
+  if (document.result.wear) text += wear_table(document);
   text += fmt::format("\n{} cycles\n", document.result.cycles);
   for (const cycle::Note& note : document.result.notes) {
     text += fmt::format("note ({} cycles): {}\n", note.count, note.message);

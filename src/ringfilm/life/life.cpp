@@ -61,11 +61,33 @@ void check_rings_of_states(const Life& life, std::vector<Fault>& faults) {
   }
 }
 
+void check_wear(const Life& life, std::vector<Fault>& faults) {
+  for (const OperatingPoint& point : life.points) {
+    if (point.input.ring.face.orientation == cycle::Orientation::kLeadingEdge) {
+      faults.push_back({life.wear.mark,
+                        "a ring that turns over at each reversal (orientation = \"leading-edge\") cannot "
+                        "wear: its two edges are one",
+                        "state ring.face.orientation = \"x0-chamber\" or \"x0-crankcase\""});
+      break;
+    }
+    if (point.input.is_unrolled()) {
+      faults.push_back({life.wear.mark,
+                        "film.dimension = \"unrolled\" has a face at each place around the ring, and "
+                        "wear is that of one face",
+                        "state film.dimension = \"face\""});
+      break;
+    }
+  }
+  if (life.wear.surface == WornSurface::kFrozen && !life.states.empty()) {
+    faults.push_back({life.states.front().mark, "[[state]] means nothing with wear.surface = \"frozen\"",
+                      "leave the states out, or take wear.surface = \"path\""});
+  }
+}
+
 void check_path(const Life& life, std::vector<Fault>& faults) {
   if (life.states.size() < 2) {
     faults.push_back({life.states.empty() ? SourceMark{} : life.states.front().mark,
-                      "a path needs at least two measured states, and there " +
-                          std::string(life.states.empty() ? "is none" : "is one"),
+                      "a path needs at least two measured states, not " + std::to_string(life.states.size()),
                       "write [[state]] with hours = \"10 h\" and case = \"run-in.toml\" for each"});
     return;
   }
@@ -73,6 +95,11 @@ void check_path(const Life& life, std::vector<Fault>& faults) {
   check_rings_of_states(life, faults);
   if (!faults.empty()) return;
   const double first = life.states.front().time;
+  if (life.mode == Mode::kArchard && first > 0) {
+    faults.push_back({life.states.front().mark,
+                      "wear starts at 0 h, before the first state, after " + hours_text(first),
+                      "add a state with hours = \"0 h\""});
+  }
   for (const ReportedTime& now : life.times) {
     if (now.time >= first) continue;
     faults.push_back(
@@ -89,7 +116,8 @@ std::string hours_text(double time) { return number_text(time / kHour) + " h"; }
 std::vector<Fault> faults_of(const Life& life) {
   std::vector<Fault> faults;
   check_times(life, faults);
-  check_path(life, faults);
+  if (life.mode == Mode::kArchard) check_wear(life, faults);
+  if (life.mode == Mode::kMeasuredPath || life.wear.surface == WornSurface::kPath) check_path(life, faults);
   return faults;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ std::string hours_text(double time);  ///< a running time [s] as messages show i
 /// Where face, roughness and shear strength come from over the running time.
 enum class Mode {
   kMeasuredPath,  ///< interpolated between measured states
+  kArchard  ///< a scenario: the face wears by asperity pressure and sliding, the surface as `Wear::surface` has it
 };
 
 /// How the running time enters an interpolation between two states.
@@ -50,6 +52,37 @@ struct OperatingPoint {
   cycle::Case input;  ///< with the ring of the base case
 };
 
+/// Where roughness and shear strength of a ring come from whose face wears.
+enum class WornSurface {
+  kFrozen,  ///< those of the base case
+  kPath     ///< those of the path between the measured states
+};
+
+/// How wear is integrated over the running time.
+enum class WearScheme {
+  kHeun,  ///< mean of the wear rates at both ends of a jump
+  kEuler  ///< that at its start
+};
+
+/// Archard wear of the face.
+struct Wear {
+  double coefficient = 0;                        ///< k: depth per pressure and sliding length [m2/N]
+  std::optional<double> running_in_coefficient;  ///< k_0, until running_in_time; absent: k all the time [m2/N]
+  double running_in_time = 10 * kHour;           ///< [s]
+  WornSurface surface = WornSurface::kFrozen;
+  WearScheme scheme = WearScheme::kHeun;
+  std::optional<int> jumps;        ///< equal ones over the time to the last reported one; absent: as the two below ask
+  double largest_depth = 0.15e-6;  ///< of a jump [m]
+  double jump_error = 0.02e-6;     ///< by which the two stages of a jump may differ [m]; Heun
+  double tilt_spread = 0;          ///< a: the ring is tilted by -a to a, all alike often [rad]
+  int tilt_samples = 12;           ///< tilts that stand for the spread
+  double edge_factor = 1;          ///< of the coefficient in the edge zones [-]
+  double edge_distance = 0.3e-3;   ///< from the middle of the face to the edge zones [m]
+  std::optional<double> liner_coefficient;  ///< k of the liner along the stroke; absent: it does not wear [m2/N]
+  std::optional<double> coating_thickness;  ///< at whose depth the life ends; absent: of the case's ring [m]
+  SourceMark mark = {};                     ///< of the table
+};
+
 /// What a life is computed from.
 struct Life {
   std::string title;
@@ -57,6 +90,7 @@ struct Life {
   std::vector<ReportedTime> times;     ///< increasing
   std::vector<MeasuredState> states;   ///< anchors of the path, in the order of their running times
   Interpolation path;                  ///< between them
+  Wear wear;                           ///< of Mode::kArchard
   std::vector<OperatingPoint> points;  ///< at least one; the shares are 1 in all
 };
 

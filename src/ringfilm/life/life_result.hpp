@@ -6,6 +6,7 @@
 
 #include "ringfilm/life/life_quantities.hpp"
 #include "ringfilm/life/ring_state.hpp"
+#include "ringfilm/life/wear_integration.hpp"
 
 /// What a life gives over its running hours.
 namespace ringfilm::life {
@@ -15,6 +16,9 @@ struct WornProfile {
   std::vector<double> depth;  ///< at LifeState::x [m]
   double worn_area = 0;       ///< of the cross-section: per length of the circumference [m2]
   double largest_depth = 0;   ///< [m]
+  double end_gap_growth = 0;  ///< 2 pi times the largest depth: by how much the ends of the ring move apart [m]
+  std::optional<double> coating_left;  ///< at the deepest place; nothing where its thickness is not known [m]
+  std::vector<double> liner_depth;     ///< at LifeResult::liner_position [m]; empty: the liner is not followed
 };
 
 /// The ring after one of the reported running times.
@@ -39,10 +43,19 @@ struct NamedPath {
   Interpolation path;
 };
 
+/// How a scenario of wear was integrated, and how it ended.
+struct WearSummary {
+  WearEffort effort;
+  std::optional<double> worn_through;  ///< when the coating was gone; nothing later was computed [s]
+  std::optional<double> wedge_gone;    ///< when an edge of the face came within the roughness of its lowest point [s]
+};
+
 /// A life, computed.
 struct LifeResult {
-  std::vector<LifeState> states;       ///< in the order of Life::times
+  std::vector<LifeState> states;       ///< in the order of Life::times; fewer where the coating was worn through
   std::vector<NamedPath> other_paths;  ///< whose values make the band
+  std::optional<WearSummary> wear;     ///< of a scenario of wear
+  std::vector<double> liner_position;  ///< below the TDC position of the ring [m]; empty: the liner is not followed
   std::vector<cycle::Note> notes;      ///< of the cycles and of the life; their counts are cycles
   long cycles = 0;                     ///< integrated until they repeat themselves
 };

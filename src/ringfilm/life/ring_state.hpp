@@ -23,7 +23,8 @@ enum class Part { kFace, kRoughness, kShearStrength };
 enum class Standing {
   kMeasured,      ///< it is one of the measured states
   kInterpolated,  ///< between two of them
-  kHeld           ///< after the last one, whose values it keeps
+  kHeld,          ///< after the last one, whose values it keeps
+  kScenario       ///< its face follows from an assumed or tuned wear coefficient
 };
 
 RingState ring_state_of(const cycle::Case& c);  ///< that of a case

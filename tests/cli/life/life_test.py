@@ -85,7 +85,95 @@ class Path(LifeTest):
             self.assertAlmostEqual(alone[part]["mean_power_loss"], watts, delta=0.06)
 
 
+ARCHARD = """\
+title = "a wearing ring"
+case = "case.toml"
+mode = "archard"
+hours = ["0 h", "1 h", "4 h"]
+[wear]
+coefficient = "4e-18 m2/N"
+"""
+
+
+class Archard(LifeTest):
+    def worn(self, more="", text=ARCHARD):
+        (self.folder / "archard.toml").write_text(text + more)
+        return self.life("archard.toml")
+
+    def test_nothing_is_worn_at_the_start_and_its_values_are_those_of_the_case(self):
+        first = self.worn()["states"][0]
+        alone = json.loads(self.run_well("run", "case.toml", "--json"))
+        self.assertEqual((first["worn_area"], first["largest_worn_depth"]), (0, 0))
+        for name in ("mean_power_loss", "fmep", "mean_absolute_oil_flow"):
+            self.assertEqual(first[name], alone[name])
+
+    def test_volume_is_balanced_to_round_off(self):
+        self.assertLess(self.worn()["wear"]["volume_balance_error"], 1e-12)
+
+    def test_halving_the_jumps_changes_the_depth_by_less_than_the_stages(self):
+        four, eight = (self.worn(f"jumps = {n}\n") for n in (4, 8))
+        change = abs(four["states"][-1]["largest_worn_depth"] - eight["states"][-1]["largest_worn_depth"])
+        self.assertLess(change, four["wear"]["stage_difference"])
+        ratio = four["states"][-1]["worn_area"] / eight["states"][-1]["worn_area"]
+        self.assertAlmostEqual(ratio, 1, delta=1e-3)
+
+    def test_chosen_jumps_agree_with_many_equal_ones(self):
+        chosen, many = self.worn()["states"][-1], self.worn("jumps = 64\n")["states"][-1]
+        self.assertAlmostEqual(chosen["worn_area"] / many["worn_area"], 1, delta=1e-3)
+        self.assertAlmostEqual(chosen["largest_worn_depth"], many["largest_worn_depth"], delta=0.02e-6)
+
+    def test_euler_converges_to_the_same(self):
+        euler, heun = (self.worn(f'jumps = 64\nscheme = "{name}"\n')["states"][-1] for name in ("euler", "heun"))
+        self.assertAlmostEqual(euler["worn_area"] / heun["worn_area"], 1, delta=1e-3)
+
+    def test_a_coefficient_in_mm3_per_nm_is_the_same(self):
+        other = self.worn(text=ARCHARD.replace("4e-18 m2/N", "4e-9 mm3/Nm"))
+        self.assertEqual(other["states"], self.worn()["states"])
+
+    def test_a_coating_that_is_worn_through_ends_it_with_the_hour(self):
+        (self.folder / "archard.toml").write_text(ARCHARD + 'coating_thickness = "0.1 um"\n')
+        done = self.run_program("life", "archard.toml", "--json")
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("the coating is worn through after", done.stderr)
+        reported = json.loads(done.stdout)
+        self.assertLess(len(reported["states"]), 3)
+        self.assertGreater(reported["wear"]["coating_worn_through_hours"], 0)
+
+    def test_the_surface_follows_the_path(self):
+        states = '[[state]]\nhours = "0 h"\ncase = "case.toml"\n[[state]]\nhours = "10 h"\ncase = "worn.toml"\n'
+        reported = self.worn(f'surface = "path"\n{states}')
+        self.assertLess(reported["states"][-1]["roughness"], reported["states"][0]["roughness"])
+        self.assertGreater(reported["states"][-1]["worn_area"], 0)
+
+    def test_a_spread_of_tilt_wears_a_wider_zone(self):
+        level, tilted = self.worn(), self.worn('tilt_spread = "20 arcminute"\ntilt_samples = 4\n')
+        self.assertGreater(level["states"][-1]["largest_worn_depth"], tilted["states"][-1]["largest_worn_depth"])
+        self.assertLess(tilted["wear"]["volume_balance_error"], 1e-12)
+
+    def test_the_liner_wears_along_the_stroke(self):
+        reported = self.worn('liner_coefficient = "1e-18 m2/N"\n')
+        depths = reported["states"][-1]["liner_worn_depth"]
+        self.assertEqual(len(depths), len(reported["liner_position"]))
+        self.assertEqual(max(depths), max(depths[:30]), "asperities carry most near TDC")
+
+
 class Refusals(LifeTest):
+    def test_wear_without_a_coefficient(self):
+        self.refused(ARCHARD.replace("coefficient", "jumps").replace('"4e-18 m2/N"', "3"), "[wear] has no coefficient")
+
+    def test_a_coefficient_below_zero(self):
+        self.refused(ARCHARD.replace("4e-18", "-4e-18"), "wear.coefficient", "is not above 0")
+
+    def test_equal_jumps_and_their_error(self):
+        self.refused(ARCHARD + 'jumps = 4\njump_error = "0.01 um"\n', "wear.jump_error means nothing with jumps")
+
+    def test_wear_in_a_path(self):
+        self.refused(LIFE + '[wear]\ncoefficient = "4e-18 m2/N"\n', '[wear] means nothing with mode = "measured-path"')
+
+    def test_states_of_a_frozen_surface(self):
+        state = '[[state]]\nhours = "0 h"\ncase = "case.toml"\n'
+        self.refused(ARCHARD + state, '[[state]] means nothing with wear.surface = "frozen"')
+
     def test_states_out_of_order(self):
         self.refused(LIFE.replace('"10 h"\ncase', '"-1 h"\ncase'), "life.toml:8:9", "is before the start of the life")
 

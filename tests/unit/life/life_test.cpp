@@ -42,7 +42,7 @@ TEST(Life, TwoStatesOfOneTimeAreRefused) {
 TEST(Life, APathNeedsTwoStates) {
   Life life = two_states();
   life.states.pop_back();
-  EXPECT_THAT(refusal(life), HasSubstr("at least two measured states, and there is one"));
+  EXPECT_THAT(refusal(life), HasSubstr("at least two measured states, not 1"));
 }
 
 TEST(Life, HoursBeforeTheFirstStateAreRefused) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "ringfilm/io/life/wear_table.hpp"
 #include "ringfilm/io/study/study_table.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/units.hpp"
@@ -22,13 +23,17 @@ class LifeReader {
     const SourceText source = read_source_text(path_, path_, kLargestToml);
     const TomlValue root = parse_toml(source);
     record({"life", path_, source.sha256});
-    StudyTable table(root, "a life", {"title", "case", "mode", "hours", "state", "path"}, faults_);
+    StudyTable table(root, "a life", {"title", "case", "mode", "hours", "state", "path", "wear"}, faults_);
     life_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
-    life_.mode = table.chosen<life::Mode>("mode", {{"measured-path", life::Mode::kMeasuredPath}}).value_or(life_.mode);
+    life_.mode = table
+                     .chosen<life::Mode>(
+                         "mode", {{"measured-path", life::Mode::kMeasuredPath}, {"archard", life::Mode::kArchard}})
+                     .value_or(life_.mode);
     read_hours(table);
     read_base(table);
     for (const TomlValue& state : table.items("state")) read_state(state);
     read_path(table);
+    read_wear(table);
     if (faults_.empty()) faults_ = life::faults_of(life_);
     if (!faults_.empty()) throw InputError(with_places(faults_));
     return {std::move(life_), std::move(files_)};
@@ -47,23 +52,8 @@ class LifeReader {
     return faults;
   }
 
-  std::optional<double> read_quantity(StudyTable& table, const std::string& key, const TomlValue& value,
-                                      const std::string& unit, const std::string& example) {
-    if (value.kind != TomlValue::Kind::kText) {
-      table.refuse(value.mark, fmt::format("{} = {} has no unit", key, value.as_written()),
-                   fmt::format("write it with its unit in quotes, for example {}", example));
-      return std::nullopt;
-    }
-    try {
-      return units_.quantity(value.text, unit, example);
-    } catch (const UnitError& problem) {
-      table.refuse(value.mark, fmt::format("{} = \"{}\" {}", key, value.text, problem.what()), problem.remedy);
-      return std::nullopt;
-    }
-  }
-
   std::optional<double> read_time(StudyTable& table, const std::string& key, const TomlValue& value) {
-    return read_quantity(table, key, value, "s", "\"10 h\"");
+    return life_quantity(table, key, value, "s", "\"10 h\"", units_);
   }
 
   void read_hours(StudyTable& table) {
@@ -152,6 +142,25 @@ class LifeReader {
                    "state a time after which the ring changes more slowly, for example \"1 h\"");
     }
     path.time_constant = constant.value_or(path.time_constant);
+  }
+
+  void read_wear(StudyTable& root) {
+    const TomlValue* value = root.find("wear");
+    const bool wears = life_.mode == life::Mode::kArchard;
+    if (value == nullptr) {
+      if (!wears) return;
+      faults_.push_back({{path_, 0, 0, ""},
+                         "mode = \"archard\" has no [wear]",
+                         "write [wear] and, for example, coefficient = \"4e-18 m2/N\" below"});
+      return;
+    }
+    if (!wears) {
+      root.refuse(value->key_mark, "[wear] means nothing with mode = \"measured-path\"",
+                  "leave it out, or take mode = \"archard\"");
+      return;
+    }
+    const cycle::Case* base = life_.points.empty() ? nullptr : &life_.points.front().input;
+    life_.wear = read_wear_table(*value, base, units_, faults_);
   }
 
   std::string path_, folder_;

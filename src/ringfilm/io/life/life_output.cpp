@@ -54,6 +54,12 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
   object["face_height_chamber_edge"] = state.face_height.front();
   object["face_height_crankcase_edge"] = state.face_height.back();
   object["face_height"] = state.face_height;
+  if (state.worn) {
+    object["worn_depth"] = state.worn->depth;
+    object["end_gap_growth"] = state.worn->end_gap_growth;
+    if (state.worn->coating_left) object["coating_left"] = *state.worn->coating_left;
+    if (!state.worn->liner_depth.empty()) object["liner_worn_depth"] = state.worn->liner_depth;
+  }
   if (!state.other_paths.empty()) {
     object["band"] = band_object(state);
     ordered_json& others = object["interpolations"] = ordered_json::object();
@@ -83,11 +89,39 @@ ordered_json units_object() {
                         {"roughness", "m"},
                         {"boundary_shear_strength_coefficient", "1"},
                         {"x", "m"},
+                        {"worn_depth", "m"},
+                        {"end_gap_growth", "m"},
+                        {"coating_left", "m"},
+                        {"liner_worn_depth", "m"},
+                        {"liner_position", "m"},
                         {"face_height", "m"},
                         {"face_height_chamber_edge", "m"},
                         {"face_height_crankcase_edge", "m"}};
   for (const life::LifeQuantity& quantity : life::life_quantities()) units[quantity.name] = quantity.unit;
   return units;
+}
+
+ordered_json hours_or_null(const std::optional<double>& time) {
+  return time ? ordered_json(*time / life::kHour) : ordered_json();
+}
+
+ordered_json wear_object(const LifeDocument& document) {
+  const life::Wear& wear = document.file.life.wear;
+  const life::WearSummary& summary = *document.result.wear;
+  ordered_json object = {{"coefficient", wear.coefficient}};
+  if (wear.running_in_coefficient) {
+    object["running_in_coefficient"] = *wear.running_in_coefficient;
+    object["running_in_hours"] = wear.running_in_time / life::kHour;
+  }
+  object["surface"] = wear.surface == life::WornSurface::kFrozen ? "frozen" : "path";
+  object["scheme"] = wear.scheme == life::WearScheme::kHeun ? "heun" : "euler";
+  object["jumps"] = summary.effort.jumps;
+  object["rejected_jumps"] = summary.effort.rejected_jumps;
+  object["stage_difference"] = summary.effort.stage_difference;
+  object["volume_balance_error"] = summary.effort.balance_error;
+  object["coating_worn_through_hours"] = hours_or_null(summary.worn_through);
+  object["wedge_gone_hours"] = hours_or_null(summary.wedge_gone);
+  return object;
 }
 
 constexpr const char* kTime = "running_time";
@@ -150,6 +184,25 @@ void put_values(ResultFileWriter& file, const LifeDocument& document) {
   }
 }
 
+void put_wear(ResultFileWriter& file, const LifeDocument& document) {
+  std::vector<double> depths, liner;
+  for (const life::LifeState& state : document.result.states) {
+    depths.insert(depths.end(), state.worn->depth.begin(), state.worn->depth.end());
+    liner.insert(liner.end(), state.worn->liner_depth.begin(), state.worn->liner_depth.end());
+  }
+  put_over_time(file, described("worn_area", "m2", "worn cross-section of the ring", "A", "eq-life-volume"), document,
+                [](const life::LifeState& state) { return state.worn->worn_area; });
+  put_over_time(file, described("largest_worn_depth", "m", "largest worn depth of the face", "w_max"), document,
+                [](const life::LifeState& state) { return state.worn->largest_depth; });
+  put_over_time(file, described("end_gap_growth", "m", "growth of the end gap by wear"), document,
+                [](const life::LifeState& state) { return state.worn->end_gap_growth; });
+  file.numbers({kTime, "x"}, described("worn_depth", "m", "worn depth of the face", "w", "eq-life-archard"), depths);
+  if (liner.empty()) return;
+  file.numbers({"liner_position"}, described("liner_position", "m", "distance below the TDC position of the ring"),
+               document.result.liner_position);
+  file.numbers({kTime, "liner_position"}, described("liner_worn_depth", "m", "worn depth of the liner"), liner);
+}
+
 void put_words(ResultFileWriter& file, const LifeDocument& document) {
   std::vector<std::string> notes;
   for (const cycle::Note& note : document.result.notes) notes.push_back(note.topic + ": " + note.message);
@@ -164,6 +217,8 @@ std::string standing_word(life::Standing standing) {
       return "measured";
     case life::Standing::kInterpolated:
       return "interpolated";
+    case life::Standing::kScenario:
+      return "scenario";
     case life::Standing::kHeld:
       break;
   }
@@ -171,16 +226,20 @@ std::string standing_word(life::Standing standing) {
 }
 
 std::string life_json(const LifeDocument& document) {
-  ordered_json object = {{"title", document.file.life.title}, {"mode", "measured-path"}};
+  const life::LifeResult& result = document.result;
+  const bool wears = result.wear.has_value();
+  ordered_json object = {{"title", document.file.life.title}, {"mode", wears ? "archard" : "measured-path"}};
   ordered_json& states = object["states"] = ordered_json::array();
-  for (const life::LifeState& state : document.result.states) states.push_back(state_object(document, state));
-  object["x"] = document.result.states.front().x;
+  for (const life::LifeState& state : result.states) states.push_back(state_object(document, state));
+  if (!result.states.empty()) object["x"] = result.states.front().x;
+  if (!result.liner_position.empty()) object["liner_position"] = result.liner_position;
+  if (wears) object["wear"] = wear_object(document);
   object["units"] = units_object();
   ordered_json& notes = object["notes"] = ordered_json::array();
-  for (const cycle::Note& note : document.result.notes) {
+  for (const cycle::Note& note : result.notes) {
     notes.push_back({{"topic", note.topic}, {"message", note.message}, {"count", note.count}});
   }
-  object["cycles"] = document.result.cycles;
+  object["cycles"] = result.cycles;
   object["program"] = document.provenance.program;
   object["commit"] = document.provenance.commit;
   object["kernels"] = document.provenance.kernels;
@@ -206,6 +265,7 @@ void write_life(const std::string& path, const LifeDocument& document) {
   }
   put_ring(file, document);
   put_values(file, document);
+  if (document.result.wear) put_wear(file, document);
   put_words(file, document);
   write_atomically(path, file.bytes());
 }
