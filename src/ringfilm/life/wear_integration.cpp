@@ -104,8 +104,8 @@ class Integration {
 
   /// The longest jump whose depth at the present rates is allowed.
   double longest_by_depth() const {
-    const double rate =
-        largest(load_now_->face) * std::max(wear_.coefficient, wear_.running_in_coefficient.value_or(0));
+    const bool is_running_in = wear_.running_in_coefficient && now_.time < wear_.running_in_time;
+    const double rate = largest(load_now_->face) * (is_running_in ? *wear_.running_in_coefficient : wear_.coefficient);
     return rate > 0 ? wear_.largest_depth / rate : end_;
   }
 

@@ -157,6 +157,78 @@ class Archard(LifeTest):
         self.assertEqual(max(depths), max(depths[:30]), "asperities carry most near TDC")
 
 
+DUTY = """\
+[duty]
+repeat = 30
+[[duty.segment]]
+name = "idle"
+duration = "10 min"
+speed = "900 rpm"
+peak_pressure = "12 bar"
+[[duty.segment]]
+name = "full load"
+duration = "30 min"
+speed = "3000 rpm"
+oil_temperature = "130 degC"
+"""
+
+
+class Duty(LifeTest):
+    def test_means_are_weighted_by_time_and_by_cycles(self):
+        (self.folder / "life.toml").write_text(LIFE + DUTY)
+        state = self.life()["states"][1]
+        idle, full = state["points"]
+        self.assertAlmostEqual(idle["share"], 0.25)
+        power = 0.25 * idle["mean_power_loss"] + 0.75 * full["mean_power_loss"]
+        self.assertAlmostEqual(state["mean_power_loss"] / power, 1, delta=1e-12)
+        cycles = (0.25 * 900, 0.75 * 3000)
+        fmep = (cycles[0] * idle["fmep"] + cycles[1] * full["fmep"]) / sum(cycles)
+        self.assertAlmostEqual(state["fmep"] / fmep, 1, delta=1e-12)
+        self.assertEqual(state["min_film_thickness"], min(idle["min_film_thickness"], full["min_film_thickness"]))
+
+    def test_a_point_is_the_case_with_its_values(self):
+        (self.folder / "life.toml").write_text(LIFE + DUTY)
+        full = self.life()["states"][0]["points"][1]
+        settings = ("--set", "operating.speed=3000 rpm", "--set", "operating.oil_temperature=130 degC")
+        alone = json.loads(self.run_well("run", "case.toml", "--json", *settings))
+        self.assertEqual(full["mean_power_loss"], alone["mean_power_loss"])
+
+    def test_points_with_weights_and_another_gas_model(self):
+        points = """\
+[[duty.point]]
+name = "a"
+weight = 1
+[[duty.point]]
+name = "b"
+weight = 3
+speed = "2000 rpm"
+set = { "gas.model" = "wiebe", "gas.peak_pressure" = "50 bar" }
+"""
+        (self.folder / "life.toml").write_text(LIFE + points)
+        self.assertEqual([point["share"] for point in self.life()["states"][0]["points"]], [0.25, 0.75])
+
+    def test_wear_is_the_mean_of_the_points(self):
+        """A point of which half the time is spent at the same conditions changes nothing."""
+        (self.folder / "archard.toml").write_text(ARCHARD + "jumps = 2\n")
+        alone = self.life("archard.toml")["states"][-1]["worn_area"]
+        halves = '[[duty.point]]\nname = "a"\nweight = 1\n[[duty.point]]\nname = "b"\nweight = 1\n'
+        (self.folder / "archard.toml").write_text(ARCHARD + "jumps = 2\n" + halves)
+        self.assertAlmostEqual(self.life("archard.toml")["states"][-1]["worn_area"] / alone, 1, delta=1e-9)
+
+    def test_refusals(self):
+        for old, new, fragment in (
+            ('"10 min"', '"0 min"', "is not above 0"),
+            ('duration = "10 min"\n', "", "[[duty.segment]] has no duration"),
+            ("repeat = 30", "repeat = 3", "the running time 10 h is after the end of the duty, 2 h"),
+            ('"12 bar"', '"0.5 bar"', "is not above the least pressure of the trace"),
+            ('"900 rpm"', '"900"', "has no unit"),
+            ('name = "full load"', 'name = "idle"', "two parts of the duty have the name idle"),
+        ):
+            with self.subTest(fragment):
+                self.refused(LIFE + DUTY.replace(old, new), "life.toml", fragment)
+        self.refused(LIFE + "[duty]\n", "[duty] has neither segments nor points")
+
+
 class Refusals(LifeTest):
     def test_wear_without_a_coefficient(self):
         self.refused(ARCHARD.replace("coefficient", "jumps").replace('"4e-18 m2/N"', "3"), "[wear] has no coefficient")

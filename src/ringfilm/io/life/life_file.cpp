@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "ringfilm/io/life/duty_table.hpp"
 #include "ringfilm/io/life/wear_table.hpp"
 #include "ringfilm/io/study/study_table.hpp"
 #include "ringfilm/io/text/source_text.hpp"
@@ -23,7 +24,7 @@ class LifeReader {
     const SourceText source = read_source_text(path_, path_, kLargestToml);
     const TomlValue root = parse_toml(source);
     record({"life", path_, source.sha256});
-    StudyTable table(root, "a life", {"title", "case", "mode", "hours", "state", "path", "wear"}, faults_);
+    StudyTable table(root, "a life", {"title", "case", "mode", "hours", "state", "path", "wear", "duty"}, faults_);
     life_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
     life_.mode = table
                      .chosen<life::Mode>(
@@ -31,6 +32,7 @@ class LifeReader {
                      .value_or(life_.mode);
     read_hours(table);
     read_base(table);
+    read_duty(table);
     for (const TomlValue& state : table.items("state")) read_state(state);
     read_path(table);
     read_wear(table);
@@ -72,25 +74,31 @@ class LifeReader {
   std::optional<cycle::Case> read_named_case(StudyTable& table, const std::string& example) {
     const std::string name = table.needed_text("case", example);
     if (name.empty()) return std::nullopt;
-    const std::string path = locate(name, folder_).shown;
-    const SourceMark& mark = table.find("case")->mark;
+    return read_ring(locate(name, folder_).shown, {}, table.find("case")->mark);
+  }
+
+  /// A case of one ring. @param mark where the life asks for it
+  std::optional<cycle::Case> read_ring(const std::string& path, const std::vector<Override>& overrides,
+                                       const SourceMark& mark) {
     try {
-      cycle::Case input = read_case(path, overrides_, units_);
+      std::vector<DroppedKey> dropped;
+      cycle::Case input = read_case_dropping(path, overrides, units_, dropped);
       if (input.problem == cycle::Problem::kPad) {
-        table.refuse(mark, fmt::format("{} is a pad", path), "a life is that of a ring over engine cycles");
+        faults_.push_back({mark, fmt::format("{} is a pad", path), "a life is that of a ring over engine cycles"});
         return std::nullopt;
       }
       if (input.is_pack()) {
-        table.refuse(
-            mark, fmt::format("{} is a pack of {} rings", path, input.rings.size()),
-            "a life is that of one ring: write it as [ring], with ring.pressure_above and ring.pressure_below");
+        faults_.push_back({mark, fmt::format("{} is a pack of {} rings", path, input.rings.size()),
+                           "a life is that of one ring: write it as [ring], with ring.pressure_above and "
+                           "ring.pressure_below"});
         return std::nullopt;
       }
       for (const cycle::InputFile& file : input.files) record(file);
       return input;
     } catch (const InputError& error) {
       for (const Fault& f : error.faults()) {
-        faults_.push_back(f.mark.line > 0 ? f : Fault{mark, f.message, f.remedy});
+        const bool in_file = f.mark.line > 0 && f.mark.file != "--set";
+        faults_.push_back(in_file ? f : Fault{mark, f.message, f.remedy});
       }
       return std::nullopt;
     }
@@ -99,6 +107,27 @@ class LifeReader {
   void read_base(StudyTable& table) {
     if (auto input = read_named_case(table, "\"new.toml\"")) {
       life_.points.push_back({"duty", 1, std::move(*input)});
+    }
+  }
+
+  /// After the base case, of which each part is another reading.
+  void read_duty(StudyTable& table) {
+    const TomlValue* value = table.find("duty");
+    if (value == nullptr || life_.points.empty()) return;
+    const std::string path = locate(table.find("case")->text, folder_).shown;
+    const ReadBase read_base = [&](const std::vector<Override>& overrides, const SourceMark& mark) {
+      return read_ring(path, overrides, mark);
+    };
+    Duty duty = read_duty_table(*value, {read_base, folder_, units_}, faults_);
+    if (duty.points.empty()) return;
+    life_.points = std::move(duty.points);
+    for (const life::ReportedTime& now : life_.times) {
+      constexpr double kRounding = 1e-9;
+      if (!duty.length || now.time <= *duty.length * (1 + kRounding)) continue;
+      faults_.push_back({now.mark,
+                         fmt::format("the running time {} is after the end of the duty, {}",
+                                     life::hours_text(now.time), life::hours_text(*duty.length)),
+                         "ask for earlier hours, or repeat the segments more often"});
     }
   }
 
