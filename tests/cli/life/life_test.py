@@ -229,6 +229,25 @@ set = { "gas.model" = "wiebe", "gas.peak_pressure" = "50 bar" }
         self.refused(LIFE + "[duty]\n", "[duty] has neither segments nor points")
 
 
+class Faces(LifeTest):
+    def test_bounds_of_the_three_rings(self):
+        """Bounds of another program on a grid of its own; docs/theory/life.md."""
+        rings = [
+            str(program.SOURCES / "cases" / "styles2014" / f"{ring}.toml") for ring in ("new", "run-in", "embedded")
+        ]
+        reported = json.loads(self.run_well("life", "faces", *rings, "--json"))
+        self.assertEqual([pair["later"] for pair in reported["pairs"]], ["run-in", "embedded", "embedded"])
+        for pair, depth in zip(reported["pairs"], (16.8, 3.0, 19.3), strict=True):
+            self.assertAlmostEqual(pair["tilted"][0]["depth_at_middle"] * 1e6, depth, delta=0.08)
+        self.assertEqual([len(face["concave"]) for face in reported["faces"]], [0, 1, 1])
+
+    def test_refusals(self):
+        self.assert_refused(self.run_program("life", "faces", "case.toml"), "wear is a difference of faces")
+        narrow = program.CASE.replace('face_width = "1.2 mm"', 'face_width = "1.0 mm"')
+        (self.folder / "narrow.toml").write_text(narrow)
+        self.assert_refused(self.run_program("life", "faces", "case.toml", "narrow.toml"), "1 mm wide")
+
+
 class Refusals(LifeTest):
     def test_wear_without_a_coefficient(self):
         self.refused(ARCHARD.replace("coefficient", "jumps").replace('"4e-18 m2/N"', "3"), "[wear] has no coefficient")

@@ -87,7 +87,8 @@ class DutyReader {
         &form == &kPoints ? part.number(form.length)
                           : life_quantity(part, "duty.segment.duration", *value, "s", form.example, sources_.units);
     if (length && !(*length > 0)) {
-      part.refuse(value->mark, fmt::format("duty.{}.{} = {} is not above 0", form.list, form.length, value->as_written()),
+      part.refuse(value->mark,
+                  fmt::format("duty.{}.{} = {} is not above 0", form.list, form.length, value->as_written()),
                   fmt::format("leave this part out, or write, for example, {} = {}", form.length, form.example));
     }
     return length.value_or(0);
@@ -139,8 +140,9 @@ class DutyReader {
     const std::vector<double>& values = (*input.gas.cylinder_pressure).value;
     const double least = *std::min_element(values.begin(), values.end());
     if (*peak <= least) {
-      part.refuse(mark, fmt::format("the peak pressure {:.6g} bar is not above the least pressure of the trace, {:.6g} bar",
-                                    *peak / 1e5, least / 1e5),
+      part.refuse(mark,
+                  fmt::format("the peak pressure {:.6g} bar is not above the least pressure of the trace, {:.6g} bar",
+                              *peak / 1e5, least / 1e5),
                   "state a higher peak_pressure, with the reference of the trace");
       return false;
     }

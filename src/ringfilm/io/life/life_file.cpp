@@ -125,8 +125,8 @@ class LifeReader {
       constexpr double kRounding = 1e-9;
       if (!duty.length || now.time <= *duty.length * (1 + kRounding)) continue;
       faults_.push_back({now.mark,
-                         fmt::format("the running time {} is after the end of the duty, {}",
-                                     life::hours_text(now.time), life::hours_text(*duty.length)),
+                         fmt::format("the running time {} is after the end of the duty, {}", life::hours_text(now.time),
+                                     life::hours_text(*duty.length)),
                          "ask for earlier hours, or repeat the segments more often"});
     }
   }
