@@ -10,6 +10,7 @@
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/io/life/life_output.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/report/life_page.hpp"
 #include "ringfilm/study/ensemble/cycle_integrators.hpp"
 
 namespace ringfilm::app {
@@ -17,12 +18,15 @@ namespace {
 
 io::LifeFile checked_life(const LifeOptions& options) {
   io::LifeFile file = io::read_life(options.life_path);
-  if (!options.output) return file;
-  check_suffix("--output", *options.output, OutputKind::kNetcdf);
-  io::check_can_write(*options.output, io::Sink::kFile);
-  for (const cycle::InputFile& input : file.files) {
-    if (!is_same_file(*options.output, input.path)) continue;
-    throw InputError(*options.output + ": the output is a file that the life is read from", "name another file");
+  if (options.output) check_suffix("--output", *options.output, OutputKind::kNetcdf);
+  if (options.page) check_suffix("--html", *options.page, OutputKind::kPage);
+  for (const auto& output : {options.output, options.page}) {
+    if (!output) continue;
+    io::check_can_write(*output, io::Sink::kFile);
+    for (const cycle::InputFile& input : file.files) {
+      if (!is_same_file(*output, input.path)) continue;
+      throw InputError(*output + ": the output is a file that the life is read from", "name another file");
+    }
   }
   return file;
 }
@@ -46,12 +50,15 @@ void run_life(const LifeOptions& options) {
     };
     document.result = life::run_life(document.file.life, study::cycle_integrators({options.threads}, progress));
   }
-  if (options.output && !document.result.states.empty()) io::write_life(*options.output, document);
+  const bool is_worth_writing = !document.result.states.empty();
+  if (options.output && is_worth_writing) io::write_life(*options.output, document);
+  if (options.page && is_worth_writing) io::write_atomically(*options.page, report::life_page(document));
   if (options.summary == SummaryForm::kJson) {
     std::cout << io::life_json(document);
   } else {
     std::cout << life_summary(document);
-    if (options.output && !document.result.states.empty()) std::cout << "wrote " << *options.output << "\n";
+    if (options.output && is_worth_writing) std::cout << "wrote " << *options.output << "\n";
+    if (options.page && is_worth_writing) std::cout << "wrote " << *options.page << "\n";
   }
   check_end(document.result);
 }

@@ -10,6 +10,7 @@ namespace ringfilm::app {
 struct LifeOptions {
   std::string life_path;
   std::optional<std::string> output;  ///< NetCDF
+  std::optional<std::string> page;    ///< web page
   SummaryForm summary = SummaryForm::kTable;
   int threads = 0;  ///< 0: as many as the machine runs at once
 };

@@ -13,19 +13,19 @@ constexpr const char* kLifeFooter =
     "Examples:\n"
     "  ringfilm life cases/life/styles2014.toml\n"
     "  ringfilm life my_life.toml --json\n"
-    "  ringfilm life my_life.toml --output my_life.nc\n"
+    "  ringfilm life my_life.toml --output my_life.nc --html my_life.html\n"
     "  ringfilm life faces new.toml run-in.toml embedded.toml\n"
     "What a life file holds: docs/manual/guide/life.md";
 
 struct LifeArguments {
   std::vector<std::string> alone;
-  std::optional<std::string> output, threads;
+  std::optional<std::string> output, page, threads;
   bool json = false;
 
   void run() const {
     const SummaryForm summary = json ? SummaryForm::kJson : SummaryForm::kTable;
     if (alone.front() == "faces") {
-      if (output || threads) {
+      if (output || page || threads) {
         throw InputError("ringfilm life faces takes no other option than --json", "leave the others out");
       }
       return compare_faces({{alone.begin() + 1, alone.end()}, summary});
@@ -34,7 +34,7 @@ struct LifeArguments {
       throw InputError("ringfilm life " + alone[1] + ": this is one word too many",
                        "one life at a time; ringfilm life faces A.toml B.toml compares faces");
     }
-    run_life({alone.front(), output, summary, threads ? thread_count("--threads", *threads) : 0});
+    run_life({alone.front(), output, page, summary, threads ? thread_count("--threads", *threads) : 0});
   }
 };
 
@@ -49,6 +49,7 @@ void add_life_command(CLI::App& program, Actions& actions) {
       ->expected(1, kMostWords)
       ->type_name("");
   command->add_option("-o,--output", arguments->output, "write all values over the hours as NetCDF")->type_name("X.nc");
+  command->add_option("--html", arguments->page, "write the same as a web page")->type_name("X.html");
   command->add_flag("--json", arguments->json, "print JSON, SI units, instead of the table");
   command->add_option("--threads", arguments->threads, "1 to 1024; without it as many as the machine runs at once")
       ->type_name("N");

@@ -67,6 +67,13 @@ class Path(LifeTest):
         for name in (b"running_time", b"mean_power_loss_high", b"face_height", b"ringfilm_life_schema"):
             self.assertIn(name, stored)
 
+    def test_the_page_holds_the_life_and_fetches_nothing(self):
+        self.run_well("life", "life.toml", "--html", "life.html")
+        page = (self.folder / "life.html").read_text(encoding="utf-8")
+        self.assertIn("a small life", page)
+        self.assertIn('"standing":"interpolated"', page)
+        self.assertIn("default-src 'none'", page)
+
     def test_the_number_of_threads_changes_nothing(self):
         self.assertEqual(self.life(), self.life("life.toml", "--threads", "1"))
 

@@ -55,6 +55,7 @@ std::vector<cycle::CycleResult> each_alone(const std::vector<life::CycleRequest>
   const int n = std::min(n_threads(options.threads), static_cast<int>(requests.size()));
   on_threads(n, [&](int) {
     for (std::size_t i = next++; i < requests.size(); i = next++) {
+      if (options.pulse) options.pulse();
       results[i] = simulated(requests[i]);
       count.one_ended();
     }
