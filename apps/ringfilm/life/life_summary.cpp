@@ -42,8 +42,36 @@ std::string wear_table(const io::LifeDocument& document) {
     text += fmt::format("{:>8.6g} {:>16.5g} {:>16.5g}\n", state.time / life::kHour, state.worn->worn_area * 1e9,
                         state.worn->largest_depth * 1e6);
   }
+  for (const life::LifeState& state : document.result.states) {
+    for (const life::FaceDistance& distance : state.from_measured) {
+      text += fmt::format("{:>8.6g} h: {:.3g} um rms from the measured face within {:.2g} mm of the middle\n",
+                          state.time / life::kHour, distance.rms * 1e6, distance.half_width * 1e3);
+    }
+  }
+  if (const auto& implied = document.result.wear->implied) {
+    text += fmt::format("mean coefficient that the measured faces imply as a lower bound: {:.2g} to {:.2g} m2/N\n",
+                        implied->low, implied->high);
+  }
   return text + fmt::format("{} jumps, {} rejected; stages of a jump differ by up to {:.2g} um, volumes by {:.1g}\n",
                             effort.jumps, effort.rejected_jumps, effort.stage_difference * 1e6, effort.balance_error);
+}
+
+std::string when(const std::optional<double>& time) {
+  return time ? fmt::format("after {:.4g} h", *time / life::kHour) : "not within the reported hours";
+}
+
+std::string end_lines(const io::LifeDocument& document) {
+  std::string text;
+  for (std::size_t i = 0; i < document.result.ends.size(); ++i) {
+    const life::EndRule& rule = document.file.life.end_rules[i];
+    text += fmt::format("end of life by {}: {}", rule.quantity, when(document.result.ends[i].time));
+    for (std::size_t k = 0; k < document.result.ends[i].other_paths.size(); ++k) {
+      text +=
+          fmt::format("; {}: {}", document.result.other_paths[k].name, when(document.result.ends[i].other_paths[k]));
+    }
+    text += "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -58,6 +86,7 @@ std::string life_summary(const io::LifeDocument& document) {
   text += "\n";
   for (const life::LifeState& state : document.result.states) text += turned_line(state);
   if (document.result.wear) text += wear_table(document);
+  text += end_lines(document);
   text += fmt::format("\n{} cycles\n", document.result.cycles);
   for (const cycle::Note& note : document.result.notes) {
     text += fmt::format("note ({} cycles): {}\n", note.count, note.message);

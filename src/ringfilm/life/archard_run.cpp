@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/table.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/life/duty_batch.hpp"
+#include "ringfilm/life/face_distance.hpp"
+#include "ringfilm/life/wear_bounds.hpp"
 #include "ringfilm/life/worn_face.hpp"
 
 namespace ringfilm::life {
@@ -86,6 +90,8 @@ class Scenario {
   void check_wedge(const WornDepths& now);
   WornProfile profile(const WornDepths& depths) const;
   LifeState reported_state(const WornDepths& depths) const;
+  void compare_with_measured(LifeState& state) const;
+  std::optional<CoefficientRange> implied_coefficient() const;
   void append_notes();
 
   const Life& life_;
@@ -199,6 +205,42 @@ LifeState Scenario::reported_state(const WornDepths& depths) const {
   return state;
 }
 
+/// Half widths over which faces are compared: without the outer part, where scans are least to be trusted.
+constexpr double kCompared[] = {0.5e-3, 0.3e-3};
+
+void Scenario::compare_with_measured(LifeState& state) const {
+  for (const MeasuredState& measured : life_.states) {
+    if (measured.time != state.time) continue;
+    const FaceHeights face = face_heights(measured.input);
+    std::vector<double> heights;
+    for (const double x : state.x) heights.push_back(interpolate_linear(face.x, face.height, x));
+    for (const double half_width : kCompared) {
+      if (half_width > 0.5 * face.width()) continue;
+      state.from_measured.push_back({half_width, rms_distance(state.x, state.face_height, heights, half_width)});
+    }
+  }
+}
+
+/// The scenario's mean coefficient, scaled from its worn area to the least ones that the measured faces allow: for one
+/// surface the faces that a scenario passes do not depend on the coefficient, which only sets the clock.
+std::optional<CoefficientRange> Scenario::implied_coefficient() const {
+  if (life_.states.size() < 2) return std::nullopt;
+  const MeasuredState &first = life_.states.front(), &last = life_.states.back();
+  for (const LifeState& state : result_.states) {
+    if (state.time != last.time || state.time == 0 || state.worn->worn_area <= 0) continue;
+    const double mean = coefficient_integral(life_.wear, 0, state.time) / state.time;
+    const FaceHeights from = face_heights(first.input), to = face_heights(last.input);
+    CoefficientRange range{std::numeric_limits<double>::infinity(), 0};
+    for (const double share : trusted_margins()) {
+      const double area = least_wear(from, to, share * from.width(), Tilt::kFree).area;
+      range.low = std::min(range.low, mean * area / state.worn->worn_area);
+      range.high = std::max(range.high, mean * area / state.worn->worn_area);
+    }
+    return range;
+  }
+  return std::nullopt;
+}
+
 void Scenario::append_notes() {
   cycle::sort_notes(result_.notes);
   if (const auto& when = result_.wear->worn_through) {
@@ -245,6 +287,8 @@ LifeResult Scenario::run() {
   add_parts(life_, result_.states, others);
   result_.cycles += reported.integrate(integrators_.alone);
   result_.cycles += others.integrate(integrators_.side_by_side);
+  for (LifeState& state : result_.states) compare_with_measured(state);
+  result_.wear->implied = implied_coefficient();
   append_notes();
   return std::move(result_);
 }

@@ -83,6 +83,12 @@ struct Wear {
   SourceMark mark = {};                     ///< of the table
 };
 
+/// A limit that ends a life as its user states it; from whichever side its value starts.
+struct EndRule {
+  std::string quantity;  ///< one of limitable_quantities()
+  double limit = 0;      ///< [SI]
+};
+
 /// What a life is computed from.
 struct Life {
   std::string title;
@@ -90,6 +96,7 @@ struct Life {
   std::vector<ReportedTime> times;     ///< increasing
   std::vector<MeasuredState> states;   ///< anchors of the path, in the order of their running times
   Interpolation path;                  ///< between them
+  std::vector<EndRule> end_rules;      ///< when the life ends; empty: no rule
   Wear wear;                           ///< of Mode::kArchard
   std::vector<OperatingPoint> points;  ///< at least one; the shares are 1 in all
 };

@@ -3,6 +3,7 @@
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/life/archard_run.hpp"
 #include "ringfilm/life/duty_batch.hpp"
+#include "ringfilm/life/end_of_life.hpp"
 
 namespace ringfilm::life {
 namespace {
@@ -81,7 +82,9 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators) {
 }  // namespace
 
 LifeResult run_life(const Life& life, const CycleIntegrators& integrators) {
-  return life.mode == Mode::kArchard ? run_archard(life, integrators) : run_path(life, integrators);
+  LifeResult result = life.mode == Mode::kArchard ? run_archard(life, integrators) : run_path(life, integrators);
+  result.ends = ends_of_life(life, result);
+  return result;
 }
 
 }  // namespace ringfilm::life

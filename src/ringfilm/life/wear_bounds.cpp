@@ -100,6 +100,11 @@ WearBound least_wear(const FaceHeights& earlier, const FaceHeights& later, doubl
   return bound;
 }
 
+const std::vector<double>& trusted_margins() {
+  static const std::vector<double> margins = {0, 1.0 / 20, 1.0 / 12, 1.0 / 4};
+  return margins;
+}
+
 std::vector<ConcaveStretch> concave_stretches(const FaceHeights& face, double least) {
   std::vector<Place> places;
   for (std::size_t i = 0; i < face.x.size(); ++i) places.push_back({face.x[i], face.height[i]});

@@ -34,6 +34,10 @@ struct WearBound {
 /// @param margin at each edge that is not trusted, below half of the width [m]
 WearBound least_wear(const FaceHeights& earlier, const FaceHeights& later, double margin, Tilt tilt);
 
+/// Shares of the width at each edge that bounds leave out, from nothing to the outer quarter: chamfers and the ends of
+/// polynomials lie there.
+const std::vector<double>& trusted_margins();
+
 /// A stretch that no straight liner touches at any tilt: the face lies above its lower convex hull there.
 struct ConcaveStretch {
   double from = 0, to = 0;  ///< [m]

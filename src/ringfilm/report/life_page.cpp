@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ringfilm/life/end_of_life.hpp"
 #include "ringfilm/report/html_text.hpp"
 #include "ringfilm/report/page_template.hpp"
 #include "ringfilm/report/script_text.hpp"
@@ -19,9 +20,7 @@ ordered_json quantities() {
                     {"display_unit", quantity.display_unit},
                     {"long_name", quantity.long_name}});
   };
-  for (const life::LifeQuantity& quantity : life::life_quantities()) add(quantity);
-  add({"worn_area", "m2", "um mm", "worn area", "A", "eq-life-volume"});
-  add({"largest_worn_depth", "m", "um", "largest worn depth", "w_max", "eq-life-archard"});
+  for (const cycle::Quantity& quantity : life::limitable_quantities()) add(quantity);
   return list;
 }
 

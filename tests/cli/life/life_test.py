@@ -102,6 +102,24 @@ coefficient = "4e-18 m2/N"
 """
 
 
+class EndOfLife(LifeTest):
+    def test_a_limit_is_reached_between_two_hours(self):
+        states = self.life()["states"]
+        powers = [state["mean_power_loss"] for state in states]
+        limit = 0.5 * (powers[1] + powers[2])
+        (self.folder / "life.toml").write_text(LIFE + f'[end_of_life]\nmean_power_loss = "{limit!r} W"\n')
+        (end,) = self.life()["end_of_life"]
+        self.assertAlmostEqual(end["hours"], 6, delta=1e-6)
+        self.assertEqual(set(end["interpolations"]), set(states[0]["interpolations"]))
+
+    def test_a_limit_that_is_not_reached_is_null(self):
+        (self.folder / "life.toml").write_text(LIFE + '[end_of_life]\nlargest_worn_depth = "5 um"\n')
+        self.assertIsNone(self.life()["end_of_life"][0]["hours"])
+
+    def test_an_unknown_limit(self):
+        self.refused(LIFE + '[end_of_life]\noil_flow = "1 mg/s"\n', "unknown key oil_flow in [end_of_life]")
+
+
 class Archard(LifeTest):
     def worn(self, more="", text=ARCHARD):
         (self.folder / "archard.toml").write_text(text + more)
@@ -151,6 +169,16 @@ class Archard(LifeTest):
         reported = self.worn(f'surface = "path"\n{states}')
         self.assertLess(reported["states"][-1]["roughness"], reported["states"][0]["roughness"])
         self.assertGreater(reported["states"][-1]["worn_area"], 0)
+
+    def test_a_scenario_is_compared_with_the_measured_faces(self):
+        states = '[[state]]\nhours = "0 h"\ncase = "case.toml"\n[[state]]\nhours = "4 h"\ncase = "worn.toml"\n'
+        reported = self.worn(f'surface = "path"\n{states}')
+        first, last = reported["states"][0], reported["states"][-1]
+        self.assertEqual([row["half_width"] for row in first["measured_face_distance"]], [0.5e-3, 0.3e-3])
+        self.assertLess(first["measured_face_distance"][0]["rms"], 1e-9)
+        self.assertGreater(last["measured_face_distance"][0]["rms"], 0.1e-6)
+        low, high = reported["wear"]["implied_coefficient"]
+        self.assertLess(low, high)
 
     def test_a_spread_of_tilt_wears_a_wider_zone(self):
         level, tilted = self.worn(), self.worn('tilt_spread = "20 arcminute"\ntilt_samples = 4\n')

@@ -13,9 +13,6 @@ namespace {
 using life::Tilt;
 using nlohmann::ordered_json;
 
-/// Shares of the width at each edge that are not trusted: the outer tenth is where chamfers and fits lie.
-constexpr double kMargins[] = {0, 1.0 / 20, 1.0 / 12, 1.0 / 4};
-
 NamedFace read_face(const std::string& path) {
   const cycle::Case c = read_case(path);
   if (c.problem == cycle::Problem::kPad || c.is_pack()) {
@@ -26,7 +23,7 @@ NamedFace read_face(const std::string& path) {
 
 FacePair compared(const NamedFace& earlier, const NamedFace& later) {
   FacePair pair{earlier.name, later.name, {}, {}, {}};
-  for (const double share : kMargins) {
+  for (const double share : life::trusted_margins()) {
     const double margin = share * earlier.face.width();
     pair.level.push_back(least_wear(earlier.face, later.face, margin, Tilt::kNone));
     pair.tilted.push_back(least_wear(earlier.face, later.face, margin, Tilt::kFree));

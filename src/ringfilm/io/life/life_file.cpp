@@ -11,6 +11,7 @@
 #include "ringfilm/io/study/study_table.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/units.hpp"
+#include "ringfilm/life/end_of_life.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -24,7 +25,8 @@ class LifeReader {
     const SourceText source = read_source_text(path_, path_, kLargestToml);
     const TomlValue root = parse_toml(source);
     record({"life", path_, source.sha256});
-    StudyTable table(root, "a life", {"title", "case", "mode", "hours", "state", "path", "wear", "duty"}, faults_);
+    StudyTable table(root, "a life", {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "end_of_life"},
+                     faults_);
     life_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
     life_.mode = table
                      .chosen<life::Mode>(
@@ -36,6 +38,7 @@ class LifeReader {
     for (const TomlValue& state : table.items("state")) read_state(state);
     read_path(table);
     read_wear(table);
+    read_end(table);
     if (faults_.empty()) faults_ = life::faults_of(life_);
     if (!faults_.empty()) throw InputError(with_places(faults_));
     return {std::move(life_), std::move(files_)};
@@ -190,6 +193,25 @@ class LifeReader {
     }
     const cycle::Case* base = life_.points.empty() ? nullptr : &life_.points.front().input;
     life_.wear = read_wear_table(*value, base, units_, faults_);
+  }
+
+  /// A limit for each quantity that the user names.
+  void read_end(StudyTable& root) {
+    const TomlValue* value = root.find("end_of_life");
+    if (value == nullptr) return;
+    std::vector<std::string> names;
+    for (const cycle::Quantity& quantity : life::limitable_quantities()) names.push_back(quantity.name);
+    StudyTable table(*value, "[end_of_life]", names, faults_);
+    for (const cycle::Quantity& quantity : life::limitable_quantities()) {
+      const TomlValue* limit = table.find(quantity.name);
+      if (limit == nullptr) continue;
+      const std::string key = "end_of_life." + quantity.name;
+      const std::optional<double> number = quantity.unit == "1"
+                                               ? table.number(quantity.name)
+                                               : life_quantity(table, key, *limit, quantity.unit,
+                                                               fmt::format("\"1 {}\"", quantity.display_unit), units_);
+      if (number) life_.end_rules.push_back({quantity.name, *number});
+    }
   }
 
   std::string path_, folder_;

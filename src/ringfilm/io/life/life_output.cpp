@@ -60,6 +60,9 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
     if (state.worn->coating_left) object["coating_left"] = *state.worn->coating_left;
     if (!state.worn->liner_depth.empty()) object["liner_worn_depth"] = state.worn->liner_depth;
   }
+  for (const life::FaceDistance& distance : state.from_measured) {
+    object["measured_face_distance"].push_back({{"half_width", distance.half_width}, {"rms", distance.rms}});
+  }
   if (!state.other_paths.empty()) {
     object["band"] = band_object(state);
     ordered_json& others = object["interpolations"] = ordered_json::object();
@@ -121,7 +124,23 @@ ordered_json wear_object(const LifeDocument& document) {
   object["volume_balance_error"] = summary.effort.balance_error;
   object["coating_worn_through_hours"] = hours_or_null(summary.worn_through);
   object["wedge_gone_hours"] = hours_or_null(summary.wedge_gone);
+  if (summary.implied) object["implied_coefficient"] = {summary.implied->low, summary.implied->high};
   return object;
+}
+
+ordered_json ends_array(const LifeDocument& document) {
+  ordered_json ends = ordered_json::array();
+  for (std::size_t i = 0; i < document.result.ends.size(); ++i) {
+    const life::EndRule& rule = document.file.life.end_rules[i];
+    const life::EndOfLife& end = document.result.ends[i];
+    ordered_json object = {{"quantity", rule.quantity}, {"limit", rule.limit}, {"hours", hours_or_null(end.time)}};
+    for (std::size_t k = 0; k < end.other_paths.size(); ++k) {
+      object["interpolations"][document.result.other_paths[k].name] = hours_or_null(end.other_paths[k]);
+    }
+    object["turned"] = hours_or_null(end.turned);
+    ends.push_back(std::move(object));
+  }
+  return ends;
 }
 
 constexpr const char* kTime = "running_time";
@@ -234,6 +253,7 @@ std::string life_json(const LifeDocument& document) {
   if (!result.states.empty()) object["x"] = result.states.front().x;
   if (!result.liner_position.empty()) object["liner_position"] = result.liner_position;
   if (wears) object["wear"] = wear_object(document);
+  if (!result.ends.empty()) object["end_of_life"] = ends_array(document);
   object["units"] = units_object();
   ordered_json& notes = object["notes"] = ordered_json::array();
   for (const cycle::Note& note : result.notes) {

@@ -73,6 +73,24 @@ function valuesTable(life) {
   return table('Values over the running time', heads, rows, { folds: true });
 }
 
+function endTable(life) {
+  const when = (hours) =>
+    hours === null || hours === undefined ? 'not within these hours' : withUnit(hours, 'h', 4);
+  const others = Object.keys(life.end_of_life[0].interpolations ?? {});
+  return table(
+    'When the stated limits are reached',
+    ['quantity', 'limit', 'reached', ...others, 'ring turned over'],
+    life.end_of_life.map((end) => [
+      life.quantities.find((quantity) => quantity.name === end.quantity).long_name,
+      right(shown(life, end.quantity, { [end.quantity]: end.limit })),
+      when(end.hours),
+      ...others.map((name) => when(end.interpolations[name])),
+      when(end.turned),
+    ]),
+    { folds: true },
+  );
+}
+
 function pointsTable(life) {
   const last = life.states[life.states.length - 1];
   const power = 'mean_power_loss';
@@ -143,6 +161,7 @@ function buildPage(life) {
       valuesTable(life),
       life.states[0].points.length > 1 ? pointsTable(life) : null,
     ),
+    life.end_of_life ? section('end', 'End of life', endTable(life)) : null,
     section('measure', 'What to measure next', whatToMeasure()),
     section(
       'notes',
