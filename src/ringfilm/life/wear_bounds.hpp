@@ -34,7 +34,7 @@ struct WearBound {
 /// @param margin at each edge that is not trusted, below half of the width [m]
 WearBound least_wear(const FaceHeights& earlier, const FaceHeights& later, double margin, Tilt tilt);
 
-/// Shares of the width at each edge that bounds leave out, from nothing to the outer quarter: chamfers and the ends of
+/// Shares of the width at each edge that bounds do not use, from nothing to the outer quarter: chamfers and the ends of
 /// polynomials lie there.
 const std::vector<double>& trusted_margins();
 

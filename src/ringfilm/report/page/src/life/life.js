@@ -5,7 +5,7 @@ import { section, table } from '../tables.js';
 import { display, number, withUnit } from '../units.js';
 import { faceFigure, facesOf } from './life_face.js';
 import { attributionFigure, figuresOverHours } from './life_figures.js';
-import { kStandings, whatToMeasure } from './life_words.js';
+import { kStandings, publishedWear, whatToMeasure } from './life_words.js';
 
 const right = (text) => ({ text, attributes: { class: 'number' } });
 
@@ -162,7 +162,7 @@ function buildPage(life) {
       life.states[0].points.length > 1 ? pointsTable(life) : null,
     ),
     life.end_of_life ? section('end', 'End of life', endTable(life)) : null,
-    section('measure', 'What to measure next', whatToMeasure()),
+    section('measure', 'What to measure next', whatToMeasure(), life.mode === 'archard' ? publishedWear() : null),
     section(
       'notes',
       'Notes',

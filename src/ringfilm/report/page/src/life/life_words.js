@@ -1,5 +1,6 @@
-// What stays the same on every page of a life: words for how a number is known, and what would tell more.
+// What stays the same on every page of a life: words for how a number is known, and which measurements would help.
 import { element } from '../dom.js';
+import { table } from '../tables.js';
 
 export const kStandings = {
   measured: 'measured state',
@@ -16,6 +17,22 @@ const kMeasurements = [
   ['roughness of the liner at each state', 'which of the two surfaces became smoother'],
   ['boundary shear strength under oil with additives', 'friction apart from the dry reference'],
 ];
+
+/** Wear that was published elsewhere, for its magnitude alone. */
+export function publishedWear() {
+  return table(
+    'Published wear, magnitude only',
+    ['what', 'readings', 'wear'],
+    [
+      [
+        'cylinder liners of 32 marine engines',
+        '64',
+        '0.38 to 2.95 mm per 10 000 h, mean 1.10; other loads, speeds and fuels: no coefficient follows from it',
+      ],
+    ],
+    { folds: true },
+  );
+}
 
 export function whatToMeasure() {
   return element(
