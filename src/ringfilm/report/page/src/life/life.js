@@ -162,7 +162,12 @@ function buildPage(life) {
       life.states[0].points.length > 1 ? pointsTable(life) : null,
     ),
     life.end_of_life ? section('end', 'End of life', endTable(life)) : null,
-    section('measure', 'What to measure next', whatToMeasure(), life.mode === 'archard' ? publishedWear() : null),
+    section(
+      'measure',
+      'What to measure next',
+      whatToMeasure(),
+      life.mode === 'archard' ? publishedWear() : null,
+    ),
     section(
       'notes',
       'Notes',
