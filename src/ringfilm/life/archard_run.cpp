@@ -92,6 +92,7 @@ class Scenario {
   LifeState reported_state(const WornDepths& depths) const;
   void compare_with_measured(LifeState& state) const;
   std::optional<CoefficientRange> implied_coefficient() const;
+  void append_tilt_note();
   void append_notes();
 
   const Life& life_;
@@ -241,6 +242,33 @@ std::optional<CoefficientRange> Scenario::implied_coefficient() const {
   return std::nullopt;
 }
 
+/// Radius of a face at its lowest point, from its heights within a tenth of its width to both sides [m].
+double radius_at_lowest(const std::vector<double>& x, const std::vector<double>& height) {
+  const std::size_t n = x.size(), reach = n / 10;
+  const auto found = std::min_element(height.begin(), height.end()) - height.begin();
+  const std::size_t k = std::clamp<std::size_t>(static_cast<std::size_t>(found), reach, n - 1 - reach);
+  const double before = x[k] - x[k - reach], after = x[k + reach] - x[k];
+  const double bend =
+      2 * ((height[k + reach] - height[k]) / after - (height[k] - height[k - reach]) / before) / (before + after);
+  return bend > 0 ? 1 / bend : std::numeric_limits<double>::infinity();
+}
+
+/// eq-life-tilt: tilts farther apart wear facets.
+void Scenario::append_tilt_note() {
+  if (tilts_.size() < 2 || result_.states.empty()) return;
+  const LifeState& last = result_.states.back();
+  const double sigma = cycle::prepare(with_surface(base_, last.time)).ring.sigma;
+  const double radius = radius_at_lowest(last.x, last.face_height);
+  const double spacing = tilts_[1] - tilts_[0], allowed = 0.5 * std::sqrt(2 * sigma / radius);
+  if (spacing <= allowed) return;
+  constexpr double kArcMinute = std::numbers::pi / 180 / 60;
+  result_.notes.push_back({"tilt-samples-few",
+                           "tilts are " + number_text(spacing / kArcMinute) +
+                               " arc minutes apart; the worn face needs " + number_text(allowed / kArcMinute) +
+                               " or less: take more wear.tilt_samples",
+                           1});
+}
+
 void Scenario::append_notes() {
   cycle::sort_notes(result_.notes);
   if (const auto& when = result_.wear->worn_through) {
@@ -260,6 +288,7 @@ void Scenario::append_notes() {
                            "the wear coefficient is an input of this scenario, not a property of the coating: oil "
                            "temperature, duty and roughness change the implied one by more than a factor of two",
                            1});
+  append_tilt_note();
   if (life_.wear.surface == WornSurface::kPath) append_held_note(life_, result_);
 }
 

@@ -185,6 +185,14 @@ class Archard(LifeTest):
         self.assertGreater(level["states"][-1]["largest_worn_depth"], tilted["states"][-1]["largest_worn_depth"])
         self.assertLess(tilted["wear"]["volume_balance_error"], 1e-12)
 
+    def test_the_sampling_of_the_tilt_has_converged(self):
+        spread = 'tilt_spread = "20 arcminute"\njumps = 2\ntilt_samples = '
+        few, many = self.worn(spread + "6\n"), self.worn(spread + "12\n")
+        ratio = few["states"][-1]["worn_area"] / many["states"][-1]["worn_area"]
+        self.assertAlmostEqual(ratio, 1, delta=2e-3)
+        coarse = self.worn('tilt_spread = "60 arcminute"\njumps = 2\ntilt_samples = 2\n')
+        self.assertIn("tilt-samples-few", [note["topic"] for note in coarse["notes"]])
+
     def test_the_liner_wears_along_the_stroke(self):
         reported = self.worn('liner_coefficient = "1e-18 m2/N"\n')
         depths = reported["states"][-1]["liner_worn_depth"]
