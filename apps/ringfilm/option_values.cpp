@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "ringfilm/base/renamed.hpp"
 #include "ringfilm/io/text/uncertain_quantity.hpp"
 
@@ -58,6 +60,17 @@ std::string OptionValues::renamed_remedy(const std::string& option, const std::s
 
 void OptionValues::check() const {
   if (!faults_.empty()) throw InputError(faults_);
+}
+
+int thread_count(const std::string& option, const std::string& text) {
+  constexpr int kMost = 1024;
+  int threads = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
+  if (error != std::errc() || end != text.data() + text.size() || threads < 1 || threads > kMost) {
+    throw InputError(option + " " + text + ": this is not a number of threads from 1 to " + std::to_string(kMost),
+                     "leave it out for as many as the machine runs at once");
+  }
+  return threads;
 }
 
 }  // namespace ringfilm::app

@@ -50,4 +50,7 @@ class OptionValues {
   std::vector<Fault> faults_;
 };
 
+/// A number of threads from 1 to 1024; throws InputError for another text. @param option with which it is given
+int thread_count(const std::string& option, const std::string& text);
+
 }  // namespace ringfilm::app

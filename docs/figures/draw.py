@@ -19,6 +19,7 @@ MODULES = {  # folder of the pictures: modules that draw them
     "supply": ("supply_charts",),
     "measured": ("measured_charts",),
     "study": ("study_charts",),
+    "life": ("life_charts",),
 }
 
 

@@ -24,7 +24,7 @@ SECTIONS = [
         "From scan to friction",
         ["measured-chain", "surfaces", "surface-files", "face", "lateral-force", "measurement-files"],
     ),
-    ("Many cases", ["study", "performance"]),
+    ("Many cases", ["study", "docs/manual/guide/life", "performance"]),
     ("Other films", ["unrolled", "pad"]),
     ("Tutorials", ["docs/tutorials/README", "docs/tutorials/reproduce-the-paper", "docs/tutorials/*"]),
     ("From programs", ["python", "matlab", "library", "examples/*/README", "result-file"]),

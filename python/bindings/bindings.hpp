@@ -15,6 +15,7 @@ void bind_result(py::module_& module);
 void bind_batch(py::module_& module);
 void bind_pad(py::module_& module);
 void bind_study(py::module_& module);
+void bind_life(py::module_& module);
 void bind_surface(py::module_& module);
 void bind_face(py::module_& module);
 void bind_lateral_force(py::module_& module);

@@ -10,6 +10,7 @@ PYBIND11_MODULE(_ringfilm, module) {
   bind_case(module);
   bind_batch(module);
   bind_study(module);
+  bind_life(module);
   bind_surface(module);
   bind_face(module);
   bind_lateral_force(module);

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -11,6 +10,7 @@
 
 #include "commands/commands.hpp"
 #include "exit_codes.hpp"
+#include "option_values.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/io/result/result_file.hpp"
@@ -136,18 +136,6 @@ std::vector<std::string> with_joined_settings(int argc, const char* const* argv)
     }
   }
   return joined;
-}
-
-/// Threads as the user names them.
-int jobs_of(const std::string& text) {
-  constexpr int kMost = 1024;
-  int jobs = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), jobs);
-  if (error != std::errc() || end != text.data() + text.size() || jobs < 1 || jobs > kMost) {
-    throw InputError("--jobs " + text + ": this is not a number of threads from 1 to " + std::to_string(kMost),
-                     "leave it out for as many as the machine runs at once");
-  }
-  return jobs;
 }
 
 io::VtsShape vts_shape_of(const std::string& word) {
@@ -315,6 +303,7 @@ class Commands {
   }
 
   void add_study() { add_study_command(program_, actions_); }
+  void add_life() { add_life_command(program_, actions_); }
 
   /// Commands that read instruments.
   void add_measuring() {
@@ -347,7 +336,7 @@ class Commands {
             "machine runs at once; the numbers are the same")
         ->type_name("N");
   }
-  int jobs() const { return jobs_ ? jobs_of(*jobs_) : 0; }
+  int jobs() const { return jobs_ ? thread_count("--jobs", *jobs_) : 0; }
 
   CLI::App& program_;
   Actions actions_;
@@ -458,6 +447,7 @@ Request read_command_line(int argc, const char* const* argv) {
   commands->add_reproduce();
   commands->add_verify();
   commands->add_study();
+  commands->add_life();
   commands->add_measuring();
   commands->add_fields();
   commands->add_oils();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "ringfilm/io/text/units.hpp"
@@ -11,6 +12,7 @@
 #include "ringfilm/study/statistics/main_values.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
+#include "ringfilm/study/statistics/weighted_mean.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -51,6 +53,33 @@ class Summary {
         indices_ = screening_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i], base);
     }
     text_ += std::exchange(indices_, "");
+    append_points(base);
+  }
+
+  /// A row for each operating point, and their weighted mean.
+  void append_points(std::size_t base) {
+    const std::vector<study::WeightedPoint>& points = plan_.study().sampling.points;
+    if (points.empty()) return;
+    text_ += fmt::format("  {:<24}{:>8}", "operating point", "weight");
+    for (const std::string& name : study::main_values()) text_ += fmt::format("{:>24}", name.substr(0, 23));
+    text_ += "\n";
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      text_ += fmt::format("  {:<24}{:>8.4g}", points[p].name, points[p].weight);
+      append_main_values([&](const std::vector<double>& values) { return values[plan_.scenario(base, p)]; });
+    }
+    text_ += fmt::format("  {:<32}", "weighted mean");
+    append_main_values([&](const std::vector<double>& values) {
+      return study::weighted_mean(plan_, values, base).value_or(std::numeric_limits<double>::quiet_NaN());
+    });
+  }
+
+  template <class Take>
+  void append_main_values(const Take& take) {
+    for (const std::string& name : study::main_values()) {
+      const std::size_t i = *cycle::cycle_quantity_index(name);
+      text_ += fmt::format("{:>24}", shown(cycle::cycle_quantities()[i], take(rows_.values(i))));
+    }
+    text_ += "\n";
   }
 
   /// What the results of the base note, each topic with the number of scenarios that carry it.

@@ -37,5 +37,7 @@ void add_lateral_force_command(CLI::App& program, Actions& actions);
 void add_synthetic_command(CLI::App& program, Actions& actions);
 /// `ringfilm study`.
 void add_study_command(CLI::App& program, Actions& actions);
+/// `ringfilm life`.
+void add_life_command(CLI::App& program, Actions& actions);
 
 }  // namespace ringfilm::app

@@ -14,5 +14,6 @@ PageTemplate report();
 PageTemplate verification();
 PageTemplate measurement();
 PageTemplate study();
+PageTemplate life();
 
 }  // namespace ringfilm::report::page_template

@@ -35,7 +35,10 @@ struct Correlation {
   SourceMark mark;
 };
 
-enum class Method { kGrid, kOneAtATime, kLatinHypercube, kSobol, kList, kMorris };
+enum class Method { kGrid, kOneAtATime, kLatinHypercube, kSobol, kList, kMorris, kOperatingPoints };
+
+/// Does the study state all points itself?
+inline bool is_listed(Method method) { return method == Method::kList || method == Method::kOperatingPoints; }
 enum class Indices { kNone, kFirstAndTotal };
 
 /// A study continues until the confidence interval of a statistic is this narrow.
@@ -47,6 +50,12 @@ struct StoppingRule {
   SourceMark mark = {};
 };
 
+/// An operating point with its share in a weighted mean.
+struct WeightedPoint {
+  std::string name;
+  double weight = 1;  ///< relative to that of the others [-]
+};
+
 struct Sampling {
   Method method = Method::kSobol;
   /// Points of Latin hypercube and Sobol. Every base is run at each of them; with indices each takes two runs, and one
@@ -54,6 +63,7 @@ struct Sampling {
   std::uint64_t scenarios = 1024;
   Indices indices = Indices::kNone;
   std::optional<StoppingRule> until;
+  std::vector<WeightedPoint> points;      ///< of kOperatingPoints, whose numbers are in `list`
   std::vector<std::vector<double>> list;  ///< values of all factors, point by point [SI]; the index of a choice
   std::uint64_t trajectories = 20;        ///< of Morris
   std::size_t levels = 4;                 ///< of Morris, even

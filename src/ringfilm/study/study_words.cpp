@@ -29,7 +29,8 @@ const std::vector<std::pair<std::string, Method>>& method_words() {
                                                                     {"latin-hypercube", Method::kLatinHypercube},
                                                                     {"sobol", Method::kSobol},
                                                                     {"list", Method::kList},
-                                                                    {"morris", Method::kMorris}};
+                                                                    {"morris", Method::kMorris},
+                                                                    {"operating-points", Method::kOperatingPoints}};
   return words;
 }
 

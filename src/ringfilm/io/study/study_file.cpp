@@ -9,6 +9,7 @@
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/study/study_factor.hpp"
+#include "ringfilm/io/study/study_points.hpp"
 #include "ringfilm/io/study/study_reading.hpp"
 #include "ringfilm/io/study/study_table.hpp"
 #include "ringfilm/io/text/csv_file.hpp"
@@ -32,7 +33,8 @@ class StudyReader {
     const TomlValue root = parse_toml(source);
     record({"study", path_, source.sha256});
     StudyTable table(root, "a study",
-                     {"title", "kind", "seed", "base", "factor", "measured", "correlation", "plan", "keep"}, faults_);
+                     {"title", "kind", "seed", "base", "factor", "measured", "correlation", "plan", "point", "keep"},
+                     faults_);
     study_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
     study_.kind = table.chosen("kind", study::kind_words()).value_or(study_.kind);
     study_.seed = table.count("seed").value_or(study_.seed);
@@ -46,6 +48,7 @@ class StudyReader {
     if (faults_.empty()) read_measured(table);
     if (faults_.empty()) read_correlations(table);
     read_plan(table);
+    read_points(table);
     read_keep(table);
     if (faults_.empty()) read_files_of_factors();
     if (!faults_.empty()) throw InputError(faults_);
@@ -169,6 +172,27 @@ class StudyReader {
     if (method) refuse_idle_keys(table, *method);
     if (sampling.method == Method::kList && faults_.empty()) read_list(table);
     read_until(table);
+  }
+
+  /// Operating points bring their factors with them.
+  void read_points(StudyTable& root) {
+    const std::vector<TomlValue> tables = root.items("point");
+    if (study_.sampling.method != Method::kOperatingPoints) {
+      if (const TomlValue* value = root.find("point"))
+        root.refuse(value->key_mark, "[[point]] means nothing with this method",
+                    "leave the points out, or take method = \"operating-points\" in [plan]");
+      return;
+    }
+    if (!study_.factors.empty()) {
+      root.refuse(study_.factors.front().mark, "a study of operating points has no [[factor]]",
+                  "state the values at each [[point]]");
+      return;
+    }
+    if (!faults_.empty()) return;
+    StudyPoints read = read_study_points(tables, root.find("plan")->key_mark, {study_, units_}, faults_);
+    study_.factors = std::move(read.factors);
+    study_.sampling.points = std::move(read.points);
+    study_.sampling.list = std::move(read.list);
   }
 
   /// Keys that the method does not read; the plan itself reports this for until and indices.

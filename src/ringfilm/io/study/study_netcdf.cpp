@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/study/study_curves.hpp"
+#include "ringfilm/study/statistics/weighted_mean.hpp"
 #include "ringfilm/study/study_words.hpp"
 
 namespace ringfilm::io {
@@ -295,6 +297,31 @@ void write_bands(ResultFileWriter& file, const StudyRows& rows) {
   }
 }
 
+/// Names and weights of operating points, and the weighted mean of each value over the bases.
+void write_points(ResultFileWriter& file, const StudyRows& rows) {
+  const study::Study& study = rows.plan.study();
+  std::vector<std::string> names;
+  std::vector<double> weights;
+  for (const study::WeightedPoint& point : study.sampling.points) {
+    names.push_back(point.name);
+    weights.push_back(point.weight);
+  }
+  file.texts("operating_point", {"operating_point_name", "", "", "operating points, in their order", "", ""}, names);
+  file.numbers({"operating_point"}, {"operating_point_weight", "1", "", "weight of the point", "w", ""}, weights);
+  for (std::size_t i = 0; i < cycle::cycle_quantities().size(); ++i) {
+    cycle::Quantity quantity = cycle::cycle_quantities()[i];
+    const std::vector<double> values = rows.values(i);
+    std::vector<double> means;
+    for (std::size_t b = 0; b < study.bases.size(); ++b) {
+      means.push_back(study::weighted_mean(rows.plan, values, b).value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    quantity.name += "_weighted_mean";
+    quantity.long_name += ", weighted mean over the operating points";
+    quantity.equation = "eq-weighted-mean";
+    file.numbers({"base_case"}, quantity, means);
+  }
+}
+
 }  // namespace
 
 void write_study_result(const std::string& path, const StudyRows& rows) {
@@ -308,6 +335,7 @@ void write_study_result(const std::string& path, const StudyRows& rows) {
   blocks.define();
   blocks.write();
   if (keep.curves == study::Curves::kQuantiles) write_bands(file, rows);
+  if (!rows.plan.study().sampling.points.empty()) write_points(file, rows);
   file.close();
   aside.put_in_place();
 }

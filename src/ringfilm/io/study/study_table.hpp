@@ -9,8 +9,8 @@
 
 namespace ringfilm::io {
 
-/// A table of a study's file with the keys that it may have. What is wrong goes to a list of faults, each with its
-/// place; the functions then return nothing, as for keys that are absent.
+/// A table of the file of a study or of a life with the keys that it may have. What is wrong goes to a list of faults,
+/// each with its place; the functions then return nothing, as for keys that are absent.
 class StudyTable {
  public:
   /// @param name for messages, e.g. "[[factor]]". Unknown keys are refused at once.

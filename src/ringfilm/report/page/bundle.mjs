@@ -77,5 +77,6 @@ writeFileSync(
     asSource('verification', 'src/verification.js') +
     asSource('measurement', 'src/measurement/measurement.js') +
     asSource('study', 'src/study/study.js') +
+    asSource('life', 'src/life/life.js') +
     '}  // namespace ringfilm::report::page_template\n',
 );

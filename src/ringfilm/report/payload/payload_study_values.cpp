@@ -92,7 +92,7 @@ class MainValues {
 
  private:
   /// The first points of a list are not a sample of the others: its order is as it was written.
-  bool settles() const { return study::has_sample(plan_) && plan_.study().sampling.method != study::Method::kList; }
+  bool settles() const { return study::has_sample(plan_) && !study::is_listed(plan_.study().sampling.method); }
 
   bool has_sensitivities() const {
     return study::has_sample(plan_) || plan_.study().sampling.method == study::Method::kOneAtATime;

@@ -88,7 +88,7 @@ std::vector<std::string> IdleFactors::notes() const {
                     " from others in it alone, and in no result");
   }
   // Scenarios of a list may differ in several factors throughout.
-  const bool is_about_bases = !has_pairs_ || (study.sampling.method == Method::kList && notes.empty());
+  const bool is_about_bases = !has_pairs_ || (is_listed(study.sampling.method) && notes.empty());
   for (std::size_t b = 0; b < bases_.size() && is_about_bases; ++b) {
     if (bases_[b].differ || bases_[b].n < 2) continue;
     notes.push_back("no factor changes a value of base \"" + study.bases[b].name + "\": its " +

@@ -83,6 +83,7 @@ Plan::Plan(Study study) : study_(checked(std::move(study))), groups_(factor_grou
         n_points_.push_back(sampling.scenarios * points_per_row());
         break;
       case Method::kList:
+      case Method::kOperatingPoints:
         n_points_.push_back(sampling.list.size());
         break;
       case Method::kMorris:
@@ -155,6 +156,7 @@ Point Plan::point(std::uint64_t i) const {
     case Method::kSobol:
     case Method::kList:
     case Method::kMorris:
+    case Method::kOperatingPoints:
       break;
   }
   Point point{base, sampled_values(p)};
@@ -219,13 +221,14 @@ std::vector<double> Plan::shares(std::uint64_t p) const {
     case Method::kGrid:
     case Method::kOneAtATime:
     case Method::kList:
+    case Method::kOperatingPoints:
       throw std::logic_error("a plan that is not drawn from shares");
   }
   return shares;
 }
 
 std::vector<std::optional<double>> Plan::sampled_values(std::uint64_t p) const {
-  if (study_.sampling.method == Method::kList) {
+  if (is_listed(study_.sampling.method)) {
     const std::vector<double>& row = study_.sampling.list[p];
     return {row.begin(), row.end()};
   }
@@ -237,7 +240,9 @@ std::vector<std::optional<double>> Plan::sampled_values(std::uint64_t p) const {
 }
 
 bool Plan::is_sample(std::uint64_t p) const {
-  if (is_block_by_block() || study_.sampling.method == Method::kMorris) return false;
+  const bool is_chosen =
+      study_.sampling.method == Method::kMorris || study_.sampling.method == Method::kOperatingPoints;
+  if (is_block_by_block() || is_chosen) return false;
   return study_.sampling.indices == Indices::kNone || p % points_per_row() < 2;
 }
 

@@ -40,7 +40,7 @@ class FactorCheck {
     } else if (const auto* span = std::get_if<Span>(&factor_.variation)) {
       check_span(*span);
     } else if (std::holds_alternative<Listed>(factor_.variation)) {
-      if (study_.sampling.method != Method::kList) {
+      if (!is_listed(study_.sampling.method)) {
         refuse("has no values", "state values, a range or a distribution; only a list of scenarios brings its own");
       }
     } else if (n_levels(factor_.variation) == 0) {
@@ -421,7 +421,7 @@ void check_sampling(const Study& study, Faults& faults) {
       refuse("plan.trajectories = " + std::to_string(sampling.trajectories), "2 to 10^6 are required");
     }
   }
-  if (sampling.method == Method::kList) check_list(study, faults);
+  if (is_listed(sampling.method)) check_list(study, faults);
   check_until(study, faults);
 }
 

@@ -123,15 +123,6 @@ Ending refused(std::size_t index, const InputError& refusal) {
   return ending;
 }
 
-/// Throws InputError with every rule that a case breaks: one that was made from another was never checked as a file is.
-void check_rules(const cycle::Case& c) {
-  std::vector<Fault> faults;
-  for (cycle::RuleBreach& breach : cycle::broken_rules(c)) {
-    faults.push_back({{}, std::move(breach.message), std::move(breach.remedy)});
-  }
-  if (!faults.empty()) throw InputError(std::move(faults));
-}
-
 /// All that one thread does.
 cycle::LaneEffort serve(WorkQueue& desk, int thread, const BatchOptions& options) {
   std::map<std::size_t, std::size_t> index;  // in the batch, of scenarios on their way, by their number on this thread
@@ -161,6 +152,14 @@ cycle::LaneEffort serve(WorkQueue& desk, int thread, const BatchOptions& options
 }
 
 }  // namespace
+
+void check_rules(const cycle::Case& c) {
+  std::vector<Fault> faults;
+  for (cycle::RuleBreach& breach : cycle::broken_rules(c)) {
+    faults.push_back({{}, std::move(breach.message), std::move(breach.remedy)});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
 
 std::string Ending::reason() const {
   if (stop) return stop->message;

@@ -23,6 +23,9 @@ struct BatchOptions {
   std::function<void()> pulse = {};
 };
 
+/// Throws InputError with every rule that a case breaks: one that was made from another was never checked as a file is.
+void check_rules(const cycle::Case& c);
+
 /// How a scenario of a batch ended.
 struct Ending {
   std::size_t index = 0;  ///< in the order in which the cases were given, from 0

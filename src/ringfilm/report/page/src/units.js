@@ -13,6 +13,7 @@ const kSizeInSi = {
   m2: 1,
   mm2: 1e-6,
   um2: 1e-12,
+  'um mm': 1e-9,
   m3: 1,
   cm3: 1e-6,
   'um-2': 1e12,

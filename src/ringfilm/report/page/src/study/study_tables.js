@@ -34,6 +34,7 @@ function points(model) {
       grid: 'full grid',
       'one-at-a-time': 'one factor at a time',
       list: `list of ${count(n)} points`,
+      'operating-points': `${count(n)} operating points`,
       'latin-hypercube': `Latin hypercube of ${count(n)} points`,
       sobol: model.has_indices
         ? `scrambled Sobol points, ${rows}rows of ${model.points_per_row} for the indices`

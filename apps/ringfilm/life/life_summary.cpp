@@ -1,0 +1,97 @@
+#include "life/life_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ringfilm::app {
+namespace {
+
+std::size_t index_of(const std::string& name) {
+  const auto& all = life::life_quantities();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+std::string band_text(const life::LifeState& state, std::size_t quantity) {
+  const life::Band band = life::band_of(state, quantity);
+  return band.low < band.high ? fmt::format("{:.1f}..{:.1f}", band.low, band.high) : "";
+}
+
+std::string row(const life::LifeState& state) {
+  const auto value = [&state](const char* name) { return state.values[index_of(name)]; };
+  return fmt::format("{:>8.6g} {:<13} {:>8.4g} {:>8.4g} {:>7.2f} {:>15} {:>7.2f} {:>7.0f} {:>7.3f} {:>7.4f}\n",
+                     state.time / life::kHour, io::standing_word(state.standing), state.ring.roughness * 1e6,
+                     state.ring.boundary_shear_strength_coefficient, value("mean_power_loss"),
+                     band_text(state, index_of("mean_power_loss")), value("fmep") / 1e3,
+                     value("mean_absolute_oil_flow") * 1e6, value("lambda_ratio_at_peak_pressure"),
+                     value("peak_friction_coefficient_firing"));
+}
+
+std::string turned_line(const life::LifeState& state) {
+  if (state.turned.empty()) return "";
+  const std::size_t power = index_of("mean_power_loss"), flow = index_of("mean_absolute_oil_flow");
+  return fmt::format("{:>8.6g} h, ring turned over: {:.2f} W, {:.0f} mg/s\n", state.time / life::kHour,
+                     state.turned[power], state.turned[flow] * 1e6);
+}
+
+std::string wear_table(const io::LifeDocument& document) {
+  const life::WearEffort& effort = document.result.wear->effort;
+  std::string text = fmt::format("\n{:>8} {:>16} {:>16}\n", "hours", "worn area um mm", "largest depth um");
+  for (const life::LifeState& state : document.result.states) {
+    text += fmt::format("{:>8.6g} {:>16.5g} {:>16.5g}\n", state.time / life::kHour, state.worn->worn_area * 1e9,
+                        state.worn->largest_depth * 1e6);
+  }
+  for (const life::LifeState& state : document.result.states) {
+    for (const life::FaceDistance& distance : state.from_measured) {
+      text += fmt::format("{:>8.6g} h: {:.3g} um rms from the measured face within {:.2g} mm of the middle\n",
+                          state.time / life::kHour, distance.rms * 1e6, distance.half_width * 1e3);
+    }
+  }
+  if (const auto& implied = document.result.wear->implied) {
+    text += fmt::format("mean coefficient that the measured faces imply as a lower bound: {:.2g} to {:.2g} m2/N\n",
+                        implied->low, implied->high);
+  }
+  return text + fmt::format("{} jumps, {} rejected; stages of a jump differ by up to {:.2g} um, volumes by {:.1g}\n",
+                            effort.jumps, effort.rejected_jumps, effort.stage_difference * 1e6, effort.balance_error);
+}
+
+std::string when(const std::optional<double>& time) {
+  return time ? fmt::format("after {:.4g} h", *time / life::kHour) : "not within the reported hours";
+}
+
+std::string end_lines(const io::LifeDocument& document) {
+  std::string text;
+  for (std::size_t i = 0; i < document.result.ends.size(); ++i) {
+    const life::EndRule& rule = document.file.life.end_rules[i];
+    text += fmt::format("end of life by {}: {}", rule.quantity, when(document.result.ends[i].time));
+    for (std::size_t k = 0; k < document.result.ends[i].other_paths.size(); ++k) {
+      text +=
+          fmt::format("; {}: {}", document.result.other_paths[k].name, when(document.result.ends[i].other_paths[k]));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string life_summary(const io::LifeDocument& document) {
+  const life::Life& life = document.file.life;
+  std::string text = fmt::format("{}\nmeasured states: {}; operating points: {}\n\n", life.title, life.states.size(),
+                                 life.points.size());
+  text += fmt::format("{:>8} {:<13} {:>8} {:>8} {:>7} {:>15} {:>7} {:>7} {:>7} {:>7}\n", "hours", "state is",
+                      "sigma um", "zeta", "power W", "band W", "FMEP kPa", "flow mg/s", "lambda", "mu");
+  for (const life::LifeState& state : document.result.states) text += row(state);
+  text += "\n";
+  for (const life::LifeState& state : document.result.states) text += turned_line(state);
+  if (document.result.wear) text += wear_table(document);
+  text += end_lines(document);
+  text += fmt::format("\n{} cycles\n", document.result.cycles);
+  for (const cycle::Note& note : document.result.notes) {
+    text += fmt::format("note ({} cycles): {}\n", note.count, note.message);
+  }
+  return text;
+}
+
+}  // namespace ringfilm::app

@@ -1,0 +1,181 @@
+#include "ringfilm/io/life/duty_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/life/wear_table.hpp"
+#include "ringfilm/io/study/study_table.hpp"
+#include "ringfilm/study/design/scenario.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+/// What the length of a part of a duty is called and written as.
+struct Form {
+  const char* list;     ///< "segment"
+  const char* length;   ///< its key
+  const char* example;  ///< of it
+};
+constexpr Form kSegments{"segment", "duration", "\"10 min\""}, kPoints{"point", "weight", "0.3"};
+
+/// The trace of a case with the excess over its least pressure scaled, so that its highest pressure is `peak` [Pa].
+void scale_trace(double peak, cycle::Case& c) {
+  cycle::SampledTrace trace = *c.gas.cylinder_pressure;
+  const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
+  const double least = *low, factor = (peak - least) / (*high - least);
+  for (double& p : trace.value) p = least + factor * (p - least);
+  c.gas.cylinder_pressure = std::move(trace);
+}
+
+class DutyReader {
+ public:
+  DutyReader(const TomlValue& value, const DutySources& sources, std::vector<Fault>& faults)
+      : table_(value, "[duty]", {"repeat", "segment", "point"}, faults), sources_(sources), faults_(faults) {}
+
+  Duty read() {
+    const std::size_t n_before = faults_.size();
+    const bool has_points = table_.find("point") != nullptr;
+    const Form& form = has_points ? kPoints : kSegments;
+    if (has_points && table_.find("segment") != nullptr) {
+      table_.refuse(table_.find("point")->key_mark, "[duty] has segments and points",
+                    "give all parts a duration, or all of them a weight");
+    }
+    const std::vector<TomlValue> parts = table_.items(form.list);
+    for (const TomlValue& part : parts) read_part(part, form);
+    if (parts.empty() && faults_.size() == n_before) {
+      table_.refuse(table_.mark(), "[duty] has neither segments nor points, and so no length",
+                    "write [[duty.segment]] with name, duration and speed below");
+    }
+    read_repeat(form, n_before);
+    if (faults_.size() > n_before) return {};
+    for (life::OperatingPoint& point : duty_.points) point.share /= total_;
+    return std::move(duty_);
+  }
+
+ private:
+  void read_part(const TomlValue& value, const Form& form) {
+    StudyTable part(value, fmt::format("[[duty.{}]]", form.list),
+                    {"name", form.length, "speed", "oil_temperature", "cylinder_pressure", "peak_pressure", "set"},
+                    faults_);
+    const std::size_t n_before = faults_.size();
+    const std::string name = part.needed_text("name", "\"idle\"");
+    if (!name.empty() && !names_.insert(name).second) {
+      part.refuse(part.find("name")->mark, fmt::format("two parts of the duty have the name {}", name),
+                  "give each a name of its own");
+    }
+    const double length = read_length(part, form);
+    std::vector<Override> overrides = overrides_of(part);
+    const std::optional<double> peak = read_peak(part);
+    if (faults_.size() > n_before) return;
+    std::optional<cycle::Case> input = sources_.read_base(overrides, part.mark());
+    if (!input || !put_peak(part, peak, *input)) return;
+    total_ += length;
+    duty_.points.push_back({name, length, std::move(*input)});
+  }
+
+  double read_length(StudyTable& part, const Form& form) {
+    const TomlValue* value = part.find(form.length);
+    if (value == nullptr) {
+      part.refuse(part.mark(), fmt::format("[[duty.{}]] has no {}", form.list, form.length),
+                  fmt::format("write, for example, {} = {}", form.length, form.example));
+      return 0;
+    }
+    const std::optional<double> length =
+        &form == &kPoints ? part.number(form.length)
+                          : life_quantity(part, "duty.segment.duration", *value, "s", form.example, sources_.units);
+    if (length && !(*length > 0)) {
+      part.refuse(value->mark,
+                  fmt::format("duty.{}.{} = {} is not above 0", form.list, form.length, value->as_written()),
+                  fmt::format("leave this part out, or write, for example, {} = {}", form.length, form.example));
+    }
+    return length.value_or(0);
+  }
+
+  std::vector<Override> overrides_of(StudyTable& part) {
+    std::vector<Override> overrides;
+    const auto add = [&](const char* key, const char* of_case) {
+      if (const auto text = part.text(key)) overrides.push_back({of_case, value_text(of_case, *text)});
+    };
+    add("speed", "operating.speed");
+    add("oil_temperature", "operating.oil_temperature");
+    add("cylinder_pressure", "gas.cylinder_pressure");
+    const TomlValue* set = part.find("set");
+    if (set == nullptr) return overrides;
+    if (set->kind != TomlValue::Kind::kTable) {
+      part.refuse(set->mark, "set is not a table", "write set = { \"gas.model\" = \"wiebe\" }");
+      return overrides;
+    }
+    for (const TomlMember& member : set->members) {
+      const bool is_text = member.value.kind == TomlValue::Kind::kText;
+      overrides.push_back(
+          {member.key, is_text ? value_text(member.key, member.value.text) : member.value.as_written()});
+    }
+    return overrides;
+  }
+
+  /// Names of files count from the life's file, those of overrides from the working folder.
+  std::string value_text(const std::string& key, const std::string& text) const {
+    const cycle::Field* field = cycle::find_field(key);
+    const bool is_file = field != nullptr && study::is_file(*field);
+    return quoted(is_file ? locate(text, sources_.folder).shown : text);
+  }
+
+  std::optional<double> read_peak(StudyTable& part) {
+    const TomlValue* value = part.find("peak_pressure");
+    if (value == nullptr) return std::nullopt;
+    return life_quantity(part, "peak_pressure", *value, "Pa", "\"90 bar\"", sources_.units);
+  }
+
+  static bool put_peak(StudyTable& part, std::optional<double> peak, cycle::Case& input) {
+    if (!peak) return true;
+    const SourceMark& mark = part.find("peak_pressure")->mark;
+    if (input.gas.model != cycle::GasModel::kTrace) {
+      part.refuse(mark, "peak_pressure scales a trace, and the gas model is not \"trace\"",
+                  "state it as set = { \"gas.peak_pressure\" = \"90 bar\" }");
+      return false;
+    }
+    const std::vector<double>& values = (*input.gas.cylinder_pressure).value;
+    const double least = *std::min_element(values.begin(), values.end());
+    if (*peak <= least) {
+      part.refuse(mark,
+                  fmt::format("the peak pressure {:.6g} bar is not above the least pressure of the trace, {:.6g} bar",
+                              *peak / 1e5, least / 1e5),
+                  "state a higher peak_pressure, with the reference of the trace");
+      return false;
+    }
+    scale_trace(*peak, input);
+    return true;
+  }
+
+  void read_repeat(const Form& form, std::size_t n_before) {
+    const auto repeat = table_.count("repeat");
+    if (!repeat) return;
+    const TomlValue& value = *table_.find("repeat");
+    if (*repeat == 0) {
+      table_.refuse(value.mark, "duty.repeat = 0 leaves no duty", "state how often the segments follow one another");
+    } else if (&form == &kPoints) {
+      table_.refuse(value.key_mark, "duty.repeat means nothing with points, which have weights and no duration",
+                    "leave it out, or give the parts as [[duty.segment]] with durations");
+    } else if (faults_.size() == n_before) {
+      duty_.length = static_cast<double>(*repeat) * total_;
+    }
+  }
+
+  StudyTable table_;
+  const DutySources& sources_;
+  std::vector<Fault>& faults_;
+  std::set<std::string> names_;
+  Duty duty_;
+  double total_ = 0;
+};
+
+}  // namespace
+
+Duty read_duty_table(const TomlValue& value, const DutySources& sources, std::vector<Fault>& faults) {
+  return DutyReader(value, sources, faults).read();
+}
+
+}  // namespace ringfilm::io

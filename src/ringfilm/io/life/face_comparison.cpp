@@ -1,0 +1,97 @@
+#include "ringfilm/io/life/face_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "ringfilm/io/case/case_file.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using life::Tilt;
+using nlohmann::ordered_json;
+
+NamedFace read_face(const std::string& path) {
+  const cycle::Case c = read_case(path);
+  if (c.problem == cycle::Problem::kPad || c.is_pack()) {
+    throw InputError(path + " is not a case of one ring", "name cases with [ring.face]");
+  }
+  return {std::filesystem::path(path).stem().string(), life::face_heights(c)};
+}
+
+FacePair compared(const NamedFace& earlier, const NamedFace& later) {
+  FacePair pair{earlier.name, later.name, {}, {}, {}};
+  for (const double share : life::trusted_margins()) {
+    const double margin = share * earlier.face.width();
+    pair.level.push_back(least_wear(earlier.face, later.face, margin, Tilt::kNone));
+    pair.tilted.push_back(least_wear(earlier.face, later.face, margin, Tilt::kFree));
+    pair.turned.push_back(least_wear(earlier.face, life::turned(later.face), margin, Tilt::kFree));
+  }
+  return pair;
+}
+
+ordered_json bounds_array(const std::vector<life::WearBound>& bounds) {
+  ordered_json rows = ordered_json::array();
+  for (const life::WearBound& bound : bounds) {
+    rows.push_back({{"untrusted_margin", bound.margin},
+                    {"depth_at_middle", bound.depth_at_middle},
+                    {"largest_worn_depth", bound.largest_depth},
+                    {"worn_area", bound.area},
+                    {"tilt", bound.tilt}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+FaceComparison read_face_comparison(const std::vector<std::string>& case_paths) {
+  if (case_paths.size() < 2) {
+    throw InputError("wear is a difference of faces, and " + std::to_string(case_paths.size()) + " is named",
+                     "for example ringfilm life faces new.toml run-in.toml embedded.toml");
+  }
+  FaceComparison comparison;
+  for (const std::string& path : case_paths) comparison.faces.push_back(read_face(path));
+  const std::vector<NamedFace>& faces = comparison.faces;
+  for (const NamedFace& one : faces) {
+    if (one.face.width() == faces.front().face.width()) continue;
+    throw InputError(fmt::format("the face of {} is {:.6g} mm wide, that of {} {:.6g} mm", one.name,
+                                 one.face.width() * 1e3, faces.front().name, faces.front().face.width() * 1e3),
+                     "compare faces of one ring");
+  }
+  for (const NamedFace& one : faces) comparison.concave.push_back(concave_stretches(one.face, kNoticedConcavity));
+  for (std::size_t i = 1; i < faces.size(); ++i) comparison.pairs.push_back(compared(faces[i - 1], faces[i]));
+  if (faces.size() > 2) comparison.pairs.push_back(compared(faces.front(), faces.back()));
+  return comparison;
+}
+
+std::string face_comparison_json(const FaceComparison& comparison) {
+  ordered_json object = {{"faces", ordered_json::array()}, {"pairs", ordered_json::array()}};
+  for (std::size_t i = 0; i < comparison.faces.size(); ++i) {
+    ordered_json stretches = ordered_json::array();
+    for (const life::ConcaveStretch& stretch : comparison.concave[i]) {
+      stretches.push_back({{"from", stretch.from}, {"to", stretch.to}, {"height", stretch.height}});
+    }
+    object["faces"].push_back({{"name", comparison.faces[i].name}, {"concave", stretches}});
+  }
+  for (const FacePair& pair : comparison.pairs) {
+    object["pairs"].push_back({{"earlier", pair.earlier},
+                               {"later", pair.later},
+                               {"level", bounds_array(pair.level)},
+                               {"tilted", bounds_array(pair.tilted)},
+                               {"turned", bounds_array(pair.turned)}});
+  }
+  object["units"] = {{"untrusted_margin", "m"},
+                     {"depth_at_middle", "m"},
+                     {"largest_worn_depth", "m"},
+                     {"worn_area", "m2"},
+                     {"tilt", "rad"},
+                     {"from", "m"},
+                     {"to", "m"},
+                     {"height", "m"}};
+  object["notes"] = {"lower bounds: more wear is always possible, and what the edges lost must be added to the middle"};
+  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,232 @@
+#include "ringfilm/io/life/life_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "ringfilm/io/life/duty_table.hpp"
+#include "ringfilm/io/life/wear_table.hpp"
+#include "ringfilm/io/study/study_table.hpp"
+#include "ringfilm/io/text/source_text.hpp"
+#include "ringfilm/io/text/units.hpp"
+#include "ringfilm/life/end_of_life.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+class LifeReader {
+ public:
+  LifeReader(const std::string& path, const std::vector<Override>& overrides)
+      : path_(path), folder_(std::filesystem::path(path).parent_path().string()), overrides_(overrides) {}
+
+  LifeFile read() {
+    const SourceText source = read_source_text(path_, path_, kLargestToml);
+    const TomlValue root = parse_toml(source);
+    record({"life", path_, source.sha256});
+    StudyTable table(root, "a life", {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "end_of_life"},
+                     faults_);
+    life_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
+    life_.mode = table
+                     .chosen<life::Mode>(
+                         "mode", {{"measured-path", life::Mode::kMeasuredPath}, {"archard", life::Mode::kArchard}})
+                     .value_or(life_.mode);
+    read_hours(table);
+    read_base(table);
+    read_duty(table);
+    for (const TomlValue& state : table.items("state")) read_state(state);
+    read_path(table);
+    read_wear(table);
+    read_end(table);
+    if (faults_.empty()) faults_ = life::faults_of(life_);
+    if (!faults_.empty()) throw InputError(with_places(faults_));
+    return {std::move(life_), std::move(files_)};
+  }
+
+ private:
+  void record(const cycle::InputFile& file) {
+    if (recorded_.insert(file.path + "\n" + file.sha256).second) files_.push_back(file);
+  }
+
+  /// What lies at no place of the file concerns it as a whole.
+  std::vector<Fault> with_places(std::vector<Fault> faults) const {
+    for (Fault& fault : faults) {
+      if (fault.mark.file.empty()) fault.mark.file = path_;
+    }
+    return faults;
+  }
+
+  std::optional<double> read_time(StudyTable& table, const std::string& key, const TomlValue& value) {
+    return life_quantity(table, key, value, "s", "\"10 h\"", units_);
+  }
+
+  void read_hours(StudyTable& table) {
+    const TomlValue* hours = table.find("hours");
+    if (hours == nullptr || (hours->kind == TomlValue::Kind::kList && hours->items.empty())) {
+      table.refuse(hours == nullptr ? SourceMark{path_, 0, 0, ""} : hours->mark, "the life has no hours to report",
+                   "write, for example, hours = [\"0 h\", \"10 h\", \"150 h\"]");
+      return;
+    }
+    for (const TomlValue& item : table.items("hours")) {
+      if (const auto time = read_time(table, "hours", item)) life_.times.push_back({*time, item.mark});
+    }
+  }
+
+  /// The case that a key names; nothing if it cannot be read.
+  std::optional<cycle::Case> read_named_case(StudyTable& table, const std::string& example) {
+    const std::string name = table.needed_text("case", example);
+    if (name.empty()) return std::nullopt;
+    return read_ring(locate(name, folder_).shown, {}, table.find("case")->mark);
+  }
+
+  /// A case of one ring. @param mark where the life asks for it
+  std::optional<cycle::Case> read_ring(const std::string& path, const std::vector<Override>& overrides,
+                                       const SourceMark& mark) {
+    try {
+      std::vector<DroppedKey> dropped;
+      cycle::Case input = read_case_dropping(path, overrides, units_, dropped);
+      if (input.problem == cycle::Problem::kPad) {
+        faults_.push_back({mark, fmt::format("{} is a pad", path), "a life is that of a ring over engine cycles"});
+        return std::nullopt;
+      }
+      if (input.is_pack()) {
+        faults_.push_back({mark, fmt::format("{} is a pack of {} rings", path, input.rings.size()),
+                           "a life is that of one ring: write it as [ring], with ring.pressure_above and "
+                           "ring.pressure_below"});
+        return std::nullopt;
+      }
+      for (const cycle::InputFile& file : input.files) record(file);
+      return input;
+    } catch (const InputError& error) {
+      for (const Fault& f : error.faults()) {
+        const bool in_file = f.mark.line > 0 && f.mark.file != "--set";
+        faults_.push_back(in_file ? f : Fault{mark, f.message, f.remedy});
+      }
+      return std::nullopt;
+    }
+  }
+
+  void read_base(StudyTable& table) {
+    if (auto input = read_named_case(table, "\"new.toml\"")) {
+      life_.points.push_back({"duty", 1, std::move(*input)});
+    }
+  }
+
+  /// After the base case, of which each part is another reading.
+  void read_duty(StudyTable& table) {
+    const TomlValue* value = table.find("duty");
+    if (value == nullptr || life_.points.empty()) return;
+    const std::string path = locate(table.find("case")->text, folder_).shown;
+    const ReadBase read_base = [&](const std::vector<Override>& overrides, const SourceMark& mark) {
+      return read_ring(path, overrides, mark);
+    };
+    Duty duty = read_duty_table(*value, {read_base, folder_, units_}, faults_);
+    if (duty.points.empty()) return;
+    life_.points = std::move(duty.points);
+    for (const life::ReportedTime& now : life_.times) {
+      constexpr double kRounding = 1e-9;
+      if (!duty.length || now.time <= *duty.length * (1 + kRounding)) continue;
+      faults_.push_back({now.mark,
+                         fmt::format("the running time {} is after the end of the duty, {}", life::hours_text(now.time),
+                                     life::hours_text(*duty.length)),
+                         "ask for earlier hours, or repeat the segments more often"});
+    }
+  }
+
+  void read_state(const TomlValue& value) {
+    StudyTable table(value, "[[state]]", {"hours", "case"}, faults_);
+    life::MeasuredState state;
+    state.mark = value.key_mark;
+    const TomlValue* hours = table.find("hours");
+    std::optional<double> time;
+    if (hours == nullptr) {
+      table.refuse(value.key_mark, "[[state]] has no hours", "write, for example, hours = \"10 h\"");
+    } else {
+      time = read_time(table, "hours", *hours);
+      state.mark = hours->mark;
+    }
+    auto input = read_named_case(table, "\"run-in.toml\"");
+    if (!time || !input) return;
+    state.time = *time;
+    state.input = std::move(*input);
+    life_.states.push_back(std::move(state));
+  }
+
+  void read_path(StudyTable& root) {
+    const TomlValue* value = root.find("path");
+    if (value == nullptr) return;
+    StudyTable table(*value, "[path]", {"time_scale", "time_constant"}, faults_);
+    life::Interpolation& path = life_.path;
+    path.scale = table
+                     .chosen<life::TimeScale>("time_scale", {{"logarithmic", life::TimeScale::kLogarithmic},
+                                                             {"linear", life::TimeScale::kLinear}})
+                     .value_or(path.scale);
+    const TomlValue* tau = table.find("time_constant");
+    if (tau == nullptr) return;
+    if (path.scale == life::TimeScale::kLinear) {
+      table.refuse(tau->key_mark, "path.time_constant means nothing with time_scale = \"linear\"",
+                   "leave it out, or take time_scale = \"logarithmic\"");
+    }
+    const auto constant = read_time(table, "time_constant", *tau);
+    if (constant && !(*constant > 0)) {
+      table.refuse(tau->mark, fmt::format("path.time_constant = {} is not above 0", tau->as_written()),
+                   "state a time after which the ring changes more slowly, for example \"1 h\"");
+    }
+    path.time_constant = constant.value_or(path.time_constant);
+  }
+
+  void read_wear(StudyTable& root) {
+    const TomlValue* value = root.find("wear");
+    const bool wears = life_.mode == life::Mode::kArchard;
+    if (value == nullptr) {
+      if (!wears) return;
+      faults_.push_back({{path_, 0, 0, ""},
+                         "mode = \"archard\" has no [wear]",
+                         "write [wear] and, for example, coefficient = \"4e-18 m2/N\" below"});
+      return;
+    }
+    if (!wears) {
+      root.refuse(value->key_mark, "[wear] means nothing with mode = \"measured-path\"",
+                  "leave it out, or take mode = \"archard\"");
+      return;
+    }
+    const cycle::Case* base = life_.points.empty() ? nullptr : &life_.points.front().input;
+    life_.wear = read_wear_table(*value, base, units_, faults_);
+  }
+
+  /// A limit for each quantity that the user names.
+  void read_end(StudyTable& root) {
+    const TomlValue* value = root.find("end_of_life");
+    if (value == nullptr) return;
+    std::vector<std::string> names;
+    for (const cycle::Quantity& quantity : life::limitable_quantities()) names.push_back(quantity.name);
+    StudyTable table(*value, "[end_of_life]", names, faults_);
+    for (const cycle::Quantity& quantity : life::limitable_quantities()) {
+      const TomlValue* limit = table.find(quantity.name);
+      if (limit == nullptr) continue;
+      const std::string key = "end_of_life." + quantity.name;
+      const std::optional<double> number = quantity.unit == "1"
+                                               ? table.number(quantity.name)
+                                               : life_quantity(table, key, *limit, quantity.unit,
+                                                               fmt::format("\"1 {}\"", quantity.display_unit), units_);
+      if (number) life_.end_rules.push_back({quantity.name, *number});
+    }
+  }
+
+  std::string path_, folder_;
+  const std::vector<Override>& overrides_;
+  Units units_;
+  life::Life life_;
+  std::vector<cycle::InputFile> files_;
+  std::set<std::string> recorded_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace
+
+LifeFile read_life(const std::string& path, const std::vector<Override>& overrides) {
+  return LifeReader(path, overrides).read();
+}
+
+}  // namespace ringfilm::io

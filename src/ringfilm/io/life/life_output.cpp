@@ -1,0 +1,293 @@
+#include "ringfilm/io/life/life_output.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "ringfilm/io/result/provenance_attributes.hpp"
+#include "ringfilm/io/result/result_file_quantities.hpp"
+#include "ringfilm/io/result/result_file_writer.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array<std::pair<life::Part, const char*>, 3> kParts = {{{life::Part::kFace, "face"},
+                                                                       {life::Part::kRoughness, "roughness"},
+                                                                       {life::Part::kShearStrength, "shear_strength"}}};
+
+ordered_json values_object(const life::LifeValues& values) {
+  ordered_json object = ordered_json::object();
+  for (std::size_t i = 0; i < values.size(); ++i) object[life::life_quantities()[i].name] = values[i];
+  return object;
+}
+
+ordered_json band_object(const life::LifeState& state) {
+  ordered_json object = ordered_json::object();
+  for (std::size_t i = 0; i < state.values.size(); ++i) {
+    const life::Band band = life::band_of(state, i);
+    object[life::life_quantities()[i].name] = {band.low, band.high};
+  }
+  return object;
+}
+
+ordered_json attribution_object(const life::LifeState& state) {
+  ordered_json object = ordered_json::object();
+  for (const auto& [part, name] : kParts) {
+    const life::LifeValues& values = state.parts[static_cast<std::size_t>(part)];
+    if (!values.empty()) object[name] = values_object(values);
+  }
+  return object;
+}
+
+ordered_json state_object(const LifeDocument& document, const life::LifeState& state) {
+  ordered_json object = {{"hours", state.time / life::kHour}, {"standing", standing_word(state.standing)}};
+  object["worn_area"] = state.worn ? ordered_json(state.worn->worn_area) : ordered_json();
+  object["largest_worn_depth"] = state.worn ? ordered_json(state.worn->largest_depth) : ordered_json();
+  object.update(values_object(state.values));
+  object["asperity_density"] = state.ring.asperity_density;
+  object["asperity_radius"] = state.ring.asperity_radius;
+  object["roughness"] = state.ring.roughness;
+  object["boundary_shear_strength_coefficient"] = state.ring.boundary_shear_strength_coefficient;
+  object["face_height_chamber_edge"] = state.face_height.front();
+  object["face_height_crankcase_edge"] = state.face_height.back();
+  object["face_height"] = state.face_height;
+  if (state.worn) {
+    object["worn_depth"] = state.worn->depth;
+    object["end_gap_growth"] = state.worn->end_gap_growth;
+    if (state.worn->coating_left) object["coating_left"] = *state.worn->coating_left;
+    if (!state.worn->liner_depth.empty()) object["liner_worn_depth"] = state.worn->liner_depth;
+  }
+  for (const life::FaceDistance& distance : state.from_measured) {
+    object["measured_face_distance"].push_back({{"half_width", distance.half_width}, {"rms", distance.rms}});
+  }
+  if (!state.other_paths.empty()) {
+    object["band"] = band_object(state);
+    ordered_json& others = object["interpolations"] = ordered_json::object();
+    for (std::size_t k = 0; k < state.other_paths.size(); ++k) {
+      others[document.result.other_paths[k].name] = values_object(state.other_paths[k]);
+    }
+  }
+  if (!state.turned.empty()) object["turned"] = values_object(state.turned);
+  const ordered_json attribution = attribution_object(state);
+  if (!attribution.empty()) object["attribution"] = attribution;
+  ordered_json& points = object["points"] = ordered_json::array();
+  for (std::size_t i = 0; i < state.points.size(); ++i) {
+    const life::OperatingPoint& point = document.file.life.points[i];
+    ordered_json one = {{"name", point.name}, {"share", point.share}};
+    one.update(values_object(state.points[i]));
+    points.push_back(std::move(one));
+  }
+  return object;
+}
+
+ordered_json units_object() {
+  ordered_json units = {{"hours", "h"},
+                        {"worn_area", "m2"},
+                        {"largest_worn_depth", "m"},
+                        {"asperity_density", "m-2"},
+                        {"asperity_radius", "m"},
+                        {"roughness", "m"},
+                        {"boundary_shear_strength_coefficient", "1"},
+                        {"x", "m"},
+                        {"worn_depth", "m"},
+                        {"end_gap_growth", "m"},
+                        {"coating_left", "m"},
+                        {"liner_worn_depth", "m"},
+                        {"liner_position", "m"},
+                        {"face_height", "m"},
+                        {"face_height_chamber_edge", "m"},
+                        {"face_height_crankcase_edge", "m"}};
+  for (const life::LifeQuantity& quantity : life::life_quantities()) units[quantity.name] = quantity.unit;
+  return units;
+}
+
+ordered_json hours_or_null(const std::optional<double>& time) {
+  return time ? ordered_json(*time / life::kHour) : ordered_json();
+}
+
+ordered_json wear_object(const LifeDocument& document) {
+  const life::Wear& wear = document.file.life.wear;
+  const life::WearSummary& summary = *document.result.wear;
+  ordered_json object = {{"coefficient", wear.coefficient}};
+  if (wear.running_in_coefficient) {
+    object["running_in_coefficient"] = *wear.running_in_coefficient;
+    object["running_in_hours"] = wear.running_in_time / life::kHour;
+  }
+  object["surface"] = wear.surface == life::WornSurface::kFrozen ? "frozen" : "path";
+  object["scheme"] = wear.scheme == life::WearScheme::kHeun ? "heun" : "euler";
+  object["jumps"] = summary.effort.jumps;
+  object["rejected_jumps"] = summary.effort.rejected_jumps;
+  object["stage_difference"] = summary.effort.stage_difference;
+  object["volume_balance_error"] = summary.effort.balance_error;
+  object["coating_worn_through_hours"] = hours_or_null(summary.worn_through);
+  object["wedge_gone_hours"] = hours_or_null(summary.wedge_gone);
+  if (summary.implied) object["implied_coefficient"] = {summary.implied->low, summary.implied->high};
+  return object;
+}
+
+ordered_json ends_array(const LifeDocument& document) {
+  ordered_json ends = ordered_json::array();
+  for (std::size_t i = 0; i < document.result.ends.size(); ++i) {
+    const life::EndRule& rule = document.file.life.end_rules[i];
+    const life::EndOfLife& end = document.result.ends[i];
+    ordered_json object = {{"quantity", rule.quantity}, {"limit", rule.limit}, {"hours", hours_or_null(end.time)}};
+    for (std::size_t k = 0; k < end.other_paths.size(); ++k) {
+      object["interpolations"][document.result.other_paths[k].name] = hours_or_null(end.other_paths[k]);
+    }
+    object["turned"] = hours_or_null(end.turned);
+    ends.push_back(std::move(object));
+  }
+  return ends;
+}
+
+constexpr const char* kTime = "running_time";
+
+/// A number of each reported time as a variable over the running time.
+template <class Value>
+void put_over_time(ResultFileWriter& file, const cycle::Quantity& quantity, const LifeDocument& document,
+                   const Value& value) {
+  std::vector<double> values;
+  for (const life::LifeState& state : document.result.states) values.push_back(value(state));
+  file.numbers({kTime}, quantity, values);
+}
+
+void put_ring(ResultFileWriter& file, const LifeDocument& document) {
+  const std::vector<life::LifeState>& states = document.result.states;
+  std::vector<std::string> standings;
+  std::vector<double> heights;
+  for (const life::LifeState& state : states) {
+    standings.push_back(standing_word(state.standing));
+    heights.insert(heights.end(), state.face_height.begin(), state.face_height.end());
+  }
+  file.texts(kTime, text("standing", "how face, roughness and shear strength are known"), standings);
+  file.numbers({"x"}, described("x", "m", "distance from the chamber edge", "x"), states.front().x);
+  file.numbers({kTime, "x"}, described("face_height", "m", "height of the face above its lowest point", "h_s"),
+               heights);
+  put_over_time(file, described("asperity_density", "m-2", "asperity peaks per area", "N"), document,
+                [](const life::LifeState& state) { return state.ring.asperity_density; });
+  put_over_time(file, described("asperity_radius", "m", "mean radius of the peaks", "beta"), document,
+                [](const life::LifeState& state) { return state.ring.asperity_radius; });
+  put_over_time(file, described("roughness", "m", "composite roughness", "sigma"), document,
+                [](const life::LifeState& state) { return state.ring.roughness; });
+  put_over_time(file,
+                described("boundary_shear_strength_coefficient", "1", "coefficient of boundary shear strength", "zeta"),
+                document, [](const life::LifeState& state) { return state.ring.boundary_shear_strength_coefficient; });
+}
+
+/// The quantity with another name and long name beside its own.
+cycle::Quantity variant(cycle::Quantity quantity, const std::string& suffix, const std::string& words) {
+  quantity.name += "_" + suffix;
+  quantity.long_name += ", " + words;
+  return quantity;
+}
+
+void put_values(ResultFileWriter& file, const LifeDocument& document) {
+  for (std::size_t i = 0; i < life::life_quantities().size(); ++i) {
+    const cycle::Quantity& quantity = life::life_quantities()[i];
+    put_over_time(file, quantity, document, [i](const life::LifeState& state) { return state.values[i]; });
+    if (!document.result.other_paths.empty()) {
+      put_over_time(file, variant(quantity, "low", "least of all interpolations"), document,
+                    [i](const life::LifeState& state) { return life::band_of(state, i).low; });
+      put_over_time(file, variant(quantity, "high", "largest of all interpolations"), document,
+                    [i](const life::LifeState& state) { return life::band_of(state, i).high; });
+    }
+    if (document.file.life.points.size() == 1) continue;
+    std::vector<double> of_points;
+    for (const life::LifeState& state : document.result.states) {
+      for (const life::LifeValues& point : state.points) of_points.push_back(point[i]);
+    }
+    file.numbers({kTime, "operating_point"}, variant(quantity, "at_point", "at each operating point"), of_points);
+  }
+}
+
+void put_wear(ResultFileWriter& file, const LifeDocument& document) {
+  std::vector<double> depths, liner;
+  for (const life::LifeState& state : document.result.states) {
+    depths.insert(depths.end(), state.worn->depth.begin(), state.worn->depth.end());
+    liner.insert(liner.end(), state.worn->liner_depth.begin(), state.worn->liner_depth.end());
+  }
+  put_over_time(file, described("worn_area", "m2", "worn cross-section of the ring", "A", "eq-life-volume"), document,
+                [](const life::LifeState& state) { return state.worn->worn_area; });
+  put_over_time(file, described("largest_worn_depth", "m", "largest worn depth of the face", "w_max"), document,
+                [](const life::LifeState& state) { return state.worn->largest_depth; });
+  put_over_time(file, described("end_gap_growth", "m", "growth of the end gap by wear"), document,
+                [](const life::LifeState& state) { return state.worn->end_gap_growth; });
+  file.numbers({kTime, "x"}, described("worn_depth", "m", "worn depth of the face", "w", "eq-life-archard"), depths);
+  if (liner.empty()) return;
+  file.numbers({"liner_position"}, described("liner_position", "m", "distance below the TDC position of the ring"),
+               document.result.liner_position);
+  file.numbers({kTime, "liner_position"}, described("liner_worn_depth", "m", "worn depth of the liner"), liner);
+}
+
+void put_words(ResultFileWriter& file, const LifeDocument& document) {
+  std::vector<std::string> notes;
+  for (const cycle::Note& note : document.result.notes) notes.push_back(note.topic + ": " + note.message);
+  if (!notes.empty()) file.texts("note", text("note_text", "what to consider before using the numbers"), notes);
+}
+
+}  // namespace
+
+std::string standing_word(life::Standing standing) {
+  switch (standing) {
+    case life::Standing::kMeasured:
+      return "measured";
+    case life::Standing::kInterpolated:
+      return "interpolated";
+    case life::Standing::kScenario:
+      return "scenario";
+    case life::Standing::kHeld:
+      break;
+  }
+  return "held";
+}
+
+std::string life_json(const LifeDocument& document) {
+  const life::LifeResult& result = document.result;
+  const bool wears = result.wear.has_value();
+  ordered_json object = {{"title", document.file.life.title}, {"mode", wears ? "archard" : "measured-path"}};
+  ordered_json& states = object["states"] = ordered_json::array();
+  for (const life::LifeState& state : result.states) states.push_back(state_object(document, state));
+  if (!result.states.empty()) object["x"] = result.states.front().x;
+  if (!result.liner_position.empty()) object["liner_position"] = result.liner_position;
+  if (wears) object["wear"] = wear_object(document);
+  if (!result.ends.empty()) object["end_of_life"] = ends_array(document);
+  object["units"] = units_object();
+  ordered_json& notes = object["notes"] = ordered_json::array();
+  for (const cycle::Note& note : result.notes) {
+    notes.push_back({{"topic", note.topic}, {"message", note.message}, {"count", note.count}});
+  }
+  object["cycles"] = result.cycles;
+  object["program"] = document.provenance.program;
+  object["commit"] = document.provenance.commit;
+  object["kernels"] = document.provenance.kernels;
+  // A title in another encoding than UTF-8 must not lose the result.
+  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+void write_life(const std::string& path, const LifeDocument& document) {
+  constexpr long kSchema = 1;
+  ResultFileWriter file(path);
+  file.attribute("Conventions", std::string("CF-1.10"));
+  file.attribute("ringfilm_life_schema", kSchema);
+  file.attribute("title", document.file.life.title);
+  exchange_provenance(file, document.provenance);
+  file.attribute("kernels", document.provenance.kernels);
+  file.rows(kTime, document.result.states);
+  put_over_time(file, described(kTime, "h", "running time", "t"), document,
+                [](const life::LifeState& state) { return state.time / life::kHour; });
+  if (document.file.life.points.size() > 1) {
+    std::vector<std::string> names;
+    for (const life::OperatingPoint& point : document.file.life.points) names.push_back(point.name);
+    file.texts("operating_point", text("operating_point_name", "operating points of the duty"), names);
+  }
+  put_ring(file, document);
+  put_values(file, document);
+  if (document.result.wear) put_wear(file, document);
+  put_words(file, document);
+  write_atomically(path, file.bytes());
+}
+
+}  // namespace ringfilm::io

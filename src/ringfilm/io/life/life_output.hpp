@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+
+#include "ringfilm/io/life/life_file.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/life/life_result.hpp"
+
+namespace ringfilm::io {
+
+/// A life with what it gave.
+struct LifeDocument {
+  LifeFile file;
+  life::LifeResult result;
+  Provenance provenance;
+};
+
+/// The life as one JSON object, SI, running times in hours: title, mode, and a list `states` with, for each reported
+/// time, `hours`, `standing`, `worn_area`, `largest_worn_depth` (null where the mode does not determine them), every
+/// value of life::life_quantities() of the whole duty by its name, face, roughness and shear strength, `band`,
+/// `turned`, `attribution` and `points`; then `interpolations`, `units`, `notes`, `program`, `commit`, `kernels`.
+std::string life_json(const LifeDocument& document);
+
+/// Writes NetCDF-4 over the dimension running_time (hours): every value of the duty, its band, the values of the
+/// operating points, the face over (running_time, x). Written aside first, then renamed. Throws OutputError.
+void write_life(const std::string& path, const LifeDocument& document);
+
+/// How the state of a running time is known, in a word: "measured", "interpolated", "held".
+std::string standing_word(life::Standing standing);
+
+}  // namespace ringfilm::io

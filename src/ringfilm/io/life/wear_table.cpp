@@ -1,0 +1,169 @@
+#include "ringfilm/io/life/wear_table.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace ringfilm::io {
+namespace {
+
+constexpr const char* kCoefficient = "\"4e-18 m2/N\"";
+
+/// UDUNITS reads "Nm" as one name, engineers as a product.
+std::string with_product(std::string text) {
+  const std::size_t at = text.find("/Nm");
+  if (at != std::string::npos && at + 3 == text.size()) text.replace(at, 3, "/(N m)");
+  return text;
+}
+
+class WearReader {
+ public:
+  WearReader(const TomlValue& value, const Units& units, std::vector<Fault>& faults)
+      : table_(value, "[wear]",
+               {"coefficient", "running_in_coefficient", "running_in_time", "surface", "scheme", "jumps",
+                "largest_depth", "jump_error", "tilt_spread", "tilt_samples", "edge_factor", "edge_distance",
+                "liner_coefficient", "coating_thickness"},
+               faults),
+        units_(units) {}
+
+  life::Wear read(const cycle::Case* base) {
+    wear_.mark = table_.mark();
+    read_coefficients();
+    wear_.surface = table_
+                        .chosen<life::WornSurface>(
+                            "surface", {{"frozen", life::WornSurface::kFrozen}, {"path", life::WornSurface::kPath}})
+                        .value_or(wear_.surface);
+    read_scheme();
+    read_tilt();
+    read_edges();
+    wear_.coating_thickness = above_zero("coating_thickness", "m", "\"100 um\"");
+    if (!wear_.coating_thickness && base != nullptr && base->ring.coating.youngs_modulus) {
+      wear_.coating_thickness = base->ring.coating.thickness;
+    }
+    return wear_;
+  }
+
+ private:
+  std::optional<double> above_zero(const std::string& key, const std::string& unit, const std::string& example) {
+    const TomlValue* value = table_.find(key);
+    if (value == nullptr) return std::nullopt;
+    TomlValue written = *value;
+    written.text = with_product(written.text);
+    const auto number = life_quantity(table_, "wear." + key, written, unit, example, units_);
+    if (!number || *number > 0) return number;
+    table_.refuse(value->mark, fmt::format("wear.{} = {} is not above 0", key, value->as_written()),
+                  fmt::format("state, for example, {} = {}", key, example));
+    return std::nullopt;
+  }
+
+  void read_coefficients() {
+    if (table_.find("coefficient") == nullptr) {
+      table_.refuse(table_.mark(), "[wear] has no coefficient",
+                    fmt::format("write, for example, coefficient = {}", kCoefficient));
+    }
+    wear_.coefficient = above_zero("coefficient", "m2/N", kCoefficient).value_or(0);
+    wear_.running_in_coefficient = above_zero("running_in_coefficient", "m2/N", "\"3e-17 m2/N\"");
+    wear_.liner_coefficient = above_zero("liner_coefficient", "m2/N", kCoefficient);
+    if (table_.find("running_in_time") != nullptr && !table_.find("running_in_coefficient")) {
+      table_.refuse(table_.find("running_in_time")->key_mark,
+                    "wear.running_in_time means nothing without running_in_coefficient",
+                    "state running_in_coefficient, for example \"3e-17 m2/N\", or leave the time out");
+    }
+    wear_.running_in_time = above_zero("running_in_time", "s", "\"10 h\"").value_or(wear_.running_in_time);
+  }
+
+  void read_scheme() {
+    wear_.scheme = table_
+                       .chosen<life::WearScheme>(
+                           "scheme", {{"heun", life::WearScheme::kHeun}, {"euler", life::WearScheme::kEuler}})
+                       .value_or(wear_.scheme);
+    constexpr int kMostJumps = 100'000;
+    if (const auto jumps = table_.count("jumps")) {
+      if (*jumps < 1 || *jumps > kMostJumps) {
+        table_.refuse(table_.find("jumps")->mark,
+                      fmt::format("wear.jumps = {} is not from 1 to {}", *jumps, kMostJumps),
+                      "state how many equal jumps the time to the last of the hours is divided into");
+      } else {
+        wear_.jumps = static_cast<int>(*jumps);
+      }
+      for (const char* key : {"largest_depth", "jump_error"}) {
+        if (table_.find(key) == nullptr) continue;
+        table_.refuse(table_.find(key)->key_mark, fmt::format("wear.{} means nothing with jumps", key),
+                      "leave one of the two out");
+      }
+    }
+    if (wear_.scheme == life::WearScheme::kEuler && table_.find("jump_error") != nullptr) {
+      table_.refuse(table_.find("jump_error")->key_mark, "wear.jump_error means nothing with scheme = \"euler\"",
+                    "leave it out, or take scheme = \"heun\"");
+    }
+    wear_.largest_depth = above_zero("largest_depth", "m", "\"0.15 um\"").value_or(wear_.largest_depth);
+    wear_.jump_error = above_zero("jump_error", "m", "\"0.02 um\"").value_or(wear_.jump_error);
+  }
+
+  void read_tilt() {
+    constexpr double kMostTilt = 80.0 / 60 * std::numbers::pi / 180;  // beyond it the edges carry: docs/theory/life.md
+    constexpr double kRounding = 1e-9;
+    wear_.tilt_spread = above_zero("tilt_spread", "rad", "\"50 arcminute\"").value_or(0);
+    if (wear_.tilt_spread > kMostTilt * (1 + kRounding)) {
+      const TomlValue& value = *table_.find("tilt_spread");
+      table_.refuse(value.mark, fmt::format("wear.tilt_spread = {} is above 80 arcminute", value.as_written()),
+                    "beyond it the edges alone touch, and the film is not resolved there");
+    }
+    const auto samples = table_.count("tilt_samples");
+    if (!samples) return;
+    constexpr std::uint64_t kMost = 200;
+    const TomlValue& value = *table_.find("tilt_samples");
+    if (wear_.tilt_spread == 0) {
+      table_.refuse(value.key_mark, "wear.tilt_samples means nothing without tilt_spread",
+                    "leave it out, or state tilt_spread, for example \"50 arcminute\"");
+    } else if (*samples < 2 || *samples > kMost) {
+      table_.refuse(value.mark, fmt::format("wear.tilt_samples = {} is not from 2 to {}", *samples, kMost),
+                    "12 resolve a spread of 50 arcminute, 16 one of 80");
+    } else {
+      wear_.tilt_samples = static_cast<int>(*samples);
+    }
+  }
+
+  void read_edges() {
+    if (const auto factor = table_.number("edge_factor")) {
+      if (*factor > 0) {
+        wear_.edge_factor = *factor;
+      } else {
+        table_.refuse(table_.find("edge_factor")->mark, fmt::format("wear.edge_factor = {} is not above 0", *factor),
+                      "1 wears the edge zones as the middle, 10 ten times as fast");
+      }
+    }
+    wear_.edge_distance = above_zero("edge_distance", "m", "\"0.3 mm\"").value_or(wear_.edge_distance);
+    if (table_.find("edge_distance") == nullptr || table_.find("edge_factor") != nullptr) return;
+    table_.refuse(table_.find("edge_distance")->key_mark, "wear.edge_distance means nothing without edge_factor",
+                  "state edge_factor, for example 10, or leave the distance out");
+  }
+
+  StudyTable table_;
+  const Units& units_;
+  life::Wear wear_;
+};
+
+}  // namespace
+
+std::optional<double> life_quantity(StudyTable& table, const std::string& key, const TomlValue& value,
+                                    const std::string& unit, const std::string& example, const Units& units) {
+  if (value.kind != TomlValue::Kind::kText) {
+    table.refuse(value.mark, fmt::format("{} = {} has no unit", key, value.as_written()),
+                 fmt::format("write it with its unit in quotes, for example {}", example));
+    return std::nullopt;
+  }
+  try {
+    return units.quantity(value.text, unit, example);
+  } catch (const UnitError& problem) {
+    table.refuse(value.mark, fmt::format("{} = \"{}\" {}", key, value.text, problem.what()), problem.remedy);
+    return std::nullopt;
+  }
+}
+
+life::Wear read_wear_table(const TomlValue& value, const cycle::Case* base, const Units& units,
+                           std::vector<Fault>& faults) {
+  return WearReader(value, units, faults).read(base);
+}
+
+}  // namespace ringfilm::io

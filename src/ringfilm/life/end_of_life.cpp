@@ -1,0 +1,80 @@
+#include "ringfilm/life/end_of_life.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace ringfilm::life {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// A value of a state; NaN where it is not known.
+double worn_value(const LifeState& state, const std::string& name) {
+  if (!state.worn) return kUnknown;
+  if (name == "largest_worn_depth") return state.worn->largest_depth;
+  if (name == "worn_area") return state.worn->worn_area;
+  return name == "coating_left" ? state.worn->coating_left.value_or(kUnknown) : state.worn->end_gap_growth;
+}
+
+std::optional<std::size_t> life_quantity_index(const std::string& name) {
+  for (std::size_t i = 0; i < life_quantities().size(); ++i) {
+    if (life_quantities()[i].name == name) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const std::vector<cycle::Quantity>& limitable_quantities() {
+  static const std::vector<cycle::Quantity> table = [] {
+    std::vector<cycle::Quantity> all(life_quantities().begin(), life_quantities().end());
+    all.push_back({"worn_area", "m2", "um mm", "worn area", "A", "eq-life-volume"});
+    all.push_back({"largest_worn_depth", "m", "um", "largest worn depth", "w_max", "eq-life-archard"});
+    all.push_back({"coating_left", "m", "um", "coating left", "", ""});
+    all.push_back({"end_gap_growth", "m", "mm", "growth of the end gap", "", ""});
+    return all;
+  }();
+  return table;
+}
+
+std::optional<double> reaching_time(const std::vector<double>& times, const std::vector<double>& values, double limit) {
+  if (values.empty() || std::isnan(values.front())) return std::nullopt;
+  const bool from_below = values.front() < limit;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i])) return std::nullopt;
+    const bool is_met = from_below ? values[i] >= limit : values[i] <= limit;
+    if (!is_met) continue;
+    if (i == 0) return times[0];
+    const double share = (limit - values[i - 1]) / (values[i] - values[i - 1]);
+    return times[i - 1] + share * (times[i] - times[i - 1]);
+  }
+  return std::nullopt;
+}
+
+std::vector<EndOfLife> ends_of_life(const Life& life, const LifeResult& result) {
+  std::vector<double> times;
+  for (const LifeState& state : result.states) times.push_back(state.time);
+  std::vector<EndOfLife> ends;
+  for (const EndRule& rule : life.end_rules) {
+    const auto index = life_quantity_index(rule.quantity);
+    const auto when = [&](const std::function<const LifeValues&(const LifeState&)>& values_at) {
+      std::vector<double> values;
+      for (const LifeState& state : result.states) {
+        const LifeValues& there = values_at(state);
+        values.push_back(there.empty() ? kUnknown : index ? there[*index] : worn_value(state, rule.quantity));
+      }
+      return reaching_time(times, values, rule.limit);
+    };
+    EndOfLife end{when([](const LifeState& state) -> const LifeValues& { return state.values; }), {}, std::nullopt};
+    for (std::size_t k = 0; k < result.other_paths.size(); ++k) {
+      end.other_paths.push_back(
+          when([k](const LifeState& state) -> const LifeValues& { return state.other_paths[k]; }));
+    }
+    end.turned = when([](const LifeState& state) -> const LifeValues& { return state.turned; });
+    ends.push_back(std::move(end));
+  }
+  return ends;
+}
+
+}  // namespace ringfilm::life

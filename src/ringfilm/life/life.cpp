@@ -1,0 +1,124 @@
+#include "ringfilm/life/life.hpp"
+
+#include "ringfilm/base/number_text.hpp"
+
+namespace ringfilm::life {
+namespace {
+
+void check_times(const Life& life, std::vector<Fault>& faults) {
+  for (std::size_t i = 0; i < life.times.size(); ++i) {
+    const ReportedTime& now = life.times[i];
+    if (now.time < 0) {
+      faults.push_back({now.mark, "the running time " + hours_text(now.time) + " is below zero",
+                        "running times count from the start of the life, 0 h"});
+    } else if (i > 0 && now.time <= life.times[i - 1].time) {
+      faults.push_back(
+          {now.mark,
+           "the running time " + hours_text(now.time) + " does not follow " + hours_text(life.times[i - 1].time),
+           "list the hours in increasing order, each once"});
+    }
+  }
+}
+
+void check_order_of_states(const Life& life, std::vector<Fault>& faults) {
+  for (std::size_t i = 0; i < life.states.size(); ++i) {
+    const MeasuredState& now = life.states[i];
+    if (now.time < 0) {
+      faults.push_back({now.mark, "a state after " + hours_text(now.time) + " is before the start of the life",
+                        "running times count from 0 h"});
+    }
+    if (i == 0) continue;
+    const MeasuredState& before = life.states[i - 1];
+    if (now.time == before.time) {
+      faults.push_back({now.mark, "two states have the running time " + hours_text(now.time),
+                        "between them nothing can be interpolated; give each state its own hours"});
+    } else if (now.time < before.time) {
+      faults.push_back({now.mark,
+                        "the state after " + hours_text(now.time) + " follows that after " + hours_text(before.time),
+                        "list the states in the order of their running times"});
+    }
+  }
+}
+
+void check_rings_of_states(const Life& life, std::vector<Fault>& faults) {
+  const cycle::Case& base = life.points.front().input;
+  for (const MeasuredState& state : life.states) {
+    const double width = state.input.ring.face_width;
+    if (width != base.ring.face_width) {
+      faults.push_back({state.mark,
+                        "the ring of this state has a face of " + number_text(width * 1e3) +
+                            " mm, that of the base case one of " + number_text(base.ring.face_width * 1e3) + " mm",
+                        "a life is that of one ring: give both the same ring.face_width"});
+    }
+    if (state.input.ring.face.orientation != life.states.front().input.ring.face.orientation) {
+      faults.push_back({state.mark, "this state has another ring.face.orientation than the first one",
+                        "faces are interpolated from the same edge: give all states the same orientation"});
+    }
+    if (state.input.contact.roughness_measure != life.states.front().input.contact.roughness_measure) {
+      faults.push_back({state.mark, "this state has another contact.roughness_measure than the first one",
+                        "give all states their roughness by the same measure"});
+    }
+  }
+}
+
+void check_wear(const Life& life, std::vector<Fault>& faults) {
+  for (const OperatingPoint& point : life.points) {
+    if (point.input.ring.face.orientation == cycle::Orientation::kLeadingEdge) {
+      faults.push_back({life.wear.mark,
+                        "a ring that turns over at each reversal (orientation = \"leading-edge\") cannot "
+                        "wear: its two edges are one",
+                        "state ring.face.orientation = \"x0-chamber\" or \"x0-crankcase\""});
+      break;
+    }
+    if (point.input.is_unrolled()) {
+      faults.push_back({life.wear.mark,
+                        "film.dimension = \"unrolled\" has a face at each place around the ring, and "
+                        "wear is that of one face",
+                        "state film.dimension = \"face\""});
+      break;
+    }
+  }
+  if (life.wear.surface == WornSurface::kFrozen && !life.states.empty()) {
+    faults.push_back({life.states.front().mark, "[[state]] means nothing with wear.surface = \"frozen\"",
+                      "leave the states out, or take wear.surface = \"path\""});
+  }
+}
+
+void check_path(const Life& life, std::vector<Fault>& faults) {
+  if (life.states.size() < 2) {
+    faults.push_back({life.states.empty() ? SourceMark{} : life.states.front().mark,
+                      "a path needs at least two measured states, not " + std::to_string(life.states.size()),
+                      "write [[state]] with hours = \"10 h\" and case = \"run-in.toml\" for each"});
+    return;
+  }
+  check_order_of_states(life, faults);
+  check_rings_of_states(life, faults);
+  if (!faults.empty()) return;
+  const double first = life.states.front().time;
+  if (life.mode == Mode::kArchard && first > 0) {
+    faults.push_back({life.states.front().mark,
+                      "wear starts at 0 h, before the first state, after " + hours_text(first),
+                      "add a state with hours = \"0 h\""});
+  }
+  for (const ReportedTime& now : life.times) {
+    if (now.time >= first) continue;
+    faults.push_back(
+        {now.mark,
+         "the running time " + hours_text(now.time) + " is before the first state, after " + hours_text(first),
+         "ask for later hours, or add a state that was measured earlier"});
+  }
+}
+
+}  // namespace
+
+std::string hours_text(double time) { return number_text(time / kHour) + " h"; }
+
+std::vector<Fault> faults_of(const Life& life) {
+  std::vector<Fault> faults;
+  check_times(life, faults);
+  if (life.mode == Mode::kArchard) check_wear(life, faults);
+  if (life.mode == Mode::kMeasuredPath || life.wear.surface == WornSurface::kPath) check_path(life, faults);
+  return faults;
+}
+
+}  // namespace ringfilm::life

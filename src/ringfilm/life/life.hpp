@@ -1,0 +1,107 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/case/case.hpp"
+
+/// The life of a ring: measured states at their running hours, and what friction, oil and film are over hours
+/// (docs/theory/life.md). One plain value in SI; its defaults are written here.
+namespace ringfilm::life {
+
+inline constexpr double kHour = 3600;  ///< [s]
+
+std::string hours_text(double time);  ///< a running time [s] as messages show it: "10 h"
+
+/// Where face, roughness and shear strength come from over the running time.
+enum class Mode {
+  kMeasuredPath,  ///< interpolated between measured states
+  kArchard  ///< a scenario: the face wears by asperity pressure and sliding, the surface as `Wear::surface` has it
+};
+
+/// How the running time enters an interpolation between two states.
+enum class TimeScale {
+  kLogarithmic,  ///< linear in ln(1 + t/tau)
+  kLinear        ///< linear in t
+};
+
+/// An interpolation between measured states.
+struct Interpolation {
+  TimeScale scale = TimeScale::kLogarithmic;
+  double time_constant = kHour;  ///< tau of kLogarithmic [s]
+};
+
+/// A ring that was measured after a running time.
+struct MeasuredState {
+  double time = 0;    ///< running time [s]
+  cycle::Case input;  ///< whose face, N, beta, sigma and zeta are those of the state
+  SourceMark mark;    ///< of its running time
+};
+
+/// A running time that is reported.
+struct ReportedTime {
+  double time = 0;  ///< [s]
+  SourceMark mark;
+};
+
+/// Speed, gas and oil at which the ring runs for a share of the time.
+struct OperatingPoint {
+  std::string name;
+  double share = 1;   ///< of the running time [-]
+  cycle::Case input;  ///< with the ring of the base case
+};
+
+/// Where roughness and shear strength of a ring come from whose face wears.
+enum class WornSurface {
+  kFrozen,  ///< those of the base case
+  kPath     ///< those of the path between the measured states
+};
+
+/// How wear is integrated over the running time.
+enum class WearScheme {
+  kHeun,  ///< mean of the wear rates at both ends of a jump
+  kEuler  ///< that at its start
+};
+
+/// Archard wear of the face.
+struct Wear {
+  double coefficient = 0;                        ///< k: depth per pressure and sliding length [m2/N]
+  std::optional<double> running_in_coefficient;  ///< k_0, until running_in_time; absent: k all the time [m2/N]
+  double running_in_time = 10 * kHour;           ///< [s]
+  WornSurface surface = WornSurface::kFrozen;
+  WearScheme scheme = WearScheme::kHeun;
+  std::optional<int> jumps;        ///< equal ones over the time to the last reported one; absent: as the two below ask
+  double largest_depth = 0.15e-6;  ///< of a jump [m]
+  double jump_error = 0.02e-6;     ///< by which the two stages of a jump may differ [m]; Heun
+  double tilt_spread = 0;          ///< a: the ring is tilted by -a to a, all alike often [rad]
+  int tilt_samples = 12;           ///< tilts that stand for the spread
+  double edge_factor = 1;          ///< of the coefficient in the edge zones [-]
+  double edge_distance = 0.3e-3;   ///< from the middle of the face to the edge zones [m]
+  std::optional<double> liner_coefficient;  ///< k of the liner along the stroke; absent: it does not wear [m2/N]
+  std::optional<double> coating_thickness;  ///< at whose depth the life ends; absent: of the case's ring [m]
+  SourceMark mark = {};                     ///< of the table
+};
+
+/// A limit that ends a life as its user states it; from whichever side its value starts.
+struct EndRule {
+  std::string quantity;  ///< one of limitable_quantities()
+  double limit = 0;      ///< [SI]
+};
+
+/// What a life is computed from.
+struct Life {
+  std::string title;
+  Mode mode = Mode::kMeasuredPath;
+  std::vector<ReportedTime> times;     ///< increasing
+  std::vector<MeasuredState> states;   ///< anchors of the path, in the order of their running times
+  Interpolation path;                  ///< between them
+  std::vector<EndRule> end_rules;      ///< when the life ends; empty: no rule
+  Wear wear;                           ///< of Mode::kArchard
+  std::vector<OperatingPoint> points;  ///< at least one; the shares are 1 in all
+};
+
+/// All that is wrong with a life beyond the faults of its cases, each at its place.
+std::vector<Fault> faults_of(const Life& life);
+
+}  // namespace ringfilm::life

@@ -1,0 +1,91 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/life/life_quantities.hpp"
+#include "ringfilm/life/ring_state.hpp"
+#include "ringfilm/life/wear_integration.hpp"
+
+/// What a life gives over its running hours.
+namespace ringfilm::life {
+
+/// Material that the ring has lost since the start of the life.
+struct WornProfile {
+  std::vector<double> depth;  ///< at LifeState::x [m]
+  double worn_area = 0;       ///< of the cross-section: per length of the circumference [m2]
+  double largest_depth = 0;   ///< [m]
+  double end_gap_growth = 0;  ///< 2 pi times the largest depth: by how much the ends of the ring move apart [m]
+  std::optional<double> coating_left;  ///< at the deepest place; nothing where its thickness is not known [m]
+  std::vector<double> liner_depth;     ///< at LifeResult::liner_position [m]; empty: the liner is not followed
+};
+
+/// How far the face of a scenario is from a measured one near its middle, offset and tilt free.
+struct FaceDistance {
+  double half_width = 0;  ///< to both sides of the middle [m]
+  double rms = 0;         ///< [m]
+};
+
+/// The ring after one of the reported running times.
+struct LifeState {
+  double time = 0;                  ///< running time [s]
+  Standing standing{};              ///< how face, roughness and shear strength are known
+  RingState ring;                   ///< those
+  std::vector<double> x;            ///< from the chamber edge [m]
+  std::vector<double> face_height;  ///< above the lowest point, as installed, at x [m]
+  std::optional<WornProfile> worn;  ///< nothing where the mode does not determine it
+  /// From the measured state of this running time, of a scenario that has one.
+  std::vector<FaceDistance> from_measured;
+  LifeValues values;                    ///< of the whole duty
+  std::vector<LifeValues> points;       ///< of each operating point
+  std::vector<LifeValues> other_paths;  ///< on each of LifeResult::other_paths
+  LifeValues turned;                    ///< of the duty, with the ring turned over; empty: not computed
+  /// With only the face, only the roughness or only the shear strength of this state in the first one; empty: none.
+  std::array<LifeValues, 3> parts;
+};
+
+/// Another way to interpolate between the measured states.
+struct NamedPath {
+  std::string name;
+  Interpolation path;
+};
+
+/// When an EndRule is met; nothing: not within the reported times, or not known.
+struct EndOfLife {
+  std::optional<double> time;                      ///< on the life's own path, or in its scenario [s]
+  std::vector<std::optional<double>> other_paths;  ///< on each of LifeResult::other_paths [s]
+  std::optional<double> turned;                    ///< with the ring turned over [s]
+};
+
+/// Wear coefficients that measured faces allow, by their lower bounds with more and less of the edges trusted.
+struct CoefficientRange {
+  double low = 0, high = 0;  ///< [m2/N]
+};
+
+/// How a scenario of wear was integrated, and how it ended.
+struct WearSummary {
+  WearEffort effort;
+  std::optional<double> worn_through;  ///< when the coating was gone; nothing later was computed [s]
+  std::optional<double> wedge_gone;    ///< when an edge of the face came within the roughness of its lowest point [s]
+  std::optional<CoefficientRange> implied;  ///< by the first and the last measured face; nothing without states
+};
+
+/// A life, computed.
+struct LifeResult {
+  std::vector<LifeState> states;       ///< in the order of Life::times; fewer where the coating was worn through
+  std::vector<NamedPath> other_paths;  ///< whose values make the band
+  std::vector<EndOfLife> ends;         ///< of each of Life::end_rules
+  std::optional<WearSummary> wear;     ///< of a scenario of wear
+  std::vector<double> liner_position;  ///< below the TDC position of the ring [m]; empty: the liner is not followed
+  std::vector<cycle::Note> notes;      ///< of the cycles and of the life; their counts are cycles
+  long cycles = 0;                     ///< integrated until they repeat themselves
+};
+
+/// The ends of a value over all interpolations, that of the life itself among them.
+struct Band {
+  double low, high;
+};
+Band band_of(const LifeState& state, std::size_t quantity);
+
+}  // namespace ringfilm::life

@@ -1,0 +1,53 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/life/life.hpp"
+
+/// What changes of a ring over its life, and its interpolation between measured states (docs/theory/life.md).
+namespace ringfilm::life {
+
+/// Face, roughness and boundary shear strength of a ring at a running time.
+struct RingState {
+  cycle::RingFace face;         ///< the shape over its width
+  double asperity_density = 0;  ///< N [1/m2]
+  double asperity_radius = 0;   ///< beta [m]
+  double roughness = 0;         ///< sigma, by its measure [m]
+  cycle::RoughnessMeasure roughness_measure = cycle::RoughnessMeasure::kAsGiven;
+  double boundary_shear_strength_coefficient = 0;  ///< zeta [-]
+};
+
+/// Which of the three a mixture takes from a later state.
+enum class Part { kFace, kRoughness, kShearStrength };
+
+/// How a state at a running time is known.
+enum class Standing {
+  kMeasured,      ///< it is one of the measured states
+  kInterpolated,  ///< between two of them
+  kHeld,          ///< after the last one, whose values it keeps
+  kScenario       ///< its face follows from an assumed or tuned wear coefficient
+};
+
+RingState ring_state_of(const cycle::Case& c);  ///< that of a case
+
+/// The case with another ring in it.
+cycle::Case with_ring_state(cycle::Case c, const RingState& state);
+
+/// The earlier state with one part of the later one.
+RingState with_part(RingState earlier, const RingState& later, Part part);
+
+/// Between two states of rings of one width: the face linear at each place, counted from the lowest points of both; N,
+/// beta, sigma and zeta linear in their logarithms, eqs eq-life-face, eq-life-moments.
+/// @param share of the later state, 0 to 1 @param cells across the face; they define where faces of points are taken
+RingState interpolated(const RingState& earlier, const RingState& later, double share, double width, int cells);
+
+/// How far a running time is from one state to the next: eq-life-share, 0 to 1.
+double path_share(const Interpolation& path, double from, double to, double time);
+
+/// How the state at a running time is known.
+Standing standing_at(const std::vector<MeasuredState>& states, double time);
+
+/// The ring at a running time on the path between the states; after the last one its values are held. At the running
+/// time of a state it is that state, to the bit. Throws std::invalid_argument before the first state.
+RingState state_on_path(const std::vector<MeasuredState>& states, const Interpolation& path, double time, int cells);
+
+}  // namespace ringfilm::life

@@ -1,0 +1,49 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+
+/// What measured faces alone state about wear: bounds under "material only disappears" (docs/theory/life.md).
+namespace ringfilm::life {
+
+/// Heights of a face at places over its width, above its lowest point.
+struct FaceHeights {
+  std::vector<double> x;       ///< from 0 to the width, increasing [m]
+  std::vector<double> height;  ///< gap to a straight line [m]
+
+  double width() const { return x.back(); }
+};
+
+/// The face of a case as installed (leading-edge: as given), at places that all faces of one width have in common.
+FaceHeights face_heights(const cycle::Case& c);
+
+FaceHeights turned(const FaceHeights& face);  ///< x -> b - x
+
+/// May the later face be tilted against the earlier one? A scan does not keep the direction of the ring.
+enum class Tilt { kNone, kFree };
+
+/// The least wear between two faces of which no place gained material, eq-life-bound.
+struct WearBound {
+  double margin = 0;           ///< of the face at each edge that is not trusted [m]
+  double depth_at_middle = 0;  ///< of the face [m]
+  double largest_depth = 0;    ///< of the trusted part [m]
+  double area = 0;             ///< over the trusted part [m2]
+  double tilt = 0;             ///< of the later face, about the middle [rad]
+};
+
+/// @param margin at each edge that is not trusted, below half of the width [m]
+WearBound least_wear(const FaceHeights& earlier, const FaceHeights& later, double margin, Tilt tilt);
+
+/// Shares of the width at each edge that bounds do not use, from nothing to the outer quarter: chamfers and the ends of
+/// polynomials lie there.
+const std::vector<double>& trusted_margins();
+
+/// A stretch that no straight liner touches at any tilt: the face lies above its lower convex hull there.
+struct ConcaveStretch {
+  double from = 0, to = 0;  ///< [m]
+  double height = 0;        ///< largest above the hull [m]
+};
+/// Those of at least `least` [m] above the hull, from x = 0 on.
+std::vector<ConcaveStretch> concave_stretches(const FaceHeights& face, double least);
+
+}  // namespace ringfilm::life

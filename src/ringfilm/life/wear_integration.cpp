@@ -1,0 +1,165 @@
+#include "ringfilm/life/wear_integration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ringfilm/base/error.hpp"
+
+namespace ringfilm::life {
+namespace {
+
+/// A jump that shrinks below this share of the whole time gets nowhere.
+constexpr double kShortestJump = 1e-9;
+/// A jump that was too long for what else changes is taken again with this share of its length.
+constexpr double kShortened = 0.7;
+/// The next jump is at most this much longer than the last one.
+constexpr double kGrowth = 2;
+/// Aimed at below the allowed difference, so that few jumps are rejected.
+constexpr double kCaution = 0.8;
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+class Integration {
+ public:
+  Integration(const Wear& wear, double end, std::size_t n_face, std::size_t n_liner, const WearLoadOf& load,
+              const WearLimits& limits)
+      : wear_(wear), load_(load), limits_(limits), end_(end), next_(end) {
+    now_.face.assign(n_face, 0.0);
+    now_.liner.assign(n_liner, 0.0);
+  }
+
+  WearHistory run(const std::vector<double>& times) {
+    WearHistory history;
+    for (const double time : times) {
+      const WornDepths there = wear_.jumps ? at_equal_jumps(time) : at_chosen_jumps(time);
+      if (worn_through_) break;
+      history.states.push_back(there);
+    }
+    history.effort = effort_;
+    history.worn_through = worn_through_;
+    return history;
+  }
+
+ private:
+  struct Jump {
+    WornDepths end;
+    double stage_difference = 0;
+  };
+
+  /// From the present depths over a time that may not be kept.
+  Jump jump_to(double time) {
+    if (!load_now_) load_now_ = measured(now_.time, now_.face);
+    const double K = coefficient_integral(wear_, now_.time, time);
+    Jump jump{{time, now_.face, now_.liner}, 0};
+    for (std::size_t i = 0; i < now_.face.size(); ++i) jump.end.face[i] += K * load_now_->face[i];
+    WearLoad later = *load_now_;
+    if (wear_.scheme == WearScheme::kHeun && time > now_.time) {
+      later = measured(time, jump.end.face);
+      for (std::size_t i = 0; i < now_.face.size(); ++i) {
+        const double depth = now_.face[i] + 0.5 * K * (load_now_->face[i] + later.face[i]);
+        jump.stage_difference = std::max(jump.stage_difference, std::abs(depth - jump.end.face[i]));
+        jump.end.face[i] = depth;
+      }
+    }
+    const double liner = wear_.liner_coefficient.value_or(0) * (time - now_.time);
+    for (std::size_t i = 0; i < now_.liner.size(); ++i) {
+      jump.end.liner[i] += 0.5 * liner * (load_now_->liner[i] + later.liner[i]);
+    }
+    return jump;
+  }
+
+  WearLoad measured(double time, const std::vector<double>& worn) {
+    WearLoad load = load_(time, worn);
+    effort_.balance_error = std::max(effort_.balance_error, load.balance_error);
+    return load;
+  }
+
+  void keep(Jump jump) {
+    if (limits_.deepest && largest(jump.end.face) >= *limits_.deepest) {
+      const double before = largest(now_.face), after = largest(jump.end.face);
+      const double share = after > before ? (*limits_.deepest - before) / (after - before) : 1;
+      worn_through_ = now_.time + std::clamp(share, 0.0, 1.0) * (jump.end.time - now_.time);
+    }
+    ++effort_.jumps;
+    effort_.stage_difference = std::max(effort_.stage_difference, jump.stage_difference);
+    now_ = std::move(jump.end);
+    load_now_.reset();
+    if (limits_.after_jump) limits_.after_jump(now_);
+  }
+
+  /// Whole jumps as far as they go, and a part of one on the side to a time between two.
+  WornDepths at_equal_jumps(double time) {
+    if (time == 0) return now_;
+    const double length = end_ / *wear_.jumps;
+    constexpr double kRounding = 1e-9;
+    while (!worn_through_ && now_.time + length <= time * (1 + kRounding)) {
+      const int done = effort_.jumps + 1;
+      keep(jump_to(done == *wear_.jumps ? end_ : done * length));
+    }
+    if (worn_through_ || std::abs(time - now_.time) <= kRounding * length) return now_;
+    return jump_to(time).end;
+  }
+
+  /// The longest jump whose depth at the present rates is allowed.
+  double longest_by_depth() const {
+    const bool is_running_in = wear_.running_in_coefficient && now_.time < wear_.running_in_time;
+    const double rate = largest(load_now_->face) * (is_running_in ? *wear_.running_in_coefficient : wear_.coefficient);
+    return rate > 0 ? wear_.largest_depth / rate : end_;
+  }
+
+  WornDepths at_chosen_jumps(double time) {
+    while (!worn_through_ && now_.time < time) {
+      if (!load_now_) load_now_ = measured(now_.time, now_.face);
+      double length = std::min({next_, time - now_.time, longest_by_depth()});
+      const double until = length == time - now_.time ? time : now_.time + length;
+      if (length < kShortestJump * end_) {
+        throw ConvergenceError("the jumps of wear became shorter than a billionth of the running time at " +
+                               hours_text(now_.time) + ": take a larger wear.jump_error");
+      }
+      if (limits_.is_too_long && limits_.is_too_long(now_.time, until)) {
+        next_ = kShortened * length;
+        continue;
+      }
+      Jump jump = jump_to(until);
+      if (jump.stage_difference > wear_.jump_error) {
+        ++effort_.rejected_jumps;
+        next_ = 0.5 * length;
+        continue;
+      }
+      // The difference of the stages grows with the square of the length.
+      const double wished = jump.stage_difference > 0
+                                ? kCaution * length * std::sqrt(wear_.jump_error / jump.stage_difference)
+                                : kGrowth * length;
+      // A jump that was cut at a reported time does not shorten those after it.
+      next_ = until == time ? std::max(next_, std::min(wished, kGrowth * length)) : std::min(wished, kGrowth * length);
+      keep(std::move(jump));
+    }
+    return now_;
+  }
+
+  const Wear& wear_;
+  const WearLoadOf& load_;
+  const WearLimits& limits_;
+  double end_, next_;
+  WornDepths now_;
+  std::optional<WearLoad> load_now_;
+  WearEffort effort_;
+  std::optional<double> worn_through_;
+};
+
+}  // namespace
+
+double coefficient_integral(const Wear& wear, double from, double to) {
+  if (!wear.running_in_coefficient) return wear.coefficient * (to - from);
+  const double before = std::clamp(wear.running_in_time, from, to) - from;
+  return *wear.running_in_coefficient * before + wear.coefficient * (to - from - before);
+}
+
+WearHistory integrate_wear(const Wear& wear, const std::vector<double>& times, std::size_t n_face, std::size_t n_liner,
+                           const WearLoadOf& load, const WearLimits& limits) {
+  return Integration(wear, times.empty() ? 0.0 : times.back(), n_face, n_liner, load, limits).run(times);
+}
+
+}  // namespace ringfilm::life

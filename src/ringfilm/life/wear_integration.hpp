@@ -1,0 +1,59 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "ringfilm/life/life.hpp"
+
+/// Archard wear over the running time, whatever presses and slides (docs/theory/life.md).
+namespace ringfilm::life {
+
+/// Asperity pressure times sliding speed, its mean over time.
+struct WearLoad {
+  std::vector<double> face;   ///< at each place of the face, weighted with the edge zones [Pa m/s]
+  std::vector<double> liner;  ///< along the stroke, per length of circumference [Pa m/s]; empty: not followed
+  double balance_error = 0;   ///< of its integral over the face against asperity load times speed, relative [-]
+};
+
+/// What wears at a running time [s] where the face has lost these depths [m].
+using WearLoadOf = std::function<WearLoad(double time, const std::vector<double>& worn)>;
+
+/// Depths at a running time.
+struct WornDepths {
+  double time = 0;            ///< [s]
+  std::vector<double> face;   ///< [m]
+  std::vector<double> liner;  ///< [m]
+};
+
+/// What an integration took.
+struct WearEffort {
+  int jumps = 0;                ///< taken
+  int rejected_jumps = 0;       ///< taken again, shorter
+  double stage_difference = 0;  ///< largest of the two stages of a jump that was taken [m]; 0 for Euler
+  double balance_error = 0;     ///< largest WearLoad::balance_error [-]
+};
+
+/// When an integration ends before the last time, and what of it is known.
+struct WearLimits {
+  std::optional<double> deepest;  ///< depth at which it ends: the coating is worn through [m]
+  /// Is a jump from one time to another too long for what else changes? Empty: never.
+  std::function<bool(double from, double to)> is_too_long = {};
+  std::function<void(const WornDepths&)> after_jump = {};  ///< receives the depths after each jump
+};
+
+/// Depths at each of the times, fewer where it ended early.
+struct WearHistory {
+  std::vector<WornDepths> states;
+  WearEffort effort;
+  std::optional<double> worn_through;  ///< time at which the largest depth reached the limit [s]
+};
+
+/// eq-life-coefficient: integral of the wear coefficient of the face over time [m2 s/N].
+double coefficient_integral(const Wear& wear, double from, double to);
+
+/// Integrates eq-life-archard from 0 to each of the increasing times by the scheme of `wear`.
+/// @param n_face places of the face @param n_liner places of the liner
+WearHistory integrate_wear(const Wear& wear, const std::vector<double>& times, std::size_t n_face, std::size_t n_liner,
+                           const WearLoadOf& load, const WearLimits& limits = {});
+
+}  // namespace ringfilm::life

@@ -1,0 +1,68 @@
+"""Studies of weighted operating points: `method = "operating-points"`."""
+
+import csv
+import json
+import unittest
+
+import program
+
+STUDY = """\
+title = "a duty"
+kind = "compare"
+[[base]]
+name = "new"
+case = "case.toml"
+[plan]
+method = "operating-points"
+[[point]]
+name = "idle"
+weight = 1
+values = { "operating.speed" = "900 rpm", "operating.oil_temperature" = "90 degC" }
+[[point]]
+name = "full load"
+weight = 3
+values = { "operating.speed" = "3000 rpm", "operating.oil_temperature" = "120 degC" }
+"""
+
+
+class OperatingPoints(program.ProgramTest):
+    def study(self, text=STUDY):
+        (self.folder / "study.toml").write_text(text)
+        return self.run_program("study", "study.toml", "-o", "out")
+
+    def test_each_point_is_the_case_with_its_values(self):
+        done = self.study()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.folder / "out" / "study.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        settings = ("--set", "operating.speed=900 rpm", "--set", "operating.oil_temperature=90 degC")
+        alone = json.loads(self.run_well("run", "case.toml", "--json", *settings))
+        power = next(name for name in rows[0] if name.startswith("mean_power_loss"))
+        self.assertAlmostEqual(float(rows[0][power]) / alone["mean_power_loss"], 1, delta=1e-6)
+
+    def test_the_summary_has_points_and_their_weighted_mean(self):
+        printed = self.study().stdout
+        lines = {line.split("  ")[1]: line for line in printed.splitlines() if line.startswith("  ")}
+        for name in ("idle", "full load", "weighted mean"):
+            self.assertIn(name, lines)
+        self.assertIn(b"mean_power_loss_weighted_mean", (self.folder / "out" / "study.nc").read_bytes())
+
+    def test_texts_of_keys_are_choices(self):
+        text = STUDY.replace('"operating.oil_temperature" = "90 degC"', '"film.cavitation" = "reynolds-exit"')
+        text = text.replace('"operating.oil_temperature" = "120 degC"', '"film.cavitation" = "mass-conserving"')
+        self.assertEqual(self.study(text).returncode, 0)
+
+    def test_refusals(self):
+        for old, new, fragment in (
+            ("weight = 1", "weight = 0", "the weight of a point is above 0"),
+            (', "operating.oil_temperature" = "120 degC"', "", "the point has no operating.oil_temperature"),
+            ('name = "full load"', 'name = "idle"', "two points have the name idle"),
+            ('"900 rpm"', '"900"', "has no unit"),
+            ('"operating-points"', '"sobol"', "[[point]] means nothing with this method"),
+        ):
+            with self.subTest(fragment):
+                self.assert_refused(self.study(STUDY.replace(old, new)), fragment)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,28 @@
+"""Lives of rings from Python: what `ringfilm life --json` prints, as dicts."""
+
+import pytest
+
+import ringfilm
+from conftest import SOURCES
+
+CASES = SOURCES / "cases"
+
+
+def test_a_life_is_a_dict_over_its_hours():
+    life = ringfilm.run_life(str(CASES / "life" / "styles2014.toml"), threads=1)
+    first, last = life["states"][0], life["states"][-1]
+    alone = ringfilm.Case.read(str(CASES / "styles2014" / "embedded.toml")).run()
+    assert (first["hours"], last["hours"]) == (0, 150)
+    assert last["mean_power_loss"] == alone.mean_power_loss
+    assert len(last["face_height"]) == len(life["x"])
+
+
+def test_faces_give_lower_bounds():
+    rings = [str(CASES / "styles2014" / f"{name}.toml") for name in ("new", "embedded")]
+    (pair,) = ringfilm.compare_faces(rings)["pairs"]
+    assert pair["tilted"][0]["depth_at_middle"] == pytest.approx(19.3e-6, abs=0.06e-6)
+
+
+def test_a_file_that_is_not_a_life_is_refused():
+    with pytest.raises(ringfilm.InputError):
+        ringfilm.run_life(str(CASES / "styles2014" / "new.toml"))

@@ -1,0 +1,92 @@
+#include "ringfilm/life/life.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "../cycle/styles_case.hpp"
+#include "ringfilm/life/life_quantities.hpp"
+
+namespace ringfilm::life {
+namespace {
+
+using ::testing::HasSubstr;
+
+Life two_states() {
+  Life life;
+  const cycle::Case c = cycle::testing::styles_new_ring();
+  life.points = {{"duty", 1, c}};
+  life.times = {{0, {"life.toml", 1, 1, ""}}, {kHour, {"life.toml", 2, 1, ""}}};
+  life.states = {{0, c, {"life.toml", 3, 1, ""}}, {10 * kHour, c, {"life.toml", 4, 1, ""}}};
+  return life;
+}
+
+std::string refusal(const Life& life) {
+  const std::vector<Fault> faults = faults_of(life);
+  return faults.empty() ? "" : describe(faults);
+}
+
+TEST(Life, OneWithStatesInTheirOrderIsAccepted) { EXPECT_EQ(refusal(two_states()), ""); }
+
+TEST(Life, StatesOutOfOrderAreRefusedAtTheirPlace) {
+  Life life = two_states();
+  std::swap(life.states[0].time, life.states[1].time);
+  EXPECT_THAT(refusal(life), HasSubstr("life.toml:4:1: the state after 0 h follows that after 10 h"));
+}
+
+TEST(Life, TwoStatesOfOneTimeAreRefused) {
+  Life life = two_states();
+  life.states[1].time = 0;
+  EXPECT_THAT(refusal(life), HasSubstr("two states have the running time 0 h"));
+}
+
+TEST(Life, APathNeedsTwoStates) {
+  Life life = two_states();
+  life.states.pop_back();
+  EXPECT_THAT(refusal(life), HasSubstr("at least two measured states, not 1"));
+}
+
+TEST(Life, HoursBeforeTheFirstStateAreRefused) {
+  Life life = two_states();
+  life.states[0].time = 0.5 * kHour;
+  EXPECT_THAT(refusal(life), HasSubstr("life.toml:1:1: the running time 0 h is before the first state, after 0.5 h"));
+}
+
+TEST(Life, HoursThatDoNotRiseAreRefused) {
+  Life life = two_states();
+  life.times[1].time = 0;
+  EXPECT_THAT(refusal(life), HasSubstr("the running time 0 h does not follow 0 h"));
+}
+
+TEST(Life, RingsOfAnotherWidthAreRefused) {
+  Life life = two_states();
+  life.states[1].input.ring.face_width = 1e-3;
+  EXPECT_THAT(refusal(life), HasSubstr("a face of 1 mm, that of the base case one of 1.2 mm"));
+}
+
+TEST(LifeQuantities, APointAloneKeepsItsBits) {
+  const LifeValues values(life_quantities().size(), 0.1);
+  EXPECT_EQ(combined({{1, 1, values}}), values);
+}
+
+TEST(LifeQuantities, PointsAreWeightedByTimeOrCyclesOrTakenAtTheirExtreme) {
+  const std::size_t n = life_quantities().size();
+  const LifeValues all = combined({{0.25, 0.1, LifeValues(n, 1)}, {0.75, 0.9, LifeValues(n, 3)}});
+  for (std::size_t i = 0; i < n; ++i) {
+    switch (life_quantities()[i].combination) {
+      case Combination::kTimeMean:
+        EXPECT_DOUBLE_EQ(all[i], 2.5);
+        break;
+      case Combination::kCycleMean:
+        EXPECT_DOUBLE_EQ(all[i], 2.8);
+        break;
+      case Combination::kLeast:
+        EXPECT_EQ(all[i], 1);
+        break;
+      case Combination::kLargest:
+        EXPECT_EQ(all[i], 3);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ringfilm::life
