@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kBins = 100;  // of a stroke profile
 
-/// The second ring has half the tension, so that its film differs. The edges next to the land are three bins of the
+/// The second ring has half the tension, so that its film differs. The edges between them are three bins of the
 /// stroke apart.
 std::vector<Setup> two_rings(double film, Scraped scraped) {
   Case c = styles_new_ring();
