@@ -22,7 +22,7 @@ SECTIONS = [
     ),
     (
         "From scan to friction",
-        ["measured-chain", "surfaces", "surface-files", "face", "lateral-force", "measurement-files"],
+        ["measured-chain", "surfaces", "contact-law", "surface-files", "face", "lateral-force", "measurement-files"],
     ),
     ("Many cases", ["study", "performance"]),
     ("Other films", ["unrolled", "pad"]),

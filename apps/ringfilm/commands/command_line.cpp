@@ -30,6 +30,7 @@ constexpr const char* kProgramFooter = R"(Examples:
   ringfilm verify
   ringfilm surface liner.x3p --form cylinder --html liner.html
   ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --fragment contact.toml
+  ringfilm contact --surface ring.x3p --surface liner.x3p --composite-modulus "134.8 GPa" --hardness "2.5 GPa" -o law.nc
   ringfilm face trace.csv --heights material --width "1.2 mm" --fragment face.toml
   ringfilm lateral-force new.csv --silicon silicon.csv --reference ahimou2007 --fragment shear.toml
   ringfilm synthetic honed liner.x3p --hatch-angle "45 degree" --seed 7
@@ -319,6 +320,7 @@ class Commands {
   /// Commands that read instruments.
   void add_measuring() {
     add_surface_commands(program_, actions_);
+    add_contact_command(program_, actions_);
     add_face_command(program_, actions_);
     add_lateral_force_command(program_, actions_);
     add_synthetic_command(program_, actions_);
