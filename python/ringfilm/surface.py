@@ -21,6 +21,7 @@ from ._ringfilm.surface import (
     SurfaceMeasures,
     _prepare,
     asperity_parameters,
+    contact_law,
     material_ratio_curve,
     cavities,
     core_roughness,

@@ -122,6 +122,111 @@ class Numbers(ContactTest):
         self.assertFalse(any("plane" in line and "least" in line for line in of["statements"]))
 
 
+class FlowFactors(ContactTest):
+    def test_a_wavy_gap_has_the_factors_of_its_closed_forms(self):
+        e = 0.6
+        words = ("--surface", "wave.csv", "--periodic", "--flow-factors", "--separations", f"{1 / e} um")
+        of = self.json_of(*words)
+        self.assertEqual((of["contact_pressure"], of["real_area"]), ([0], [0]))
+        self.assertAlmostEqual(of["phi_x"][0], (1 - e * e) ** 2.5 / (1 + e * e / 2), delta=1e-5)
+        self.assertAlmostEqual(of["phi_y"][0], 1 + 1.5 * e * e, delta=1e-5)
+        couette = (1 - e * e) / (1 + e * e / 2)  # 2 Q/(U h)
+        self.assertAlmostEqual(of["phi_s"][0], (1 - couette) / e * math.sqrt(2), delta=1e-3)
+
+    def test_two_walls_alike_have_no_shear_flow(self):
+        words = ("--surface", "ring.csv", "--surface", "ring.csv", "--flow-factors", "--separations", "3 um")
+        self.assertAlmostEqual(self.json_of(*words)["phi_s"][0], 0, delta=1e-12)
+
+
+class LawOfACase(ContactTest):
+    PAIR = ("contact.summit_plane=nayak",)
+
+    def case_json(self, *settings, ratios="1,1.286,2,3"):
+        words = [word for setting in settings for word in ("--set", setting)]
+        return json.loads(self.run_well("contact", "--case", "case.toml", "--lambda", ratios, *words, "--json"))
+
+    def setUp(self):
+        super().setUp()
+        self.modulus = "contact.composite_modulus='134.8 GPa'"
+
+    def test_that_of_the_paper_is_greenwood_and_tripp_with_its_validity(self):
+        of = self.case_json(self.modulus)
+        for got, expected in zip(of["separation"], (0.48e-6, 0.61728e-6, 0.96e-6, 1.44e-6)):
+            self.assertAlmostEqual(got / expected, 1, delta=1e-12)
+        self.assertAlmostEqual(of["contact_pressure"][1], 37.424423e6, delta=10)
+        self.assertAlmostEqual(of["real_area"][1], 0.002025883, delta=1e-9)
+        self.assertAlmostEqual(
+            of["mean_real_pressure"][1] * of["real_area"][1] / of["contact_pressure"][1], 1, delta=1e-12
+        )
+        self.assertAlmostEqual(of["plasticity_index"], 14.68, delta=0.01)
+        self.assertAlmostEqual(of["slope_index"], 9.13, delta=0.01)
+        self.assertAlmostEqual(of["summit_offset_ratio"], 0.6325, delta=1e-4)
+        self.assertAlmostEqual(of["summit_plane_offset"], 0.6325 * 0.48e-6, delta=1e-10)
+
+    def test_other_laws_carry_what_their_formulas_state(self):
+        of = self.case_json(self.modulus, "contact.model=greenwood-williamson", "contact.summit_plane=nayak")
+        self.assertAlmostEqual(of["contact_pressure"][1] / 486.86444e6, 1, delta=1e-4)
+        self.assertAlmostEqual(of["real_area"][1] / 0.03263409, 1, delta=1e-4)
+        pairs = self.case_json(self.modulus, "contact.summit_plane=nayak", "contact.moments=one-surface")
+        for got, expected in zip(pairs["contact_pressure"], (729e6, 416e6, 81.3e6, 4.37e6)):
+            self.assertAlmostEqual(got / expected, 1, delta=5e-3)
+        hardness = "contact.hardness='2.5 GPa'"
+        plastic = self.case_json("contact.model=plastic", hardness)
+        for ratio, share in zip(plastic["lambda_ratio"], plastic["real_area"]):
+            self.assertAlmostEqual(share / (0.5 * math.erfc(ratio / math.sqrt(2))), 1, delta=1e-4)
+
+    def test_laws_that_flow_need_the_hardness(self):
+        words = ("--case", "case.toml", "--set", "contact.asperity=jackson-green")
+        result = self.run_program("contact", *words)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("contact.hardness is missing", result.stderr)
+
+    def test_a_case_has_its_own_surfaces(self):
+        self.assertIn("its own surfaces", self.refused("--case", "case.toml", "--surface", "wave.csv"))
+
+
+class TableInACase(ContactTest):
+    def setUp(self):
+        super().setUp()
+        for name, seed in (("ring.csv", 1), ("liner.csv", 2)):
+            (self.folder / name).write_text(rough(128, 128, seed, 60))
+        pair = ("--surface", "ring.csv", "--surface", "liner.csv", "--hardness", "2.5 GPa", "-o", "law.nc")
+        self.law = self.json_of(*pair)
+        text = (self.folder / "case.toml").read_text()
+        lines = [line for line in text.splitlines() if not line.startswith(("asperity_", "roughness"))]
+        (self.folder / "case.toml").write_text(
+            "\n".join(lines).replace("[contact]", '[contact]\nmodel = "table"\nlaw = "law.nc"') + "\n"
+        )
+
+    def test_the_ring_runs_with_it_and_meets_its_rows(self):
+        sigma = self.law["composite_roughness"]
+        ratios = [h / sigma for h in self.law["separation"] if h <= self.law["last_supported_separation"]]
+        of = json.loads(
+            self.run_well("contact", "--case", "case.toml", "--lambda", ",".join(map(repr, ratios)), "--json")
+        )
+        rows = dict(zip(self.law["separation"], self.law["contact_pressure"]))
+        for h, p in zip(of["separation"], of["contact_pressure"]):
+            nearest = min(rows, key=lambda row: abs(row - h))
+            self.assertAlmostEqual(p / rows[nearest], 1, delta=1e-3)
+        run = json.loads(self.run_well("run", "case.toml", "--json"))
+        self.assertGreater(run["mean_power_loss"], 0)
+        self.assertNotIn("plasticity_index", run)
+
+    def test_other_files_are_refused(self):
+        self.run_well("surface", "ring.csv", *self.STATED, "-o", "surface.nc")
+        for name, message in (
+            ("surface.nc", "not a contact law"),
+            ("ring.csv", "ring.csv"),
+            ("none.nc", "no such file"),
+        ):
+            result = self.run_program("run", "case.toml", "--set", f"contact.law={name}")
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn(message, result.stderr)
+        result = self.run_program("run", "case.toml", "--set", "contact.law=")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("contact.law", result.stderr)
+
+
 class Refusals(ContactTest):
     def test_what_cannot_be_computed_is_named(self):
         wave_at = ("--surface", "wave.csv", "--periodic", "--separations")

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,13 +10,16 @@ namespace ringfilm::app {
 
 /// What `contact` was asked for.
 struct ContactCommand {
-  std::vector<std::string> surfaces;  ///< one file, or two: ring and liner
+  std::optional<std::string> case_path;  ///< the law of a case instead of that of maps
+  std::vector<io::Override> settings;    ///< of its keys
+  std::vector<double> lambda;            ///< at which it is tabulated
+  std::vector<std::string> surfaces;     ///< one file, or two: ring and liner
   instrument::SurfaceOptions reading;
   instrument::ContactAnalysis analysis;
   MeasurementOutputs outputs;
 };
 
-/// Computes the contact law of a measured pair and writes what was asked for.
+/// Computes the contact law of a measured pair, or that of a case, and writes what was asked for.
 void contact(const ContactCommand& command);
 
 }  // namespace ringfilm::app

@@ -114,15 +114,6 @@ std::string version_text() {
   return provenance.program + " (commit " + provenance.commit + "; " + provenance.compiler + ")";
 }
 
-/// Splits "key=value" or "key = value"; the value may hold further equal signs.
-io::Override override_of(const std::string& text) {
-  const std::size_t equal_sign = text.find('=');
-  if (equal_sign == std::string::npos || equal_sign == 0) {
-    throw InputError("--set " + text + ": this is not key=value", "for example --set operating.speed='3000 rpm'");
-  }
-  return {trimmed(text.substr(0, equal_sign)), trimmed(text.substr(equal_sign + 1))};
-}
-
 /// Settings as the ledger prints them, key = value, are three arguments: joins them to one.
 std::vector<std::string> with_joined_settings(int argc, const char* const* argv) {
   std::vector<std::string> joined;
@@ -445,6 +436,14 @@ std::optional<InputError> misspelt_word(const CLI::App& program, const std::vect
 }
 
 }  // namespace
+
+io::Override override_of(const std::string& text) {
+  const std::size_t equal_sign = text.find('=');
+  if (equal_sign == std::string::npos || equal_sign == 0) {
+    throw InputError("--set " + text + ": this is not key=value", "for example --set operating.speed='3000 rpm'");
+  }
+  return {trimmed(text.substr(0, equal_sign)), trimmed(text.substr(equal_sign + 1))};
+}
 
 Request read_command_line(int argc, const char* const* argv) {
   CLI::App program(

@@ -20,6 +20,9 @@ namespace ringfilm::app {
 /// Commands of the program and what each does once its arguments are read.
 using Actions = std::vector<std::pair<CLI::App*, std::function<void()>>>;
 
+/// Splits "key=value" or "key = value"; the value may hold further equal signs. Throws InputError.
+io::Override override_of(const std::string& text);
+
 /// Arguments that all measuring commands share: --output, --html, --json and, where there is something for a case,
 /// --fragment.
 struct OutputArguments {

@@ -55,7 +55,9 @@ TEST(RoughContact, ThePressureOfAWaveConvergesWithTheStep) {
       RoughContact contact(wave(points, k / static_cast<double>(kPlaces)), MapEdges::periodic, {1, {}});
       error += std::abs(contact.solve(westergaard_separation(0.2)).pressure / (0.2 * kFull) - 1) / kPlaces;
     }
-    if (former > 0) EXPECT_GT(std::log2(former / error), 1.5) << points;
+    if (former > 0) {
+      EXPECT_GT(std::log2(former / error), 1.5) << points;
+    }
     former = error;
   }
   EXPECT_LT(former, 2e-4);
@@ -203,7 +205,9 @@ TEST(RoughContact, MissingPointsNeverTouch) {
   EXPECT_NEAR(contact.missing_share(), 0.3, 0.02);
   EXPECT_GT(found.load_next_to_missing, 0.3);
   for (std::size_t i = 0; i < map.points(); ++i) {
-    if (!map.measured(i)) ASSERT_EQ(contact.pressure()[i], 0.0);
+    if (!map.measured(i)) {
+      ASSERT_EQ(contact.pressure()[i], 0.0);
+    }
   }
   lose_points(map, 0.6, 1);
   EXPECT_THROW(RoughContact(map, MapEdges::mirrored, {67.4e9, 2.5e9}), InputError);

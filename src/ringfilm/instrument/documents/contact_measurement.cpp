@@ -8,6 +8,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
+#include "ringfilm/io/measurement/contact_law_file.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -59,13 +60,26 @@ constexpr Column kColumns[] = {
      [](const Point& of) { return of.mean.residual; }},
 };
 
-io::MeasuredTable law_table(const surface::ContactLaw& law) {
+constexpr Column kFlowColumns[] = {
+    {"phi_x", "pressure flow factor along the rows", "phi_x", "1", "1", [](const Point& of) { return of.flow.phi_x; }},
+    {"phi_y", "pressure flow factor across the rows", "phi_y", "1", "1", [](const Point& of) { return of.flow.phi_y; }},
+    {"phi_s", "shear flow factor along the rows, first surface at rest", "phi_s", "1", "1",
+     [](const Point& of) { return of.flow.phi_s; }},
+    {"flow_residual", "largest relative residual of the cell problems", "", "1", "1",
+     [](const Point& of) { return of.flow.residual; }},
+};
+
+io::MeasuredTable law_table(const surface::ContactLaw& law, const ContactAnalysis& analysis) {
   io::MeasuredTable table;
-  table.name = kContactLawTable;
+  table.name = io::kContactLawTable;
   table.title = "Contact law";
-  for (const Column& column : kColumns) {
+  const auto add = [&](const Column& column) {
     add_column(table, column.name, column.long_name, column.symbol, column.unit, column.display_unit);
     for (const Point& point : law.points) table.values.back().push_back(column.value(point));
+  };
+  for (const Column& column : kColumns) add(column);
+  if (analysis.has_flow) {
+    for (const Column& column : kFlowColumns) add(column);
   }
   return table;
 }
@@ -109,6 +123,19 @@ io::MeasuredMap pressure_map(const surface::ContactLaw& law) {
   return picture;
 }
 
+constexpr double kFewSpots = 5;  // on all maps of a law: fewer are one sample
+
+/// Beyond it a law is an extrapolation; the smallest separation where nowhere enough spots carry [m].
+double last_supported(const surface::ContactLaw& law, double positions) {
+  const double area = static_cast<double>(law.grid.points()) * law.grid.step_x_m * law.grid.step_y_m * positions;
+  double last = 0, smallest = std::numeric_limits<double>::max();
+  for (const Point& point : law.points) {
+    smallest = std::min(smallest, point.mean.separation_m);
+    if (point.mean.spots_per_m2 * area >= kFewSpots) last = std::max(last, point.mean.separation_m);
+  }
+  return last > 0 ? last : smallest;
+}
+
 io::MeasuredGroup law_group(const surface::ContactLaw& law, const ContactAnalysis& analysis) {
   io::MeasuredGroup group{"The pair in contact", {}};
   const auto add = [&](const char* name, const char* words, const char* symbol, const char* unit, const char* display,
@@ -128,6 +155,8 @@ io::MeasuredGroup law_group(const surface::ContactLaw& law, const ContactAnalysi
   }
   add("relative_positions", "relative positions of both surfaces", "", "1", "1", static_cast<double>(analysis.shifts));
   add("missing_share", "share of the points without a height", "", "1", "%", law.missing_share);
+  add(io::kLastSupportedSeparation, "largest separation at which five spots of a map or more carry", "", "m", "um",
+      last_supported(law, static_cast<double>(analysis.shifts)));
   add("complementarity_residual", "largest rms violation of the complementarity over Sq", "", "1", "1", residual);
   add("iterations", "iterations of the conjugate gradients", "", "1", "1", iterations);
   return group;
@@ -181,6 +210,9 @@ std::vector<std::string> statements_of(const ContactAnalysis& analysis, const Pr
   lines.push_back("separation: distance of the mean planes of the undeformed surfaces");
   lines.push_back(analysis.material.hardness ? "elastic half-space, perfectly plastic at the hardness"
                                              : "elastic half-space");
+  if (analysis.has_flow) {
+    lines.push_back("flow factors: of the true gap, relative to the separation; motion along the rows of the maps");
+  }
   lines.push_back("real area corrected for the pixels along the edges of spots");
   return lines;
 }
@@ -190,7 +222,7 @@ std::vector<std::string> statements_of(const ContactAnalysis& analysis, const Pr
 io::Measurement contact_measurement(const SurfaceFile& first, const SurfaceFile* second,
                                     const ContactAnalysis& analysis) {
   io::Measurement all;
-  all.kind = "contact";
+  all.kind = io::kContactLawKind;
   const PreparedSurface one = prepared(first, analysis, all.notes);
   std::optional<PreparedSurface> other;
   if (second != nullptr) other = prepared(*second, analysis, all.notes);
@@ -202,7 +234,7 @@ io::Measurement contact_measurement(const SurfaceFile& first, const SurfaceFile*
   }
   all.statements = statements_of(analysis, one);
 
-  surface::SurfacePair pair{one.map, {}, analysis.edges, analysis.material, analysis.shifts};
+  surface::SurfacePair pair{one.map, {}, analysis.edges, analysis.material, analysis.shifts, analysis.has_flow};
   if (other) pair.second = other->map;
   const std::vector<double> separations =
       analysis.separations_m.empty() ? surface::usual_separations(pair) : analysis.separations_m;
@@ -210,9 +242,14 @@ io::Measurement contact_measurement(const SurfaceFile& first, const SurfaceFile*
 
   for (std::string& note : law_notes(pair, law)) all.notes.push_back(std::move(note));
   all.groups.push_back(law_group(law, analysis));
-  all.tables.push_back(law_table(law));
+  all.tables.push_back(law_table(law, analysis));
   all.curves.push_back(law_curve(law, kColumns[1], "pressure_curve"));
   all.curves.push_back(law_curve(law, kColumns[2], "area_curve"));
+  if (analysis.has_flow) {
+    for (const Column& column : {kFlowColumns[0], kFlowColumns[1], kFlowColumns[2]}) {
+      all.curves.push_back(law_curve(law, column, std::string(column.name) + "_curve"));
+    }
+  }
   if (!pair.first.is_profile()) all.maps.push_back(pressure_map(law));
   return all;
 }

@@ -16,10 +16,8 @@ struct ContactAnalysis {
   surface::ContactMaterial material;
   std::vector<double> separations_m;  ///< in the order of the table; empty: surface::usual_separations
   std::size_t shifts = 1;             ///< relative positions of both surfaces
+  bool has_flow = false;              ///< with the factors of the flow through the gap
 };
-
-/// Name of the table of the law in the document, and of its columns.
-inline constexpr const char* kContactLawTable = "law";
 
 /// The contact law of a pair of measured surfaces: table, curves, contact map. Throws InputError where maps do not
 /// belong together, and as surface::contact_law does.

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/surface/contact/flow_cell.hpp"
 
 namespace ringfilm::surface {
 namespace {
@@ -50,6 +51,50 @@ void add(const ContactAtSeparation& of, double weight, ContactLawPoint& to) {
   mean.load_next_to_missing += weight * of.pressure * of.load_next_to_missing;
   to.pressure_deviation += weight * of.pressure * of.pressure;
   to.area_deviation += weight * of.area_share * of.area_share;
+}
+
+double variance(const HeightMap& map) {
+  double sum = 0, squares = 0, count = 0;
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (!map.measured(i)) continue;
+    sum += map.height_m[i];
+    squares += map.height_m[i] * map.height_m[i];
+    count += 1;
+  }
+  return count > 0 ? squares / count - sum * sum / (count * count) : 0;
+}
+
+/// Share of the first surface in the variance of the heights, less that of the second: 1 where only the first is rough.
+double roughness_difference(const SurfacePair& pair) {
+  if (!pair.second) return 1;
+  const double first = variance(pair.first), second = variance(*pair.second);
+  return first + second > 0 ? (first - second) / (first + second) : 1;
+}
+
+/// True gap, closed in contact; points without a height have that of the deepest one that was measured.
+std::vector<double> open_gap(const RoughContact& contact) {
+  std::vector<double> gap(contact.gap().begin(), contact.gap().end());
+  double deepest = 0;
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    gap[i] = contact.pressure()[i] > 0 ? 0 : std::max(gap[i], 0.0);
+    if (contact.measured(i)) deepest = std::max(deepest, gap[i]);
+  }
+  for (double& h : gap) h = std::min(h, deepest);
+  return gap;
+}
+
+void add_flow(const RoughContact& contact, const ContactAtSeparation& found, double difference, double weight,
+              FlowFactorsOfLaw& to) {
+  const std::vector<double> gap = open_gap(contact);
+  const FlowFactorsOfGap of = flow_factors(gap, contact.grid());
+  const double cube = found.separation_m * found.separation_m * found.separation_m;
+  double mean = 0;
+  for (const double h : gap) mean += h;
+  mean /= static_cast<double>(gap.size());
+  to.phi_x += weight * of.conductance_x / cube;
+  to.phi_y += weight * of.conductance_y / cube;
+  to.phi_s += weight * difference * (mean - of.couette) / contact.Sq_m();
+  to.residual = std::max(to.residual, of.residual);
 }
 
 void complete(std::size_t positions, ContactLawPoint& point) {
@@ -100,7 +145,8 @@ ContactLaw contact_law(const SurfacePair& pair, std::span<const double> separati
   ContactLaw law;
   law.points.resize(separations_m.size());
   law.highest_m = highest_point(pair);
-  check_reach(law.highest_m, separations_m);
+  if (!pair.has_flow) check_reach(law.highest_m, separations_m);
+  const double difference = roughness_difference(pair);
   const std::size_t positions = positions_of(pair);
   const std::vector<std::size_t> order = falling_order(separations_m);
   for (std::size_t position = 0; position < positions; ++position) {
@@ -113,7 +159,9 @@ ContactLaw contact_law(const SurfacePair& pair, std::span<const double> separati
     for (const std::size_t k : order) {
       const ContactAtSeparation found = contact.solve(separations_m[k]);
       check_area(found);
-      add(found, 1 / static_cast<double>(positions), law.points[k]);
+      const double weight = 1 / static_cast<double>(positions);
+      add(found, weight, law.points[k]);
+      if (pair.has_flow) add_flow(contact, found, difference, weight, law.points[k].flow);
     }
     if (position > 0) continue;
     law.pressure.assign(contact.pressure().begin(), contact.pressure().end());

@@ -14,6 +14,15 @@ struct SurfacePair {
   MapEdges edges = MapEdges::mirrored;
   ContactMaterial material;
   std::size_t shifts = 1;  ///< relative positions over which the law is the mean
+  bool has_flow = false;   ///< with the flow through the gap, and for separations beyond the highest point, too
+};
+
+/// Factors of the flow through the true gap over that through a smooth one of the separation h.
+struct FlowFactorsOfLaw {
+  double phi_x = 0.0, phi_y = 0.0;  ///< pressure flow along and across the rows, K/h^3, eq-flow-cell [-]
+  /// Shear flow along the rows, (<H> - 2 Q/U)/Sq with the first surface at rest, eq-shear-cell [-].
+  double phi_s = 0.0;
+  double residual = 0.0;  ///< of the cell problems, relative
 };
 
 /// Contact at one separation, the mean over relative positions.
@@ -21,6 +30,7 @@ struct ContactLawPoint {
   ContactAtSeparation mean;         ///< the largest residual of all, and all iterations
   double pressure_deviation = 0.0;  ///< standard deviation over relative positions [Pa]; 0 of one
   double area_deviation = 0.0;      ///< likewise [-]
+  FlowFactorsOfLaw flow;            ///< where it was asked for
 };
 
 /// The contact law of a pair of measured surfaces.
@@ -41,7 +51,7 @@ struct Shift {
 Shift shift_of(std::size_t k, const HeightMap& second, MapEdges edges);
 
 /// The law at these separations. Throws InputError where a separation is not above 0, lies beyond the highest point of
-/// every position, or lets more than half of the area touch.
+/// every position (but with the flow), or lets more than half of the area touch.
 ContactLaw contact_law(const SurfacePair& pair, std::span<const double> separations_m);
 
 /// Separations for a table where none are stated: evenly from the highest point down as far as contact is not more than

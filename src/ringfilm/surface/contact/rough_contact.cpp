@@ -187,7 +187,7 @@ ContactAtSeparation RoughContact::measures(double separation_m, double residual,
   of.pressure = sum / points;
   of.pixel_share = contacts / points;
   if (contacts == 0) return of;
-  of.area_share = corrected_area_share(contact, grid_, points);
+  of.area_share = std::max(corrected_area_share(contact, grid_, points), of.pressure / cap_);
   of.share_at_cap = at_cap / contacts;
   of.load_next_to_missing = near / sum;
   const double area = points * grid_.step_x_m * grid_.step_y_m;
