@@ -87,6 +87,7 @@ __all__ = [
     "Summits",
     "SurfaceMeasures",
     "asperity_parameters",
+    "contact_law",
     "material_ratio_curve",
     "cavities",
     "core_roughness",

@@ -343,7 +343,7 @@ void check_contact_law(const Case& c, Breaches& breaches) {
                           (contact.model != ContactLaw::kBushGibsonThomas && contact.asperity != AsperityLaw::kElastic);
   if (is_plastic && !contact.hardness) {
     breaches.push_back({"contact.hardness", "contact.hardness is missing: asperities that flow need it",
-                        "that of the softer face, for example \"2.5 GPa\" of grey iron"});
+                        "that of the softer face, for example \"2.5 GPa\" of grey iron", kMissingKey});
   }
   const bool has_plane = contact.model == ContactLaw::kBushGibsonThomas ||
                          (contact.model != ContactLaw::kPlastic && contact.summit_plane == SummitPlane::kNayak);

@@ -78,7 +78,7 @@ void append_contact_fields(std::vector<Field>& fields) {
                 {"Pa", "MPa"}, between(0, 1e10), Need::kDefault, {},
                 {"Eyring shear stress of the boundary film, tau_0", "\"2 MPa\""}),
           field("contact.composite_modulus", OptionalNumberKind{member<&Case::contact, &Contact::composite_modulus>},
-                {"Pa", "GPa"}, between(1e8, 1e13), Need::kOptional, {},
+                {"Pa", "GPa"}, between(1e8, 1e13), Need::kOptional, kAsperities,
                 {"E' of 2/E' = sum (1 - nu^2)/E, instead of the moduli of ring and liner", "\"134.8 GPa\""}),
           field("contact.hardness", OptionalNumberKind{member<&Case::contact, &Contact::hardness>}, {"Pa", "GPa"},
                 between(1e6, 1e12), Need::kOptional, {},
