@@ -152,9 +152,9 @@ def pair_contact():
     for name, style in (("phi_x", Style(BLUE)), ("phi_y", Style(ORANGE, "7 3")), ("phi_s", Style(GREEN, "2 3"))):
         right.curve(x, flow[name], style)
     entries = [(styles[words], words) for words in laws] + [(Style(BLACK, "2 3"), "by N, β, σ of the sum")]
-    legend(picture, LEFT - 20, 360, entries, [80, 150, 0])
+    legend(picture, LEFT - 40, 360, entries, [95, 175, 0])
     entries = [(Style(BLUE), "φ_{x}"), (Style(ORANGE, "7 3"), "φ_{y}"), (Style(GREEN, "2 3"), "φ_{s}")]
-    legend(picture, LEFT + 420, 360, entries, 70)
+    legend(picture, LEFT + 450, 360, entries, 70)
     return picture
 
 

@@ -136,10 +136,10 @@ void LaneNewton::clear_table(int lane) {
 }
 
 void LaneNewton::set_table(int lane, const models::ContactPieces& pieces) {
-  block_.table[lane] = pieces.root.front().data();
-  block_.table_pieces[lane] = static_cast<int>(pieces.root.size());
+  block_.table[lane] = pieces.pressure.front().data();
+  block_.table_pieces[lane] = static_cast<int>(pieces.pressure.size());
   block_.table_reach[lane] = pieces.reach;
-  block_.table_per_gap[lane] = static_cast<double>(pieces.root.size()) / pieces.reach;
+  block_.table_per_gap[lane] = static_cast<double>(pieces.pressure.size()) / pieces.reach;
   block_.table_scale[lane] = pieces.pressure_scale;
   block_.has_tables = true;
 }

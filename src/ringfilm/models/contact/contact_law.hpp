@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -15,12 +17,30 @@ struct FittedContact {
   double area_scale;      ///< area share over the eighth power of the second [-]
 };
 
-/// Cubics that are the law, on equal pieces from 0 to the reach: the eighth root of p_a over the scale, by powers of
-/// the place within the piece, 0 to 1.
+/// Cubics that are the law, on equal pieces from 0 to the reach: eighth roots of p_a and of the area share over their
+/// scales, by powers of the place within the piece, 0 to 1.
 struct ContactPieces {
-  std::vector<std::array<double, 4>> root;
+  using Cubics = std::vector<std::array<double, 4>>;
+  Cubics pressure, area;      ///< of each piece
   double reach = 0;           ///< [m]
   double pressure_scale = 0;  ///< [Pa]
+  double area_scale = 0;      ///< [-]
+
+  /// The piece of a separation between 0 and the reach, and its place within it.
+  struct Place {
+    std::size_t piece;
+    double within;
+  };
+  Place place(double h) const {
+    const double at = h / reach * static_cast<double>(pressure.size());
+    const std::size_t piece = std::min(static_cast<std::size_t>(at), pressure.size() - 1);
+    return {piece, at - static_cast<double>(piece)};
+  }
+  static double value(const std::array<double, 4>& c, double d) { return c[0] + d * (c[1] + d * (c[2] + d * c[3])); }
+  static double eighth_power(double root) {
+    const double square = root * root, fourth = square * square;
+    return fourth * fourth;
+  }
 };
 
 /// What rough surfaces carry at a separation, whatever law that follows: as film and results use it.

@@ -120,7 +120,7 @@ std::function<PressureAndArea(double)> bush_gibson_thomas(const GreenwoodTripp::
   const double spread_u = std::sqrt(2 * m4 / 3);  // of the mean curvature u
   const double height_of_u = 1.5 * m2 / m4;       // mean height of summits with this curvature over it
   const double s = std::sqrt(m0 - 1.5 * m2 * m2 / m4);
-  constexpr int kTau = 48, kU = 64;
+  constexpr int kTau = 48, kU = 40;
   constexpr double kLargestU = 9;
   struct Node {
     double height, load, area;
@@ -174,7 +174,7 @@ std::function<PressureAndArea(double)> summit_contact(const GreenwoodTripp::Para
 }
 
 ContactTable tabulated(const std::function<PressureAndArea(double)>& law, double sigma) {
-  constexpr double kStep = 0.05, kLeft = 1e-12;  // of sigma; of the pressure at 0
+  constexpr double kStep = 0.1, kLeft = 1e-12;  // of sigma; of the pressure at 0
   ContactTable table;
   for (int k = 0; k < 400; ++k) {
     const double h = k * kStep * sigma;

@@ -140,33 +140,17 @@ Root root_of(const std::vector<double>& h, const std::vector<double>& value, dou
   return root;
 }
 
-ContactPieces pieces_of(const Root& root, double reach) {
-  ContactPieces pieces;
-  pieces.reach = reach;
-  pieces.pressure_scale = root.scale;
+ContactPieces::Cubics cubics_of(const Root& root, double reach) {
+  ContactPieces::Cubics cubics;
   const double width = reach / kPieces;
   for (int k = 0; k < kPieces; ++k) {
     const auto from = root.at(k * width), to = root.at((k + 1) * width);
     const double rise = to.value - from.value;
     const double least = 3 * std::min(rise, 0.0);  // within it the cubic falls
     const double a = std::max(from.slope * width, least), b = std::max(to.slope * width, least);
-    pieces.root.push_back({from.value, a, 3 * rise - 2 * a - b, a + b - 2 * rise});
+    cubics.push_back({from.value, a, 3 * rise - 2 * a - b, a + b - 2 * rise});
   }
-  return pieces;
-}
-
-ValueAndSlope<double> root_at(const ContactPieces& pieces, double h) {
-  const double place = h / pieces.reach * static_cast<double>(pieces.root.size());
-  const auto piece = std::min(static_cast<std::size_t>(place), pieces.root.size() - 1);
-  const auto& c = pieces.root[piece];
-  const double d = place - static_cast<double>(piece);
-  return {c[0] + d * (c[1] + d * (c[2] + d * c[3])),
-          (c[1] + d * (2 * c[2] + 3 * d * c[3])) / pieces.reach * static_cast<double>(pieces.root.size())};
-}
-
-double eighth_power(double root) {
-  const double square = root * root, fourth = square * square;
-  return fourth * fourth;
+  return cubics;
 }
 
 }  // namespace
@@ -184,8 +168,8 @@ TabulatedContact::TabulatedContact(const ContactTable& table, double trusted_up_
   const double first_slope = std::log(used.pressure[1] / used.pressure[0]) / (used.h[1] - used.h[0]);
   const double end = std::log(used.pressure[0]) - first_slope * used.h[0] + std::log(kLeftAtReach);
   const double reach = tail.at(tail.h) > end ? place_of(tail, end) : tail.h;
-  pressure_ = pieces_of(root_of(used.h, used.pressure, reach), reach);
-  area_ = pieces_of(root_of(used.h, used.area_share, reach), reach);
+  const Root pressure_root = root_of(used.h, used.pressure, reach), area_root = root_of(used.h, used.area_share, reach);
+  pieces_ = {cubics_of(pressure_root, reach), cubics_of(area_root, reach), reach, pressure_root.scale, area_root.scale};
   for (std::size_t k = 0; k < used.h.size() && used.h[k] < reach; ++k) {
     row_error_ = std::max(row_error_, std::abs(contact(used.h[k]).pressure / used.pressure[k] - 1));
   }
@@ -196,15 +180,17 @@ void TabulatedContact::pressure(double h, double& p_a, double& dp_a_dh) const {
     p_a = dp_a_dh = h;
     return;
   }
-  if (h >= pressure_.reach) {
+  if (h >= pieces_.reach) {
     p_a = dp_a_dh = 0;
     return;
   }
   const double inside = std::max(h, 0.0);
-  const auto root = root_at(pressure_, inside);
-  const double square = root.value * root.value, seventh = square * square * square * root.value;
-  dp_a_dh = pressure_.pressure_scale * 8 * seventh * root.slope;
-  p_a = pressure_.pressure_scale * seventh * root.value + dp_a_dh * (h - inside);
+  const auto [piece, d] = pieces_.place(inside);
+  const auto& c = pieces_.pressure[piece];
+  const double root = ContactPieces::value(c, d), square = root * root, seventh = square * square * square * root;
+  const double slope = (c[1] + d * (2 * c[2] + 3 * d * c[3])) / pieces_.reach * static_cast<double>(kPieces);
+  dp_a_dh = pieces_.pressure_scale * 8 * seventh * slope;
+  p_a = pieces_.pressure_scale * seventh * root + dp_a_dh * (h - inside);
 }
 
 AsperityContact::Contact TabulatedContact::contact(double h) const {
@@ -212,8 +198,9 @@ AsperityContact::Contact TabulatedContact::contact(double h) const {
   pressure(h, c.pressure, c.pressure_slope);
   if (std::isnan(h)) {
     c.area_share = h;
-  } else if (h < area_.reach) {
-    c.area_share = area_.pressure_scale * eighth_power(root_at(area_, std::max(h, 0.0)).value);
+  } else if (h < pieces_.reach) {
+    const auto [piece, d] = pieces_.place(std::max(h, 0.0));
+    c.area_share = pieces_.area_scale * ContactPieces::eighth_power(ContactPieces::value(pieces_.area[piece], d));
   }
   return c;
 }

@@ -25,16 +25,16 @@ class TabulatedContact final : public AsperityContact {
 
   Contact contact(double h) const override;
   void pressure(double h, double& p_a, double& dp_a_dh) const override;
-  double reach() const override { return pressure_.reach; }
-  double length_scale() const override { return pressure_.reach / ContactFit::kEnd; }
+  double reach() const override { return pieces_.reach; }
+  double length_scale() const override { return pieces_.reach / ContactFit::kEnd; }
   bool has_kinks() const override { return false; }
   double trusted_up_to() const override { return trusted_up_to_; }
-  const ContactPieces* pieces() const override { return &pressure_; }
+  const ContactPieces* pieces() const override { return &pieces_; }
 
   double row_error() const { return row_error_; }  ///< largest relative error of the pressure at the rows used [-]
 
  private:
-  ContactPieces pressure_, area_;
+  ContactPieces pieces_;
   double trusted_up_to_;
   double row_error_ = 0;
 };
