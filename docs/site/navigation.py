@@ -22,7 +22,15 @@ SECTIONS = [
     ),
     (
         "From scan to friction",
-        ["measured-chain", "surfaces", "contact-law", "surface-files", "face", "lateral-force", "measurement-files"],
+        [
+            "measured-chain",
+            "surfaces",
+            "docs/manual/guide/contact-law",
+            "surface-files",
+            "face",
+            "lateral-force",
+            "measurement-files",
+        ],
     ),
     ("Many cases", ["study", "performance"]),
     ("Other films", ["unrolled", "pad"]),

@@ -102,7 +102,7 @@ TEST(RoughContact, ARowOfFlatPunchesHasItsPressureAndDepth) {
 
 TEST(RoughContact, ASphereTouchesAsHertzFound) {
   // R 10 um, E* 67.4 GPa, 0.1 mN: a 0.2232546 um, p0 0.9579448 GPa, approach 4.984263 nm. In a cell of 16 a the images
-  // carry their share of the displacement, which the mean plane takes off again.
+  // carry their share of the displacement, which is measured from the mean plane.
   constexpr double kRadius = 10e-6, kModulus = 67.4e9, kLoad = 1e-4, a = 0.2232546e-6;
   constexpr std::size_t kPoints = 512;
   const double cell = 16 * a, step = cell / kPoints, half = cell / 2;

@@ -19,7 +19,7 @@ struct ContactLawFile {
   std::vector<std::string> notes;
 };
 
-/// Reads what `ringfilm contact --output` wrote; rows without contact are left out. Throws InputError: not such a file,
+/// Reads what `ringfilm contact --output` wrote; rows without contact are omitted. Throws InputError: not such a file,
 /// altered, fewer than four separations with contact, pressures or areas that do not fall.
 ContactLawFile read_contact_law(const NamedFile& file);
 

@@ -44,7 +44,7 @@ struct ContactLaw {
   ContactGrid grid;                     ///< of both
 };
 
-/// Relative position k of the second surface: the first is none, the others fill the map evenly.
+/// Relative position k of the second surface: the first is where the map lies, the others fill the map evenly.
 struct Shift {
   std::size_t x = 0, y = 0;  ///< columns and rows
 };
