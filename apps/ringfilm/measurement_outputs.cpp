@@ -47,11 +47,21 @@ io::NamedNumbers numbers_of(const io::Measurement& measurement) {
   return numbers;
 }
 
-void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers) {
+io::NamedLists lists_of(const io::Measurement& measurement, const std::string& table) {
+  io::NamedLists lists;
+  for (const io::MeasuredTable& one : measurement.tables) {
+    if (one.name != table) continue;
+    for (std::size_t k = 0; k < one.columns.size(); ++k) lists.emplace_back(one.columns[k].name, one.values[k]);
+  }
+  return lists;
+}
+
+void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers,
+             const io::NamedLists& lists) {
   const io::Units units;
   const io::Provenance provenance = io::this_program();
   std::string text;
-  if (outputs.summary == SummaryForm::kJson) text = io::measurement_json(measurement, numbers, provenance);
+  if (outputs.summary == SummaryForm::kJson) text = io::measurement_json(measurement, numbers, provenance, lists);
   if (outputs.summary == SummaryForm::kTable) text = io::measurement_text(measurement, units);
   if (outputs.netcdf) io::write_measurement(*outputs.netcdf, measurement, provenance);
   if (outputs.page) {

@@ -24,8 +24,12 @@ void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::str
 /// The values of all groups by their names, for the top of the JSON.
 io::NamedNumbers numbers_of(const io::Measurement& measurement);
 
+/// The columns of a table by their names, for the top of the JSON.
+io::NamedLists lists_of(const io::Measurement& measurement, const std::string& table);
+
 /// Writes what was asked for and prints the document. Throws OutputError.
-/// @param numbers that are at the top of the JSON
-void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers);
+/// @param numbers that are at the top of the JSON @param lists likewise
+void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers,
+             const io::NamedLists& lists = {});
 
 }  // namespace ringfilm::app

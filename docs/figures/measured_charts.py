@@ -112,6 +112,52 @@ def cutoff():
     return picture
 
 
+def pair_contact():
+    """What a pair of maps carries, and what is left for the flow, against the separation."""
+    step = heights("ring_new.x3p")[1]
+    ring_map, liner_map = (
+        ringfilm.surface.prepare(heights(name)[0], step, form="tilt", short_cutoff=2e-6, long_cutoff=80e-6)
+        for name in ("ring_new.x3p", "liner.sur")
+    )
+    separations = [1e-6 * value for value in (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2)]
+    laws = {}
+    for words, hardness in (("elastic", None), ("capped at 2.5 GPa", 2.5e9)):
+        laws[words] = ringfilm.surface.contact_law(
+            ring_map, step, separations, 134.8e9, hardness, liner_map, shifts=3, flow_factors=hardness is not None
+        )
+    measures = [ringfilm.surface.surface_measures(one, step) for one in (ring_map, liner_map)]
+    pair = ringfilm.surface.pair_parameters(*measures, "rq")
+    by_summits = ringfilm.laws.GreenwoodTripp(pair.density_per_m2, pair.beta_m, pair.sigma_m, 134.8e9)
+    picture = Picture("Contact pressure and flow factors of a pair of maps against their separation", 370)
+    picture.text(WIDTH - RIGHT, 20, "SYNTHETIC surfaces", anchor="end", size=12, colour="#a00")
+    x = [1e6 * h for h in separations]
+    left = Panel(picture, LEFT, 50, 290, 250, (0.2, 1.3), (0.1, 3000), "y")
+    left.title("contact pressure [MPa]")
+    left.y_axis("", [0.1, 1, 10, 100, 1000])
+    left.x_axis("separation h [µm]", [0.2, 0.4, 0.6, 0.8, 1, 1.2])
+    left.frame()
+    styles = {"elastic": Style(BLUE), "capped at 2.5 GPa": Style(RED, "7 3")}
+    for words, law in laws.items():
+        left.curve(x, 1e-6 * law["contact_pressure"], styles[words])
+        spread = law["contact_pressure_deviation"]
+        low, high = law["contact_pressure"] - spread, law["contact_pressure"] + spread
+        left.band(x, [max(0.1, 1e-6 * value) for value in low], 1e-6 * high, styles[words].colour, 0.2)
+    left.curve(x, [1e-6 * float(by_summits.pressure(h)) for h in separations], Style(BLACK, "2 3"))
+    right = Panel(picture, LEFT + 366, 50, 290, 250, (0.2, 1.3), (0, 1))
+    right.title("flow factors [-]")
+    right.y_axis("", [0, 0.25, 0.5, 0.75, 1])
+    right.x_axis("separation h [µm]", [0.2, 0.4, 0.6, 0.8, 1, 1.2])
+    right.frame()
+    flow = laws["capped at 2.5 GPa"]
+    for name, style in (("phi_x", Style(BLUE)), ("phi_y", Style(ORANGE, "7 3")), ("phi_s", Style(GREEN, "2 3"))):
+        right.curve(x, flow[name], style)
+    entries = [(styles[words], words) for words in laws] + [(Style(BLACK, "2 3"), "by N, β, σ of the sum")]
+    legend(picture, LEFT - 40, 360, entries, [95, 175, 0])
+    entries = [(Style(BLUE), "φ_{x}"), (Style(ORANGE, "7 3"), "φ_{y}"), (Style(GREEN, "2 3"), "φ_{s}")]
+    legend(picture, LEFT + 450, 360, entries, 70)
+    return picture
+
+
 def loop_rows(name):
     """Rows (load [nN], loop, position [um], trace [mV], retrace [mV]) of a file of friction loops."""
     lines = (MEASURED / name).read_text(encoding="utf-8").splitlines()
@@ -199,5 +245,6 @@ PICTURES = {
     "surface-steps": surface_steps,
     "material-ratio": material_ratio,
     "cutoff": cutoff,
+    "pair-contact": pair_contact,
     "friction-loop": friction_loop,
 }

@@ -22,7 +22,15 @@ SECTIONS = [
     ),
     (
         "From scan to friction",
-        ["measured-chain", "surfaces", "surface-files", "face", "lateral-force", "measurement-files"],
+        [
+            "measured-chain",
+            "surfaces",
+            "docs/manual/guide/contact-law",
+            "surface-files",
+            "face",
+            "lateral-force",
+            "measurement-files",
+        ],
     ),
     ("Many cases", ["study", "docs/manual/guide/life", "performance"]),
     ("Other films", ["unrolled", "pad"]),

@@ -30,6 +30,7 @@ constexpr const char* kProgramFooter = R"(Examples:
   ringfilm verify
   ringfilm surface liner.x3p --form cylinder --html liner.html
   ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --fragment contact.toml
+  ringfilm contact --surface ring.x3p --surface liner.x3p --composite-modulus "134.8 GPa" --hardness "2.5 GPa" -o law.nc
   ringfilm face trace.csv --heights material --width "1.2 mm" --fragment face.toml
   ringfilm lateral-force new.csv --silicon silicon.csv --reference ahimou2007 --fragment shear.toml
   ringfilm synthetic honed liner.x3p --hatch-angle "45 degree" --seed 7
@@ -111,15 +112,6 @@ publication, an independent program. The exit code is 4 if a number lies outside
 std::string version_text() {
   const io::Provenance provenance = io::this_program();
   return provenance.program + " (commit " + provenance.commit + "; " + provenance.compiler + ")";
-}
-
-/// Splits "key=value" or "key = value"; the value may hold further equal signs.
-io::Override override_of(const std::string& text) {
-  const std::size_t equal_sign = text.find('=');
-  if (equal_sign == std::string::npos || equal_sign == 0) {
-    throw InputError("--set " + text + ": this is not key=value", "for example --set operating.speed='3000 rpm'");
-  }
-  return {trimmed(text.substr(0, equal_sign)), trimmed(text.substr(equal_sign + 1))};
 }
 
 /// Settings as the ledger prints them, key = value, are three arguments: joins them to one.
@@ -308,6 +300,7 @@ class Commands {
   /// Commands that read instruments.
   void add_measuring() {
     add_surface_commands(program_, actions_);
+    add_contact_command(program_, actions_);
     add_face_command(program_, actions_);
     add_lateral_force_command(program_, actions_);
     add_synthetic_command(program_, actions_);
@@ -432,6 +425,14 @@ std::optional<InputError> misspelt_word(const CLI::App& program, const std::vect
 }
 
 }  // namespace
+
+io::Override override_of(const std::string& text) {
+  const std::size_t equal_sign = text.find('=');
+  if (equal_sign == std::string::npos || equal_sign == 0) {
+    throw InputError("--set " + text + ": this is not key=value", "for example --set operating.speed='3000 rpm'");
+  }
+  return {trimmed(text.substr(0, equal_sign)), trimmed(text.substr(equal_sign + 1))};
+}
 
 Request read_command_line(int argc, const char* const* argv) {
   CLI::App program(

@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "measurement_outputs.hpp"
+#include "option_values.hpp"
+#include "ringfilm/instrument/surface_file.hpp"
+#include "ringfilm/surface/topography/preparation.hpp"
 
 namespace CLI {
 class App;
@@ -16,6 +19,9 @@ namespace ringfilm::app {
 
 /// Commands of the program and what each does once its arguments are read.
 using Actions = std::vector<std::pair<CLI::App*, std::function<void()>>>;
+
+/// Splits "key=value" or "key = value"; the value may hold further equal signs. Throws InputError.
+io::Override override_of(const std::string& text);
 
 /// Arguments that all measuring commands share: --output, --html, --json and, where there is something for a case,
 /// --fragment.
@@ -27,8 +33,27 @@ struct OutputArguments {
   MeasurementOutputs selected() const;
 };
 
+/// Arguments of every command that reads height maps: what the file does not state, form and filters.
+struct MapArguments {
+  instrument::SurfaceOptions reading;
+  std::optional<std::string> layout, short_cutoff, long_cutoff;
+  std::optional<std::string> form;
+  bool robust = false;
+
+  /// @param usual_form as the help prints it
+  void add_to(CLI::App& command, const std::string& usual_form);
+  instrument::SurfaceOptions selected_reading(OptionValues& values) const;
+  /// @param usual_form where none is stated
+  surface::Preparation selected_preparation(OptionValues& values, const surface::FormChoice& usual_form) const;
+
+ private:
+  surface::FormChoice form_choice(OptionValues& values, const surface::FormChoice& usual_form) const;
+};
+
 /// `ringfilm surface` and `ringfilm pair`.
 void add_surface_commands(CLI::App& program, Actions& actions);
+/// `ringfilm contact`.
+void add_contact_command(CLI::App& program, Actions& actions);
 /// `ringfilm face`.
 void add_face_command(CLI::App& program, Actions& actions);
 /// `ringfilm lateral-force`.

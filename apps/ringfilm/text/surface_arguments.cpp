@@ -46,31 +46,14 @@ std::pair<std::size_t, std::size_t> counts_of(const std::string& option, const s
 
 /// The arguments of a surface command, as text.
 struct SurfaceArguments {
-  instrument::SurfaceOptions reading;
-  std::optional<std::string> layout, short_cutoff, long_cutoff, grid, prominent, noise, angle, cavity_depth;
+  MapArguments maps;
+  std::optional<std::string> grid, prominent, noise, angle, cavity_depth;
   std::vector<std::string> rectangles;
-  std::string form = "none", direction = "mean", scheme = "neighbours", sigma = "Ra";
-  bool robust = false;
+  std::string direction = "mean", scheme = "neighbours", sigma = "Ra";
   OutputArguments outputs;
 
   void add_to(CLI::App& command) {
-    command.add_option("--channel", reading.channel, "which channel of the file: its number from 1, or its name")
-        ->type_name("N");
-    command.add_option("--unit", reading.height_unit, "unit of the heights, where the file does not state it")
-        ->type_name("UNIT");
-    command.add_option("--lateral-unit", reading.lateral_unit, "unit of x and y, where the file does not state it")
-        ->type_name("UNIT");
-    command.add_option("--step-x", reading.step_x, "distance of points along a row, where the file does not state it")
-        ->type_name("LENGTH");
-    command.add_option("--step-y", reading.step_y, "distance of rows; the same as --step-x if omitted")
-        ->type_name("LENGTH");
-    command.add_option("--layout", layout, "of a text file: matrix, points (x, y, z) or profile")->type_name("LAYOUT");
-    command.add_option("--form", form, "what is removed first: none, mean, tilt, cylinder or polynomial-K of degree K")
-        ->capture_default_str()
-        ->type_name("FORM");
-    command.add_option("--short-cutoff", short_cutoff, "S-filter: waves shorter than this go")->type_name("LENGTH");
-    command.add_option("--long-cutoff", long_cutoff, "L-filter: waves longer than this go")->type_name("LENGTH");
-    command.add_flag("--robust", robust, "robust Gaussian filters, which pores and grooves do not pull down");
+    maps.add_to(command, "none");
     command.add_option("--direction", direction, "of slopes and curvatures: x, y, mean or geometric")
         ->capture_default_str()
         ->type_name("WORD");
@@ -99,22 +82,10 @@ struct SurfaceArguments {
     SurfaceCommand of;
     const io::Units units;
     OptionValues values(units);
-    of.reading = reading;
-    if (layout) {
-      using instrument::TableLayout;
-      of.reading.layout = values.chosen<TableLayout>(
-          "--layout", *layout,
-          {{"matrix", TableLayout::kMatrix}, {"points", TableLayout::kPoints}, {"profile", TableLayout::kProfile}});
-    }
+    of.reading = maps.selected_reading(values);
     of.noise = noise;
     of.outputs = outputs.selected();
-    of.analysis.preparation.form = form_choice(values);
-    of.analysis.preparation.filter = robust ? surface::FilterKind::robust_gaussian : surface::FilterKind::gaussian;
-    if (robust && !short_cutoff && !long_cutoff) {
-      throw InputError("--robust names a filter, but there is no cut-off", "add --short-cutoff or --long-cutoff");
-    }
-    if (short_cutoff) of.analysis.preparation.short_cutoff_m = values.length("--short-cutoff", *short_cutoff, "2.5 um");
-    if (long_cutoff) of.analysis.preparation.long_cutoff_m = values.length("--long-cutoff", *long_cutoff, "2.5 um");
+    of.analysis.preparation = maps.selected_preparation(values, {surface::FormKind::none});
     if (cavity_depth) of.analysis.cavity_depth_m = values.length("--cavity-depth", *cavity_depth, "2.5 um");
     if (angle) of.analysis.angle_rad = values.quantity("--angle", *angle, "rad", "30 deg");
     using surface::MomentDirection;
@@ -137,26 +108,6 @@ struct SurfaceArguments {
   }
 
  private:
-  surface::FormChoice form_choice(OptionValues& values) const {
-    using surface::FormKind;
-    const std::string polynomial = "polynomial-";
-    if (form.rfind(polynomial, 0) == 0) {
-      int degree = -1;
-      const char *begin = form.data() + polynomial.size(), *end = form.data() + form.size();
-      const auto [stop, error] = std::from_chars(begin, end, degree);
-      if (error == std::errc() && stop == end && degree >= 0 && degree <= 12) return {FormKind::polynomial, degree};
-      throw InputError("--form " + form + ": the degree is not a number from 0 to 12",
-                       "for example --form polynomial-2");
-    }
-    return {values.chosen<FormKind>("--form", form,
-                                    {{"none", FormKind::none},
-                                     {"mean", FormKind::mean},
-                                     {"tilt", FormKind::tilt},
-                                     {"cylinder", FormKind::cylinder},
-                                     {"polynomial-2", FormKind::polynomial}}),
-            2};
-  }
-
   /// "0,0,100,50 um" as four lengths.
   static std::array<double, 4> rectangle(const std::string& text, const io::Units& units) {
     const InputError refusal("--region " + text + ": these are not four numbers and a unit of length",

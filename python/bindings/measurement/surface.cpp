@@ -346,6 +346,7 @@ void bind_surface(py::module_& module) {
   bind_surface_records(part);
   bind_surface_functions(part);
   bind_files(part);
+  bind_contact_law(part);
 }
 
 }  // namespace ringfilm::python

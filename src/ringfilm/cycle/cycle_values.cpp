@@ -198,13 +198,15 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
       {"swept_volume", swept_volume(c.engine)},
       {"mean_piston_speed", 2 * c.engine.stroke * c.operating.speed / (2 * std::numbers::pi)},
   };
-  const models::GreenwoodTripp::Parameters& pair = setup.ring.contact.parameters();
-  if (const auto summits = models::summit_statistics(pair)) {
+  if (!setup.ring.asperities) values.erase("roughness_parameter");
+  const auto summits = setup.ring.asperities ? models::summit_statistics(*setup.ring.asperities) : std::nullopt;
+  if (summits) {
     values["asperity_bandwidth"] = summits->bandwidth;
     values["asperity_slope"] = summits->rms_slope;
     values["summit_plane_offset"] = summits->summit_offset;
     if (c.contact.hardness) {
-      values["plasticity_index"] = models::plasticity_index(pair, summits->summit_spread, *c.contact.hardness);
+      values["plasticity_index"] =
+          models::plasticity_index(*setup.ring.asperities, summits->summit_spread, *c.contact.hardness);
     }
   }
   if (const auto& hths = setup.ring.oil.hths_viscosity) values["hths_viscosity"] = *hths;

@@ -46,6 +46,8 @@ const std::vector<NoteTopic>& note_topics() {
       {"polynomial-beyond-range", kLimited, kOccurrences},
       {"oil-table-left", kLimited, kOccurrences, "peak_film_pressure", kHighest},
       {"lambda-ratio-low", kLimited, kCrankAngles, "min_lambda_ratio", kLowest},
+      {"contact-law-left", kLimited, kCrankAngles, "min_film_thickness", kLowest},
+      {"contact-law-extrapolated", kLimited, kCase},
       {"contact-beyond-hardness", kLimited, kCrankAngles, "peak_mean_real_pressure", kHighest},
       {"contact-plastic", kLimited, kCase},
       {"asperities-inconsistent", kLimited, kCase},

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "ringfilm/cycle/integration/contact_setup.hpp"
 #include "ringfilm/cycle/limits.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 
@@ -106,8 +107,8 @@ constexpr double kCoatingFelt = 0.1;
 void append_coating_note(const Setup& setup, double lowest_lambda_ratio, std::vector<Note>& notes) {
   const Case& c = setup.input;
   const Coating& coating = c.ring.coating;
-  const bool acts = coating.youngs_modulus && coating.thickness && !c.contact.composite_modulus &&
-                    coating.contact_modulus == ContactModulus::kCoating;
+  const bool acts = setup.ring.asperities && coating.youngs_modulus && coating.thickness &&
+                    !c.contact.composite_modulus && coating.contact_modulus == ContactModulus::kCoating;
   if (!acts) return;
   // Spots are largest where the film is thinnest.
   const double lambda = std::clamp(lowest_lambda_ratio, 0.0, 8.0);
@@ -192,8 +193,6 @@ void append_heating_note(const Setup& setup, const std::vector<Sample>& base, st
        steps});
 }
 
-/// Of a grey iron liner, typical, assumed (data/materials/hardness.csv): the softer face of most pairs [Pa].
-constexpr double kUsualHardness = 2.5e9;
 /// Half-space contact holds for small slopes; tan 11 degree is taken as the largest.
 constexpr double kSteepestAsperity = 0.2;
 
@@ -202,38 +201,67 @@ void append_asperity_notes(const Setup& setup, const std::vector<Sample>& base, 
   const double hardness = stated.value_or(kUsualHardness);
   const std::string of_softer = text("the hardness of the softer face, %.3g GPa (%s)", hardness / 1e9,
                                      stated ? "contact.hardness" : "assumed: grey iron; state contact.hardness");
-  const models::GreenwoodTripp::Parameters& pair = setup.ring.contact.parameters();
-  const auto summits = models::summit_statistics(pair);
-  if (!summits) {
+  const auto& pair = setup.ring.asperities;
+  const auto summits = pair ? models::summit_statistics(*pair) : std::nullopt;
+  if (pair && !summits) {
     notes.push_back({"asperities-inconsistent",
                      "no Gaussian surface has these contact.asperity_density, contact.asperity_radius and "
                      "contact.roughness together (bandwidth parameter below 1.5): were they measured on the same "
                      "surface, with the same cut-off?",
                      1});
   }
-  const double psi = summits ? models::plasticity_index(pair, summits->summit_spread, hardness) : 0;
+  const double slope = summits ? summits->rms_slope : 0;
+  const double psi = summits ? models::plasticity_index(*pair, summits->summit_spread, hardness) : 0;
   const auto highest = std::max_element(base.begin(), base.end(), [](const Sample& a, const Sample& b) {
     return a.mean_real_pressure < b.mean_real_pressure;
   });
   const auto beyond = [&](const Sample& s) { return s.mean_real_pressure > hardness; };
-  if (beyond(*highest)) {
+  const bool is_elastic = setup.input.contact.is_elastic();
+  if (is_elastic && beyond(*highest)) {
     notes.push_back({"contact-beyond-hardness",
                      text("mean pressure on the real area of contact up to %.3g GPa (at %.0f degree), beyond %s: the "
                           "load against film is a fit, real area and spot size are too small",
                           highest->mean_real_pressure / 1e9, highest->crank_angle_deg, of_softer.c_str()),
                      count(base, beyond)});
-  } else if (psi > 1 && highest->mean_real_pressure > 0) {
+  } else if (is_elastic && psi > 1 && highest->mean_real_pressure > 0) {
     notes.push_back({"contact-plastic",
                      text("plasticity index %.2f with %s: above 1 asperities deform plastically, while the contact is "
                           "computed as elastic",
                           psi, of_softer.c_str()),
                      1});
   }
-  if (summits && summits->rms_slope > kSteepestAsperity && highest->mean_real_pressure > 0) {
+  if (slope > kSteepestAsperity && highest->mean_real_pressure > 0) {
     notes.push_back({"asperity-slopes-high",
                      text("N, beta and sigma are those of a surface with rms slopes of %.2f; elastic contact of "
                           "half-spaces holds for slopes up to about %.1f",
-                          summits->rms_slope, kSteepestAsperity),
+                          slope, kSteepestAsperity),
+                     1});
+  }
+}
+
+/// From this share on the extrapolated part of a contact law counts.
+constexpr double kMuchExtrapolated = 0.01;
+
+void append_contact_table_notes(const Setup& setup, const std::vector<Sample>& base, double beyond,
+                                std::vector<Note>& notes) {
+  if (setup.input.contact.model != ContactLaw::kTable) return;
+  const double first = setup.input.contact.law->rows.h.front();
+  const auto below = [&](const Sample& s) { return s.min_film_thickness < first; };
+  const auto thinnest = std::min_element(base.begin(), base.end(), [](const Sample& a, const Sample& b) {
+    return a.min_film_thickness < b.min_film_thickness;
+  });
+  if (below(*thinnest)) {
+    notes.push_back({"contact-law-left",
+                     text("the film is down to %.3g um thin (at %.0f degree), and contact.law begins at %.3g um: its "
+                          "pressure is extrapolated below that; compute smaller separations",
+                          thinnest->min_film_thickness * 1e6, thinnest->crank_angle_deg, first * 1e6),
+                     count(base, below)});
+  }
+  if (beyond > kMuchExtrapolated) {
+    notes.push_back({"contact-law-extrapolated",
+                     text("%.2g %% of the load that asperities carry over the cycle comes from separations beyond %.3g "
+                          "um, where few or no spots of the maps of contact.law touch: there it is extrapolated",
+                          100 * beyond, setup.input.contact.law->last_supported_separation * 1e6),
                      1});
   }
 }
@@ -292,7 +320,7 @@ void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, dou
 }  // namespace
 
 void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const std::vector<Sample>& base, double fmep,
-                           const PolynomialUse& polynomial, std::vector<Note>& notes) {
+                           const UntrustedContact& untrusted, std::vector<Note>& notes) {
   if (base.empty()) return;
   const auto lowest = std::min_element(
       base.begin(), base.end(), [](const Sample& a, const Sample& b) { return a.lambda_ratio < b.lambda_ratio; });
@@ -325,6 +353,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   }
   append_limit_notes(setup, base, fmep, notes);
   append_asperity_notes(setup, base, notes);
+  append_contact_table_notes(setup, base, untrusted.share_of_cycle, notes);
   append_breakthrough_note(base, notes);
   append_heating_note(setup, base, notes);
   append_cell_note(grid, *lowest, setup.cells, notes);
@@ -334,12 +363,12 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   append_gap_leakage_note(setup.input, notes);
   append_coating_note(setup, lowest->lambda_ratio, notes);
   append_oil_table_note(setup, base, notes);
-  if (polynomial.steps > 0) {
+  if (untrusted.steps > 0) {
     notes.push_back({"polynomial-beyond-range",
                      text("the F5/2 polynomial as printed rises again beyond a lambda ratio of 1.911: up to %.0f %% "
                           "of the asperity load comes from there",
-                          100 * polynomial.largest_share),
-                     polynomial.steps});
+                          100 * untrusted.largest_share),
+                     untrusted.steps});
   }
 }
 

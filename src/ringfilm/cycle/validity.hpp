@@ -7,16 +7,18 @@
 
 namespace ringfilm::cycle {
 
-/// Where the printed F5/2 polynomial was used beyond its turning point.
-struct PolynomialUse {
-  long steps = 0;            ///< crank steps with asperity load from there
-  double largest_share = 0;  ///< of the asperity load [-]
+/// Asperity load from separations at which the contact law is not trusted: beyond the turning point of the printed F5/2
+/// polynomial, beyond the last separation of a table at which several spots carry.
+struct UntrustedContact {
+  long steps = 0;             ///< crank steps with asperity load from there, of the polynomial
+  double largest_share = 0;   ///< of the asperity load at one of them [-]
+  double share_of_cycle = 0;  ///< of the asperity load over the cycle, of a table [-]
 };
 
 /// Notes on models used outside the range in which they were made, and on results that no ring can have.
 /// @param grid the cells of the film  @param fmep of the cycle [Pa]; 0 where it was not finished
 void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const std::vector<Sample>& base, double fmep,
-                           const PolynomialUse& polynomial, std::vector<Note>& notes);
+                           const UntrustedContact& untrusted, std::vector<Note>& notes);
 
 /// Notes on remedies that the solver had to use.
 void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& totals, std::vector<Note>& notes);

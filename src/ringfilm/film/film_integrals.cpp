@@ -13,13 +13,10 @@
 namespace ringfilm::film {
 namespace {
 
-/// From this lambda ratio on, the F5/2 polynomial as printed rises again (docs/theory/paper-errata.md).
-constexpr double kPolynomialTurns = 1.911;
-
 void add_contact(const FilmProblem& problem, const FilmState& state, FilmIntegrals& sums) {
   const FilmGrid& grid = problem.grid;
   const bool local = problem.contact_spread == ContactSpread::kLocal;
-  const double turning_gap = kPolynomialTurns * problem.contact->parameters().sigma;
+  const double turning_gap = problem.contact->trusted_up_to();
   for (std::size_t i = 0; i < grid.x.size(); ++i) {
     const double h = local ? state.h_m + grid.node_height[i] : state.h_m;
     const auto contact = problem.contact->contact(h);
@@ -29,14 +26,36 @@ void add_contact(const FilmProblem& problem, const FilmState& state, FilmIntegra
   }
 }
 
-void add_fitted_contact(const FilmProblem& problem, const FilmView& film, FilmIntegrals& sums) {
-  const models::GreenwoodTripp& contact = *problem.contact;
-  const double sigma = contact.parameters().sigma;
-  const double reach = models::ContactFit::kEnd * sigma;
+/// The same of a law of cubics.
+void add_tabulated_contact(const FilmProblem& problem, const models::ContactPieces& law, const FilmState& state,
+                           FilmIntegrals& sums) {
+  const FilmGrid& grid = problem.grid;
+  const bool local = problem.contact_spread == ContactSpread::kLocal;
+  const double trusted_up_to = problem.contact->trusted_up_to();
+  double load = 0, beyond = 0, area = 0;
+  for (std::size_t i = 0; i < grid.x.size(); ++i) {
+    const double h = local ? state.h_m + grid.node_height[i] : state.h_m;
+    if (!(h < law.reach)) continue;
+    const auto [piece, within] = law.place(std::max(h, 0.0));
+    const auto power = [&](const auto& cubics) {
+      return models::ContactPieces::eighth_power(models::ContactPieces::value(cubics[piece], within));
+    };
+    const double share = grid.share[i] * power(law.pressure);
+    load += share;
+    beyond += h > trusted_up_to ? share : 0;
+    area += grid.share[i] * power(law.area);
+  }
+  sums.asperity_load += law.pressure_scale * load;
+  sums.asperity_load_beyond_polynomial += law.pressure_scale * beyond;
+  sums.asperity_area += law.area_scale * area;
+}
+
+void add_fitted_contact(const FilmProblem& problem, const models::FittedContact& contact, const FilmView& film,
+                        FilmIntegrals& sums) {
   const ContactSums contact_sums = problem.kernels->contact(
-      film,
-      {contact.fit()->P52.data(), contact.fit()->P2.data(), reach, 2 / reach, contact.pressure_scale(),
-       contact.area_scale(), problem.contact_spread == ContactSpread::kLocal ? 1.0 : 0.0, kPolynomialTurns * sigma});
+      film, {contact.fit->P52.data(), contact.fit->P2.data(), contact.reach, 2 / contact.reach, contact.pressure_scale,
+             contact.area_scale, problem.contact_spread == ContactSpread::kLocal ? 1.0 : 0.0,
+             problem.contact->trusted_up_to()});
   sums.asperity_load = contact_sums.load;
   sums.asperity_load_beyond_polynomial = contact_sums.load_beyond;
   sums.asperity_area = contact_sums.area;
@@ -191,8 +210,11 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   sums.peak_shear_rate = peak_shear_rate(problem, inputs, state, film.shear_deficit);
   sums.mass_defect = of_film.storage;
   sums.peak_pressure = of_film.peak_pressure;
-  if (problem.contact != nullptr && problem.contact->fit() != nullptr && inputs.oil->fit() != nullptr) {
-    add_fitted_contact(problem, film, sums);
+  const auto fitted = problem.contact != nullptr ? problem.contact->fitted() : std::nullopt;
+  if (fitted && inputs.oil->fit() != nullptr) {
+    add_fitted_contact(problem, *fitted, film, sums);
+  } else if (problem.contact != nullptr && problem.contact->pieces() != nullptr && state.h_m >= 0) {
+    add_tabulated_contact(problem, *problem.contact->pieces(), state, sums);
   } else if (problem.contact != nullptr) {
     add_contact(problem, state, sums);
   }

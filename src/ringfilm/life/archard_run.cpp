@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <optional>
 
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/base/table.hpp"
@@ -36,22 +38,22 @@ class AsperityPressure {
   explicit AsperityPressure(const cycle::Case& c)
       : contact_(cycle::prepare(c).ring.contact),
         is_local_(c.contact.lambda_ratio == cycle::LambdaRatio::kLocal),
-        fit_(c.solver.properties == cycle::Properties::kFitted ? contact_.fit() : nullptr) {}
+        fitted_(c.solver.properties == cycle::Properties::kFitted ? contact_->fitted() : std::nullopt) {}
 
   /// @param h_m at the lowest point [m] @param height of the face above it [m] @returns [Pa]
   double operator()(double h_m, double height) const {
     const double h = h_m + (is_local_ ? height : 0.0);
-    if (h >= contact_.reach()) return 0;
-    if (fit_ == nullptr) return contact_.contact(h).pressure;
-    const double lambda = h / contact_.parameters().sigma;
-    if (lambda >= models::ContactFit::kEnd) return 0;
-    return contact_.pressure_scale() * models::ContactFit::integral(fit_->P52, std::max(lambda, 0.0)).value;
+    if (h >= contact_->reach()) return 0;
+    if (!fitted_) return contact_->contact(h).pressure;
+    if (h >= fitted_->reach) return 0;
+    const double argument = std::max(h, 0.0) * (models::ContactFit::kEnd / fitted_->reach);
+    return fitted_->pressure_scale * models::ContactFit::integral(fitted_->fit->P52, argument).value;
   }
 
  private:
-  models::GreenwoodTripp contact_;
+  std::shared_ptr<const models::AsperityContact> contact_;
   bool is_local_;
-  const models::ContactFit* fit_;
+  std::optional<models::FittedContact> fitted_;
 };
 
 class Scenario {

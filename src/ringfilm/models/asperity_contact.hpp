@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "ringfilm/models/contact/contact_law.hpp"
 #include "ringfilm/models/contact_fit.hpp"
 
 /// What rough surfaces carry where they touch (docs/theory/contact.md).
@@ -27,7 +28,7 @@ struct ContactQuintic {
 
 /// Contact of two rough surfaces after Greenwood and Tripp @cite greenwood1971, eqs eq-asperity-load, eq-asperity-area.
 /// Convention: 2/E_prime = sum (1 - nu^2)/E goes with 8 sqrt(2)/15.
-class GreenwoodTripp {
+class GreenwoodTripp final : public AsperityContact {
  public:
   /// What a pair of surfaces brings.
   struct Parameters {
@@ -40,31 +41,35 @@ class GreenwoodTripp {
 
   explicit GreenwoodTripp(const Parameters& parameters);  ///< all of them above zero
 
-  /// Pressure on the nominal area at the separation h [m], its slope and the real contact area per nominal area.
-  struct Contact {
-    double pressure;        ///< p_a [Pa]; for the exact form positive and strictly falling in h
-    double pressure_slope;  ///< dp_a/dh [Pa/m]
-    double area_share;      ///< A_a/A [-]
-  };
-  Contact contact(double h) const;  ///< at separation h [m]
+  /// For the exact form positive and strictly falling in h.
+  Contact contact(double h) const override;
+  void pressure(double h, double& p_a, double& dp_a_dh) const override;
 
-  /// p_a and dp_a/dh alone, for the inner loop. Below h = 0 both continue along the tangent; NaN gives NaN.
-  void pressure(double h, double& p_a, double& dp_a_dh) const;
-
-  const Parameters& parameters() const { return parameters_; }  ///< as given
-  double pressure_scale() const { return pressure_scale_; }     ///< p_a/F_5/2 [Pa]
-  double area_scale() const { return area_scale_; }             ///< (A_a/A)/F_2 [-]
+  const Parameters& parameters() const { return parameters_; }        ///< as given
+  double pressure_scale() const { return pressure_scale_; }           ///< p_a/F_5/2 [Pa]
+  double area_scale() const { return area_scale_; }                   ///< (A_a/A)/F_2 [-]
+  double length_scale() const override { return parameters_.sigma; }  ///< sigma [m]
+  bool has_kinks() const override { return parameters_.form != ContactIntegralForm::kExact; }
+  /// Where the polynomial of F_5/2 as printed rises again (docs/theory/paper-errata.md) [m].
+  double trusted_up_to() const override { return kPolynomialTurns * parameters_.sigma; }
 
   /// What may replace the integrals of the exact form; nullptr for the other forms.
   const ContactFit* fit() const { return quintics_ ? nullptr : &contact_fit(); }
+
+  std::optional<FittedContact> fitted() const override {
+    if (fit() == nullptr) return std::nullopt;
+    return FittedContact{fit(), ContactFit::kEnd * parameters_.sigma, pressure_scale_, area_scale_};
+  }
 
   /// In place of F_5/2; nullptr for the exact form.
   const ContactQuintic* quintic_52() const { return quintics_ ? &quintics_->F_52 : nullptr; }
 
   /// Beyond this separation the contact pressure is taken as zero (exact form: lambda = 8, share below 1e-16) [m].
-  double reach() const { return reach_; }
+  double reach() const override { return reach_; }
 
  private:
+  static constexpr double kPolynomialTurns = 1.911;  // lambda ratio
+
   struct Quintics {
     ContactQuintic F_52, F_2;
   };

@@ -7,6 +7,7 @@
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/cycle/case/case_face.hpp"
 #include "ringfilm/cycle/case/contact_plausibility.hpp"
+#include "ringfilm/cycle/integration/contact_setup.hpp"
 #include "ringfilm/cycle/integration/oil.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 
@@ -92,7 +93,7 @@ PadSetup prepare_pad(const cycle::Case& c) {
   setup.film_temperature = oil.temperature;
   setup.notes = std::move(oil.notes);
   if (c.has_contact()) {
-    setup.contact = std::make_shared<const models::GreenwoodTripp>(cycle::asperity_contact(c));
+    setup.contact = cycle::asperity_contact(c);
     cycle::append_contact_notes(c, cycle::roughness(c), setup.notes);
   }
   setup.lowest_gap = pad.has_formula() ? cycle::face_of_formula(pad.face, pad.length).minimum().height

@@ -14,9 +14,9 @@ namespace ringfilm::pad {
 struct PadSetup {
   cycle::Case input;
   std::shared_ptr<const models::OilAtTemperature> oil;
-  double viscosity, density;                              ///< of the oil at the zero of the pressures [Pa s], [kg/m3]
-  std::optional<double> film_temperature;                 ///< of a case with walls of stated temperatures [K]
-  std::shared_ptr<const models::GreenwoodTripp> contact;  ///< nullptr: the surfaces never touch
+  double viscosity, density;                               ///< of the oil at the zero of the pressures [Pa s], [kg/m3]
+  std::optional<double> film_temperature;                  ///< of a case with walls of stated temperatures [K]
+  std::shared_ptr<const models::AsperityContact> contact;  ///< nullptr: the surfaces never touch
   std::vector<film::GapPiece> pieces;  ///< of an infinitely wide pad: heights above the lowest point of the gap
   std::optional<GapSurface> surface;   ///< of one with a width, likewise
   double lowest_gap;                   ///< min g [m]

@@ -218,11 +218,27 @@ struct MeasuredContact {
   MeasuredShearStrength shear_strength;                 ///< where zeta comes from
 };
 
+/// The contact law of a measured pair (docs/theory/contact-of-measured-pair.md), as `ringfilm contact` writes it.
+struct ContactLawTable {
+  models::ContactTable rows;             ///< separations that rise, with contact
+  std::vector<double> mean_gap;          ///< of the same rows [m]
+  double composite_roughness = 0;        ///< rms of both maps together [m]
+  double composite_modulus = 0;          ///< E' [Pa]
+  std::optional<double> hardness;        ///< nothing: elastic [Pa]
+  double last_supported_separation = 0;  ///< up to here several spots carry; beyond it is an extrapolation [m]
+};
+
 /// The keys under `contact`.
 struct Contact {
-  double asperity_density = 0;  ///< N: asperity peaks per area of the pair [1/m2]
-  double asperity_radius = 0;   ///< beta: mean radius of their summits [m]
-  double roughness = 0;         ///< sigma: composite roughness of the pair, as stated [m]
+  ContactLaw model = ContactLaw::kGreenwoodTripp;    ///< law of the asperity contact
+  AsperityLaw asperity = AsperityLaw::kElastic;      ///< how its asperities deform
+  SummitPlane summit_plane = SummitPlane::kSurface;  ///< from which plane the separation is measured
+  ContactMoments moments = ContactMoments::kPair;    ///< whose N and beta the law of pairs takes
+  std::string law_file;                              ///< of kTable
+  base::Shared<ContactLawTable> law;                 ///< of that file; empty without one
+  double asperity_density = 0;                       ///< N: asperity peaks per area of the pair [1/m2]
+  double asperity_radius = 0;                        ///< beta: mean radius of their summits [m]
+  double roughness = 0;                              ///< sigma: composite roughness of the pair, as stated [m]
   /// Is it used as stated, or is it Ra, to be multiplied by sqrt(pi/2) = 1.2533 for the rms?
   RoughnessMeasure roughness_measure = RoughnessMeasure::kAsGiven;
   double boundary_shear_strength_coefficient = 0;  ///< zeta: boundary shear strength over contact pressure [-]
@@ -234,6 +250,13 @@ struct Contact {
   LambdaRatio lambda_ratio = LambdaRatio::kLocal;         ///< contact pressure from h(x)/sigma, or h_m/sigma all over
   double ring_roughness_share = 0;  ///< of the square of sigma, the ring's own [-]; film.shear_flow
   MeasuredContact measured;         ///< where N, beta, sigma and zeta come from
+
+  /// Does nothing limit the pressure on the real area?
+  bool is_elastic() const {
+    return model == ContactLaw::kBushGibsonThomas || (model == ContactLaw::kTable && !law->hardness) ||
+           ((model == ContactLaw::kGreenwoodTripp || model == ContactLaw::kGreenwoodWilliamson) &&
+            asperity == AsperityLaw::kElastic);
+  }
 };
 
 /// The keys under `lubricant`, with the oil of the file that they name.

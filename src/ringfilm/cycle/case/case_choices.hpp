@@ -1,6 +1,7 @@
 #pragma once
 #include "ringfilm/film/edge.hpp"
 #include "ringfilm/film/factors/roughness.hpp"
+#include "ringfilm/models/contact/summit_contact.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 #include "ringfilm/models/oil/shear_thinning.hpp"
 
@@ -78,6 +79,19 @@ enum class ContactModulus {
   kCoating,  ///< that of the coating
   kBase      ///< that of the ring below
 };
+
+/// `contact.model`: the law of the asperity contact, as models::ContactModel, or a table.
+enum class ContactLaw {
+  kGreenwoodTripp,       ///< two rough surfaces, pairs of summits
+  kGreenwoodWilliamson,  ///< one rough surface against a flat
+  kBushGibsonThomas,     ///< the same with the joint distribution of summit heights and curvatures
+  kPlastic,              ///< hardness times the material ratio
+  kTable                 ///< of a measured pair
+};
+
+using models::AsperityLaw;     ///< `contact.asperity`
+using models::ContactMoments;  ///< `contact.moments`
+using models::SummitPlane;     ///< `contact.summit_plane`
 
 /// `contact.roughness_measure`: what is made of the stated roughness.
 enum class RoughnessMeasure {

@@ -9,6 +9,7 @@
 #include "ringfilm/cycle/case/case_rules_pad.hpp"
 #include "ringfilm/cycle/case/case_rules_unrolled.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/integration/contact_setup.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/cycle/integration/oil.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
@@ -242,6 +243,29 @@ void check_angles(const Case& c, Breaches& breaches) {
   check_field_size(c, breaches);
 }
 
+/// Laws that need the hardness, or a surface that exists.
+void check_contact_law(const Case& c, Breaches& breaches) {
+  const Contact& contact = c.contact;
+  if (contact.model == ContactLaw::kTable) return;
+  const bool is_plastic = contact.model == ContactLaw::kPlastic ||
+                          (contact.model != ContactLaw::kBushGibsonThomas && contact.asperity != AsperityLaw::kElastic);
+  if (is_plastic && !contact.hardness) {
+    breaches.push_back({"contact.hardness", "contact.hardness is missing: asperities that flow need it",
+                        "that of the softer face, for example \"2.5 GPa\" of grey iron", kMissingKey});
+  }
+  const bool has_plane = contact.model == ContactLaw::kBushGibsonThomas ||
+                         (contact.model != ContactLaw::kPlastic && contact.summit_plane == SummitPlane::kNayak);
+  if (!has_plane) return;
+  if (contact.asperity_density > 0 && contact.asperity_radius > 0 && contact.roughness > 0 &&
+      !models::summit_statistics({contact.asperity_density, contact.asperity_radius, roughness(c), 1})) {
+    breaches.push_back({"contact.summit_plane",
+                        "no Gaussian surface has these contact.asperity_density, contact.asperity_radius and "
+                        "contact.roughness together (bandwidth parameter below 1.5): its summits are not known",
+                        "measure all three on one surface with one cut-off, or contact.summit_plane = \"surface\" "
+                        "with contact.model = \"greenwood-tripp\" or \"greenwood-williamson\""});
+  }
+}
+
 }  // namespace
 
 std::vector<RuleBreach> broken_rules(const Case& c) {
@@ -264,6 +288,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   if (c.ring.face.form == FaceForm::kPoints) check_face_points(c.ring, breaches);
   check_measured_width(c.ring, breaches);
   append_measured_breaches(c.contact.measured, breaches);
+  check_contact_law(c, breaches);
   if (!c.lubricant.table_file) append_oil_law_breaches(c.lubricant, breaches);
   check_angles(c, breaches);
   append_unrolled_breaches(c, breaches);

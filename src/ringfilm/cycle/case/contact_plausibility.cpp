@@ -54,7 +54,7 @@ void append_modulus_notes(const Case& c, std::vector<Note>& notes) {
 
 void append_contact_notes(const Case& c, double sigma, std::vector<Note>& notes) {
   const Contact& contact = c.contact;
-  append_roughness_note(contact, sigma, notes);
+  if (contact.model != ContactLaw::kTable) append_roughness_note(contact, sigma, notes);
   append_modulus_notes(c, notes);
   if (contact.boundary_shear_strength_coefficient > kHighestShearStrength) {
     notes.push_back(

@@ -16,7 +16,7 @@ film::FilmProblem film_across(const Setup& setup) {
   const auto& input = setup.input;
   film::FilmProblem problem;
   problem.grid = face_grid(setup);
-  problem.contact = &setup.ring.contact;
+  problem.contact = setup.ring.contact.get();
   problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving
                                                                             : film::Cavitation::kReynoldsExit;
   problem.contact_spread =

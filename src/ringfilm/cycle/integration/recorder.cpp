@@ -32,6 +32,7 @@ Recorder::Recorder(const Setup& setup)
       step_deg_(setup.input.solver.crank_step_deg),
       base_(steps_per_cycle(setup.input.solver)),
       is_passed_(base_.size(), false),
+      untrusted_share_(base_.size(), 0.0),
       requested_deg_(requested_angles(setup.input.output)) {
   if (setup.input.is_unrolled()) unrolled_.emplace(setup);
   if (setup.input.output.fields == FieldOutput::kAll) field_deg_ = requested_deg_;
@@ -48,7 +49,7 @@ bool Recorder::is_field_angle(double crank_angle_deg) const {
   return next != field_deg_.end() && *next < crank_angle_deg + kSameAngle;
 }
 
-void Recorder::keep(const TimeIntegration& integration, const Instant& instant, Sample& slot) {
+double Recorder::keep(const TimeIntegration& integration, const Instant& instant, Sample& slot) {
   film::Film2dIntegrals of_film2d;
   film::FilmIntegrals& integrals = of_film2d.mean;
   if (unrolled_) {
@@ -75,6 +76,7 @@ void Recorder::keep(const TimeIntegration& integration, const Instant& instant, 
     if (unrolled_) unrolled_->keep_fields(integration, instant, of_film2d);
     fields_[instant.crank_angle_deg] = std::move(fields);
   }
+  return beyond > 0 ? beyond / integrals.asperity_load : 0;
 }
 
 void Recorder::before_step(TimeIntegration& integration, double from_deg, double to_deg) {
@@ -93,7 +95,7 @@ void Recorder::after_step(const TimeIntegration& integration) {
   if (integration.at_base_angle()) {
     const auto k = static_cast<std::size_t>(std::lround(instant.crank_angle_deg / step_deg_)) % base_.size();
     instant.crank_angle_deg = static_cast<double>(k) * step_deg_;
-    keep(integration, instant, base_[k]);
+    untrusted_share_[k] = keep(integration, instant, base_[k]);
     is_passed_[k] = true;
     return;
   }
@@ -157,9 +159,15 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
                    totals.max_newton_step,
                    largest_flow_ > 0 ? largest_mass_defect_ / largest_flow_ : 0.0,
                    totals.relaxation_sweeps};
+  double load = 0, untrusted_load = 0;
+  for (std::size_t k = 0; k < base_.size(); ++k) {
+    load += base_[k].asperity_load;
+    untrusted_load += untrusted_share_[k] * base_[k].asperity_load;
+  }
+  const double untrusted = untrusted_load > 0 ? untrusted_load / load : 0;
   result.notes = setup_.notes;
   append_validity_notes(setup_, integration.problem().grid, base, result.complete ? result.values.fmep : 0.0,
-                        {polynomial_steps_, polynomial_share_}, result.notes);
+                        {polynomial_steps_, polynomial_share_, untrusted}, result.notes);
   append_effort_notes(result.effort, totals, result.notes);
   sort_notes(result.notes);
   return result;

@@ -28,7 +28,8 @@ class Recorder : public StepObserver {
                      Completeness completeness) const;
 
  private:
-  void keep(const TimeIntegration& integration, const Instant& instant, Sample& slot);
+  /// Returns the share of the asperity load from where the contact law is not trusted.
+  double keep(const TimeIntegration& integration, const Instant& instant, Sample& slot);
   bool is_field_angle(double crank_angle_deg) const;
 
   const Setup& setup_;
@@ -36,6 +37,7 @@ class Recorder : public StepObserver {
   double step_deg_;
   std::vector<Sample> base_;  ///< at the base angles
   std::vector<bool> is_passed_;
+  std::vector<double> untrusted_share_;              ///< of the asperity load, of each of base_
   std::map<double, std::optional<Sample>> between_;  ///< requested angles that are not base angles
   std::vector<double> requested_deg_;                ///< of the samples that go out, increasing
   std::vector<double> field_deg_;                    ///< of the fields that go out, increasing

@@ -163,7 +163,7 @@ void append_fields(const Setup& setup, const TimeIntegration& integration, const
     fields.film_pressure.push_back(state.p[at]);
     fields.film_content.push_back(film::film_content(problem.cavitation, state.deficit[at]));
     fields.lambda_ratio.push_back(h / setup.ring.sigma);
-    fields.asperity_pressure.push_back(setup.ring.contact.contact(local ? h : state.h_m).pressure);
+    fields.asperity_pressure.push_back(setup.ring.contact->contact(local ? h : state.h_m).pressure);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "ringfilm/cycle/case/case_face.hpp"
 #include "ringfilm/cycle/case/contact_plausibility.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/integration/contact_setup.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
 #include "ringfilm/cycle/integration/oil.hpp"
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
@@ -21,7 +22,6 @@ namespace ringfilm::cycle {
 namespace {
 
 /// Rq/Ra of a Gaussian surface, sqrt(pi/2).
-const double kRqOverRa = std::sqrt(std::numbers::pi / 2);
 
 models::CyclePressure absolute_trace(const Case& c, SampledTrace trace) {
   const double turn = c.gas.angle_zero == AngleZero::kGasExchangeTdc ? 360.0 : 0.0;
@@ -57,15 +57,6 @@ models::RingFace ring_face(const Case& c) {
 /// On the face [Pa].
 double largest_mean_pressure(const Case& c, const LandPressures& lands) {
   return elastic_pressure(c) + pressure_behind_ring(c.gas, lands.above.peak(), lands.below.peak());
-}
-
-double composite_modulus(const Case& c) {
-  if (c.contact.composite_modulus) return *c.contact.composite_modulus;
-  const Coating& coating = c.ring.coating;
-  const bool of_coating = coating.youngs_modulus && coating.contact_modulus == ContactModulus::kCoating;
-  const double E_1 = of_coating ? *coating.youngs_modulus : c.ring.youngs_modulus;
-  const double nu_1 = of_coating ? coating.poissons_ratio : c.ring.poissons_ratio;
-  return models::composite_modulus(E_1, nu_1, c.liner.youngs_modulus, c.liner.poissons_ratio);
 }
 
 void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
@@ -119,25 +110,12 @@ Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
   film::FactorLaws factors = factor_laws(c, roughness(c), oil.setup.thinning);
   return {c,
           {crank_slider(c), c.operating.speed},
-          {ring_face(c), p_e, composite_modulus(c), roughness(c), asperity_contact(c), std::move(lands),
+          {ring_face(c), p_e, composite_modulus(c), roughness(c), asperity_contact(c), asperities(c), std::move(lands),
            std::move(oil.setup), std::move(factors)},
           std::move(oil.notes)};
 }
 
 }  // namespace
-
-double roughness(const Case& c) {
-  return c.contact.roughness * (c.contact.roughness_measure == RoughnessMeasure::kRaToRq ? kRqOverRa : 1.0);
-}
-
-models::GreenwoodTripp asperity_contact(const Case& c) {
-  using Form = models::ContactIntegralForm;
-  const Form form = c.contact.integrals == ContactIntegrals::kExact              ? Form::kExact
-                    : c.contact.integrals == ContactIntegrals::kPolynomial4Digit ? Form::kPolynomial4Digit
-                                                                                 : Form::kPolynomialAsPrinted;
-  return models::GreenwoodTripp(
-      {c.contact.asperity_density, c.contact.asperity_radius, roughness(c), composite_modulus(c), form});
-}
 
 std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal) {
   if (!thermal.is_stated()) return std::nullopt;

@@ -49,14 +49,15 @@ struct OilSetup {
 
 /// One ring and what it meets.
 struct RingSetup {
-  models::RingFace face;           ///< as given, before turning and before its minimum is subtracted
-  double elastic_pressure;         ///< p_e [Pa]
-  double E_prime;                  ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
-  double sigma;                    ///< composite roughness as the contact model uses it [m]
-  models::GreenwoodTripp contact;  ///< asperity contact of the pair
-  LandPressures lands;             ///< gas above and below
-  OilSetup oil;                    ///< that of its film
-  film::FactorLaws factors;        ///< of its film
+  models::RingFace face;    ///< as given, before turning and before its minimum is subtracted
+  double elastic_pressure;  ///< p_e [Pa]
+  double E_prime;           ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
+  double sigma;             ///< composite roughness as the contact model uses it [m]
+  std::shared_ptr<const models::AsperityContact> contact;        ///< law of the pair
+  std::optional<models::GreenwoodTripp::Parameters> asperities;  ///< of the pair; nothing: the law is a table
+  LandPressures lands;                                           ///< gas above and below
+  OilSetup oil;                                                  ///< that of its film
+  film::FactorLaws factors;                                      ///< of its film
 };
 
 /// A case of one ring, set up for time integration: models built, traces joined. Immutable; may be used from several
@@ -76,12 +77,6 @@ std::string usual_tension();
 
 /// p_e of the one way in which the case states the tension of the ring, eq-elastic-pressure [Pa].
 double elastic_pressure(const Case& c);
-
-/// sigma of the pair as the contact model uses it [m].
-double roughness(const Case& c);
-
-/// Asperity contact of the pair of a case that has one.
-models::GreenwoodTripp asperity_contact(const Case& c);
 
 /// Temperatures of the walls; nothing where the case has one temperature of the oil, or none.
 std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal);

@@ -113,7 +113,7 @@ void UnrolledRecorder::keep_fields(const TimeIntegration& integration, const Ins
       keep(kept.film_thickness, h);
       keep(kept.film_pressure, state.p[at]);
       keep(kept.film_content, film::film_content(problem.strip.cavitation, state.deficit[at]));
-      keep(kept.asperity_pressure, setup_.ring.contact.contact(local ? h : state.h_m).pressure);
+      keep(kept.asperity_pressure, setup_.ring.contact->contact(local ? h : state.h_m).pressure);
     }
   }
   fields_[instant.crank_angle_deg] = std::move(kept);

@@ -84,6 +84,14 @@ struct LaneBlock {
   double contact[kContactTerms];                ///< eighth root of F_5/2 in t
   double contact_slope_of[kContactSlopeTerms];  ///< its slope in t
 
+  // Contact of lanes whose law is cubics on equal pieces (models::ContactPieces)
+  bool has_tables;                  ///< does any lane have them?
+  const double* table[kMostLanes];  ///< four coefficients of each piece
+  int table_pieces[kMostLanes];     ///< how many
+  alignas(64) Lanes table_reach;    ///< beyond this gap there is none; negative: nowhere [m]
+  alignas(64) Lanes table_per_gap;  ///< from the gap to the number of the piece [1/m]
+  alignas(64) Lanes table_scale;    ///< of the pressure [Pa]
+
   // Outcome of a sweep
   alignas(64) Lanes excess;     ///< W_h + W_a - W before the update [N/m]
   alignas(64) Lanes d_ln_h;     ///< by which h_m is to grow; the sweep leaves h_m alone

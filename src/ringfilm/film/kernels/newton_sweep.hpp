@@ -123,6 +123,7 @@ class NewtonSweep {
       sum<kDensityTerms>(b_.fit_rho, t, film.rho, slot);
       sum<kDensitySlopeTerms>(b_.fit_drho, t, film.drho, slot);
       add_contact(i);
+      if (b_.has_tables) add_tabulated_contact(i);
     } else {
       for (int a = 0; a < kAbreast; ++a) {
         put(seen(b_.K, i, a), film.K, slot, a);
@@ -166,6 +167,34 @@ class NewtonSweep {
       const Visitor dF = Visitor(8) * fourth * square * root[a] * root_slope[a] * per_gap;
       const Visitor F = fourth * fourth + dF * (gap[a] - lowest[a]);
       const Visitor weight = select(gap[a] < reach, seen(b_.share, i, a) * scale, Visitor(0));
+      load_ += weight * F;
+      slope_ += weight * dF;
+    }
+  }
+
+  /// The same of lanes whose law is a table.
+  RINGFILM_INLINE void add_tabulated_contact(int i) {
+    const Visitor h_m = of_lanes(b_.h_m), spread = of_lanes(b_.contact_spread), reach = of_lanes(b_.table_reach);
+    const Visitor per_gap = of_lanes(b_.table_per_gap), scale = of_lanes(b_.table_scale);
+    for (int a = 0; a < kAbreast; ++a) {
+      const Visitor gap = h_m + spread * seen(b_.node_height, i, a);
+      if (!Visitor::any(gap < reach)) continue;
+      const Visitor lowest = max(Visitor(0), gap);
+      alignas(64) double place[Visitor::kWidth], root[Visitor::kWidth], root_slope[Visitor::kWidth];
+      (lowest * per_gap).store(place);
+      for (int k = 0; k < Visitor::kWidth; ++k) {
+        const int lane = kAlongFace ? 0 : k;
+        const int last = b_.table_pieces[lane] - 1;
+        const int piece = place[k] < last ? static_cast<int>(place[k]) : last;  // a NaN is in the last one
+        const double* const c = b_.table[lane] + 4 * piece;
+        const double d = place[k] - piece;
+        root[k] = c[0] + d * (c[1] + d * (c[2] + d * c[3]));
+        root_slope[k] = c[1] + d * (2 * c[2] + 3 * d * c[3]);
+      }
+      const Visitor value = Visitor::load(root), square = value * value, fourth = square * square;
+      const Visitor dF = Visitor(8) * fourth * square * value * Visitor::load(root_slope) * per_gap;
+      const Visitor F = fourth * fourth + dF * (gap - lowest);
+      const Visitor weight = select(gap < reach, seen(b_.share, i, a) * scale, Visitor(0));
       load_ += weight * F;
       slope_ += weight * dF;
     }

@@ -20,7 +20,7 @@ FilmState coarse_guess(const FilmProblem& problem, const FilmInputs& inputs) {
   const double p_mean = inputs.mean_pressure(problem.grid);
   const double eta = inputs.oil->viscosity(std::max(inputs.left.pressure, inputs.right.pressure));
   FilmState state;
-  const double rough = problem.contact == nullptr ? 0.0 : 2 * problem.contact->parameters().sigma;
+  const double rough = problem.contact == nullptr ? 0.0 : 2 * problem.contact->length_scale();
   state.h_m = std::max(rough, std::sqrt(kSliderLoad * eta * std::abs(inputs.U) * problem.grid.width / p_mean));
   for (const double x : problem.grid.x) {
     const double share = x / problem.grid.width;

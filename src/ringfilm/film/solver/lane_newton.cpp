@@ -50,6 +50,7 @@ void LaneNewton::clear(int lane) {
   block_.fit_K[0][lane] = block_.fit_rho[0][lane] = 1;
   block_.contact_reach[lane] = kNowhere;
   block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
+  clear_table(lane);
   block_.quarter_U[lane] = block_.rate[lane] = block_.load[lane] = block_.movable[lane] = 0;
   block_.continues[lane] = block_.left_h[lane] = 0;
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
@@ -92,6 +93,7 @@ void LaneNewton::bind(int lane, const FilmProblem& problem) {
   }
   block_.contact_reach[lane] = kNowhere;
   block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
+  clear_table(lane);
   set_contact(lane);
 }
 
@@ -111,15 +113,35 @@ void LaneNewton::set_oil(int lane, const FilmInputs& inputs) {
 
 void LaneNewton::set_contact(int lane) {
   const FilmProblem& problem = *lanes_[lane].problem;
-  if (problem.contact == nullptr || problem.contact->fit() == nullptr) return;
-  const models::GreenwoodTripp& contact = *problem.contact;
-  const double reach = models::ContactFit::kEnd * contact.parameters().sigma;
+  if (problem.contact == nullptr) return;
   block_.contact_spread[lane] = problem.contact_spread == ContactSpread::kLocal ? 1 : 0;
-  block_.contact_reach[lane] = reach;
-  block_.contact_scale[lane] = contact.pressure_scale();
-  block_.contact_per_gap[lane] = 2 / reach;
-  for (int k = 0; k < kContactTerms; ++k) block_.contact[k] = contact.fit()->P52[k];
-  for (int k = 0; k < kContactSlopeTerms; ++k) block_.contact_slope_of[k] = contact.fit()->P52_slope[k];
+  if (const models::ContactPieces* pieces = problem.contact->pieces()) return set_table(lane, *pieces);
+  const auto fitted = problem.contact->fitted();
+  if (!fitted) return;
+  block_.contact_reach[lane] = fitted->reach;
+  block_.contact_scale[lane] = fitted->pressure_scale;
+  block_.contact_per_gap[lane] = 2 / fitted->reach;
+  for (int k = 0; k < kContactTerms; ++k) block_.contact[k] = fitted->fit->P52[k];
+  for (int k = 0; k < kContactSlopeTerms; ++k) block_.contact_slope_of[k] = fitted->fit->P52_slope[k];
+}
+
+void LaneNewton::clear_table(int lane) {
+  static constexpr double kNoContact[4] = {};
+  block_.table[lane] = kNoContact;
+  block_.table_pieces[lane] = 1;
+  block_.table_reach[lane] = kNowhere;
+  block_.table_per_gap[lane] = block_.table_scale[lane] = 0;
+  block_.has_tables = false;
+  for (int other = 0; other < width_; ++other) block_.has_tables = block_.has_tables || block_.table_reach[other] > 0;
+}
+
+void LaneNewton::set_table(int lane, const models::ContactPieces& pieces) {
+  block_.table[lane] = pieces.pressure.front().data();
+  block_.table_pieces[lane] = static_cast<int>(pieces.pressure.size());
+  block_.table_reach[lane] = pieces.reach;
+  block_.table_per_gap[lane] = static_cast<double>(pieces.pressure.size()) / pieces.reach;
+  block_.table_scale[lane] = pieces.pressure_scale;
+  block_.has_tables = true;
 }
 
 void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess,
@@ -236,7 +258,8 @@ void LaneNewton::set_terms(int lane, const FilmInputs& inputs) {
 
 void LaneNewton::evaluate_properties(int lane) {
   const FilmProblem& problem = *lanes_[lane].problem;
-  if (problem.contact != nullptr && (block_.laws == LaneLaws::kGiven || block_.contact_reach[lane] == kNowhere)) {
+  if (problem.contact != nullptr && (block_.laws == LaneLaws::kGiven || (block_.contact_reach[lane] == kNowhere &&
+                                                                         block_.table_reach[lane] == kNowhere))) {
     block_.contact_load[lane] = asperity_load(problem, block_.h_m[lane], &block_.contact_slope[lane]);
   }
   if (block_.laws == LaneLaws::kFitted) return;

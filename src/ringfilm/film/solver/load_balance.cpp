@@ -12,8 +12,7 @@ double thickest(const FilmProblem& problem) {
 
 double enough_of_newton(const FilmProblem& problem) {
   constexpr double kAtKinks = 1e-2;  // of the usual: film and asperities then balance to better than sqrt(tolerance)
-  const bool kinked =
-      problem.contact != nullptr && problem.contact->parameters().form != models::ContactIntegralForm::kExact;
+  const bool kinked = problem.contact != nullptr && problem.contact->has_kinks();
   return std::sqrt(problem.tolerance) * (kinked ? kAtKinks : 1);
 }
 

@@ -6,6 +6,7 @@
 #include "ringfilm/io/case/face_file.hpp"
 #include "ringfilm/io/case/oil_file.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/measurement/contact_law_file.hpp"
 #include "ringfilm/io/pad/pad_file.hpp"
 
 namespace ringfilm::io {
@@ -105,6 +106,13 @@ std::vector<DataFile> data_files(const Case& c, const Units& units) {
                        OilFile oil = read_oil_table(file, units);
                        to.lubricant.table = std::move(oil.table);
                        return {oil.sha256, oil.notes};
+                     }});
+  }
+  if (c.contact.model == cycle::ContactLaw::kTable && !c.contact.law_file.empty()) {
+    files.push_back({"contact.law", c.contact.law_file, [](const NamedFile& file, Case& to) -> ReadData {
+                       ContactLawFile law = read_contact_law(file);
+                       to.contact.law = std::move(law.law);
+                       return {law.sha256, law.notes};
                      }});
   }
   return files;

@@ -101,8 +101,8 @@ ordered_json by_name(const Parts& parts, ToObject to_object) {
 
 }  // namespace
 
-std::string measurement_json(const Measurement& measurement, const NamedNumbers& numbers,
-                             const Provenance& provenance) {
+std::string measurement_json(const Measurement& measurement, const NamedNumbers& numbers, const Provenance& provenance,
+                             const NamedLists& lists) {
   check_measurement(measurement);
   ordered_json object = {{"kind", measurement.kind}, {"title", measurement.title}};
   const ordered_json parts = {{"values", values_object(measurement.groups)},
@@ -115,10 +115,12 @@ std::string measurement_json(const Measurement& measurement, const NamedNumbers&
                               {"fragment", measurement.fragment},
                               {"program", provenance.program},
                               {"commit", provenance.commit}};
-  for (const auto& [name, value] : numbers) {
+  const auto put = [&](const std::string& name, ordered_json value) {
     if (object.contains(name) || parts.contains(name)) throw std::logic_error("a measurement: two are called " + name);
-    object[name] = number(value);
-  }
+    object[name] = std::move(value);
+  };
+  for (const auto& [name, value] : numbers) put(name, number(value));
+  for (const auto& [name, values] : lists) put(name, list(values));
   object.update(parts);
   // A file name in another encoding than UTF-8 must not lose the result.
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

@@ -293,18 +293,42 @@ Assumption ring_gap(const Case& c) {
       others);
 }
 
+/// Other laws and planes that the case allows; the plane of a law that has none is not in use.
+std::vector<Alternative> other_contact_laws(const Case& c) {
+  std::vector<Alternative> others;
+  if (c.contact.model == cycle::ContactLaw::kTable) return others;
+  for (const char* key : {"contact.summit_plane", "contact.model"}) {
+    if (!cycle::is_active(*cycle::find_field(key), c)) continue;
+    for (Alternative& other : other_choices(key, c)) {
+      Case changed = c;
+      other.apply(changed);
+      const bool is_known = changed.contact.model != cycle::ContactLaw::kTable &&
+                            changed.contact.model != cycle::ContactLaw::kGreenwoodWilliamson;
+      if (is_known && cycle::broken_rules(changed).empty()) others.push_back(std::move(other));
+    }
+  }
+  return others;
+}
+
 Assumption gaussian_summits(const cycle::Setup& setup) {
+  if (setup.input.contact.model == cycle::ContactLaw::kTable) {
+    return assumption("gaussian-summits", "contact follows the table " + setup.input.contact.law_file,
+                      "the maps are a sample of the faces, in the state in which they were measured");
+  }
   constexpr double kLambda = 2;  // the ratio of load and area depends little on it
-  const auto contact = setup.ring.contact.contact(kLambda * setup.ring.sigma);
-  std::string statement = "asperity summits are Gaussian, of one radius, and in elastic contact";
+  const auto contact = setup.ring.contact->contact(kLambda * setup.ring.sigma);
+  const bool is_elastic = setup.input.contact.is_elastic();
+  std::string statement = "asperities are Gaussian, in contact after \"" + chosen("contact.model", setup.input) +
+                          (is_elastic ? "\", elastic" : "\", flowing at the hardness");
   if (contact.area_share > 0) {
     statement += text(", with %.3g GPa on the real area (at a lambda ratio of %.0f)",
                       contact.pressure / contact.area_share / 1e9, kLambda);
   }
   return assumption("gaussian-summits", statement,
-                    "run-in and plateau-honed surfaces are skewed. Beyond the hardness of the softer face load against "
-                    "film is a fit to N, beta and sigma; the boundary friction coefficient remains, real area and spot "
-                    "size do not");
+                    "run-in and plateau-honed surfaces are skewed: ringfilm contact computes the law of measured ones. "
+                    "Beyond the hardness of the softer face load against film is a fit to N, beta and sigma; the "
+                    "boundary friction coefficient remains, real area and spot size do not",
+                    other_contact_laws(setup.input));
 }
 
 /// What the oils of data/lubricants determine by their HTHS the ledger runs; of others it would have to be made up.

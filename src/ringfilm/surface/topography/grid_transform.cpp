@@ -10,11 +10,30 @@ using Wave = std::complex<double>;
 
 constexpr std::size_t kColumnsTransformedAtATime = 8;
 
+}  // namespace
+
+struct GridTransform::Plan {
+  Plan(std::size_t n_columns, std::size_t rows)
+      : columns(n_columns), block(kColumnsTransformedAtATime * rows), turned(rows) {
+    fft.SetFlag(Eigen::FFT<double>::Unscaled);
+    fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  }
+
+  Eigen::FFT<double> fft;
+  std::size_t columns;
+  std::vector<Wave> block, turned;
+};
+
+GridTransform::GridTransform(std::size_t points_x, std::size_t points_y)
+    : points_x_(points_x), points_y_(points_y), plan_(std::make_unique<Plan>(points_x / 2 + 1, points_y)) {}
+
+GridTransform::~GridTransform() = default;
+
 /// Transforms all columns, forward or back, in place.
-void transform_columns(std::vector<Wave>& waves, std::size_t columns, std::size_t rows, Eigen::FFT<double>& fft,
-                       bool forward) {
-  if (rows == 1) return;
-  std::vector<Wave> block(kColumnsTransformedAtATime * rows), turned(rows);
+void GridTransform::transform_columns(std::span<Wave> waves, bool forward) {
+  if (points_y_ == 1) return;
+  const std::size_t columns = plan_->columns, rows = points_y_;
+  std::vector<Wave>& block = plan_->block;
   for (std::size_t begin = 0; begin < columns; begin += kColumnsTransformedAtATime) {
     const std::size_t count = std::min(kColumnsTransformedAtATime, columns - begin);
     for (std::size_t j = 0; j < rows; ++j) {
@@ -24,11 +43,11 @@ void transform_columns(std::vector<Wave>& waves, std::size_t columns, std::size_
       Wave* const column = block.data() + c * rows;
       const auto length = static_cast<Eigen::Index>(rows);
       if (forward) {
-        fft.fwd(turned.data(), column, length);
+        plan_->fft.fwd(plan_->turned.data(), column, length);
       } else {
-        fft.inv(turned.data(), column, length);
+        plan_->fft.inv(plan_->turned.data(), column, length);
       }
-      std::copy(turned.begin(), turned.end(), column);
+      std::copy(plan_->turned.begin(), plan_->turned.end(), column);
     }
     for (std::size_t j = 0; j < rows; ++j) {
       for (std::size_t c = 0; c < count; ++c) waves[j * columns + begin + c] = block[c * rows + j];
@@ -36,36 +55,34 @@ void transform_columns(std::vector<Wave>& waves, std::size_t columns, std::size_
   }
 }
 
-Eigen::FFT<double> transform() {
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::Unscaled);
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  return fft;
+void GridTransform::forward(std::span<const double> values, std::span<Wave> waves) {
+  for (std::size_t j = 0; j < points_y_; ++j) {
+    plan_->fft.fwd(waves.data() + j * plan_->columns, values.data() + j * points_x_,
+                   static_cast<Eigen::Index>(points_x_));
+  }
+  transform_columns(waves, true);
 }
 
-}  // namespace
+void GridTransform::back(std::span<Wave> waves, std::span<double> values) {
+  transform_columns(waves, false);
+  for (std::size_t j = 0; j < points_y_; ++j) {
+    plan_->fft.inv(values.data() + j * points_x_, waves.data() + j * plan_->columns,
+                   static_cast<Eigen::Index>(points_x_));
+  }
+  const double points = static_cast<double>(points_x_ * points_y_);
+  for (double& value : values) value /= points;
+}
 
 std::vector<Wave> waves_of(std::span<const double> values, std::size_t points_x, std::size_t points_y) {
-  const std::size_t columns = points_x / 2 + 1;
-  std::vector<Wave> waves(columns * points_y);
-  Eigen::FFT<double> fft = transform();
-  for (std::size_t j = 0; j < points_y; ++j) {
-    fft.fwd(waves.data() + j * columns, values.data() + j * points_x, static_cast<Eigen::Index>(points_x));
-  }
-  transform_columns(waves, columns, points_y, fft, true);
+  GridTransform transform(points_x, points_y);
+  std::vector<Wave> waves(transform.waves());
+  transform.forward(values, waves);
   return waves;
 }
 
 std::vector<double> values_of(std::vector<Wave> waves, std::size_t points_x, std::size_t points_y) {
-  const std::size_t columns = points_x / 2 + 1;
-  Eigen::FFT<double> fft = transform();
-  transform_columns(waves, columns, points_y, fft, false);
   std::vector<double> values(points_x * points_y);
-  for (std::size_t j = 0; j < points_y; ++j) {
-    fft.inv(values.data() + j * points_x, waves.data() + j * columns, static_cast<Eigen::Index>(points_x));
-  }
-  const double points = static_cast<double>(points_x * points_y);
-  for (double& value : values) value /= points;
+  GridTransform(points_x, points_y).back(waves, values);
   return values;
 }
 

@@ -11,6 +11,7 @@ const kKinds = {
   surface: 'A measured surface and its roughness',
   pair: 'Two measured surfaces and their contact',
   face: 'A measured ring face and its shape',
+  contact: 'Contact law of a measured pair',
   'lateral-force': 'Friction loops and the coefficient of boundary shear strength',
 };
 

@@ -1,0 +1,34 @@
+#include "commands/command_contact.hpp"
+
+#include <optional>
+
+#include "ringfilm/instrument/documents/contact_of_case.hpp"
+#include "ringfilm/io/measurement/contact_law_file.hpp"
+#include "ringfilm/io/text/units.hpp"
+
+namespace ringfilm::app {
+
+namespace {
+
+void deliver_law(const io::Measurement& measurement, const MeasurementOutputs& outputs) {
+  deliver(measurement, outputs, numbers_of(measurement), lists_of(measurement, io::kContactLawTable));
+}
+
+}  // namespace
+
+void contact(const ContactCommand& command) {
+  if (command.case_path) {
+    check_outputs(command.outputs, {*command.case_path});
+    const cycle::Case input = case_with_settings(*command.case_path, command.settings);
+    return deliver_law(instrument::contact_of_case(input, command.lambda), command.outputs);
+  }
+  check_outputs(command.outputs, command.surfaces);
+  const io::Units units;
+  const auto first = instrument::read_surface_file(command.surfaces.front(), command.reading, units);
+  std::optional<instrument::SurfaceFile> second;
+  if (command.surfaces.size() > 1) second = read_surface_file(command.surfaces.back(), command.reading, units);
+  const io::Measurement measurement = contact_measurement(first, second ? &*second : nullptr, command.analysis);
+  deliver_law(measurement, command.outputs);
+}
+
+}  // namespace ringfilm::app

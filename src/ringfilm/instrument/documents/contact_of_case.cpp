@@ -1,0 +1,197 @@
+#include "ringfilm/instrument/documents/contact_of_case.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/integration/contact_setup.hpp"
+#include "ringfilm/instrument/documents/surface_values.hpp"
+#include "ringfilm/io/measurement/contact_law_file.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+using cycle::AsperityLaw, cycle::ContactLaw, cycle::ContactMoments, cycle::SummitPlane;
+
+/// Laws that are laid beside each other.
+struct OtherLaw {
+  const char *name, *label;
+  ContactLaw model;
+  AsperityLaw asperity;
+  SummitPlane plane;
+  ContactMoments moments;
+};
+constexpr OtherLaw kOtherLaws[] = {
+    {"as_fed", "Greenwood-Tripp, summits counted from the plane of the surface", ContactLaw::kGreenwoodTripp,
+     AsperityLaw::kElastic, SummitPlane::kSurface, ContactMoments::kPair},
+    {"one_surface", "Greenwood-Tripp, N and beta of one surface, plane of the summits", ContactLaw::kGreenwoodTripp,
+     AsperityLaw::kElastic, SummitPlane::kNayak, ContactMoments::kOneSurface},
+    {"summits", "Greenwood-Williamson, plane of the summits, elastic", ContactLaw::kGreenwoodWilliamson,
+     AsperityLaw::kElastic, SummitPlane::kNayak, ContactMoments::kPair},
+    {"summits_that_flow", "Greenwood-Williamson, plane of the summits, Zhao-Maietta-Chang",
+     ContactLaw::kGreenwoodWilliamson, AsperityLaw::kZhaoMaiettaChang, SummitPlane::kNayak, ContactMoments::kPair},
+    {"elliptic_summits", "Bush-Gibson-Thomas", ContactLaw::kBushGibsonThomas, AsperityLaw::kElastic,
+     SummitPlane::kSurface, ContactMoments::kPair},
+    {"plastic", "plastic: hardness times material ratio", ContactLaw::kPlastic, AsperityLaw::kElastic,
+     SummitPlane::kSurface, ContactMoments::kPair},
+};
+
+constexpr int kPlacesOfCurve = 81;
+constexpr double kEndOfCurve = 4;  // lambda ratio
+
+std::string choice_of(const char* key, const cycle::Case& c) {
+  const cycle::Field& field = *cycle::find_field(key);
+  const auto& choice = std::get<cycle::ChoiceKind>(field.kind);
+  return choice.names[static_cast<std::size_t>(choice.index(c))];
+}
+
+std::string law_text(const cycle::Case& c) {
+  const ContactLaw model = c.contact.model;
+  std::string text = "law: " + choice_of("contact.model", c);
+  if (model == ContactLaw::kTable) return text + ", " + c.contact.law_file;
+  if (model == ContactLaw::kGreenwoodTripp || model == ContactLaw::kGreenwoodWilliamson) {
+    text += "; asperities " + choice_of("contact.asperity", c) + "; separation from the plane of the " +
+            (c.contact.summit_plane == SummitPlane::kNayak ? "summits" : "surfaces");
+  }
+  if (model == ContactLaw::kGreenwoodTripp) text += "; N and beta of " + choice_of("contact.moments", c);
+  return text;
+}
+
+/// Stated, of the table, or usual [Pa].
+double hardness_of(const cycle::Case& c) {
+  const auto& stated = c.contact.model == ContactLaw::kTable ? c.contact.law->hardness : c.contact.hardness;
+  return stated.value_or(cycle::kUsualHardness);
+}
+
+io::MeasuredGroup validity_group(const cycle::Case& c) {
+  io::MeasuredGroup group{"Validity", {}};
+  const auto add = [&](const char* name, const char* words, const char* symbol, const char* unit, const char* display,
+                       double value) {
+    group.values.push_back(value_of(name, words, symbol, unit, display, value, ""));
+  };
+  add("roughness", "composite roughness as the contact model uses it", "sigma", "m", "um", roughness(c));
+  add("composite_modulus", "composite modulus", "E'", "Pa", "GPa", composite_modulus(c));
+  const double hardness = hardness_of(c);
+  add("hardness", "hardness of the softer face", "H", "Pa", "GPa", hardness);
+  if (!c.contact.hardness && c.contact.model != ContactLaw::kTable) {
+    group.values.back().remark = "assumed: grey iron; contact.hardness states it";
+  }
+  const auto pair = asperities(c);
+  const auto summits = pair ? models::summit_statistics(*pair) : std::nullopt;
+  if (!summits) return group;
+  add("asperity_bandwidth", "bandwidth parameter", "alpha", "1", "1", summits->bandwidth);
+  add("asperity_slope", "rms slope", "h'", "1", "1", summits->rms_slope);
+  add("summit_plane_offset", "plane of the summits above that of the surface", "z_s", "m", "um",
+      summits->summit_offset);
+  add("summit_offset_ratio", "the same over the roughness", "z_s/sigma", "1", "1",
+      summits->summit_offset / pair->sigma);
+  add("summit_spread_ratio", "standard deviation of the summit heights over the roughness", "sigma_s/sigma", "1", "1",
+      summits->summit_spread / pair->sigma);
+  add("plasticity_index", "above 1 asperities deform plastically", "psi", "1", "1",
+      plasticity_index(*pair, summits->summit_spread, hardness));
+  add("slope_index", "E* h'/H; above 1 real pressure of elastic contact exceeds about a third of the hardness",
+      "E* h'/H", "1", "1", 0.5 * pair->E_prime * summits->rms_slope / hardness);
+  return group;
+}
+
+std::vector<std::string> validity_notes(const cycle::Case& c, const io::MeasuredTable& table) {
+  std::vector<std::string> notes;
+  const auto pair = asperities(c);
+  if (pair && !models::summit_statistics(*pair)) {
+    notes.push_back("no Gaussian surface has this asperity density, radius and roughness together");
+  }
+  double highest = 0;
+  for (const double p : table.values[4]) {
+    if (std::isfinite(p)) highest = std::max(highest, p);
+  }
+  if (highest > hardness_of(c)) {
+    notes.push_back(fmt::format("mean pressure on the real area up to {:.3g} GPa, beyond the hardness of {:.3g} GPa",
+                                highest / 1e9, hardness_of(c) / 1e9));
+  }
+  if (c.contact.model == ContactLaw::kTable) {
+    const cycle::ContactLawTable& law = *c.contact.law;
+    const double first = law.rows.h.front(), last = law.last_supported_separation;
+    for (const double h : table.values[0]) {
+      if (h >= first && h <= last) continue;
+      notes.push_back(fmt::format("separations outside {:.4g} to {:.4g} um are extrapolated from the table",
+                                  first * 1e6, last * 1e6));
+      break;
+    }
+  }
+  return notes;
+}
+
+io::MeasuredCurve law_curves(const cycle::Case& c) {
+  io::MeasuredCurve curve;
+  curve.name = "laws";
+  curve.title = "Contact laws";
+  curve.caption = "Pressure of several laws of the same surfaces against the lambda ratio, logarithmic.";
+  curve.x_axis = {"lambda_ratio", "lambda ratio", "1", "1"};
+  curve.y_axis = {"contact_pressure", "contact pressure", "Pa", "MPa", true};
+  const double sigma = roughness(c);
+  for (int k = 0; k < kPlacesOfCurve; ++k) curve.x.push_back(kEndOfCurve * k / (kPlacesOfCurve - 1));
+  const auto add = [&](const char* name, const char* label, const cycle::Case& of) {
+    const auto law = asperity_contact(of);
+    io::MeasuredSeries series{name, label, {}, false};
+    for (const double lambda : curve.x) {
+      const double p = law->contact(lambda * sigma).pressure;
+      series.y.push_back(p > 0 ? p : std::numeric_limits<double>::quiet_NaN());
+    }
+    curve.series.push_back(std::move(series));
+  };
+  add("of_the_case", "law of the case", c);
+  if (c.contact.model == ContactLaw::kTable) return curve;
+  for (const OtherLaw& other : kOtherLaws) {
+    cycle::Case of = c;
+    of.contact.model = other.model;
+    of.contact.asperity = other.asperity;
+    of.contact.summit_plane = other.plane;
+    of.contact.moments = other.moments;
+    const bool flows = other.model == ContactLaw::kPlastic || other.asperity != AsperityLaw::kElastic;
+    const bool has_plane = other.plane == SummitPlane::kNayak || other.model == ContactLaw::kBushGibsonThomas;
+    if ((flows && !c.contact.hardness) || (has_plane && !models::summit_statistics(*asperities(of)))) continue;
+    add(other.name, other.label, of);
+  }
+  return curve;
+}
+
+}  // namespace
+
+io::Measurement contact_of_case(const cycle::Case& whole, const std::vector<double>& lambda) {
+  if (whole.problem == cycle::Problem::kPad) {
+    throw InputError("a pad has no asperity contact", "name the case of a ring");
+  }
+  const cycle::Case& c = whole.rings.empty() ? whole : whole.rings.front();
+  io::Measurement all;
+  all.kind = "contact-of-case";
+  all.title = "Contact law of " + (c.title.empty() ? std::string("a case") : c.title);
+  all.statements = {law_text(c), "separation: lambda ratio times composite roughness"};
+  if (!whole.rings.empty()) all.notes.push_back("of the pack the first ring is tabulated");
+
+  const auto law = asperity_contact(c);
+  const double sigma = roughness(c);
+  io::MeasuredTable table;
+  table.name = io::kContactLawTable;
+  table.title = "Contact law";
+  add_column(table, "separation", "distance of the mean planes", "h", "m", "um");
+  add_column(table, "lambda_ratio", "separation over roughness", "lambda", "1", "1");
+  add_column(table, "contact_pressure", "contact pressure on the nominal area", "p", "Pa", "MPa");
+  add_column(table, "real_area", "real contact area over the nominal one", "A", "1", "%");
+  add_column(table, "mean_real_pressure", "mean pressure on the real area", "p/A", "Pa", "GPa");
+  for (const double ratio : lambda) {
+    const auto at = law->contact(ratio * sigma);
+    const double real = at.area_share > 0 ? at.pressure / at.area_share : std::numeric_limits<double>::quiet_NaN();
+    const double row[] = {ratio * sigma, ratio, at.pressure, at.area_share, real};
+    for (std::size_t k = 0; k < table.values.size(); ++k) table.values[k].push_back(row[k]);
+  }
+  for (std::string& note : validity_notes(c, table)) all.notes.push_back(std::move(note));
+  all.groups.push_back(validity_group(c));
+  all.tables.push_back(std::move(table));
+  all.curves.push_back(law_curves(c));
+  return all;
+}
+
+}  // namespace ringfilm::instrument

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/text/source_text.hpp"
+
+namespace ringfilm::io {
+
+/// Names under which the document of a contact law holds what a case reads.
+inline constexpr const char* kContactLawKind = "contact";
+inline constexpr const char* kContactLawTable = "law";
+inline constexpr const char* kLastSupportedSeparation = "last_supported_separation";
+
+/// The contact law of a measured pair.
+struct ContactLawFile {
+  cycle::ContactLawTable law;
+  std::string sha256;
+  std::vector<std::string> notes;
+};
+
+/// Reads what `ringfilm contact --output` wrote; rows without contact are omitted. Throws InputError: not such a file,
+/// altered, fewer than four separations with contact, pressures or areas that do not fall.
+ContactLawFile read_contact_law(const NamedFile& file);
+
+}  // namespace ringfilm::io

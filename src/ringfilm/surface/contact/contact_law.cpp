@@ -1,0 +1,199 @@
+#include "ringfilm/surface/contact/contact_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/surface/contact/flow_cell.hpp"
+
+namespace ringfilm::surface {
+namespace {
+
+constexpr std::size_t kUsualSeparations = 16;
+constexpr double kSmallestUsual = 0.4;        // Sq
+constexpr double kLargestUsual = 0.97;        // of the highest point
+constexpr double kMostUsualArea = 1.0 / 3.0;  // rings remain below it
+
+HeightMap sum_at(const SurfacePair& pair, std::size_t position) {
+  if (!pair.second) return pair.first;
+  const Shift shift = shift_of(position, *pair.second, pair.edges);
+  return sum_of_surfaces(pair.first, *pair.second, pair.edges, shift.x, shift.y);
+}
+
+RoughContact contact_at(const SurfacePair& pair, std::size_t position) {
+  return {sum_at(pair, position), pair.edges, pair.material};
+}
+
+std::size_t positions_of(const SurfacePair& pair) { return pair.second ? std::max<std::size_t>(pair.shifts, 1) : 1; }
+
+/// Largest first: each solution is the first guess of the next.
+std::vector<std::size_t> falling_order(std::span<const double> values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+  return order;
+}
+
+void add(const ContactAtSeparation& of, double weight, ContactLawPoint& to) {
+  ContactAtSeparation& mean = to.mean;
+  mean.separation_m = of.separation_m;
+  mean.residual = std::max(mean.residual, of.residual);
+  mean.iterations += of.iterations;
+  for (const auto member :
+       {&ContactAtSeparation::pressure, &ContactAtSeparation::area_share, &ContactAtSeparation::pixel_share,
+        &ContactAtSeparation::mean_gap_m, &ContactAtSeparation::spots_per_m2}) {
+    mean.*member += weight * of.*member;
+  }
+  // Shares of the area in contact and of the load: divided by the sums at the end.
+  mean.share_at_cap += weight * of.pixel_share * of.share_at_cap;
+  mean.load_next_to_missing += weight * of.pressure * of.load_next_to_missing;
+  to.pressure_deviation += weight * of.pressure * of.pressure;
+  to.area_deviation += weight * of.area_share * of.area_share;
+}
+
+double variance(const HeightMap& map) {
+  double sum = 0, squares = 0, count = 0;
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (!map.measured(i)) continue;
+    sum += map.height_m[i];
+    squares += map.height_m[i] * map.height_m[i];
+    count += 1;
+  }
+  return count > 0 ? squares / count - sum * sum / (count * count) : 0;
+}
+
+/// Share of the first surface in the variance of the heights, less that of the second: 1 where only the first is rough.
+double roughness_difference(const SurfacePair& pair) {
+  if (!pair.second) return 1;
+  const double first = variance(pair.first), second = variance(*pair.second);
+  return first + second > 0 ? (first - second) / (first + second) : 1;
+}
+
+/// True gap, closed in contact; points without a height have that of the deepest one that was measured.
+std::vector<double> open_gap(const RoughContact& contact) {
+  std::vector<double> gap(contact.gap().begin(), contact.gap().end());
+  double deepest = 0;
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    gap[i] = contact.pressure()[i] > 0 ? 0 : std::max(gap[i], 0.0);
+    if (contact.measured(i)) deepest = std::max(deepest, gap[i]);
+  }
+  for (double& h : gap) h = std::min(h, deepest);
+  return gap;
+}
+
+void add_flow(const RoughContact& contact, const ContactAtSeparation& found, double difference, double weight,
+              FlowFactorsOfLaw& to) {
+  const std::vector<double> gap = open_gap(contact);
+  const FlowFactorsOfGap of = flow_factors(gap, contact.grid());
+  const double cube = found.separation_m * found.separation_m * found.separation_m;
+  double mean = 0;
+  for (const double h : gap) mean += h;
+  mean /= static_cast<double>(gap.size());
+  to.phi_x += weight * of.conductance_x / cube;
+  to.phi_y += weight * of.conductance_y / cube;
+  to.phi_s += weight * difference * (mean - of.couette) / contact.Sq_m();
+  to.residual = std::max(to.residual, of.residual);
+}
+
+void complete(std::size_t positions, ContactLawPoint& point) {
+  ContactAtSeparation& mean = point.mean;
+  const double n = static_cast<double>(positions);
+  const auto deviation = [&](double squares, double value) {
+    return positions < 2 ? 0.0 : std::sqrt(std::max(0.0, squares - value * value) * n / (n - 1));
+  };
+  point.pressure_deviation = deviation(point.pressure_deviation, mean.pressure);
+  point.area_deviation = deviation(point.area_deviation, mean.area_share);
+  if (mean.pixel_share > 0) mean.share_at_cap /= mean.pixel_share;
+  if (mean.pressure > 0) mean.load_next_to_missing /= mean.pressure;
+  if (mean.spots_per_m2 > 0) mean.spot_radius_m = std::sqrt(mean.area_share / (mean.spots_per_m2 * std::numbers::pi));
+}
+
+/// The highest point of all positions above the mean plane of its own [m].
+double highest_point(const SurfacePair& pair) {
+  double highest = 0;
+  for (std::size_t position = 0; position < positions_of(pair); ++position) {
+    highest = std::max(highest, contact_at(pair, position).highest_m());
+  }
+  return highest;
+}
+
+void check_reach(double highest_m, std::span<const double> separations_m) {
+  const double largest = *std::max_element(separations_m.begin(), separations_m.end());
+  if (largest < highest_m) return;
+  throw InputError("a separation of " + length_text(largest) + " lies beyond the highest point of the pair, " +
+                       length_text(highest_m) + " above the mean plane: nothing touches there",
+                   "state smaller separations");
+}
+
+}  // namespace
+
+Shift shift_of(std::size_t k, const HeightMap& second, MapEdges edges) {
+  if (k == 0) return {};
+  // Additive recurrence of the plastic number: evenly spread, whatever their count.
+  constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
+  const std::size_t images = edges == MapEdges::mirrored ? 2 : 1;
+  const auto place = [&](double ratio, std::size_t points) {
+    const double turn = ratio * static_cast<double>(k);
+    return static_cast<std::size_t>((turn - std::floor(turn)) * static_cast<double>(images * points));
+  };
+  return {place(kFirst, second.points_x), place(kSecond, second.points_y)};
+}
+
+ContactLaw contact_law(const SurfacePair& pair, std::span<const double> separations_m) {
+  ContactLaw law;
+  law.points.resize(separations_m.size());
+  law.highest_m = highest_point(pair);
+  if (!pair.has_flow) check_reach(law.highest_m, separations_m);
+  const double difference = roughness_difference(pair);
+  const std::size_t positions = positions_of(pair);
+  const std::vector<std::size_t> order = falling_order(separations_m);
+  for (std::size_t position = 0; position < positions; ++position) {
+    RoughContact contact = contact_at(pair, position);
+    if (position == 0) {
+      law.Sq_m = contact.Sq_m();
+      law.missing_share = contact.missing_share();
+      law.grid = contact.grid();
+    }
+    for (const std::size_t k : order) {
+      const ContactAtSeparation found = contact.solve(separations_m[k]);
+      check_area(found);
+      const double weight = 1 / static_cast<double>(positions);
+      add(found, weight, law.points[k]);
+      if (pair.has_flow) add_flow(contact, found, difference, weight, law.points[k].flow);
+    }
+    if (position > 0) continue;
+    law.pressure.assign(contact.pressure().begin(), contact.pressure().end());
+    law.gap_m.assign(contact.gap().begin(), contact.gap().end());
+    for (double& gap : law.gap_m) gap = std::max(gap, 0.0);
+  }
+  for (ContactLawPoint& point : law.points) complete(positions, point);
+  return law;
+}
+
+std::vector<double> usual_separations(const SurfacePair& pair) {
+  RoughContact contact = contact_at(pair, 0);
+  const double from = kLargestUsual * contact.highest_m();
+  const double to = std::min(kSmallestUsual * contact.Sq_m(), from / 2);
+  std::vector<double> separations;
+  for (std::size_t k = 0; k < kUsualSeparations; ++k) {
+    const double h = from + (to - from) * static_cast<double>(k) / (kUsualSeparations - 1);
+    if (k > 1 && contact.solve(h).pixel_share > kMostUsualArea) break;
+    separations.push_back(h);
+  }
+  return separations;
+}
+
+std::size_t fast_size(std::size_t points) {
+  const auto is_fast = [](std::size_t n) {
+    for (const std::size_t factor : {2, 3, 5, 7}) {
+      while (n % factor == 0) n /= factor;
+    }
+    return n == 1;
+  };
+  while (points > 1 && !is_fast(points)) --points;
+  return points;
+}
+
+}  // namespace ringfilm::surface
