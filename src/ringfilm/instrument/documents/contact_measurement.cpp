@@ -14,7 +14,7 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr double kMuchLoadNextToMissing = 0.01;  // of the load
-constexpr double kManyMissing = 0.05;            // of the points
+constexpr double kManyMissingOfMaps = 0.05;            // of the points
 constexpr double kSteepSlope = 0.2;              // rms slope from which on small slopes are doubtful
 
 /// Form and filters; of a mirrored map the size that transforms quickly.
@@ -183,7 +183,7 @@ double rms_slope(const surface::HeightMap& map) {
 std::vector<std::string> law_notes(const surface::SurfacePair& pair, const surface::ContactLaw& law) {
   std::vector<std::string> notes;
   if (pair.first.is_profile()) notes.push_back("profiles are computed as ridges without end across them");
-  if (law.missing_share > kManyMissing) {
+  if (law.missing_share > kManyMissingOfMaps) {
     notes.push_back(fmt::format("{:.3g} % of the points have no height; they never touch", 100 * law.missing_share));
   }
   double near_missing = 0;

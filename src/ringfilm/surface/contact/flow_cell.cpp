@@ -6,8 +6,8 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kTolerance = 1e-7;  // of the residual; conductances err by its square
-constexpr int kMostIterations = 400;
+constexpr double kFlowTolerance = 1e-7;  // of the residual; conductances err by its square
+constexpr int kMostFlowIterations = 400;
 constexpr std::size_t kCoarsest = 4;  // points along an axis
 constexpr int kCoarseVisits = 2;      // of a level from the one above, but of the first
 
@@ -210,7 +210,7 @@ class FlowCell {
     const double start = std::sqrt(dot(r, r));
     if (!(start > 0)) return;
     double former = 0, size = start;
-    for (int iteration = 0; iteration < kMostIterations && size > kTolerance * start; ++iteration) {
+    for (int iteration = 0; iteration < kMostFlowIterations && size > kFlowTolerance * start; ++iteration) {
       precondition(r, z);
       const double product = dot(r, z), keep = former > 0 ? product / former : 0;
       for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + keep * p[i];

@@ -8,9 +8,9 @@
 namespace ringfilm::surface {
 namespace {
 
-using Wave = std::complex<double>;
+constexpr std::size_t kMirroredLinesAtATime = 8;  // even: two lines share a transform
 
-constexpr std::size_t kLinesAtATime = 8;  // even: two lines share a transform
+}  // namespace
 
 /// Cosine transforms of two lines at once: they are the real and the imaginary part of one line, in the order 0, 2, 4,
 /// ..., 5, 3, 1 (Makhoul 1980).
@@ -51,6 +51,7 @@ class LineTransform {
   }
 
  private:
+  using Wave = std::complex<double>;
   std::size_t place(std::size_t j) const { return j % 2 == 0 ? j / 2 : n_ - 1 - j / 2; }
 
   std::size_t n_;
@@ -58,11 +59,9 @@ class LineTransform {
   std::vector<Wave> turn_, line_, waves_;
 };
 
-}  // namespace
-
 struct MirroredTransform::Plan {
   Plan(std::size_t points_x, std::size_t points_y)
-      : along_x(points_x), along_y(points_y), spare(points_x), block(kLinesAtATime * points_y) {}
+      : along_x(points_x), along_y(points_y), spare(points_x), block(kMirroredLinesAtATime * points_y) {}
 
   LineTransform along_x, along_y;
   std::vector<double> spare, block;
@@ -87,8 +86,8 @@ void MirroredTransform::transform_columns(std::span<double> grid, bool forward) 
   if (points_y_ == 1) return;
   const std::size_t rows = points_y_;
   std::vector<double>& block = plan_->block;
-  for (std::size_t begin = 0; begin < points_x_; begin += kLinesAtATime) {
-    const std::size_t count = std::min(kLinesAtATime, points_x_ - begin);
+  for (std::size_t begin = 0; begin < points_x_; begin += kMirroredLinesAtATime) {
+    const std::size_t count = std::min(kMirroredLinesAtATime, points_x_ - begin);
     for (std::size_t j = 0; j < rows; ++j) {
       for (std::size_t c = 0; c < count; ++c) block[c * rows + j] = grid[j * points_x_ + begin + c];
       if (count % 2 == 1) block[count * rows + j] = 0;  // shares the transform of the last one
