@@ -14,7 +14,7 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr double kMuchLoadNextToMissing = 0.01;  // of the load
-constexpr double kManyMissingOfMaps = 0.05;            // of the points
+constexpr double kManyMissingOfMaps = 0.05;      // of the points
 constexpr double kSteepSlope = 0.2;              // rms slope from which on small slopes are doubtful
 
 /// Form and filters; of a mirrored map the size that transforms quickly.
