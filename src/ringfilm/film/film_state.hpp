@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -128,9 +129,11 @@ struct FilmInputs {
     const EdgeState& edge = i < grid.throat || i == 0 ? left : right;
     return edge.fluid == EdgeFluid::kGas ? &edge : nullptr;
   }
-  /// Of carried_share() at node `i`. Steady films store nothing: there theta is what flows.
+  /// Of carried_share() at node `i`. Steady films store nothing, and films with a full inlet pass nothing on to a wall
+  /// that is followed: there theta is what flows.
   double carry(const FilmGrid& grid, int i) const {
-    return !is_steady() && gas_at(grid, i) != nullptr ? kOnWall : kBetweenWalls;
+    const bool follows_wall = !is_steady() && (std::isfinite(left.supply) || std::isfinite(right.supply));
+    return follows_wall && gas_at(grid, i) != nullptr ? kOnWall : kBetweenWalls;
   }
   bool is_steady() const { return time_step == kSteady; }
   bool has_gas() const { return left.fluid == EdgeFluid::kGas || right.fluid == EdgeFluid::kGas; }

@@ -77,7 +77,10 @@ double LinerOil::mass_ahead(const Sweep& swept) const {
 
 void LinerOil::limit(RingConditions& at, double from_deg, double to_deg) const {
   const Sweep swept = sweep(from_deg, to_deg);
-  if (!(swept.length() > 0)) return;
+  if (!(swept.length() > 0)) {
+    at.inputs.left.supply = at.inputs.right.supply = 0;  // nothing moves, so nothing comes
+    return;
+  }
   const double speed = swept.length() / at.inputs.time_step;
   at.inputs.U = swept.up ? speed : -speed;
   film::EdgeState& lead = swept.up ? at.inputs.left : at.inputs.right;

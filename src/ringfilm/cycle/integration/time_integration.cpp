@@ -166,26 +166,6 @@ TimeIntegration::Fluids TimeIntegration::fluids(const RingConditions& at) {
   return {chamber_edge(at).fluid, crankcase_edge(at).fluid};
 }
 
-/// The film that lay on the wall flows as before, but between both walls (eq-film-on-wall).
-void TimeIntegration::flood(film::FilmState& state, const Fluids& before, const RingConditions& at) const {
-  const bool from_chamber = at.axis == Axis::kFromChamber;
-  const film::EdgeFluid left = from_chamber ? before.chamber : before.crankcase;
-  const film::EdgeFluid right = from_chamber ? before.crankcase : before.chamber;
-  const auto is_flooded = [](film::EdgeFluid was, const film::EdgeState& is) {
-    return was == film::EdgeFluid::kGas && is.fluid == film::EdgeFluid::kOil;
-  };
-  const int throat = problem().grid.throat, n = problem().grid.n_cells();
-  const auto flood_nodes = [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const double filled = 1 - state.deficit[i], carried = film::carried_share(filled, film::kOnWall);
-      if (filled > 0) state.mass_per_area[i] *= carried / filled;
-      state.deficit[i] = 1 - carried;
-    }
-  };
-  if (is_flooded(left, at.inputs.left)) flood_nodes(0, throat);
-  if (is_flooded(right, at.inputs.right)) flood_nodes(throat + 1, n + 1);
-}
-
 void TimeIntegration::start_steady(RingConditions& at) {
   // A steady film with a full inlet exists at any speed.
   for (film::EdgeState* edge : {&at.inputs.left, &at.inputs.right}) {
@@ -238,7 +218,6 @@ void TimeIntegration::propose() {
   }
   // The film does not follow its past across a step where oil takes the place of gas at an edge.
   if (fluids(step_.at) != fluids_) {
-    flood(state_, fluids_, step_.at);
     fluids_ = fluids(step_.at);
     time_step_before_ = 0;
   }
@@ -307,14 +286,11 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
     const double part_deg = (crank_angle_deg - angle_deg_) / parts;
     to = state_;
     Axis axis = axis_;
-    Fluids before = fluids_;
     for (int part = 1; part <= parts; ++part) {
       const double to_deg = angle_deg_ + part * part_deg;
       at = conditions(to_deg - part_deg, to_deg, radians(part_deg) / setup_.engine.speed);
       if (at.axis != axis) turn(to);
       axis = at.axis;
-      flood(to, before, at);
-      before = fluids(at);
       side_before_ = to;
       report = film_.solve(at.inputs, side_before_, to);
       if (!report.converged) break;

@@ -153,8 +153,6 @@ class TimeIntegration {
     friend bool operator==(const Fluids&, const Fluids&) = default;
   };
   static Fluids fluids(const RingConditions& at);
-  /// Oil comes to edges that were in gas.
-  void flood(film::FilmState& state, const Fluids& before, const RingConditions& at) const;
   void count(const film::FilmReport& report);
   /// What acts on the ring at the end of a step from the current state.
   RingConditions conditions(double from_deg, double to_deg, double time_step) const;
