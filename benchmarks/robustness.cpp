@@ -375,24 +375,8 @@ double processor_seconds() {
 EngineScenario scenario_of(const Options& options, int index) {
   EngineScenario scenario = testing::engine_scenario(options.seed, index);
   scenario.input.solver.cells = options.cells.value_or(scenario.input.solver.cells);
-  if (options.gas_edges || options.oil_on_liner) {
-    Film& film = scenario.input.film;
-    film.cavitation = Cavitation::kMassConserving;
-    film.chamber_edge = film.crankcase_edge = EdgeFluid::kGas;
-    scenario.input.solver.method = Method::kCoupledNewton;
-  }
-  if (options.oil_on_liner) {
-    // From 0.3 to 20 um, and from 5 to 25 % of the stroke.
-    const double golden = 0.5 * (std::sqrt(5.0) - 1), place = std::fmod(golden * index, 1.0);
-    scenario.input.film.supply = OilSupply::kFilmOnLiner;
-    scenario.input.supply.film = 0.3e-6 * std::pow(20 / 0.3, place);
-    scenario.input.supply.reach = (0.05 + 0.2 * std::fmod(golden * place, 1.0)) * scenario.input.engine.stroke;
-    const double steps = 180 / scenario.input.solver.crank_step_deg;
-    if (steps != std::round(steps)) scenario.input.solver.crank_step_deg = 1;
-    if (scenario.input.ring.face.orientation == Orientation::kLeadingEdge) {
-      scenario.input.ring.face.orientation = Orientation::kX0Chamber;
-    }
-  }
+  if (options.gas_edges || options.oil_on_liner) testing::put_gas_at_edges(scenario.input);
+  if (options.oil_on_liner) testing::lay_oil_on_liner(index, scenario.input);
   return scenario;
 }
 

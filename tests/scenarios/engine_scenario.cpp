@@ -212,4 +212,20 @@ EngineScenario engine_scenario(std::uint64_t seed, int index) {
   return scenario;
 }
 
+void put_gas_at_edges(Case& c) {
+  c.film.cavitation = Cavitation::kMassConserving;
+  c.film.chamber_edge = c.film.crankcase_edge = EdgeFluid::kGas;
+  c.solver.method = Method::kCoupledNewton;
+}
+
+void lay_oil_on_liner(int index, Case& c) {
+  const double golden = 0.5 * (std::sqrt(5.0) - 1), place = std::fmod(golden * index, 1.0);
+  c.film.supply = OilSupply::kFilmOnLiner;
+  c.supply.film = 0.3e-6 * std::pow(20 / 0.3, place);
+  c.supply.reach = (0.05 + 0.2 * std::fmod(golden * place, 1.0)) * c.engine.stroke;
+  const double steps = 180 / c.solver.crank_step_deg;
+  if (steps != std::round(steps)) c.solver.crank_step_deg = 1;
+  if (c.ring.face.orientation == Orientation::kLeadingEdge) c.ring.face.orientation = Orientation::kX0Chamber;
+}
+
 }  // namespace ringfilm::cycle::testing

@@ -35,4 +35,10 @@ struct EngineScenario {
 /// 0.5-5 degree fixed and adaptive, traces with noise, knocks and steps, one start in four from standstill.
 EngineScenario engine_scenario(std::uint64_t seed, int index);
 
+/// Gas where the film leaves, mass-conserving cavitation.
+void put_gas_at_edges(Case& c);
+
+/// 0.3 to 20 um that the oil ring leaves, which reaches 5 to 25 % of the stroke. For a case between edges of gas.
+void lay_oil_on_liner(int index, Case& c);
+
 }  // namespace ringfilm::cycle::testing

@@ -292,7 +292,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   if (!c.lubricant.table_file) append_oil_law_breaches(c.lubricant, breaches);
   check_angles(c, breaches);
   append_unrolled_breaches(c, breaches);
-  if (breaches.empty()) append_hths_breaches(c.lubricant, breaches);
+  if (breaches.empty()) append_viscosity_breaches(c, breaches);
   return breaches;
 }
 

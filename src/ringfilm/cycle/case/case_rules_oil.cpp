@@ -5,6 +5,7 @@
 
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/integration/oil.hpp"
+#include "ringfilm/models/oil/shear_thinning.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -37,6 +38,43 @@ void check_density(const Lubricant& oil, Breaches& breaches) {
   };
   if (oil.constant_density) refuse_unless_oil(*oil.constant_density);
   for (const TemperatureValue& point : oil.density) refuse_unless_oil(point.value);
+}
+
+/// An oil no longer flows where its laws give more: SAE J300 allows 60 Pa s where an oil must still be pumped [Pa s].
+constexpr double kNoLongerFlows = 1000;
+
+void check_coldest_film(const Case& c, Breaches& breaches) {
+  const auto walls = wall_temperatures(c.thermal);
+  const double coldest = walls ? walls->film_range().low : c.operating.oil_temperature;
+  const auto viscosity = viscosity_without_shear(c.lubricant, coldest);
+  if (!viscosity || *viscosity <= kNoLongerFlows) return;
+  const std::string of_wall = c.thermal.film == FilmTemperature::kRing ? "thermal.ring" : "thermal.liner";
+  breaches.push_back({walls ? of_wall : "operating.oil_temperature",
+                      "the film is as cold as " + number_text(coldest - 273.15) + " degC, where this oil has " +
+                          number_text(*viscosity) + " Pa s: it does not flow",
+                      "above " + number_text(kNoLongerFlows) + " Pa s an oil is below its pour point; check the " +
+                          (walls ? "temperatures in [thermal]" : "temperature") +
+                          " and lubricant.kinematic_viscosity"});
+}
+
+void check_hths(const Lubricant& oil, Breaches& breaches) {
+  if (!oil.thins() || oil.critical_shear_rate || !oil.hths_viscosity) return;
+  const std::optional<double> without_shear = viscosity_without_shear(oil, models::kHthsTemperature);
+  if (!without_shear) return;
+  const auto written = [](double eta) { return number_text(eta * 1e3) + " mPa s"; };
+  const std::string hths = "lubricant.hths_viscosity = " + written(*oil.hths_viscosity);
+  const std::string viscosity = "viscosity of the oil without shear at 150 degC, " + written(*without_shear);
+  const double ratio = *oil.hths_viscosity / *without_shear;
+  if (ratio >= 1) {
+    breaches.push_back({"lubricant.hths_viscosity", hths + " is not below the " + viscosity,
+                        "the viscosity falls with the shear rate; check hths_viscosity, kinematic_viscosity and "
+                        "density, or state shear_thinning = \"none\""});
+  } else if (ratio <= oil.second_newtonian_ratio) {
+    breaches.push_back({"lubricant.hths_viscosity",
+                        hths + " is not above lubricant.second_newtonian_ratio = " +
+                            number_text(oil.second_newtonian_ratio) + " times the " + viscosity,
+                        "at the highest shear rates the oil keeps that share; state a smaller ratio"});
+  }
 }
 
 }  // namespace
@@ -90,24 +128,9 @@ void append_oil_law_breaches(const Lubricant& oil, std::vector<RuleBreach>& brea
   check_points("lubricant.density", oil.density, Trend::kAny, breaches);
 }
 
-void append_hths_breaches(const Lubricant& oil, std::vector<RuleBreach>& breaches) {
-  if (!oil.thins() || oil.critical_shear_rate || !oil.hths_viscosity) return;
-  const std::optional<double> without_shear = viscosity_for_hths(oil);
-  if (!without_shear) return;
-  const auto written = [](double eta) { return number_text(eta * 1e3) + " mPa s"; };
-  const std::string hths = "lubricant.hths_viscosity = " + written(*oil.hths_viscosity);
-  const std::string viscosity = "viscosity of the oil without shear at 150 degC, " + written(*without_shear);
-  const double ratio = *oil.hths_viscosity / *without_shear;
-  if (ratio >= 1) {
-    breaches.push_back({"lubricant.hths_viscosity", hths + " is not below the " + viscosity,
-                        "the viscosity falls with the shear rate; check hths_viscosity, kinematic_viscosity and "
-                        "density, or state shear_thinning = \"none\""});
-  } else if (ratio <= oil.second_newtonian_ratio) {
-    breaches.push_back({"lubricant.hths_viscosity",
-                        hths + " is not above lubricant.second_newtonian_ratio = " +
-                            number_text(oil.second_newtonian_ratio) + " times the " + viscosity,
-                        "at the highest shear rates the oil keeps that share; state a smaller ratio"});
-  }
+void append_viscosity_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
+  check_coldest_film(c, breaches);
+  check_hths(c.lubricant, breaches);
 }
 
 }  // namespace ringfilm::cycle

@@ -11,7 +11,7 @@ void append_thermal_breaches(const Case& c, std::vector<RuleBreach>& breaches);
 /// What the laws of viscosity and density against temperature require.
 void append_oil_law_breaches(const Lubricant& oil, std::vector<RuleBreach>& breaches);
 
-/// What HTHS requires of an oil that thins. Of laws that break no rule.
-void append_hths_breaches(const Lubricant& oil, std::vector<RuleBreach>& breaches);
+/// What HTHS and the temperatures of its film require of the viscosity of an oil. Of laws that break no rule.
+void append_viscosity_breaches(const Case& c, std::vector<RuleBreach>& breaches);
 
 }  // namespace ringfilm::cycle

@@ -282,7 +282,7 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
   if (!c.pad.history_time.empty() || c.pad.oscillation.amplitude) check_times(c, breaches);
   check_contact(c, breaches);
   check_oil(c, breaches);
-  if (breaches.empty() && c.thermal.is_stated()) append_hths_breaches(c.lubricant, breaches);
+  if (breaches.empty() && c.thermal.is_stated()) append_viscosity_breaches(c, breaches);
   return breaches;
 }
 

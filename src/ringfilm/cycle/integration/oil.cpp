@@ -231,8 +231,7 @@ void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
        1});
 }
 
-std::optional<double> viscosity_for_hths(const Lubricant& lubricant) {
-  const double T = models::kHthsTemperature;
+std::optional<double> viscosity_without_shear(const Lubricant& lubricant, double T) {
   if (!lubricant.table_file) return models::oil_state(oil_laws(lubricant), T).eta_T;
   const std::vector<double>& known = lubricant.table->temperature;
   if (T < known.front() || T > known.back()) return std::nullopt;

@@ -46,9 +46,9 @@ PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAt
 /// and 20 MPa at least; to half of that where no certified fit reaches further. Adds a note where there is none at all.
 void fit_properties(PreparedOil& oil, double largest_mean_pressure);
 
-/// Viscosity without shear at the temperature at which HTHS is measured; nothing where the table of the oil does not
-/// reach it [Pa s].
-std::optional<double> viscosity_for_hths(const Lubricant& lubricant);
+/// Viscosity without shear at atmospheric pressure; nothing where the table of the oil does not reach the temperature
+/// [Pa s].
+std::optional<double> viscosity_without_shear(const Lubricant& lubricant, double temperature);
 
 /// The law of an oil that thins with the shear rate, without its critical shear rate; nothing for a Newtonian one.
 std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant);

@@ -27,7 +27,9 @@ constexpr double kCoarsenBelow = 0.15;
 std::string reason(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
                    const film::FilmReport& report) {
   const film::FilmGrid& grid = problem.grid;
-  const double gas = 0.5 * (inputs.left.pressure + inputs.right.pressure), pressing = inputs.mean_pressure(grid);
+  const double pressing = inputs.mean_pressure(grid);
+  const double at_edges = inputs.has_gas() ? film::least_hydrodynamic_load(problem, inputs) / grid.width
+                                           : 0.5 * (inputs.left.pressure + inputs.right.pressure);
   const double load = inputs.load / 1e3;
   const double smallest_cell = *std::min_element(grid.spacing.begin(), grid.spacing.end());
   char text[320];
@@ -39,12 +41,12 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
                     load, grid.n_cells(), smallest_cell * 1e6, setup.input.solver.cells);
       return text;
     case film::Failure::kLiftedOff:
-      if (gas > pressing) {
+      if (at_edges > pressing) {
         std::snprintf(
             text, sizeof text,
             "the gas lifts the ring off: %.4g and %.4g bar at the edges of its face press it away with %.3g bar "
             "more than the %.4g bar that press it on",
-            inputs.left.pressure / 1e5, inputs.right.pressure / 1e5, (gas - pressing) / 1e5, pressing / 1e5);
+            inputs.left.pressure / 1e5, inputs.right.pressure / 1e5, (at_edges - pressing) / 1e5, pressing / 1e5);
       } else {
         std::snprintf(text, sizeof text,
                       "the film carries more than the load of %.4g N per mm of circumference up to a thickness of "

@@ -332,7 +332,9 @@ class NewtonSweep {
     Real peak(0), step(0);
     for (int i = b_.n_cells - 1; i > 0; --i) {
       step = at(b_.rhs, i) - at(b_.column, i) * d_ln_h - at(b_.upper, i) * step;
-      const Real after = kink.template take<kFilmContent>(at(b_.z, i), step);
+      Real after = kink.template take<kFilmContent>(at(b_.z, i), step);
+      // Pressure drives out of a node the oil that it has: with less than none it would drive it the other way.
+      if constexpr (kFilmContent && kTerms == Terms::kAll) after = max(after, -kink.content_scale);
       check_ += after;  // a NaN of `largest` is one here as well
       if constexpr (kTerms == Terms::kAll) {
         peak = max(peak, max(Real(0), after) + at(b_.bound, i));

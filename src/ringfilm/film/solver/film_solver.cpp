@@ -52,6 +52,10 @@ class FilmSolve {
   bool solve_by_search(const FilmState& guess, FilmReport& report) {
     const SearchLimits limits{thickest(problem_), inputs_.load, problem_.tolerance};
     bool found = false;
+    if (least_hydrodynamic_load(problem_, inputs_) >= inputs_.load) {
+      report.failure = Failure::kLiftedOff;
+      return false;
+    }
     // Most films that are not found soon do not exist; only where that explains nothing is every one sought to the end.
     for (const Patience patience : {Patience::kLittle, Patience::kMuch}) {
       Sought sought(*this, guess, patience, report);

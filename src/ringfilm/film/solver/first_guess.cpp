@@ -13,6 +13,7 @@ namespace {
 constexpr double kSliderLoad = 0.16;       // W h^2/(eta U b^2) of the best plane slider
 constexpr int kCoarsest = 16;              // cells of the grid on which a first guess starts
 constexpr double kCoarseTolerance = 1e-4;  // of films that are only started from
+constexpr double kAtMostFull = 0.5;        // film content of a film that begins dry: no pressure in the first step
 
 /// Edge pressures joined linearly, h_m as a plane slider or the asperities would have it.
 FilmState coarse_guess(const FilmProblem& problem, const FilmInputs& inputs) {
@@ -61,7 +62,7 @@ std::optional<FilmState> dry_film(const FilmProblem& problem, const FilmInputs& 
   const int n = grid.n_cells();
   FilmState state;
   for (int i = 0; i <= n; ++i) state.p.push_back(inputs.pressure_bound(grid, i));
-  const double carried = inputs.load - hydrodynamic_load(problem, state);
+  const double carried = inputs.load - least_hydrodynamic_load(problem, inputs);
   const auto excess = [&](double ln_h) { return asperity_load(problem, std::exp(ln_h)) / carried - 1; };
   const double thin = std::log(kMolecules), thick = std::log(problem.contact->reach());
   if (!(carried > 0) || !(excess(thin) > 0) || !(excess(thick) < 0)) return std::nullopt;
@@ -71,7 +72,7 @@ std::optional<FilmState> dry_film(const FilmProblem& problem, const FilmInputs& 
   state.h_m = std::exp(0.5 * (low + high));
   for (int i = 0; i <= n; ++i) {
     const double full = inputs.oil->density(state.p[i]) * (state.h_m + grid.node_height[i]);
-    state.mass_per_area.push_back(std::min(on_wall, full));
+    state.mass_per_area.push_back(std::min(on_wall, kAtMostFull * full));
     state.deficit.push_back(1 - state.mass_per_area.back() / full);
   }
   return state;

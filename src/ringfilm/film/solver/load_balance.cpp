@@ -45,4 +45,12 @@ double hydrodynamic_load(const FilmProblem& problem, const FilmState& state) {
   return load;
 }
 
+double least_hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs) {
+  double load = 0;
+  for (int i = 0; i <= problem.grid.n_cells(); ++i) {
+    load += problem.grid.share[i] * inputs.pressure_bound(problem.grid, i);
+  }
+  return load;
+}
+
 }  // namespace ringfilm::film

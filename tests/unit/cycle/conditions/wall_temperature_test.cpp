@@ -157,5 +157,20 @@ TEST(WallTemperatures, ThatAreMissingOrReversedAreRefused) {
   EXPECT_THAT(broken(c), ElementsAre("thermal.liner"));
 }
 
+// The Walther line of an oil goes on below its pour point.
+TEST(WallTemperatures, BelowThePourPointOfTheOilAreRefused) {
+  using ::testing::ElementsAre;
+  using ::testing::IsEmpty;
+  Case c = warm_case();
+  c.thermal.film = FilmTemperature::kRing;
+  c.thermal.ring = 273.15 - 20;
+  EXPECT_THAT(broken(c), IsEmpty());
+  c.thermal.ring = 273.15 - 70;
+  EXPECT_THAT(broken(c), ElementsAre("thermal.ring"));
+  c.thermal = {};
+  c.operating.oil_temperature = 273.15 - 70;
+  EXPECT_THAT(broken(c), ElementsAre("operating.oil_temperature"));
+}
+
 }  // namespace
 }  // namespace ringfilm::cycle
