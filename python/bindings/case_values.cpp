@@ -62,9 +62,9 @@ class SiValue {
     if (const auto& constant = kind.constant(case_)) return py::float_(*constant);
     return pairs(kind.ref(case_));
   }
-  py::object operator()(const cycle::DistanceTemperaturesKind& kind) const {
+  py::object operator()(const cycle::StrokeValuesKind& kind) const {
     const auto& points = kind.ref(case_);
-    if (points.size() == 1) return py::float_(points.front().temperature);
+    if (points.size() == 1) return py::float_(points.front().value);
     py::list list;
     for (const auto& [distance, temperature] : points) list.append(py::make_tuple(distance, temperature));
     return list;
@@ -104,7 +104,7 @@ class Stored {
   py::object operator()(const cycle::ConstantOrTemperatureValuesKind& kind) const {
     return py::make_tuple(kind.constant(case_), pairs(kind.ref(case_)));
   }
-  py::object operator()(const cycle::DistanceTemperaturesKind& kind) const {
+  py::object operator()(const cycle::StrokeValuesKind& kind) const {
     py::list list;
     for (const auto& [distance, temperature] : kind.ref(case_)) list.append(py::make_tuple(distance, temperature));
     return list;
@@ -154,7 +154,7 @@ class Restore {
     kind.constant(case_) = py::cast<std::optional<double>>(both[0]);
     kind.ref(case_) = from_pairs(both[1]);
   }
-  void operator()(const cycle::DistanceTemperaturesKind& kind) const {
+  void operator()(const cycle::StrokeValuesKind& kind) const {
     kind.ref(case_).clear();
     for (const auto& [distance, temperature] : py::cast<std::vector<std::pair<double, double>>>(value_)) {
       kind.ref(case_).push_back({distance, temperature});
@@ -270,8 +270,8 @@ class Toml {
     const bool has_temperatures = std::holds_alternative<cycle::TemperatureValuesKind>(field_.kind) ||
                                   std::holds_alternative<cycle::ConstantOrTemperatureValuesKind>(field_.kind);
     for (const py::handle item : py::iter(value_)) {
-      if (std::holds_alternative<cycle::DistanceTemperaturesKind>(field_.kind)) {
-        list.items.push_back(distance_temperature(item));
+      if (std::holds_alternative<cycle::StrokeValuesKind>(field_.kind)) {
+        list.items.push_back(distance_and_value(item));
       } else if (has_temperatures) {
         list.items.push_back(temperature_value(item));
       } else if (py::isinstance<py::str>(item)) {
@@ -283,13 +283,13 @@ class Toml {
     return list;
   }
 
-  TomlValue distance_temperature(const py::handle& item) const {
+  TomlValue distance_and_value(const py::handle& item) const {
     if (!py::hasattr(item, "__len__") || py::isinstance<py::str>(item) || py::len(item) != 2) refuse();
-    const py::object distance = item.attr("__getitem__")(0), temperature = item.attr("__getitem__")(1);
+    const py::object distance = item.attr("__getitem__")(0), value = item.attr("__getitem__")(1);
     TomlValue pair;
     pair.kind = TomlValue::Kind::kList;
     pair.items = {part(distance, {"m", "mm", "\"79.5 mm\""}),
-                  part(temperature, {field_.unit, field_.display_unit, "\"110 degC\""})};
+                  part(value, {field_.unit, field_.display_unit, field_.example})};
     return pair;
   }
 

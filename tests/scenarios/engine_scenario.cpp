@@ -221,7 +221,7 @@ void put_gas_at_edges(Case& c) {
 void lay_oil_on_liner(int index, Case& c) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1), place = std::fmod(golden * index, 1.0);
   c.film.supply = OilSupply::kFilmOnLiner;
-  c.supply.film = 0.3e-6 * std::pow(20 / 0.3, place);
+  c.supply.film = {{0, 0.3e-6 * std::pow(20 / 0.3, place)}};
   c.supply.reach = (0.05 + 0.2 * std::fmod(golden * place, 1.0)) * c.engine.stroke;
   const double steps = 180 / c.solver.crank_step_deg;
   if (steps != std::round(steps)) c.solver.crank_step_deg = 1;

@@ -24,10 +24,10 @@ struct TemperatureValue {
   double value = 0;        ///< [SI unit of the quantity]
 };
 
-/// A temperature of the liner.
-struct LinerTemperature {
-  double distance = 0;     ///< of the ring from its TDC position when it is there [m]
-  double temperature = 0;  ///< [K]
+/// A value at one place of the stroke.
+struct StrokeValue {
+  double distance = 0;  ///< of the ring from its TDC position when it is there [m]
+  double value = 0;     ///< [SI unit of the quantity]
 };
 
 /// A quantity sampled over crank angle, as its file gives it (any range within one cycle, any spacing, increasing).
@@ -62,7 +62,7 @@ enum class ViscousHeating {
 /// The keys under `thermal`: wall temperatures in place of one oil temperature, and the film's own heat.
 struct Thermal {
   std::optional<double> ring;                              ///< of the face of the ring [K]
-  std::vector<LinerTemperature> liner;                     ///< by distance, increasing; one point: the same everywhere
+  std::vector<StrokeValue> liner;                          ///< by distance, increasing; one point: the same everywhere
   FilmTemperature film = FilmTemperature::kMeanOfWalls;    ///< whose temperature the oil film has
   ViscousHeating viscous_heating = ViscousHeating::kNone;  ///< of the oil film, above that temperature
 
@@ -328,7 +328,8 @@ struct Film {
 
 /// The keys under `supply`, of a film whose inlet is not flooded.
 struct Supply {
-  std::optional<double> film;  ///< on the liner ahead of the ring, or what the oil ring leaves [m]
+  /// On the liner ahead of the ring, or what the oil ring leaves [m]; by distance, increasing; one point: everywhere.
+  std::vector<StrokeValue> film;
   std::optional<double>
       reach;  ///< liner from so far below the TDC position of the chamber edge has it on downstrokes [m]
   Scraped scraped = Scraped::kBead;  ///< oil that an inlet does not take

@@ -90,19 +90,19 @@ struct ConstantOrTemperatureValuesKind {
   OptionalNumberRef constant;
   Ref<std::vector<TemperatureValue>> ref;
 };
-/// One temperature, or an array of [distance, temperature] (`thermal.liner`).
-struct DistanceTemperaturesKind {
-  Ref<std::vector<LinerTemperature>> ref;
+/// One quantity, or an array of [distance, quantity] (`thermal.liner`).
+struct StrokeValuesKind {
+  Ref<std::vector<StrokeValue>> ref;
 };
 /// `output.crank_angles`: a step or a list of angles.
 struct AnglesKind {};
 /// `output.fields`: "none", "all" or a list of angles.
 struct FieldAnglesKind {};
 
-using Kind = std::variant<NumberKind, OptionalNumberKind, CountKind, ChoiceKind, TextKind, OptionalTextKind, FileKind,
-                          OptionalFileKind, NumberOrFileKind, OptionalNumberOrFileKind, UnitNameKind, NumberListKind,
-                          TemperatureValuesKind, ConstantOrTemperatureValuesKind, DistanceTemperaturesKind, AnglesKind,
-                          FieldAnglesKind>;
+using Kind =
+    std::variant<NumberKind, OptionalNumberKind, CountKind, ChoiceKind, TextKind, OptionalTextKind, FileKind,
+                 OptionalFileKind, NumberOrFileKind, OptionalNumberOrFileKind, UnitNameKind, NumberListKind,
+                 TemperatureValuesKind, ConstantOrTemperatureValuesKind, StrokeValuesKind, AnglesKind, FieldAnglesKind>;
 
 /// Must the user state it, is there a default in case.hpp, or may it be absent altogether?
 enum class Need {

@@ -79,6 +79,19 @@ void check_hths(const Lubricant& oil, Breaches& breaches) {
 
 }  // namespace
 
+void append_stroke_breaches(const std::string& key, const std::vector<StrokeValue>& points,
+                            std::vector<RuleBreach>& breaches) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double distance = points[i].distance;
+    if (distance >= 0 && (i == 0 || distance > points[i - 1].distance)) continue;
+    breaches.push_back({key,
+                        key + " has the distance " + number_text(distance * 1e3) + " mm " +
+                            (distance < 0 ? "above the TDC position of the ring"
+                                          : "after " + number_text(points[i - 1].distance * 1e3) + " mm"),
+                        "distances count downwards from the TDC position of the ring and increase"});
+  }
+}
+
 void append_thermal_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   const Thermal& thermal = c.thermal;
   if (!thermal.is_stated()) return;
@@ -96,15 +109,7 @@ void append_thermal_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
                         "state it, for example liner = \"150 degC\" in [thermal], or " + film + " = \"ring\"",
                         RuleBreach::By::kMissingKey});
   }
-  for (std::size_t i = 0; i < thermal.liner.size(); ++i) {
-    const double distance = thermal.liner[i].distance;
-    if (distance >= 0 && (i == 0 || distance > thermal.liner[i - 1].distance)) continue;
-    breaches.push_back({"thermal.liner",
-                        "thermal.liner has the distance " + number_text(distance * 1e3) + " mm " +
-                            (distance < 0 ? "above the TDC position of the ring"
-                                          : "after " + number_text(thermal.liner[i - 1].distance * 1e3) + " mm"),
-                        "distances count downwards from the TDC position of the ring and increase"});
-  }
+  append_stroke_breaches("thermal.liner", thermal.liner, breaches);
   if (c.problem == Problem::kPad && thermal.liner.size() > 1) {
     breaches.push_back({"thermal.liner", "thermal.liner has several temperatures, and a pad is at one place",
                         "state one temperature of the flat surface, for example liner = \"150 degC\""});

@@ -1,9 +1,14 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
 
 namespace ringfilm::cycle {
+
+/// Distances of values along the stroke are not negative and increase.
+void append_stroke_breaches(const std::string& key, const std::vector<StrokeValue>& points,
+                            std::vector<RuleBreach>& breaches);
 
 /// What the temperatures of the walls require, of a pad and of a ring.
 void append_thermal_breaches(const Case& c, std::vector<RuleBreach>& breaches);

@@ -288,13 +288,14 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
 
 void append_supply_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   if (c.film.supply == OilSupply::kFlooded || !c.film.has_gas_edge()) return;
-  const auto require = [&](const std::optional<double>& value, const std::string& key, const char* meaning) {
-    if (!value)
+  const auto require = [&](bool is_stated, const std::string& key, const char* meaning) {
+    if (!is_stated)
       breaches.push_back({key, "the key " + key + " is missing: " + meaning, "state it, or film.supply = \"flooded\""});
   };
-  require(c.supply.film, "supply.film", "the film on the liner ahead of the ring, for example \"2 um\"");
+  require(!c.supply.film.empty(), "supply.film", "the film on the liner ahead of the ring, for example \"2 um\"");
+  append_stroke_breaches("supply.film", c.supply.film, breaches);
   if (c.film.supply != OilSupply::kFilmOnLiner) return;
-  require(c.supply.reach, "supply.reach", "how far up the oil ring lays its film, for example \"10 mm\"");
+  require(c.supply.reach.has_value(), "supply.reach", "how far up the oil ring lays its film, for example \"10 mm\"");
   if (c.supply.reach && !(*c.supply.reach < c.engine.stroke)) {
     breaches.push_back({"supply.reach",
                         "supply.reach = " + number_text(*c.supply.reach * 1e3) + " mm is not within the stroke of " +

@@ -16,6 +16,14 @@ constexpr double kLinerBelow = 115 + kCelsius, kDistanceOfLinerBelow = 80e-3;  /
 
 }  // namespace
 
+double along_stroke(const std::vector<StrokeValue>& points, double distance) {
+  const auto after = std::find_if(points.begin(), points.end(), [&](const auto& p) { return p.distance > distance; });
+  if (after == points.begin()) return points.front().value;
+  if (after == points.end()) return points.back().value;
+  const StrokeValue &low = *(after - 1), &high = *after;
+  return low.value + (high.value - low.value) * (distance - low.distance) / (high.distance - low.distance);
+}
+
 void set_conditions(Conditions conditions, Case& c) {
   c.conditions = conditions;
   if (conditions == Conditions::kOfTheCase) return;
@@ -26,7 +34,7 @@ void set_conditions(Conditions conditions, Case& c) {
   c.supply = {};
   c.thermal = {};
   if (!engine) return;
-  c.supply.film = kOilRingFilm;
+  c.supply.film = {{0, kOilRingFilm}};
   c.supply.reach = kOilRingReach;
   c.thermal.ring = kRing;
   c.thermal.liner = {{0, kLinerAtTdc}, {kDistanceOfLinerBelow, kLinerBelow}};

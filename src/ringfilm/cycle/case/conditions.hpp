@@ -1,9 +1,13 @@
 #pragma once
 #include <string_view>
+#include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
 
 namespace ringfilm::cycle {
+
+/// Linear between the points, constant beyond them. @param points one at least
+double along_stroke(const std::vector<StrokeValue>& points, double distance);
 
 /// Starts a case from the edges, the supply and the temperatures of `conditions`; what it states replaces them.
 void set_conditions(Conditions conditions, Case& c);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "ringfilm/cycle/case/conditions.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
 
 namespace ringfilm::cycle {
@@ -42,12 +44,28 @@ void LinerFilm::lay(double begin, double end, double mass, bool open_below) {
 /// leaves is near the end of it in the cases of docs/theory/oil-supply.md [-].
 constexpr double kFirstAboveReach = 0.1;
 
+namespace {
+
+/// What the oil ring leaves, all along the liner.
+LinerFilm film_of_oil_ring(const Setup& setup, double length, double below_first_ring) {
+  const std::vector<StrokeValue>& film = setup.input.supply.film;
+  LinerFilm fresh(length, 0);
+  if (film.empty()) return fresh;
+  std::vector<double> mass_per_area = fresh.mass_per_area();
+  for (std::size_t c = 0; c < mass_per_area.size(); ++c) {
+    const double place = (static_cast<double>(c) + 0.5) * fresh.cell();
+    mass_per_area[c] = setup.ring.oil.density * along_stroke(film, place - below_first_ring);
+  }
+  return {fresh.cell(), std::move(mass_per_area)};
+}
+
+}  // namespace
+
 LinerFilm fresh_liner(const Setup& last_ring, double below_first_ring) {
-  const Supply& supply = last_ring.input.supply;
   const double length = below_first_ring + last_ring.engine.crank.stroke() + last_ring.input.ring.face_width;
-  const double fresh = last_ring.ring.oil.density * supply.film.value_or(0), reach = supply.reach.value_or(0);
-  LinerFilm film(length, fresh);
-  film.lay(0, reach, kFirstAboveReach * fresh * reach, false);
+  const double reach = last_ring.input.supply.reach.value_or(0);
+  LinerFilm film = film_of_oil_ring(last_ring, length, below_first_ring);
+  film.lay(0, reach, kFirstAboveReach * film.mass(0, reach), false);
   return film;
 }
 
@@ -55,9 +73,9 @@ LinerOil::LinerOil(const Setup& setup, const PlaceOnLiner& place)
     : setup_(&setup),
       face_width_(setup.input.ring.face_width),
       reach_(place.is_last ? setup.input.supply.reach.value_or(0) : std::numeric_limits<double>::infinity()),
-      fresh_(setup.ring.oil.density * setup.input.supply.film.value_or(0)),
       below_first_ring_(place.below_first_ring),
       film_(place.film ? place.film : std::make_shared<LinerFilm>(fresh_liner(setup, 0))),
+      fresh_(film_of_oil_ring(setup, film_->length(), below_first_ring_)),
       left_(*film_) {}
 
 LinerOil::Sweep LinerOil::sweep(double from_deg, double to_deg) const {
@@ -72,7 +90,7 @@ LinerOil::Sweep LinerOil::sweep(double from_deg, double to_deg) const {
 double LinerOil::mass_ahead(const Sweep& swept) const {
   if (swept.up) return film_->mass(swept.lead_begin, swept.lead_end);
   const double reach = std::clamp(reach_, swept.lead_begin, swept.lead_end);
-  return film_->mass(swept.lead_begin, reach) + fresh_ * (swept.lead_end - reach);
+  return film_->mass(swept.lead_begin, reach) + fresh_.mass(reach, swept.lead_end);
 }
 
 void LinerOil::limit(RingConditions& at, double from_deg, double to_deg) const {
@@ -120,7 +138,8 @@ void LinerOil::pass(double from_deg, double to_deg, double time_step, double fro
     std::vector<double>& before = passes_[stroke].before = film_->mass_per_area();
     const double first = reach_ / film_->cell();
     if (!swept.up && first < static_cast<double>(before.size())) {
-      std::fill(before.begin() + static_cast<std::ptrdiff_t>(first), before.end(), fresh_);
+      const auto cell = static_cast<std::ptrdiff_t>(first);
+      std::copy(fresh_.mass_per_area().begin() + cell, fresh_.mass_per_area().end(), before.begin() + cell);
     }
   }
   const double ahead = mass_ahead(swept);

@@ -101,10 +101,11 @@ class LinerOil {
   void turn(bool up);
 
   const Setup* setup_;
-  double face_width_, reach_, fresh_;  ///< [m], [m], mass per area that the oil ring leaves [kg/m2]
-  double below_first_ring_;            ///< [m]
-  std::shared_ptr<LinerFilm> film_;    ///< as all rings have left it
-  LinerFilm left_;                     ///< as this ring leaves it in its present stroke
+  double face_width_, reach_;        ///< [m]
+  double below_first_ring_;          ///< [m]
+  std::shared_ptr<LinerFilm> film_;  ///< as all rings have left it
+  LinerFilm fresh_;                  ///< as the oil ring leaves it
+  LinerFilm left_;                   ///< as this ring leaves it in its present stroke
   double bead_ = 0;
   bool up_ = true;
   bool begun_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include "ringfilm/cycle/case/conditions.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
 
 namespace ringfilm::cycle {
@@ -55,7 +56,8 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
   if (!up || !flooded) chamber.fluid = c.film.chamber_edge;
   film::EdgeState& inlet = up ? chamber : crankcase;
   if (!flooded && inlet.fluid == EdgeFluid::kGas) {
-    at.oil_ahead = ring.oil.density * *c.supply.film;
+    const double place = setup.engine.crank.position(radians(angle)) + (up ? 0 : c.ring.face_width);
+    at.oil_ahead = ring.oil.density * along_stroke(c.supply.film, place);
     inlet.supply = at.oil_ahead;
   }
   at.inputs.left = turned ? crankcase : chamber;

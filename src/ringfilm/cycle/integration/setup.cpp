@@ -120,9 +120,9 @@ Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
 std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal) {
   if (!thermal.is_stated()) return std::nullopt;
   std::vector<double> distance, liner;
-  for (const LinerTemperature& point : thermal.liner) {
+  for (const StrokeValue& point : thermal.liner) {
     distance.push_back(point.distance);
-    liner.push_back(point.temperature);
+    liner.push_back(point.value);
   }
   return models::WallTemperatures(thermal.film, thermal.ring, std::move(distance), std::move(liner));
 }

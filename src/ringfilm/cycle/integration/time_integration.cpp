@@ -133,7 +133,8 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
     content += film_.weight(i) * std::abs(to.mass_per_area[i] - predicted);
     total += film_.weight(i) * to.mass_per_area[i];
   }
-  const double error = share * std::max(film, content / total / kContentShare) / setup_.input.solver.step_error;
+  const double of_content = total > 0 ? content / total / kContentShare : 0;  // 0: all of the oil lies next to gas
+  const double error = share * std::max(film, of_content) / setup_.input.solver.step_error;
   return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
 }
 

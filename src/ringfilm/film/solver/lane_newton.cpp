@@ -12,7 +12,10 @@ namespace ringfilm::film {
 namespace {
 
 constexpr int kMostIterations = 40;  // of the coupled Newton
-constexpr double kNowhere = -1;      // a reach of contact that no gap is within
+/// Iterations after which contents of cavities next to gas move by half a step: they may else go round in a circle,
+/// since a node that is more than half full passes on as much as a full one (carried_share).
+constexpr int kDampedFrom = 100;
+constexpr double kNowhere = -1;  // a reach of contact that no gap is within
 
 constexpr int kNodalArrays = 18;
 
@@ -284,10 +287,31 @@ void LaneNewton::evaluate_properties(int lane) {
 void LaneNewton::iterate() {
   for (int lane = 0; lane < width_; ++lane) {
     if (lanes_[lane].phase == Phase::kRunning) evaluate_properties(lane);
+    if (is_damped(lane)) keep_contents(lane);
   }
   (width_ == 1 ? kernels_->single_sweep : kernels_->sweep)(block_);
   for (int lane = 0; lane < width_; ++lane) {
+    if (is_damped(lane)) damp_contents(lane);
     if (lanes_[lane].phase == Phase::kRunning) conclude(lane);
+  }
+}
+
+bool LaneNewton::is_damped(int lane) const {
+  const Lane& at = lanes_[lane];
+  return block_.terms == Terms::kAll && at.phase == Phase::kRunning && at.iterations >= kDampedFrom;
+}
+
+void LaneNewton::keep_contents(int lane) {
+  std::vector<double>& z = lanes_[lane].z_before;
+  z.resize(lanes_[lane].n_cells + 1);
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] = nodal(block_.z, static_cast<int>(i), lane);
+}
+
+void LaneNewton::damp_contents(int lane) {
+  const std::vector<double>& before = lanes_[lane].z_before;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    double& z = nodal(block_.z, static_cast<int>(i), lane);
+    if (z < 0 && before[i] < 0) z = 0.5 * (z + before[i]);
   }
 }
 

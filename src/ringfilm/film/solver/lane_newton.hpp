@@ -84,6 +84,7 @@ class LaneNewton {
     double last_step = 0;
     double far_too_much = 0;  ///< excess of the load at which a search has seen enough; 0: none [N/m]
     FrontAdvance fronts;
+    std::vector<double> z_before;  ///< the iteration, where its step is damped
   };
   double& nodal(double* array, int i, int lane) const { return array[i * width_ + lane]; }
   void clear_from(int lane, int node);
@@ -98,6 +99,9 @@ class LaneNewton {
   void set_terms(int lane, const FilmInputs& inputs);
   void fit_block();
   void evaluate_properties(int lane);
+  bool is_damped(int lane) const;
+  void keep_contents(int lane);
+  void damp_contents(int lane);
   void conclude(int lane);
   void advance_fronts(int lane, bool only_advanced);
 

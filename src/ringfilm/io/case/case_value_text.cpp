@@ -68,12 +68,12 @@ class Writer {
     const auto& constant = kind.constant(case_);
     return constant ? number(*constant) : (*this)(cycle::TemperatureValuesKind{kind.ref});
   }
-  std::string operator()(const cycle::DistanceTemperaturesKind& kind) {
+  std::string operator()(const cycle::StrokeValuesKind& kind) {
     const auto& points = kind.ref(case_);
-    if (points.size() == 1) return number(points.front().temperature);
+    if (points.size() == 1) return number(points.front().value);
     std::vector<std::string> parts;
-    for (const auto& [distance, temperature] : points) {
-      parts.push_back(fmt::format("[{}, {}]", write_(distance, "m", "mm"), number(temperature)));
+    for (const auto& [distance, value] : points) {
+      parts.push_back(fmt::format("[{}, {}]", write_(distance, "m", "mm"), number(value)));
     }
     return parts.empty() ? "" : joined(parts);
   }
@@ -113,9 +113,9 @@ class SiNumber {
   double operator()(const cycle::OptionalNumberOrFileKind& kind) { return number(kind.ref(case_).constant); }
   double operator()(const cycle::UnitNameKind& kind) { return kind.ref(case_); }
   double operator()(const cycle::ConstantOrTemperatureValuesKind& kind) { return number(kind.constant(case_)); }
-  double operator()(const cycle::DistanceTemperaturesKind& kind) {
+  double operator()(const cycle::StrokeValuesKind& kind) {
     const auto& points = kind.ref(case_);
-    return points.size() == 1 ? points.front().temperature : kNaN;
+    return points.size() == 1 ? points.front().value : kNaN;
   }
   double operator()(const cycle::AnglesKind&) {
     return case_.output.crank_angles_deg.empty() ? case_.output.crank_angle_step_deg : kNaN;

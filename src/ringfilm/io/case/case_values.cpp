@@ -134,20 +134,20 @@ class Setter {
       kind.ref(case_).clear();
     }
   }
-  void operator()(const cycle::DistanceTemperaturesKind& kind) {
-    std::vector<cycle::LinerTemperature> points;
+  void operator()(const cycle::StrokeValuesKind& kind) {
+    std::vector<cycle::StrokeValue> points;
     if (value_.kind == Kind::kList) {
-      for (const TomlValue& item : list("a list of distances and temperatures")) {
+      for (const TomlValue& item : list("a list of distances and values")) {
         if (item.kind != Kind::kList || item.items.size() != 2) {
-          refuse(item, "is not a distance and a temperature", "for example " + field_.example);
+          refuse(item, "is not a distance and a value", "for example " + field_.example);
           continue;
         }
         const auto distance = plain_quantity(item.items[0], "m", "\"79.5 mm\"");
-        const auto temperature = quantity(item.items[1], field_.unit, "\"110 degC\"");
-        if (distance && temperature) points.push_back({*distance, *temperature});
+        const auto value = quantity(item.items[1], field_.unit, field_.example);
+        if (distance && value) points.push_back({*distance, *value});
       }
-    } else if (const auto temperature = quantity(value_, field_.unit, "\"150 degC\"")) {
-      points.push_back({0, *temperature});
+    } else if (const auto value = quantity(value_, field_.unit, field_.example)) {
+      points.push_back({0, *value});
     }
     if (good_) kind.ref(case_) = points;
   }

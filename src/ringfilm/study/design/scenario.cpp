@@ -22,7 +22,7 @@ struct EntryOf {
   Entry operator()(const CountKind&) const { return Entry::kWholeNumber; }
   Entry operator()(const NumberListKind&) const { return Entry::kScaleOnly; }
   Entry operator()(const TemperatureValuesKind&) const { return Entry::kScaleOnly; }
-  Entry operator()(const DistanceTemperaturesKind&) const { return Entry::kAnyNumber; }
+  Entry operator()(const StrokeValuesKind&) const { return Entry::kAnyNumber; }
   Entry operator()(const ChoiceKind&) const { return Entry::kText; }
   Entry operator()(const TextKind&) const { return Entry::kText; }
   Entry operator()(const OptionalTextKind&) const { return Entry::kText; }
@@ -69,11 +69,11 @@ class NumberWriter {
   void operator()(const TemperatureValuesKind& kind) {
     for (TemperatureValue& point : kind.ref(case_)) point.value = changed(point.value);
   }
-  void operator()(const DistanceTemperaturesKind& kind) {
+  void operator()(const StrokeValuesKind& kind) {
     if (factor_.how == FactorMode::kSet) {
       kind.ref(case_) = {{0, changed(0)}};
     } else {
-      for (LinerTemperature& point : kind.ref(case_)) point.temperature = changed(point.temperature);
+      for (StrokeValue& point : kind.ref(case_)) point.value = changed(point.value);
     }
   }
   void operator()(const NumberListKind& kind) {
@@ -187,7 +187,7 @@ struct ValueText {
   std::string operator()(const ConstantOrTemperatureValuesKind& kind) const {
     return optional(kind.constant(c)) + " " + (*this)(TemperatureValuesKind{kind.ref});
   }
-  std::string operator()(const DistanceTemperaturesKind& kind) const {
+  std::string operator()(const StrokeValuesKind& kind) const {
     std::string text;
     for (const auto& [distance, temperature] : kind.ref(c)) {
       text.append(exact(distance)).append(" ").append(exact(temperature)).append(" ");

@@ -33,6 +33,8 @@ void set_number(const std::string& key, Case& c, double value) {
     optional->ref(c) = value;
   } else if (const auto* or_file = std::get_if<cycle::NumberOrFileKind>(&kind)) {
     or_file->number(c) = value;
+  } else if (const auto* along_stroke = std::get_if<cycle::StrokeValuesKind>(&kind)) {
+    along_stroke->ref(c) = {{0, value}};
   } else {
     std::get<cycle::NumberKind>(kind).ref(c) = value;
   }

@@ -208,8 +208,11 @@ Assumption oil_temperature(const Case& c) {
 // ----------------------------------------------------------------------------
 
 std::vector<Alternative> other_supplies(const Case& c) {
-  const double film = *c.supply.film;
-  std::vector<Alternative> others = other_numbers("supply.film", c, film, kMicrometre, {0.5 * film, 2 * film});
+  std::vector<Alternative> others;
+  if (c.supply.film.size() == 1) {
+    const double film = c.supply.film.front().value;
+    others = other_numbers("supply.film", c, film, kMicrometre, {0.5 * film, 2 * film});
+  }
   if (c.supply.reach) {
     const double reach = *c.supply.reach;
     for (Alternative& other : other_numbers("supply.reach", c, reach, kMm, {0.5 * reach}))
@@ -227,12 +230,13 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
   if (c.film.has_gas_edge() && c.film.supply != cycle::OilSupply::kFlooded) {
     for (Alternative& other : other_supplies(c)) others.push_back(std::move(other));
     const bool follows = c.film.supply == cycle::OilSupply::kFilmOnLiner;
+    const double film = 1e6 * along_stroke(c.supply.film, 0.5 * c.engine.stroke);
     return assumption(topic,
                       follows
-                          ? text("the ring finds on the liner what earlier strokes left, and below %.3g mm the %.3g "
-                                 "um of the oil ring",
-                                 1e3 * *c.supply.reach, 1e6 * *c.supply.film)
-                          : text("a film of %.3g um is ahead of the ring on every stroke", 1e6 * *c.supply.film),
+                          ? text("the ring finds on the liner what earlier strokes left, and below %.3g mm the film "
+                                 "of the oil ring, %.3g um at midstroke",
+                                 1e3 * *c.supply.reach, film)
+                          : text("a film of %.3g um at midstroke is ahead of the ring on every stroke", film),
                       "what the oil ring leaves is seldom known; below half of the film at which the asperities carry "
                       "the load alone the ring runs dry",
                       std::move(others));

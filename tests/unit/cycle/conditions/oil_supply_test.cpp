@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +17,7 @@ Case supplied(Case c, double speed_rpm, OilSupply supply, double film) {
   c.film.cavitation = Cavitation::kMassConserving;
   c.film.chamber_edge = c.film.crankcase_edge = EdgeFluid::kGas;
   c.film.supply = supply;
-  c.supply.film = film;
+  c.supply.film = {{0, film}};
   if (supply == OilSupply::kFilmOnLiner) c.supply.reach = 10e-3;
   c.operating.speed = speed_rpm * std::numbers::pi / 30;
   return c;
@@ -110,6 +111,31 @@ TEST(OilSupply, WithTooLittleOilTheAsperitiesCarry) {
   EXPECT_NEAR(dry.min_film_thickness, 1.0624e-6, 0.003 * 1.0624e-6);
   EXPECT_LT(dry.viscous_friction, 2e-3 * dry.boundary_friction);
   EXPECT_NEAR(dry.film_left_behind, 0.3e-6, 0.005e-6);
+}
+
+TEST(OilSupply, AFilmAlongTheStrokeIsMetWhereItLies) {
+  Case c = supplied(styles_new_ring(), 1500, OilSupply::kGiven, 2e-6);
+  const CycleResult constant = simulated(c);
+  c.supply.film = {{0, 2e-6}, {30e-3, 2e-6}};
+  EXPECT_EQ(simulated(c).values.fmep, constant.values.fmep);
+  c.supply.film = {{10e-3, 0.5e-6}, {50e-3, 2e-6}};
+  const CycleResult given = simulated(c);
+  const auto at_leading_edge = [&](double angle, double width) {
+    const double place = prepare(c).engine.crank.position(angle * std::numbers::pi / 180) + width;
+    return 0.5e-6 + 1.5e-6 * std::clamp((place - 10e-3) / 40e-3, 0.0, 1.0);
+  };
+  const double width = c.ring.face_width;  // the crankcase edge leads on the downstroke
+  for (const double angle : {10.0, 45.0, 60.0, 120.0}) {
+    EXPECT_NEAR(at(given, angle).film_ahead, at_leading_edge(angle, width), 1e-12) << angle;
+    EXPECT_NEAR(at(given, 360 - angle).film_ahead, at_leading_edge(360 - angle, 0), 1e-12) << angle;
+  }
+  // With the liner followed, the oil ring leaves it on the downstroke.
+  c.film.supply = OilSupply::kFilmOnLiner;
+  c.supply.reach = 0;
+  const CycleResult followed = simulated(c);
+  for (const double angle : {45.0, 60.0, 420.0}) {
+    EXPECT_NEAR(at(followed, angle).film_ahead, at_leading_edge(angle, width), 0.02e-6) << angle;
+  }
 }
 
 TEST(OilSupply, MuchOilFloodsTheInlet) {

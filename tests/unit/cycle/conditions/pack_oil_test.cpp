@@ -19,7 +19,7 @@ std::vector<Setup> two_rings(double film, Scraped scraped) {
   c.film.cavitation = Cavitation::kMassConserving;
   c.film.chamber_edge = c.film.crankcase_edge = EdgeFluid::kGas;
   c.film.supply = OilSupply::kFilmOnLiner;
-  c.supply.film = film;
+  c.supply.film = {{0, film}};
   c.supply.reach = 10e-3;
   c.supply.scraped = scraped;
   c.solver.cells = 80;

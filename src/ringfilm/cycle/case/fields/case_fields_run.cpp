@@ -94,10 +94,13 @@ void append_run_fields(std::vector<Field>& fields) {
                 {"orientation of the roughness, gamma: its correlation length along the motion over that across it; "
                  "below 1 ridges across, 1 isotropic, above 1 ridges along; tables reach from 1/9 to 9",
                  "1.0"}),
-          field("supply.film", OptionalNumberKind{member<&Case::supply, &Supply::film>}, {"m", "um"}, above(0, 1e-3),
-                Need::kOptional, kNotFlooded,
-                {"film on the liner ahead of the ring, f; with film-on-liner what the oil ring leaves on downstrokes",
-                 "\"2 um\""}),
+          field(
+              "supply.film", StrokeValuesKind{member<&Case::supply, &Supply::film>}, {"m", "um"}, above(0, 1e-3),
+              Need::kOptional, kNotFlooded,
+              {"film on the liner ahead of the ring, f; with film-on-liner what the oil ring leaves on downstrokes; or "
+               "[distance of the ring from its TDC position, film] at increasing distances, linear between them and "
+               "constant beyond",
+               "\"2 um\""}),
           field("supply.reach", OptionalNumberKind{member<&Case::supply, &Supply::reach>}, {"m", "mm"}, between(0, 5),
                 Need::kOptional, kFilmOnLiner,
                 {"distance below the TDC position of the chamber edge from which on the oil ring lays its film ahead "

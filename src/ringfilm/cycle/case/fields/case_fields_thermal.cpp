@@ -17,7 +17,7 @@ void append_thermal_fields(std::vector<Field>& fields) {
       {
           field("thermal.ring", OptionalNumberKind{member<&Case::thermal, &Thermal::ring>}, kelvin, temperature,
                 Need::kOptional, {}, {"temperature of the ring's face, or of a pad", "\"190 degC\""}),
-          field("thermal.liner", DistanceTemperaturesKind{member<&Case::thermal, &Thermal::liner>}, kelvin, temperature,
+          field("thermal.liner", StrokeValuesKind{member<&Case::thermal, &Thermal::liner>}, kelvin, temperature,
                 Need::kOptional, {},
                 {"temperature of the liner: one, or [distance of the ring from its TDC position, temperature] at "
                  "increasing distances, linear between them and constant beyond; of the flat surface under a pad one",
