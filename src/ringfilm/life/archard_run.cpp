@@ -256,6 +256,7 @@ LifeResult run_fitted(const Life& life, const CycleIntegrators& integrators) {
 LifeResult run_archard(const Life& life, const CycleIntegrators& integrators) {
   if (life.wear.source == CoefficientSource::kFitted) return run_fitted(life, integrators);
   LifeResult result = Scenario(life, integrators).run();
+  if (life.wear.orientations == WornOrientations::kGiven) return result;
   const Life other = turned_life(life);
   LifeResult end = Scenario(other, integrators).run_values();
   result.cycles += end.cycles;

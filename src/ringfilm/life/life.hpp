@@ -76,6 +76,12 @@ enum class WearScheme {
   kEuler  ///< that at its start
 };
 
+/// Which edge of a face that wears may have been the chamber edge; each is a scenario of its own.
+enum class WornOrientations {
+  kGiven,  ///< as the case states it
+  kBoth    ///< that and the ring turned over, at twice the cost
+};
+
 /// Where a wear coefficient comes from.
 enum class CoefficientSource {
   kStated,
@@ -89,6 +95,7 @@ struct Wear {
   std::optional<double> running_in_coefficient;  ///< k_0, until running_in_time; absent: k all the time [m2/N]
   double running_in_time = 10 * kHour;           ///< [s]
   WornSurface surface = WornSurface::kFrozen;
+  WornOrientations orientations = WornOrientations::kGiven;
   WearScheme scheme = WearScheme::kHeun;
   std::optional<int> jumps;        ///< equal ones over the time to the last reported one; absent: as the two below ask
   double largest_depth = 0.15e-6;  ///< of a jump [m]

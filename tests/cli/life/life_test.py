@@ -74,6 +74,13 @@ class Path(LifeTest):
         self.assertIn('"standing":"interpolated"', page)
         self.assertIn("default-src 'none'", page)
 
+    def test_the_page_of_a_fit_holds_the_measured_faces_and_the_range(self):
+        (self.folder / "fit.toml").write_text(FIT)
+        self.run_well("life", "fit.toml", "--html", "fit.html")
+        page = (self.folder / "fit.html").read_text(encoding="utf-8")
+        for part in ('"measured_faces"', '"closest-face"', "Wear coefficients that the measured faces allow"):
+            self.assertIn(part, page)
+
     def test_the_number_of_threads_changes_nothing(self):
         self.assertEqual(self.life(), self.life("life.toml", "--threads", "1"))
 
@@ -312,7 +319,8 @@ class Archard(LifeTest):
         self.assertNotIn("jumps-few", topics("jumps = 16\n"))
 
     def test_the_ring_turned_over_wears_otherwise(self):
-        last = self.worn()["states"][-1]
+        last = self.worn('orientations = "both"\n')["states"][-1]
+        self.assertNotIn("turned", self.worn()["states"][-1])
         self.assertGreater(last["turned"]["worn_area"], 0)
         self.assertIn("mean_power_loss", last["turned"])
 

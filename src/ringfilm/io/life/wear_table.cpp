@@ -20,8 +20,8 @@ class WearReader {
  public:
   WearReader(const TomlValue& value, const Units& units, std::vector<Fault>& faults)
       : table_(value, "[wear]",
-               {"coefficient", "running_in_coefficient", "running_in_time", "surface", "scheme", "jumps",
-                "largest_depth", "jump_error", "tilt_spread", "tilt_samples", "edge_factor", "edge_distance",
+               {"coefficient", "running_in_coefficient", "running_in_time", "surface", "orientations", "scheme",
+                "jumps", "largest_depth", "jump_error", "tilt_spread", "tilt_samples", "edge_factor", "edge_distance",
                 "liner_coefficient", "coating_thickness"},
                faults),
         units_(units) {}
@@ -33,6 +33,10 @@ class WearReader {
                         .chosen<life::WornSurface>(
                             "surface", {{"frozen", life::WornSurface::kFrozen}, {"path", life::WornSurface::kPath}})
                         .value_or(wear_.surface);
+    wear_.orientations = table_
+                             .chosen<life::WornOrientations>("orientations", {{"given", life::WornOrientations::kGiven},
+                                                                              {"both", life::WornOrientations::kBoth}})
+                             .value_or(wear_.orientations);
     read_scheme();
     read_tilt();
     read_edges(base);
@@ -66,6 +70,7 @@ class WearReader {
       wear_.source = life::CoefficientSource::kFitted;
       refuse_with_fit("running_in_coefficient");
       refuse_with_fit("jumps");
+      refuse_with_fit("orientations");
     } else {
       wear_.coefficient = coefficient("coefficient").value_or(0);
       wear_.running_in_coefficient = coefficient("running_in_coefficient");
