@@ -12,8 +12,8 @@
 #include "ringfilm/life/coefficient_fit.hpp"
 #include "ringfilm/life/duty_batch.hpp"
 #include "ringfilm/life/duty_wear.hpp"
-#include "ringfilm/life/face_distance.hpp"
-#include "ringfilm/life/wear_bounds.hpp"
+#include "ringfilm/life/wear/face_distance.hpp"
+#include "ringfilm/life/wear/wear_bounds.hpp"
 
 namespace ringfilm::life {
 namespace {

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "ringfilm/life/life_run.hpp"
-#include "ringfilm/life/wear_integration.hpp"
-#include "ringfilm/life/worn_face.hpp"
+#include "ringfilm/life/wear/wear_integration.hpp"
+#include "ringfilm/life/wear/worn_face.hpp"
 
 namespace ringfilm::life {
 

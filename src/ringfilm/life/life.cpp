@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/life/wear_bounds.hpp"
+#include "ringfilm/life/wear/wear_bounds.hpp"
 
 namespace ringfilm::life {
 namespace {

@@ -5,7 +5,7 @@
 #include "ringfilm/life/archard_run.hpp"
 #include "ringfilm/life/duty_batch.hpp"
 #include "ringfilm/life/end_of_life.hpp"
-#include "ringfilm/life/wear_bounds.hpp"
+#include "ringfilm/life/wear/wear_bounds.hpp"
 
 namespace ringfilm::life {
 namespace {

@@ -1,4 +1,4 @@
-#include "ringfilm/life/wear_bounds.hpp"
+#include "ringfilm/life/wear/wear_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ringfilm/life/dry_contact.hpp"
+#include "ringfilm/life/wear/dry_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ double DryContact::share(std::size_t i) const {
   return 0.5 * (before + after);
 }
 
-/// Below the mean planes' contact it goes on along its tangent, so that any load is carried.
+/// Where the mean planes touch it continues along its tangent, so that any load is carried.
 double DryContact::pressure(double separation, double& slope) const {
   double p = 0;
   contact_.pressure(std::max(separation, 0.0), p, slope);

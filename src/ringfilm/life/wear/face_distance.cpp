@@ -1,4 +1,4 @@
-#include "ringfilm/life/face_distance.hpp"
+#include "ringfilm/life/wear/face_distance.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "ringfilm/life/wear_integration.hpp"
+#include "ringfilm/life/wear/wear_integration.hpp"
 #include "ringfilm/models/asperity_contact.hpp"
 
 /// Wear without oil: what the integration of wear is compared with closed forms on.

@@ -1,4 +1,4 @@
-#include "ringfilm/life/wear_integration.hpp"
+#include "ringfilm/life/wear/wear_integration.hpp"
 
 #include <algorithm>
 #include <cmath>
