@@ -35,13 +35,62 @@ std::string turned_line(const life::LifeState& state) {
                      state.turned[power], state.turned[flow] * 1e6);
 }
 
-std::string wear_table(const io::LifeDocument& document) {
-  const life::WearEffort& effort = document.result.wear->effort;
+std::string worn_table(const io::LifeDocument& document) {
+  const std::vector<life::LifeState>& states = document.result.states;
+  if (states.empty() || !states.front().worn) return "";
   std::string text = fmt::format("\n{:>8} {:>16} {:>16}\n", "hours", "worn area um mm", "largest depth um");
-  for (const life::LifeState& state : document.result.states) {
+  for (const life::LifeState& state : states) {
     text += fmt::format("{:>8.6g} {:>16.5g} {:>16.5g}\n", state.time / life::kHour, state.worn->worn_area * 1e9,
                         state.worn->largest_depth * 1e6);
   }
+  return text;
+}
+
+std::string points_table(const io::LifeDocument& document) {
+  const std::vector<life::OperatingPoint>& points = document.file.life.points;
+  if (points.size() == 1) return "";
+  std::string text = fmt::format("\n{:>8} {:<24} {:>7} {:>8} {:>8} {:>9} {:>9}\n", "hours", "operating point",
+                                 "share %", "power W", "FMEP kPa", "film um", "flow mg/s");
+  for (const life::LifeState& state : document.result.states) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto value = [&](const char* name) { return state.points[i][index_of(name)]; };
+      text += fmt::format("{:>8.6g} {:<24} {:>7.3g} {:>8.2f} {:>8.2f} {:>9.3f} {:>9.0f}\n", state.time / life::kHour,
+                          points[i].name, 100 * points[i].share, value("mean_power_loss"), value("fmep") / 1e3,
+                          value("min_film_thickness") * 1e6, value("mean_absolute_oil_flow") * 1e6);
+    }
+  }
+  return text;
+}
+
+std::string least_wear_line(const life::LifeState& state) {
+  if (state.least_wear.empty()) return "";
+  const auto [low, high] =
+      std::minmax_element(state.least_wear.begin(), state.least_wear.end(),
+                          [](const life::WearBound& a, const life::WearBound& b) { return a.area < b.area; });
+  return fmt::format(
+      "{:>8.6g} h: the face has lost at least {:.2g} to {:.2g} um mm, by how much of its edges is trusted\n",
+      state.time / life::kHour, low->area * 1e9, high->area * 1e9);
+}
+
+std::string fit_table(const life::CoefficientFit& fit) {
+  std::string text = fmt::format("\n{:>8} {:<26} {:>16} {:>8} {:>16}\n", "hours", "fitted to", "worn area um mm",
+                                 "rms um", "coefficient m2/N");
+  for (const life::FittedCoefficient& row : fit.rows) {
+    const bool is_bound = row.basis == life::FitBasis::kLeastWear;
+    const std::string basis = is_bound ? fmt::format("least wear, edges - {:.3g} mm", row.trusted * 1e3)
+                                       : fmt::format("closest face, +-{:.2g} mm", row.trusted * 1e3);
+    text += fmt::format("{:>8.6g} {:<26} {:>16.3g} {:>8} {:>16}\n", row.time / life::kHour, basis, row.worn_area * 1e9,
+                        row.rms ? fmt::format("{:.2f}", *row.rms * 1e6) : "",
+                        row.coefficient ? fmt::format("{:.2g}", *row.coefficient) : "none");
+  }
+  return text +
+         fmt::format("the measured faces allow mean coefficients from {:.2g} to {:.2g} m2/N, a factor of {:.2g}\n",
+                     fit.range.low, fit.range.high, fit.range.high / fit.range.low);
+}
+
+std::string wear_table(const io::LifeDocument& document) {
+  const life::WearEffort& effort = document.result.wear->effort;
+  std::string text;
   for (const life::LifeState& state : document.result.states) {
     for (const life::FaceDistance& distance : state.from_measured) {
       text += fmt::format("{:>8.6g} h: {:.3g} um rms from the measured face within {:.2g} mm of the middle\n",
@@ -52,6 +101,7 @@ std::string wear_table(const io::LifeDocument& document) {
     text += fmt::format("mean coefficient that the measured faces imply as a lower bound: {:.2g} to {:.2g} m2/N\n",
                         implied->low, implied->high);
   }
+  if (const auto& fit = document.result.wear->fit) text += fit_table(*fit);
   return text + fmt::format("{} jumps, {} rejected; stages of a jump differ by up to {:.2g} um, volumes by {:.1g}\n",
                             effort.jumps, effort.rejected_jumps, effort.stage_difference * 1e6, effort.balance_error);
 }
@@ -85,6 +135,9 @@ std::string life_summary(const io::LifeDocument& document) {
   for (const life::LifeState& state : document.result.states) text += row(state);
   text += "\n";
   for (const life::LifeState& state : document.result.states) text += turned_line(state);
+  for (const life::LifeState& state : document.result.states) text += least_wear_line(state);
+  text += points_table(document);
+  text += worn_table(document);
   if (document.result.wear) text += wear_table(document);
   text += end_lines(document);
   text += fmt::format("\n{} cycles\n", document.result.cycles);

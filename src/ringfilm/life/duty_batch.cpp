@@ -29,7 +29,8 @@ double stored_minimum(const RingState& ring, const cycle::CycleResult& result) {
 }  // namespace
 
 void DutyBatch::add(const RingState& ring, const std::string& name, DutyTaker take) {
-  for (const OperatingPoint& point : life_.points) {
+  for (std::size_t i = 0; i < n_points_; ++i) {
+    const OperatingPoint& point = life_.points[i];
     requests_.push_back({with_ring_state(point.input, ring), name + ", " + point.name});
     cycle::Output& output = requests_.back().input.output;  // the values of a cycle do not depend on it
     output = {};
@@ -42,7 +43,7 @@ long DutyBatch::integrate(const CycleIntegrator& integrator) {
   std::vector<cycle::CycleResult> results = integrator(requests_);
   auto next = results.begin();
   for (const DutyTaker& take : takers_) {
-    const auto end = next + static_cast<std::ptrdiff_t>(life_.points.size());
+    const auto end = next + static_cast<std::ptrdiff_t>(n_points_);
     take({std::make_move_iterator(next), std::make_move_iterator(end)});
     next = end;
   }
@@ -66,7 +67,9 @@ std::vector<LifeValues> values_of(const std::vector<cycle::CycleResult>& results
 LifeValues of_duty(const Life& life, const std::vector<LifeValues>& points) {
   const std::vector<double> shares = cycle_shares(life);
   std::vector<WeightedValues> weighted;
-  for (std::size_t i = 0; i < points.size(); ++i) weighted.push_back({life.points[i].share, shares[i], points[i]});
+  for (std::size_t i = 0; i < n_duty_points(life); ++i) {
+    weighted.push_back({life.points[i].share, shares[i], points[i]});
+  }
   return combined(weighted);
 }
 

@@ -10,10 +10,17 @@ namespace ringfilm::life {
 /// Receives the cycles of the operating points of a life, in their order.
 using DutyTaker = std::function<void(std::vector<cycle::CycleResult>)>;
 
+/// Which operating points a batch contains.
+enum class Points {
+  kAll,       ///< those that are only reported, too
+  kOfTheDuty  ///< those with a share of the time
+};
+
 /// Cycles of the whole duty with one ring each, integrated together.
 class DutyBatch {
  public:
-  explicit DutyBatch(const Life& life) : life_(life) {}
+  DutyBatch(const Life& life, Points points)
+      : life_(life), n_points_(points == Points::kAll ? life.points.size() : n_duty_points(life)) {}
 
   void add(const RingState& ring, const std::string& name, DutyTaker take);
 
@@ -22,6 +29,7 @@ class DutyBatch {
 
  private:
   const Life& life_;
+  std::size_t n_points_;
   std::vector<CycleRequest> requests_;
   std::vector<DutyTaker> takers_;
 };
@@ -30,7 +38,8 @@ class DutyBatch {
 std::vector<double> cycle_shares(const Life& life);
 
 std::vector<LifeValues> values_of(const std::vector<cycle::CycleResult>& results);
-LifeValues of_duty(const Life& life, const std::vector<LifeValues>& points);  ///< eq-life-duty
+/// eq-life-duty, of all points of the life or the first ones, those of the duty.
+LifeValues of_duty(const Life& life, const std::vector<LifeValues>& points);
 
 /// Puts face and values of a reported state into it, and the notes of its cycles into `notes`: one of each topic, as
 /// the first cycle has it, with the number of cycles that carry it.

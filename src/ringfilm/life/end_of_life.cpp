@@ -1,5 +1,6 @@
 #include "ringfilm/life/end_of_life.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -9,12 +10,20 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A value of a state; NaN where it is not known.
-double worn_value(const LifeState& state, const std::string& name) {
-  if (!state.worn) return kUnknown;
-  if (name == "largest_worn_depth") return state.worn->largest_depth;
-  if (name == "worn_area") return state.worn->worn_area;
-  return name == "coating_left" ? state.worn->coating_left.value_or(kUnknown) : state.worn->end_gap_growth;
+double worn_value(const std::optional<WornProfile>& worn, const std::string& name) {
+  if (!worn) return kUnknown;
+  if (name == "largest_worn_depth") return worn->largest_depth;
+  if (name == "worn_area") return worn->worn_area;
+  return name == "coating_left" ? worn->coating_left.value_or(kUnknown) : worn->end_gap_growth;
+}
+
+/// A state on one of several paths.
+struct OnPath {
+  const LifeValues& values;
+  const std::optional<WornProfile>& worn;
+};
+OnPath on_other_path(const LifeState& state, std::size_t k) {
+  return {state.other_paths[k], state.other_worn.empty() ? state.worn : state.other_worn[k]};
 }
 
 std::optional<std::size_t> life_quantity_index(const std::string& name) {
@@ -38,6 +47,19 @@ const std::vector<cycle::Quantity>& limitable_quantities() {
   return table;
 }
 
+void append_notes_of_ends(const Life& life, LifeResult& result) {
+  for (const EndRule& rule : life.end_rules) {
+    const bool is_known = life_quantity_index(rule.quantity).has_value() ||
+                          std::any_of(result.states.begin(), result.states.end(), [&](const LifeState& state) {
+                            return !std::isnan(worn_value(state.worn, rule.quantity));
+                          });
+    if (is_known) continue;
+    result.notes.push_back(
+        {"end-of-life-not-known",
+         "end_of_life." + rule.quantity + " is not determined by this life: its limit is not checked", 1});
+  }
+}
+
 std::optional<double> reaching_time(const std::vector<double>& times, const std::vector<double>& values, double limit) {
   if (values.empty() || std::isnan(values.front())) return std::nullopt;
   const bool from_below = values.front() < limit;
@@ -58,20 +80,22 @@ std::vector<EndOfLife> ends_of_life(const Life& life, const LifeResult& result) 
   std::vector<EndOfLife> ends;
   for (const EndRule& rule : life.end_rules) {
     const auto index = life_quantity_index(rule.quantity);
-    const auto when = [&](const std::function<const LifeValues&(const LifeState&)>& values_at) {
+    const auto when = [&](const std::function<OnPath(const LifeState&)>& on_path) {
       std::vector<double> values;
       for (const LifeState& state : result.states) {
-        const LifeValues& there = values_at(state);
-        values.push_back(there.empty() ? kUnknown : index ? there[*index] : worn_value(state, rule.quantity));
+        const auto [there, worn] = on_path(state);
+        values.push_back(there.empty() ? kUnknown : index ? there[*index] : worn_value(worn, rule.quantity));
       }
       return reaching_time(times, values, rule.limit);
     };
-    EndOfLife end{when([](const LifeState& state) -> const LifeValues& { return state.values; }), {}, std::nullopt};
+    EndOfLife end;
+    end.time = when([](const LifeState& state) { return OnPath{state.values, state.worn}; });
     for (std::size_t k = 0; k < result.other_paths.size(); ++k) {
-      end.other_paths.push_back(
-          when([k](const LifeState& state) -> const LifeValues& { return state.other_paths[k]; }));
+      end.other_paths.push_back(when([k](const LifeState& state) { return on_other_path(state, k); }));
     }
-    end.turned = when([](const LifeState& state) -> const LifeValues& { return state.turned; });
+    end.turned = when([](const LifeState& state) {
+      return OnPath{state.turned, state.turned_worn ? state.turned_worn : state.worn};
+    });
     ends.push_back(std::move(end));
   }
   return ends;

@@ -1,6 +1,9 @@
 #include "ringfilm/life/life.hpp"
 
+#include <algorithm>
+
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/life/wear/wear_bounds.hpp"
 
 namespace ringfilm::life {
 namespace {
@@ -8,6 +11,10 @@ namespace {
 void check_times(const Life& life, std::vector<Fault>& faults) {
   for (std::size_t i = 0; i < life.times.size(); ++i) {
     const ReportedTime& now = life.times[i];
+    if (now.time > kLongestTime) {
+      faults.push_back({now.mark, "the running time " + hours_text(now.time) + " is more than a century",
+                        "running times are up to " + hours_text(kLongestTime)});
+    }
     if (now.time < 0) {
       faults.push_back({now.mark, "the running time " + hours_text(now.time) + " is below zero",
                         "running times count from the start of the life, 0 h"});
@@ -78,10 +85,39 @@ void check_wear(const Life& life, std::vector<Fault>& faults) {
       break;
     }
   }
-  if (life.wear.surface == WornSurface::kFrozen && !life.states.empty()) {
+  const bool is_fitted = life.wear.source == CoefficientSource::kFitted;
+  if (life.wear.surface == WornSurface::kFrozen && !life.states.empty() && !is_fitted) {
     faults.push_back({life.states.front().mark, "[[state]] means nothing with wear.surface = \"frozen\"",
                       "leave the states out, or take wear.surface = \"path\""});
   }
+}
+
+/// With one datum no place of a face may rise; scans repeat within the noise that is allowed here.
+void check_gains(const Life& life, std::vector<Fault>& faults) {
+  constexpr double kNoise = 0.01e-6;
+  for (std::size_t i = 1; i < life.states.size(); ++i) {
+    const MeasuredState &before = life.states[i - 1], &now = life.states[i];
+    const Gain gain = largest_gain(face_heights(before.input, cycle::HeightZero::kAsGiven),
+                                   face_heights(now.input, cycle::HeightZero::kAsGiven));
+    if (gain.height <= kNoise) continue;
+    faults.push_back({now.mark,
+                      "the face after " + hours_text(now.time) + " has gained " + number_text(gain.height * 1e6) +
+                          " um of material at " + number_text(gain.x * 1e3) + " mm since " + hours_text(before.time) +
+                          ", and with path.datum = \"common\" material only disappears",
+                      "leave path.datum out unless all scans count from one datum on the ring"});
+  }
+}
+
+/// A coefficient follows only from faces between which something must have been lost.
+void check_fit(const Life& life, std::vector<Fault>& faults) {
+  constexpr double kNothing = 1e-15;  // [m2], 1e-6 um mm
+  const MeasuredState &first = life.states.front(), &last = life.states.back();
+  const WearBound bound = least_wear(face_heights(first.input), face_heights(last.input), 0, Tilt::kFree);
+  if (bound.area > kNothing) return;
+  faults.push_back({last.mark,
+                    "between the faces after " + hours_text(first.time) + " and " + hours_text(last.time) +
+                        " nothing need have been lost: no wear coefficient can be fitted",
+                    "state wear.coefficient, or name faces that differ by more than an offset and a tilt"});
 }
 
 void check_path(const Life& life, std::vector<Fault>& faults) {
@@ -107,9 +143,17 @@ void check_path(const Life& life, std::vector<Fault>& faults) {
          "the running time " + hours_text(now.time) + " is before the first state, after " + hours_text(first),
          "ask for later hours, or add a state that was measured earlier"});
   }
+  if (!faults.empty()) return;
+  if (life.datum == Datum::kCommon) check_gains(life, faults);
+  if (life.wear.source == CoefficientSource::kFitted) check_fit(life, faults);
 }
 
 }  // namespace
+
+std::size_t n_duty_points(const Life& life) {
+  return static_cast<std::size_t>(std::count_if(life.points.begin(), life.points.end(),
+                                                [](const OperatingPoint& point) { return point.share > 0; }));
+}
 
 std::string hours_text(double time) { return number_text(time / kHour) + " h"; }
 
@@ -117,7 +161,10 @@ std::vector<Fault> faults_of(const Life& life) {
   std::vector<Fault> faults;
   check_times(life, faults);
   if (life.mode == Mode::kArchard) check_wear(life, faults);
-  if (life.mode == Mode::kMeasuredPath || life.wear.surface == WornSurface::kPath) check_path(life, faults);
+  const bool is_fitted = life.wear.source == CoefficientSource::kFitted;
+  if (life.mode == Mode::kMeasuredPath || life.wear.surface == WornSurface::kPath || is_fitted) {
+    check_path(life, faults);
+  }
   return faults;
 }
 

@@ -11,6 +11,12 @@
 namespace ringfilm::life {
 
 inline constexpr double kHour = 3600;  ///< [s]
+/// Longest running time of a life, more than a century [s].
+inline constexpr double kLongestTime = 1e6 * kHour;
+/// Depth at which a scenario of wear ends where nothing states a coating: a usual one of molybdenum [m].
+inline constexpr double kAssumedCoating = 100e-6;
+/// Wear coefficient above which each contact would remove more than all that it touches, 1/(3H), for any metal [m2/N].
+inline constexpr double kLargestCoefficient = 1e-9;
 
 std::string hours_text(double time);  ///< a running time [s] as messages show it: "10 h"
 
@@ -32,6 +38,12 @@ struct Interpolation {
   double time_constant = kHour;  ///< tau of kLogarithmic [s]
 };
 
+/// What the heights of all measured faces count from.
+enum class Datum {
+  kOwn,    ///< each from its own: they are known up to an offset and a tilt
+  kCommon  ///< one datum on the ring, as given: material only disappears between them
+};
+
 /// A ring that was measured after a running time.
 struct MeasuredState {
   double time = 0;    ///< running time [s]
@@ -48,7 +60,7 @@ struct ReportedTime {
 /// Speed, gas and oil at which the ring runs for a share of the time.
 struct OperatingPoint {
   std::string name;
-  double share = 1;   ///< of the running time [-]
+  double share = 1;   ///< of the running time; 0: reported, not part of the duty [-]
   cycle::Case input;  ///< with the ring of the base case
 };
 
@@ -64,12 +76,26 @@ enum class WearScheme {
   kEuler  ///< that at its start
 };
 
+/// Which edge of a face that wears may have been the chamber edge; each is a scenario of its own.
+enum class WornOrientations {
+  kGiven,  ///< as the case states it
+  kBoth    ///< that and the ring turned over, at twice the cost
+};
+
+/// Where a wear coefficient comes from.
+enum class CoefficientSource {
+  kStated,
+  kFitted  ///< to the measured states: a range
+};
+
 /// Archard wear of the face.
 struct Wear {
+  CoefficientSource source = CoefficientSource::kStated;
   double coefficient = 0;                        ///< k: depth per pressure and sliding length [m2/N]
   std::optional<double> running_in_coefficient;  ///< k_0, until running_in_time; absent: k all the time [m2/N]
   double running_in_time = 10 * kHour;           ///< [s]
   WornSurface surface = WornSurface::kFrozen;
+  WornOrientations orientations = WornOrientations::kGiven;
   WearScheme scheme = WearScheme::kHeun;
   std::optional<int> jumps;        ///< equal ones over the time to the last reported one; absent: as the two below ask
   double largest_depth = 0.15e-6;  ///< of a jump [m]
@@ -79,7 +105,7 @@ struct Wear {
   double edge_factor = 1;          ///< of the coefficient in the edge zones [-]
   double edge_distance = 0.3e-3;   ///< from the middle of the face to the edge zones [m]
   std::optional<double> liner_coefficient;  ///< k of the liner along the stroke; absent: it does not wear [m2/N]
-  std::optional<double> coating_thickness;  ///< at whose depth the life ends; absent: of the case's ring [m]
+  std::optional<double> coating_thickness;  ///< at whose depth it ends; absent: not known [m]
   SourceMark mark = {};                     ///< of the table
 };
 
@@ -96,10 +122,13 @@ struct Life {
   std::vector<ReportedTime> times;     ///< increasing
   std::vector<MeasuredState> states;   ///< anchors of the path, in the order of their running times
   Interpolation path;                  ///< between them
+  Datum datum = Datum::kOwn;           ///< of their faces
   std::vector<EndRule> end_rules;      ///< when the life ends; empty: no rule
   Wear wear;                           ///< of Mode::kArchard
-  std::vector<OperatingPoint> points;  ///< at least one; the shares are 1 in all
+  std::vector<OperatingPoint> points;  ///< of the duty, with shares of 1 in all, then those only reported
 };
+
+std::size_t n_duty_points(const Life& life);  ///< those first points with a share of the time
 
 /// All that is wrong with a life beyond the faults of its cases, each at its place.
 std::vector<Fault> faults_of(const Life& life);

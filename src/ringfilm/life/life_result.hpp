@@ -6,7 +6,8 @@
 
 #include "ringfilm/life/life_quantities.hpp"
 #include "ringfilm/life/ring_state.hpp"
-#include "ringfilm/life/wear_integration.hpp"
+#include "ringfilm/life/wear/wear_bounds.hpp"
+#include "ringfilm/life/wear/wear_integration.hpp"
 
 /// What a life gives over its running hours.
 namespace ringfilm::life {
@@ -20,6 +21,9 @@ struct WornProfile {
   std::optional<double> coating_left;  ///< at the deepest place; nothing where its thickness is not known [m]
   std::vector<double> liner_depth;     ///< at LifeResult::liner_position [m]; empty: the liner is not followed
 };
+
+/// The profile of lost depths. @param coating its thickness, if known [m]
+WornProfile worn_profile(std::vector<double> depth, double area, std::optional<double> coating);
 
 /// How far the face of a scenario is from a measured one near its middle, offset and tilt free.
 struct FaceDistance {
@@ -37,15 +41,19 @@ struct LifeState {
   std::optional<WornProfile> worn;  ///< nothing where the mode does not determine it
   /// From the measured state of this running time, of a scenario that has one.
   std::vector<FaceDistance> from_measured;
-  LifeValues values;                    ///< of the whole duty
-  std::vector<LifeValues> points;       ///< of each operating point
-  std::vector<LifeValues> other_paths;  ///< on each of LifeResult::other_paths
-  LifeValues turned;                    ///< of the duty, with the ring turned over; empty: not computed
+  LifeValues values;               ///< of the whole duty
+  std::vector<LifeValues> points;  ///< of each operating point
+  /// Of a measured state: the least wear since the first one, by how much of the edges is trusted. Lower bounds.
+  std::vector<WearBound> least_wear;
+  std::vector<LifeValues> other_paths;                 ///< on each of LifeResult::other_paths; empty: it ended before
+  std::vector<std::optional<WornProfile>> other_worn;  ///< on each of them, of a scenario
+  LifeValues turned;                                   ///< of the duty, with the ring turned over; empty: not computed
+  std::optional<WornProfile> turned_worn;              ///< of a scenario: what the ring turned over has lost
   /// With only the face, only the roughness or only the shear strength of this state in the first one; empty: none.
   std::array<LifeValues, 3> parts;
 };
 
-/// Another way to interpolate between the measured states.
+/// Another way to interpolate between the measured states, or another coefficient of a scenario.
 struct NamedPath {
   std::string name;
   Interpolation path;
@@ -63,12 +71,37 @@ struct CoefficientRange {
   double low = 0, high = 0;  ///< [m2/N]
 };
 
+/// What a fitted coefficient rests on.
+enum class FitBasis {
+  kLeastWear,   ///< the area of the scenario is the least one between the faces
+  kClosestFace  ///< the scenario is as close to the measured face as it comes
+};
+
+/// A mean coefficient from the start to a measured state.
+struct FittedCoefficient {
+  double time = 0;  ///< of the state [s]
+  FitBasis basis{};
+  double trusted = 0;                 ///< margin at each edge that is not trusted, or half width compared [m]
+  double worn_area = 0;               ///< that it gives [m2]
+  std::optional<double> rms;          ///< of kClosestFace: the distance that is left [m]
+  std::optional<double> coefficient;  ///< nothing: no wear by this duty gives it [m2/N]
+};
+
+/// Coefficients that the measured faces allow.
+struct CoefficientFit {
+  std::vector<FittedCoefficient> rows;
+  CoefficientRange range;   ///< of those up to the last state
+  double largest_area = 0;  ///< to which the scenario was followed [m2]
+  long cycles = 0;          ///< integrated for it
+};
+
 /// How a scenario of wear was integrated, and how it ended.
 struct WearSummary {
   WearEffort effort;
   std::optional<double> worn_through;  ///< when the coating was gone; nothing later was computed [s]
   std::optional<double> wedge_gone;    ///< when an edge of the face came within the roughness of its lowest point [s]
   std::optional<CoefficientRange> implied;  ///< by the first and the last measured face; nothing without states
+  std::optional<CoefficientFit> fit;        ///< nothing: the coefficient was stated
 };
 
 /// A life, computed.

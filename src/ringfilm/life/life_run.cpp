@@ -1,9 +1,11 @@
 #include "ringfilm/life/life_run.hpp"
 
+#include "ringfilm/base/table.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/life/archard_run.hpp"
 #include "ringfilm/life/duty_batch.hpp"
 #include "ringfilm/life/end_of_life.hpp"
+#include "ringfilm/life/wear/wear_bounds.hpp"
 
 namespace ringfilm::life {
 namespace {
@@ -19,17 +21,6 @@ std::vector<NamedPath> other_paths_of(const Interpolation& path) {
           {"linear in time", {TimeScale::kLinear, tau}}};
 }
 
-RingState turned(RingState state) {
-  using cycle::Orientation;
-  Orientation& orientation = state.face.orientation;
-  if (orientation == Orientation::kX0Chamber) {
-    orientation = Orientation::kX0Crankcase;
-  } else if (orientation == Orientation::kX0Crankcase) {
-    orientation = Orientation::kX0Chamber;
-  }
-  return state;
-}
-
 void append_orientation_note(const Life& life, LifeResult& result) {
   const cycle::Orientation of_states = life.states.front().input.ring.face.orientation;
   if (life.points.front().input.ring.face.orientation == of_states) return;
@@ -39,11 +30,56 @@ void append_orientation_note(const Life& life, LifeResult& result) {
                           1});
 }
 
+/// Depths that faces of one datum have lost since the first of them, at a running time; `x` of all of them.
+std::vector<double> lost_since_first(const Life& life, double time, const std::vector<double>& x) {
+  const auto at = [&](std::size_t i) {
+    const FaceHeights face = face_heights(life.states[i].input, cycle::HeightZero::kAsGiven);
+    std::vector<double> heights;
+    for (const double place : x) heights.push_back(interpolate_linear(face.x, face.height, place));
+    return heights;
+  };
+  std::size_t later = 0;
+  while (later + 1 < life.states.size() && life.states[later].time < time) ++later;
+  const std::size_t earlier = later == 0 ? 0 : later - 1;
+  double share = 1;
+  if (life.states[later].time > time) {
+    share = path_share(life.path, life.states[earlier].time, life.states[later].time, time);
+  }
+  const std::vector<double> first = at(0), from = at(earlier), to = at(later);
+  std::vector<double> lost;
+  for (std::size_t i = 0; i < x.size(); ++i) lost.push_back((1 - share) * from[i] + share * to[i] - first[i]);
+  return lost;
+}
+
+double trapezoidal(const std::vector<double>& x, const std::vector<double>& y) {
+  double sum = 0;
+  for (std::size_t i = 1; i < x.size(); ++i) sum += 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
+  return sum;
+}
+
+/// What faces state about wear: with one datum the wear itself, else lower bounds at measured states.
+void put_wear(const Life& life, LifeState& state) {
+  if (life.datum == Datum::kCommon) {
+    std::vector<double> depth = lost_since_first(life, state.time, state.x);
+    const double area = trapezoidal(state.x, depth);
+    state.worn = worn_profile(std::move(depth), area, life.points.front().input.ring.coating.thickness);
+    return;
+  }
+  const FaceHeights first = face_heights(life.states.front().input);
+  for (const MeasuredState& measured : life.states) {
+    if (measured.time != state.time || measured.time == life.states.front().time) continue;
+    const FaceHeights face = face_heights(measured.input);
+    for (const double share : trusted_margins()) {
+      state.least_wear.push_back(least_wear(first, face, share * first.width(), Tilt::kFree));
+    }
+  }
+}
+
 LifeResult run_path(const Life& life, const CycleIntegrators& integrators) {
   LifeResult result;
   result.other_paths = other_paths_of(life.path);
   const int cells = life.points.front().input.solver.cells;
-  DutyBatch reported(life), others(life);
+  DutyBatch reported(life, Points::kAll), others(life, Points::kOfTheDuty);
   result.states.resize(life.times.size());
   for (std::size_t i = 0; i < life.times.size(); ++i) {
     LifeState& state = result.states[i];
@@ -68,6 +104,7 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators) {
   result.cycles += reported.integrate(integrators.alone);
   result.cycles += others.integrate(integrators.side_by_side);
   for (LifeState& state : result.states) {
+    put_wear(life, state);
     // At a measured state and after the last one all paths agree.
     for (LifeValues& other : state.other_paths) {
       if (other.empty()) other = state.values;
@@ -76,6 +113,12 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators) {
   cycle::sort_notes(result.notes);
   append_orientation_note(life, result);
   append_held_note(life, result);
+  if (life.datum == Datum::kOwn) {
+    result.notes.push_back({"wear-not-determined",
+                            "each face counts from a datum of its own, so that offset and tilt between them are not "
+                            "known: worn area and depth are not determined, only lower bounds of them",
+                            1});
+  }
   return result;
 }
 
@@ -84,6 +127,7 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators) {
 LifeResult run_life(const Life& life, const CycleIntegrators& integrators) {
   LifeResult result = life.mode == Mode::kArchard ? run_archard(life, integrators) : run_path(life, integrators);
   result.ends = ends_of_life(life, result);
+  append_notes_of_ends(life, result);
   return result;
 }
 

@@ -93,6 +93,17 @@ cycle::Case with_ring_state(cycle::Case c, const RingState& state) {
   return c;
 }
 
+RingState turned(RingState state) {
+  using cycle::Orientation;
+  Orientation& orientation = state.face.orientation;
+  if (orientation == Orientation::kX0Chamber) {
+    orientation = Orientation::kX0Crankcase;
+  } else if (orientation == Orientation::kX0Crankcase) {
+    orientation = Orientation::kX0Chamber;
+  }
+  return state;
+}
+
 RingState with_part(RingState earlier, const RingState& later, Part part) {
   switch (part) {
     case Part::kFace:

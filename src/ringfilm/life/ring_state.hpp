@@ -32,6 +32,8 @@ RingState ring_state_of(const cycle::Case& c);  ///< that of a case
 /// The case with another ring in it.
 cycle::Case with_ring_state(cycle::Case c, const RingState& state);
 
+RingState turned(RingState state);  ///< its two edges exchanged; one that turns over at each reversal as it is
+
 /// The earlier state with one part of the later one.
 RingState with_part(RingState earlier, const RingState& later, Part part);
 

@@ -74,6 +74,13 @@ class Path(LifeTest):
         self.assertIn('"standing":"interpolated"', page)
         self.assertIn("default-src 'none'", page)
 
+    def test_the_page_of_a_fit_holds_the_measured_faces_and_the_range(self):
+        (self.folder / "fit.toml").write_text(FIT)
+        self.run_well("life", "fit.toml", "--html", "fit.html")
+        page = (self.folder / "fit.html").read_text(encoding="utf-8")
+        for part in ('"measured_faces"', '"closest-face"', "Wear coefficients that the measured faces allow"):
+            self.assertIn(part, page)
+
     def test_the_number_of_threads_changes_nothing(self):
         self.assertEqual(self.life(), self.life("life.toml", "--threads", "1"))
 
@@ -102,7 +109,141 @@ coefficient = "4e-18 m2/N"
 """
 
 
+FIT = (
+    ARCHARD.replace('"4e-18 m2/N"', '"fit"')
+    + '[[state]]\nhours = "0 h"\ncase = "case.toml"\n[[state]]\nhours = "4 h"\ncase = "worn.toml"\n'
+)
+
+
+class Fit(LifeTest):
+    """Coefficients that measured faces allow."""
+
+    def fit(self):
+        if not hasattr(Fit, "result"):
+            (self.folder / "fit.toml").write_text(FIT)
+            Fit.result = self.life("fit.toml")
+        return Fit.result
+
+    def test_it_is_a_range_and_no_single_number(self):
+        fit = self.fit()["wear"]["fit"]
+        low, high = fit["coefficient"]
+        self.assertLess(low, high)
+        self.assertEqual(
+            {(row["hours"], row["basis"]) for row in fit["rows"]}, {(4, "least-wear"), (4, "closest-face")}
+        )
+        known = [row["coefficient"] for row in fit["rows"] if row["coefficient"]]
+        self.assertEqual((min(known), max(known)), (low, high))
+        self.assertIn("coefficient-fitted", [note["topic"] for note in self.fit()["notes"]])
+
+    def test_a_scenario_with_a_fitted_coefficient_loses_the_area_of_its_row(self):
+        row = next(row for row in self.fit()["wear"]["fit"]["rows"] if row["basis"] == "least-wear")
+        text = ARCHARD.replace("4e-18", repr(row["coefficient"]))
+        (self.folder / "archard.toml").write_text(text)
+        worn = self.life("archard.toml")["states"][-1]["worn_area"]
+        self.assertAlmostEqual(worn / row["worn_area"], 1, delta=0.01)
+
+    def test_the_band_is_that_of_both_ends(self):
+        last = self.fit()["states"][-1]
+        low, high = last["band"]["worn_area"]
+        self.assertLess(low, last["worn_area"])
+        self.assertGreater(high, last["worn_area"])
+        ends = [last["interpolations"][f"{end} fitted coefficient"]["mean_power_loss"] for end in ("lowest", "highest")]
+        self.assertEqual(
+            [min(*ends, last["mean_power_loss"]), max(*ends, last["mean_power_loss"])], last["band"]["mean_power_loss"]
+        )
+
+    def test_refusals(self):
+        self.refused(
+            FIT.replace("[[state]]", 'running_in_coefficient = "1e-17 m2/N"\n[[state]]', 1),
+            'wear.running_in_coefficient means nothing with coefficient = "fit"',
+        )
+        self.refused(FIT.replace("[[state]]", "jumps = 3\n[[state]]", 1), "wear.jumps means nothing")
+        self.refused(FIT.replace("worn.toml", "case.toml"), "nothing need have been lost")
+        self.refused(ARCHARD.replace('"4e-18 m2/N"', '"fit"'), "at least two measured states")
+
+
+class ReportPoints(LifeTest):
+    def test_a_point_beside_the_duty_changes_nothing_of_it(self):
+        point = '[[report_point]]\nname = "motored"\nspeed = "2500 rpm"\npeak_pressure = "20 bar"\n'
+        (self.folder / "beside.toml").write_text(LIFE + DUTY + point)
+        (self.folder / "life.toml").write_text(LIFE + DUTY)
+        beside, without = self.life("beside.toml")["states"], self.life()["states"]
+        for one, other in zip(beside, without, strict=True):
+            name, share = one["points"][-1]["name"], one["points"][-1]["share"]
+            self.assertEqual((name, share), ("motored", 0))
+            self.assertEqual(one["points"][:-1], other["points"])
+            self.assertEqual(
+                {key: value for key, value in one.items() if key != "points"},
+                {key: value for key, value in other.items() if key != "points"},
+            )
+
+    def test_its_values_are_those_of_the_case_at_that_point(self):
+        (self.folder / "beside.toml").write_text(LIFE + '[[report_point]]\nname = "fast"\nspeed = "4000 rpm"\n')
+        state = self.life("beside.toml")["states"][0]
+        alone = json.loads(self.run_well("run", "case.toml", "--json", "--set", "operating.speed=4000 rpm"))
+        self.assertEqual(state["points"][1]["mean_power_loss"], alone["mean_power_loss"])
+        duty = json.loads(self.run_well("run", "case.toml", "--json"))
+        self.assertEqual(state["mean_power_loss"], duty["mean_power_loss"])
+
+    def test_it_does_not_wear(self):
+        point = '[[report_point]]\nname = "fast"\nspeed = "6000 rpm"\n'
+        worn = []
+        for text in (ARCHARD, ARCHARD + point):
+            (self.folder / "archard.toml").write_text(text)
+            worn.append(self.life("archard.toml")["states"][-1]["worn_area"])
+        self.assertEqual(*worn)
+
+    def test_refusals(self):
+        self.refused(LIFE + '[[report_point]]\nspeed = "900 rpm"\n', "name")
+        self.refused(LIFE + '[[report_point]]\nname = "duty"\n', "two operating points have the name duty")
+        self.refused(LIFE + '[[report_point]]\nname = "a"\nweight = 1\n', "unknown key weight")
+
+
+class CommonDatum(LifeTest):
+    def test_worn_area_and_depth_are_those_between_the_faces(self):
+        """A parabola that is 1 um farther from the liner everywhere."""
+        parabola = '[ring.face]\nform = "polynomial"\n'
+        heights = {}
+        for name, offset in (("first.toml", 0.0), ("second.toml", 1.0)):
+            heights[name] = f"coefficients = [40.0, -48.0, {14.4 + offset}]"
+        for name, line in heights.items():
+            text = program.CASE
+            start = text.index("[ring.face]")
+            end = text.find("\n[", start + 1)
+            (self.folder / name).write_text(
+                text[:start] + parabola + line + '\nlength_unit = "mm"\nheight_unit = "um"\n' + text[end:]
+            )
+        text = LIFE.replace("case.toml", "first.toml").replace("worn.toml", "second.toml")
+        (self.folder / "life.toml").write_text(text + '[path]\ntime_scale = "linear"\ndatum = "common"\n')
+        states = self.life()["states"]
+        for state, depth in zip(states, (0, 0.2e-6, 1e-6, 1e-6), strict=True):
+            self.assertAlmostEqual(state["largest_worn_depth"], depth, delta=1e-15)
+            self.assertAlmostEqual(state["worn_area"], depth * 1.2e-3, delta=1e-18)
+        self.assertNotIn("wear-not-determined", [note["topic"] for note in self.life()["notes"]])
+        swapped = text.replace("first.toml", "x").replace("second.toml", "first.toml").replace("x", "second.toml")
+        self.refused(swapped + '[path]\ndatum = "common"\n', "has gained 1 um of material")
+
+    def test_the_faces_of_the_paper_have_no_common_datum(self):
+        shipped = SHIPPED.read_text(encoding="utf-8").replace("../styles2014", str(SHIPPED.parents[1] / "styles2014"))
+        self.refused(shipped.replace("[path]", '[path]\ndatum = "common"'), "has gained 23", "at 1.2 mm")
+
+    def test_without_one_there_are_lower_bounds_alone(self):
+        states = self.life(SHIPPED)["states"]
+        self.assertTrue(all(state["worn_area"] is None for state in states))
+        self.assertEqual(
+            [bool(state.get("least_wear")) for state in states], [False] * 3 + [True] + [False] * 2 + [True]
+        )
+        self.assertAlmostEqual(states[-1]["least_wear"][0]["worn_area"] * 1e9, 19.2, delta=0.06)
+
+
 class EndOfLife(LifeTest):
+    def test_blow_by_is_refused(self):
+        self.refused(LIFE + '[end_of_life]\nblow_by = "20 g/min"\n', "end_of_life.blow_by is not computed")
+
+    def test_a_limit_that_the_mode_does_not_determine_is_noted(self):
+        (self.folder / "life.toml").write_text(LIFE + '[end_of_life]\nworn_area = "5 um mm"\n')
+        self.assertIn("end-of-life-not-known", [note["topic"] for note in self.life()["notes"]])
+
     def test_a_limit_is_reached_between_two_hours(self):
         states = self.life()["states"]
         powers = [state["mean_power_loss"] for state in states]
@@ -163,6 +304,25 @@ class Archard(LifeTest):
         reported = json.loads(done.stdout)
         self.assertLess(len(reported["states"]), 3)
         self.assertGreater(reported["wear"]["coating_worn_through_hours"], 0)
+
+    def test_a_coefficient_that_runs_away_ends_with_the_hour(self):
+        text = ARCHARD.replace("4e-18", "4e-12").replace('["0 h", "1 h", "4 h"]', '["0 h", "0.01 h"]')
+        (self.folder / "archard.toml").write_text(text + "jumps = 4\n")
+        done = self.run_program("life", "archard.toml", "--json")
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("the coating is worn through after", done.stderr)
+        self.assertIn("(assumed: state wear.coating_thickness)", done.stdout)
+
+    def test_equal_jumps_that_are_too_long_are_noted(self):
+        topics = lambda more: [note["topic"] for note in self.worn(more)["notes"]]
+        self.assertIn("jumps-few", topics("jumps = 1\n"))
+        self.assertNotIn("jumps-few", topics("jumps = 16\n"))
+
+    def test_the_ring_turned_over_wears_otherwise(self):
+        last = self.worn('orientations = "both"\n')["states"][-1]
+        self.assertNotIn("turned", self.worn()["states"][-1])
+        self.assertGreater(last["turned"]["worn_area"], 0)
+        self.assertIn("mean_power_loss", last["turned"])
 
     def test_the_surface_follows_the_path(self):
         states = '[[state]]\nhours = "0 h"\ncase = "case.toml"\n[[state]]\nhours = "10 h"\ncase = "worn.toml"\n'
@@ -265,7 +425,7 @@ set = { "gas.model" = "wiebe", "gas.peak_pressure" = "50 bar" }
             ("repeat = 30", "repeat = 3", "the running time 10 h is after the end of the duty, 2 h"),
             ('"12 bar"', '"0.5 bar"', "is not above the least pressure of the trace"),
             ('"900 rpm"', '"900"', "has no unit"),
-            ('name = "full load"', 'name = "idle"', "two parts of the duty have the name idle"),
+            ('name = "full load"', 'name = "idle"', "two operating points have the name idle"),
         ):
             with self.subTest(fragment):
                 self.refused(LIFE + DUTY.replace(old, new), "life.toml", fragment)
@@ -294,6 +454,22 @@ class Faces(LifeTest):
 class Refusals(LifeTest):
     def test_wear_without_a_coefficient(self):
         self.refused(ARCHARD.replace("coefficient", "jumps").replace('"4e-18 m2/N"', "3"), "[wear] has no coefficient")
+
+    def test_a_coefficient_beyond_any_metal(self):
+        for text in ("1e300", "4e-8"):
+            self.refused(ARCHARD.replace("4e-18", text), "is above 1e-09 m2/N", "1/(3H)")
+        self.refused(ARCHARD.replace("4e-18", "nan"), "is not a finite number")
+        self.refused(ARCHARD.replace('"4e-18 m2/N"', '""'), "does not start with a number")
+
+    def test_edges_that_are_none(self):
+        self.refused(ARCHARD + "edge_factor = 1e30\n", "wear.edge_factor = 1e+30 is not from 0.001 to 1000")
+        self.refused(ARCHARD + 'edge_factor = 10\nedge_distance = "5 mm"\n', "5 mm from the middle of a face")
+
+    def test_hours_beyond_a_century(self):
+        self.refused(ARCHARD.replace('"4 h"', '"1e300 h"'), "the running time 1e+300 h is more than a century")
+
+    def test_a_datum_of_a_scenario(self):
+        self.refused(ARCHARD + '[path]\ndatum = "common"\n', "path.datum means nothing")
 
     def test_a_coefficient_below_zero(self):
         self.refused(ARCHARD.replace("4e-18", "-4e-18"), "wear.coefficient", "is not above 0")

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ringfilm/life/face_distance.hpp"
+#include "ringfilm/life/wear/face_distance.hpp"
 
 namespace ringfilm::life {
 namespace {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "../cycle/styles_case.hpp"
+#include "ringfilm/life/duty_batch.hpp"
 #include "ringfilm/life/life_quantities.hpp"
 
 namespace ringfilm::life {
@@ -61,6 +62,42 @@ TEST(Life, RingsOfAnotherWidthAreRefused) {
   Life life = two_states();
   life.states[1].input.ring.face_width = 1e-3;
   EXPECT_THAT(refusal(life), HasSubstr("a face of 1 mm, that of the base case one of 1.2 mm"));
+}
+
+TEST(Life, HoursBeyondACenturyAreRefused) {
+  Life life = two_states();
+  life.times[1].time = 1e300;
+  EXPECT_THAT(refusal(life), HasSubstr("is more than a century"));
+}
+
+TEST(Life, AFaceOfOneDatumThatGainsMaterialIsRefusedAtItsState) {
+  Life life = two_states();
+  life.datum = Datum::kCommon;
+  EXPECT_EQ(refusal(life), "");
+  std::vector<double>& coefficients = life.states[1].input.ring.face.coefficients;
+  coefficients.back() += 2;  // um farther from the liner: lost
+  EXPECT_EQ(refusal(life), "");
+  coefficients.back() -= 5;
+  EXPECT_THAT(refusal(life), HasSubstr("life.toml:4:1: the face after 10 h has gained 3 um of material"));
+}
+
+TEST(Life, FacesBetweenWhichNothingNeedBeLostFitNoCoefficient) {
+  Life life = two_states();
+  life.mode = Mode::kArchard;
+  life.wear.source = CoefficientSource::kFitted;
+  EXPECT_THAT(refusal(life), HasSubstr("nothing need have been lost: no wear coefficient can be fitted"));
+  life.states[1].input.ring.face.coefficients.back() += 2;
+  EXPECT_THAT(refusal(life), HasSubstr("nothing need have been lost"));
+  life.states[1].input.ring.face.coefficients[0] *= 0.9;
+  EXPECT_EQ(refusal(life), "");
+}
+
+TEST(LifeQuantities, APointWithoutAShareChangesNothing) {
+  Life life = two_states();
+  life.points.push_back({"beside", 0, life.points[0].input});
+  const LifeValues of_the_duty(life_quantities().size(), 0.1), beside(life_quantities().size(), -7);
+  EXPECT_EQ(n_duty_points(life), 1u);
+  EXPECT_EQ(of_duty(life, {of_the_duty, beside}), of_the_duty);
 }
 
 TEST(LifeQuantities, APointAloneKeepsItsBits) {

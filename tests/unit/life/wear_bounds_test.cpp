@@ -1,4 +1,4 @@
-#include "ringfilm/life/wear_bounds.hpp"
+#include "ringfilm/life/wear/wear_bounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -82,6 +82,15 @@ TEST(WearBounds, ConcaveTailsAreFound) {
   ASSERT_EQ(embedded.size(), 1u);
   EXPECT_LT(embedded[0].from, 0.989e-3);
   EXPECT_NEAR(embedded[0].height * 1e6, 0.96, 0.05);
+}
+
+TEST(WearBounds, AgainstAFixedMiddleTheEdgesOfThePaperGainMaterial) {
+  // Another program: 23.0 and 21.5 um at the crankcase edge, from new to run-in and to embedded.
+  const Gain run_in = largest_gain(new_ring(), run_in_ring()), embedded = largest_gain(new_ring(), embedded_ring());
+  EXPECT_NEAR(run_in.height * 1e6, 23.0, 0.05);
+  EXPECT_NEAR(embedded.height * 1e6, 21.5, 0.05);
+  EXPECT_EQ(run_in.x, 1.2e-3);
+  EXPECT_LE(largest_gain(new_ring(), new_ring()).height, 0);
 }
 
 TEST(WearBounds, ATurnedFaceIsMirrored) {

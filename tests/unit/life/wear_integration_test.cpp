@@ -1,18 +1,16 @@
-#include "ringfilm/life/wear_integration.hpp"
+#include "ringfilm/life/wear/wear_integration.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <functional>
 
-#include "dry_contact.hpp"
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/life/wear/dry_contact.hpp"
 
 namespace ringfilm::life {
 namespace {
-
-using testing::DryContact;
-using testing::places;
 
 constexpr double kLoad = 2000, kSpeed = 10, kWidth = 1.2e-3;  // [N/m], [m/s], [m]
 constexpr double kCoefficient = 1e-17;                        // [m2/N]
@@ -44,59 +42,6 @@ TEST(WearIntegration, TheWornAreaIsCoefficientTimesLoadTimesSlidingToRoundOff) {
   const double sliding = 2e5;
   const WearHistory history = worn_after(dry, x.size(), sliding);
   EXPECT_NEAR(dry.area(history.states.front().face) / (kCoefficient * kLoad * sliding), 1, 1e-12);
-}
-
-TEST(WearIntegration, AParabolaGetsTheLandOfItsVolume) {
-  // Smooth: half width a = (3/2 R k W' s)^(1/3), depth a^2/(2R). The roughness is 1 % of the depth.
-  const double R = 0.02;
-  const auto x = places(kWidth, 480);
-  const DryContact dry(0.02e-6, kLoad, kSpeed, x, heights(x, [R](double s) { return s * s / (2 * R); }));
-  Wear wear;
-  wear.largest_depth = 5e-9;
-  wear.jump_error = 0.5e-9;
-  std::vector<double> depth;
-  for (const double sliding : {4e4, 8e4}) {
-    const auto worn = worn_after(dry, x.size(), sliding, wear).states.front().face;
-    depth.push_back(*std::max_element(worn.begin(), worn.end()));
-    const double a = std::cbrt(1.5 * R * kCoefficient * kLoad * sliding);
-    EXPECT_NEAR(depth.back() / (a * a / (2 * R)), 1, 5e-3);
-  }
-  EXPECT_NEAR(std::log2(depth[1] / depth[0]), 2.0 / 3, 5e-3);
-}
-
-TEST(WearIntegration, ARoofGetsTheLandOfItsVolume) {
-  const double m = 0.01;
-  const auto x = places(kWidth, 480);
-  const DryContact dry(0.02e-6, kLoad, kSpeed, x, heights(x, [m](double s) { return m * std::abs(s); }));
-  Wear wear;
-  wear.largest_depth = 5e-9;
-  wear.jump_error = 0.5e-9;
-  const double sliding = 4e4;
-  const auto worn = worn_after(dry, x.size(), sliding, wear).states.front().face;
-  EXPECT_NEAR(*std::max_element(worn.begin(), worn.end()) / std::sqrt(m * kCoefficient * kLoad * sliding), 1, 5e-3);
-}
-
-TEST(WearIntegration, AWavinessDecaysWithTheLengthOfThePressure) {
-  // Of a small amplitude: exp(-k |dp/dh| s), dp/dh of the flat contact.
-  const double amplitude = 1e-9;
-  const auto x = places(kWidth, 64);
-  std::vector<double> wave;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    wave.push_back(amplitude * std::cos(2 * std::numbers::pi * static_cast<double>(i) / 16));
-  }
-  const DryContact dry(0.5e-6, kLoad, kSpeed, x, wave);
-  double h = 0, p = 0, slope = 0;
-  for (double low = 0, high = 5e-6; high - low > 1e-16;) {
-    h = 0.5 * (low + high);
-    dry.contact().pressure(h, p, slope);
-    (p > kLoad / kWidth ? low : high) = h;
-  }
-  const double sliding = 2 / (kCoefficient * std::abs(slope));
-  Wear wear;
-  wear.jumps = 200;
-  const auto worn = worn_after(dry, x.size(), sliding, wear).states.front().face;
-  const double left = wave[16] + worn[16] - (wave[8] + worn[8]);
-  EXPECT_NEAR(left / (2 * amplitude), std::exp(-2), 1e-3);
 }
 
 TEST(WearIntegration, HalvingTheJumpsChangesTheDepthByLessThanTheStages) {
@@ -163,6 +108,82 @@ TEST(WearIntegration, ItEndsWhereTheCoatingIsWornThrough) {
   EXPECT_EQ(history.states.size(), 1u);
   ASSERT_TRUE(history.worn_through);
   EXPECT_NEAR(*history.worn_through * per_second, 1e-6, 1e-18);
+}
+
+TEST(WearIntegration, AJumpThatIsTooDeepEndsItWithoutItsSecondStage) {
+  const auto x = places(kWidth, 60);
+  const DryContact dry(0.5e-6, kLoad, kSpeed, x, std::vector<double>(x.size(), 0.0));
+  Wear wear;
+  wear.coefficient = kCoefficient;
+  wear.jumps = 2;
+  const double per_second = kCoefficient * kLoad / kWidth * kSpeed;
+  WearLimits limits;
+  limits.deepest = 1e-6;
+  double deepest = 0;
+  const WearHistory history = integrate_wear(
+      wear, {0, 1e-3 / per_second}, x.size(), 0,
+      [&](double, const std::vector<double>& worn) {
+        deepest = std::max(deepest, worn[0]);
+        return dry(worn);
+      },
+      limits);
+  EXPECT_EQ(history.states.size(), 1u);
+  EXPECT_LT(deepest, 1e-6);
+  EXPECT_NEAR(history.worn_through.value() * per_second, 1e-6, 1e-18);
+}
+
+TEST(WearIntegration, APartOfAJumpIsNotReportedDeeperThanTheCoating) {
+  const auto x = places(kWidth, 60);
+  const DryContact dry(0.5e-6, kLoad, kSpeed, x, std::vector<double>(x.size(), 0.0));
+  Wear wear;
+  wear.coefficient = kCoefficient;
+  wear.jumps = 1;
+  const double per_second = kCoefficient * kLoad / kWidth * kSpeed;
+  WearLimits limits;
+  limits.deepest = 1e-6;
+  const WearHistory history = integrate_wear(
+      wear, {0, 2e-6 / per_second, 1e-3 / per_second}, x.size(), 0,
+      [&](double, const std::vector<double>& worn) { return dry(worn); }, limits);
+  EXPECT_EQ(history.states.size(), 1u);
+  EXPECT_NEAR(history.worn_through.value() * per_second, 1e-6, 1e-18);
+}
+
+TEST(WearIntegration, TooManyJumpsAreRefusedWithTimeAndDepth) {
+  const auto x = places(kWidth, 2);
+  const DryContact dry(0.5e-6, kLoad, kSpeed, x, std::vector<double>(x.size(), 0.0));
+  Wear wear;
+  wear.largest_depth = 1e-18;
+  try {
+    worn_after(dry, x.size(), 1e5, wear);
+    FAIL();
+  } catch (const ConvergenceError& stopped) {
+    EXPECT_THAT(stopped.what(), ::testing::HasSubstr("um deep: 100000 jumps were taken"));
+  }
+}
+
+TEST(WearIntegration, NextToNoWearIsOneJump) {
+  const auto x = places(kWidth, 60);
+  const DryContact dry(0.5e-6, kLoad, kSpeed, x, std::vector<double>(x.size(), 0.0));
+  Wear wear;
+  wear.coefficient = 1e-320;
+  const WearHistory history =
+      integrate_wear(wear, {1e4}, x.size(), 0, [&](double, const std::vector<double>& worn) { return dry(worn); });
+  EXPECT_EQ(history.effort.jumps, 1);
+}
+
+TEST(WearIntegration, ItEndsWhereEnoughIsWorn) {
+  const auto x = places(kWidth, 60);
+  const DryContact dry(0.5e-6, kLoad, kSpeed, x, std::vector<double>(x.size(), 0.0));
+  Wear wear;
+  wear.coefficient = kCoefficient;
+  double worn = 0;
+  WearLimits limits;
+  limits.after_jump = [&](const WornDepths& now) { worn = now.face[0]; };
+  limits.is_enough = [&] { return worn > 1e-6; };
+  const WearHistory history = integrate_wear(
+      wear, {1e9}, x.size(), 0, [&](double, const std::vector<double>& depths) { return dry(depths); }, limits);
+  EXPECT_GT(history.states.back().face[0], 1e-6);
+  EXPECT_LT(history.states.back().face[0], 1.2e-6);
 }
 
 }  // namespace

@@ -30,70 +30,35 @@ void scale_trace(double peak, cycle::Case& c) {
   c.gas.cylinder_pressure = std::move(trace);
 }
 
-class DutyReader {
+/// Keys of an operating point beside its length.
+std::vector<std::string> point_keys() {
+  return {"name", "speed", "oil_temperature", "cylinder_pressure", "peak_pressure", "set"};
+}
+
+/// Reads what an operating point changes of the base case.
+class PointReader {
  public:
-  DutyReader(const TomlValue& value, const DutySources& sources, std::vector<Fault>& faults)
-      : table_(value, "[duty]", {"repeat", "segment", "point"}, faults), sources_(sources), faults_(faults) {}
+  PointReader(const DutySources& sources, std::vector<Fault>& faults) : sources_(sources), faults_(faults) {}
 
-  Duty read() {
-    const std::size_t n_before = faults_.size();
-    const bool has_points = table_.find("point") != nullptr;
-    const Form& form = has_points ? kPoints : kSegments;
-    if (has_points && table_.find("segment") != nullptr) {
-      table_.refuse(table_.find("point")->key_mark, "[duty] has segments and points",
-                    "give all parts a duration, or all of them a weight");
-    }
-    const std::vector<TomlValue> parts = table_.items(form.list);
-    for (const TomlValue& part : parts) read_part(part, form);
-    if (parts.empty() && faults_.size() == n_before) {
-      table_.refuse(table_.mark(), "[duty] has neither segments nor points, and so no length",
-                    "write [[duty.segment]] with name, duration and speed below");
-    }
-    read_repeat(form, n_before);
-    if (faults_.size() > n_before) return {};
-    for (life::OperatingPoint& point : duty_.points) point.share /= total_;
-    return std::move(duty_);
-  }
-
- private:
-  void read_part(const TomlValue& value, const Form& form) {
-    StudyTable part(value, fmt::format("[[duty.{}]]", form.list),
-                    {"name", form.length, "speed", "oil_temperature", "cylinder_pressure", "peak_pressure", "set"},
-                    faults_);
+  /// With a share of 0; nothing where it was refused. Names are each used once.
+  std::optional<life::OperatingPoint> read(StudyTable& part) {
     const std::size_t n_before = faults_.size();
     const std::string name = part.needed_text("name", "\"idle\"");
     if (!name.empty() && !names_.insert(name).second) {
-      part.refuse(part.find("name")->mark, fmt::format("two parts of the duty have the name {}", name),
+      part.refuse(part.find("name")->mark, fmt::format("two operating points have the name {}", name),
                   "give each a name of its own");
     }
-    const double length = read_length(part, form);
     std::vector<Override> overrides = overrides_of(part);
     const std::optional<double> peak = read_peak(part);
-    if (faults_.size() > n_before) return;
+    if (faults_.size() > n_before) return std::nullopt;
     std::optional<cycle::Case> input = sources_.read_base(overrides, part.mark());
-    if (!input || !put_peak(part, peak, *input)) return;
-    total_ += length;
-    duty_.points.push_back({name, length, std::move(*input)});
+    if (!input || !put_peak(part, peak, *input)) return std::nullopt;
+    return life::OperatingPoint{name, 0, std::move(*input)};
   }
 
-  double read_length(StudyTable& part, const Form& form) {
-    const TomlValue* value = part.find(form.length);
-    if (value == nullptr) {
-      part.refuse(part.mark(), fmt::format("[[duty.{}]] has no {}", form.list, form.length),
-                  fmt::format("write, for example, {} = {}", form.length, form.example));
-      return 0;
-    }
-    const std::optional<double> length =
-        &form == &kPoints ? part.number(form.length)
-                          : life_quantity(part, "duty.segment.duration", *value, "s", form.example, sources_.units);
-    if (length && !(*length > 0)) {
-      part.refuse(value->mark,
-                  fmt::format("duty.{}.{} = {} is not above 0", form.list, form.length, value->as_written()),
-                  fmt::format("leave this part out, or write, for example, {} = {}", form.length, form.example));
-    }
-    return length.value_or(0);
-  }
+  void reserve(const std::string& name) { names_.insert(name); }
 
+ private:
   std::vector<Override> overrides_of(StudyTable& part) {
     std::vector<Override> overrides;
     const auto add = [&](const char* key, const char* of_case) {
@@ -150,6 +115,72 @@ class DutyReader {
     return true;
   }
 
+  const DutySources& sources_;
+  std::vector<Fault>& faults_;
+  std::set<std::string> names_;
+};
+
+class DutyReader {
+ public:
+  DutyReader(const TomlValue& value, const DutySources& sources, std::vector<Fault>& faults)
+      : table_(value, "[duty]", {"repeat", "segment", "point"}, faults),
+        sources_(sources),
+        faults_(faults),
+        points_(sources, faults) {}
+
+  Duty read() {
+    const std::size_t n_before = faults_.size();
+    const bool has_points = table_.find("point") != nullptr;
+    const Form& form = has_points ? kPoints : kSegments;
+    if (has_points && table_.find("segment") != nullptr) {
+      table_.refuse(table_.find("point")->key_mark, "[duty] has segments and points",
+                    "give all parts a duration, or all of them a weight");
+    }
+    const std::vector<TomlValue> parts = table_.items(form.list);
+    for (const TomlValue& part : parts) read_part(part, form);
+    if (parts.empty() && faults_.size() == n_before) {
+      table_.refuse(table_.mark(), "[duty] has neither segments nor points, and so no length",
+                    "write [[duty.segment]] with name, duration and speed below");
+    }
+    read_repeat(form, n_before);
+    if (faults_.size() > n_before) return {};
+    for (life::OperatingPoint& point : duty_.points) point.share /= total_;
+    return std::move(duty_);
+  }
+
+ private:
+  void read_part(const TomlValue& value, const Form& form) {
+    std::vector<std::string> keys = point_keys();
+    keys.emplace_back(form.length);
+    StudyTable part(value, fmt::format("[[duty.{}]]", form.list), keys, faults_);
+    const std::size_t n_before = faults_.size();
+    const double length = read_length(part, form);
+    std::optional<life::OperatingPoint> point = points_.read(part);
+    if (!point || faults_.size() > n_before) return;
+    total_ += length;
+    point->share = length;
+    duty_.points.push_back(std::move(*point));
+  }
+
+  double read_length(StudyTable& part, const Form& form) {
+    const TomlValue* value = part.find(form.length);
+    if (value == nullptr) {
+      part.refuse(part.mark(), fmt::format("[[duty.{}]] has no {}", form.list, form.length),
+                  fmt::format("write, for example, {} = {}", form.length, form.example));
+      return 0;
+    }
+    const std::optional<double> length =
+        &form == &kPoints ? part.number(form.length)
+                          : life_quantity(part, "duty.segment.duration", *value, "s", form.example, sources_.units);
+    if (length && !(*length > 0)) {
+      part.refuse(value->mark,
+                  fmt::format("duty.{}.{} = {} is not above 0", form.list, form.length, value->as_written()),
+                  fmt::format("write, for example, {} = {}; a point beside the duty is a [[report_point]]", form.length,
+                              form.example));
+    }
+    return length.value_or(0);
+  }
+
   void read_repeat(const Form& form, std::size_t n_before) {
     const auto repeat = table_.count("repeat");
     if (!repeat) return;
@@ -167,7 +198,7 @@ class DutyReader {
   StudyTable table_;
   const DutySources& sources_;
   std::vector<Fault>& faults_;
-  std::set<std::string> names_;
+  PointReader points_;
   Duty duty_;
   double total_ = 0;
 };
@@ -176,6 +207,16 @@ class DutyReader {
 
 Duty read_duty_table(const TomlValue& value, const DutySources& sources, std::vector<Fault>& faults) {
   return DutyReader(value, sources, faults).read();
+}
+
+void read_report_points(const std::vector<TomlValue>& values, const DutySources& sources,
+                        std::vector<life::OperatingPoint>& points, std::vector<Fault>& faults) {
+  PointReader reader(sources, faults);
+  for (const life::OperatingPoint& point : points) reader.reserve(point.name);
+  for (const TomlValue& value : values) {
+    StudyTable table(value, "[[report_point]]", point_keys(), faults);
+    if (auto point = reader.read(table)) points.push_back(std::move(*point));
+  }
 }
 
 }  // namespace ringfilm::io

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/life/wear_json.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -30,18 +31,6 @@ FacePair compared(const NamedFace& earlier, const NamedFace& later) {
     pair.turned.push_back(least_wear(earlier.face, life::turned(later.face), margin, Tilt::kFree));
   }
   return pair;
-}
-
-ordered_json bounds_array(const std::vector<life::WearBound>& bounds) {
-  ordered_json rows = ordered_json::array();
-  for (const life::WearBound& bound : bounds) {
-    rows.push_back({{"untrusted_margin", bound.margin},
-                    {"depth_at_middle", bound.depth_at_middle},
-                    {"largest_worn_depth", bound.largest_depth},
-                    {"worn_area", bound.area},
-                    {"tilt", bound.tilt}});
-  }
-  return rows;
 }
 
 }  // namespace

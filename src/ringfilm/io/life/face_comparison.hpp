@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/life/wear_bounds.hpp"
+#include "ringfilm/life/wear/wear_bounds.hpp"
 
 namespace ringfilm::io {
 

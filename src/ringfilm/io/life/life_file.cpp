@@ -2,32 +2,28 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <optional>
-#include <set>
 
 #include "ringfilm/io/life/duty_table.hpp"
 #include "ringfilm/io/life/wear_table.hpp"
+#include "ringfilm/io/study/document_reader.hpp"
 #include "ringfilm/io/study/study_table.hpp"
-#include "ringfilm/io/text/source_text.hpp"
-#include "ringfilm/io/text/units.hpp"
 #include "ringfilm/life/end_of_life.hpp"
 
 namespace ringfilm::io {
 namespace {
 
-class LifeReader {
+class LifeReader : DocumentReader {
  public:
   LifeReader(const std::string& path, const std::vector<Override>& overrides)
-      : path_(path), folder_(std::filesystem::path(path).parent_path().string()), overrides_(overrides) {}
+      : DocumentReader(path), overrides_(overrides) {}
 
   LifeFile read() {
-    const SourceText source = read_source_text(path_, path_, kLargestToml);
-    const TomlValue root = parse_toml(source);
-    record({"life", path_, source.sha256});
-    StudyTable table(root, "a life", {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "end_of_life"},
+    const TomlValue root = read_document("life");
+    StudyTable table(root, "a life",
+                     {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "report_point", "end_of_life"},
                      faults_);
-    life_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
+    life_.title = table.text("title").value_or(stem());
     life_.mode = table
                      .chosen<life::Mode>(
                          "mode", {{"measured-path", life::Mode::kMeasuredPath}, {"archard", life::Mode::kArchard}})
@@ -45,10 +41,6 @@ class LifeReader {
   }
 
  private:
-  void record(const cycle::InputFile& file) {
-    if (recorded_.insert(file.path + "\n" + file.sha256).second) files_.push_back(file);
-  }
-
   /// What lies at no place of the file concerns it as a whole.
   std::vector<Fault> with_places(std::vector<Fault> faults) const {
     for (Fault& fault : faults) {
@@ -86,17 +78,8 @@ class LifeReader {
     try {
       std::vector<DroppedKey> dropped;
       cycle::Case input = read_case_dropping(path, overrides, units_, dropped);
-      if (input.problem == cycle::Problem::kPad) {
-        faults_.push_back({mark, fmt::format("{} is a pad", path), "a life is that of a ring over engine cycles"});
-        return std::nullopt;
-      }
-      if (input.is_pack()) {
-        faults_.push_back({mark, fmt::format("{} is a pack of {} rings", path, input.rings.size()),
-                           "a life is that of one ring: write it as [ring], with ring.pressure_above and "
-                           "ring.pressure_below"});
-        return std::nullopt;
-      }
-      for (const cycle::InputFile& file : input.files) record(file);
+      if (!is_one_ring(input, path, "a life", mark)) return std::nullopt;
+      record(input);
       return input;
     } catch (const InputError& error) {
       for (const Fault& f : error.faults()) {
@@ -115,13 +98,18 @@ class LifeReader {
 
   /// After the base case, of which each part is another reading.
   void read_duty(StudyTable& table) {
-    const TomlValue* value = table.find("duty");
-    if (value == nullptr || life_.points.empty()) return;
+    if (life_.points.empty()) return;
     const std::string path = locate(table.find("case")->text, folder_).shown;
     const ReadBase read_base = [&](const std::vector<Override>& overrides, const SourceMark& mark) {
       return read_ring(path, overrides, mark);
     };
-    Duty duty = read_duty_table(*value, {read_base, folder_, units_}, faults_);
+    const DutySources sources{read_base, folder_, units_};
+    if (const TomlValue* value = table.find("duty")) read_duty_of(*value, sources);
+    read_report_points(table.items("report_point"), sources, life_.points, faults_);
+  }
+
+  void read_duty_of(const TomlValue& value, const DutySources& sources) {
+    Duty duty = read_duty_table(value, sources, faults_);
     if (duty.points.empty()) return;
     life_.points = std::move(duty.points);
     for (const life::ReportedTime& now : life_.times) {
@@ -156,7 +144,13 @@ class LifeReader {
   void read_path(StudyTable& root) {
     const TomlValue* value = root.find("path");
     if (value == nullptr) return;
-    StudyTable table(*value, "[path]", {"time_scale", "time_constant"}, faults_);
+    StudyTable table(*value, "[path]", {"time_scale", "time_constant", "datum"}, faults_);
+    life_.datum = table.chosen<life::Datum>("datum", {{"own", life::Datum::kOwn}, {"common", life::Datum::kCommon}})
+                      .value_or(life_.datum);
+    if (life_.datum == life::Datum::kCommon && life_.mode == life::Mode::kArchard) {
+      table.refuse(table.find("datum")->key_mark, "path.datum means nothing with mode = \"archard\"",
+                   "leave it out: the face of a scenario is not on the path");
+    }
     life::Interpolation& path = life_.path;
     path.scale = table
                      .chosen<life::TimeScale>("time_scale", {{"logarithmic", life::TimeScale::kLogarithmic},
@@ -201,6 +195,14 @@ class LifeReader {
     if (value == nullptr) return;
     std::vector<std::string> names;
     for (const cycle::Quantity& quantity : life::limitable_quantities()) names.push_back(quantity.name);
+    constexpr const char* kBlowBy = "blow_by";
+    for (const TomlMember& member : value->members) {
+      if (member.key != kBlowBy) continue;
+      root.refuse(member.value.key_mark,
+                  "end_of_life.blow_by is not computed: a life is that of one ring, whose gas is given",
+                  "limit end_gap_growth, which opens the path of the gas, or mean_absolute_oil_flow");
+      return;
+    }
     StudyTable table(*value, "[end_of_life]", names, faults_);
     for (const cycle::Quantity& quantity : life::limitable_quantities()) {
       const TomlValue* limit = table.find(quantity.name);
@@ -214,13 +216,8 @@ class LifeReader {
     }
   }
 
-  std::string path_, folder_;
   const std::vector<Override>& overrides_;
-  Units units_;
   life::Life life_;
-  std::vector<cycle::InputFile> files_;
-  std::set<std::string> recorded_;
-  std::vector<Fault> faults_;
 };
 
 }  // namespace

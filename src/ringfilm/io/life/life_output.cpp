@@ -1,9 +1,11 @@
 #include "ringfilm/io/life/life_output.hpp"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "ringfilm/io/life/wear_json.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
@@ -30,6 +32,16 @@ ordered_json band_object(const life::LifeState& state) {
     const life::Band band = life::band_of(state, i);
     object[life::life_quantities()[i].name] = {band.low, band.high};
   }
+  if (state.other_worn.empty()) return object;
+  life::Band area{state.worn->worn_area, state.worn->worn_area};
+  life::Band depth{state.worn->largest_depth, state.worn->largest_depth};
+  for (const auto& other : state.other_worn) {
+    if (!other) continue;
+    area = {std::min(area.low, other->worn_area), std::max(area.high, other->worn_area)};
+    depth = {std::min(depth.low, other->largest_depth), std::max(depth.high, other->largest_depth)};
+  }
+  object["worn_area"] = {area.low, area.high};
+  object["largest_worn_depth"] = {depth.low, depth.high};
   return object;
 }
 
@@ -60,6 +72,7 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
     if (state.worn->coating_left) object["coating_left"] = *state.worn->coating_left;
     if (!state.worn->liner_depth.empty()) object["liner_worn_depth"] = state.worn->liner_depth;
   }
+  if (!state.least_wear.empty()) object["least_wear"] = bounds_array(state.least_wear);
   for (const life::FaceDistance& distance : state.from_measured) {
     object["measured_face_distance"].push_back({{"half_width", distance.half_width}, {"rms", distance.rms}});
   }
@@ -67,10 +80,19 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
     object["band"] = band_object(state);
     ordered_json& others = object["interpolations"] = ordered_json::object();
     for (std::size_t k = 0; k < state.other_paths.size(); ++k) {
-      others[document.result.other_paths[k].name] = values_object(state.other_paths[k]);
+      ordered_json one = values_object(state.other_paths[k]);
+      if (k < state.other_worn.size() && state.other_worn[k]) {
+        one["worn_area"] = state.other_worn[k]->worn_area;
+        one["largest_worn_depth"] = state.other_worn[k]->largest_depth;
+      }
+      others[document.result.other_paths[k].name] = std::move(one);
     }
   }
   if (!state.turned.empty()) object["turned"] = values_object(state.turned);
+  if (state.turned_worn) {
+    object["turned"]["worn_area"] = state.turned_worn->worn_area;
+    object["turned"]["largest_worn_depth"] = state.turned_worn->largest_depth;
+  }
   const ordered_json attribution = attribution_object(state);
   if (!attribution.empty()) object["attribution"] = attribution;
   ordered_json& points = object["points"] = ordered_json::array();
@@ -102,30 +124,6 @@ ordered_json units_object() {
                         {"face_height_crankcase_edge", "m"}};
   for (const life::LifeQuantity& quantity : life::life_quantities()) units[quantity.name] = quantity.unit;
   return units;
-}
-
-ordered_json hours_or_null(const std::optional<double>& time) {
-  return time ? ordered_json(*time / life::kHour) : ordered_json();
-}
-
-ordered_json wear_object(const LifeDocument& document) {
-  const life::Wear& wear = document.file.life.wear;
-  const life::WearSummary& summary = *document.result.wear;
-  ordered_json object = {{"coefficient", wear.coefficient}};
-  if (wear.running_in_coefficient) {
-    object["running_in_coefficient"] = *wear.running_in_coefficient;
-    object["running_in_hours"] = wear.running_in_time / life::kHour;
-  }
-  object["surface"] = wear.surface == life::WornSurface::kFrozen ? "frozen" : "path";
-  object["scheme"] = wear.scheme == life::WearScheme::kHeun ? "heun" : "euler";
-  object["jumps"] = summary.effort.jumps;
-  object["rejected_jumps"] = summary.effort.rejected_jumps;
-  object["stage_difference"] = summary.effort.stage_difference;
-  object["volume_balance_error"] = summary.effort.balance_error;
-  object["coating_worn_through_hours"] = hours_or_null(summary.worn_through);
-  object["wedge_gone_hours"] = hours_or_null(summary.wedge_gone);
-  if (summary.implied) object["implied_coefficient"] = {summary.implied->low, summary.implied->high};
-  return object;
 }
 
 ordered_json ends_array(const LifeDocument& document) {
@@ -251,6 +249,9 @@ std::string life_json(const LifeDocument& document) {
   ordered_json& states = object["states"] = ordered_json::array();
   for (const life::LifeState& state : result.states) states.push_back(state_object(document, state));
   if (!result.states.empty()) object["x"] = result.states.front().x;
+  if (wears && !result.states.empty() && !document.file.life.states.empty()) {
+    object["measured_faces"] = measured_faces(document);
+  }
   if (!result.liner_position.empty()) object["liner_position"] = result.liner_position;
   if (wears) object["wear"] = wear_object(document);
   if (!result.ends.empty()) object["end_of_life"] = ends_array(document);
@@ -285,7 +286,7 @@ void write_life(const std::string& path, const LifeDocument& document) {
   }
   put_ring(file, document);
   put_values(file, document);
-  if (document.result.wear) put_wear(file, document);
+  if (document.result.states.front().worn) put_wear(file, document);
   put_words(file, document);
   write_atomically(path, file.bytes());
 }

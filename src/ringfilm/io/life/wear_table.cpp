@@ -20,8 +20,8 @@ class WearReader {
  public:
   WearReader(const TomlValue& value, const Units& units, std::vector<Fault>& faults)
       : table_(value, "[wear]",
-               {"coefficient", "running_in_coefficient", "running_in_time", "surface", "scheme", "jumps",
-                "largest_depth", "jump_error", "tilt_spread", "tilt_samples", "edge_factor", "edge_distance",
+               {"coefficient", "running_in_coefficient", "running_in_time", "surface", "orientations", "scheme",
+                "jumps", "largest_depth", "jump_error", "tilt_spread", "tilt_samples", "edge_factor", "edge_distance",
                 "liner_coefficient", "coating_thickness"},
                faults),
         units_(units) {}
@@ -33,9 +33,13 @@ class WearReader {
                         .chosen<life::WornSurface>(
                             "surface", {{"frozen", life::WornSurface::kFrozen}, {"path", life::WornSurface::kPath}})
                         .value_or(wear_.surface);
+    wear_.orientations = table_
+                             .chosen<life::WornOrientations>("orientations", {{"given", life::WornOrientations::kGiven},
+                                                                              {"both", life::WornOrientations::kBoth}})
+                             .value_or(wear_.orientations);
     read_scheme();
     read_tilt();
-    read_edges();
+    read_edges(base);
     wear_.coating_thickness = above_zero("coating_thickness", "m", "\"100 um\"");
     if (!wear_.coating_thickness && base != nullptr && base->ring.coating.youngs_modulus) {
       wear_.coating_thickness = base->ring.coating.thickness;
@@ -57,19 +61,43 @@ class WearReader {
   }
 
   void read_coefficients() {
-    if (table_.find("coefficient") == nullptr) {
+    const TomlValue* stated = table_.find("coefficient");
+    if (stated == nullptr) {
       table_.refuse(table_.mark(), "[wear] has no coefficient",
-                    fmt::format("write, for example, coefficient = {}", kCoefficient));
+                    fmt::format("write, for example, coefficient = {}, or \"fit\" with measured states", kCoefficient));
     }
-    wear_.coefficient = above_zero("coefficient", "m2/N", kCoefficient).value_or(0);
-    wear_.running_in_coefficient = above_zero("running_in_coefficient", "m2/N", "\"3e-17 m2/N\"");
-    wear_.liner_coefficient = above_zero("liner_coefficient", "m2/N", kCoefficient);
+    if (stated != nullptr && stated->text == "fit") {
+      wear_.source = life::CoefficientSource::kFitted;
+      refuse_with_fit("running_in_coefficient");
+      refuse_with_fit("jumps");
+      refuse_with_fit("orientations");
+    } else {
+      wear_.coefficient = coefficient("coefficient").value_or(0);
+      wear_.running_in_coefficient = coefficient("running_in_coefficient");
+    }
+    wear_.liner_coefficient = coefficient("liner_coefficient");
     if (table_.find("running_in_time") != nullptr && !table_.find("running_in_coefficient")) {
       table_.refuse(table_.find("running_in_time")->key_mark,
                     "wear.running_in_time means nothing without running_in_coefficient",
                     "state running_in_coefficient, for example \"3e-17 m2/N\", or leave the time out");
     }
     wear_.running_in_time = above_zero("running_in_time", "s", "\"10 h\"").value_or(wear_.running_in_time);
+  }
+
+  std::optional<double> coefficient(const std::string& key) {
+    const auto number = above_zero(key, "m2/N", kCoefficient);
+    if (!number || *number <= life::kLargestCoefficient) return number;
+    const TomlValue& value = *table_.find(key);
+    table_.refuse(value.mark,
+                  fmt::format("wear.{} = {} is above {:g} m2/N", key, value.as_written(), life::kLargestCoefficient),
+                  "a contact cannot remove more than all that it touches, 1/(3H); rings have 1e-19 to 1e-15 m2/N");
+    return std::nullopt;
+  }
+
+  void refuse_with_fit(const char* key) {
+    if (table_.find(key) == nullptr) return;
+    table_.refuse(table_.find(key)->key_mark, fmt::format("wear.{} means nothing with coefficient = \"fit\"", key),
+                  "leave it out: the fit reports a coefficient for each measured state");
   }
 
   void read_scheme() {
@@ -124,16 +152,27 @@ class WearReader {
     }
   }
 
-  void read_edges() {
+  void read_edges(const cycle::Case* base) {
+    constexpr double kMostEdgeFactor = 1000;
     if (const auto factor = table_.number("edge_factor")) {
-      if (*factor > 0) {
+      if (*factor >= 1 / kMostEdgeFactor && *factor <= kMostEdgeFactor) {
         wear_.edge_factor = *factor;
       } else {
-        table_.refuse(table_.find("edge_factor")->mark, fmt::format("wear.edge_factor = {} is not above 0", *factor),
+        table_.refuse(table_.find("edge_factor")->mark,
+                      fmt::format("wear.edge_factor = {:g} is not from {:g} to {:g}", *factor, 1 / kMostEdgeFactor,
+                                  kMostEdgeFactor),
                       "1 wears the edge zones as the middle, 10 ten times as fast");
       }
     }
     wear_.edge_distance = above_zero("edge_distance", "m", "\"0.3 mm\"").value_or(wear_.edge_distance);
+    if (table_.find("edge_factor") != nullptr && base != nullptr &&
+        wear_.edge_distance >= 0.5 * base->ring.face_width) {
+      const TomlValue* distance = table_.find("edge_distance");
+      table_.refuse(distance != nullptr ? distance->mark : table_.find("edge_factor")->mark,
+                    fmt::format("wear.edge_distance is {:g} mm from the middle of a face that is {:g} mm wide",
+                                wear_.edge_distance * 1e3, base->ring.face_width * 1e3),
+                    "state less than half of ring.face_width");
+    }
     if (table_.find("edge_distance") == nullptr || table_.find("edge_factor") != nullptr) return;
     table_.refuse(table_.find("edge_distance")->key_mark, "wear.edge_distance means nothing without edge_factor",
                   "state edge_factor, for example 10, or leave the distance out");

@@ -8,6 +8,7 @@
 
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/study/document_reader.hpp"
 #include "ringfilm/io/study/study_factor.hpp"
 #include "ringfilm/io/study/study_points.hpp"
 #include "ringfilm/io/study/study_reading.hpp"
@@ -23,19 +24,16 @@ namespace {
 
 using study::Method;
 
-class StudyReader {
+class StudyReader : DocumentReader {
  public:
-  explicit StudyReader(const std::string& path)
-      : path_(path), folder_(std::filesystem::path(path).parent_path().string()) {}
+  explicit StudyReader(const std::string& path) : DocumentReader(path) {}
 
   StudyFile read() {
-    const SourceText source = read_source_text(path_, path_, kLargestToml);
-    const TomlValue root = parse_toml(source);
-    record({"study", path_, source.sha256});
+    const TomlValue root = read_document("study");
     StudyTable table(root, "a study",
                      {"title", "kind", "seed", "base", "factor", "measured", "correlation", "plan", "point", "keep"},
                      faults_);
-    study_.title = table.text("title").value_or(std::filesystem::path(path_).stem().string());
+    study_.title = table.text("title").value_or(stem());
     study_.kind = table.chosen("kind", study::kind_words()).value_or(study_.kind);
     study_.seed = table.count("seed").value_or(study_.seed);
     const std::vector<TomlValue> bases = table.items("base");
@@ -56,10 +54,6 @@ class StudyReader {
   }
 
  private:
-  void record(const cycle::InputFile& file) {
-    if (recorded_.insert(file.path + "\n" + file.sha256).second) files_.push_back(file);
-  }
-
   void read_base(const TomlValue& value) {
     StudyTable table(value, "[[base]]", {"name", "case"}, faults_);
     const std::string name = table.needed_text("case", "\"my_engine.toml\"");
@@ -67,14 +61,8 @@ class StudyReader {
     const std::string path = locate(name, folder_).shown;
     try {
       cycle::Case input = read_case(path, {}, units_);
-      if (input.problem == cycle::Problem::kPad) {
-        table.refuse(table.find("case")->mark, fmt::format("{} is a pad", path), "a study is about rings over a cycle");
-      }
-      if (input.is_pack()) {
-        table.refuse(table.find("case")->mark, fmt::format("{} is a pack of {} rings", path, input.rings.size()),
-                     "a study is about one ring: write it as [ring], with ring.pressure_above and ring.pressure_below");
-      }
-      for (const cycle::InputFile& file : input.files) record(file);
+      is_one_ring(input, path, "a study", table.find("case")->mark);
+      record(input);
       study_.bases.push_back(
           {table.text("name").value_or(std::filesystem::path(path).stem().string()), std::move(input)});
     } catch (const InputError& error) {
@@ -339,12 +327,7 @@ class StudyReader {
     }
   }
 
-  std::string path_, folder_;
-  Units units_;
   study::Study study_;
-  std::vector<cycle::InputFile> files_;
-  std::set<std::string> recorded_;
-  std::vector<Fault> faults_;
 };
 
 }  // namespace

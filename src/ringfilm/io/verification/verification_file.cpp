@@ -217,6 +217,8 @@ class VerificationReader {
           read_optimum(table);
         } else if (name == "curve") {
           read_curve(table);
+        } else if (name == "wear") {
+          read_wear(table);
         } else {
           faults_.push_back({tables.key_mark, "unknown table [[" + name + "]]", kTables});
           break;
@@ -237,7 +239,7 @@ class VerificationReader {
 
  private:
   static constexpr const char* kTables =
-      "tables are [[run]], [[value]], [[order]], [[bound]], [[optimum]] and [[curve]]";
+      "tables are [[run]], [[value]], [[order]], [[bound]], [[optimum]], [[curve]] and [[wear]]";
 
   /// Heading and first paragraph of the README.
   void read_claim() {
@@ -380,6 +382,40 @@ class VerificationReader {
     }
     read_samples(table, unit, check);
     verification_.curves.push_back(std::move(check));
+  }
+
+  void read_wear(Table& table) {
+    study::WearCheck check;
+    table.read(check);
+    study::DryWear& dry = check.profile;
+    const auto& profiles = study::dry_wear_profiles();
+    dry.profile = table.text("profile");
+    if (std::find(profiles.begin(), profiles.end(), dry.profile) == profiles.end()) {
+      table.refuse("profile", "is not a profile", fmt::format("one of: {}", fmt::join(profiles, ", ")));
+    }
+    if (dry.profile == "parabola") dry.shape = table.number("radius", "m");
+    if (dry.profile == "roof") dry.shape = table.number("slope", "1");
+    if (dry.profile == "wave") dry.shape = table.number("amplitude", "m");
+    dry.cells = table.count("cells", kFewestCells);
+    dry.roughness = table.number("roughness", "m");
+    dry.width = table.number("width", "m");
+    dry.load = table.number("load", "N/m");
+    dry.coefficient = table.number("coefficient", "m2/N");
+    dry.sliding = table.number("sliding", "m");
+    dry.largest_depth = table.number("largest_depth", "m");
+    check.quantity = table.text("quantity");
+    std::string unit = "1";
+    std::vector<std::string> names;
+    for (const cycle::Quantity& known : study::dry_wear_quantities()) {
+      names.push_back(known.name);
+      if (known.name == check.quantity) unit = known.unit;
+    }
+    if (std::find(names.begin(), names.end(), check.quantity) == names.end()) {
+      table.refuse("quantity", "is not a quantity of wear", fmt::format("one of: {}", fmt::join(names, ", ")));
+    }
+    check.expected = table.number("expected", unit);
+    check.tolerance = table.tolerance(unit);
+    verification_.wear.push_back(std::move(check));
   }
 
   void read_samples(Table& table, const std::string& unit, study::CurveCheck& check) {

@@ -136,6 +136,19 @@ class Runner {
     add(worst);
   }
 
+  void check(const WearCheck& check) {
+    const std::vector<cycle::Quantity>& all = dry_wear_quantities();
+    const auto quantity = std::find_if(all.begin(), all.end(),
+                                       [&check](const cycle::Quantity& one) { return one.name == check.quantity; });
+    double got = kNothing;
+    try {
+      got = dry_wear_value(check.profile, check.quantity);
+    } catch (const ConvergenceError& stopped) {
+      outcome_.stops.push_back(check.label + ": " + stopped.what());
+    }
+    add(row_of(check, *quantity, check.expected, got, check.tolerance));
+  }
+
   VerificationOutcome outcome() const { return outcome_; }
 
  private:
@@ -238,6 +251,7 @@ VerificationOutcome verify(const Verification& verification) {
   for (const ValueCheck& check : verification.values) runner.check(check);
   for (const OptimumCheck& check : verification.optima) runner.check(check);
   for (const CurveCheck& check : verification.curves) runner.check(check);
+  for (const WearCheck& check : verification.wear) runner.check(check);
   for (const OrderCheck& check : verification.orders) runner.check(check);
   for (const BoundCheck& check : verification.bounds) runner.check(check);
   return runner.outcome();

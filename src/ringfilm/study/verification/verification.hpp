@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ringfilm/study/measurement.hpp"
+#include "ringfilm/study/verification/dry_wear.hpp"
 
 /// Runs with known answers, the checks on them and what came of each. docs/manual/verification.md.
 namespace ringfilm::study {
@@ -71,6 +72,14 @@ struct DeadCentreZone {
   double tolerance = 0;  ///< wider than elsewhere, of the same kind
 };
 
+/// A profile that wears without oil.
+struct WearCheck : Check {
+  DryWear profile;
+  std::string quantity;  ///< one of dry_wear_quantities()
+  double expected = 0;   ///< [SI]
+  Tolerance tolerance;
+};
+
 /// A curve of a ring over crank angle.
 struct CurveCheck : Check {
   std::string run;
@@ -92,6 +101,7 @@ struct Verification {
   std::vector<BoundCheck> bounds;
   std::vector<OptimumCheck> optima;
   std::vector<CurveCheck> curves;
+  std::vector<WearCheck> wear;
 };
 
 enum class Verdict { kHolds, kFails };

@@ -69,6 +69,7 @@ const kShownUnit = {
   deg: '°',
   um: 'µm',
   um2: 'µm²',
+  'um mm': 'µm mm',
   'um-2': 'µm⁻²',
   'm-2': 'm⁻²',
   'mm-2': 'mm⁻²',

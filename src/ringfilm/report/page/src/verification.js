@@ -1,6 +1,7 @@
 // The page of `ringfilm verify`: what was checked, against what, and how the errors fall with refinement.
 import { element } from './dom.js';
 import { FigureView, Visibility } from './cycle/figure_view.js';
+import { headWarning, numberCard, pageHead } from './page_head.js';
 import { section, table } from './tables.js';
 import { display, number, typeset, withUnit } from './units.js';
 
@@ -154,31 +155,17 @@ function caseSection(c, context, views) {
   );
 }
 
-function card(heading, value, of, detail) {
-  return element(
-    'section',
-    { class: 'card' },
-    element('h2', {}, heading),
-    element(
-      'div',
-      { class: 'card-row' },
-      element('span', { class: 'card-value' }, element('b', {}, String(value)), ` of ${of}`),
-      element('span', { class: 'card-detail' }, detail),
-    ),
-  );
-}
-
 function firstScreen(result) {
   const rows = result.cases.flatMap((c) => c.rows);
   const held = (list) => list.filter((item) => item.verdict === kHolds).length;
   const failed = result.cases.filter((c) => c.verdict !== kHolds);
   const orders = rows.filter(isOrder);
-  return element(
-    'header',
-    { class: 'first-screen' },
-    element('p', { class: 'kind' }, 'Computed on this machine beside answers that are known from elsewhere'),
-    element('h1', {}, 'Verification'),
-    element('p', { class: 'operating' }, `${result.program}, commit ${result.commit}`),
+  return pageHead(
+    {
+      kind: 'Computed on this machine beside answers that are known from elsewhere',
+      title: 'Verification',
+      operating: `${result.program}, commit ${result.commit}`,
+    },
     failed.length
       ? element(
           'div',
@@ -189,15 +176,16 @@ function firstScreen(result) {
     element(
       'div',
       { class: 'cards' },
-      card('Cases', held(result.cases), result.cases.length, 'hold'),
-      card('Checks', held(rows), rows.length, 'within tolerance'),
-      card('Orders of convergence', held(orders), orders.length, 'as claimed'),
+      numberCard('Cases', held(result.cases), { of: ` of ${result.cases.length}`, detail: 'hold' }),
+      numberCard('Checks', held(rows), { of: ` of ${rows.length}`, detail: 'within tolerance' }),
+      numberCard('Orders of convergence', held(orders), {
+        of: ` of ${orders.length}`,
+        detail: 'as claimed',
+      }),
     ),
     result.not_covered.length
-      ? element(
-          'p',
-          { class: 'warning', role: 'note' },
-          element('strong', {}, 'Not covered: '),
+      ? headWarning(
+          'Not covered',
           `${result.not_covered.length} further cases cannot be computed by this version and are ` +
             'not counted; ',
           element('a', { href: '#not-covered' }, 'which and why'),

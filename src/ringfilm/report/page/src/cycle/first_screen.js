@@ -3,6 +3,7 @@ import { cards } from './cards.js';
 import { element } from '../dom.js';
 import { shownInput, stoppedAt, withShortPaths } from '../model.js';
 import { drawings } from './section_drawing.js';
+import { headWarning, pageHead } from '../page_head.js';
 import { mergedNotes } from '../tables.js';
 import { angleInWords, number, typeset } from '../units.js';
 import { usualCard } from './usual.js';
@@ -100,10 +101,8 @@ export function firstScreen(model) {
   const warning =
     found.length === 0
       ? null
-      : element(
-          'p',
-          { class: 'warning', role: 'note' },
-          element('strong', {}, 'Warning: '),
+      : headWarning(
+          'Warning',
           typeset(found[0]),
           several > 0
             ? [
@@ -112,16 +111,12 @@ export function firstScreen(model) {
               ]
             : null,
         );
-  return element(
-    'header',
-    { class: 'first-screen' },
-    element(
-      'p',
-      { class: 'kind' },
-      'Mixed lubrication of the piston ring and the liner over one engine cycle',
-    ),
-    element('h1', {}, reportTitle(model)),
-    element('p', { class: 'operating' }, operatingLine(model)),
+  return pageHead(
+    {
+      kind: 'Mixed lubrication of the piston ring and the liner over one engine cycle',
+      title: reportTitle(model),
+      operating: operatingLine(model),
+    },
     stopped(model),
     warning,
     element(

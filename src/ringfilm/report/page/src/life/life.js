@@ -1,11 +1,13 @@
 // The page of `ringfilm life`: friction, oil and film over the running hours, and how each number is known.
 import { element } from '../dom.js';
 import { FigureView, Visibility } from '../cycle/figure_view.js';
+import { headWarning, numberCard, pageHead } from '../page_head.js';
 import { section, table } from '../tables.js';
-import { display, number, withUnit } from '../units.js';
-import { faceFigure, facesOf } from './life_face.js';
+import { display, withUnit } from '../units.js';
+import { distanceTable, faceFigure, facesOf } from './life_face.js';
 import { attributionFigure, figuresOverHours } from './life_figures.js';
-import { kStandings, publishedWear, whatToMeasure } from './life_words.js';
+import { fitTable, leastWear, wornTable } from './life_wear.js';
+import { hoursText, kStandings, publishedWear, whatToMeasure } from './life_words.js';
 
 const right = (text) => ({ text, attributes: { class: 'number' } });
 
@@ -15,50 +17,34 @@ function shown(life, name, state) {
   return withUnit(convert(state[name]), unit, 4);
 }
 
-function card(heading, value, detail) {
-  return element(
-    'section',
-    { class: 'card' },
-    element('h2', {}, heading),
-    element(
-      'div',
-      { class: 'card-row' },
-      element('span', { class: 'card-value' }, element('b', {}, value)),
-      element('span', { class: 'card-detail' }, detail),
-    ),
-  );
-}
-
 function firstScreen(life) {
   const [first, last] = [life.states[0], life.states[life.states.length - 1]];
   const wears = life.mode === 'archard';
   const claim = wears
-    ? 'A scenario: the wear coefficient is an input, assumed or tuned. It is not a prediction of wear.'
+    ? life.wear.fit
+      ? 'A scenario with a coefficient fitted to the measured faces, which allow a wide range of it: the band ' +
+        'is that range. It is not a prediction of wear.'
+      : 'A scenario: the wear coefficient is an input, assumed or tuned. It is not a prediction of wear.'
     : 'Between the measured states everything is interpolated; the band shows what the choice of the ' +
       'interpolation does. Nothing is known after the last measured state.';
-  const change = (name) => `after ${number(last.hours, 4)} h; ${shown(life, name, first)} at the start`;
-  return element(
-    'header',
-    { class: 'first-screen' },
-    element(
-      'p',
-      { class: 'kind' },
-      wears ? 'Scenario of a ring that wears' : 'A ring between measured states',
-    ),
-    element('h1', {}, life.title),
-    element('p', { class: 'operating' }, `${life.program}, commit ${life.commit}`),
+  const numbers = (heading, name) =>
+    numberCard(heading, shown(life, name, last), {
+      detail: `after ${hoursText(last.hours)}; ${shown(life, name, first)} at the start`,
+    });
+  return pageHead(
+    {
+      kind: wears ? 'Scenario of a ring that wears' : 'A ring between measured states',
+      title: life.title,
+      operating: `${life.program}, commit ${life.commit}`,
+    },
     element(
       'div',
       { class: 'cards' },
-      card('Friction power', shown(life, 'mean_power_loss', last), change('mean_power_loss')),
-      card('Oil flow', shown(life, 'mean_absolute_oil_flow', last), change('mean_absolute_oil_flow')),
-      card(
-        'Lambda ratio at peak pressure',
-        shown(life, 'lambda_ratio_at_peak_pressure', last),
-        change('lambda_ratio_at_peak_pressure'),
-      ),
+      numbers('Friction power', 'mean_power_loss'),
+      numbers('Oil flow', 'mean_absolute_oil_flow'),
+      numbers('Lambda ratio at peak pressure', 'lambda_ratio_at_peak_pressure'),
     ),
-    element('p', { class: 'warning', role: 'note' }, element('strong', {}, 'Read this first: '), claim),
+    headWarning('Read this first', claim),
   );
 }
 
@@ -66,7 +52,7 @@ function valuesTable(life) {
   const shownNames = life.quantities.filter((quantity) => quantity.name in life.states[0]);
   const heads = ['running time', 'known as', ...shownNames.map((quantity) => right(quantity.long_name))];
   const rows = life.states.map((state) => [
-    withUnit(state.hours, 'h', 6),
+    hoursText(state.hours),
     kStandings[state.standing],
     ...shownNames.map((quantity) => right(shown(life, quantity.name, state))),
   ]);
@@ -75,7 +61,7 @@ function valuesTable(life) {
 
 function endTable(life) {
   const when = (hours) =>
-    hours === null || hours === undefined ? 'not within these hours' : withUnit(hours, 'h', 4);
+    hours === null || hours === undefined ? 'not within these hours' : hoursText(hours);
   const others = Object.keys(life.end_of_life[0].interpolations ?? {});
   return table(
     'When the stated limits are reached',
@@ -95,11 +81,11 @@ function pointsTable(life) {
   const last = life.states[life.states.length - 1];
   const power = 'mean_power_loss';
   return table(
-    `Operating points after ${number(last.hours, 4)} h`,
+    `Operating points after ${hoursText(last.hours)}`,
     ['operating point', right('share of the time'), right('friction power'), right('oil flow')],
     last.points.map((point) => [
       point.name,
-      right(withUnit(100 * point.share, '%', 3)),
+      right(point.share > 0 ? withUnit(100 * point.share, '%', 3) : 'beside it'),
       right(shown(life, power, point)),
       right(shown(life, 'mean_absolute_oil_flow', point)),
     ]),
@@ -110,7 +96,7 @@ function pointsTable(life) {
 function faceSection(life, context, views) {
   const view = new FigureView(faceFigure(life, life.states.length - 1), context);
   views.push(view);
-  const label = element('output', { for: 'face-hours' }, `${number(life.states.at(-1).hours, 4)} h`);
+  const label = element('output', { for: 'face-hours' }, hoursText(life.states.at(-1).hours));
   const slider = element('input', {
     type: 'range',
     id: 'face-hours',
@@ -121,7 +107,7 @@ function faceSection(life, context, views) {
     'aria-label': 'reported running time of the face',
     oninput: () => {
       const k = Number(slider.value);
-      label.textContent = `${number(life.states[k].hours, 4)} h`;
+      label.textContent = hoursText(life.states[k].hours);
       view.replace(faceFigure(life, k));
     },
   });
@@ -130,8 +116,18 @@ function faceSection(life, context, views) {
     'The face',
     element('p', {}, element('label', { for: 'face-hours' }, 'Running time: '), slider, ' ', label),
     view.node,
+    distanceTable(life),
     facesOf(life),
   );
+}
+
+function wearSection(life) {
+  const parts = [
+    life.states[0].worn_area === null ? null : wornTable(life),
+    life.wear?.fit ? fitTable(life.wear.fit) : null,
+    leastWear(life),
+  ].filter(Boolean);
+  return parts.length ? section('wear', 'Wear', parts) : null;
 }
 
 function figureRow(figures, context, views) {
@@ -154,6 +150,7 @@ function buildPage(life) {
     firstScreen(life),
     section('hours', 'Over the running time', figureRow(figuresOverHours(life), context, views)),
     faceSection(life, context, views),
+    wearSection(life),
     attribution ? section('parts', 'What changes friction', figureRow([attribution], context, views)) : null,
     section(
       'values',

@@ -2,23 +2,42 @@
 import { element } from '../dom.js';
 import { kOnlyCase } from '../model.js';
 import { number } from '../units.js';
-import { kStandings } from './life_words.js';
+import { table, figure as cell } from '../tables.js';
+import { hoursText, kStandings } from './life_words.js';
 
 const kMillimetre = 1e-3;
 const kMicrometre = 1e-6;
 
 const inMicrometres = (values) => values.map((value) => value / kMicrometre);
 
+/** Every so many places of a measured face have a dot. */
+const kDotsOfAFace = 40;
+
+function measuredSeries(x, measured) {
+  const step = Math.max(1, Math.round(x.length / kDotsOfAFace));
+  const isDot = (_, i) => i % step === 0;
+  return [
+    {
+      caseIndex: null,
+      part: 'measured',
+      label: 'measured face',
+      x: x.filter(isDot),
+      y: inMicrometres(measured.face_height).filter(isDot),
+    },
+  ];
+}
+
 /** The face of reported state k beside the first one; of a face that wears also as it lies on the first one. */
 export function faceFigure(life, k) {
   const x = life.x.map((place) => place / kMillimetre);
   const [first, state] = [life.states[0], life.states[k]];
-  const label = `${number(state.hours, 4)} h, ${state.standing}`;
+  const label = `${hoursText(state.hours)}, ${state.standing}`;
+  const measured = (life.measured_faces ?? []).find((face) => face.hours === state.hours);
   const series = [
     {
       caseIndex: null,
       part: 'viscous',
-      label: `${number(first.hours, 4)} h`,
+      label: hoursText(first.hours),
       x,
       y: inMicrometres(first.face_height),
     },
@@ -33,6 +52,7 @@ export function faceFigure(life, k) {
       y: inMicrometres(state.worn_depth),
     });
   }
+  if (measured) series.push(...measuredSeries(x, measured));
   return {
     id: 'face-over-hours',
     title: 'Face above its lowest point',
@@ -49,9 +69,29 @@ export function faceFigure(life, k) {
       },
     ],
     caption:
-      `The face after ${number(state.hours, 4)} h (${kStandings[state.standing]}) and at the start (dotted), each ` +
-      'counted from its own lowest point. Heights are the gap to a straight liner: where a face wears they grow.',
+      `The face after ${hoursText(state.hours)} (${kStandings[state.standing]}) and at the start (dotted), each ` +
+      'counted from its own lowest point. Heights are the gap to a straight liner: where a face wears they grow.' +
+      (measured ? ' Dots: the face that was measured after this time.' : ''),
   };
+}
+
+/** How far the face of a scenario is from the measured ones; null without any. */
+export function distanceTable(life) {
+  const compared = life.states.filter((state) => state.measured_face_distance && state.hours > 0);
+  if (compared.length === 0) return null;
+  const widths = compared[0].measured_face_distance.map((row) => row.half_width);
+  return table(
+    'Distance from the measured face, rms, offset and tilt free',
+    [
+      'running time',
+      ...widths.map((width) => cell(`within ${number(width / kMillimetre, 2)} mm of the middle`)),
+    ],
+    compared.map((state) => [
+      hoursText(state.hours),
+      ...state.measured_face_distance.map((row) => cell(`${number(row.rms / kMicrometre, 2)} µm`)),
+    ]),
+    { folds: true },
+  );
 }
 
 /** Edges of all faces, and their distance from the last measured one where the face wears. */
@@ -62,6 +102,6 @@ export function facesOf(life) {
   return element(
     'ul',
     {},
-    life.states.map((state) => element('li', {}, `${number(state.hours, 4)} h: ${edges(state)}`)),
+    life.states.map((state) => element('li', {}, `${hoursText(state.hours)}: ${edges(state)}`)),
   );
 }

@@ -1,6 +1,7 @@
 // Values over the running time, on a linear and a logarithmic axis, and what each part of the ring changes.
 import { kOnlyCase } from '../model.js';
-import { display, number } from '../units.js';
+import { display } from '../units.js';
+import { hoursText } from './life_words.js';
 
 /** Quantities that have a figure, the most important first. */
 const kDrawn = [
@@ -16,9 +17,9 @@ const kDrawn = [
 ];
 
 const kParts = [
-  ['face', 'face alone'],
-  ['roughness', 'roughness alone'],
-  ['shear_strength', 'shear strength alone'],
+  ['face', 'face'],
+  ['roughness', 'roughness'],
+  ['shear_strength', 'shear strength'],
 ];
 
 /** Hours on the axis: a logarithm has no place for the start, which is drawn at 1 h. */
@@ -27,7 +28,13 @@ const afterOneHour = (hours) => hours + 1;
 function bandOf(life, described, convert) {
   if (!life.states.every((state) => state.band && state.band[described.name])) return null;
   const end = (k) => life.states.map((state) => convert(state.band[described.name][k]));
-  return { low: end(0), high: end(1), words: ['least of all interpolations', 'largest of them'] };
+  return {
+    low: end(0),
+    high: end(1),
+    words: life.wear?.fit
+      ? ['lowest fitted coefficient', 'highest fitted coefficient']
+      : ['least of all interpolations', 'largest of them'],
+  };
 }
 
 function seriesOf(life, described, convert, place) {
@@ -87,12 +94,15 @@ export function figuresOverHours(life) {
   const isKnown = (state, name) => typeof state[name] === 'number';
   return kDrawn
     .filter((name) => life.states.every((state) => isKnown(state, name)))
-    .map((name) => {
+    .map((name, k) => {
       const described = life.quantities.find((quantity) => quantity.name === name);
       const scales = life.states.length > 1 ? ['linear', 'log'] : ['linear'];
       const known =
         life.mode === 'archard'
-          ? 'A scenario with a given wear coefficient, not a prediction.'
+          ? life.wear.fit
+            ? 'A scenario, not a prediction: the line has the geometric mean of the coefficients that the measured ' +
+              'faces allow, the band has both ends of their range.'
+            : 'A scenario with a given wear coefficient, not a prediction. A dashed line is the ring turned over.'
           : 'Dots: measured states. The line between them is interpolated; the band covers other time constants and ' +
             'an interpolation that is linear in time. The dashed line is the ring turned over: which edge was ' +
             'the chamber edge is not known from the faces.';
@@ -101,7 +111,10 @@ export function figuresOverHours(life) {
         title: `${described.long_name[0].toUpperCase()}${described.long_name.slice(1)}`,
         layout: 'row',
         panels: scales.map((scale) => panelOf(life, described, scale)),
-        caption: `${known} Left: linear in time; right: logarithmic, with the start at 1 h.`,
+        caption:
+          k === 0
+            ? `${known} Left: linear in time; right: logarithmic, with the start at 1 h.`
+            : 'Lines and band as in the first figure.',
       };
     });
 }
@@ -113,11 +126,11 @@ export function attributionFigure(life) {
   const described = life.quantities.find((quantity) => quantity.name === 'mean_power_loss');
   const { unit, convert } = display(described);
   const bars = [
-    [`${number(first.hours, 4)} h`, first.mean_power_loss],
+    [hoursText(first.hours), first.mean_power_loss],
     ...kParts
       .filter(([name]) => last.attribution[name])
       .map(([name, label]) => [label, last.attribution[name].mean_power_loss]),
-    [`${number(last.hours, 4)} h`, last.mean_power_loss],
+    [hoursText(last.hours), last.mean_power_loss],
   ];
   return {
     id: 'attribution',
@@ -141,7 +154,7 @@ export function attributionFigure(life) {
       },
     ],
     caption:
-      `First and last bar: the ring at ${number(first.hours, 4)} h and ${number(last.hours, 4)} h. Between them the ` +
+      `First and last bar: the ring at ${hoursText(first.hours)} and ${hoursText(last.hours)}. Between them the ` +
       'first ring with only the face, only the roughness or only the shear strength of the last one. The parts ' +
       'do not add up: asperities share their load with the film.',
   };

@@ -1,6 +1,10 @@
 // What stays the same on every page of a life: words for how a number is known, and which measurements would help.
 import { element } from '../dom.js';
 import { table } from '../tables.js';
+import { number } from '../units.js';
+
+/** A running time as texts show it: "150 h". */
+export const hoursText = (hours) => `${Number(number(hours, 4))} h`;
 
 export const kStandings = {
   measured: 'measured state',

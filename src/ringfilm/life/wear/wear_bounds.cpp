@@ -1,4 +1,4 @@
-#include "ringfilm/life/wear_bounds.hpp"
+#include "ringfilm/life/wear/wear_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,18 +52,27 @@ double integral(const std::vector<Place>& places) {
 
 }  // namespace
 
-FaceHeights face_heights(const cycle::Case& c) {
+FaceHeights face_heights(const cycle::Case& c, cycle::HeightZero zero) {
   constexpr int kCells = 2400;  // 0.5 um of a face of 1.2 mm
   const models::RingFace given = cycle::prepare(c).ring.face;
   const bool is_turned = c.ring.face.orientation == cycle::Orientation::kX0Crankcase;
   const models::RingFace face = is_turned ? given.turned() : given;
-  const double lowest = face.minimum().height, width = c.ring.face_width;
+  const double lowest = zero == cycle::HeightZero::kMinimum ? face.minimum().height : 0, width = c.ring.face_width;
   FaceHeights heights;
   for (int i = 0; i <= kCells; ++i) {
     heights.x.push_back(i == kCells ? width : width * i / kCells);
     heights.height.push_back(face.height(heights.x.back()) - lowest);
   }
   return heights;
+}
+
+Gain largest_gain(const FaceHeights& earlier, const FaceHeights& later) {
+  Gain gain{0, earlier.height[0] - later.height[0]};
+  for (std::size_t i = 1; i < earlier.x.size(); ++i) {
+    const double height = earlier.height[i] - later.height[i];
+    if (height > gain.height) gain = {earlier.x[i], height};
+  }
+  return gain;
 }
 
 FaceHeights turned(const FaceHeights& face) {

@@ -1,4 +1,4 @@
-#include "ringfilm/life/worn_face.hpp"
+#include "ringfilm/life/wear/worn_face.hpp"
 
 #include <algorithm>
 

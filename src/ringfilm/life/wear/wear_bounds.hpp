@@ -15,7 +15,15 @@ struct FaceHeights {
 };
 
 /// The face of a case as installed (leading-edge: as given), at places that all faces of one width have in common.
-FaceHeights face_heights(const cycle::Case& c);
+/// @param zero of the heights: the lowest point, or that of the input
+FaceHeights face_heights(const cycle::Case& c, cycle::HeightZero zero = cycle::HeightZero::kMinimum);
+
+/// Where a face gained most material since another of the same datum.
+struct Gain {
+  double x = 0;       ///< [m]
+  double height = 0;  ///< [m]; not above 0: nowhere
+};
+Gain largest_gain(const FaceHeights& earlier, const FaceHeights& later);
 
 FaceHeights turned(const FaceHeights& face);  ///< x -> b - x
 

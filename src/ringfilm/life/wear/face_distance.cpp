@@ -1,9 +1,14 @@
-#include "ringfilm/life/face_distance.hpp"
+#include "ringfilm/life/wear/face_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace ringfilm::life {
+
+const std::vector<double>& compared_half_widths() {
+  static const std::vector<double> all = {0.5e-3, 0.3e-3};
+  return all;
+}
 
 double rms_distance(const std::vector<double>& x, const std::vector<double>& one, const std::vector<double>& other,
                     double half_width) {

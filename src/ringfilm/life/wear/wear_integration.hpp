@@ -35,7 +35,8 @@ struct WearEffort {
 
 /// When an integration ends before the last time, and what of it is known.
 struct WearLimits {
-  std::optional<double> deepest;  ///< depth at which it ends: the coating is worn through [m]
+  std::optional<double> deepest;         ///< depth at which it ends: the coating is worn through [m]
+  std::function<bool()> is_enough = {};  ///< asked after each jump that was chosen: does it end there? Empty: never
   /// Is a jump from one time to another too long for what else changes? Empty: never.
   std::function<bool(double from, double to)> is_too_long = {};
   std::function<void(const WornDepths&)> after_jump = {};  ///< receives the depths after each jump
@@ -53,6 +54,7 @@ double coefficient_integral(const Wear& wear, double from, double to);
 
 /// Integrates eq-life-archard from 0 to each of the increasing times by the scheme of `wear`.
 /// @param n_face places of the face @param n_liner places of the liner
+/// Throws ConvergenceError where jumps become too short or too many, with time and depth.
 WearHistory integrate_wear(const Wear& wear, const std::vector<double>& times, std::size_t n_face, std::size_t n_liner,
                            const WearLoadOf& load, const WearLimits& limits = {});
 

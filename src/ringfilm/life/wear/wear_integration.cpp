@@ -1,15 +1,18 @@
-#include "ringfilm/life/wear_integration.hpp"
+#include "ringfilm/life/wear/wear_integration.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::life {
 namespace {
 
-/// A jump that shrinks below this share of the whole time gets nowhere.
-constexpr double kShortestJump = 1e-9;
+/// A jump that shrinks below this share of the one that the depth allows gets nowhere.
+constexpr double kShortestJump = 1e-6;
+/// More jumps than a life can need: a coating of 1 mm takes a tenth.
+constexpr int kMostJumps = 100'000;
 /// A jump that was too long for what else changes is taken again with this share of its length.
 constexpr double kShortened = 0.7;
 /// The next jump is at most this much longer than the last one.
@@ -54,6 +57,7 @@ class Integration {
     const double K = coefficient_integral(wear_, now_.time, time);
     Jump jump{{time, now_.face, now_.liner}, 0};
     for (std::size_t i = 0; i < now_.face.size(); ++i) jump.end.face[i] += K * load_now_->face[i];
+    if (is_through(jump.end)) return jump;  // where that is does not need the second stage
     WearLoad later = *load_now_;
     if (wear_.scheme == WearScheme::kHeun && time > now_.time) {
       later = measured(time, jump.end.face);
@@ -70,14 +74,31 @@ class Integration {
     return jump;
   }
 
+  bool is_through(const WornDepths& depths) const {
+    return limits_.deepest && largest(depths.face) >= *limits_.deepest;
+  }
+
   WearLoad measured(double time, const std::vector<double>& worn) {
-    WearLoad load = load_(time, worn);
+    WearLoad load = load_of(time, worn);
     effort_.balance_error = std::max(effort_.balance_error, load.balance_error);
     return load;
   }
 
+  /// A cycle without a solution reports how deep the face was by then.
+  WearLoad load_of(double time, const std::vector<double>& worn) {
+    try {
+      return load_(time, worn);
+    } catch (const ConvergenceError& stopped) {
+      throw ConvergenceError(where(time, worn) + ": " + stopped.what(), stopped.crank_angle_deg());
+    }
+  }
+
+  static std::string where(double time, const std::vector<double>& worn) {
+    return "after " + hours_text(time) + " of wear, " + number_text(largest(worn) * 1e6) + " um deep";
+  }
+
   void keep(Jump jump) {
-    if (limits_.deepest && largest(jump.end.face) >= *limits_.deepest) {
+    if (is_through(jump.end)) {
       const double before = largest(now_.face), after = largest(jump.end.face);
       const double share = after > before ? (*limits_.deepest - before) / (after - before) : 1;
       worn_through_ = now_.time + std::clamp(share, 0.0, 1.0) * (jump.end.time - now_.time);
@@ -99,14 +120,27 @@ class Integration {
       keep(jump_to(done == *wear_.jumps ? end_ : done * length));
     }
     if (worn_through_ || std::abs(time - now_.time) <= kRounding * length) return now_;
-    return jump_to(time).end;
+    Jump part = jump_to(time);
+    WornDepths there = part.end;
+    if (is_through(there)) keep(std::move(part));
+    return there;
+  }
+
+  /// Refuses to continue where nothing is gained by it.
+  void check_progress(double until) const {
+    const bool is_short = next_ < kShortestJump * longest_by_depth() || !(until > now_.time);
+    if (!is_short && effort_.jumps < kMostJumps) return;
+    throw ConvergenceError(
+        where(now_.time, now_.face) + ": " +
+        (is_short ? "the jumps became too short" : std::to_string(kMostJumps) + " jumps were taken") +
+        "; take a larger wear.jump_error or wear.largest_depth, or a smaller wear.coefficient");
   }
 
   /// The longest jump whose depth at the present rates is allowed.
   double longest_by_depth() const {
     const bool is_running_in = wear_.running_in_coefficient && now_.time < wear_.running_in_time;
     const double rate = largest(load_now_->face) * (is_running_in ? *wear_.running_in_coefficient : wear_.coefficient);
-    return rate > 0 ? wear_.largest_depth / rate : end_;
+    return rate * end_ > wear_.largest_depth ? wear_.largest_depth / rate : end_;
   }
 
   WornDepths at_chosen_jumps(double time) {
@@ -114,10 +148,7 @@ class Integration {
       if (!load_now_) load_now_ = measured(now_.time, now_.face);
       double length = std::min({next_, time - now_.time, longest_by_depth()});
       const double until = length == time - now_.time ? time : now_.time + length;
-      if (length < kShortestJump * end_) {
-        throw ConvergenceError("the jumps of wear became shorter than a billionth of the running time at " +
-                               hours_text(now_.time) + ": take a larger wear.jump_error");
-      }
+      check_progress(until);
       if (limits_.is_too_long && limits_.is_too_long(now_.time, until)) {
         next_ = kShortened * length;
         continue;
@@ -135,6 +166,7 @@ class Integration {
       // A jump that was cut at a reported time does not shorten those after it.
       next_ = until == time ? std::max(next_, std::min(wished, kGrowth * length)) : std::min(wished, kGrowth * length);
       keep(std::move(jump));
+      if (limits_.is_enough && limits_.is_enough()) break;
     }
     return now_;
   }

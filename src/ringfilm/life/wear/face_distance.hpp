@@ -8,4 +8,8 @@ namespace ringfilm::life {
 double rms_distance(const std::vector<double>& x, const std::vector<double>& one, const std::vector<double>& other,
                     double half_width);
 
+/// Half widths over which faces are compared, the largest first: without the outer part, where scans are least to be
+/// trusted [m].
+const std::vector<double>& compared_half_widths();
+
 }  // namespace ringfilm::life

@@ -1,0 +1,79 @@
+#include "ringfilm/io/life/wear_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "ringfilm/base/table.hpp"
+
+namespace ringfilm::io {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json fit_object(const life::CoefficientFit& fit) {
+  ordered_json object = {{"coefficient", {fit.range.low, fit.range.high}}, {"largest_worn_area", fit.largest_area}};
+  ordered_json& rows = object["rows"] = ordered_json::array();
+  for (const life::FittedCoefficient& row : fit.rows) {
+    const bool is_bound = row.basis == life::FitBasis::kLeastWear;
+    ordered_json one = {{"hours", row.time / life::kHour}, {"basis", is_bound ? "least-wear" : "closest-face"}};
+    one[is_bound ? "untrusted_margin" : "half_width"] = row.trusted;
+    one["worn_area"] = row.worn_area;
+    if (row.rms) one["rms"] = *row.rms;
+    one["coefficient"] = row.coefficient ? ordered_json(*row.coefficient) : ordered_json();
+    rows.push_back(std::move(one));
+  }
+  return object;
+}
+
+}  // namespace
+
+ordered_json bounds_array(const std::vector<life::WearBound>& bounds) {
+  ordered_json rows = ordered_json::array();
+  for (const life::WearBound& bound : bounds) {
+    rows.push_back({{"untrusted_margin", bound.margin},
+                    {"depth_at_middle", bound.depth_at_middle},
+                    {"largest_worn_depth", bound.largest_depth},
+                    {"worn_area", bound.area},
+                    {"tilt", bound.tilt}});
+  }
+  return rows;
+}
+
+ordered_json hours_or_null(const std::optional<double>& time) {
+  return time ? ordered_json(*time / life::kHour) : ordered_json();
+}
+
+ordered_json measured_faces(const LifeDocument& document) {
+  ordered_json faces = ordered_json::array();
+  for (const life::MeasuredState& state : document.file.life.states) {
+    const life::FaceHeights face = life::face_heights(state.input);
+    std::vector<double> heights;
+    for (const double x : document.result.states.front().x)
+      heights.push_back(interpolate_linear(face.x, face.height, x));
+    faces.push_back({{"hours", state.time / life::kHour}, {"face_height", heights}});
+  }
+  return faces;
+}
+
+ordered_json wear_object(const LifeDocument& document) {
+  const life::Wear& wear = document.file.life.wear;
+  const life::WearSummary& summary = *document.result.wear;
+  ordered_json object = {{"coefficient", wear.coefficient}};
+  if (wear.running_in_coefficient) {
+    object["running_in_coefficient"] = *wear.running_in_coefficient;
+    object["running_in_hours"] = wear.running_in_time / life::kHour;
+  }
+  object["surface"] = wear.surface == life::WornSurface::kFrozen ? "frozen" : "path";
+  object["scheme"] = wear.scheme == life::WearScheme::kHeun ? "heun" : "euler";
+  object["jumps"] = summary.effort.jumps;
+  object["rejected_jumps"] = summary.effort.rejected_jumps;
+  object["stage_difference"] = summary.effort.stage_difference;
+  object["volume_balance_error"] = summary.effort.balance_error;
+  object["coating_worn_through_hours"] = hours_or_null(summary.worn_through);
+  object["wedge_gone_hours"] = hours_or_null(summary.wedge_gone);
+  if (summary.fit) object["fit"] = fit_object(*summary.fit);
+  if (summary.implied) object["implied_coefficient"] = {summary.implied->low, summary.implied->high};
+  return object;
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,21 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "ringfilm/io/life/life_output.hpp"
+
+namespace ringfilm::io {
+
+/// Rows of lower bounds, SI.
+nlohmann::ordered_json bounds_array(const std::vector<life::WearBound>& bounds);
+
+/// How a scenario of wear was integrated, and its coefficients.
+nlohmann::ordered_json wear_object(const LifeDocument& document);
+
+/// The measured faces above their lowest points, at the places of the life's faces.
+nlohmann::ordered_json measured_faces(const LifeDocument& document);
+
+/// A running time in hours; null where there is none.
+nlohmann::ordered_json hours_or_null(const std::optional<double>& time);
+
+}  // namespace ringfilm::io

@@ -1,0 +1,40 @@
+#pragma once
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/text/toml_tree.hpp"
+#include "ringfilm/io/text/units.hpp"
+
+namespace ringfilm::io {
+
+/// What readers of files that name cases have in common: the file, what is wrong with it, and every file that was read.
+class DocumentReader {
+ protected:
+  explicit DocumentReader(const std::string& path);
+
+  /// The file itself as a tree. @param kind of cycle::InputFile, e.g. "study"
+  TomlValue read_document(const std::string& kind);
+
+  void record(const cycle::InputFile& file);  ///< once
+  void record(const cycle::Case& input);      ///< the files that it was read from
+
+  /// Its name without folder and suffix.
+  std::string stem() const;
+
+  /// Refuses a pad and a pack of rings. @param document "a life" @returns whether it is of one ring
+  bool is_one_ring(const cycle::Case& input, const std::string& path, const std::string& document,
+                   const SourceMark& mark);
+
+  std::string path_, folder_;  ///< of the file; names of files in it count from the folder
+  Units units_;
+  std::vector<Fault> faults_;
+  std::vector<cycle::InputFile> files_;
+
+ private:
+  std::set<std::string> recorded_;
+};
+
+}  // namespace ringfilm::io

@@ -1,0 +1,167 @@
+#include "ringfilm/life/duty_wear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/life/duty_batch.hpp"
+
+namespace ringfilm::life {
+namespace {
+
+/// Share by which sigma or zeta may change within a jump.
+constexpr double kSurfaceChange = 0.02;
+
+/// Tilts that stand for all between -a and a: the middles of as many equal parts.
+std::vector<double> tilts_of(const Wear& wear) {
+  if (wear.tilt_spread == 0) return {0};
+  std::vector<double> tilts;
+  for (int j = 0; j < wear.tilt_samples; ++j) {
+    tilts.push_back(wear.tilt_spread * ((2.0 * j + 1) / wear.tilt_samples - 1));
+  }
+  return tilts;
+}
+
+/// Asperity pressure as the film of a case has it, so that its integral over the face is the load that was carried.
+class AsperityPressure {
+ public:
+  explicit AsperityPressure(const cycle::Case& c)
+      : contact_(cycle::prepare(c).ring.contact),
+        is_local_(c.contact.lambda_ratio == cycle::LambdaRatio::kLocal),
+        fitted_(c.solver.properties == cycle::Properties::kFitted ? contact_->fitted() : std::nullopt) {}
+
+  /// @param h_m at the lowest point [m] @param height of the face above it [m] @returns [Pa]
+  double operator()(double h_m, double height) const {
+    const double h = h_m + (is_local_ ? height : 0.0);
+    if (h >= contact_->reach()) return 0;
+    if (!fitted_) return contact_->contact(h).pressure;
+    if (h >= fitted_->reach) return 0;
+    const double argument = std::max(h, 0.0) * (models::ContactFit::kEnd / fitted_->reach);
+    return fitted_->pressure_scale * models::ContactFit::integral(fitted_->fit->P52, argument).value;
+  }
+
+ private:
+  std::shared_ptr<const models::AsperityContact> contact_;
+  bool is_local_;
+  std::optional<models::FittedContact> fitted_;
+};
+
+}  // namespace
+
+DutyWear::DutyWear(const Life& life, const CycleIntegrators& integrators)
+    : life_(life),
+      integrators_(integrators),
+      base_(life.points.front().input),
+      n_points_(n_duty_points(life)),
+      face_(with_surface(base_, 0)),
+      tilts_(tilts_of(life.wear)) {}
+
+/// Face, roughness and shear strength without wear.
+RingState DutyWear::surface_at(double time) const {
+  if (life_.wear.surface == WornSurface::kFrozen) return ring_state_of(base_);
+  RingState state = state_on_path(life_.states, life_.path, time, base_.solver.cells);
+  state.face = base_.ring.face;
+  return state;
+}
+
+RingState DutyWear::ring_at(double time, const std::vector<double>& worn, double tilt) const {
+  RingState state = surface_at(time);
+  state.face = face_.face(worn, tilt);
+  return state;
+}
+
+double DutyWear::roughness_at(double time) const { return cycle::prepare(with_surface(base_, time)).ring.sigma; }
+
+double DutyWear::area(const std::vector<double>& worn) const {
+  double area = 0;
+  for (std::size_t i = 0; i < worn.size(); ++i) area += face_.share()[i] * worn[i];
+  return area;
+}
+
+double DutyWear::tilt_spacing() const { return tilts_.size() < 2 ? 0 : tilts_[1] - tilts_[0]; }
+
+std::size_t DutyWear::n_liner() const {
+  constexpr std::size_t kOfACycle = 100;  // of CycleResult::stroke
+  return life_.wear.liner_coefficient ? kOfACycle : 0;
+}
+
+std::vector<CycleRequest> DutyWear::requests(double time, const std::vector<double>& worn) const {
+  std::vector<CycleRequest> requests;
+  for (const double tilt : tilts_) {
+    const RingState ring = ring_at(time, worn, tilt);
+    for (std::size_t i = 0; i < n_points_; ++i) {
+      const OperatingPoint& point = life_.points[i];
+      requests.push_back({with_ring_state(point.input, ring), hours_text(time) + ", " + point.name});
+      cycle::Output& output = requests.back().input.output;
+      output = {};
+      output.crank_angle_step_deg = point.input.solver.crank_step_deg;
+    }
+  }
+  return requests;
+}
+
+WearLoad DutyWear::load(double time, const std::vector<double>& worn) {
+  const std::vector<CycleRequest> all = requests(time, worn);
+  const std::vector<cycle::CycleResult> results = integrators_.side_by_side(all);
+  cycles_ += static_cast<long>(results.size());
+  WearLoad load;
+  load.face.assign(face_.n_nodes(), 0.0);
+  load.liner.assign(n_liner(), 0.0);
+  std::size_t next = 0;
+  for (const double tilt : tilts_) {
+    const std::vector<double> heights = face_.heights(worn, tilt);
+    for (std::size_t i = 0; i < n_points_; ++i, ++next) {
+      add_cycle(all[next], heights, results[next], life_.points[i].share / static_cast<double>(tilts_.size()), load);
+    }
+  }
+  if (!load.liner.empty()) liner_position_ = results.front().stroke.liner_position;
+  weight_edges(load);
+  return load;
+}
+
+void DutyWear::add_cycle(const CycleRequest& request, const std::vector<double>& heights,
+                         const cycle::CycleResult& result, double weight, WearLoad& load) const {
+  const cycle::Case& input = request.input;
+  const AsperityPressure pressure(input);
+  const double circumference = std::numbers::pi * input.engine.bore;
+  const double share_of_sample = 1 / static_cast<double>(result.samples.size());
+  std::vector<double> face(heights.size(), 0.0);
+  double carried = 0;
+  for (const cycle::Sample& sample : result.samples) {
+    const double speed = std::abs(sample.piston_velocity) * share_of_sample;
+    carried += sample.asperity_load / circumference * speed;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      face[i] += pressure(sample.min_film_thickness, heights[i]) * speed;
+    }
+  }
+  double over_face = 0;
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    over_face += face_.share()[i] * face[i];
+    load.face[i] += weight * face[i];
+  }
+  if (carried > 0) load.balance_error = std::max(load.balance_error, std::abs(over_face / carried - 1));
+  const double cycles_per_second = input.operating.speed / (4 * std::numbers::pi);
+  for (std::size_t i = 0; i < load.liner.size(); ++i) {
+    load.liner[i] += weight * result.stroke.archard_wear_load_density[i] / circumference * cycles_per_second;
+  }
+}
+
+void DutyWear::weight_edges(WearLoad& load) const {
+  if (life_.wear.edge_factor == 1) return;
+  const double middle = 0.5 * base_.ring.face_width;
+  for (std::size_t i = 0; i < load.face.size(); ++i) {
+    if (std::abs(face_.x()[i] - middle) > life_.wear.edge_distance) load.face[i] *= life_.wear.edge_factor;
+  }
+}
+
+bool DutyWear::surface_changes_much(double from, double to) const {
+  const RingState a = surface_at(from), b = surface_at(to);
+  const auto change = [](double before, double after) { return before > 0 ? std::abs(after / before - 1) : 0.0; };
+  return std::max(change(a.roughness, b.roughness), change(a.boundary_shear_strength_coefficient,
+                                                           b.boundary_shear_strength_coefficient)) > kSurfaceChange;
+}
+
+}  // namespace ringfilm::life

@@ -1,0 +1,53 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/life/life_run.hpp"
+#include "ringfilm/life/wear/wear_integration.hpp"
+#include "ringfilm/life/wear/worn_face.hpp"
+
+namespace ringfilm::life {
+
+/// What wears a ring over its duty: asperity pressure and sliding of cycles with the face as it is by then,
+/// eq-life-archard.
+class DutyWear {
+ public:
+  /// @param life kept by reference, as are the integrators
+  DutyWear(const Life& life, const CycleIntegrators& integrators);
+
+  /// Means over the duty and the spread of tilts. @param worn depths at the nodes of the face [m]
+  WearLoad load(double time, const std::vector<double>& worn);
+
+  /// The level ring at a running time.
+  RingState ring_at(double time, const std::vector<double>& worn) const { return ring_at(time, worn, 0); }
+  double roughness_at(double time) const;  ///< sigma [m]
+  /// Do sigma or zeta change by more than a jump may contain?
+  bool surface_changes_much(double from, double to) const;
+
+  const WornFace& face() const { return face_; }
+  double area(const std::vector<double>& worn) const;  ///< of the cross-section that is lost [m2]
+  double tilt_spacing() const;                         ///< between neighbouring samples; 0: a level ring [rad]
+
+  std::size_t n_liner() const;  ///< places along the stroke; 0: the liner is not followed
+  const std::vector<double>& liner_position() const { return liner_position_; }  ///< after the first load [m]
+  long cycles() const { return cycles_; }                                        ///< integrated so far
+
+ private:
+  RingState surface_at(double time) const;
+  cycle::Case with_surface(const cycle::Case& c, double time) const { return with_ring_state(c, surface_at(time)); }
+  RingState ring_at(double time, const std::vector<double>& worn, double tilt) const;
+  std::vector<CycleRequest> requests(double time, const std::vector<double>& worn) const;
+  void add_cycle(const CycleRequest& request, const std::vector<double>& heights, const cycle::CycleResult& result,
+                 double weight, WearLoad& load) const;
+  void weight_edges(WearLoad& load) const;
+
+  const Life& life_;
+  const CycleIntegrators& integrators_;
+  const cycle::Case& base_;
+  std::size_t n_points_;
+  WornFace face_;
+  std::vector<double> tilts_;
+  std::vector<double> liner_position_;
+  long cycles_ = 0;
+};
+
+}  // namespace ringfilm::life

@@ -1,0 +1,124 @@
+// Material that a ring has lost: what a scenario gives, what measured faces allow, and their lower bounds.
+import { element } from '../dom.js';
+import { figure, table } from '../tables.js';
+import { number, withUnit } from '../units.js';
+import { hoursText } from './life_words.js';
+
+const kAreaUnit = 1e-9; // um mm
+const kMicrometre = 1e-6;
+const kMillimetre = 1e-3;
+
+const area = (value) => figure(withUnit(value / kAreaUnit, 'µm mm', 3));
+const depth = (value) => figure(withUnit(value / kMicrometre, 'µm', 3));
+const ends = (pair, unit, name) =>
+  figure(pair ? `${number(pair[0] / unit, 3)} to ${number(pair[1] / unit, 3)} ${name}` : '–');
+
+export function wornTable(life) {
+  const hasBand = life.states.some((state) => state.band?.worn_area);
+  return table(
+    'Material lost since the start',
+    [
+      'running time',
+      figure('worn area'),
+      figure('largest depth'),
+      figure('growth of the end gap'),
+      ...(hasBand ? [figure('worn area, band'), figure('largest depth, band')] : []),
+    ],
+    life.states.map((state) => [
+      hoursText(state.hours),
+      area(state.worn_area),
+      depth(state.largest_worn_depth),
+      depth(state.end_gap_growth),
+      ...(hasBand
+        ? [
+            ends(state.band?.worn_area, kAreaUnit, 'µm mm'),
+            ends(state.band?.largest_worn_depth, kMicrometre, 'µm'),
+          ]
+        : []),
+    ]),
+    { folds: true },
+  );
+}
+
+const trusted = (margin) =>
+  margin > 0 ? `without ${number(margin / kMillimetre, 2)} mm at each edge` : 'whole width';
+
+const basisOf = (row) =>
+  row.basis === 'least-wear'
+    ? `least wear, ${trusted(row.untrusted_margin)}`
+    : `closest face within ${number(row.half_width / kMillimetre, 2)} mm of the middle`;
+
+/** The range of coefficients, never one. */
+export function fitTable(fit) {
+  const [low, high] = fit.coefficient.map((value) => value.toExponential(1));
+  return [
+    element(
+      'p',
+      {},
+      `The measured faces allow mean coefficients from ${low} to ${high} m²/N. No single one follows from them.`,
+    ),
+    table(
+      'Wear coefficients that the measured faces allow',
+      ['fitted to', 'up to', figure('worn area'), figure('rms distance left'), figure('mean coefficient')],
+      fit.rows.map((row) => [
+        basisOf(row),
+        hoursText(row.hours),
+        area(row.worn_area),
+        row.rms === undefined ? figure('–') : depth(row.rms),
+        figure(row.coefficient === null ? 'none' : `${row.coefficient.toExponential(1)} m²/N`),
+      ]),
+      { folds: true },
+    ),
+  ];
+}
+
+function boundsAt(states, k) {
+  return table(
+    'Least wear since the first state',
+    ['measured state', figure('worn area'), figure('largest depth'), figure('in the middle'), figure('tilt')],
+    states.map((state) => {
+      const bound = state.least_wear[k];
+      return [
+        hoursText(state.hours),
+        area(bound.worn_area),
+        depth(bound.largest_worn_depth),
+        depth(bound.depth_at_middle),
+        figure(`${number((bound.tilt * 180 * 60) / Math.PI, 2)}′`),
+      ];
+    }),
+    { folds: true },
+  );
+}
+
+/** Lower bounds of wear at the measured states, by how much of the width is trusted; null where there are none. */
+export function leastWear(life) {
+  const states = life.states.filter((state) => state.least_wear);
+  if (states.length === 0) return null;
+  const margins = states[0].least_wear.map((bound) => bound.untrusted_margin);
+  const words = (k) => trusted(margins[k]);
+  const place = element('div', {}, boundsAt(states, 0));
+  const label = element('output', { for: 'trusted-width' }, words(0));
+  const slider = element('input', {
+    type: 'range',
+    id: 'trusted-width',
+    min: '0',
+    max: String(margins.length - 1),
+    step: '1',
+    value: '0',
+    'aria-label': 'how much of the width of the faces is trusted',
+    oninput: () => {
+      label.textContent = words(Number(slider.value));
+      place.replaceChildren(boundsAt(states, Number(slider.value)));
+    },
+  });
+  return [
+    element(
+      'p',
+      {},
+      'Faces are known up to an offset and a tilt. If material only disappears, at least this was lost; more is ' +
+        'always possible. Where most of it lies at the edges, it rests on the chamfers of the scans.',
+    ),
+    element('p', {}, element('label', { for: 'trusted-width' }, 'Trusted width: '), slider, ' ', label),
+    place,
+  ];
+}
