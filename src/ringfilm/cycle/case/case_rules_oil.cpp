@@ -40,21 +40,29 @@ void check_density(const Lubricant& oil, Breaches& breaches) {
   for (const TemperatureValue& point : oil.density) refuse_unless_oil(point.value);
 }
 
-/// An oil no longer flows where its laws give more: SAE J300 allows 60 Pa s where an oil must still be pumped [Pa s].
+/// Where the laws of an oil give more they are taken as continued below its pour point: chosen well above the 60 Pa s
+/// at which an engine oil must still be pumped (SAE J300) [Pa s].
 constexpr double kNoLongerFlows = 1000;
 
+/// Has it laws that continue below its measured points, and all that these need?
+bool has_laws(const Lubricant& oil) {
+  return !oil.table_file && !oil.kinematic_viscosity.empty() && (oil.constant_density || !oil.density.empty());
+}
+
 void check_coldest_film(const Case& c, Breaches& breaches) {
+  const bool has_temperature = c.thermal.is_stated() || c.operating.oil_temperature > 0;
+  if (!has_laws(c.lubricant) || !has_temperature) return;
   const auto walls = wall_temperatures(c.thermal);
   const double coldest = walls ? walls->film_range().low : c.operating.oil_temperature;
   const auto viscosity = viscosity_without_shear(c.lubricant, coldest);
-  if (!viscosity || *viscosity <= kNoLongerFlows) return;
+  if (!viscosity || !(*viscosity > kNoLongerFlows)) return;
   const std::string of_wall = c.thermal.film == FilmTemperature::kRing ? "thermal.ring" : "thermal.liner";
-  breaches.push_back({walls ? of_wall : "operating.oil_temperature",
-                      "the film is as cold as " + number_text(coldest - 273.15) + " degC, where this oil has " +
-                          number_text(*viscosity) + " Pa s: it does not flow",
-                      "above " + number_text(kNoLongerFlows) + " Pa s an oil is below its pour point; check the " +
-                          (walls ? "temperatures in [thermal]" : "temperature") +
-                          " and lubricant.kinematic_viscosity"});
+  breaches.push_back(
+      {walls ? of_wall : "operating.oil_temperature",
+       "the film is as cold as " + number_text(coldest - 273.15) + " degC, where this oil has " +
+           number_text(*viscosity) + " Pa s: it does not flow",
+       "above " + number_text(kNoLongerFlows) + " Pa s it is taken to be below its pour point; check the " +
+           (walls ? "temperatures in [thermal]" : "temperature") + " and lubricant.kinematic_viscosity"});
 }
 
 void check_hths(const Lubricant& oil, Breaches& breaches) {

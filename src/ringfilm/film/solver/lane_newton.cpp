@@ -12,10 +12,7 @@ namespace ringfilm::film {
 namespace {
 
 constexpr int kMostIterations = 40;  // of the coupled Newton
-/// Iterations after which contents of cavities next to gas move by half a step: they may else go round in a circle,
-/// since a node that is more than half full passes on as much as a full one (carried_share).
-constexpr int kDampedFrom = 100;
-constexpr double kNowhere = -1;  // a reach of contact that no gap is within
+constexpr double kNowhere = -1;      // a reach of contact that no gap is within
 
 constexpr int kNodalArrays = 18;
 
@@ -296,9 +293,11 @@ void LaneNewton::iterate() {
   }
 }
 
+/// Late contents of cavities next to gas move by half a step: they may else repeat in a cycle, since a node that is
+/// more than half full passes on as much as a full one (carried_share).
 bool LaneNewton::is_damped(int lane) const {
   const Lane& at = lanes_[lane];
-  return block_.terms == Terms::kAll && at.phase == Phase::kRunning && at.iterations >= kDampedFrom;
+  return block_.terms == Terms::kAll && at.phase == Phase::kRunning && at.iterations >= kMostIterations;
 }
 
 void LaneNewton::keep_contents(int lane) {

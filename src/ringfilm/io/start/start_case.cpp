@@ -62,6 +62,10 @@ const std::vector<Engine>& engines() {
 /// rms slope of 0.15 (eq-spectral-moments).
 const std::vector<StartValue>& contact() {
   static const std::vector<StartValue> values = {
+      {"contact.model", quoted("greenwood-williamson"), "with the next three: docs/manual/guide/contact-law.md"},
+      {"contact.asperity", quoted("zhao-maietta-chang"), "asperities flow from the hardness on"},
+      {"contact.summit_plane", quoted("nayak"), "summits lie above the mean plane of the surface"},
+      {"contact.hardness", "\"2.5 GPa\"", kAssumed + ": grey iron, the softer face"},
       {"contact.asperity_density", "\"0.0125 um-2\"", kAssumed + ": N beta sigma = 0.05"},
       {"contact.asperity_radius", "\"10 um\"", ""},
       {"contact.roughness", "\"0.4 um\"", ""},

@@ -157,7 +157,7 @@ TEST(WallTemperatures, ThatAreMissingOrReversedAreRefused) {
   EXPECT_THAT(broken(c), ElementsAre("thermal.liner"));
 }
 
-// The Walther line of an oil goes on below its pour point.
+// The Walther line of an oil continues below its pour point.
 TEST(WallTemperatures, BelowThePourPointOfTheOilAreRefused) {
   using ::testing::ElementsAre;
   using ::testing::IsEmpty;
