@@ -67,9 +67,10 @@ void print_assumptions(const io::CaseCheck& check) {
 
 }  // namespace
 
-cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings) {
+cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings,
+                               cycle::CasePurpose purpose) {
   std::vector<io::DroppedKey> dropped;
-  cycle::Case input = io::read_case_dropping(path, settings, io::Units(), dropped);
+  cycle::Case input = io::read_case_dropping(path, settings, io::Units(), dropped, purpose);
   if (!dropped.empty()) {
     std::cerr << "--set makes keys of the case unused, they are dropped: " << io::listed(dropped) << "\n";
   }

@@ -37,17 +37,6 @@ models::CyclePressure absolute_trace(const Case& c, SampledTrace trace) {
                                     *c.gas.exhaust_pressure);
 }
 
-models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c.engine.connecting_rod_length}; }
-
-models::CyclePressure cylinder_pressure(const Case& c) {
-  if (c.gas.model == GasModel::kTrace) return absolute_trace(c, *c.gas.cylinder_pressure);
-  const Gas& g = c.gas;
-  return models::wiebe_pressure({crank_slider(c), g.compression_ratio, g.peak_pressure, g.peak_angle_deg,
-                                 g.burn_duration_deg, g.intake_pressure.value_or(Gas::kWiebeIntakePressure),
-                                 g.exhaust_pressure.value_or(Gas::kWiebeExhaustPressure), g.exhaust_valve_opening_deg,
-                                 g.exhaust_valve_closing_deg, g.intake_valve_opening_deg, g.intake_valve_closing_deg});
-}
-
 models::RingFace ring_face(const Case& c) {
   const RingFace& f = c.ring.face;
   return f.form == FaceForm::kPoints ? models::RingFace::points(f.x, f.height, c.ring.face_width)
@@ -89,13 +78,9 @@ models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
 }
 
 LandPressures land_pressures(const Case& c) {
-  const auto crankcase = [&] {
-    return c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
-                                 : models::CyclePressure(c.gas.crankcase_pressure);
-  };
   const LandPressure &above = c.ring.pressure_above, &below = c.ring.pressure_below;
   return {above.is_stated() ? land_pressure(c, above) : cylinder_pressure(c),
-          below.is_stated() ? land_pressure(c, below) : crankcase()};
+          below.is_stated() ? land_pressure(c, below) : crankcase_pressure(c)};
 }
 
 Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
@@ -116,6 +101,22 @@ Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
 }
 
 }  // namespace
+
+models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c.engine.connecting_rod_length}; }
+
+models::CyclePressure cylinder_pressure(const Case& c) {
+  if (c.gas.model == GasModel::kTrace) return absolute_trace(c, *c.gas.cylinder_pressure);
+  const Gas& g = c.gas;
+  return models::wiebe_pressure({crank_slider(c), g.compression_ratio, g.peak_pressure, g.peak_angle_deg,
+                                 g.burn_duration_deg, g.intake_pressure.value_or(Gas::kWiebeIntakePressure),
+                                 g.exhaust_pressure.value_or(Gas::kWiebeExhaustPressure), g.exhaust_valve_opening_deg,
+                                 g.exhaust_valve_closing_deg, g.intake_valve_opening_deg, g.intake_valve_closing_deg});
+}
+
+models::CyclePressure crankcase_pressure(const Case& c) {
+  return c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
+                               : models::CyclePressure(c.gas.crankcase_pressure);
+}
 
 std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal) {
   if (!thermal.is_stated()) return std::nullopt;

@@ -78,6 +78,15 @@ std::string usual_tension();
 /// p_e of the one way in which the case states the tension of the ring, eq-elastic-pressure [Pa].
 double elastic_pressure(const Case& c);
 
+/// Crank of the case.
+models::CrankSlider crank_slider(const Case& c);
+
+/// Cylinder pressure of the case, of its trace or its Wiebe cycle. Throws InputError where prepare() does.
+models::CyclePressure cylinder_pressure(const Case& c);
+
+/// Pressure in the crankcase of the case, constant or a trace.
+models::CyclePressure crankcase_pressure(const Case& c);
+
 /// Temperatures of the walls; nothing where the case has one temperature of the oil, or none.
 std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal);
 
