@@ -28,8 +28,7 @@ std::string regions_table(const gas_path::GasPathResult& result) {
   std::string text = fmt::format("{:<14}{:>16}{:>16}{:>16}\n", "region", "peak", "at", "mean");
   for (const gas_path::RegionValues& region : result.regions) {
     text += fmt::format("{:<14}{:>12.4g} bar{:>9.1f} degree{:>12.4g} bar\n", region.name,
-                        region.peak_pressure * kPerBar, region.peak_pressure_angle_deg,
-                        region.mean_pressure * kPerBar);
+                        region.peak_pressure * kPerBar, region.peak_pressure_angle_deg, region.mean_pressure * kPerBar);
   }
   return text;
 }
@@ -45,8 +44,8 @@ std::string events_table(const gas_path::GasPathResult& result) {
 
 std::string gas_summary(const io::GasPathDocument& document) {
   const gas_path::GasPathResult& result = document.result;
-  std::string text = fmt::format("{}\ngas of the ring pack over one cycle, {} cycles integrated\n\n", document.title,
-                                 result.cycles);
+  std::string text =
+      fmt::format("{}\ngas of the ring pack over one cycle, {} cycles integrated\n\n", document.title, result.cycles);
   text += fmt::format("{:>14.4g} mg      blow-by per cycle\n", result.blow_by * 1e6);
   text += fmt::format("{:>14.4g} l/min   blow-by at 1.01325 bar and 25 degC\n", document.blow_by_flow * 6e4);
   text += fmt::format("{:>14.1e}         mass defect of the cycle\n\n", result.mass_defect);

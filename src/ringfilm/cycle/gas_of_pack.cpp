@@ -8,6 +8,7 @@
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/gas_path/solve_gas_path.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -44,6 +45,24 @@ gas_path::Ring gas_ring(const Case& c) {
   return of;
 }
 
+/// The pressure of a region, degree by degree.
+base::Shared<SampledTrace> region_trace(const gas_path::GasPathResult& result, std::size_t region) {
+  SampledTrace trace;
+  for (std::size_t k = 0; k < result.pressure.size(); ++k) {
+    trace.crank_angle_deg.push_back(static_cast<double>(k));
+    trace.value.push_back(result.pressure[k][region]);
+  }
+  return trace;
+}
+
+/// Chamber and crankcase stay those of the case.
+void set_pressures(Ring& ring, const gas_path::GasPathResult& result, const gas_path::RingBorders& at) {
+  if (at.above > 0) ring.pressure_above.computed = region_trace(result, at.above);
+  if (at.below + 1 < result.regions.size()) ring.pressure_below.computed = region_trace(result, at.below);
+  if (ring.gas_path.kind == RingKind::kCompression) ring.pressure_behind = region_trace(result, at.groove);
+  ring.has_computed_gas = true;
+}
+
 std::string joined_numbers(const std::vector<std::size_t>& numbers) {
   std::string text;
   for (const std::size_t number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
@@ -69,6 +88,25 @@ gas_path::Pack gas_pack(const Case& c) {
   if (!c.is_pack()) pack.rings.push_back(gas_ring(c));
   for (const Case& ring : c.rings) pack.rings.push_back(gas_ring(ring));
   return pack;
+}
+
+Case with_gas_path(Case c) {
+  if (c.problem == Problem::kPad || !c.gas_path.is_computed()) return c;
+  const gas_path::Pack pack = gas_pack(c);
+  const gas_path::GasPathResult result = gas_path::solve_gas_path(pack);
+  const gas_path::Network network(pack);
+  set_pressures(c.ring, result, network.borders(0));
+  for (std::size_t i = 0; i < c.rings.size(); ++i) set_pressures(c.rings[i].ring, result, network.borders(i));
+  std::vector<std::string>& notes = c.is_pack() ? c.rings.front().notes : c.notes;
+  constexpr double kLitresPerMinute = 6e4;
+  notes.push_back("the gas between the rings is computed: blow-by " + number_text(result.blow_by * 1e6) +
+                  " mg per cycle, " + number_text(blow_by_flow(result, pack.gas.gas_constant) * kLitresPerMinute) +
+                  " l/min at 1.01325 bar and 25 degC");
+  for (const Note& note : gas_path_notes(c, pack, result)) {
+    const bool is_of_trace = note.topic.rfind("gas-", 0) == 0 && note.topic != "gas-path-not-periodic";
+    if (!is_of_trace) notes.push_back(note.message);
+  }
+  return c;
 }
 
 std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result) {

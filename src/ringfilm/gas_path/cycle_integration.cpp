@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
@@ -16,6 +15,8 @@ namespace {
 constexpr int kCycleDegrees = static_cast<int>(base::kCycleDeg);
 /// Relative error of a pressure, and error of the position and the velocity of a ring, that a step may have.
 constexpr double kPressureError = 1e-6, kPositionError = 1e-6, kVelocityError = 1e-5;
+/// First step of a cycle, and after a change of contact the longest [degree].
+constexpr double kFirstStep = 0.1;
 /// No step is shorter; where one would have to be, the integration stops [degree].
 constexpr double kShortestStep = 1e-10;
 /// A ring lies on a flank that it is so near to [side clearance].
@@ -51,6 +52,7 @@ CycleIntegration::CycleIntegration(const Network& network, PackState begin)
 
 void CycleIntegration::begin_cycle() {
   angle_ = kBeginDeg;
+  next_step_ = kFirstStep;  // the same in each cycle, so that equal beginnings have equal ends
   step_.forget();
   result_ = {};
   result_.paths = network_.paths();
@@ -90,16 +92,13 @@ void CycleIntegration::integrate() {
     advance_to(kBeginDeg + i + 1);
   }
   double in = 0, out = 0, gross = 0;
+  const std::size_t crankcase = network_.n_regions() - 1;
   for (std::size_t k = 0; k < result_.paths.size(); ++k) {
     const Path& path = result_.paths[k];
-    if (path.from == 0) {
-      in += result_.transported[k];
-      gross += passed_[k];
-    }
-    if (path.to + 1 == network_.n_regions()) {
-      out += result_.transported[k];
-      gross += passed_[k];
-    }
+    if (path.from == 0) in += result_.transported[k];
+    if (path.to == crankcase) out += result_.transported[k];
+    if (path.from == crankcase) out -= result_.transported[k];
+    if (path.from == 0 || path.to == crankcase) gross += passed_[k];
   }
   result_.blow_by = out;
   const double defect = std::abs(in - out - (stored() - stored_before_));
@@ -113,14 +112,9 @@ void CycleIntegration::advance_to(double end_deg) {
     const double remaining = end_deg - angle_;
     double h = std::min(next_step_, remaining);
     if (remaining - h < 0.1 * h) h = remaining;
-    const double tried = h;
     h = attempt(h);
     std::vector<Found> found = first_events(h);
-    if (!found.empty()) {
-      h = shorten_to(found, h);
-    } else if (h == tried && tried < next_step_) {
-      next_step_ = std::max(next_step_, h);
-    }
+    if (!found.empty()) h = shorten_to(found, h);
     commit(h);
     angle_ = h == remaining ? end_deg : angle_ + h;
     if (!found.empty()) conclude(found.front());
@@ -140,7 +134,8 @@ double CycleIntegration::attempt(double h) {
   const double asked = h;
   for (;;) {
     const RadauStep::Outcome outcome = step_.solve(system_, angle_, y_, h, scale_);
-    const double growth = outcome.solved ? std::clamp(0.9 * std::pow(std::max(outcome.error, 1e-8), -0.25), 0.2, 4.0) : 0.25;
+    const double growth =
+        outcome.solved ? std::clamp(0.9 * std::pow(std::max(outcome.error, 1e-8), -0.25), 0.2, 4.0) : 0.25;
     if (outcome.solved && outcome.error <= 1) {
       const bool was_cut = h == asked && asked < next_step_;
       next_step_ = was_cut ? std::max(next_step_, h * growth) : h * growth;
@@ -161,9 +156,12 @@ double CycleIntegration::event_value(std::size_t ring, FlankEvent event, double 
   step_.interpolate(share, at_);
   const auto& free = system_.free_rings();
   switch (event) {
-    case FlankEvent::kLeavesLower: return system_.acceleration(ring, angle_ + share * h, at_);
-    case FlankEvent::kLeavesUpper: return -system_.acceleration(ring, angle_ + share * h, at_);
-    default: break;
+    case FlankEvent::kLeavesLower:
+      return system_.acceleration(ring, angle_ + share * h, at_);
+    case FlankEvent::kLeavesUpper:
+      return -system_.acceleration(ring, angle_ + share * h, at_);
+    default:
+      break;
   }
   const auto k = static_cast<std::size_t>(std::find(free.begin(), free.end(), ring) - free.begin());
   const double position = at_[system_.place(k)];
@@ -268,9 +266,8 @@ void CycleIntegration::update_peaks(double h) {
 }
 
 /// Lets go the rings that no longer press on their flanks.
-bool CycleIntegration::leave_flanks() {
-  if (network_.pack().ring_motion == RingMotion::kSeated) return false;
-  bool left = false;
+void CycleIntegration::leave_flanks() {
+  if (network_.pack().ring_motion == RingMotion::kSeated) return;
   for (std::size_t ring = 0; ring < state_.contact.size(); ++ring) {
     if (!network_.has_groove(ring) || state_.contact[ring] == Contact::kFree) continue;
     system_.unknowns(state_, y_);
@@ -278,9 +275,7 @@ bool CycleIntegration::leave_flanks() {
     const bool lower = state_.contact[ring] == Contact::kLowerFlank;
     if (lower ? a <= 0 : a >= 0) continue;
     conclude({ring, lower ? FlankEvent::kLeavesLower : FlankEvent::kLeavesUpper, 0});
-    left = true;
   }
-  return left;
 }
 
 void CycleIntegration::conclude(const Found& found) {
@@ -299,7 +294,7 @@ void CycleIntegration::conclude(const Found& found) {
   system_.set_contacts(state_);
   reshape_sensitivity(free_before);
   step_.forget();
-  next_step_ = std::min(next_step_, 0.1);
+  next_step_ = std::min(next_step_, kFirstStep);
 }
 
 void CycleIntegration::reshape_sensitivity(const std::vector<std::size_t>& free_before) {

@@ -41,15 +41,13 @@ class CycleIntegration {
   void record_degree(int degree);
   void advance_to(double end_deg);
   double attempt(double h);
-  bool leave_flanks();
+  void leave_flanks();
   std::vector<Found> first_events(double h);
   double event_value(std::size_t ring, FlankEvent event, double share, double h);
   double locate(std::size_t ring, FlankEvent event, double low, double high, double h);
   double shorten_to(std::vector<Found>& found, double h);
   void commit(double h);
   void conclude(const Found& found);
-  void add_event(std::size_t ring, FlankEvent event);
-  void set_contact(std::size_t ring, Contact contact);
   void update_peaks(double h);
   void reshape_sensitivity(const std::vector<std::size_t>& free_before);
 
@@ -57,7 +55,7 @@ class CycleIntegration {
   PackSystem system_;
   RadauStep step_;
   PackState state_;
-  double angle_ = kBeginDeg, next_step_ = 0.1;
+  double angle_ = kBeginDeg, next_step_ = 0;
   std::vector<double> y_, scale_, at_, pressure_, flow_, sensitivity_;
   // of the cycle
   GasPathResult result_;

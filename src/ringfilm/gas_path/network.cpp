@@ -27,9 +27,12 @@ double disc(double diameter) { return std::numbers::pi / 4 * diameter * diameter
 std::string path_name(const Path& path) {
   const std::size_t number = path.ring + 1;
   switch (path.kind) {
-    case PathKind::kEndGap: return numbered("end gap ", number);
-    case PathKind::kAboveRing: return numbered("above ring ", number);
-    case PathKind::kBelowRing: return numbered("below ring ", number);
+    case PathKind::kEndGap:
+      return numbered("end gap ", number);
+    case PathKind::kAboveRing:
+      return numbered("above ring ", number);
+    case PathKind::kBelowRing:
+      return numbered("below ring ", number);
   }
   return "";
 }
@@ -39,7 +42,7 @@ Network::Network(const Pack& pack)
   const double R = pack.gas.gas_constant;
   const std::size_t n = pack.rings.size();
   regions_.push_back({"chamber", pack.chamber_temperature, 0});
-  std::vector<std::size_t> groove(n), land(n);  // of each ring; 0: the land below is the region below it
+  std::vector<std::size_t> groove(n), below(n);  // of each ring; 0: the piston land below has no volume
   for (std::size_t i = 0; i < n; ++i) {
     const Ring& ring = pack.rings[i];
     if (ring.kind == RingKind::kCompression) {
@@ -47,19 +50,19 @@ Network::Network(const Pack& pack)
       regions_.push_back(region(numbered("groove ", i + 1), ring.groove_volume, ring.groove_temperature, R));
     }
     if (ring.volume_below > 0 && i + 1 < n) {
-      land[i] = regions_.size();
+      below[i] = regions_.size();
       regions_.push_back(region(numbered("land ", i + 2), ring.volume_below, ring.temperature_below, R));
     }
   }
   const std::size_t crankcase = regions_.size();
   regions_.push_back({"crankcase", pack.crankcase_temperature, 0});
   for (std::size_t i = n; i-- > 0;) {
-    if (land[i] == 0) land[i] = i + 1 < n ? land[i + 1] : crankcase;
+    if (below[i] == 0) below[i] = i + 1 < n ? below[i + 1] : crankcase;
   }
   for (std::size_t i = 0; i < n; ++i) {
     borders_[i].groove = groove[i];
     channels_.push_back(side_channel(pack, pack.rings[i]));
-    add_ring(i, i == 0 ? 0 : land[i - 1], land[i]);
+    add_ring(i, i == 0 ? 0 : below[i - 1], below[i]);
   }
 }
 
@@ -94,8 +97,8 @@ double Network::acceleration(std::size_t index, double crank_angle, double p_abo
   const double gas = edge * (p_below - p_above) + flank * (models::mean_channel_pressure(p_groove, p_below) -
                                                            models::mean_channel_pressure(p_above, p_groove));
   const double sliding = pack_.crank.velocity(crank_angle, pack_.speed) / pack_.sliding_smoothing_speed;
-  const double on_bore = std::numbers::pi * pack_.bore * ring.face_width *
-                         (ring.elastic_pressure + p_groove - p_crankcase);
+  const double on_bore =
+      std::numbers::pi * pack_.bore * ring.face_width * (ring.elastic_pressure + p_groove - p_crankcase);
   const double friction = -ring.bore_friction_coefficient * on_bore * std::tanh(sliding);
   return (gas + friction) / ring.mass - pack_.crank.acceleration(crank_angle, pack_.speed);
 }

@@ -25,8 +25,8 @@ enum class PathKind {
 /// A connection of two regions; flow is positive from `from` to `to`.
 struct Path {
   PathKind kind{};
-  std::size_t ring = 0;         ///< index in Pack::rings
-  std::size_t from = 0, to = 0; ///< indices of regions
+  std::size_t ring = 0;          ///< index in Pack::rings
+  std::size_t from = 0, to = 0;  ///< indices of regions
 };
 
 /// Of "end gap 1", "above ring 1", "below ring 1".
@@ -68,7 +68,7 @@ class Network {
   models::OrificeLaw law_;
   std::vector<Region> regions_;
   std::vector<Path> paths_;
-  std::vector<RingBorders> borders_;        ///< one for each ring; of oil rings unused
+  std::vector<RingBorders> borders_;          ///< one for each ring; of oil rings unused
   std::vector<models::GasChannel> channels_;  ///< likewise
 };
 

@@ -23,18 +23,18 @@ enum class RingMotion {
 /// A ring as the gas meets it. Of an oil ring only the first four members count.
 struct Ring {
   RingKind kind = RingKind::kCompression;
-  double gap_area = 0;           ///< of the end gap, as the gas passes it [m2]
-  double volume_below = 0;       ///< of the piston land below; 0: that land is the region below it [m3]
-  double temperature_below = 0;  ///< of the gas there [K]
-  double groove_volume = 0;      ///< behind and above the ring, filled with gas [m3]
-  double groove_temperature = 0;           ///< of the gas there [K]
-  double side_clearance = 0;               ///< of the ring in its groove, along the bore's axis [m]
-  double land_clearance = 0;               ///< radial, between piston lands and bore [m]
-  double radial_thickness = 0;             ///< of the ring [m]
-  double face_width = 0;                   ///< b; RingMotion::kAxial [m]
-  double elastic_pressure = 0;             ///< p_e, of the ring on the bore; likewise [Pa]
-  double mass = 0;                         ///< likewise [kg]
-  double bore_friction_coefficient = 0;    ///< likewise [-]
+  double gap_area = 0;                   ///< of the end gap, as the gas passes it [m2]
+  double volume_below = 0;               ///< of the piston land below; 0: it is the region below it [m3]
+  double temperature_below = 0;          ///< of the gas there [K]
+  double groove_volume = 0;              ///< behind and above the ring, filled with gas [m3]
+  double groove_temperature = 0;         ///< of the gas there [K]
+  double side_clearance = 0;             ///< of the ring in its groove, along the bore's axis [m]
+  double land_clearance = 0;             ///< radial, between piston lands and bore [m]
+  double radial_thickness = 0;           ///< of the ring [m]
+  double face_width = 0;                 ///< b; RingMotion::kAxial [m]
+  double elastic_pressure = 0;           ///< p_e, of the ring on the bore; likewise [Pa]
+  double mass = 0;                       ///< likewise [kg]
+  double bore_friction_coefficient = 0;  ///< likewise [-]
 };
 
 /// The gas and how it flows.

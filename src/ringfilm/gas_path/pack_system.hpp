@@ -46,7 +46,7 @@ class PackSystem : public OdeSystem {
 
   const Network& network() const { return network_; }
   const std::vector<std::size_t>& free_rings() const { return free_; }
-  std::size_t n_inner() const { return n_inner_; }        ///< regions between chamber and crankcase
+  std::size_t n_inner() const { return n_inner_; }  ///< regions between chamber and crankcase
   double seconds_per_degree() const { return seconds_per_degree_; }
   /// Place of a free ring's position among the unknowns; its velocity follows. @param k index in free_rings()
   std::size_t place(std::size_t k) const { return n_inner_ + 2 * k; }
@@ -70,10 +70,10 @@ class PackSystem : public OdeSystem {
   const Network& network_;
   std::size_t n_inner_;
   double seconds_per_degree_;
-  std::vector<std::size_t> free_;        ///< rings
-  std::vector<std::size_t> place_;       ///< of each ring's position among the unknowns, or kNotFree
-  std::vector<double> fixed_position_;   ///< of each ring that is not free [side clearance]
-  std::vector<double> pressure_;          ///< workspace: of all regions [Pa]
+  std::vector<std::size_t> free_;       ///< rings
+  std::vector<std::size_t> place_;      ///< of each ring's position among the unknowns, or kNotFree
+  std::vector<double> fixed_position_;  ///< of each ring that is not free [side clearance]
+  std::vector<double> pressure_;        ///< workspace: of all regions [Pa]
 };
 
 }  // namespace ringfilm::gas_path

@@ -8,10 +8,9 @@ namespace ringfilm::gas_path {
 namespace {
 
 constexpr double kRoot6 = 2.449489742783178098;
-constexpr double kTableau[3][3] = {
-    {(88 - 7 * kRoot6) / 360, (296 - 169 * kRoot6) / 1800, (-2 + 3 * kRoot6) / 225},
-    {(296 + 169 * kRoot6) / 1800, (88 + 7 * kRoot6) / 360, (-2 - 3 * kRoot6) / 225},
-    {(16 - kRoot6) / 36, (16 + kRoot6) / 36, 1.0 / 9}};
+constexpr double kTableau[3][3] = {{(88 - 7 * kRoot6) / 360, (296 - 169 * kRoot6) / 1800, (-2 + 3 * kRoot6) / 225},
+                                   {(296 + 169 * kRoot6) / 1800, (88 + 7 * kRoot6) / 360, (-2 - 3 * kRoot6) / 225},
+                                   {(16 - kRoot6) / 36, (16 + kRoot6) / 36, 1.0 / 9}};
 /// The real eigenvalue of the inverse of the tableau, and weights of the embedded formula.
 constexpr double kRealEigenvalue = 3.637834252744496;
 constexpr double kEmbedded[3] = {-(13 + 7 * kRoot6) / 3, (-13 + 7 * kRoot6) / 3, -1.0 / 3};

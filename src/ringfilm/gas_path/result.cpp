@@ -6,10 +6,14 @@ namespace ringfilm::gas_path {
 
 const char* event_name(FlankEvent event) {
   switch (event) {
-    case FlankEvent::kLeavesLower: return "leaves-lower";
-    case FlankEvent::kLandsUpper: return "lands-upper";
-    case FlankEvent::kLeavesUpper: return "leaves-upper";
-    case FlankEvent::kLandsLower: return "lands-lower";
+    case FlankEvent::kLeavesLower:
+      return "leaves-lower";
+    case FlankEvent::kLandsUpper:
+      return "lands-upper";
+    case FlankEvent::kLeavesUpper:
+      return "leaves-upper";
+    case FlankEvent::kLandsLower:
+      return "lands-lower";
   }
   return "";
 }

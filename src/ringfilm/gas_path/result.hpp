@@ -23,13 +23,14 @@ struct RingEvent {
 /// A region over the cycle.
 struct RegionValues {
   std::string name;
-  double peak_pressure = 0;           ///< highest, absolute [Pa]
+  double peak_pressure = 0;            ///< highest, absolute [Pa]
   double peak_pressure_angle_deg = 0;  ///< 0 to 720 [degree]
-  double mean_pressure = 0;           ///< over time [Pa]
+  double mean_pressure = 0;            ///< over time [Pa]
 };
 
 /// How often a ring changes the flank that it lies on.
 struct RingMotionValues {
+  bool has_groove = false;     ///< a compression ring; the others do not move
   std::size_t departures = 0;  ///< from its lower flank in a cycle
   bool flutters = false;       ///< leaves its lower flank more than once in a stroke
 };
@@ -45,9 +46,10 @@ struct GasPathResult {
   std::vector<RingEvent> events;              ///< by crank angle; RingMotion::kAxial
   std::vector<RingMotionValues> motion;       ///< of each ring; likewise
   std::vector<double> transported;            ///< net mass along each path in the cycle [kg]
-  double blow_by = 0;      ///< net mass that enters the crankcase in the cycle [kg]
-  double duration = 0;     ///< of the cycle [s]
-  double mass_defect = 0;  ///< mass that enters less that which leaves and remains, over all that passes the chamber [-]
+  double blow_by = 0;                         ///< net mass that enters the crankcase in the cycle [kg]
+  double duration = 0;                        ///< of the cycle [s]
+  double mass_defect =
+      0;  ///< mass that enters less that which leaves and remains, over all that passes the chamber [-]
   double periodicity = 0;  ///< largest relative change of a pressure from one cycle to the next [-]
   bool repeats = false;    ///< do the pressures repeat from cycle to cycle?
   int cycles = 0;          ///< that were integrated

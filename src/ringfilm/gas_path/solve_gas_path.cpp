@@ -10,15 +10,15 @@ namespace ringfilm::gas_path {
 namespace {
 
 /// Relative change of a pressure from cycle to cycle below which it repeats.
-constexpr double kRepeats = 1e-9;
+constexpr double kRepeats = 1e-8;
 /// Where rings move, changes below that are taken once no more cycle makes them smaller.
 constexpr double kRepeatsInMotion = 1e-6;
-constexpr int kMostCycles = 60;
+constexpr int kMostCycles = 50;
 /// Share of a pressure that Newton's method on the cycle leaves alone where nothing determines it, squared.
 constexpr double kIndeterminate = 1e-20;
 
 /// Newton's method changes a pressure by this share at the most, upwards; half of it downwards.
-constexpr double kLongestJump = 1.0;
+constexpr double kLongestJump = 4.0;
 
 double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
   double largest = 0;
@@ -68,9 +68,10 @@ double lowest_pressure(const models::CyclePressure& pressure) {
 }
 
 /// Strokes in which each ring leaves its lower flank more than once, and how often it does in the cycle.
-std::vector<RingMotionValues> motion_values(const std::vector<RingEvent>& events, std::size_t n_rings) {
-  std::vector<RingMotionValues> values(n_rings);
-  std::vector<int> last_stroke(n_rings, -1);
+std::vector<RingMotionValues> motion_values(const std::vector<RingEvent>& events, const std::vector<Ring>& rings) {
+  std::vector<RingMotionValues> values(rings.size());
+  for (std::size_t i = 0; i < rings.size(); ++i) values[i].has_groove = rings[i].kind == RingKind::kCompression;
+  std::vector<int> last_stroke(rings.size(), -1);
   for (const RingEvent& event : events) {
     if (event.event != FlankEvent::kLeavesLower) continue;
     const int stroke = static_cast<int>(event.crank_angle_deg / 180);
@@ -92,7 +93,7 @@ GasPathResult solve_gas_path(const Pack& pack) {
   const double highest = std::max(pack.chamber.peak(), pack.crankcase.peak()) / unit;
   double change = 0, change_before = 0;
   bool repeats = false, has_jumped = false;
-  int n = 0;
+  int n = 0, n_to_follow = 0, n_to_wait = 1;
   while (!repeats && n < kMostCycles) {
     const PackState begin = cycle.state();
     cycle.integrate();
@@ -101,9 +102,14 @@ GasPathResult solve_gas_path(const Pack& pack) {
     change = largest_change(begin.pressure, end.pressure);
     const bool same_contact = begin.contact == end.contact;
     repeats = same_contact && (change <= kRepeats || (change <= kRepeatsInMotion && n > 8));
-    // The sensitivity knows nothing of changes of contact: where it leads astray, one cycle follows the other.
-    const bool is_followed = has_jumped && change > 0.5 * change_before;
-    has_jumped = !repeats && same_contact && !is_followed && !begin.pressure.empty();
+    // The sensitivity leaves changes of contact out: where it leads astray, more and more cycles follow one
+    // another before it is asked again.
+    if (has_jumped && change > 0.5 * change_before) {
+      n_to_follow = n_to_wait;
+      n_to_wait *= 2;
+    }
+    has_jumped = !repeats && same_contact && n_to_follow == 0 && !begin.pressure.empty();
+    n_to_follow = std::max(0, n_to_follow - 1);
     if (has_jumped) {
       cycle.set_pressures(newton_begin(begin.pressure, end.pressure, cycle.sensitivity(), lowest, highest));
     }
@@ -113,7 +119,7 @@ GasPathResult solve_gas_path(const Pack& pack) {
   result.periodicity = change;
   result.repeats = repeats;
   result.cycles = n;
-  result.motion = motion_values(result.events, pack.rings.size());
+  result.motion = motion_values(result.events, pack.rings);
   return result;
 }
 

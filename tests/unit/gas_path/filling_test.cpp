@@ -29,9 +29,9 @@ Pack volume_behind_gap(double area, double volume) {
 std::vector<double> filling(const Pack& pack, double begin, std::size_t region = 1) {
   const Network network(pack);
   const std::size_t n = pack.rings.size();
-  CycleIntegration cycle(network, {std::vector<double>(network.n_regions() - 2, begin / PackSystem::kPressureUnit),
-                                   std::vector<double>(n, 0), std::vector<double>(n, 0),
-                                   std::vector<Contact>(n, Contact::kLowerFlank)});
+  CycleIntegration cycle(
+      network, {std::vector<double>(network.n_regions() - 2, begin / PackSystem::kPressureUnit),
+                std::vector<double>(n, 0), std::vector<double>(n, 0), std::vector<Contact>(n, Contact::kLowerFlank)});
   cycle.integrate();
   std::vector<double> pressure;
   for (int k = 0; k < 720; ++k) pressure.push_back(cycle.result().pressure[(540 + k) % 720][region]);

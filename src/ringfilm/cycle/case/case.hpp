@@ -112,7 +112,9 @@ struct LandPressure {
   std::optional<std::string> file;                  ///< CSV like that of the cylinder, as named
   std::optional<base::Shared<SampledTrace>> trace;  ///< [Pa] as that file gives it
 
-  bool is_stated() const { return constant || file; }  ///< by a constant or by a file
+  std::optional<base::Shared<SampledTrace>> computed;  ///< by the gas path: absolute [Pa], 0 = firing TDC
+
+  bool is_stated() const { return constant || file || computed; }  ///< by a constant, by a file, or computed
 };
 
 /// The keys under `gas_path`: how the gas passes the rings. The defaults are typical and assumed.
@@ -137,7 +139,7 @@ struct RingGasPath {
   std::optional<double> gap_area;           ///< of the end gap; absent: end_gap times land_clearance [m2]
   std::optional<double> groove_volume;      ///< of the gas behind and above the ring [m3]
   double groove_temperature = 473.15;       ///< of that gas; typical, assumed [K]
-  double volume_below = 0;                  ///< of the piston land below; 0: that land is the region below it [m3]
+  double volume_below = 0;                  ///< of the piston land below; 0: it is the region below it [m3]
   double temperature_below = 423.15;        ///< of the gas there; typical, assumed [K]
   std::optional<double> side_clearance;     ///< of the ring in its groove, along the bore's axis [m]
   std::optional<double> land_clearance;     ///< radial, between piston lands and bore [m]
@@ -200,7 +202,10 @@ struct Ring {
   std::optional<double> radial_thickness;  ///< of the ring, t; goes with free_gap, and with gas_path [m]
   LandPressure pressure_above;             ///< of the piston land above; not stated: that of the cylinder
   LandPressure pressure_below;             ///< of the piston land below; not stated: that of the crankcase
-  std::optional<double> land_below;        ///< height of the piston land down to the next ring [m]
+  /// In the groove, computed by the gas path: absolute [Pa], 0 = firing TDC. Absent: Gas::pressure_behind_ring.
+  std::optional<base::Shared<SampledTrace>> pressure_behind;
+  bool has_computed_gas = false;     ///< was the gas path of the pack computed for this ring?
+  std::optional<double> land_below;  ///< height of the piston land down to the next ring [m]
   // film.dimension = "unrolled"; the end gap also where the gas path is computed
   std::optional<double> end_gap;  ///< between the ends of the ring in the bore; absent: a closed ring [m]
   double gap_position_deg = 0;    ///< of the gap's middle around the bore [degree]
@@ -452,6 +457,7 @@ struct InputFile {
 /// All keys of a case. Members that a problem or a model does not use stay as they are.
 struct Case {
   Problem problem = Problem::kCycle;               ///< a pad where any of its keys is stated
+  CasePurpose purpose = CasePurpose::kFilm;        ///< what it was read for
   std::string title;                               ///< for people; names pages and figures
   Conditions conditions = Conditions::kOfTheCase;  ///< from which defaults the rest starts
   Engine engine;                                   ///< bore and crank

@@ -15,6 +15,12 @@ enum class Problem {
   kPad     ///< a film of stated shape
 };
 
+/// What a case is read for.
+enum class CasePurpose {
+  kFilm,    ///< a cycle or a pad
+  kGasPath  ///< the gas of the ring pack alone: keys of film, oil and contact may be missing
+};
+
 /// `pad.direction`: which way the flat surface moves.
 enum class Direction {
   kPlusX,  ///< towards larger x

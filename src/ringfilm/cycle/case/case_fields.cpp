@@ -159,17 +159,28 @@ bool is_for_record(const Field& field) {
 }
 
 bool is_of_gas_path(const Field& field) {
-  static const std::set<std::string> others = {"title",           "operating.speed",
-                                               "ring.kind",       "ring.gap_area",
-                                               "ring.end_gap",    "ring.volume_below",
-                                               "ring.mass",       "ring.temperature_below",
-                                               "ring.density",    "ring.groove_volume",
-                                               "ring.face_width", "ring.groove_temperature",
-                                               "ring.free_gap",   "ring.side_clearance",
-                                               "ring.name",       "ring.land_clearance",
-                                               "ring.pressure_above",   "ring.elastic_pressure",
-                                               "ring.pressure_below",   "ring.tangential_force",
-                                               "ring.radial_thickness", "ring.bore_friction_coefficient"};
+  static const std::set<std::string> others = {"title",
+                                               "operating.speed",
+                                               "ring.kind",
+                                               "ring.gap_area",
+                                               "ring.end_gap",
+                                               "ring.volume_below",
+                                               "ring.mass",
+                                               "ring.temperature_below",
+                                               "ring.density",
+                                               "ring.groove_volume",
+                                               "ring.face_width",
+                                               "ring.groove_temperature",
+                                               "ring.free_gap",
+                                               "ring.side_clearance",
+                                               "ring.name",
+                                               "ring.land_clearance",
+                                               "ring.pressure_above",
+                                               "ring.elastic_pressure",
+                                               "ring.pressure_below",
+                                               "ring.tangential_force",
+                                               "ring.radial_thickness",
+                                               "ring.bore_friction_coefficient"};
   const auto lies_in = [&](const char* section) { return field.key.rfind(section, 0) == 0; };
   if (field.key == "gas.pressure_behind_ring") return false;
   return lies_in("engine.") || lies_in("gas.") || lies_in("gas_path.") || others.contains(field.key);

@@ -183,12 +183,6 @@ struct RuleBreach {
 };
 std::vector<RuleBreach> broken_rules(const Case& c);
 
-/// What a case is read for.
-enum class CasePurpose {
-  kFilm,     ///< a cycle or a pad
-  kGasPath,  ///< the gas of the ring pack alone: keys of film, oil and contact may be missing
-};
-
 /// Does the gas of the ring pack alone use the key?
 bool is_of_gas_path(const Field& field);
 

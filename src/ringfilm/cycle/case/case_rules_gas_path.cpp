@@ -48,7 +48,8 @@ void check_gap(const Case& c, Breaches& breaches) {
     breaches.push_back({"ring.gap_area",
                         "ring.gap_area = " + number_text(*gas.gap_area * 1e6) +
                             " mm2 is more than the whole clearance between piston land and bore, " +
-                            number_text(circumference * *gas.land_clearance * 1e6) + " mm2: a gap wider than the "
+                            number_text(circumference * *gas.land_clearance * 1e6) +
+                            " mm2: a gap wider than the "
                             "circumference",
                         remedy});
   }
@@ -70,10 +71,10 @@ void check_groove(const Case& c, Breaches& breaches) {
                         "check the units of both"});
   }
   if (2 * *ring.radial_thickness >= c.engine.bore) {
-    breaches.push_back({"ring.radial_thickness",
-                        "ring.radial_thickness = " + in_mm(*ring.radial_thickness) + " fills the bore of " +
-                            in_mm(c.engine.bore),
-                        "check its unit"});
+    breaches.push_back(
+        {"ring.radial_thickness",
+         "ring.radial_thickness = " + in_mm(*ring.radial_thickness) + " fills the bore of " + in_mm(c.engine.bore),
+         "check its unit"});
   }
 }
 
@@ -115,8 +116,8 @@ std::vector<RuleBreach> broken_pack_rules(const Case& pack) {
     const bool oil_before = ring_of(pack, i - 1).gas_path.kind == RingKind::kOil;
     if (!oil_before || ring_of(pack, i).gas_path.kind == RingKind::kOil) continue;
     breaches.push_back({pack_key(i - 1, "ring.kind"),
-                        "rings out of order: ring " + std::to_string(i - 1) +
-                            " is an oil ring, and ring " + std::to_string(i) + " below it a compression ring",
+                        "rings out of order: ring " + std::to_string(i - 1) + " is an oil ring, and ring " +
+                            std::to_string(i) + " below it a compression ring",
                         "[[ring]] sections go from the chamber to the crankcase, oil rings last"});
   }
   if (ring_of(pack, n).gas_path.volume_below > 0) {

@@ -45,7 +45,9 @@ models::RingFace ring_face(const Case& c) {
 
 /// On the face [Pa].
 double largest_mean_pressure(const Case& c, const LandPressures& lands) {
-  return elastic_pressure(c) + pressure_behind_ring(c.gas, lands.above.peak(), lands.below.peak());
+  const double behind =
+      lands.behind ? lands.behind->peak() : pressure_behind_ring(c.gas, lands.above.peak(), lands.below.peak());
+  return elastic_pressure(c) + behind;
 }
 
 void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
@@ -73,14 +75,24 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
                    1});
 }
 
+models::CyclePressure computed_pressure(const SampledTrace& trace) { return {trace.crank_angle_deg, trace.value}; }
+
 models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
+  if (land.computed) return computed_pressure(**land.computed);
   return land.trace ? absolute_trace(c, **land.trace) : models::CyclePressure(land.constant.value());
 }
 
 LandPressures land_pressures(const Case& c) {
+  if (c.gas_path.is_computed() && !c.ring.has_computed_gas) {
+    throw InputError("the gas between the rings is computed for a whole ring pack, and this is a ring by itself",
+                     "run the pack, or state gas_path.model = \"given\" with ring.pressure_above and "
+                     "ring.pressure_below, for which ringfilm gas --csv writes traces");
+  }
   const LandPressure &above = c.ring.pressure_above, &below = c.ring.pressure_below;
-  return {above.is_stated() ? land_pressure(c, above) : cylinder_pressure(c),
-          below.is_stated() ? land_pressure(c, below) : crankcase_pressure(c)};
+  LandPressures lands{above.is_stated() ? land_pressure(c, above) : cylinder_pressure(c),
+                      below.is_stated() ? land_pressure(c, below) : crankcase_pressure(c)};
+  if (c.ring.pressure_behind) lands.behind = computed_pressure(**c.ring.pressure_behind);
+  return lands;
 }
 
 Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {

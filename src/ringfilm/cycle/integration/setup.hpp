@@ -31,8 +31,9 @@ struct EngineSetup {
 
 /// Gas pressures at the edges of a ring's face, absolute, 0 = firing TDC.
 struct LandPressures {
-  models::CyclePressure above;  ///< of the top ring that of the cylinder [Pa]
-  models::CyclePressure below;  ///< of the last ring that of the crankcase [Pa]
+  models::CyclePressure above;                                 ///< of the top ring that of the cylinder [Pa]
+  models::CyclePressure below;                                 ///< of the last ring that of the crankcase [Pa]
+  std::optional<models::CyclePressure> behind = std::nullopt;  ///< in the groove, where the gas path is computed [Pa]
 };
 
 /// The oil of a ring's film, at the temperatures that it has along the stroke.

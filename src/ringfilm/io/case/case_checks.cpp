@@ -25,7 +25,7 @@ class Checks {
   }
 
  private:
-  bool is_for_gas_alone() const { return stated_.purpose == cycle::CasePurpose::kGasPath; }
+  bool is_for_gas_alone() const { return case_.purpose == cycle::CasePurpose::kGasPath; }
 
   /// Is the key of no concern to what the case is read for?
   bool is_out_of_scope(const Field& field) const { return is_for_gas_alone() && !cycle::is_of_gas_path(field); }

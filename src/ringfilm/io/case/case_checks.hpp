@@ -6,7 +6,6 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
 
 /// Checks of a case as a whole: keys that are missing, keys that nothing uses, rules that join keys.
 namespace ringfilm::io {
@@ -22,7 +21,6 @@ struct StatedKeys {
   std::map<std::string, KeyPlace> given;  ///< each of them a known key
   std::set<std::string> faulty;           ///< keys, or whole sections ("engine."), that cannot be checked further
   std::set<std::string> from_oil_file;    ///< keys that describe the oil, whether this case has a use for them or not
-  cycle::CasePurpose purpose = cycle::CasePurpose::kFilm;  ///< what the case is read for
 };
 
 /// Everything that is wrong with a case whose values are good one by one. Empty if nothing is.

@@ -43,6 +43,7 @@ class CaseReader {
  private:
   void read_values() {
     case_ = cycle::blank_case(problem());
+    case_.purpose = purpose_;
     case_.files = tree_.files;
     case_.notes = tree_.notes;
     // First, since all other keys replace what the conditions set.
@@ -101,7 +102,7 @@ class CaseReader {
   }
 
   void check() {
-    StatedKeys stated{tree_.path, {}, tree_.faulty, tree_.from_oil_file, purpose_};
+    StatedKeys stated{tree_.path, {}, tree_.faulty, tree_.from_oil_file};
     for (const auto& [key, entry] : given_) stated.given[key] = {entry->value.key_mark, entry->value.mark};
     const std::vector<Fault> faults = case_faults(case_, stated);
     tree_.faults.insert(tree_.faults.end(), faults.begin(), faults.end());
@@ -206,8 +207,9 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
   return read_case(path, overrides, Units());
 }
 
-cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units) {
-  return case_of(pack_trees(read_case_tree(path, overrides)), units);
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
+                      CasePurpose purpose) {
+  return case_of(pack_trees(read_case_tree(path, overrides)), units, purpose);
 }
 
 cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,

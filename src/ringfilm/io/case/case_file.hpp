@@ -4,7 +4,6 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/text/units.hpp"
 
@@ -31,7 +30,8 @@ using cycle::CasePurpose;
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
 
 /// The same for who reads many cases, which building the units anew for each would slow down.
-cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units);
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
+                      CasePurpose purpose = CasePurpose::kFilm);
 
 /// The same where overrides may make keys of the files unused: those are dropped from the case and put into `dropped`.
 /// A key that the files alone leave unused, or an override that is unused itself, is an error.

@@ -22,7 +22,9 @@ constexpr double kLitresPerMinute = 6e4;  // of 1 m3/s
 bool is_gas_entry(const CaseEntry& entry) {
   const auto of_ring = cycle::ring_key(entry.key);
   const cycle::Field* field = cycle::find_field(of_ring ? of_ring->key : entry.key);
-  return field != nullptr && cycle::is_of_gas_path(*field);
+  if (field == nullptr || !cycle::is_of_gas_path(*field)) return false;
+  // What only the film requires has no value where the case does not state it.
+  return !(entry.assumed && field->need == cycle::Need::kRequired);
 }
 
 ordered_json gas_notes_array(const GasPathDocument& document) {
@@ -78,6 +80,7 @@ std::string gas_path_json(const GasPathDocument& document) {
         {{"ring", event.ring}, {"crank_angle", event.crank_angle_deg}, {"event", event_name(event.event)}});
   }
   for (std::size_t i = 0; i < result.motion.size(); ++i) {
+    if (!result.motion[i].has_groove) continue;
     object["ring_motion"].push_back({{"ring", i + 1},
                                      {"departures_from_lower_flank", result.motion[i].departures},
                                      {"flutters", result.motion[i].flutters}});
@@ -88,10 +91,10 @@ std::string gas_path_json(const GasPathDocument& document) {
   object["cycles_integrated"] = result.cycles;
   object["periodicity_error"] = result.periodicity;
   object["periodic"] = result.repeats;
-  object["units"] = {{"blow_by_per_cycle", "kg"},   {"blow_by_flow", "l/min at 1.01325 bar and 25 degC"},
-                     {"peak_pressure", "Pa"},       {"peak_pressure_angle", "degree"},
-                     {"mean_pressure", "Pa"},       {"crank_angle", "degree"},
-                     {"mass_per_cycle", "kg"},      {"mass_defect", "1"}};
+  object["units"] = {{"blow_by_per_cycle", "kg"}, {"blow_by_flow", "l/min at 1.01325 bar and 25 degC"},
+                     {"peak_pressure", "Pa"},     {"peak_pressure_angle", "degree"},
+                     {"mean_pressure", "Pa"},     {"crank_angle", "degree"},
+                     {"mass_per_cycle", "kg"},    {"mass_defect", "1"}};
   object["notes"] = gas_notes_array(document);
   ordered_json assumed = ordered_json::object();
   for (const CaseEntry& entry : document.inputs) {
@@ -108,12 +111,17 @@ std::string gas_path_csv(const GasPathDocument& document) {
   std::string csv = "crank_angle [degree]";
   for (const auto& region : result.regions) csv += "," + column_name("pressure", region.name) + " [Pa]";
   for (const auto& path : result.paths) csv += "," + column_name("flow", path_name(path)) + " [kg/s]";
-  for (std::size_t i = 0; i < result.position.front().size(); ++i) csv += fmt::format(",position_ring_{} [m]", i + 1);
+  for (std::size_t i = 0; i < result.motion.size(); ++i) {
+    if (result.motion[i].has_groove) csv += fmt::format(",position_ring_{} [m]", i + 1);
+  }
   csv += '\n';
   for (std::size_t k = 0; k < result.pressure.size(); ++k) {
     csv += std::to_string(k);
-    for (const auto* values : {&result.pressure[k], &result.flow[k], &result.position[k]}) {
-      for (const double value : *values) csv += fmt::format(",{}", value + 0.0);  // a zero has no sign
+    const auto add = [&csv](double value) { csv += fmt::format(",{}", value + 0.0); };  // a zero has no sign
+    for (const double p : result.pressure[k]) add(p);
+    for (const double m : result.flow[k]) add(m);
+    for (std::size_t i = 0; i < result.motion.size(); ++i) {
+      if (result.motion[i].has_groove) add(result.position[k][i]);
     }
     csv += '\n';
   }

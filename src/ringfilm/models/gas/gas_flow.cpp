@@ -33,8 +33,8 @@ double OrificeLaw::flow_function(double ratio) const {
 double orifice_flow(const OrificeLaw& law, double area, double gas_constant, const GasState& a, const GasState& b) {
   const bool forwards = a.pressure >= b.pressure;
   const GasState &up = forwards ? a : b, &down = forwards ? b : a;
-  const double flow = area * up.pressure / std::sqrt(gas_constant * up.temperature) *
-                      law.flow_function(down.pressure / up.pressure);
+  const double flow =
+      area * up.pressure / std::sqrt(gas_constant * up.temperature) * law.flow_function(down.pressure / up.pressure);
   return forwards ? flow : -flow;
 }
 

@@ -49,9 +49,8 @@ std::vector<Field> common_fields() {
       field("gas_path.choking_smoothing", NumberKind{member<&Case::gas_path, &GasPath::choking_smoothing>},
             kPlainNumber, between(1e-6, 0.1), Need::kDefault, kComputedGas,
             {"above a pressure ratio of 1 less this number the flow of an orifice is a straight line", "1e-3"}),
-      field("gas_path.sliding_smoothing_speed",
-            NumberKind{member<&Case::gas_path, &GasPath::sliding_smoothing_speed>}, {"m/s", "m/s"}, above(0, 10),
-            Need::kDefault, kComputedGas,
+      field("gas_path.sliding_smoothing_speed", NumberKind{member<&Case::gas_path, &GasPath::sliding_smoothing_speed>},
+            {"m/s", "m/s"}, above(0, 10), Need::kDefault, kComputedGas,
             {"speed of the piston over which the friction of the rings on the bore changes its sign, U_0; used with "
              "gas_path.ring_motion = \"axial\"",
              "\"0.05 m/s\""}),
@@ -69,8 +68,7 @@ std::vector<Field> ring_fields() {
              "\"0.08 mm2\""}),
       field("ring.volume_below", NumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::volume_below>}, kVolume,
             between(0, 1e-3), Need::kDefault, kComputedGas,
-            {"volume of the piston land below, with its clearance; 0: that land is the region below it",
-             "\"500 mm3\""}),
+            {"volume of the piston land below, with its clearance; 0: it is the region below it", "\"500 mm3\""}),
       field("ring.temperature_below", NumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::temperature_below>},
             kTemperature, gas_temperature(), Need::kDefault, kComputedGas,
             {"temperature of the gas on the piston land below; typical, assumed", "\"423.15 K\""}),
@@ -106,7 +104,9 @@ std::vector<Field> ring_fields() {
 }  // namespace
 
 void append_gas_path_fields(std::vector<Field>& fields) {
-  const auto place = [&fields](const char* key) { return std::ranges::find(fields, key, &Field::key); };
+  const auto place = [&fields](const char* key) {
+    return std::find_if(fields.begin(), fields.end(), [key](const Field& one) { return one.key == key; });
+  };
   std::vector<Field> of_ring = ring_fields(), common = common_fields();
   fields.insert(place("ring.face.form"), of_ring.begin(), of_ring.end());
   fields.insert(place("ring.name"), common.begin(), common.end());

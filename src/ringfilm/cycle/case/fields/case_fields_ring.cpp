@@ -11,11 +11,9 @@ constexpr When kFourModuliOrFreeGap{
     [](const Case& c) { return !c.contact.composite_modulus || c.ring.free_gap || c.ring.radial_thickness; },
     "contact.composite_modulus is not stated, or the tension comes from ring.free_gap"};
 
-
 constexpr When kGap{[](const Case& c) { return c.is_unrolled() || c.gas_path.is_computed(); },
                     "film.dimension = \"unrolled\", or gas_path.model = \"orifice-volume\""};
-constexpr When kGivenPressures{[](const Case& c) { return !c.gas_path.is_computed(); },
-                               "gas_path.model = \"given\""};
+constexpr When kGivenPressures{[](const Case& c) { return !c.gas_path.is_computed(); }, "gas_path.model = \"given\""};
 constexpr When kGapped{[](const Case& c) { return c.is_unrolled() && c.ring.end_gap.has_value(); },
                        "ring.end_gap is stated"};
 constexpr When kOilOnLiner{[](const Case& c) { return c.film.supply == OilSupply::kFilmOnLiner; },
